@@ -64,6 +64,7 @@ namespace Sinew
         public const uint MAX_DEFORM_ROUNDS = 200;
         public const uint MAX_DEFORM_ENERGY = 1000000;
         public const uint MAX_MAP_LIMBS = 1024;
+        public const uint MAX_FLOOR_SIDE = 4096;
         public const uint MAX_MOTION_LIMBS = 16;
         public const uint MAX_RIG_JOINTS = 192;
         public const uint JOINT_NAME_BYTES = 32;
@@ -259,11 +260,20 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_floor
+        {
+            public IntPtr heights;
+            public uint columns, rows;
+            public float first_0, first_1, step;
+            public uint reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
         public struct sinew_contact_options
         {
             public uint struct_size;
             public float fps;
-            public IntPtr progress, progress_user;
+            public IntPtr progress, progress_user, floor;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -288,6 +298,15 @@ namespace Sinew
             public uint kind;
             public float position_0, position_1, position_2, error;
             public uint reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_retarget_stream_options
+        {
+            public uint struct_size;
+            public float fps, ground;
+            public uint has_ground, no_contacts, no_range;
+            public IntPtr floor;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -656,6 +675,21 @@ namespace Sinew
             IntPtr workspace, UIntPtr workspace_bytes, IntPtr limbs, IntPtr limb_count, IntPtr spots);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_stream_workspace_size(uint source_joints, uint target_joints, uint body_vertices,
+            out UIntPtr size_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_stream_create(IntPtr source, IntPtr target, IntPtr map, IntPtr target_classes,
+            IntPtr plan_options, IntPtr body, IntPtr options, IntPtr memory, UIntPtr memory_bytes, out IntPtr stream);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_stream_frame(IntPtr stream, IntPtr rotations, IntPtr translations, IntPtr out_rotations,
+            IntPtr out_translations);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_stream_restart(IntPtr stream);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_rig_model_open(IntPtr bytes, UIntPtr size_bytes, IntPtr model);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -839,10 +873,12 @@ namespace Sinew
             new StructSize("sinew_map_outputs", Marshal.SizeOf(typeof(sinew_map_outputs)), true),
             new StructSize("sinew_retarget_options", Marshal.SizeOf(typeof(sinew_retarget_options)), true),
             new StructSize("sinew_motion_body", Marshal.SizeOf(typeof(sinew_motion_body)), false),
+            new StructSize("sinew_floor", Marshal.SizeOf(typeof(sinew_floor)), false),
             new StructSize("sinew_contact_options", Marshal.SizeOf(typeof(sinew_contact_options)), true),
             new StructSize("sinew_motion_clip", Marshal.SizeOf(typeof(sinew_motion_clip)), false),
             new StructSize("sinew_limb_measure", Marshal.SizeOf(typeof(sinew_limb_measure)), false),
             new StructSize("sinew_contact_spot", Marshal.SizeOf(typeof(sinew_contact_spot)), false),
+            new StructSize("sinew_retarget_stream_options", Marshal.SizeOf(typeof(sinew_retarget_stream_options)), true),
             new StructSize("sinew_rig_options", Marshal.SizeOf(typeof(sinew_rig_options)), true),
             new StructSize("sinew_rig_outputs", Marshal.SizeOf(typeof(sinew_rig_outputs)), true),
             new StructSize("sinew_joint_verdicts", Marshal.SizeOf(typeof(sinew_joint_verdicts)), true),

@@ -93,6 +93,39 @@ static class Test
         Require(false, "expected " + typeof(T).Name + " with: " + part);
     }
 
+    // A skeleton on itself, frame by frame, is itself; on its own body it stays on the floor.
+    static void Stream(Mesh mesh, Skeleton skeleton, Skin skin)
+    {
+        int count = skeleton.JointCount;
+        var map = new int[count];
+        float[] rotations = new float[4 * count], translations = new float[3 * count], to = new float[4 * count], at = new float[3 * count];
+        for (int j = 0; j < count; ++j)
+        {
+            map[j] = j;
+            rotations[4 * j + 3] = 1;
+            for (int i = 0; i < 3; ++i)
+                translations[3 * j + i] = skeleton.Positions[3 * j + i] - (skeleton.Parents[j] < 0 ? 0 : skeleton.Positions[3 * skeleton.Parents[j] + i]);
+        }
+        var triangles = new Mesh { Positions = mesh.Positions, FaceVertices = new uint[] { 0, 1, 2 } };
+        foreach (Mesh body in new[] { null, triangles })
+        {
+            using (var stream = new RetargetStream(skeleton, skeleton, map, new StreamSettings { Body = body, BodySkin = skin }))
+            {
+                stream.Frame(rotations, translations, to, at);
+                stream.Restart();
+                for (int i = 0; i < 3 * count; ++i) Require(Math.Abs(at[i] - translations[i]) < 1e-4, "a skeleton moves as itself");
+                Expect<ArgumentException>("rotations", () => stream.Frame(new float[3], translations, to, at));
+                translations[0] = float.NaN;
+                Expect<SinewException>("retarget", () => stream.Frame(rotations, translations, to, at));
+                translations[0] = skeleton.Positions[0];
+                stream.Dispose();
+                Expect<ObjectDisposedException>("RetargetStream", () => stream.Frame(rotations, translations, to, at));
+            }
+        }
+        Expect<ArgumentException>("map", () => new RetargetStream(skeleton, skeleton, new int[1]));
+        Expect<SinewException>("retarget", () => new RetargetStream(skeleton, skeleton, map, new StreamSettings { Fps = 0.1f }));
+    }
+
     static void Errors(byte[] file, Mesh mesh, Skeleton skeleton)
     {
         Expect<SinewException>("not a sinew model", () => Model.ForWeights(new byte[1000]));
@@ -147,6 +180,7 @@ static class Test
             Expect<SinewException>("NaN", () => Engine.Bind(model, broken, skeleton));
             model.Dispose();
             Expect<ObjectDisposedException>("Model", () => Engine.Bind(model, mesh, skeleton));
+            Stream(mesh, skeleton, plain);
         }
     }
 

@@ -125,6 +125,8 @@ void measure(uint32_t vertices, uint32_t frames, int repeats) {
     rotations.insert(rotations.end(), pose.rotations.begin(), pose.rotations.end());
     translations.insert(translations.end(), pose.translations.begin(), pose.translations.end());
   }
+  std::vector<float> sitting = translations;  // seat, knees, hands and feet are on the floor
+  for (uint32_t f = 0; f < frames; ++f) sitting[size_t{3} * from.count() * f + 1] -= 0.8f;
   const sinew_skeleton source_rig = from.view(), target_rig = to.view();
   size_t bytes = 0;
   check(sinew_retarget_create_workspace_size(from.count(), to.count(), &bytes), "size");
@@ -135,14 +137,18 @@ void measure(uint32_t vertices, uint32_t frames, int repeats) {
         "plan");
   float ground = 0;
   check(sinew_retarget_ground(plan, nullptr, 0, &ground), "ground");
-  Method methods[] = {{"copy"}, {"contacts"}, {"contacts without a body"}, {"reference points"}};
+  Method methods[] = {{"copy"},   {"contacts"},           {"contacts without a body"}, {"reference points"},
+                      {"stream"}, {"stream on the floor"}};
   size_t contacts = 0, points = 0;
   check(sinew_retarget_contacts_workspace_size(plan, &target, frames, &contacts), "size");
   check(sinew_retarget_reference_points_workspace_size(plan, &target, &points), "size");
   const sinew::Workspace workspace(contacts > points ? contacts : points);
   sinew_motion_body const* const bodies[] = {nullptr, &source, nullptr, &source};
+  sinew::RetargetStream stream;
+  check(stream.make(source_rig, target_rig, one_to_one(to.count()).data(), to.classes.data(), {}, &target), "stream");
+  check(sinew_retarget_stream_workspace_size(from.count(), to.count(), target.vertex_count, &bytes), "size");
   for (int i = 0; i < repeats; ++i) {
-    for (size_t m = 0; m < 4; ++m) {
+    for (size_t m = 0; m < 6; ++m) {
       std::vector<float> out_rotations(size_t{4} * to.count() * frames),
           out_translations(size_t{3} * to.count() * frames);
       double start = sinew_bench::thread_seconds();
@@ -157,12 +163,20 @@ void measure(uint32_t vertices, uint32_t frames, int repeats) {
       if (m == 1 || m == 2)
         check(sinew_retarget_contacts(plan, bodies[m], &target, &clip, nullptr, workspace.data(), workspace.size()),
               methods[m].name);
+      if (m >= 4) {  // with a copy of its own
+        check(stream.restart(), "restart");
+        for (uint32_t f = 0; f < frames; ++f)
+          check(stream.frame(&rotations[size_t{4} * from.count() * f],
+                             &(m == 4 ? translations : sitting)[size_t{3} * from.count() * f],
+                             &out_rotations[size_t{4} * to.count() * f], &out_translations[size_t{3} * to.count() * f]),
+                "stream");
+      }
       if (m == 3)
         check(sinew_retarget_reference_points(plan, bodies[m], &target, &clip, nullptr, workspace.data(),
                                               workspace.size()),
               methods[m].name);
       methods[m].seconds.push_back((sinew_bench::thread_seconds() - start) / frames);
-      methods[m].bytes = m == 0 ? 0 : m == 3 ? points : contacts;
+      methods[m].bytes = m == 0 ? 0 : m == 3 ? points : m >= 4 ? bytes : contacts;
       methods[m].hash =
           sinew_bench::fnv1a(sinew_bench::kHashStart, out_rotations.data(), out_rotations.size() * sizeof(float));
     }

@@ -538,6 +538,38 @@ void hash_map(const char* name, const SetLine& line, const Input& in, const Inpu
   print(name, "map", map);
 }
 
+// The frames of a motion as they come, twice: on the mesh with natural ranges and an uneven floor, and on the joints alone.
+void hash_stream(const char* name, const sinew_skeleton& source, const sinew_skeleton& target,
+                 const std::vector<int32_t>& map, const std::vector<uint8_t>& classes, const sinew_motion_body& body,
+                 const std::vector<float>& turns, const std::vector<float>& places) {
+  const size_t joints = target.joint_count;
+  const float steps[] = {0, 0.02f, 0.05f, 0.01f, 0.03f, 0};
+  const sinew_floor floor = {steps, 3, 2, {-0.2f, -0.1f}, 0.25f, 0};
+  Hash poses;
+  for (const bool on_mesh : {true, false}) {
+    sinew_retarget_stream_options options = sinew_retarget_stream_options_init();
+    options.fps = on_mesh ? 30 : 60;
+    options.no_range = on_mesh ? 0 : 1;
+    if (on_mesh) options.floor = &floor;
+    size_t bytes = 0;
+    check(sinew_retarget_stream_workspace_size(target.joint_count, target.joint_count, on_mesh ? body.vertex_count : 0,
+                                               &bytes));
+    Block block(bytes);
+    sinew_retarget_stream* stream = nullptr;
+    check(sinew_retarget_stream_create(&source, &target, map.data(), classes.data(), nullptr, on_mesh ? &body : nullptr,
+                                       &options, block.data, bytes, &stream));
+    std::vector<float> out(7 * joints);
+    std::vector<uint32_t> bits(out.size());
+    for (size_t f = 0; f < turns.size() / (4 * joints); ++f) {
+      check(sinew_retarget_stream_frame(stream, turns.data() + 4 * joints * f, places.data() + 3 * joints * f,
+                                        out.data(), out.data() + 4 * joints));
+      std::memcpy(bits.data(), out.data(), out.size() * sizeof(uint32_t));
+      poses.add(bits.data(), bits.size());
+    }
+  }
+  print(name, "stream", poses);
+}
+
 // A source of the character's own joints, larger, on its side and in another rest pose, and frames in which everything
 // turns: numbers of a small generator, no libm. Every fifth joint has no source; classes follow the depth, so that there are
 // legs and arms.
@@ -659,6 +691,7 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   add(out_rotations);
   add(out_positions);
   print(name, "contacts", poses);
+  hash_stream(name, source, target, map, classes, own, turns, places);
   // The published method, as drawn and with all of its options.
   poses = Hash();
   check(sinew_retarget_reference_points_workspace_size(plan, &own, &bytes));

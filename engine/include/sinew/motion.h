@@ -19,7 +19,8 @@ extern "C" {
 typedef enum sinew_retarget_method {
   SINEW_RETARGET_AUTO = 0, /* the best that this library has for the inputs */
   /* A mapped joint rotates as its source does. Upper and lower arms and legs point in the directions of the source's,
-   * whatever the rest poses are. Joints without a source follow their parents. Translations of the hips, and of joints that
+   * whatever the rest poses are. Joints without a source follow their parents. Feet and hands that hang elsewhere than on
+   * their limbs, for inverse kinematics, go with them where the source's hang on theirs. Translations of the hips, and of joints that
    * move against their parents but are no bone of trunk, arms or legs, are scaled by the ratio of the legs. Contacts come after it: sinew_retarget_contacts() */
   SINEW_RETARGET_COPY = 1
 } sinew_retarget_method;
@@ -90,7 +91,8 @@ SINEW_API sinew_status sinew_retarget_height(sinew_retarget* plan, const float* 
 
 /* How high a standing ankle of a clip is: the 5th percentile of its frames' heights. The source's own at rest where it
  * stands on the clip's floor: its lowest joint is within 20 % of a leg of the origin's height, or the two heights are
- * within 5 % of a leg of each other.
+ * within 5 % of a leg of each other. Not so where its feet never come down to that: from 25 % of a leg over it, and less than a whole
+ * one, the clip stands on a floor of its own.
  *   heights  [count] of sinew_retarget_height(); sorted on return. None: the source's own at rest
  * Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_NOT_FINITE. */
 SINEW_API sinew_status sinew_retarget_ground(const sinew_retarget* plan, float* heights, size_t count, float* ground);
@@ -113,12 +115,27 @@ typedef struct sinew_motion_body {
   uint32_t triangle_count;
 } sinew_motion_body;
 
+#define SINEW_MAX_FLOOR_SIDE 4096u
+
+/* An uneven floor: heights on a regular grid over the two axes of the target's world that are not up, in the order x, y, z; in
+ * between by bilinear interpolation, beyond the edges as at them. A grid and no callback, so that every language gives it in the
+ * same way and it is checked once. Never changes. */
+typedef struct sinew_floor {
+  const float* heights; /* [rows x columns] over the level floor, on which the target stands at rest */
+  uint32_t columns;     /* along the first axis, 1..SINEW_MAX_FLOOR_SIDE */
+  uint32_t rows;        /* along the second */
+  float first[2];       /* where the first height is, along the two axes */
+  float step;           /* from one height to the next, above 0 */
+  uint32_t reserved;    /* 0 */
+} sinew_floor;
+
 /* Start from sinew_contact_options_init(). Later versions add members at the end, as in sinew_retarget_options. */
 typedef struct sinew_contact_options {
   uint32_t struct_size;    /* sizeof(sinew_contact_options) */
   float fps;               /* frames a second; 0 = 30 */
   sinew_progress progress; /* or null */
   void* progress_user;
+  const sinew_floor* floor; /* of the target, the source's is level; null: level as well */
 } sinew_contact_options;
 
 static inline sinew_contact_options sinew_contact_options_init(void) {
@@ -147,8 +164,11 @@ SINEW_API sinew_status sinew_retarget_contacts_workspace_size(const sinew_retarg
 
 /* Keeps contacts in a clip that sinew_retarget_frame() made, by bending arms and legs:
  *   feet   a foot that stands in the source stands still in the target, as high above the floor as the source's
+ *   floor  what else of the source is on its floor is on the target's: hands, knees, elbows, seat, chest and head, by the height of the
+ *          body and the pitch of its trunk, then limb by limb. Nothing moves where feet alone are near it
  *   hands  a hand near a point of the source's body goes near the same point of the target's body
  *   depth  hands and forearms that are in the target's body come out, but for the depth that they have in the source's body
+ * On an uneven floor the body goes as much higher as the floor is under the lower foot.
  * Bones keep their lengths, hands and feet their rotations. Frames before and after are looked at, so it works on whole clips.
  *   source  the body that moved, of the same vertices and triangles as the target's (its `triangles` are not looked at);
  *           null: feet are seen by their joints alone, and arms may be in the target's body as deep as at rest

@@ -16,6 +16,7 @@
  *   sinew/deform.h        poses a mesh so that bends keep their volume
  *   sinew/motion.h        plays motion of another skeleton, and keeps contacts
  *   sinew/motion_clips.h  whole clips of it: natural ranges, what is left to be mended
+ *   sinew/motion_stream.h frame by frame as it comes, in one block of memory
  *   sinew/abi.h           sizes of structs, for bindings
  *   sinew/published.h     methods as others published them, for comparison; this header does not include it
  *
@@ -38,6 +39,7 @@
 #include "sinew/model.h"
 #include "sinew/motion.h"
 #include "sinew/motion_clips.h"
+#include "sinew/motion_stream.h"
 #include "sinew/names.h"
 #include "sinew/questions.h"
 #include "sinew/rig.h"

@@ -512,6 +512,39 @@ class RetargetPlan {
   sinew_retarget* plan_ = nullptr;
 };
 
+// sinew_retarget_stream_options that ask for every default; {} where a function takes settings.
+struct StreamSettings : sinew_retarget_stream_options {
+  StreamSettings() : sinew_retarget_stream_options(sinew_retarget_stream_options_init()) {}
+  StreamSettings(const sinew_retarget_stream_options& options) : sinew_retarget_stream_options(options) {}
+};
+
+// A sinew_retarget_stream and its memory.
+class RetargetStream {
+ public:
+  // Size query, memory and sinew_retarget_stream_create(); body may be null. Returns what they do; SINEW_ERROR_WORKSPACE where
+  // memory is short. On failure there is no stream, and the functions below return SINEW_ERROR_ARGUMENT.
+  sinew_status make(const sinew_skeleton& source, const sinew_skeleton& target, const int32_t* map,
+                    const uint8_t* target_classes, const RetargetSettings& plan_settings, const sinew_motion_body* body,
+                    const StreamSettings& settings = {}) {
+    stream_ = nullptr;
+    size_t bytes = 0;
+    const sinew_status status = sinew_retarget_stream_workspace_size(source.joint_count, target.joint_count,
+                                                                     body == nullptr ? 0 : body->vertex_count, &bytes);
+    if (status != SINEW_OK) return status;
+    if (!memory_.reserve(bytes)) return SINEW_ERROR_WORKSPACE;
+    return sinew_retarget_stream_create(&source, &target, map, target_classes, &plan_settings, body, &settings,
+                                        memory_.data(), memory_.size(), &stream_);
+  }
+  sinew_status frame(const float* rotations, const float* translations, float* out_rotations, float* out_translations) {
+    return sinew_retarget_stream_frame(stream_, rotations, translations, out_rotations, out_translations);
+  }
+  sinew_status restart() { return sinew_retarget_stream_restart(stream_); }
+
+ private:
+  Workspace memory_;
+  sinew_retarget_stream* stream_ = nullptr;
+};
+
 // sinew_deform_options that ask for every default; {} where a function takes deform options.
 struct DeformOptions : sinew_deform_options {
   DeformOptions() : sinew_deform_options(sinew_deform_options_init()) {}

@@ -2,16 +2,22 @@
 // The C API: argument checks of plans that retarget motion.
 #include "sinew/motion.h"
 
+#include <stddef.h>
+
 #include "api/arguments.hpp"
 #include "core/build.hpp"
 #include "core/struct_size.hpp"
 #include "motion/measure_clip.hpp"
 #include "motion/reference_points.hpp"
 #include "motion/retarget.hpp"
+#include "motion/retarget_stream.hpp"
 #include "sinew/motion_clips.h"
 #include "sinew/published.h"
 
 static_assert(sizeof(sinew_retarget_options) == 5 * sizeof(uint32_t), "a hole in sinew_retarget_options");
+static_assert(sizeof(sinew_floor) == 6 * sizeof(uint32_t) + sizeof(void*), "sinew_floor never changes");
+static_assert(sizeof(sinew_retarget_stream_options) == 6 * sizeof(uint32_t) + sizeof(void*),
+              "a hole in sinew_retarget_stream_options");
 static_assert(sizeof(sinew_limb_measure) == 12 * sizeof(uint32_t), "sinew_limb_measure never changes");
 static_assert(sizeof(sinew_contact_spot) == 6 * sizeof(uint32_t), "sinew_contact_spot never changes");
 static_assert(sizeof(sinew_reference_options) == 10 * sizeof(uint32_t) + 2 * sizeof(void*),
@@ -58,13 +64,14 @@ sinew_status read_contacts(const sinew_retarget* plan, const sinew_motion_body* 
                            const sinew_motion_clip* clip, const sinew_contact_options* options, const void* workspace,
                            sinew::motion::ClipInputs* inputs) {
   sinew_contact_options own = sinew_contact_options_init();
-  sinew_status status = options == nullptr ? SINEW_OK : sinew::read_struct(options, sizeof own, sizeof own, &own);
+  constexpr uint32_t kFirstSize = offsetof(sinew_contact_options, floor);  // the struct of the first release
+  sinew_status status = options == nullptr ? SINEW_OK : sinew::read_struct(options, kFirstSize, sizeof own, &own);
   if (status == SINEW_OK) status = check_clip(plan, source, target, clip, workspace);
   if (status != SINEW_OK) return status;
   const double fps = own.fps == 0 ? 30.0 : static_cast<double>(own.fps);
   if (!(fps >= 1 && fps <= 1000)) return SINEW_ERROR_ARGUMENT;
   *inputs = clip_inputs(*clip, fps, sinew::Progress{own.progress, own.progress_user});
-  return SINEW_OK;
+  return inputs->floor.take(own.floor);
 }
 
 // spots: or null.
@@ -206,6 +213,55 @@ sinew_status sinew_retarget_reference_points(sinew_retarget* plan, const sinew_m
   } else {
     return SINEW_ERROR_NOT_BUILT;
   }
+}
+
+sinew_status sinew_retarget_stream_workspace_size(uint32_t source_joints, uint32_t target_joints,
+                                                  uint32_t body_vertices, size_t* size_bytes) {
+  const sinew_status status = sinew_retarget_create_workspace_size(source_joints, target_joints, size_bytes);
+  if (status != SINEW_OK) return status;
+  *size_bytes = 0;
+  if (body_vertices > SINEW_MAX_VERTICES) return SINEW_ERROR_COUNT;
+  *size_bytes = sinew::motion::measure_stream(source_joints, target_joints, body_vertices);
+  return *size_bytes == 0 ? SINEW_ERROR_COUNT : SINEW_OK;
+}
+
+sinew_status sinew_retarget_stream_create(const sinew_skeleton* source, const sinew_skeleton* target,
+                                          const int32_t* map, const uint8_t* target_classes,
+                                          const sinew_retarget_options* plan_options, const sinew_motion_body* body,
+                                          const sinew_retarget_stream_options* options, void* memory,
+                                          size_t memory_bytes, sinew_retarget_stream** stream) {
+  if (source == nullptr || target == nullptr || map == nullptr || memory == nullptr || stream == nullptr)
+    return SINEW_ERROR_ARGUMENT;
+  sinew_skeleton from, to;
+  sinew::motion::RetargetOptions own;
+  sinew::motion::StreamOptions live;
+  sinew_status status = sinew::read_skeleton(source, &from);
+  if (status == SINEW_OK) status = sinew::read_skeleton(target, &to);
+  if (status == SINEW_OK) status = sinew::motion::read_retarget_options(plan_options, &own);
+  if (status == SINEW_OK) status = sinew::motion::read_stream_options(options, &live);
+  size_t bytes = 0;
+  const uint32_t vertices = body == nullptr ? 0 : body->vertex_count;
+  if (status == SINEW_OK)
+    status = sinew_retarget_stream_workspace_size(from.joint_count, to.joint_count, vertices, &bytes);
+  if (status == SINEW_OK && body != nullptr) status = sinew::motion::check_body(*body, to.joint_count);
+  if (status != SINEW_OK) return status;
+  if (memory_bytes < bytes || !sinew::is_aligned(memory)) return SINEW_ERROR_WORKSPACE;
+  return sinew::motion::create_stream(from, to, map, target_classes, own, body, live, memory, memory_bytes, stream);
+}
+
+sinew_status sinew_retarget_stream_frame(sinew_retarget_stream* stream, const float* rotations,
+                                         const float* translations, float* out_rotations, float* out_translations) {
+  if (stream == nullptr || rotations == nullptr || translations == nullptr || out_rotations == nullptr ||
+      out_translations == nullptr) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  return sinew::motion::stream_frame(stream, rotations, translations, out_rotations, out_translations);
+}
+
+sinew_status sinew_retarget_stream_restart(sinew_retarget_stream* stream) {
+  if (stream == nullptr) return SINEW_ERROR_ARGUMENT;
+  sinew::motion::restart_stream(stream);
+  return SINEW_OK;
 }
 
 }  // extern "C"

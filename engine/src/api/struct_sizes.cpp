@@ -7,6 +7,7 @@
 #include "sinew/model.h"
 #include "sinew/motion.h"
 #include "sinew/motion_clips.h"
+#include "sinew/motion_stream.h"
 #include "sinew/names.h"
 #include "sinew/published.h"
 #include "sinew/questions.h"
@@ -42,10 +43,12 @@ constexpr StructSize kStructSizes[] = {
     {"sinew_map_outputs", sizeof(sinew_map_outputs)},
     {"sinew_retarget_options", sizeof(sinew_retarget_options)},
     {"sinew_motion_body", sizeof(sinew_motion_body)},
+    {"sinew_floor", sizeof(sinew_floor)},
     {"sinew_contact_options", sizeof(sinew_contact_options)},
     {"sinew_motion_clip", sizeof(sinew_motion_clip)},
     {"sinew_limb_measure", sizeof(sinew_limb_measure)},
     {"sinew_contact_spot", sizeof(sinew_contact_spot)},
+    {"sinew_retarget_stream_options", sizeof(sinew_retarget_stream_options)},
     {"sinew_rig_options", sizeof(sinew_rig_options)},
     {"sinew_rig_outputs", sizeof(sinew_rig_outputs)},
     {"sinew_joint_verdicts", sizeof(sinew_joint_verdicts)},

@@ -4,6 +4,7 @@
 #define SINEW_MOTION_CLIP_SCENE_HPP
 
 #include "core/counts.hpp"
+#include "motion/floor_grid.hpp"
 #include "motion/limbs.hpp"
 #include "motion/posed_body.hpp"
 
@@ -17,6 +18,7 @@ struct ClipInputs {
   const float* source_rotations = nullptr;     // [frames x source joints x 4]
   const float* source_translations = nullptr;  // [frames x source joints x 3]
   double ground = 0, fps = 30;
+  FloorGrid floor = {};
   float* rotations = nullptr;     // [frames x target joints x 4]
   float* translations = nullptr;  // [frames x target joints x 3]
   Progress progress = {};
@@ -43,6 +45,9 @@ struct ClipScene {
                     const sinew_motion_body& target_body, const ClipInputs& inputs);
   // The motion comes from this very rig and body: nothing is left to be mended.
   bool is_same_body() const;
+
+  // How far a point of the target's world is over its floor, which is level with the lowest vertex at rest where there is no grid.
+  double over_floor(Vec3d p) const { return dot(plan->up, p) - target.lowest - in->floor.height(plan->up, p); }
 
   // A frame of the source, and its body where there is one; of the target, without its body.
   sinew_status load_source(uint32_t frame, bool with_body);

@@ -16,10 +16,7 @@ bool ContactScene::allocate_all(Arena& arena, uint32_t source_joints, uint32_t t
   (void)allocate(arena, source_joints, target_joints, vertices, triangles);
   source_tree.allocate(arena, triangles);
   target_tree.allocate(arena, triangles);
-  moves = arena.alloc<Vec3d>(size_t{frames} * kMostLimbs);
-  smooth = arena.alloc<Vec3d>(frames);
-  stands = arena.alloc<uint8_t>(frames);
-  heights = arena.alloc<double>(frames);
+  (void)allocate_floor(arena, target_joints, vertices, frames);
   hands = arena.alloc<HandContact>(size_t{frames} * kMostArms);
   search.allocate(arena, vertices, triangles);
   return arena.ok();
@@ -36,14 +33,6 @@ void ContactScene::search_target(uint32_t frame, bool only_deepest) {
 void ContactScene::search_target_at_rest() {
   pose_target_at_rest();
   search.fill(target, true, &target_tree);
-}
-
-void smooth_over_time(Vec3d* values, uint32_t count, uint32_t stride, uint32_t passes, Vec3d* scratch) {
-  for (uint32_t pass = 0; pass < passes; ++pass) {
-    for (uint32_t i = 0; i < count; ++i) scratch[i] = values[size_t{stride} * i];
-    for (uint32_t i = 1; i + 1 < count; ++i)
-      values[size_t{stride} * i] = 0.25 * (scratch[i - 1] + 2.0 * scratch[i] + scratch[i + 1]);
-  }
 }
 
 size_t measure_contacts(uint32_t source_joints, uint32_t target_joints, uint32_t vertices, uint32_t triangles,
@@ -64,7 +53,8 @@ sinew_status run_contacts(sinew_retarget* plan, const sinew_motion_body* source,
   const sinew_status status = scene.open(plan, source, target, inputs);
   if (status != SINEW_OK || scene.is_same_body()) return status;
   for (uint32_t l = 0; l < scene.limbs.count; ++l) scene.limbs.limbs[l].natural = true;
-  hold_feet(&scene);
+  scene.floor_patches.open(&scene);
+  FloorContacts(&scene, nullptr).run();
   if (!inputs.progress.report(kFeetEnd)) return SINEW_ERROR_CANCELLED;
   return place_hands(&scene);
 }
@@ -79,13 +69,7 @@ sinew_status keep_range(sinew_retarget* plan, const sinew_motion_body& target, c
   if (status != SINEW_OK || scene.is_same_body()) return status;
   Hinge hinges[kMostLimbs];
   find_hinges(scene, hinges);
-  for (uint32_t f = 0; f < inputs.frames; ++f) {
-    scene.load(f);
-    bool bent = false;
-    for (uint32_t l = 0; l < scene.limbs.count; ++l)
-      bent = bend_into_range(scene.limbs.limbs[l], hinges[l], plan) || bent;
-    if (bent) scene.store(f);
-  }
+  for (uint32_t f = 0; f < inputs.frames; ++f) keep_range_of_frame(scene, hinges, f);
   return SINEW_OK;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Contacts of a whole clip: feet that stand stay where they stand, hands that touch the body touch the same place, and arms
-// stay out of it. Works on frames that were copied, round by round, since each round smooths over time.
+// Contacts of a whole clip: feet that stand stay where they stand, what else is on the floor is on it, hands that touch the body touch
+// the same place, and arms stay out of it. Works on frames that were copied, round by round, since each round smooths over time.
 #ifndef SINEW_MOTION_CONTACTS_HPP
 #define SINEW_MOTION_CONTACTS_HPP
 
 #include "motion/arm_search.hpp"
+#include "motion/floor_contacts.hpp"
 
 namespace sinew::motion {
 
@@ -22,13 +23,9 @@ struct HandContact {
   bool outside = false;                // the target's arm, where it is now, is no deeper than it may be
 };
 
-struct ContactScene : ClipScene {
+struct ContactScene : FloorScene {
   ArmSearch search;
   TriangleTree source_tree, target_tree;
-  Vec3d* moves = nullptr;        // [frames x limbs] where ends are to go from where they are
-  Vec3d* smooth = nullptr;       // [frames] scratch
-  uint8_t* stands = nullptr;     // [frames] scratch
-  double* heights = nullptr;     // [frames] scratch
   HandContact* hands = nullptr;  // [frames x arms]
 
   // Works with a measuring arena. Returns arena.ok().
@@ -40,11 +37,7 @@ struct ContactScene : ClipScene {
   void search_target_at_rest();
 };
 
-// x[i] becomes (x[i-1] + 2 x[i] + x[i+1]) / 4, ends stay. stride in elements; scratch [count].
-void smooth_over_time(Vec3d* values, uint32_t count, uint32_t stride, uint32_t passes, Vec3d* scratch);
-
-// SINEW_OK, SINEW_ERROR_NOT_FINITE or SINEW_ERROR_CANCELLED.
-void hold_feet(ContactScene* scene);
+// SINEW_OK or SINEW_ERROR_CANCELLED.
 sinew_status place_hands(ContactScene* scene);
 
 // Behind sinew_retarget_contacts(); the caller has checked pointers and the source's body against the target's.

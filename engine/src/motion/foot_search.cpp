@@ -30,12 +30,17 @@ void FootSearch::find_standing(const Limb& limb, uint8_t* stands) {
   Vec3d before = {0, 0, 0};
   for (uint32_t f = 0; f < s_.in->frames; ++f) {
     (void)s_.load_source(f, false);
-    const double a = lift(limb.last), b = lift(toe);
     const Vec3d position = s_.plan->source_positions[source_of(toe)];
-    const double distance = f == 0 ? 0 : length(position - before) * (s_.in->fps / kContactFps);
+    const bool slow = is_slow(f == 0 ? Vec3d{0, 0, 0} : position - before);
     before = position;
-    stands[f] = (a < b ? a : b) < kContactHeight * s_.source_height && distance < kContactDistance * s_.source_height;
+    stands[f] = is_low(limb) && slow;
   }
+}
+
+bool FootSearch::is_low(const Limb& limb) const { return height(limb) < kContactHeight * s_.source_height; }
+
+bool FootSearch::is_slow(Vec3d way) const {
+  return length(way) * (s_.in->fps / kContactFps) < kContactDistance * s_.source_height;
 }
 
 FootHeights FootSearch::lowest(const Limb& limb, uint32_t number) const {
@@ -44,7 +49,7 @@ FootHeights FootSearch::lowest(const Limb& limb, uint32_t number) const {
   bool any = false;
   for (uint32_t v = 0; v < s_.body->vertex_count; ++v) {
     if (s_.parts[v] != BodyPart::kFoot || s_.limb_of[v] != number) continue;
-    const double own = dot(up, s_.target.skinned(v)) - s_.target.lowest;
+    const double own = s_.over_floor(s_.target.skinned(v));
     const double from = s_.has_source ? dot(up, s_.source.skinned(v)) - source_floor_ : 0;
     if (!any || own < low.target) low.target = own;
     if (!any || from < low.source) low.source = from;

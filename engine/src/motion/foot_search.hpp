@@ -24,6 +24,14 @@ class FootSearch {
   uint32_t sole_joint(const Limb& limb) const { return limb.toe >= 0 ? static_cast<uint32_t>(limb.toe) : limb.last; }
   // stands [frames]: 1 where ankle or toe is low and the toe is slow. Poses the source.
   void find_standing(const Limb& limb, uint8_t* stands);
+  // The foot's, in the source's pose.
+  bool is_low(const Limb& limb) const;
+  // A way of the source from one frame to the next that is as good as none.
+  bool is_slow(Vec3d way) const;
+  // Of the source's floor, in its units.
+  double source_floor() const { return source_floor_; }
+  // How far a foot's ankle or toe is over its standing height, the lower one, in the source's pose.
+  double height(const Limb& limb) const { return lesser(lift(limb.last), lift(sole_joint(limb))); }
   // Of the bodies' vertices, in the poses that the bodies have now. Without a source's body: how far the joints are above where
   // they are at rest.
   FootHeights lowest(const Limb& limb, uint32_t number) const;

@@ -92,7 +92,7 @@ class Hands {
         hand.vertex = reach.vertex;
         const double share = (kFar * height - root(reach.square)) / ((kFar - kTouch) * height);
         const double t = share > 1 ? 1 : share;
-        hand.alpha = t * t * (3 - 2 * t);
+        hand.alpha = (t * t * (3 - 2 * t)) * (1 - s_.floor_patches.at(frame, search_.limb(a)).weight);
         remember_position(a, &hand);
       }
       hand.depth = search_.deepest(&s_.source_tree, a, {0, 0, 0}, 0).depth;

@@ -46,6 +46,7 @@ LimbList find_limbs(const sinew_retarget& plan) {
     limb.leg = own == SINEW_CLASS_THIGH;
     if (plan.long_ends[limb.middle] < 0) continue;
     limb.last = static_cast<uint32_t>(plan.long_ends[limb.middle]);
+    if (!rig.is_below(limb.last, limb.middle)) continue;  // carried
     for (uint32_t i = 0; i < rig.count && limb.toe < 0; ++i) {
       const uint32_t j = rig.order[i];
       if (plan.classes[j] == SINEW_CLASS_TOE && plan.map[j] >= 0 && rig.is_below(j, limb.last))
@@ -54,6 +55,21 @@ LimbList find_limbs(const sinew_retarget& plan) {
     list.limbs[list.count++] = limb;
   }
   return list;
+}
+
+void swing(uint32_t pivot, uint32_t end, Quat rotation, sinew_retarget* plan) {
+  const MotionRig& rig = plan->target;
+  const Vec3d at = plan->target_positions[pivot], before = plan->target_positions[end];
+  const Vec3d shift = at + rotate(rotation, before - at) - before;
+  for (uint32_t t = 0; t < rig.count; ++t) {
+    if (!rig.is_below(t, pivot)) continue;
+    if (rig.is_below(t, end)) {
+      plan->target_positions[t] = plan->target_positions[t] + shift;
+    } else {
+      plan->target_positions[t] = at + rotate(rotation, plan->target_positions[t] - at);
+      plan->target_rotations[t] = rotation * plan->target_rotations[t];
+    }
+  }
 }
 
 void move_limb(const Limb& limb, Vec3d goal, Vec3d wanted_middle, sinew_retarget* plan) {

@@ -31,5 +31,8 @@ LimbList find_limbs(const sinew_retarget& plan);
 // limb that is hardly bent comes, or as straight as it is.
 void move_limb(const Limb& limb, Vec3d goal, Vec3d middle, sinew_retarget* plan);
 
+// Turns what hangs on `pivot` about it, in the plan's target pose; what hangs on `end` keeps its turn.
+SINEW_RARE void swing(uint32_t pivot, uint32_t end, Quat rotation, sinew_retarget* plan);
+
 }  // namespace sinew::motion
 #endif

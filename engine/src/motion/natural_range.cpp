@@ -108,4 +108,12 @@ bool bend_into_range(const Limb& limb, const Hinge& hinge, sinew_retarget* plan)
   return true;
 }
 
+void keep_range_of_frame(ClipScene& scene, const Hinge (&hinges)[kMostLimbs], uint32_t frame) {
+  scene.load(frame);
+  bool bent = false;
+  for (uint32_t l = 0; l < scene.limbs.count; ++l)
+    bent = bend_into_range(scene.limbs.limbs[l], hinges[l], scene.plan) || bent;
+  if (bent) scene.store(frame);
+}
+
 }  // namespace sinew::motion

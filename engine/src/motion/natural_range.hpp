@@ -24,6 +24,8 @@ bool is_out_of_range(const sinew_retarget& plan, const Limb& limb, const Hinge& 
 // Turns the second bone, and all that hangs on it, into the range; the nearer the pose is to it, the less, so that nothing pops.
 // False: it is there.
 bool bend_into_range(const Limb& limb, const Hinge& hinge, sinew_retarget* plan);
+// All limbs of a frame.
+void keep_range_of_frame(ClipScene& scene, const Hinge (&hinges)[kMostLimbs], uint32_t frame);
 
 }  // namespace sinew::motion
 #endif

@@ -75,6 +75,20 @@ Vec3d left_position(const sinew_retarget& plan, uint32_t t) {
   return stretches && !plan.translations && !plan.same_rig && keeps_length(plan, t) ? Vec3d{0, 0, 0} : left;
 }
 
+// Feet and hands that hang elsewhere go where their limbs end, with what hangs on them.
+void carry_ends(sinew_retarget* plan) {
+  const MotionRig& rig = plan->target;
+  for (uint32_t t = 0; t < rig.count; ++t) {
+    const int32_t carrier = plan->carriers[t];
+    if (carrier < 0) continue;
+    const Vec3d offset = rotate(plan->target_rotations[carrier], rig.positions[t] - rig.positions[carrier]);
+    const Vec3d shift = plan->target_positions[carrier] + offset - plan->target_positions[t];
+    for (uint32_t below = 0; below < rig.count; ++below) {
+      if (rig.is_below(below, t)) plan->target_positions[below] = plan->target_positions[below] + shift;
+    }
+  }
+}
+
 void pose_target(sinew_retarget* plan, double ground) {
   const MotionRig& rig = plan->target;
   for (uint32_t i = 0; i < rig.count; ++i) {
@@ -105,6 +119,7 @@ void pose_target(sinew_retarget* plan, double ground) {
   for (uint32_t t = 0; t < rig.count; ++t) {
     if (plan->moved[t] != 0) plan->target_positions[t] = plan->target_positions[t] + offset;
   }
+  carry_ends(plan);
 }
 
 }  // namespace
@@ -200,7 +215,13 @@ sinew_status standing_height(const sinew_retarget& plan, float* heights, size_t 
   const double fifth = low + (at - static_cast<double>(below)) * (next - low);
   const auto size = [](double x) { return x < 0 ? -x : x; };
   const bool stands = size(plan.source_lowest) <= 0.2 * plan.leg_length;
-  if (!stands && size(fifth - plan.source_floor) > 0.05 * plan.leg_length) *ground = static_cast<float>(fifth);
+  // A clip whose feet never come down to where they are at rest stands on a floor of its own; one that is higher than its legs hangs,
+  // or stands on its hands.
+  const double over = fifth - plan.source_floor;
+  const double third = static_cast<double>(heights[(count - 1) * 3 / 10]);  // of ten: feet come back to one height
+  const bool floats =
+      stands && over > 0.25 * plan.leg_length && over < plan.leg_length && third - fifth < 0.05 * plan.leg_length;
+  if (floats || (!stands && size(over) > 0.05 * plan.leg_length)) *ground = static_cast<float>(fifth);
   return SINEW_OK;
 }
 

@@ -38,6 +38,7 @@ class Planner {
       : options_(options), plan_(*plan), source_(plan->source), target_(plan->target) {}
 
   void run(uint8_t* has_mapped) {
+    for (uint32_t t = 0; t < target_.count; ++t) plan_.carriers[t] = carrier_of(t);
     find_long_bones();
     find_anchors_and_floor();
     find_worlds(options_, &plan_);
@@ -60,6 +61,22 @@ class Planner {
     return -1;
   }
 
+  // Feet and hands that inverse kinematics drive hang under the root. Where the source's hang on their limbs they go with the calf or
+  // forearm; -1 where they hang on it or the source's do not.
+  int32_t carrier_of(uint32_t t) const {
+    const uint32_t own = class_of(t), before = class_before(own);
+    if (!is_mapped(t) || (own != SINEW_CLASS_FOOT && own != SINEW_CLASS_HAND)) return -1;
+    for (int32_t at = target_.parents[t]; at >= 0; at = target_.parents[at]) {
+      if (class_of(static_cast<uint32_t>(at)) == before || class_of(static_cast<uint32_t>(at)) == own) return -1;
+    }
+    for (int32_t s = source_.parents[source_of(t)]; s >= 0; s = source_.parents[s]) {
+      for (uint32_t c = 0; c < target_.count; ++c) {
+        if (plan_.map[c] == s && class_of(c) == before) return static_cast<int32_t>(c);
+      }
+    }
+    return -1;
+  }
+
   // A limb's long bone goes from the first mapped joint of its class (twist joints follow) to the first mapped one of the
   // next class.
   void find_long_bones() {
@@ -69,7 +86,7 @@ class Planner {
       if (!is_mapped(t)) continue;
       const uint32_t own = class_of(t), before = class_before(own);
       if (before == SINEW_CLASS_OTHER || mapped_above(t, own) >= 0) continue;
-      int32_t begin = mapped_above(t, before);
+      int32_t begin = plan_.carriers[t] >= 0 ? plan_.carriers[t] : mapped_above(t, before);
       for (int32_t up = begin; up >= 0; up = mapped_above(static_cast<uint32_t>(up), before)) begin = up;
       if (begin < 0 || plan_.map[begin] == plan_.map[t] || plan_.long_ends[begin] >= 0) continue;
       plan_.long_ends[begin] = static_cast<int32_t>(t);
@@ -281,6 +298,7 @@ struct PlanMemory {
     made.map = arena.alloc<int32_t>(target_joints);
     made.classes = arena.alloc<uint8_t>(target_joints);
     made.long_ends = arena.alloc<int32_t>(target_joints);
+    made.carriers = arena.alloc<int32_t>(target_joints);
     made.align = arena.alloc<Quat>(target_joints);
     made.moved = arena.alloc<uint8_t>(target_joints);
     made.anchors = arena.alloc<uint32_t>(target_joints);

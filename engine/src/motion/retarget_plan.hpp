@@ -12,6 +12,7 @@ struct sinew_retarget {
   int32_t* map = nullptr;        // [target joints] source joint or -1
   uint8_t* classes = nullptr;    // [target joints] sinew_joint_class
   int32_t* long_ends = nullptr;  // [target joints] where a limb's long bone that begins here ends, else -1
+  int32_t* carriers = nullptr;   // [target joints] calf or forearm that a foot or hand beside it goes with, else -1
   sinew::motion::Quat* align =
       nullptr;                  // [target joints] from the target's rest direction of its long bone to the source's
   uint8_t* moved = nullptr;     // [target joints] 1 below `mover`, itself included

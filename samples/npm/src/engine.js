@@ -167,34 +167,67 @@ export class Skin extends Binder {
     });
   }
 
-  /** A plan that plays motion of `source` on `target`; free() it. @returns {Retarget} */
-  retarget(source, target, options = {}) {
+  // Blocks of what a plan of `source` and `target` is made of, beside the answer.
+  #pair(blocks, source, target, options) {
     const from = skeletonOf(source, "source"), to = skeletonOf(target, "target");
     const sources = options.map == null ? this.map(target, source).sources : typed(Int32Array, options.map, "retarget: options.map", to.jointCount);
     const classes = options.classes == null ? this.#limbClasses(to, target, from, source, sources) : typed(Uint8Array, options.classes, "retarget: options.classes", to.jointCount);
+    const settings = blocks.struct("retargetOptions", {
+      in_place: options.inPlace ? 1 : 0,
+      scale: options.scale,
+    });
+    const rigs = [[from, source, "source"], [to, target, "target"]].map(([s, rig, name]) =>
+      blocks.struct("skeleton", {
+        up: choice(options[`${name}Up`], WORDS.up, `retarget: options.${name}Up`),
+        positions: blocks.copy(s.positions),
+        parents: blocks.copy(s.parents),
+        rotations: rig.rotations == null ? 0 : blocks.copy(typed(Float32Array, rig.rotations, `${name}.rotations`, 4 * s.jointCount)),
+        joint_count: s.jointCount,
+      }),
+    );
+    return { from, to, sources, classes, inputs: [...rigs, blocks.copy(sources), blocks.copy(classes), settings] };
+  }
+
+  /** A plan that plays motion of `source` on `target`; free() it. @returns {Retarget} */
+  retarget(source, target, options = {}) {
     return this.#calls.with(null, (blocks) => {
-      const settings = blocks.struct("retargetOptions", {
-        in_place: options.inPlace ? 1 : 0,
-        scale: options.scale,
-      });
-      const rigs = [[from, source, "source"], [to, target, "target"]].map(([s, rig, name]) =>
-        blocks.struct("skeleton", {
-          up: choice(options[`${name}Up`], WORDS.up, `retarget: options.${name}Up`),
-          positions: blocks.copy(s.positions),
-          parents: blocks.copy(s.parents),
-          rotations: rig.rotations == null ? 0 : blocks.copy(typed(Float32Array, rig.rotations, `${name}.rotations`, 4 * s.jointCount)),
-          joint_count: s.jointCount,
-        }),
-      );
+      const { from, to, sources, classes, inputs } = this.#pair(blocks, source, target, options);
       const size = this.#calls.size("retarget", blocks, (at) => this.#calls.wasm.sinew_retarget_create_workspace_size(from.jointCount, to.jointCount, at));
       const kept = new Blocks(this.#calls.wasm);
       const memory = kept.bytes(size, 64);
       const plan = blocks.room(Uint32Array, 1);
-      const status = this.#calls.wasm.sinew_retarget_create(...rigs, blocks.copy(sources), blocks.copy(classes), settings, memory, size, plan);
+      const status = this.#calls.wasm.sinew_retarget_create(...inputs, memory, size, plan);
       if (status !== 0) kept.free();
       this.#calls.check("retarget", status);
       return new Retarget(this.#calls.wasm, (...call) => this.#calls.check(...call), kept, blocks.view(Uint32Array, plan, 1)[0], from.jointCount, to.jointCount, sources, classes);
     });
+  }
+
+  /** Motion as it comes, a frame in and a frame out; free() it. @returns {RetargetStream} */
+  retargetStream(source, target, options = {}) {
+    const kept = new Blocks(this.#calls.wasm);
+    try {
+      return this.#calls.with(null, (blocks) => {
+        const { from, to, sources, classes, inputs } = this.#pair(blocks, source, target, options);
+        const body = options.body == null ? null : bodyOf(options.body, to.jointCount);
+        const settings = blocks.struct("retargetStreamOptions", {
+          fps: options.fps,
+          ground: options.ground,
+          has_ground: options.ground == null ? 0 : 1,
+          no_contacts: options.contacts === false ? 1 : 0,
+          no_range: options.range === false ? 1 : 0,
+        });
+        const vertices = body == null ? 0 : body.vertex_count;
+        const size = this.#calls.size("retarget", blocks, (at) => this.#calls.wasm.sinew_retarget_stream_workspace_size(from.jointCount, to.jointCount, vertices, at));
+        const stream = blocks.room(Uint32Array, 1);
+        const view = body == null ? 0 : bodyStruct(kept, body);
+        this.#calls.check("retarget", this.#calls.wasm.sinew_retarget_stream_create(...inputs, view, settings, kept.bytes(size, 64), size, stream));
+        return new RetargetStream(this.#calls.wasm, (...call) => this.#calls.check(...call), kept, blocks.view(Uint32Array, stream, 1)[0], from.jointCount, to.jointCount, sources, classes);
+      });
+    } catch (error) {
+      kept.free();
+      throw error;
+    }
   }
 
   /** Positions of a pose without correction: linear blending, or dual quaternions. */
@@ -322,6 +355,26 @@ export class Skin extends Binder {
   }
 }
 
+// A bound mesh as what contacts look at.
+function bodyOf(body, jointCount) {
+  const mesh = meshOf(body, "options.body");
+  if (mesh.faceOffsets != null) throw new SinewError("options.body: expected triangles as `indices`, found polygons");
+  const skin = skinOf(body.skin, mesh.vertexCount, jointCount, "options.body.skin");
+  return { mesh, skin, vertex_count: mesh.vertexCount };
+}
+
+function bodyStruct(blocks, { mesh, skin }) {
+  return blocks.struct("motionBody", {
+    positions: blocks.copy(mesh.positions),
+    triangles: blocks.copy(mesh.faceVertices),
+    joint_indices: blocks.copy(skin.joints),
+    weights: blocks.copy(skin.weights),
+    influence_count: skin.influenceCount,
+    vertex_count: mesh.vertexCount,
+    triangle_count: mesh.faceCount,
+  });
+}
+
 /** Plays poses of one skeleton on another. Poses: local rotations [J x 4] x y z w and translations [J x 3], in the parents' axes. */
 export class Retarget {
   #wasm;
@@ -376,18 +429,7 @@ export class Retarget {
   }
 
   #contacts(blocks, options, made) {
-    const mesh = meshOf(options.body, "options.body");
-    if (mesh.faceOffsets != null) throw new SinewError("options.body: expected triangles as `indices`, found polygons");
-    const skin = skinOf(options.body.skin, mesh.vertexCount, this.#targetCount, "options.body.skin");
-    const body = blocks.struct("motionBody", {
-      positions: blocks.copy(mesh.positions),
-      triangles: blocks.copy(mesh.faceVertices),
-      joint_indices: blocks.copy(skin.joints),
-      weights: blocks.copy(skin.weights),
-      influence_count: skin.influenceCount,
-      vertex_count: mesh.vertexCount,
-      triangle_count: mesh.faceCount,
-    });
+    const body = bodyStruct(blocks, bodyOf(options.body, this.#targetCount));
     const clip = blocks.struct("motionClip", {
       source_rotations: made.inRotations,
       source_translations: made.inTranslations,
@@ -401,6 +443,46 @@ export class Retarget {
     this.#check("retarget", this.#wasm.sinew_retarget_contacts_workspace_size(this.#plan, body, made.frames, sizeAt));
     const size = blocks.view(Uint32Array, sizeAt, 1)[0];
     this.#check("retarget", this.#wasm.sinew_retarget_contacts(this.#plan, 0, body, clip, settings, blocks.bytes(size, 64), size));
+  }
+
+  free() {
+    this.#kept.free();
+  }
+}
+
+/** Plays motion of one skeleton on another as it comes; what stands on the floor stays where it came to stand. */
+export class RetargetStream {
+  #wasm;
+  #check;
+  #kept;
+  #stream;
+  #counts;
+  constructor(wasm, check, kept, stream, sourceCount, targetCount, map, classes) {
+    [this.#wasm, this.#check, this.#kept, this.#stream] = [wasm, check, kept, stream];
+    this.#counts = [sourceCount, targetCount];
+    /** [target J] joint of the source, -1 = none */
+    this.map = map;
+    /** [target J] sinew_joint_class that was used */
+    this.classes = classes;
+  }
+
+  /** The next frame: local rotations [J x 4] and translations [J x 3] of the source. @returns those of the target */
+  frame(rotations, translations) {
+    const [from, to] = this.#counts;
+    const given = [typed(Float32Array, rotations, "rotations", 4 * from), typed(Float32Array, translations, "translations", 3 * from)];
+    const blocks = new Blocks(this.#wasm);
+    try {
+      const made = [blocks.room(Float32Array, 4 * to), blocks.room(Float32Array, 3 * to)];
+      this.#check("retarget", this.#wasm.sinew_retarget_stream_frame(this.#stream, ...given.map((array) => blocks.copy(array)), ...made));
+      return { rotations: blocks.take(Float32Array, made[0], 4 * to), translations: blocks.take(Float32Array, made[1], 3 * to) };
+    } finally {
+      blocks.free();
+    }
+  }
+
+  /** Forgets the frames before. */
+  restart() {
+    this.#check("retarget", this.#wasm.sinew_retarget_stream_restart(this.#stream));
   }
 
   free() {

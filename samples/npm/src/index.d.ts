@@ -281,6 +281,29 @@ export class Retarget {
   free(): void;
 }
 
+export interface StreamOptions extends RetargetOptions {
+  /** the target's mesh (triangles) with its weights, whose skin is to be on the floor; its joints where it is missing */
+  body?: Mesh & { skin: SkinRows };
+  /** 30 */
+  fps?: number;
+  /** height of a standing ankle of the source; its own at rest where it is missing */
+  ground?: number;
+  /** false: nothing is held on the floor */
+  contacts?: boolean;
+  /** false: knees and elbows may leave their natural range */
+  range?: boolean;
+}
+
+export class RetargetStream {
+  private constructor();
+  readonly map: Int32Array;
+  /** [target J] sinew_joint_class that was used */
+  readonly classes: Uint8Array;
+  frame(rotations: Numbers<Float32Array>, translations: Numbers<Float32Array>): { rotations: Float32Array; translations: Float32Array };
+  restart(): void;
+  free(): void;
+}
+
 export class Deformer {
   private constructor();
   readonly vertexCount: number;
@@ -306,6 +329,7 @@ export class Skin {
     branchesCost?: "mean" | "sum";
     pins?: { target: number; source: number }[] }): JointMap;
   retarget(source: MotionRig, target: MotionRig, options?: RetargetOptions): Retarget;
+  retargetStream(source: MotionRig, target: MotionRig, options?: StreamOptions): RetargetStream;
   deformer(mesh: Mesh, skeleton: Skeleton, skin: SkinRows, options?: DeformOptions): Deformer;
   pose(positions: Numbers<Float32Array>, skin: SkinRows, palette: Numbers<Float32Array>, options?: { dualQuaternion?: boolean }): Float32Array;
   transfer(source: { mesh: Mesh; skeleton: Skeleton; skin: SkinRows }, mesh: Mesh, skeleton: Skeleton, options?: TransferOptions): Transferred;

@@ -60,13 +60,16 @@ export const LAYOUTS = {
   motionBody: layout(32,
     "positions@0:u32 triangles@4:u32 joint_indices@8:u32 weights@12:u32 influence_count@16:u32 weight_format@20:u32 " +
     "vertex_count@24:u32 triangle_count@28:u32"),
-  contactOptions: layout(16, "struct_size@0:u32 fps@4:f32 progress@8:u32 progress_user@12:u32"),
+  floor: layout(28, "heights@0:u32 columns@4:u32 rows@8:u32 first@12:f32x2 step@20:f32 reserved@24:u32"),
+  contactOptions: layout(20, "struct_size@0:u32 fps@4:f32 progress@8:u32 progress_user@12:u32 floor@16:u32"),
   motionClip: layout(24,
     "source_rotations@0:u32 source_translations@4:u32 rotations@8:u32 translations@12:u32 frame_count@16:u32 ground@20:f32"),
   limbMeasure: layout(48,
     "joint@0:u32 leg@4:u32 frames@8:u32 deep_frames@12:u32 contact_frames@16:u32 range_frames@20:u32 depth@24:f32 " +
     "greatest_depth@28:f32 error@32:f32 greatest_error@36:f32 reserved@40:u32x2"),
   contactSpot: layout(24, "kind@0:u32 position@4:f32x3 error@16:f32 reserved@20:u32"),
+  retargetStreamOptions: layout(28,
+    "struct_size@0:u32 fps@4:f32 ground@8:f32 has_ground@12:u32 no_contacts@16:u32 no_range@20:u32 floor@24:u32"),
   rigOptions: layout(60,
     "struct_size@0:u32 up@4:u32 mirror@8:u32 spine_count@12:u32 no_toes@16:u32 no_ends@20:u32 weights_in_place@24:u32 " +
     "kernel@28:u32 progress@32:u32 progress_user@36:u32 method@40:u32 category@44:u32 front_model@48:u32 front@52:u32 " +
@@ -183,6 +186,7 @@ export const MAX_DEFORM_CELLS = 64;
 export const MAX_DEFORM_ROUNDS = 200;
 export const MAX_DEFORM_ENERGY = 1000000;
 export const MAX_MAP_LIMBS = 1024;
+export const MAX_FLOOR_SIDE = 4096;
 export const MAX_MOTION_LIMBS = 16;
 export const MAX_RIG_JOINTS = 192;
 export const JOINT_NAME_BYTES = 32;

@@ -113,6 +113,26 @@ class Retarget(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "clip.rotations: expected [0-9]+ joints as the source has"):
             sinew.retarget(self.clip, read_character("snake__long")[2], self.target.skeleton)
 
+    def test_stream(self):
+        copied = sinew.retarget(self.clip, self.source.skeleton, self.target.skeleton, method="copy")
+        skeletons = (self.source.skeleton, self.target.skeleton)
+        stream = sinew.RetargetStream(*skeletons, fps=24, contacts=False, keep_range=False)
+        for f in range(3):
+            rotations, translations = stream.frame(self.clip.rotations[f], self.clip.translations[f])
+            np.testing.assert_array_equal(rotations, copied.rotations[f])
+            np.testing.assert_array_equal(translations, copied.translations[f])
+        held = sinew.RetargetStream(*skeletons, target_body=self.target)
+        first = [held.frame(self.clip.rotations[f], self.clip.translations[f]) for f in range(3)]
+        held.restart()
+        for f, (rotations, translations) in enumerate(first):
+            again = held.frame(self.clip.rotations[f], self.clip.translations[f])
+            np.testing.assert_array_equal(again[0], rotations)
+            np.testing.assert_array_equal(again[1], translations)
+        with self.assertRaisesRegex(ValueError, r"rotations: expected \[[0-9]+, 4\]"):
+            held.frame(self.clip.rotations, self.clip.translations)
+        with self.assertRaises(sinew.Error):
+            sinew.RetargetStream(*skeletons, fps=0.1)
+
 
 class TransferAndPoses(unittest.TestCase):
     def test_transfer_is_the_commands(self):

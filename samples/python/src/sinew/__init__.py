@@ -14,12 +14,12 @@ from .files import load, save
 from .mapping import REASONS, JointMap, map
 from .models import Model
 from .opened import OpenCharacter, create, extensions, open, templates  # noqa: A004
-from .retargeting import joint_classes, retarget
+from .retargeting import RetargetStream, joint_classes, retarget
 from .rigger import Rig, rig
 from .style import answers_by_style
 from .transferring import Transferred, TransferredPart, transfer
 
 __version__ = "0.1.0"
 __all__ = ["ANSWERS", "CLASSES", "REASONS", "Alternative", "Cancelled", "Character", "Clip", "Deformer", "Error", "JointMap",
-           "Model", "OpenCharacter", "Question", "Rig", "Skeleton", "Skin", "Transferred", "TransferredPart", "answers_by_style", "bind", "create", "extensions", "joint_classes", "load",
+           "Model", "OpenCharacter", "Question", "RetargetStream", "Rig", "Skeleton", "Skin", "Transferred", "TransferredPart", "answers_by_style", "bind", "create", "extensions", "joint_classes", "load",
            "map", "multiply", "open", "retarget", "rig", "save", "templates", "transfer"]

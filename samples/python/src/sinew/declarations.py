@@ -23,6 +23,7 @@ MAX_DEFORM_CELLS = 64
 MAX_DEFORM_ROUNDS = 200
 MAX_DEFORM_ENERGY = 1000000
 MAX_MAP_LIMBS = 1024
+MAX_FLOOR_SIDE = 4096
 MAX_MOTION_LIMBS = 16
 MAX_RIG_JOINTS = 192
 JOINT_NAME_BYTES = 32
@@ -213,8 +214,14 @@ class sinew_motion_body(Structure):
         ("triangle_count", c_uint32)]
 
 
+class sinew_floor(Structure):
+    _fields_ = [("heights", c_void_p), ("columns", c_uint32), ("rows", c_uint32), ("first", c_float * 2), ("step", c_float),
+        ("reserved", c_uint32)]
+
+
 class sinew_contact_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("fps", c_float), ("progress", sinew_progress), ("progress_user", c_void_p)]
+    _fields_ = [("struct_size", c_uint32), ("fps", c_float), ("progress", sinew_progress), ("progress_user", c_void_p),
+        ("floor", POINTER(sinew_floor))]
 
 
 class sinew_motion_clip(Structure):
@@ -230,6 +237,11 @@ class sinew_limb_measure(Structure):
 
 class sinew_contact_spot(Structure):
     _fields_ = [("kind", c_uint32), ("position", c_float * 3), ("error", c_float), ("reserved", c_uint32)]
+
+
+class sinew_retarget_stream_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("fps", c_float), ("ground", c_float), ("has_ground", c_uint32), ("no_contacts", c_uint32),
+        ("no_range", c_uint32), ("floor", POINTER(sinew_floor))]
 
 
 class sinew_rig_options(Structure):
@@ -418,9 +430,9 @@ class sinew_character_bake_result(Structure):
 
 STRUCTS: Tuple[Any, ...] = (sinew_mesh, sinew_model, sinew_answer, sinew_alternative, sinew_question, sinew_skeleton, sinew_skin,
     sinew_options, sinew_bind_outputs, sinew_deform_options, sinew_deformer, sinew_deform_outputs, sinew_map_pin, sinew_map_options,
-    sinew_map_outputs, sinew_retarget_options, sinew_motion_body, sinew_contact_options, sinew_motion_clip, sinew_limb_measure,
-    sinew_contact_spot, sinew_rig_options, sinew_rig_outputs, sinew_joint_verdicts, sinew_bound_character, sinew_vertex_pair,
-    sinew_transfer_options, sinew_transfer_part, sinew_transfer_outputs, sinew_reference_options, sinew_simplify_options)
+    sinew_map_outputs, sinew_retarget_options, sinew_motion_body, sinew_floor, sinew_contact_options, sinew_motion_clip, sinew_limb_measure,
+    sinew_contact_spot, sinew_retarget_stream_options, sinew_rig_options, sinew_rig_outputs, sinew_joint_verdicts, sinew_bound_character,
+    sinew_vertex_pair, sinew_transfer_options, sinew_transfer_part, sinew_transfer_outputs, sinew_reference_options, sinew_simplify_options)
 
 
 CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_arrays, sinew_character_clip, sinew_character_models,
@@ -468,6 +480,12 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
         POINTER(sinew_contact_options), c_void_p, c_size_t, POINTER(sinew_limb_measure), c_void_p]),
     "sinew_retarget_spots": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_body), POINTER(sinew_motion_clip),
         POINTER(sinew_contact_options), c_void_p, c_size_t, POINTER(sinew_limb_measure), c_void_p, POINTER(sinew_contact_spot)]),
+    "sinew_retarget_stream_workspace_size": (c_int, [c_uint32, c_uint32, c_uint32, POINTER(c_size_t)]),
+    "sinew_retarget_stream_create": (c_int, [POINTER(sinew_skeleton), POINTER(sinew_skeleton), c_void_p, c_void_p,
+        POINTER(sinew_retarget_options), POINTER(sinew_motion_body), POINTER(sinew_retarget_stream_options), c_void_p, c_size_t,
+        POINTER(c_void_p)]),
+    "sinew_retarget_stream_frame": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p, c_void_p]),
+    "sinew_retarget_stream_restart": (c_int, [c_void_p]),
     "sinew_rig_model_open": (c_int, [c_void_p, c_size_t, POINTER(sinew_model)]),
     "sinew_rig_workspace_size": (c_int, [POINTER(sinew_model), c_uint32, c_uint32, c_uint32, POINTER(sinew_rig_options),
         POINTER(c_size_t)]),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""retarget(): motion of one skeleton on another."""
+"""retarget(): motion of one skeleton on another; RetargetStream: frame by frame as it comes."""
 from __future__ import annotations
 
 import ctypes
@@ -56,20 +56,10 @@ def retarget(clip: Clip, source: Skeleton, target: Skeleton, *, joint_map: Union
     contacts = chosen(method, RETARGET_METHODS, "method") == 2 or (method == "auto" and target_body is not None)
     if contacts and target_body is None:
         raise ValueError("target_body: method='contacts' needs the bound mesh of the target")
-    if joint_map is None:
-        joint_map = map_joints(target, source, target_up=target_up, source_up=source_up)
-    sources = joint_map.sources if isinstance(joint_map, JointMap) else joint_map
-    sources = whole(sources, (len(target),), "joint_map", np.int32, -1, len(source))
-    options = binding.init(binding.sinew_retarget_options)
-    options.in_place, options.scale = int(bool(in_place)), scale
-    classes = joint_classes(target, target_up, source, sources)
+    sources, classes, views, options = _pair(source, target, joint_map, in_place, scale, source_up, target_up)
     library = binding.library()
     memory = binding.block("sinew_retarget_create_workspace_size", "retarget", len(source), len(target))
     plan = ctypes.c_void_p()
-    views = [skeleton_view(source, None, chosen(source_up, declarations.UP, "source_up")),
-             skeleton_view(target, None, chosen(target_up, declarations.UP, "target_up"))]
-    for one, of in zip(views, (source, target)):
-        one.rotations = binding.address(of.rotations)
     binding.check(library.sinew_retarget_create(ctypes.byref(views[0]), ctypes.byref(views[1]), binding.address(sources),
                                                 binding.address(classes), ctypes.byref(options), memory.address,
                                                 memory.size_bytes, ctypes.byref(plan)), "retarget")
@@ -92,6 +82,66 @@ def retarget(clip: Clip, source: Skeleton, target: Skeleton, *, joint_map: Union
         half = None if progress is None else (lambda share: progress(0.5 + share / 2))
         _keep_contacts(plan, clip, out, ground, source_body, target_body, half)
     return out
+
+
+def _pair(source: Skeleton, target: Skeleton, joint_map: Any, in_place: bool, scale: float, source_up: declarations.Up,
+          target_up: declarations.Up) -> Any:
+    """What a plan is made of: sources, classes, views of the two skeletons, options."""
+    if joint_map is None:
+        joint_map = map_joints(target, source, target_up=target_up, source_up=source_up)
+    sources = joint_map.sources if isinstance(joint_map, JointMap) else joint_map
+    sources = whole(sources, (len(target),), "joint_map", np.int32, -1, len(source))
+    options = binding.init(binding.sinew_retarget_options)
+    options.in_place, options.scale = int(bool(in_place)), scale
+    views = [skeleton_view(source, None, chosen(source_up, declarations.UP, "source_up")),
+             skeleton_view(target, None, chosen(target_up, declarations.UP, "target_up"))]
+    for one, of in zip(views, (source, target)):
+        one.rotations = binding.address(of.rotations)
+    return sources, joint_classes(target, target_up, source, sources), views, options
+
+
+class RetargetStream:
+    """Motion as it comes: a frame of the source in, a frame of the target out, without delay. The same bytes on every machine.
+
+    source .. target_up  as in retarget()
+    target_body  the bound mesh of the target, whose skin is to be on the floor; None: its joints
+    fps          frames a second
+    ground       height of a standing ankle of the source; None: the source's own at rest
+    contacts     False: nothing is held on the floor
+    keep_range   False: knees and elbows may leave their natural range
+    """
+
+    def __init__(self, source: Skeleton, target: Skeleton, *, joint_map: Union[None, JointMap, np.ndarray] = None, in_place: bool = False,
+                 scale: float = 0.0, source_up: declarations.Up = "auto", target_up: declarations.Up = "auto",
+                 target_body: Optional[Character] = None, fps: float = 30.0, ground: Optional[float] = None, contacts: bool = True,
+                 keep_range: bool = True) -> None:
+        sources, classes, views, plan_options = _pair(source, target, joint_map, in_place, scale, source_up, target_up)
+        options = binding.init(binding.sinew_retarget_stream_options)
+        options.fps, options.has_ground, options.ground = fps, int(ground is not None), ground or 0.0
+        options.no_contacts, options.no_range = int(not contacts), int(not keep_range)
+        body = None if target_body is None else _body_view(target_body, "target_body")
+        memory = binding.block("sinew_retarget_stream_workspace_size", "retarget", len(source), len(target),
+                               0 if body is None else body.vertex_count)
+        self._counts, self._kept, self._stream = (len(source), len(target)), (memory, body), ctypes.c_void_p()
+        binding.check(binding.library().sinew_retarget_stream_create(
+            ctypes.byref(views[0]), ctypes.byref(views[1]), binding.address(sources), binding.address(classes), ctypes.byref(plan_options),
+            None if body is None else ctypes.byref(body), ctypes.byref(options), memory.address, memory.size_bytes,
+            ctypes.byref(self._stream)), "retarget")
+
+    def frame(self, rotations: Any, translations: Any) -> Any:
+        """The next frame: local rotations [source j, 4] and translations [source j, 3]. Returns those of the target."""
+        given = [np.ascontiguousarray(array, np.float32) for array in (rotations, translations)]
+        for array, name, width in zip(given, ("rotations", "translations"), (4, 3)):
+            if array.shape != (self._counts[0], width):
+                raise ValueError(f"{name}: expected [{self._counts[0]}, {width}] numbers, found {list(array.shape)}")
+        made = [np.zeros((self._counts[1], width), np.float32) for width in (4, 3)]
+        binding.check(binding.library().sinew_retarget_stream_frame(self._stream, *(binding.address(array) for array in given + made)),
+                      "retarget")
+        return made[0], made[1]
+
+    def restart(self) -> None:
+        """Forgets the frames before."""
+        binding.check(binding.library().sinew_retarget_stream_restart(self._stream), "retarget")
 
 
 def _body_view(body: Character, name: str) -> Any:

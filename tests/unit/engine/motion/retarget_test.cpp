@@ -379,4 +379,21 @@ TEST(Quaternion, ReciprocalRootsAndArcs) {
   EXPECT_EQ(sinew::motion::shortest_arc(a, a).x, 0);
 }
 
+// Feet that inverse kinematics drive hang under the root: they go with the shin, toes with them.
+TEST(Retarget, FeetUnderTheRootGoWithTheShin) {
+  const MotionScene source = body(10);
+  MotionScene plain = body(10, 0.5), driven = plain;
+  for (MotionScene* scene : {&plain, &driven})
+    scene->add(scene->at(kLeftFoot) + Vec3d{0, -0.03, 0.06}, kLeftFoot, SINEW_CLASS_TOE);
+  driven.parents[kLeftFoot] = driven.parents[kRightFoot] = 0;
+  std::vector<int32_t> map = one_to_one(17);
+  map.push_back(-1);
+  for (uint32_t seed = 0; seed < 10; ++seed) {
+    const Pose pose = random_pose(source, seed, 1.0, {0.4, 0.1, 1});
+    const Placed wanted = placed(plain, play(source, plain, map, pose));
+    const Placed found = placed(driven, play(source, driven, map, pose));
+    for (uint32_t j = 0; j < 18; ++j) EXPECT_LT(distance(found.places[j], wanted.places[j]), 1e-6) << j;
+  }
+}
+
 }  // namespace

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// A clip of one frame, again and again.
+#include "motion/retarget_stream.hpp"
+
+#include <stddef.h>
+
+#include "core/struct_size.hpp"
+#include "motion/retarget.hpp"
+
+namespace sinew::motion {
+namespace {
+
+// All memory of a stream, itself included.
+struct StreamMemory {
+  sinew_retarget_stream made;
+  sinew_retarget_stream* stream = nullptr;
+  uint8_t* plan = nullptr;
+  size_t plan_bytes = 0;
+  // A body of joints, where there is no other.
+  float* positions = nullptr;
+  uint16_t *joints = nullptr, *weights = nullptr;
+
+  bool allocate(Arena& arena, uint32_t source_joints, uint32_t target_joints, uint32_t body_vertices) {
+    const uint32_t vertices = body_vertices > 0 ? body_vertices : target_joints;
+    stream = arena.alloc<sinew_retarget_stream>(1);
+    plan_bytes = measure_plan(source_joints, target_joints);
+    plan = arena.alloc<uint8_t>(plan_bytes);
+    (void)made.scene.allocate(arena, source_joints, target_joints, vertices, 0);
+    (void)made.scene.allocate_floor(arena, target_joints, vertices, 1);
+    if (body_vertices == 0) {
+      positions = arena.alloc<float>(size_t{3} * target_joints);
+      joints = arena.alloc<uint16_t>(target_joints);
+      weights = arena.alloc<uint16_t>(target_joints);
+    }
+    return arena.ok();
+  }
+
+  sinew_motion_body body_of_joints(const sinew_skeleton& target) {
+    for (size_t i = 0; i < size_t{3} * target.joint_count; ++i) positions[i] = target.positions[i];
+    for (uint32_t j = 0; j < target.joint_count; ++j) {
+      joints[j] = static_cast<uint16_t>(j);
+      weights[j] = 65535;
+    }
+    return {positions, nullptr, {joints, weights, 1, SINEW_WEIGHT_UNORM16}, target.joint_count, 0};
+  }
+};
+
+}  // namespace
+
+sinew_status read_stream_options(const sinew_retarget_stream_options* options, StreamOptions* out) {
+  sinew_retarget_stream_options o = sinew_retarget_stream_options_init();
+  const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, sizeof o, sizeof o, &o);
+  if (status != SINEW_OK) return status;
+  if (o.has_ground > 1 || o.no_contacts > 1 || o.no_range > 1) return SINEW_ERROR_ARGUMENT;
+  *out = StreamOptions();
+  if (o.fps != 0) out->fps = static_cast<double>(o.fps);
+  if (!(out->fps >= 1 && out->fps <= 1000)) return SINEW_ERROR_ARGUMENT;
+  out->ground = o.ground;
+  if (!is_finite(static_cast<double>(o.ground))) return SINEW_ERROR_NOT_FINITE;
+  out->has_ground = o.has_ground != 0;
+  out->contacts = o.no_contacts == 0;
+  out->range = o.no_range == 0;
+  return out->floor.take(o.floor);
+}
+
+size_t measure_stream(uint32_t source_joints, uint32_t target_joints, uint32_t body_vertices) {
+  Arena arena;
+  StreamMemory memory;
+  (void)memory.allocate(arena, source_joints, target_joints, body_vertices);
+  return arena.ok() ? arena.high_water() : 0;
+}
+
+sinew_status create_stream(const sinew_skeleton& source, const sinew_skeleton& target, const int32_t* map,
+                           const uint8_t* classes, const RetargetOptions& plan_options, const sinew_motion_body* body,
+                           const StreamOptions& options, void* memory, size_t memory_bytes,
+                           sinew_retarget_stream** stream) {
+  Arena arena(memory, memory_bytes);
+  StreamMemory room;
+  if (!room.allocate(arena, source.joint_count, target.joint_count, body == nullptr ? 0 : body->vertex_count))
+    return SINEW_ERROR_WORKSPACE;
+  sinew_retarget_stream& made = room.made;
+  const sinew_status status =
+      create_plan(source, target, map, classes, plan_options, room.plan, room.plan_bytes, &made.plan);
+  if (status != SINEW_OK) return status;
+  made.body = body == nullptr ? room.body_of_joints(target) : *body;
+  made.inputs.fps = options.fps;
+  made.inputs.floor = options.floor;
+  made.ground = options.has_ground ? options.ground : static_cast<float>(made.plan->source_floor);
+  made.inputs.ground = static_cast<double>(made.ground);
+  made.contacts = options.contacts && !made.plan->same_rig;
+  made.range = options.range && !made.plan->same_rig;
+  *room.stream = made;
+  sinew_retarget_stream& own = *room.stream;
+  (void)own.scene.open(own.plan, nullptr, own.body, own.inputs);  // without a frame nothing can fail
+  own.scene.floor_patches.open(&own.scene);
+  find_hinges(own.scene, own.memory.hinges);
+  *stream = room.stream;
+  return SINEW_OK;
+}
+
+sinew_status stream_frame(sinew_retarget_stream* stream, const float* rotations, const float* translations,
+                          float* out_rotations, float* out_translations) {
+  const sinew_status status =
+      retarget_frame(stream->plan, rotations, translations, stream->ground, out_rotations, out_translations);
+  if (status != SINEW_OK) return status;
+  FloorScene& scene = stream->scene;
+  ClipInputs& in = stream->inputs;
+  in.frames = 1;
+  in.source_rotations = rotations;
+  in.source_translations = translations;
+  in.rotations = out_rotations;
+  in.translations = out_translations;
+  if (stream->range) keep_range_of_frame(scene, stream->memory.hinges, 0);
+  for (uint32_t l = 0; l < scene.limbs.count; ++l) scene.limbs.limbs[l].natural = stream->range;
+  if (stream->contacts) FloorContacts(&scene, &stream->memory).run();
+  return SINEW_OK;
+}
+
+void restart_stream(sinew_retarget_stream* stream) {
+  FloorMemory fresh;
+  for (uint32_t l = 0; l < kMostLimbs; ++l) fresh.hinges[l] = stream->memory.hinges[l];
+  stream->memory = fresh;
+}
+
+}  // namespace sinew::motion

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Motion frame by frame as it comes: a plan, a body and what the frames before leave. Behind sinew_retarget_stream_*().
+#ifndef SINEW_MOTION_RETARGET_STREAM_HPP
+#define SINEW_MOTION_RETARGET_STREAM_HPP
+
+#include "motion/floor_contacts.hpp"
+#include "sinew/motion_stream.h"
+
+// The type of the interface: the stream is one block of memory, this is its beginning.
+struct sinew_retarget_stream {
+  sinew_retarget* plan = nullptr;
+  sinew::motion::FloorScene scene;
+  sinew::motion::ClipInputs inputs;  // the frame
+  sinew::motion::FloorMemory memory;
+  sinew_motion_body body = {};
+  float ground = 0;
+  bool contacts = false, range = false;
+};
+
+namespace sinew::motion {
+
+// The options of the interface, checked.
+struct StreamOptions {
+  double fps = 30;
+  float ground = 0;
+  bool has_ground = false, contacts = true, range = true;
+  FloorGrid floor;
+};
+// Returns SINEW_OK, SINEW_ERROR_ARGUMENT, SINEW_ERROR_VERSION, SINEW_ERROR_COUNT or SINEW_ERROR_NOT_FINITE.
+sinew_status read_stream_options(const sinew_retarget_stream_options* options, StreamOptions* out);
+
+// body_vertices 0: none.
+size_t measure_stream(uint32_t source_joints, uint32_t target_joints, uint32_t body_vertices);
+// As sinew_retarget_stream_create() after its checks of pointers, counts, body and memory. body: or null.
+sinew_status create_stream(const sinew_skeleton& source, const sinew_skeleton& target, const int32_t* map,
+                           const uint8_t* classes, const RetargetOptions& plan_options, const sinew_motion_body* body,
+                           const StreamOptions& options, void* memory, size_t memory_bytes,
+                           sinew_retarget_stream** stream);
+// The caller has checked for null pointers.
+sinew_status stream_frame(sinew_retarget_stream* stream, const float* rotations, const float* translations,
+                          float* out_rotations, float* out_translations);
+void restart_stream(sinew_retarget_stream* stream);
+
+}  // namespace sinew::motion
+#endif

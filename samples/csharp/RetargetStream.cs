@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// Motion of one skeleton on another as it comes (sinew/motion_stream.h), for captures and games.
+using System;
+using System.Runtime.InteropServices;
+
+namespace Sinew
+{
+    /// <summary>What a stream is asked to do. What is not set is the engine's default.</summary>
+    public sealed class StreamSettings
+    {
+        /// <summary>Frames a second.</summary>
+        public float Fps = 30;
+        /// <summary>Height of a standing ankle of the source; null: its own at rest.</summary>
+        public float? Ground;
+        /// <summary>Nothing is held on the floor; knees and elbows may leave their natural range; the target stays above where it stands.</summary>
+        public bool NoContacts, NoRange, InPlace;
+        /// <summary>Lengths of the target per length of the source; 0: by their legs.</summary>
+        public float Scale;
+        /// <summary>[target joints] sinew_joint_class; null: by names, by those of the sources or by a human body.</summary>
+        public byte[] Classes;
+        /// <summary>The target's mesh (triangles) with its weights, whose skin is to be on the floor; null: its joints.</summary>
+        public Mesh Body;
+        public Skin BodySkin;
+    }
+
+    /// <summary>A frame of the source in, a frame of the target out. One thread at a time.</summary>
+    public sealed class RetargetStream : IDisposable
+    {
+        readonly Pins kept_ = new Pins();
+        readonly Block memory_;
+        readonly IntPtr stream_;
+        readonly int source_, target_;
+
+        /// <param name="map">[target joints] joint of the source, or -1.</param>
+        /// <exception cref="ArgumentException">An array has another length than it says.</exception>
+        /// <exception cref="SinewException">The engine refuses the call.</exception>
+        public RetargetStream(Skeleton source, Skeleton target, int[] map, StreamSettings settings = null)
+        {
+            settings = settings ?? new StreamSettings();
+            source.Check();
+            target.Check();
+            source_ = source.JointCount;
+            target_ = target.JointCount;
+            if (map == null || map.Length != target_) throw new ArgumentException("map: expected a number a joint of the target");
+            if (settings.Classes != null && settings.Classes.Length != target_)
+                throw new ArgumentException("StreamSettings.Classes: expected a number a joint of the target");
+            Engine.CheckLibrary();
+            try
+            {
+                using (var pins = new Pins())
+                {
+                    IntPtr from = pins.Of(Engine.View(source, pins)), to = pins.Of(Engine.View(target, pins));
+                    IntPtr sources = pins.Of(map), classes = pins.Of(settings.Classes ?? ClassesOf(from, to, sources));
+                    IntPtr plan = pins.Of(Options.Plan(settings)), live = pins.Of(Options.Live(settings)), body = BodyOf(settings);
+                    UIntPtr size;
+                    uint vertices = settings.Body == null ? 0 : (uint)settings.Body.VertexCount;
+                    Engine.Throw(Native.sinew_retarget_stream_workspace_size((uint)source_, (uint)target_, vertices, out size), "retarget");
+                    memory_ = new Block((long)size);
+                    Engine.Throw(Native.sinew_retarget_stream_create(from, to, sources, classes, plan, body, live, memory_.Address, size,
+                        out stream_), "retarget");
+                }
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
+        }
+
+        /// <summary>The next frame: local rotations (x y z w) and translations, in the parents' axes.</summary>
+        public void Frame(float[] rotations, float[] translations, float[] outRotations, float[] outTranslations)
+        {
+            Expect(rotations, 4 * source_, nameof(rotations));
+            Expect(translations, 3 * source_, nameof(translations));
+            Expect(outRotations, 4 * target_, nameof(outRotations));
+            Expect(outTranslations, 3 * target_, nameof(outTranslations));
+            if (memory_.Address == IntPtr.Zero) throw new ObjectDisposedException(nameof(RetargetStream));
+            using (var pins = new Pins())
+            {
+                Engine.Throw(Native.sinew_retarget_stream_frame(stream_, pins.Of(rotations), pins.Of(translations),
+                    pins.Of(outRotations), pins.Of(outTranslations)), "retarget");
+            }
+        }
+
+        /// <summary>Forgets the frames before.</summary>
+        public void Restart()
+        {
+            if (memory_.Address == IntPtr.Zero) throw new ObjectDisposedException(nameof(RetargetStream));
+            Engine.Throw(Native.sinew_retarget_stream_restart(stream_), "retarget");
+        }
+
+        public void Dispose()
+        {
+            if (memory_ != null) memory_.Dispose();
+            kept_.Dispose();
+        }
+
+        static void Expect(float[] array, int length, string name)
+        {
+            if (array == null || array.Length != length) throw new ArgumentException(name + ": expected " + length + " numbers");
+        }
+
+        byte[] ClassesOf(IntPtr from, IntPtr to, IntPtr sources)
+        {
+            var classes = new byte[target_];
+            UIntPtr size;
+            Engine.Throw(Native.sinew_limb_classes_workspace_size((uint)target_, (uint)source_, out size), "retarget");
+            using (var pins = new Pins())
+            using (var workspace = new Block((long)size))
+                Engine.Throw(Native.sinew_limb_classes(to, from, sources, workspace.Address, size, pins.Of(classes)), "retarget");
+            return classes;
+        }
+
+        // The engine borrows it until the stream is disposed of.
+        IntPtr BodyOf(StreamSettings settings)
+        {
+            Mesh mesh = settings.Body;
+            Skin skin = settings.BodySkin;
+            if (mesh == null) return IntPtr.Zero;
+            mesh.Check();
+            if (mesh.FaceOffsets != null) throw new ArgumentException("StreamSettings.Body: expected triangles, found FaceOffsets");
+            if (skin == null || skin.Joints.Length != skin.Influences * mesh.VertexCount || skin.Weights.Length != skin.Joints.Length)
+                throw new ArgumentException("StreamSettings.BodySkin: expected a row for every vertex of Body");
+            return kept_.Of(new Native.sinew_motion_body
+            {
+                positions = kept_.Of(mesh.Positions), triangles = kept_.Of(mesh.FaceVertices),
+                skin = new Native.sinew_skin
+                {
+                    joint_indices = kept_.Of(skin.Joints), weights = kept_.Of(skin.Weights), influence_count = (uint)skin.Influences
+                },
+                vertex_count = (uint)mesh.VertexCount, triangle_count = (uint)(mesh.FaceVertices.Length / 3)
+            });
+        }
+
+        static class Options
+        {
+            internal static Native.sinew_retarget_options Plan(StreamSettings settings)
+            {
+                return new Native.sinew_retarget_options
+                {
+                    struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_retarget_options)),
+                    in_place = settings.InPlace ? 1u : 0, scale = settings.Scale
+                };
+            }
+
+            internal static Native.sinew_retarget_stream_options Live(StreamSettings settings)
+            {
+                return new Native.sinew_retarget_stream_options
+                {
+                    struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_retarget_stream_options)),
+                    fps = settings.Fps, has_ground = settings.Ground.HasValue ? 1u : 0, ground = settings.Ground ?? 0,
+                    no_contacts = settings.NoContacts ? 1u : 0, no_range = settings.NoRange ? 1u : 0
+                };
+            }
+        }
+    }
+}

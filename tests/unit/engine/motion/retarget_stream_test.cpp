@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+// sinew_retarget_stream_*(): as whole clips where nothing touches the floor, and on it where something does.
+#include "motion/retarget_stream.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "floor_motions.hpp"
+
+namespace {
+
+using namespace sinew_test;
+using sinew::RetargetStream;
+using sinew::StreamSettings;
+
+struct Live {
+  MotionScene source, target;
+  RetargetStream stream;
+
+  Live(const MotionScene& from, const MotionScene& to, const sinew_motion_body* body,
+       const StreamSettings& settings = {})
+      : source(from), target(to) {
+    EXPECT_EQ(stream.make(source.view(), target.view(), one_to_one(target.count()).data(), target.classes.data(), {},
+                          body, settings),
+              SINEW_OK);
+  }
+  Pose next(const Pose& pose) {
+    Pose out(target.count());
+    EXPECT_EQ(
+        stream.frame(pose.rotations.data(), pose.translations.data(), out.rotations.data(), out.translations.data()),
+        SINEW_OK);
+    return out;
+  }
+};
+
+TEST(RetargetStream, InTheAirItIsTheRetargetOfAFrame) {
+  const MotionScene source = built({}), target = built({0.9, 1.1, 0.9, 1, 0.7});
+  const BoxBody boxes(target, 0.07, 0.7);
+  const sinew_motion_body body = boxes.view();
+  StreamSettings settings;
+  settings.no_range = 1;
+  Live live(source, target, &body, settings), bare(source, target, nullptr, settings);
+  PlayedClip clip(source, target);
+  for (uint32_t f = 0; f < 20; ++f) {
+    const Pose pose = random_pose(source, f, 1.2, {0.1 * f, 3, 0});
+    clip.add(pose);
+    for (Live* one : {&live, &bare}) {
+      const Pose out = one->next(pose);
+      EXPECT_TRUE(std::equal(out.rotations.begin(), out.rotations.end(), clip.rotations.end() - 4 * target.count()))
+          << f;
+      EXPECT_TRUE(
+          std::equal(out.translations.begin(), out.translations.end(), clip.translations.end() - 3 * target.count()))
+          << f;
+    }
+  }
+}
+
+TEST(RetargetStream, KeepsTheRangeThatClipsKeep) {
+  const MotionScene source = body(20, 1.2), target = body(20);
+  const BoxBody boxes(target, 0.1);
+  const sinew_motion_body own = boxes.view();
+  StreamSettings settings;
+  settings.no_contacts = 1;
+  Live live(source, target, &own, settings);
+  PlayedClip clip(source, target);
+  std::vector<float> rotations;
+  for (int f = 0; f < 30; ++f) {
+    Pose pose = rest_pose(source);
+    const double angle = 0.15 * (f - 10);
+    pose.set(kLeftCalf, {std::sin(angle / 2), 0, 0, std::cos(angle / 2)}, vec(&pose.translations[3 * kLeftCalf]));
+    clip.add(pose);
+    const Pose out = live.next(pose);
+    rotations.insert(rotations.end(), out.rotations.begin(), out.rotations.end());
+  }
+  const std::vector<float> copied = clip.rotations;
+  ASSERT_EQ(clip.keep_range(boxes), SINEW_OK);
+  EXPECT_NE(copied, clip.rotations);
+  EXPECT_EQ(rotations, clip.rotations);
+}
+
+struct Figures {
+  double off = 0, below = 0, slide = 0;  // shares of the height
+  int contacts = 0;
+};
+
+// What the source has on its floor, hands that do not move there, and how far the two are off.
+Figures play(const Proportions& p, const Motion& motion, int stands_with) {
+  const MotionScene source = built({}), target = built(p);
+  const BoxBody a(source, 0.1), b(target, 0.1 * p.size, p.size);
+  const sinew_motion_body body = b.view();
+  Live live(source, target, &body);
+  Figures out;
+  Placed before, from;
+  const double height = 1.58 * p.size;
+  for (int f = 0; f < 30; ++f) {
+    Directions d = motion(f / 30.0);
+    if (stands_with >= 0) fit_trunk(source, a, static_cast<uint32_t>(stands_with), &d);
+    const double low = lowest(source, a, placed(source, posed(source, d, {0, 0, 0})), -1);
+    const Pose pose = posed(source, d, {0, -low, 0});
+    const Placed own = placed(source, pose), now = placed(target, live.next(pose));
+    out.below = std::max(out.below, -lowest(target, b, now, -1) / height);
+    for (const uint32_t j : {kLeftHand, kRightHand, kLeftCalf, kRightCalf, kLeftThigh, kRightThigh}) {
+      if (lowest(source, a, own, static_cast<int>(j)) > 0.012) continue;
+      ++out.contacts;
+      double now_low = lowest(target, b, now, static_cast<int>(j));
+      if (j == kLeftHand) now_low = std::min(now_low, lowest(target, b, now, kLeftFinger));
+      out.off = std::max(out.off, std::abs(now_low) / height);
+      if (f > 0 && distance(own.places[j], from.places[j]) < 0.002)
+        out.slide = std::max(
+            out.slide, std::hypot(now.places[j].x - before.places[j].x, now.places[j].z - before.places[j].z) / height);
+    }
+    before = now;
+    from = own;
+  }
+  return out;
+}
+
+TEST(RetargetStream, TheBodyIsOnTheFloorFromTheFirstFrameOn) {
+  for (const Proportions& p : builds()) {
+    for (const auto& [motion, with] : {std::pair<Motion, int>{crawling, kLeftCalf},
+                                       {planking, kLeftFoot},
+                                       {pushing, kLeftFoot},
+                                       {kneeling, -1},
+                                       {sitting, -1}}) {
+      const Figures found = play(p, motion, with);
+      EXPECT_GE(found.contacts, 30) << "one of them in all frames";
+      EXPECT_LT(found.slide, 0.005) << p.arms << " " << p.trunk << " " << p.thighs;
+      EXPECT_LT(found.off, 0.01) << p.arms << " " << p.trunk << " " << p.thighs;
+      EXPECT_LT(found.below, 0.005) << p.arms << " " << p.trunk << " " << p.thighs;
+    }
+  }
+}
+
+// Hips sway over feet that stand; longer shins would slide.
+TEST(RetargetStream, FeetThatStandStayAndThenGo) {
+  const MotionScene source = built({}), target = built({1, 1, 1, 1.3, 1});
+  Live live(source, target, nullptr);
+  Placed before;
+  double slide = 0, jump = 0;
+  for (int f = 0; f < 60; ++f) {
+    Directions d;
+    d.trunk = 3.14159265358979;
+    const double bend = 0.3 + 0.2 * std::sin(0.3 * f), lift = f < 40 ? 0 : 0.02 * (f - 40);
+    for (int side = 0; side < 2; ++side) {
+      d.thighs[side] = bend;
+      d.calves[side] = -bend;
+    }
+    const Placed free = placed(source, posed(source, d, {0, 0, 0}));
+    const Vec3d back = source.at(kLeftFoot) - free.places[kLeftFoot];
+    const Placed now = placed(target, live.next(posed(source, d, {0, back.y + lift, back.z})));
+    if (f > 0) {
+      const Vec3d way = now.places[kLeftFoot] - before.places[kLeftFoot];
+      if (f < 40) slide = std::max(slide, std::hypot(way.x, way.z));
+      jump = std::max(jump, std::sqrt(sinew::dot(way, way)));
+    }
+    before = now;
+  }
+  EXPECT_LT(slide, 1e-5);
+  EXPECT_LT(jump, 0.05) << "and leave the floor without a jump";
+}
+
+TEST(RetargetStream, SameFramesAgainGiveTheSameBytesAfterARestart) {
+  const MotionScene source = built({}), target = built({0.9, 1.1, 0.9, 1.2, 0.7});
+  const BoxBody boxes(target, 0.07, 0.7);
+  const sinew_motion_body body = boxes.view();
+  const auto swaying = [&](int f, double aside) {  // hips over feet that stand
+    Directions d;
+    d.trunk = kPi;
+    const double bend = 0.3 + 0.2 * std::sin(0.3 * f);
+    d.thighs[0] = d.thighs[1] = bend;
+    d.calves[0] = d.calves[1] = -bend;
+    const Vec3d back = source.at(kLeftFoot) - placed(source, posed(source, d, {0, 0, 0})).places[kLeftFoot];
+    return posed(source, d, {aside, back.y, back.z});
+  };
+  Live live(source, target, &body), other(source, target, &body);
+  std::vector<float> rounds[3];
+  for (int round = 0; round < 3; ++round) {
+    for (int f = 0; f < 20; ++f) {
+      const Pose out = (round == 2 ? other : live).next(swaying(f, 0));
+      rounds[round].insert(rounds[round].end(), out.rotations.begin(), out.rotations.end());
+      rounds[round].insert(rounds[round].end(), out.translations.begin(), out.translations.end());
+    }
+    for (int f = 0; f < 5; ++f) (void)live.next(swaying(f + 7, 0.3));
+    EXPECT_EQ(live.stream.restart(), SINEW_OK);
+  }
+  EXPECT_EQ(rounds[0], rounds[1]);
+  EXPECT_EQ(rounds[0], rounds[2]);
+}
+
+TEST(RetargetStream, MisuseIsAStatus) {
+  const MotionScene scene = body(20);
+  const BoxBody boxes(scene, 0.1);
+  sinew_motion_body own = boxes.view();
+  const std::vector<int32_t> map = one_to_one(scene.count());
+  const auto make = [&](const StreamSettings& settings, const sinew_motion_body* on) {
+    return RetargetStream().make(scene.view(), scene.view(), map.data(), scene.classes.data(), {}, on, settings);
+  };
+  EXPECT_EQ(make({}, &own), SINEW_OK);
+  StreamSettings wrong;
+  wrong.fps = 0.5f;
+  EXPECT_EQ(make(wrong, &own), SINEW_ERROR_ARGUMENT);
+  wrong = {};
+  wrong.no_range = 2;
+  EXPECT_EQ(make(wrong, &own), SINEW_ERROR_ARGUMENT);
+  wrong = {};
+  wrong.ground = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(make(wrong, &own), SINEW_ERROR_NOT_FINITE);
+  wrong = {};
+  wrong.struct_size = 4;
+  EXPECT_EQ(make(wrong, &own), SINEW_ERROR_ARGUMENT);
+  own.vertex_count = 0;
+  EXPECT_EQ(make({}, &own), SINEW_ERROR_COUNT);
+
+  size_t bytes = 7;
+  EXPECT_EQ(sinew_retarget_stream_workspace_size(0, 17, 0, &bytes), SINEW_ERROR_COUNT);
+  EXPECT_EQ(bytes, 0u);
+  EXPECT_EQ(sinew_retarget_stream_workspace_size(17, 17, SINEW_MAX_VERTICES + 1, &bytes), SINEW_ERROR_COUNT);
+  EXPECT_EQ(sinew_retarget_stream_workspace_size(17, 17, 0, nullptr), SINEW_ERROR_ARGUMENT);
+  ASSERT_EQ(sinew_retarget_stream_workspace_size(17, 17, 0, &bytes), SINEW_OK);
+  const sinew::Workspace memory(bytes);
+  const sinew_skeleton rig = scene.view();
+  sinew_retarget_stream* stream = nullptr;
+  EXPECT_EQ(sinew_retarget_stream_create(&rig, &rig, map.data(), nullptr, nullptr, nullptr, nullptr, memory.data(),
+                                         bytes - 64, &stream),
+            SINEW_ERROR_WORKSPACE);
+  EXPECT_EQ(stream, nullptr);
+  RetargetStream empty;
+  Pose pose = rest_pose(scene), out(scene.count());
+  const auto frame = [&](RetargetStream& of) {
+    return of.frame(pose.rotations.data(), pose.translations.data(), out.rotations.data(), out.translations.data());
+  };
+  EXPECT_EQ(frame(empty), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(empty.restart(), SINEW_ERROR_ARGUMENT);
+  RetargetStream good;
+  ASSERT_EQ(good.make(rig, rig, map.data(), nullptr, {}, nullptr), SINEW_OK);
+  pose.translations[5] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(frame(good), SINEW_ERROR_NOT_FINITE);
+  EXPECT_EQ(out.rotations[0], 77) << "untouched";
+  pose = rest_pose(scene);
+  EXPECT_EQ(frame(good), SINEW_OK);
+}
+
+}  // namespace
