@@ -15,6 +15,7 @@
 #include "options.hpp"
 #include "progress.hpp"
 #include "sinew_character/animate_job.hpp"
+#include "sinew_character/motion_file.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
@@ -99,7 +100,7 @@ StepsOf counted(std::string what, const std::atomic<bool>& stop) {
 }
 
 void add_motion_file(const Settings& s, const MotionChoice& choice, const std::atomic<bool>& stop, Animated* out) {
-  const Motion source = read_motion(choice.file, s.fps);
+  const Motion source = read_motion_for(choice.file, s.fps, out->character, s.up);
   const MotionInput input = {choice.file, choice.clip, &source, [&] { return body_of_motion(choice.file); }};
   add_motion(animate_options(s), input, counted("frames of " + file_name(choice.file), stop), out);
 }
@@ -215,7 +216,10 @@ void add_inputs(CLI::App* sub, Settings* s) {
       ->required()
       ->type_name("CHARACTER");
   sub->add_option("--motion", s->motions,
-                  "Motion: all animations of a file or the one behind #; may be repeated. " + motion_files())
+                  "Motion: all animations of a file or the one behind #, or a clip that ships: builtin:walk, builtin: "
+                  "lists them; may "
+                  "be repeated. " +
+                      motion_files())
       ->required()
       ->type_name("FILE[#CLIP]")
       ->allow_extra_args(false);
@@ -302,7 +306,7 @@ void add_animate(CLI::App& app) {
   sub->footer(
       "Examples:\n  sinew animate hero.glb --motion walk.bvh -o walking.glb --sheet walking.png\n"
       "  sinew animate hero.glb --motion walk.bvh --motion moves.glb#jump --map map.txt -o moves.glb\n"
-      "  sinew animate mesh.obj --motion walk.bvh -o walking.glb\n\n"
+      "  sinew animate mesh.obj --motion builtin:walk -o walking.glb\n\n"
       "  sinew animate broad.glb --motion walking.glb --method reference-points -o other.glb\n"
       "  sinew animate hero.glb --motion walk.bvh --deform volume -o walking.glb");
   sub->callback([s, of_reference] {

@@ -6,6 +6,7 @@
 #include "handle.hpp"
 #include "rig_of.hpp"
 #include "sinew_character/animate_job.hpp"
+#include "sinew_character/motion_file.hpp"
 
 namespace sinew {
 namespace {
@@ -49,10 +50,10 @@ AnimateOptions job_of(const sinew_character_animate_options& options, const sine
 }
 
 // The clips that `sinew animate` reads from the file of a motion, or those that were added to a character.
-Motion motion_of_handle(sinew_character* motion, double fps) {
+Motion motion_of_handle(sinew_character* motion, const AnimateOptions& job, const Character& target) {
   if (motion->clips.empty() && !motion->path.empty() && !motion->drop_animations) {
     const FilesOf scope(*motion);
-    return read_motion(motion->path, fps);
+    return read_motion_for(motion->path, job.fps, target, job.up);
   }
   Motion added = motion_of(motion->character.joints);
   added.name = motion->character.name;
@@ -104,7 +105,7 @@ void animate(const sinew_character_animate_options& options, ProgressOfCaller* p
   const uint32_t first = count32(own_clip_count(target) + target->clips.size());
   const AnimateOptions job = job_of(options, *target);
   AnimatedCharacter made = start(*target, options, progress);
-  const Motion source = motion_of_handle(motion, job.fps);
+  const Motion source = motion_of_handle(motion, job, made.character);
   MotionInput input;
   input.file = file_of(*motion);
   input.clip = text_or_empty(options.clip);

@@ -64,7 +64,8 @@ typedef enum sinew_file_use {
 SINEW_API const char* sinew_character_extensions(uint32_t uses);
 
 /* Opens a file by its extension. A .obj comes with the NAME.rig.txt beside it, where there is one; a .rig.txt with its NAME.obj. A
- * .bvh, or a .rig.txt alone, is a skeleton without a mesh.
+ * .bvh, or a .rig.txt alone, is a skeleton without a mesh. builtin:NAME is a clip that ships, for sinew_character_animate(): of several
+ * kinds of body the one that fits the character it is played on.
  *   path       the file
  *   character  out; untouched on failure. Closed by sinew_character_close()
  * Returns SINEW_OK, SINEW_ERROR_ARGUMENT (a pointer is null), SINEW_ERROR_INPUT, SINEW_ERROR_MEMORY. */

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "sinew_character/builtin_motion.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -32,6 +33,13 @@ CharacterFile open_obj(const std::string& path) {
   }
 }
 
+Character skeleton_of(const Motion& motion) {
+  Character character;
+  character.name = motion.name;
+  character.joints = rest_joints(motion);
+  return character;
+}
+
 // A file of joints or motion alone has no mesh.
 CharacterFile open_scene(const std::string& path) {
   try {
@@ -44,11 +52,7 @@ CharacterFile open_scene(const std::string& path) {
     } catch (const Error&) {
     }
     try {
-      const Motion motion = read_motion(path);
-      Character character;
-      character.name = motion.name;
-      character.joints = rest_joints(motion);
-      return {std::move(character), true};
+      return {skeleton_of(read_motion(path)), true};
     } catch (const Error&) {
     }
     throw;  // what is wrong with the mesh
@@ -58,6 +62,7 @@ CharacterFile open_scene(const std::string& path) {
 }  // namespace
 
 CharacterFile open_character(const std::string& path) {
+  if (is_builtin_motion(path)) return {skeleton_of(builtin_motions(path)[0]), true};
   const FileKind* kind = file_kind(path);
   if (kind == nullptr) return {read_mesh(path), true};  // throws: says which extensions there are
   switch (kind->reader) {

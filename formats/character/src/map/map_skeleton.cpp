@@ -13,6 +13,7 @@
 #include "sinew/names.h"
 #include "sinew/sinew.hpp"
 #include "sinew_character/bind.hpp"
+#include "sinew_character/builtin_motion.hpp"
 #include "sinew_character/skeleton_template.hpp"
 #include "sinew_character/stance.hpp"
 #include "sinew_formats/error.hpp"
@@ -126,6 +127,8 @@ MapRig read_map_rig(const std::string& path) {
   if (path.rfind(kTemplate, 0) == 0) {
     rig.joints = skeleton_template(path.substr(std::string(kTemplate).size()));
     for (const Joint& joint : rig.joints) rig.ends.push_back(joint.deforms.value_or(true) ? 0 : 1);
+  } else if (is_builtin_motion(path)) {
+    rig = map_rig_of(builtin_motions(path)[0]);
   } else if (has_extension(path, ".obj")) {
     rig = map_rig_of(read_character(path));
   } else if (has_extension(path, ".bvh")) {
