@@ -8,7 +8,7 @@ export const isMesh = (name) => meshEndings.some((ending) => lower(name).endsWit
 export const isRig = (name) => lower(name).endsWith(".txt");
 export const isModel = (name) => lower(name).endsWith(".sinew");
 export const isStyle = (name) => lower(name).endsWith(".style");
-export const isMotion = (name) => lower(name).endsWith(".bvh"); // glTF files are characters, unless one says so
+export const isMotion = (name) => /\.(bvh|vrma|vmd|npz|npy)$/.test(lower(name)); // glTF files are characters, unless one says so
 export const isBeside = (name) => /\.(bin|png|jpe?g|webp|ktx2|mtl|tga|bmp|tiff?|gif|psd|dds)$/.test(lower(name)); // parts of a .gltf, .obj, .fbx or .dae
 
 export function stem(name) {
@@ -22,7 +22,7 @@ export function pairFiles(names, waiting = {}) {
   const problems = [];
   const others = names.filter((n) => !isMesh(n) && !isRig(n) && !isModel(n) && !isStyle(n) && !isMotion(n) && !isBeside(n));
   for (const name of others) {
-    problems.push(`${name}: expected .obj, .rig.txt, .glb, .gltf, .vrm, .fbx, .dae, .bvh, .sinew or .style, found another kind of file`);
+    problems.push(`${name}: expected .obj, .rig.txt, .glb, .gltf, .vrm, .fbx, .dae, .bvh, .vrma, .vmd, .npz, .npy, .sinew or .style, found another kind of file`);
   }
   const models = names.filter(isModel);
   const styles = names.filter(isStyle);

@@ -9,9 +9,19 @@
 
 namespace sinew {
 
-// read_motion(), or of builtin_motions() the one whose body maps best onto the character.
-//   up  of the character: "x", "y", "z", or "auto"
-Motion read_motion_for(const std::string& path, double fps, const Character& character, const std::string& up = "auto");
+struct MotionRequest {
+  std::string path;
+  double fps = 0;           // as in read_motion()
+  std::string layout = {};  // as in read_motion()
+  std::string actor = {};   // as in one_actor()
+  std::string up = "auto";  // of the character: "x", "y", "z"
+};
+struct MotionFile {
+  Motion motion;
+  bool whole = true;  // all joints of the file; false: one of its actors
+};
+// read_motion() and one_actor(), or of builtin_motions() the one whose body maps best onto the character.
+MotionFile read_motion_for(const MotionRequest& request, const Character& character);
 
 }  // namespace sinew
 #endif

@@ -34,8 +34,8 @@ FootPose foot_at(const FootPath& path, const FootShape& shape, double phase) {
   const Point3 from = standing_ankle(path, shape, path.stance), to = standing_ankle(path, shape, 0);
   const Point3 leaving = (span / kStep) * (from - standing_ankle(path, shape, path.stance - kStep));
   const Point3 landing = (span / kStep) * (standing_ankle(path, shape, kStep) - to);
-  pose.ankle = (2 * s3 - 3 * s2 + 1) * from + (s3 - 2 * s2 + s) * leaving + (3 * s2 - 2 * s3) * to +
-               (s3 - s2) * landing;
+  pose.ankle =
+      (2 * s3 - 3 * s2 + 1) * from + (s3 - 2 * s2 + s) * leaving + (3 * s2 - 2 * s3) * to + (s3 - s2) * landing;
   pose.ankle[1] += path.lift * 16 * s2 * (1 - s) * (1 - s);
   const Quaternion rolled = about_x(pose.pitch);
   for (const Point3& point : {shape.heel, shape.ball}) {  // neither is carried through the floor

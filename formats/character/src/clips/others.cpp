@@ -36,7 +36,8 @@ Clip flap(Puppet* p) {
 // A wave that runs from the head to the tail and grows.
 Clip swim(Puppet* p) {
   return cycle(p, "swim", 36, {}, [&](double t, double) {
-    p->place({0.015 * wave(t + 0.3), 0.004 * wave(2 * t), 0}, multiply(about_y(5 * wave(t)), about_z(1.5 * wave(t + 0.2))));
+    p->place({0.015 * wave(t + 0.3), 0.004 * wave(2 * t), 0},
+             multiply(about_y(5 * wave(t)), about_z(1.5 * wave(t + 0.2))));
     const double grows[] = {5, 9, 13, 18, 24};
     const char* const spine[] = {"Spine2", "Spine3", "Spine4", "Spine5", "Spine6"};
     for (size_t i = 0; i < 5; ++i) p->turn(spine[i], about_y(-grows[i] * wave(t - 0.12 * static_cast<double>(i + 1))));
@@ -44,7 +45,8 @@ Clip swim(Puppet* p) {
     p->turn("DorsalFin", about_z(5 * wave(t - 0.2)));
     for (const int side : {0, 1}) {
       const double s = side == 0 ? 1 : -1;
-      p->turn(side == 0 ? "Fin.L" : "Fin.R", multiply(about_z(s * (6 + 14 * wave(2 * t))), about_y(s * 8 * wave(2 * t + 0.25))));
+      p->turn(side == 0 ? "Fin.L" : "Fin.R",
+              multiply(about_z(s * (6 + 14 * wave(2 * t))), about_y(s * 8 * wave(2 * t + 0.25))));
     }
   });
 }
@@ -53,7 +55,8 @@ Clip swim(Puppet* p) {
 Clip crawl(Puppet* p) {
   constexpr double kStance = 0.56, kStride = 0.36, kLift = 0.11;
   return cycle(p, "crawl", 22, {0, 0, kStride}, [&](double t, double drop) {
-    p->place({0.008 * wave(t), -drop + 0.006 * wave(2 * t), 0}, multiply(about_y(1.5 * wave(t + 0.1)), about_z(wave(t))));
+    p->place({0.008 * wave(t), -drop + 0.006 * wave(2 * t), 0},
+             multiply(about_y(1.5 * wave(t + 0.1)), about_z(wave(t))));
     p->turn("Tail1", multiply(about_x(2 * wave(2 * t)), about_y(3 * wave(t))));
     for (int leg = 1; leg <= 4; ++leg) {
       for (const int side : {0, 1}) {

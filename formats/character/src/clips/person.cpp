@@ -150,9 +150,11 @@ Clip jump(Person* p) {
     const bool flies = t > kLeave && t < kLand;
     const double since = (t - kLeave) * kFrames / kFps, left = (kLand - t) * kFrames / kFps;
     const double height = flies ? kGravity / 2 * since * left : 0;
-    const double crouch = curve({{0, 0}, {0.05, 0}, {0.24, 0.3}, {kLeave, -0.05}, {kLand, -0.03}, {0.8, 0.22}, {0.97, 0}}, t);
+    const double crouch =
+        curve({{0, 0}, {0.05, 0}, {0.24, 0.3}, {kLeave, -0.05}, {kLand, -0.03}, {0.8, 0.22}, {0.97, 0}}, t);
     const double tiptoe = curve({{0, 0}, {0.24, 0}, {kLeave, 50}, {0.5, 38}, {kLand, 26}, {kLand + 0.05, 0}}, t);
-    const double lean = curve({{0, 1}, {0.05, 1}, {0.24, 38}, {kLeave, 2}, {0.5, 4}, {kLand, 8}, {0.8, 30}, {0.97, 1}}, t);
+    const double lean =
+        curve({{0, 1}, {0.05, 1}, {0.24, 38}, {kLeave, 2}, {0.5, 4}, {kLand, 8}, {0.8, 30}, {0.97, 1}}, t);
     p->hips({0, height - crouch - drop, -0.28 * (crouch > 0 ? crouch : 0)}, 0, 0, 0.4 * lean);
     p->trunk(0.6 * lean, 0, 0, 0, 0.25 * lean);
     const double swing =
@@ -163,7 +165,8 @@ Clip jump(Person* p) {
       FootPose pose;
       const FootShape& shape = p->foot(side);
       pose.pitch = tiptoe;
-      pose.ankle = shape.ball + rotate(about_x(tiptoe), shape.ankle - shape.ball) + Point3{0, height + tuck, -0.4 * tuck};
+      pose.ankle =
+          shape.ball + rotate(about_x(tiptoe), shape.ankle - shape.ball) + Point3{0, height + tuck, -0.4 * tuck};
       pose.toes = flies ? 0.5 * tiptoe : 0;
       p->leg(side, pose);
     }

@@ -34,8 +34,8 @@ double curve(std::initializer_list<Key> keys, double phase) {
   };
   const Key from = key(first), to = key(first + 1);
   const double span = to.phase - from.phase, s = (t - from.phase) / span, s2 = s * s, s3 = s2 * s;
-  return (2 * s3 - 3 * s2 + 1) * from.value + (s3 - 2 * s2 + s) * span * tangent(first) +
-         (3 * s2 - 2 * s3) * to.value + (s3 - s2) * span * tangent(first + 1);
+  return (2 * s3 - 3 * s2 + 1) * from.value + (s3 - 2 * s2 + s) * span * tangent(first) + (3 * s2 - 2 * s3) * to.value +
+         (s3 - s2) * span * tangent(first + 1);
 }
 
 Puppet::Puppet(const std::string& skeleton, std::string prefix)

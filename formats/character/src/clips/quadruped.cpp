@@ -23,8 +23,10 @@ class Quadruped {
 
   void front_leg(int side, const FootPose& pose, double shoulder) {
     puppet_.turn(left_or_right("FrontShoulder", side), about_x(-shoulder));
-    const Limb limb = {left_or_right("FrontUpperLeg", side), left_or_right("FrontLowerLeg", side),
-                       left_or_right("FrontFoot", side), {0, 0, -1}};
+    const Limb limb = {left_or_right("FrontUpperLeg", side),
+                       left_or_right("FrontLowerLeg", side),
+                       left_or_right("FrontFoot", side),
+                       {0, 0, -1}};
     puppet_.reach(limb, pose.ankle, {0, 0, -1});
     puppet_.turn_in_world(limb.end, about_x(pose.pitch));
   }
@@ -88,8 +90,12 @@ Clip walk(Quadruped* q) {
   gait.back.front = 0.3;
   gait.front.lift = 0.09;
   gait.back.lift = 0.06;
-  gait.front.pitch = [](double t) { return curve({{0, -4}, {0.06, 0}, {0.46, 0}, {0.64, 38}, {0.78, 66}, {0.94, -6}}, t); };
-  gait.back.pitch = [](double t) { return curve({{0, -4}, {0.06, 0}, {0.46, 0}, {0.64, 40}, {0.76, 56}, {0.94, -6}}, t); };
+  gait.front.pitch = [](double t) {
+    return curve({{0, -4}, {0.06, 0}, {0.46, 0}, {0.64, 38}, {0.78, 66}, {0.94, -6}}, t);
+  };
+  gait.back.pitch = [](double t) {
+    return curve({{0, -4}, {0.06, 0}, {0.46, 0}, {0.64, 40}, {0.76, 56}, {0.94, -6}}, t);
+  };
   gait.hind_phase[0] = 0;  // left hind, left fore, right hind, right fore
   gait.front_phase[0] = 0.25;
   gait.hind_phase[1] = 0.5;
@@ -98,9 +104,11 @@ Clip walk(Quadruped* q) {
   gait.rear = 26;
   return cycle(q->puppet(), "walk", 34, {0, 0, 0.84}, [&](double t, double drop) {
     const double yaw = 4 * wave(t + 0.2);
-    q->puppet()->place({0.012 * wave(t - 0.1), -0.02 - drop - 0.01 * wave(2 * t + 0.1), 0},
-                       multiply(about_y(-0.5 * yaw), multiply(about_z(1.6 * wave(t - 0.1)), about_x(0.8 * wave(2 * t)))));
-    q->trunk(yaw, 1.5 * wave(2 * t + 0.3), 5 + 3.5 * wave(2 * t + 0.35), 2 - 2.5 * wave(2 * t + 0.35), 0, 14 * wave(t + 0.35));
+    q->puppet()->place(
+        {0.012 * wave(t - 0.1), -0.02 - drop - 0.01 * wave(2 * t + 0.1), 0},
+        multiply(about_y(-0.5 * yaw), multiply(about_z(1.6 * wave(t - 0.1)), about_x(0.8 * wave(2 * t)))));
+    q->trunk(yaw, 1.5 * wave(2 * t + 0.3), 5 + 3.5 * wave(2 * t + 0.35), 2 - 2.5 * wave(2 * t + 0.35), 0,
+             14 * wave(t + 0.35));
     legs(q, gait, t);
   });
 }
@@ -113,8 +121,12 @@ Clip trot(Quadruped* q) {
   gait.back.front = 0.29;
   gait.front.lift = 0.14;
   gait.back.lift = 0.1;
-  gait.front.pitch = [](double t) { return curve({{0, -4}, {0.05, 0}, {0.26, 0}, {0.42, 44}, {0.62, 80}, {0.9, -6}}, t); };
-  gait.back.pitch = [](double t) { return curve({{0, -4}, {0.05, 0}, {0.26, 0}, {0.42, 46}, {0.6, 66}, {0.9, -6}}, t); };
+  gait.front.pitch = [](double t) {
+    return curve({{0, -4}, {0.05, 0}, {0.26, 0}, {0.42, 44}, {0.62, 80}, {0.9, -6}}, t);
+  };
+  gait.back.pitch = [](double t) {
+    return curve({{0, -4}, {0.05, 0}, {0.26, 0}, {0.42, 46}, {0.6, 66}, {0.9, -6}}, t);
+  };
   gait.hind_phase[0] = gait.front_phase[1] = 0;  // diagonal pairs
   gait.hind_phase[1] = gait.front_phase[0] = 0.5;
   gait.forth = 9;
@@ -122,7 +134,8 @@ Clip trot(Quadruped* q) {
   return cycle(q->puppet(), "trot", 19, {0, 0, 1.3}, [&](double t, double drop) {
     const double yaw = 3 * wave(t + 0.2);
     q->puppet()->place({0, -0.03 - drop - 0.024 * wave(2 * t + 0.06), 0}, about_y(-0.5 * yaw));
-    q->trunk(yaw, 1.5 * wave(2 * t + 0.3), -3 + 2 * wave(2 * t + 0.2), 3 - 2 * wave(2 * t + 0.3), 0, 9 * wave(t + 0.35));
+    q->trunk(yaw, 1.5 * wave(2 * t + 0.3), -3 + 2 * wave(2 * t + 0.2), 3 - 2 * wave(2 * t + 0.3), 0,
+             9 * wave(t + 0.35));
     q->ears(-8, -8);
     legs(q, gait, t);
   });
@@ -131,9 +144,11 @@ Clip trot(Quadruped* q) {
 Clip idle(Quadruped* q) {
   return cycle(q->puppet(), "idle", 120, {}, [&](double t, double drop) {
     const double breath = wave(3 * t);
-    q->puppet()->place({0.012 * wave(t), -0.012 - drop + 0.003 * breath, 0.006 * wave(t + 0.2)}, about_z(0.8 * wave(t)));
+    q->puppet()->place({0.012 * wave(t), -0.012 - drop + 0.003 * breath, 0.006 * wave(t + 0.2)},
+                       about_z(0.8 * wave(t)));
     const double low = curve({{0, 0}, {0.1, 0}, {0.45, 1}, {0.6, 1}, {0.9, 0}}, t);
-    q->trunk(1.5 * wave(t + 0.1), 0.8 * breath, 1 + 0.8 * breath + 14 * low, 6 * low, 22 * wave(t + 0.02), 16 * wave(2 * t));
+    q->trunk(1.5 * wave(t + 0.1), 0.8 * breath, 1 + 0.8 * breath + 14 * low, 6 * low, 22 * wave(t + 0.02),
+             16 * wave(2 * t));
     q->ears(curve({{0, 0}, {0.3, 0}, {0.33, 22}, {0.36, 0}}, t), curve({{0, 0}, {0.7, 0}, {0.73, 22}, {0.77, 0}}, t));
     for (const int side : {0, 1}) {
       q->front_leg(side, {q->front(side).ankle, 0, 0}, 0);

@@ -63,6 +63,7 @@ CharacterFile open_scene(const std::string& path) {
 
 CharacterFile open_character(const std::string& path) {
   if (is_builtin_motion(path)) return {skeleton_of(builtin_motions(path)[0]), true};
+  if (is_motion_alone(path)) return {skeleton_alone(path), true};
   const FileKind* kind = file_kind(path);
   if (kind == nullptr) return {read_mesh(path), true};  // throws: says which extensions there are
   switch (kind->reader) {
@@ -72,8 +73,6 @@ CharacterFile open_character(const std::string& path) {
       const std::string beside = (std::filesystem::path(path).parent_path() / (stem_of(path) + ".obj")).string();
       return {has_extension(path, ".rig.txt") && is_file(beside) ? read_character(path) : skeleton_alone(path), false};
     }
-    case FileReader::kBvh:
-      return {skeleton_alone(path), true};
     default:
       return open_scene(path);
   }

@@ -17,6 +17,7 @@
 #include "sinew_character/skeleton_template.hpp"
 #include "sinew_character/stance.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/text_lines.hpp"
@@ -131,8 +132,8 @@ MapRig read_map_rig(const std::string& path) {
     rig = map_rig_of(builtin_motions(path)[0]);
   } else if (has_extension(path, ".obj")) {
     rig = map_rig_of(read_character(path));
-  } else if (has_extension(path, ".bvh")) {
-    rig = rig_in_stance(read_bvh(path));
+  } else if (is_motion_alone(path)) {
+    rig = rig_in_stance(read_motion(path));
   } else if (has_extension(path, ".txt")) {
     Character character;
     character.vertices.resize(skin_vertices(path));

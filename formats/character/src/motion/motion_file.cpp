@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sinew_character/motion_file.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "sinew_character/builtin_motion.hpp"
@@ -23,20 +24,23 @@ std::pair<float, size_t> fit_of(const Motion& motion, const MapRig& rig, const s
 
 }  // namespace
 
-Motion read_motion_for(const std::string& path, double fps, const Character& character, const std::string& up) {
-  if (!is_builtin_motion(path)) return read_motion(path, fps);
-  std::vector<Motion> motions = builtin_motions(path);
-  if (motions.size() == 1) return std::move(motions[0]);
+MotionFile read_motion_for(const MotionRequest& request, const Character& character) {
+  if (!is_builtin_motion(request.path)) {
+    Motion motion = read_motion(request.path, request.fps, request.layout);
+    std::optional<Motion> one = one_actor(motion, request.path, request.actor);
+    return one ? MotionFile{std::move(*one), false} : MotionFile{std::move(motion), true};
+  }
+  std::vector<Motion> motions = builtin_motions(request.path);
   const MapRig rig = map_rig_of(character);
   size_t best = 0;
   std::pair<float, size_t> best_fit;
-  for (size_t m = 0; m < motions.size(); ++m) {
-    const std::pair<float, size_t> fit = fit_of(motions[m], rig, up);
+  for (size_t m = 0; m < motions.size() && motions.size() > 1; ++m) {
+    const std::pair<float, size_t> fit = fit_of(motions[m], rig, request.up);
     if (m > 0 && fit <= best_fit) continue;
     best = m;
     best_fit = fit;
   }
-  return std::move(motions[best]);
+  return {std::move(motions[best]), true};
 }
 
 }  // namespace sinew

@@ -57,7 +57,7 @@ func get_import_options(preset: int) -> Array:
 		{ "name": "rigid_parts", "default_value": 0, "property_hint": PROPERTY_HINT_ENUM, "hint_string": "Auto,Always,Never" },
 		{ "name": "softness", "default_value": 1.0, "property_hint": PROPERTY_HINT_RANGE, "hint_string": "0.25,4,0.05" },
 		{ "name": "symmetric", "default_value": false },
-		{ "name": "motion/file", "default_value": "", "property_hint": PROPERTY_HINT_FILE, "hint_string": "*.bvh,*.glb,*.gltf,*.vrm" },
+		{ "name": "motion/file", "default_value": "", "property_hint": PROPERTY_HINT_FILE, "hint_string": "*.bvh,*.glb,*.gltf,*.vrm,*.vrma,*.vmd,*.npz,*.npy" },
 		{ "name": "motion/map", "default_value": "", "property_hint": PROPERTY_HINT_FILE, "hint_string": "*.txt" },
 		{ "name": "motion/in_place", "default_value": false },
 	]

@@ -74,7 +74,8 @@ void expect_planted(const std::string& path, const std::string& foot, const std:
     };
     if (!is_flat(poses[f]) || !is_flat(poses[f - 1])) continue;
     ++flat;
-    EXPECT_LT(length(poses[f].positions[ankle] - poses[f - 1].positions[ankle]), 1e-6) << path << " " << foot << " " << f;
+    EXPECT_LT(length(poses[f].positions[ankle] - poses[f - 1].positions[ankle]), 1e-6)
+        << path << " " << foot << " " << f;
   }
   EXPECT_GE(flat, least) << path << " " << foot;
 }
@@ -105,7 +106,8 @@ TEST(BuiltinMotion, FeetStandWhereTheyStand) {
 TEST(BuiltinMotion, AWalkSwingsItsArmsAgainstItsLegs) {
   for (const char* name : {"builtin:person/walk", "builtin:run"}) {
     const Motion motion = only(name);
-    const size_t hips = joint_of(motion, "Hips"), hand = joint_of(motion, "LeftHand"), foot = joint_of(motion, "LeftFoot");
+    const size_t hips = joint_of(motion, "Hips"), hand = joint_of(motion, "LeftHand"),
+                 foot = joint_of(motion, "LeftFoot");
     double together = 0, lowest = 1e9, highest = -1e9;
     for (const WorldPose& pose : poses_of(motion)) {
       const Point3 arm = pose.positions[hand] - pose.positions[hips], leg = pose.positions[foot] - pose.positions[hips];
@@ -121,7 +123,8 @@ TEST(BuiltinMotion, AWalkSwingsItsArmsAgainstItsLegs) {
 
 TEST(BuiltinMotion, WingsFlapAndFishBend) {
   const Motion flap = only("builtin:flap"), swim = only("builtin:swim");
-  const size_t wing = joint_of(flap, "Wing4.L_end"), other = joint_of(flap, "Wing4.R_end"), tail = joint_of(swim, "Spine6_end");
+  const size_t wing = joint_of(flap, "Wing4.L_end"), other = joint_of(flap, "Wing4.R_end"),
+               tail = joint_of(swim, "Spine6_end");
   double low = 1e9, high = -1e9, left = -1e9, right = 1e9;
   for (const WorldPose& pose : poses_of(flap)) {
     low = std::min(low, pose.positions[wing][1]);

@@ -13,13 +13,14 @@ namespace {
 Character sample(const std::string& name) { return read_character(SINEW_SOURCE_DIR "/samples/data/" + name + ".obj"); }
 
 TEST(MotionFile, AWalkIsThatOfTheCharactersLimbs) {
-  EXPECT_EQ(read_motion_for("builtin:walk", 0, sample("biped__robot")).joints[0].name, "mixamorig:Hips");
-  EXPECT_EQ(read_motion_for("builtin:walk", 0, sample("quadruped__tailed")).joints[0].name, "Hips");
-  EXPECT_EQ(read_motion_for("builtin:idle", 0, sample("quadruped__tailed")).clips.size(), 1u);
-  EXPECT_EQ(read_motion_for("builtin:person/walk", 0, sample("quadruped__tailed")).joints[0].name, "mixamorig:Hips")
+  EXPECT_EQ(read_motion_for({"builtin:walk"}, sample("biped__robot")).motion.joints[0].name, "mixamorig:Hips");
+  EXPECT_EQ(read_motion_for({"builtin:walk"}, sample("quadruped__tailed")).motion.joints[0].name, "Hips");
+  EXPECT_EQ(read_motion_for({"builtin:idle"}, sample("quadruped__tailed")).motion.clips.size(), 1u);
+  EXPECT_EQ(read_motion_for({"builtin:person/walk"}, sample("quadruped__tailed")).motion.joints[0].name,
+            "mixamorig:Hips")
       << "as it was asked for";
-  EXPECT_ERROR(read_motion_for("builtin:fly", 0, sample("biped__robot")), "builtin:fly", "bird: flap");
-  EXPECT_ERROR(read_motion_for("walk.doc", 0, sample("biped__robot")), "walk.doc", "expected a motion");
+  EXPECT_ERROR(read_motion_for({"builtin:fly"}, sample("biped__robot")), "builtin:fly", "bird: flap");
+  EXPECT_ERROR(read_motion_for({"walk.doc"}, sample("biped__robot")), "walk.doc", "expected a motion");
 }
 
 }  // namespace
