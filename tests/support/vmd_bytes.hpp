@@ -28,7 +28,8 @@ inline std::string vmd_of(const std::vector<VmdKey>& keys) {
     std::memcpy(out.data(), &value, sizeof value);
     return out;
   };
-  std::string bytes = padded("Vocaloid Motion Data 0002", 30) + padded("model", 20) + raw(static_cast<uint32_t>(keys.size()));
+  std::string bytes =
+      padded("Vocaloid Motion Data 0002", 30) + padded("model", 20) + raw(static_cast<uint32_t>(keys.size()));
   for (const VmdKey& key : keys) {
     std::string curves(64, '\0');
     for (size_t c = 0; c < 4; ++c)

@@ -70,7 +70,8 @@ class ActorFinder {
     for (const size_t j : candidates) largest = std::max(largest, sizes_[j]);
     std::vector<size_t> found;
     for (const size_t j : candidates)
-      if (sizes_[j] >= kLeastJoints && leaves_[j] >= kLeastLeaves && kLeastShare * sizes_[j] >= largest) found.push_back(j);
+      if (sizes_[j] >= kLeastJoints && leaves_[j] >= kLeastLeaves && kLeastShare * sizes_[j] >= largest)
+        found.push_back(j);
     return found;
   }
 
@@ -128,7 +129,8 @@ std::optional<Motion> one_actor(const Motion& motion, const std::string& file, c
   if (actor.empty() && !alike) return std::nullopt;
   Motion part = part_of(motion, finder.below(actors[actor.empty() ? 0 : chosen]));
   if (actor.empty())
-    part.notes.push_back("has " + std::to_string(actors.size()) + " actors, " + names + "; the first one plays, --actor says another");
+    part.notes.push_back("has " + std::to_string(actors.size()) + " actors, " + names +
+                         "; the first one plays, --actor says another");
   return part;
 }
 

@@ -49,11 +49,11 @@ struct NumberKind {
   size_t bytes;
   double (*at)(const uint8_t*);
 };
-constexpr NumberKind kKinds[] = {{"<f4", 4, number_at<float>},    {"<f8", 8, number_at<double>},
-                                 {"<f2", 2, half_at},             {"<i8", 8, number_at<int64_t>},
-                                 {"<i4", 4, number_at<int32_t>},  {"<u4", 4, number_at<uint32_t>},
-                                 {"<i2", 2, number_at<int16_t>},  {"<u2", 2, number_at<uint16_t>},
-                                 {"|i1", 1, number_at<int8_t>},   {"|u1", 1, number_at<uint8_t>}};
+constexpr NumberKind kKinds[] = {
+    {"<f4", 4, number_at<float>},   {"<f8", 8, number_at<double>},   {"<f2", 2, half_at},
+    {"<i8", 8, number_at<int64_t>}, {"<i4", 4, number_at<int32_t>},  {"<u4", 4, number_at<uint32_t>},
+    {"<i2", 2, number_at<int16_t>}, {"<u2", 2, number_at<uint16_t>}, {"|i1", 1, number_at<int8_t>},
+    {"|u1", 1, number_at<uint8_t>}};
 
 class NpyReader {
  public:
@@ -71,7 +71,8 @@ class NpyReader {
     array.shape = read_shape();
     size_t count = 1;
     for (const size_t side : array.shape) {
-      if (side != 0 && count > kMostNumbers / side) fail("at most " + std::to_string(kMostNumbers) + " numbers", "more");
+      if (side != 0 && count > kMostNumbers / side)
+        fail("at most " + std::to_string(kMostNumbers) + " numbers", "more");
       count *= side;
     }
     if (bytes_.size() - data_ < count * kind->bytes)
@@ -97,7 +98,8 @@ class NpyReader {
     const bool wide = bytes_[6] >= 2;
     const size_t begin = wide ? 12 : 10;
     const size_t size = static_cast<size_t>(wide ? number_at<uint32_t>(&bytes_[8]) : number_at<uint16_t>(&bytes_[8]));
-    if (size > bytes_.size() - begin) throw Error(where_ + ": truncated array, expected a header of " + std::to_string(size) + " bytes");
+    if (size > bytes_.size() - begin)
+      throw Error(where_ + ": truncated array, expected a header of " + std::to_string(size) + " bytes");
     header_ = {reinterpret_cast<const char*>(bytes_.data()) + begin, size};
     data_ = begin + size;
   }
@@ -105,7 +107,8 @@ class NpyReader {
   std::vector<size_t> read_shape() const {
     std::string_view text = value_of(header_, "shape");
     const size_t end = text.find(')');
-    if (text.empty() || text[0] != '(' || end == std::string_view::npos) fail("a 'shape' such as (3, 4)", in_quotes(text));
+    if (text.empty() || text[0] != '(' || end == std::string_view::npos)
+      fail("a 'shape' such as (3, 4)", in_quotes(text));
     std::vector<size_t> shape;
     std::string digits;
     for (const char c : text.substr(1, end)) {
@@ -153,7 +156,10 @@ NpyFile read_npy_file(const std::string& path) {
   NpyFile file;
   if (!has_extension(path, ".npz")) {
     std::optional<NpyArray> array = NpyReader(path, bytes).read();
-    if (!array) throw Error(path + ": expected an array of numbers, found one of text or of pickled objects; save it as numbers with numpy.save()");
+    if (!array)
+      throw Error(path +
+                  ": expected an array of numbers, found one of text or of pickled objects; save it as numbers with "
+                  "numpy.save()");
     file.arrays[""] = std::move(*array);
     return file;
   }

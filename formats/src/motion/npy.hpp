@@ -12,7 +12,7 @@
 namespace sinew {
 
 struct NpyArray {
-  std::vector<size_t> shape;  // empty: one number
+  std::vector<size_t> shape;   // empty: one number
   std::vector<double> values;  // row by row; all finite
 
   size_t rows() const { return shape.empty() ? 1 : shape[0]; }

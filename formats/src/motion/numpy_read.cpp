@@ -25,16 +25,19 @@ struct BodyModel {
 const std::vector<BodyModel>& body_models() {
   static const std::vector<BodyModel> models = [] {
     const std::vector<std::string> body = {
-        "hips",     "leftUpperLeg", "rightUpperLeg", "spine",        "leftLowerLeg", "rightLowerLeg", "chest",   "leftFoot",
-        "rightFoot", "upperChest",  "leftToes",      "rightToes",    "neck",         "leftShoulder",  "rightShoulder",
-        "head",     "leftUpperArm", "rightUpperArm", "leftLowerArm", "rightLowerArm", "leftHand",     "rightHand"};
+        "hips",         "leftUpperLeg",  "rightUpperLeg", "spine",      "leftLowerLeg", "rightLowerLeg",
+        "chest",        "leftFoot",      "rightFoot",     "upperChest", "leftToes",     "rightToes",
+        "neck",         "leftShoulder",  "rightShoulder", "head",       "leftUpperArm", "rightUpperArm",
+        "leftLowerArm", "rightLowerArm", "leftHand",      "rightHand"};
     std::vector<std::string> hands;
     for (const char* side : {"left", "right"})
       for (const char* finger : {"Index", "Middle", "Little", "Ring"})
-        for (const char* part : {"Proximal", "Intermediate", "Distal"}) hands.push_back(side + std::string(finger) + part);
+        for (const char* part : {"Proximal", "Intermediate", "Distal"})
+          hands.push_back(side + std::string(finger) + part);
     for (const size_t at : {12u, 27u})  // a thumb behind four fingers
       for (const char* part : {"Distal", "Proximal", "Metacarpal"})
-        hands.insert(hands.begin() + static_cast<std::ptrdiff_t>(at), (at == 12 ? "leftThumb" : "rightThumb") + std::string(part));
+        hands.insert(hands.begin() + static_cast<std::ptrdiff_t>(at),
+                     (at == 12 ? "leftThumb" : "rightThumb") + std::string(part));
     const auto join = [](std::vector<std::string> a, const std::vector<std::string>& b) {
       a.insert(a.end(), b.begin(), b.end());
       return a;
@@ -62,7 +65,8 @@ Quaternion of_matrix(const double* v) {  // row by row
 
 class NumpyReader {
  public:
-  NumpyReader(const std::string& path, const std::string& layout) : path_(path), layout_(layout), file_(read_npy_file(path)) {}
+  NumpyReader(const std::string& path, const std::string& layout)
+      : path_(path), layout_(layout), file_(read_npy_file(path)) {}
 
   Motion read() {
     if (layout_.empty() && has_rotations()) {
@@ -100,8 +104,10 @@ class NumpyReader {
 
   double frame_time(double fps) {
     const NpyArray* const rate = find({"mocap_framerate", "mocap_frame_rate", "fps", "frame_rate"});
-    if (rate != nullptr && rate->values.size() == 1) fps = rate->values[0];
-    else motion_.notes.push_back(print("says no rate, so %g frames a second were guessed", fps));
+    if (rate != nullptr && rate->values.size() == 1)
+      fps = rate->values[0];
+    else
+      motion_.notes.push_back(print("says no rate, so %g frames a second were guessed", fps));
     if (!(fps > 0.1 && fps < 1e5)) fail("a rate of frames a second", print("%g", fps));
     return 1 / fps;
   }
@@ -116,8 +122,10 @@ class NumpyReader {
     const NpyArray* const both = find({"pose_hand"});
     const NpyArray* const left = find({"left_hand_pose"});
     const NpyArray* const right = find({"right_hand_pose"});
-    if (both != nullptr) all.push_back(both);
-    else if (left != nullptr && right != nullptr) all.insert(all.end(), {left, right});
+    if (both != nullptr)
+      all.push_back(both);
+    else if (left != nullptr && right != nullptr)
+      all.insert(all.end(), {left, right});
     return all;
   }
 
@@ -126,13 +134,16 @@ class NumpyReader {
     const size_t frames = arrays[0]->rows();
     size_t width = 0;
     for (const NpyArray* array : arrays) {
-      if (array->shape.empty() || array->rows() != frames || frames == 0) fail("rotations of as many frames in all arrays", arrays_text());
+      if (array->shape.empty() || array->rows() != frames || frames == 0)
+        fail("rotations of as many frames in all arrays", arrays_text());
       width += array->width();
     }
     const auto [model, numbers] = model_of(width, arrays);
-    if (frames > kMostRotations / model->joints.size()) fail("at most " + std::to_string(kMostRotations) + " frames times joints", std::to_string(frames) + " frames");
+    if (frames > kMostRotations / model->joints.size())
+      fail("at most " + std::to_string(kMostRotations) + " frames times joints", std::to_string(frames) + " frames");
     const NpyArray* const moves = find({"trans", "transl"});
-    if (moves != nullptr && (moves->rows() != frames || moves->width() != 3)) fail("'trans' of 3 numbers a frame", arrays_text());
+    if (moves != nullptr && (moves->rows() != frames || moves->width() != 3))
+      fail("'trans' of 3 numbers a frame", arrays_text());
     motion_.joints = person_joints(model->joints);
     Clip clip;
     clip.frame_time = frame_time(30);
@@ -145,8 +156,9 @@ class NumpyReader {
       }
       clip.frames.push_back(frame_of(row, numbers, moves == nullptr ? nullptr : &moves->values[3 * f]));
     }
-    motion_.notes.push_back(print("%s, %zu numbers a rotation%s; bones have the lengths of a person of ours, no body model's",
-                                  model->name, numbers, numbers == 6 ? " (two columns of the matrix)" : ""));
+    motion_.notes.push_back(
+        print("%s, %zu numbers a rotation%s; bones have the lengths of a person of ours, no body model's", model->name,
+              numbers, numbers == 6 ? " (two columns of the matrix)" : ""));
     motion_.clips.push_back(std::move(clip));
     stand_up();
   }
@@ -157,7 +169,8 @@ class NumpyReader {
     for (const BodyModel& model : body_models())
       for (const size_t numbers : {3u, 6u, 9u})
         if (model.joints.size() * numbers == width && (said == 0 || said == numbers)) return {&model, numbers};
-    fail("rotations of 22 (SMPL without hands), 24 (SMPL), 52 (SMPL-H) or 55 joints (SMPL-X), 3, 6 or 9 numbers each", arrays_text());
+    fail("rotations of 22 (SMPL without hands), 24 (SMPL), 52 (SMPL-H) or 55 joints (SMPL-X), 3, 6 or 9 numbers each",
+         arrays_text());
   }
 
   MotionFrame frame_of(const std::vector<double>& row, size_t numbers, const double* place) const {
@@ -204,9 +217,11 @@ class NumpyReader {
     for (const PlacesLayout& layout : places_layouts()) {
       counts += (counts.empty() ? "" : ", ") + std::to_string(layout.count) + " (" + layout.name + ")";
       if (layout_.empty() ? layout.count != count : layout_ != layout.name) continue;
-      if (layout.count != count) fail(std::to_string(layout.count) + " joints of " + layout.name, std::to_string(count));
+      if (layout.count != count)
+        fail(std::to_string(layout.count) + " joints of " + layout.name, std::to_string(count));
       if (layout_.empty())
-        motion_.notes.push_back(print("%zu places a frame, so the layout %s was guessed; --layout says another", count, layout.name));
+        motion_.notes.push_back(
+            print("%zu places a frame, so the layout %s was guessed; --layout says another", count, layout.name));
       return layout;
     }
     if (!layout_.empty()) fail("a layout (" + motion_layouts() + ")", in_quotes(layout_));
@@ -219,7 +234,8 @@ class NumpyReader {
       fail("'poses' or 'global_orient' and 'body_pose' of a body model, or places [frames, joints, 3]", arrays_text());
     const size_t frames = array->shape[0], count = array->shape[1], width = array->shape[2];
     const PlacesLayout& layout = layout_of(count);
-    if (frames == 0 || frames > kMostRotations / count) fail("1 to " + std::to_string(kMostRotations / count) + " frames", std::to_string(frames));
+    if (frames == 0 || frames > kMostRotations / count)
+      fail("1 to " + std::to_string(kMostRotations / count) + " frames", std::to_string(frames));
     std::vector<std::vector<Point3>> places(frames);
     for (size_t f = 0; f < frames; ++f)
       for (size_t j = 0; j < count; ++j) {
@@ -241,6 +257,8 @@ class NumpyReader {
 
 }  // namespace
 
-Motion read_numpy_motion(const std::string& path, const std::string& layout) { return NumpyReader(path, layout).read(); }
+Motion read_numpy_motion(const std::string& path, const std::string& layout) {
+  return NumpyReader(path, layout).read();
+}
 
 }  // namespace sinew

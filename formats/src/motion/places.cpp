@@ -86,20 +86,25 @@ class PlacesSolver {
   }
 
   void stand_up() {
-    const Point3 up = mean_of("leftFoot", "leftUpperLeg") + mean_of("rightFoot", "rightUpperLeg") + mean_of("hips", "head");
+    const Point3 up =
+        mean_of("leftFoot", "leftUpperLeg") + mean_of("rightFoot", "rightUpperLeg") + mean_of("hips", "head");
     const Quaternion turn = turn_to_y_up(up);
-    if (axis_name(up) != "y") motion_.notes.push_back("the body stands along " + axis_name(up) + ", which is taken for up");
+    if (axis_name(up) != "y")
+      motion_.notes.push_back("the body stands along " + axis_name(up) + ", which is taken for up");
     for (std::vector<Point3>& frame : places_)
       for (Point3& place : frame) place = rotate(turn, place);
     // Toes and noses point to where left, seen with up, has its front.
     double front = 0;
     for (const std::vector<Point3>& frame : places_)
-      for (const auto& [from, to] : {std::pair("leftFoot", "leftToes"), std::pair("rightFoot", "rightToes"), std::pair("head", "nose_end")}) {
+      for (const auto& [from, to] :
+           {std::pair("leftFoot", "leftToes"), std::pair("rightFoot", "rightToes"), std::pair("head", "nose_end")}) {
         const int a = index(from), b = index(to), left = index("leftUpperLeg"), right = index("rightUpperLeg");
-        if (a >= 0 && b >= 0) front += dot(unit(between(frame, a, b)), cross(unit(between(frame, right, left)), {0, 1, 0}));
+        if (a >= 0 && b >= 0)
+          front += dot(unit(between(frame, a, b)), cross(unit(between(frame, right, left)), {0, 1, 0}));
       }
     if (front < 0) {
-      motion_.notes.emplace_back("left and right are exchanged (a left-handed world), so it is read as its mirror image");
+      motion_.notes.emplace_back(
+          "left and right are exchanged (a left-handed world), so it is read as its mirror image");
       for (std::vector<Point3>& frame : places_)
         for (Point3& place : frame) place[2] = -place[2];
     }
@@ -115,7 +120,9 @@ class PlacesSolver {
       moved = std::max(moved, length(frame[hips] - places_[0][hips]));
     }
     if (places_.size() < 2 || moved > kHipsStill * size) return;
-    motion_.notes.emplace_back("hips never leave their place, so places are taken as relative to them, and the lowest joint of every frame is on the floor");
+    motion_.notes.emplace_back(
+        "hips never leave their place, so places are taken as relative to them, and the lowest joint of every frame is "
+        "on the floor");
     for (std::vector<Point3>& frame : places_) {
       double low = frame[0][1];
       for (const Point3& place : frame) low = std::min(low, place[1]);
@@ -129,8 +136,10 @@ class PlacesSolver {
       MotionJoint& joint = motion_.joints[j];
       if (joint.parent < 0) continue;
       std::vector<double> lengths;
-      for (const std::vector<Point3>& frame : places_) lengths.push_back(length(between(frame, joint.parent, static_cast<int>(j))));
-      std::nth_element(lengths.begin(), lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2), lengths.end());
+      for (const std::vector<Point3>& frame : places_)
+        lengths.push_back(length(between(frame, joint.parent, static_cast<int>(j))));
+      std::nth_element(lengths.begin(), lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2),
+                       lengths.end());
       joint.offset = lengths[lengths.size() / 2] * unit(joint.offset);
     }
     take_rest();
@@ -262,14 +271,22 @@ const std::vector<PlacesLayout>& places_layouts() {
   static const std::vector<PlacesLayout> layouts = [] {
     Joints smpl = body;
     smpl.push_back({"leftHand_end", {22}, {23}});
-    const Joints coco = {{"hips", {11, 12}},          {"leftUpperLeg", {11}, {12}}, {"leftLowerLeg", {13}, {14}},
-                         {"leftFoot", {15}, {16}},    {"upperChest", {5, 6}},       {"head", {3, 4}},
-                         {"nose_end", {0}},           {"leftEar_end", {3}, {4}},    {"leftUpperArm", {5}, {6}},
-                         {"leftLowerArm", {7}, {8}},  {"leftHand", {9}, {10}}};
-    const Joints mediapipe = {{"hips", {23, 24}},          {"leftUpperLeg", {23}, {24}}, {"leftLowerLeg", {25}, {26}},
-                              {"leftFoot", {27}, {28}},    {"leftToes", {31}, {32}},     {"upperChest", {11, 12}},
-                              {"head", {7, 8}},            {"nose_end", {0}},            {"leftEar_end", {7}, {8}},
-                              {"leftUpperArm", {11}, {12}}, {"leftLowerArm", {13}, {14}}, {"leftHand", {15}, {16}},
+    const Joints coco = {{"hips", {11, 12}},         {"leftUpperLeg", {11}, {12}}, {"leftLowerLeg", {13}, {14}},
+                         {"leftFoot", {15}, {16}},   {"upperChest", {5, 6}},       {"head", {3, 4}},
+                         {"nose_end", {0}},          {"leftEar_end", {3}, {4}},    {"leftUpperArm", {5}, {6}},
+                         {"leftLowerArm", {7}, {8}}, {"leftHand", {9}, {10}}};
+    const Joints mediapipe = {{"hips", {23, 24}},
+                              {"leftUpperLeg", {23}, {24}},
+                              {"leftLowerLeg", {25}, {26}},
+                              {"leftFoot", {27}, {28}},
+                              {"leftToes", {31}, {32}},
+                              {"upperChest", {11, 12}},
+                              {"head", {7, 8}},
+                              {"nose_end", {0}},
+                              {"leftEar_end", {7}, {8}},
+                              {"leftUpperArm", {11}, {12}},
+                              {"leftLowerArm", {13}, {14}},
+                              {"leftHand", {15}, {16}},
                               {"leftHand_end", {17, 19}, {18, 20}}};
     return std::vector<PlacesLayout>{{"smpl24", 24, 30, smpl},
                                      {"humanml3d22", 22, 20, body},

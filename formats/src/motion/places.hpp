@@ -12,9 +12,9 @@ namespace sinew {
 
 // Which numbers of a row stand for which joint.
 struct PlacesLayout {
-  const char* name;   // "coco17"
-  size_t count;       // places in a row
-  double fps;         // where a file says none
+  const char* name;  // "coco17"
+  size_t count;      // places in a row
+  double fps;        // where a file says none
   struct Joint {
     const char* name;             // of person_joints(); "left" ones stand for both sides
     std::vector<size_t> columns;  // their middle; of "left" ones the left's

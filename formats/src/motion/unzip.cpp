@@ -59,14 +59,18 @@ class Unzipper {
   std::vector<uint8_t> content(size_t entry, const std::string& name) const {
     const size_t method = number(entry + 10, 2), packed = number(entry + 20, 4), size = number(entry + 24, 4);
     const size_t local = number(entry + 42, 4);
-    if (number(local, 4) != 0x04034b50) fail("the file " + in_quotes(name) + " where the directory says", "other bytes");
+    if (number(local, 4) != 0x04034b50)
+      fail("the file " + in_quotes(name) + " where the directory says", "other bytes");
     if (packed == 0xffffffff || size > kMostBytes || size > kMostRatio * packed + 64)
-      fail("at most " + std::to_string(kMostBytes) + " bytes in " + in_quotes(name), std::to_string(size) + " of " + std::to_string(packed));
+      fail("at most " + std::to_string(kMostBytes) + " bytes in " + in_quotes(name),
+           std::to_string(size) + " of " + std::to_string(packed));
     const size_t begin = local + kLocal + number(local + 26, 2) + number(local + 28, 2);
     need(begin, packed);
     if (method == 8) return inflated(name, begin, packed, size);
-    if (method != 0 || packed != size) fail("files that are stored or deflated", "method " + std::to_string(method) + " in " + in_quotes(name));
-    return {bytes_.begin() + static_cast<std::ptrdiff_t>(begin), bytes_.begin() + static_cast<std::ptrdiff_t>(begin + size)};
+    if (method != 0 || packed != size)
+      fail("files that are stored or deflated", "method " + std::to_string(method) + " in " + in_quotes(name));
+    return {bytes_.begin() + static_cast<std::ptrdiff_t>(begin),
+            bytes_.begin() + static_cast<std::ptrdiff_t>(begin + size)};
   }
 
 #ifdef SINEW_HAS_ZLIB

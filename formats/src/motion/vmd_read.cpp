@@ -17,8 +17,8 @@ namespace sinew {
 namespace {
 
 constexpr size_t kHeader = 30, kKey = 111, kNameBytes = 15;
-constexpr double kUnit = 0.08, kFps = 30, kArmsDown = 0.66;    // metres; radians of the rest pose's arms
-constexpr size_t kMostRotations = size_t{1} << 24;             // frames times joints
+constexpr double kUnit = 0.08, kFps = 30, kArmsDown = 0.66;  // metres; radians of the rest pose's arms
+constexpr size_t kMostRotations = size_t{1} << 24;           // frames times joints
 constexpr const char *kIk = "\x82\x68\x82\x6a", *kLeft = "\x8d\xb6", *kRight = "\x89\x45";  // Shift-JIS
 
 struct BoneName {
@@ -26,39 +26,39 @@ struct BoneName {
 };
 // The left side alone. To add a bone: its name here, and in person.cpp where it stands.
 constexpr BoneName kBones[] = {
-    {"\x91\x53\x82\xc4\x82\xcc\x90\x65", "root"},  // 全ての親
-    {"\x83\x5a\x83\x93\x83\x5e\x81\x5b", "center"},  // センター
-    {"\x83\x4f\x83\x8b\x81\x5b\x83\x75", "groove"},  // グルーブ
-    {"\x8d\x98", "waist"},  // 腰
-    {"\x89\xba\x94\xbc\x90\x67", "hips"},  // 下半身
-    {"\x8f\xe3\x94\xbc\x90\x67", "spine"},  // 上半身
-    {"\x8f\xe3\x94\xbc\x90\x67\x32", "chest"},  // 上半身2
-    {"\x8f\xe3\x94\xbc\x90\x67\x82\x51", "chest"},  // 上半身２
-    {"\x8e\xf1", "neck"},  // 首
-    {"\x93\xaa", "head"},  // 頭
-    {"\x8d\xb6\x8c\xa8", "leftShoulder"},  // 左肩
-    {"\x8d\xb6\x98\x72", "leftUpperArm"},  // 左腕
-    {"\x8d\xb6\x82\xd0\x82\xb6", "leftLowerArm"},  // 左ひじ
-    {"\x8d\xb6\x8e\xe8\x8e\xf1", "leftHand"},  // 左手首
-    {"\x8d\xb6\x91\xab", "leftUpperLeg"},  // 左足
-    {"\x8d\xb6\x82\xd0\x82\xb4", "leftLowerLeg"},  // 左ひざ
-    {"\x8d\xb6\x91\xab\x8e\xf1", "leftFoot"},  // 左足首
-    {"\x8d\xb6\x82\xc2\x82\xdc\x90\xe6", "leftToes"},  // 左つま先
-    {"\x8d\xb6\x90\x65\x8e\x77\x82\x4f", "leftThumbMetacarpal"},  // 左親指０
-    {"\x8d\xb6\x90\x65\x8e\x77\x82\x50", "leftThumbProximal"},  // 左親指１
-    {"\x8d\xb6\x90\x65\x8e\x77\x82\x51", "leftThumbDistal"},  // 左親指２
-    {"\x8d\xb6\x90\x6c\x8e\x77\x82\x50", "leftIndexProximal"},  // 左人指１
-    {"\x8d\xb6\x90\x6c\x8e\x77\x82\x51", "leftIndexIntermediate"},  // 左人指２
-    {"\x8d\xb6\x90\x6c\x8e\x77\x82\x52", "leftIndexDistal"},  // 左人指３
-    {"\x8d\xb6\x92\x86\x8e\x77\x82\x50", "leftMiddleProximal"},  // 左中指１
+    {"\x91\x53\x82\xc4\x82\xcc\x90\x65", "root"},                    // 全ての親
+    {"\x83\x5a\x83\x93\x83\x5e\x81\x5b", "center"},                  // センター
+    {"\x83\x4f\x83\x8b\x81\x5b\x83\x75", "groove"},                  // グルーブ
+    {"\x8d\x98", "waist"},                                           // 腰
+    {"\x89\xba\x94\xbc\x90\x67", "hips"},                            // 下半身
+    {"\x8f\xe3\x94\xbc\x90\x67", "spine"},                           // 上半身
+    {"\x8f\xe3\x94\xbc\x90\x67\x32", "chest"},                       // 上半身2
+    {"\x8f\xe3\x94\xbc\x90\x67\x82\x51", "chest"},                   // 上半身２
+    {"\x8e\xf1", "neck"},                                            // 首
+    {"\x93\xaa", "head"},                                            // 頭
+    {"\x8d\xb6\x8c\xa8", "leftShoulder"},                            // 左肩
+    {"\x8d\xb6\x98\x72", "leftUpperArm"},                            // 左腕
+    {"\x8d\xb6\x82\xd0\x82\xb6", "leftLowerArm"},                    // 左ひじ
+    {"\x8d\xb6\x8e\xe8\x8e\xf1", "leftHand"},                        // 左手首
+    {"\x8d\xb6\x91\xab", "leftUpperLeg"},                            // 左足
+    {"\x8d\xb6\x82\xd0\x82\xb4", "leftLowerLeg"},                    // 左ひざ
+    {"\x8d\xb6\x91\xab\x8e\xf1", "leftFoot"},                        // 左足首
+    {"\x8d\xb6\x82\xc2\x82\xdc\x90\xe6", "leftToes"},                // 左つま先
+    {"\x8d\xb6\x90\x65\x8e\x77\x82\x4f", "leftThumbMetacarpal"},     // 左親指０
+    {"\x8d\xb6\x90\x65\x8e\x77\x82\x50", "leftThumbProximal"},       // 左親指１
+    {"\x8d\xb6\x90\x65\x8e\x77\x82\x51", "leftThumbDistal"},         // 左親指２
+    {"\x8d\xb6\x90\x6c\x8e\x77\x82\x50", "leftIndexProximal"},       // 左人指１
+    {"\x8d\xb6\x90\x6c\x8e\x77\x82\x51", "leftIndexIntermediate"},   // 左人指２
+    {"\x8d\xb6\x90\x6c\x8e\x77\x82\x52", "leftIndexDistal"},         // 左人指３
+    {"\x8d\xb6\x92\x86\x8e\x77\x82\x50", "leftMiddleProximal"},      // 左中指１
     {"\x8d\xb6\x92\x86\x8e\x77\x82\x51", "leftMiddleIntermediate"},  // 左中指２
-    {"\x8d\xb6\x92\x86\x8e\x77\x82\x52", "leftMiddleDistal"},  // 左中指３
-    {"\x8d\xb6\x96\xf2\x8e\x77\x82\x50", "leftRingProximal"},  // 左薬指１
-    {"\x8d\xb6\x96\xf2\x8e\x77\x82\x51", "leftRingIntermediate"},  // 左薬指２
-    {"\x8d\xb6\x96\xf2\x8e\x77\x82\x52", "leftRingDistal"},  // 左薬指３
-    {"\x8d\xb6\x8f\xac\x8e\x77\x82\x50", "leftLittleProximal"},  // 左小指１
+    {"\x8d\xb6\x92\x86\x8e\x77\x82\x52", "leftMiddleDistal"},        // 左中指３
+    {"\x8d\xb6\x96\xf2\x8e\x77\x82\x50", "leftRingProximal"},        // 左薬指１
+    {"\x8d\xb6\x96\xf2\x8e\x77\x82\x51", "leftRingIntermediate"},    // 左薬指２
+    {"\x8d\xb6\x96\xf2\x8e\x77\x82\x52", "leftRingDistal"},          // 左薬指３
+    {"\x8d\xb6\x8f\xac\x8e\x77\x82\x50", "leftLittleProximal"},      // 左小指１
     {"\x8d\xb6\x8f\xac\x8e\x77\x82\x51", "leftLittleIntermediate"},  // 左小指２
-    {"\x8d\xb6\x8f\xac\x8e\x77\x82\x52", "leftLittleDistal"},  // 左小指３
+    {"\x8d\xb6\x8f\xac\x8e\x77\x82\x52", "leftLittleDistal"},        // 左小指３
 };
 
 // Of a key the frame, the place against that at rest, the rotation and the four curves to it: x, y, z, rotation.
@@ -72,7 +72,9 @@ struct Key {
 // The height of the curve where it is `x` along.
 double on_curve(const std::array<double, 4>& c, double x) {
   if (c[0] == c[1] && c[2] == c[3]) return x;
-  const auto bezier = [](double a, double b, double s) { return 3 * s * (1 - s) * (1 - s) * a + 3 * s * s * (1 - s) * b + s * s * s; };
+  const auto bezier = [](double a, double b, double s) {
+    return 3 * s * (1 - s) * (1 - s) * a + 3 * s * s * (1 - s) * b + s * s * s;
+  };
   double low = 0, high = 1;
   for (int i = 0; i < 40; ++i) {
     const double middle = (low + high) / 2;
@@ -103,8 +105,8 @@ class VmdReader {
   }
   void need(size_t at, size_t count) const {
     if (at > bytes_.size() || count > bytes_.size() - at)
-      throw Error(path_ + ": truncated VMD, expected " + std::to_string(count) + " bytes at " + std::to_string(at) + ", found " +
-                  std::to_string(bytes_.size() - std::min(at, bytes_.size())));
+      throw Error(path_ + ": truncated VMD, expected " + std::to_string(count) + " bytes at " + std::to_string(at) +
+                  ", found " + std::to_string(bytes_.size() - std::min(at, bytes_.size())));
   }
   template <class T>
   T number(size_t at) const {
@@ -137,7 +139,8 @@ class VmdReader {
       else
         (name.find(kIk) != std::string::npos || name.find("IK") != std::string::npos ? ik : others).insert(name);
     }
-    if (keys_.empty()) fail("bones with standard names", std::to_string(others.size() + ik.size()) + " bones with others");
+    if (keys_.empty())
+      fail("bones with standard names", std::to_string(others.size() + ik.size()) + " bones with others");
     tell(ik.size(), others.size());
     for (auto& [joint, keys] : keys_)
       std::stable_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) { return a.frame < b.frame; });
@@ -146,7 +149,8 @@ class VmdReader {
   void tell(size_t ik, size_t others) {
     const bool legs = keys_.count("leftLowerLeg") + keys_.count("leftUpperLeg") > 0;
     if (ik > 0)
-      motion_.notes.push_back(print("%zu IK bones were left out%s", ik, legs ? "" : ", and nothing else moves the legs; bake IK into bones first"));
+      motion_.notes.push_back(print("%zu IK bones were left out%s", ik,
+                                    legs ? "" : ", and nothing else moves the legs; bake IK into bones first"));
     if (others > 0) motion_.notes.push_back(print("%zu bones without a standard name were left out", others));
   }
 
@@ -180,8 +184,9 @@ class VmdReader {
     for (const BoneName& bone : kBones) {
       const std::string name = bone.name, other = other_side_of_person(name);
       const bool control = name == "root" || name == "center" || name == "groove" || name == "waist";
-      const bool finger = name.find("Proximal") != std::string::npos || name.find("Intermediate") != std::string::npos ||
-                          name.find("Distal") != std::string::npos || name.find("Metacarpal") != std::string::npos;
+      const bool finger = name.find("Proximal") != std::string::npos ||
+                          name.find("Intermediate") != std::string::npos || name.find("Distal") != std::string::npos ||
+                          name.find("Metacarpal") != std::string::npos;
       if (control || (finger && keys_.count(name) + keys_.count(other) == 0)) continue;
       if (std::find(names.begin(), names.end(), name) != names.end()) continue;
       names.push_back(name);
@@ -195,11 +200,13 @@ class VmdReader {
       joint.parent = joint.name == "hips" || joint.name == "spine" ? 3 : joint.parent + 4;
       if (joint.name == "hips") joint.offset = {};
       const bool left = joint.name.rfind("left", 0) == 0;
-      if (is_below_shoulder(joint)) joint.offset = rotate(axis_rotation(2, left ? -kArmsDown : kArmsDown), joint.offset);
+      if (is_below_shoulder(joint))
+        joint.offset = rotate(axis_rotation(2, left ? -kArmsDown : kArmsDown), joint.offset);
       motion_.joints.push_back(std::move(joint));
     }
     if (last_ >= kMostRotations / motion_.joints.size())
-      fail("at most " + std::to_string(kMostRotations) + " frames times joints", "a key at frame " + std::to_string(last_));
+      fail("at most " + std::to_string(kMostRotations) + " frames times joints",
+           "a key at frame " + std::to_string(last_));
   }
   bool is_below_shoulder(const MotionJoint& joint) const {
     for (int j = joint.parent; j >= 0; j = motion_.joints[static_cast<size_t>(j)].parent)
@@ -219,13 +226,15 @@ class VmdReader {
   }
 
   static Key between_keys(const std::vector<Key>& keys, size_t f) {
-    const auto above = std::upper_bound(keys.begin(), keys.end(), f, [](size_t at, const Key& key) { return at < key.frame; });
+    const auto above =
+        std::upper_bound(keys.begin(), keys.end(), f, [](size_t at, const Key& key) { return at < key.frame; });
     if (above == keys.begin()) return keys.front();
     const Key& from = above[-1];
     if (above == keys.end() || from.frame == f) return from;
     const double t = static_cast<double>(f - from.frame) / static_cast<double>(above->frame - from.frame);
     Key key;
-    for (size_t i = 0; i < 3; ++i) key.place[i] = from.place[i] + on_curve(above->curves[i], t) * (above->place[i] - from.place[i]);
+    for (size_t i = 0; i < 3; ++i)
+      key.place[i] = from.place[i] + on_curve(above->curves[i], t) * (above->place[i] - from.place[i]);
     key.rotation = slerp(from.rotation, above->rotation, on_curve(above->curves[3], t));
     return key;
   }

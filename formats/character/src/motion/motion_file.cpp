@@ -22,14 +22,8 @@ std::pair<float, size_t> fit_of(const Motion& motion, const MapRig& rig, const s
   return {cover.share, found.mapped};
 }
 
-}  // namespace
-
-MotionFile read_motion_for(const MotionRequest& request, const Character& character) {
-  if (!is_builtin_motion(request.path)) {
-    Motion motion = read_motion(request.path, request.fps, request.layout);
-    std::optional<Motion> one = one_actor(motion, request.path, request.actor);
-    return one ? MotionFile{std::move(*one), false} : MotionFile{std::move(motion), true};
-  }
+Motion motion_of_request(const MotionRequest& request, const Character& character) {
+  if (!is_builtin_motion(request.path)) return read_motion(request.path, request.fps, request.layout);
   std::vector<Motion> motions = builtin_motions(request.path);
   const MapRig rig = map_rig_of(character);
   size_t best = 0;
@@ -40,7 +34,15 @@ MotionFile read_motion_for(const MotionRequest& request, const Character& charac
     best = m;
     best_fit = fit;
   }
-  return {std::move(motions[best]), true};
+  return std::move(motions[best]);
+}
+
+}  // namespace
+
+MotionFile read_motion_for(const MotionRequest& request, const Character& character) {
+  Motion motion = motion_of_request(request, character);
+  std::optional<Motion> one = one_actor(motion, request.path, request.actor);
+  return one ? MotionFile{std::move(*one), false} : MotionFile{std::move(motion), true};
 }
 
 }  // namespace sinew

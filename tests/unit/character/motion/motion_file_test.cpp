@@ -20,6 +20,7 @@ TEST(MotionFile, AWalkIsThatOfTheCharactersLimbs) {
             "mixamorig:Hips")
       << "as it was asked for";
   EXPECT_ERROR(read_motion_for({"builtin:fly"}, sample("biped__robot")), "builtin:fly", "bird: flap");
+  EXPECT_ERROR(read_motion_for({"builtin:wave", 0, "", "eve"}, sample("biped__robot")), "found 'eve'");
   EXPECT_ERROR(read_motion_for({"walk.doc"}, sample("biped__robot")), "walk.doc", "expected a motion");
 }
 

@@ -28,13 +28,15 @@ GlbBuilder dance() {
   const auto channel = [](int sampler, int node, const char* path) {
     return nlohmann::json{{"sampler", sampler}, {"target", {{"node", node}, {"path", path}}}};
   };
-  builder.add("animations", {{"name", "dance"},
-                             {"channels", {channel(0, 1, "rotation"), channel(0, 3, "rotation"), channel(1, 4, "translation")}},
-                             {"samplers", {{{"input", times}, {"output", turn}}, {{"input", times}, {"output", smile}}}}});
+  builder.add("animations",
+              {{"name", "dance"},
+               {"channels", {channel(0, 1, "rotation"), channel(0, 3, "rotation"), channel(1, 4, "translation")}},
+               {"samplers", {{{"input", times}, {"output", turn}}, {{"input", times}, {"output", smile}}}}});
   builder.document["extensionsUsed"] = {"VRMC_vrm_animation"};
   builder.document["extensions"]["VRMC_vrm_animation"] = {
       {"specVersion", "1.0"},
-      {"humanoid", {{"humanBones", {{"hips", {{"node", 1}}}, {"leftUpperLeg", {{"node", 2}}}, {"leftLowerLeg", {{"node", 3}}}}}}},
+      {"humanoid",
+       {{"humanBones", {{"hips", {{"node", 1}}}, {"leftUpperLeg", {{"node", 2}}}, {"leftLowerLeg", {{"node", 3}}}}}}},
       {"expressions", {{"preset", {{"happy", {{"node", 4}}}}}}}};
   return builder;
 }
@@ -52,7 +54,8 @@ TEST(VrmAnimation, JointsAreTheHumanoids) {
     EXPECT_EQ(motion.joints[2].name, "leftLowerLeg");
     EXPECT_EQ(motion.joints[2].parent, 1);
     ASSERT_EQ(motion.clips.size(), 1u);
-    EXPECT_NEAR(std::abs(dot(motion.clips[0].frames.back().rotations[2], axis_rotation(0, 2 * std::acos(0.0)))), 1, 1e-6);
+    EXPECT_NEAR(std::abs(dot(motion.clips[0].frames.back().rotations[2], axis_rotation(0, 2 * std::acos(0.0)))), 1,
+                1e-6);
     ASSERT_EQ(motion.notes.size(), 1u);
     EXPECT_EQ(motion.notes[0], "expressions and the direction of the eyes were left out");
   }
@@ -69,7 +72,8 @@ TEST(VrmAnimation, BrokenMapsAreOneLine) {
     EXPECT_ERROR(read(builder), "dance.vrma", part);
   };
   using Json = nlohmann::json;
-  fails([](Json* e) { (*e)["humanoid"]["humanBones"]["hips"]["node"] = 5; }, "expected a node below 5 in 'humanBones.hips', found another");
+  fails([](Json* e) { (*e)["humanoid"]["humanBones"]["hips"]["node"] = 5; },
+        "expected a node below 5 in 'humanBones.hips', found another");
   fails([](Json* e) { (*e)["humanoid"]["humanBones"]["hips"] = 1; }, "in 'humanBones.hips', found none");
   fails([](Json* e) { (*e)["humanoid"]["humanBones"]["hips"]["node"] = -1; }, "found another");
   fails([](Json* e) { (*e)["humanoid"]["humanBones"]["head"]["node"] = 1; }, "a node of its own for every bone");

@@ -33,16 +33,16 @@ std::vector<double> bent_body(size_t joints) {
   for (size_t f = 0; f < kFrames; ++f) {
     double* const row = &values[f * joints * 3];
     const double t = static_cast<double>(f);
-    row[1] = 1.2;                 // the root turns about y
-    row[3 * 4] = 0.5 + 0.2 * t;   // left knee
-    row[3 * 5] = 1.1 - 0.1 * t;   // right knee
-    row[3 * 1] = -0.4;            // left hip
-    row[3 * 2 + 1] = 0.7;               // the right thigh twists
-    row[3 * 6] = 0.1 * t;         // chest
-    row[3 * 16 + 2] = -0.6;       // arms down
+    row[1] = 1.2;                // the root turns about y
+    row[3 * 4] = 0.5 + 0.2 * t;  // left knee
+    row[3 * 5] = 1.1 - 0.1 * t;  // right knee
+    row[3 * 1] = -0.4;           // left hip
+    row[3 * 2 + 1] = 0.7;        // the right thigh twists
+    row[3 * 6] = 0.1 * t;        // chest
+    row[3 * 16 + 2] = -0.6;      // arms down
     row[3 * 17 + 2] = 0.7;
     row[3 * 18 + 1] = -0.3 - 0.3 * t;  // left elbow
-    row[3 * 15] = 0.2;            // head
+    row[3 * 15] = 0.2;                 // head
   }
   return values;
 }
@@ -105,23 +105,25 @@ TEST(Numpy, SixAndNineNumbersSayTheSameAsAxisAngles) {
       nine.insert(nine.end(), r.begin(), r.end());
       (j == 0 ? root : body).insert((j == 0 ? root : body).end(), {r[0], r[3], r[6], r[1], r[4], r[7]});
     }
-  const std::vector<std::string> files = {
-      zip_of({{"poses.npy", npy_of(shape_of({kFrames, 24, 6}), six)}}),
-      zip_of({{"poses.npy", npy_of(shape_of({kFrames, 24, 3, 3}), nine)}}),
-      zip_of({{"global_orient.npy", npy_of(shape_of({kFrames, 6}), root)},
-              {"body_pose.npy", npy_of(shape_of({kFrames, 23, 6}), body)}}, true)};
+  const std::vector<std::string> files = {zip_of({{"poses.npy", npy_of(shape_of({kFrames, 24, 6}), six)}}),
+                                          zip_of({{"poses.npy", npy_of(shape_of({kFrames, 24, 3, 3}), nine)}}),
+                                          zip_of({{"global_orient.npy", npy_of(shape_of({kFrames, 6}), root)},
+                                                  {"body_pose.npy", npy_of(shape_of({kFrames, 23, 6}), body)}},
+                                                 true)};
   for (const std::string& bytes : files) {
     const Motion motion = read("a.npz", bytes);
     EXPECT_TRUE(has_note(motion, "30 frames a second were guessed"));
     for (size_t f = 0; f < kFrames; ++f)
       for (size_t j = 0; j < 24; ++j)
-        EXPECT_NEAR(std::abs(dot(motion.clips[0].frames[f].rotations[j], plain.clips[0].frames[f].rotations[j])), 1, 1e-12);
+        EXPECT_NEAR(std::abs(dot(motion.clips[0].frames[f].rotations[j], plain.clips[0].frames[f].rotations[j])), 1,
+                    1e-12);
   }
 }
 
 TEST(Numpy, KnowsModelsByTheirCounts) {
   for (const auto& [joints, finger] : {std::pair<size_t, size_t>{52, 22}, {55, 25}, {22, 0}}) {
-    const Motion motion = read("a.npz", zip_of({{"poses.npy", npy_of(shape_of({kFrames, joints * 3}), bent_body(joints))}}));
+    const Motion motion =
+        read("a.npz", zip_of({{"poses.npy", npy_of(shape_of({kFrames, joints * 3}), bent_body(joints))}}));
     ASSERT_EQ(motion.joints.size(), joints);
     if (finger == 0) continue;
     EXPECT_EQ(motion.joints[finger].name, "leftIndexProximal");
@@ -181,13 +183,22 @@ TEST(Numpy, PlacesAloneBecomeAMotion) {
 
 TEST(Numpy, PlacesMayStandAlongAnyAxisAndBeMirrored) {
   const Motion from = amass();
-  const Motion z_up = read("z.npy", npy_of(shape_of({kFrames, 24, 3}), places_of(from, [](const Point3& p) { return Point3{p[0], -p[2], p[1]}; })), "smpl24");
+  const Motion z_up = read("z.npy",
+                           npy_of(shape_of({kFrames, 24, 3}), places_of(from,
+                                                                        [](const Point3& p) {
+                                                                          return Point3{p[0], -p[2], p[1]};
+                                                                        })),
+                           "smpl24");
   expect_same_places(z_up, from, 1e-5);
   EXPECT_TRUE(has_note(z_up, "stands along z"));
   EXPECT_FALSE(has_note(z_up, "guessed; --layout")) << "it was said";
-  const Motion down = read("d.npy", npy_of(shape_of({kFrames, 24, 3}), places_of(from, [](const Point3& p) { return Point3{p[0], -p[1], -p[2]}; })));
+  const Motion down = read("d.npy", npy_of(shape_of({kFrames, 24, 3}), places_of(from, [](const Point3& p) {
+                                             return Point3{p[0], -p[1], -p[2]};
+                                           })));
   expect_same_places(down, from, 1e-5);
-  const Motion mirrored = read("m.npy", npy_of(shape_of({kFrames, 24, 3}), places_of(from, [](const Point3& p) { return Point3{p[0], p[1], -p[2]}; })));
+  const Motion mirrored = read("m.npy", npy_of(shape_of({kFrames, 24, 3}), places_of(from, [](const Point3& p) {
+                                                 return Point3{p[0], p[1], -p[2]};
+                                               })));
   expect_same_places(mirrored, from, 1e-5);
   EXPECT_TRUE(has_note(mirrored, "left-handed"));
 }
@@ -198,10 +209,14 @@ TEST(Numpy, LayoutsOfCamerasHaveMiddles) {
   for (const MotionFrame& frame : from.clips[0].frames) {
     const WorldPose pose = world_pose(from, frame);
     const size_t head = joint_of(from, "head");
-    const auto at_head = [&](double x, double y, double z) { return pose.positions[head] + rotate(pose.rotations[head], {x, y, z}); };
-    std::vector<Point3> row = {at_head(0, 0.05, 0.1), at_head(0.03, 0.08, 0.08), at_head(-0.03, 0.08, 0.08), at_head(0.08, 0.05, 0), at_head(-0.08, 0.05, 0)};
+    const auto at_head = [&](double x, double y, double z) {
+      return pose.positions[head] + rotate(pose.rotations[head], {x, y, z});
+    };
+    std::vector<Point3> row = {at_head(0, 0.05, 0.1), at_head(0.03, 0.08, 0.08), at_head(-0.03, 0.08, 0.08),
+                               at_head(0.08, 0.05, 0), at_head(-0.08, 0.05, 0)};
     for (const char* joint : {"UpperArm", "LowerArm", "Hand", "UpperLeg", "LowerLeg", "Foot"})
-      for (const char* side : {"left", "right"}) row.push_back(pose.positions[joint_of(from, side + std::string(joint))]);
+      for (const char* side : {"left", "right"})
+        row.push_back(pose.positions[joint_of(from, side + std::string(joint))]);
     for (const Point3& p : row)
       for (const double x : p) coco.push_back(static_cast<float>(x - 0.1));
   }
@@ -212,7 +227,10 @@ TEST(Numpy, LayoutsOfCamerasHaveMiddles) {
     const size_t head = joint_of(found, "head");
     EXPECT_GT(std::abs(dot(a.rotations[head], b.rotations[joint_of(from, "head")])), std::cos(0.2));
     for (const char* joint : {"leftHand", "rightFoot", "leftLowerLeg", "rightLowerArm"})
-      EXPECT_LT(length(a.positions[joint_of(found, joint)] + Point3{0.1, 0.1, 0.1} - b.positions[joint_of(from, joint)]), 0.03) << joint;
+      EXPECT_LT(
+          length(a.positions[joint_of(found, joint)] + Point3{0.1, 0.1, 0.1} - b.positions[joint_of(from, joint)]),
+          0.03)
+          << joint;
   }
 }
 
@@ -237,19 +255,23 @@ TEST(Numpy, IsASkeletonToo) {
 }
 
 TEST(Numpy, WhatIsWrongIsOneLine) {
-  const auto fails = [](const std::string& name, const std::string& bytes, const std::string& part, const std::string& layout = "") {
-    EXPECT_ERROR(read(name, bytes, layout), name, part);
-  };
+  const auto fails = [](const std::string& name, const std::string& bytes, const std::string& part,
+                        const std::string& layout = "") { EXPECT_ERROR(read(name, bytes, layout), name, part); };
   fails("a.npy", "", "expected a NumPy array");
   fails("a.npy", npy_of("|O", "(2, 24, 3)", "....."), "pickled objects");
-  fails("a.npy", npy_of(shape_of({2, 24, 3}), std::vector<float>(10)), "truncated array, expected 144 numbers, found 10");
-  fails("a.npy", npy_of(shape_of({2, 24, 3}), std::vector<float>(144, NAN)), "expected finite numbers, found another at 0");
+  fails("a.npy", npy_of(shape_of({2, 24, 3}), std::vector<float>(10)),
+        "truncated array, expected 144 numbers, found 10");
+  fails("a.npy", npy_of(shape_of({2, 24, 3}), std::vector<float>(144, NAN)),
+        "expected finite numbers, found another at 0");
   fails("a.npy", npy_of("<f4", "(99999999999, 99999999999, 3)", ""), "expected at most");
   fails("a.npy", npy_of("<f4", "2, 3", ""), "expected a 'shape' such as (3, 4)");
   fails("a.npy", npy_of("<f4", "(2, -3)", ""), "expected a 'shape' such as (3, 4)");
-  fails("a.npy", npy_of(shape_of({2, 23, 3}), std::vector<float>(138)), "expected places of 24 (smpl24), 22 (humanml3d22), 17 (coco17), 33 (mediapipe33) joints, found 23");
-  fails("a.npy", npy_of(shape_of({2, 24, 3}), std::vector<float>(144)), "expected a layout (smpl24, humanml3d22, coco17, mediapipe33), found 'h36m'", "h36m");
-  fails("a.npy", npy_of(shape_of({2, 24, 3}), std::vector<float>(144)), "expected 17 joints of coco17, found 24", "coco17");
+  fails("a.npy", npy_of(shape_of({2, 23, 3}), std::vector<float>(138)),
+        "expected places of 24 (smpl24), 22 (humanml3d22), 17 (coco17), 33 (mediapipe33) joints, found 23");
+  fails("a.npy", npy_of(shape_of({2, 24, 3}), std::vector<float>(144)),
+        "expected a layout (smpl24, humanml3d22, coco17, mediapipe33), found 'h36m'", "h36m");
+  fails("a.npy", npy_of(shape_of({2, 24, 3}), std::vector<float>(144)), "expected 17 joints of coco17, found 24",
+        "coco17");
   fails("a.npy", npy_of(shape_of({0, 24, 3}), std::vector<float>()), "frames, found 0");
   fails("a.npy", npy_of(shape_of({7}), std::vector<float>(7)), "or places [frames, joints, 3], found [7]");
   fails("a.npz", "PK", "expected a zip (.npz)");
@@ -257,10 +279,18 @@ TEST(Numpy, WhatIsWrongIsOneLine) {
   std::string shrunk = zip_of({{"a.npy", npy_of("(1)", std::vector<float>{1})}});
   shrunk[shrunk.rfind("PK\1\2") + 10] = 5;
   fails("a.npz", shrunk, "expected files that are stored or deflated, found method 5");
-  fails("a.npz", zip_of({{"poses.npy", npy_of(shape_of({2, 71}), std::vector<float>(142))}}), "expected rotations of 22");
-  fails("a.npz", zip_of({{"global_orient.npy", npy_of(shape_of({2, 3}), std::vector<float>(6))}}), "expected 'body_pose'");
-  fails("a.npz", zip_of({{"poses.npy", npy_of(shape_of({2, 72}), std::vector<float>(144))}, {"trans.npy", npy_of(shape_of({3, 3}), std::vector<float>(9))}}), "'trans' of 3 numbers a frame");
-  fails("a.npz", zip_of({{"poses.npy", npy_of(shape_of({2, 72}), std::vector<float>(144))}, {"fps.npy", npy_of("()", std::vector<float>{0})}}), "a rate of frames a second, found 0");
+  fails("a.npz", zip_of({{"poses.npy", npy_of(shape_of({2, 71}), std::vector<float>(142))}}),
+        "expected rotations of 22");
+  fails("a.npz", zip_of({{"global_orient.npy", npy_of(shape_of({2, 3}), std::vector<float>(6))}}),
+        "expected 'body_pose'");
+  fails("a.npz",
+        zip_of({{"poses.npy", npy_of(shape_of({2, 72}), std::vector<float>(144))},
+                {"trans.npy", npy_of(shape_of({3, 3}), std::vector<float>(9))}}),
+        "'trans' of 3 numbers a frame");
+  fails("a.npz",
+        zip_of({{"poses.npy", npy_of(shape_of({2, 72}), std::vector<float>(144))},
+                {"fps.npy", npy_of("()", std::vector<float>{0})}}),
+        "a rate of frames a second, found 0");
 }
 
 TEST(Numpy, EveryTruncationAndChangedByteIsRefusedOrRead) {

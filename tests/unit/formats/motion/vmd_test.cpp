@@ -41,7 +41,8 @@ TEST(Vmd, ReadsStandardBones) {
   EXPECT_EQ(motion.name, "dance");
   ASSERT_EQ(motion.clips[0].frames.size(), 11u);
   EXPECT_DOUBLE_EQ(motion.clips[0].frame_time, 1.0 / 30);
-  const size_t knee = joint_of(motion, "leftLowerLeg"), center = joint_of(motion, "center"), elbow = joint_of(motion, "rightLowerArm");
+  const size_t knee = joint_of(motion, "leftLowerLeg"), center = joint_of(motion, "center"),
+               elbow = joint_of(motion, "rightLowerArm");
   ASSERT_LT(elbow, motion.joints.size());
   EXPECT_EQ(motion.joints[knee].parent, static_cast<int>(joint_of(motion, "leftUpperLeg")));
   EXPECT_EQ(joint_of(motion, "leftIndexProximal"), motion.joints.size()) << "no finger has keys";
@@ -49,7 +50,8 @@ TEST(Vmd, ReadsStandardBones) {
   const MotionFrame &last = motion.clips[0].frames[10], &middle = motion.clips[0].frames[5];
   EXPECT_NEAR(std::abs(dot(last.rotations[knee], axis_rotation(0, -1))), 1, 1e-6);
   EXPECT_NEAR(std::abs(dot(last.rotations[elbow], axis_rotation(2, 0.5))), 1, 1e-6);
-  EXPECT_NEAR(std::abs(dot(motion.clips[0].frames[0].rotations[elbow], axis_rotation(2, 0.5))), 1, 1e-6) << "before its first key";
+  EXPECT_NEAR(std::abs(dot(motion.clips[0].frames[0].rotations[elbow], axis_rotation(2, 0.5))), 1, 1e-6)
+      << "before its first key";
   const Point3 moved = last.translations[center] - motion.joints[center].offset;
   EXPECT_NEAR(moved[0], 0.4, 1e-6);
   EXPECT_NEAR(moved[1], -0.16, 1e-6);
@@ -94,7 +96,8 @@ TEST(Vmd, WhatIsWrongIsOneLine) {
   EXPECT_ERROR(read(vmd_of({{kCenter, 0, {NAN, 0, 0}}})), "expected finite numbers in key 0");
   EXPECT_ERROR(read(vmd_of({{kCenter, 0xffffffff}})), "expected at most", "a key at frame 4294967295");
   const std::string whole = vmd_of({{kCenter, 0}, {kLeftKnee, 3}});
-  for (size_t length = 0; length < whole.size() - 8; ++length) EXPECT_ERROR(read(whole.substr(0, length)), "dance.vmd", "VMD");
+  for (size_t length = 0; length < whole.size() - 8; ++length)
+    EXPECT_ERROR(read(whole.substr(0, length)), "dance.vmd", "VMD");
 }
 
 }  // namespace
