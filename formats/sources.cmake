@@ -26,12 +26,20 @@ set(sinew_formats_sources
   gltf/gltf_summary
   gltf/gltf_write
   gltf/tinygltf
+  gltf/vrm_animation
+  motion/actors
   motion/affine
   motion/bvh_read
   motion/bvh_write
   motion/morphs
   motion/motion
+  motion/npy
+  motion/numpy_read
+  motion/person
+  motion/places
   motion/turns
+  motion/unzip
+  motion/vmd_read
   text/mtl
   text/obj
   text/print

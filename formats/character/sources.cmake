@@ -16,12 +16,19 @@ set(sinew_character_sources
   bind/mesh_neighbours
   bind/round_influences
   bind/transfer
+  clips/builtin_motion
+  clips/gait
+  clips/others
+  clips/person
+  clips/puppet
+  clips/quadruped
   map/map_cover
   map/map_file
   map/map_levels
   map/map_skeleton
   map/motion_map
   motion/common_body
+  motion/motion_file
   motion/moving_joints
   motion/retarget
   motion/stance

@@ -15,6 +15,7 @@
 #include "options.hpp"
 #include "progress.hpp"
 #include "sinew_character/animate_job.hpp"
+#include "sinew_character/motion_file.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
@@ -27,7 +28,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Settings {
-  std::string character, output, map, method = "auto", up = "auto", motion_up = "auto", sheet;
+  std::string character, output, map, method = "auto", up = "auto", motion_up = "auto", sheet, layout, actor;
   std::vector<std::string> motions;
   DeformSettings deform;
   size_t shapes = 16;
@@ -38,15 +39,28 @@ struct Settings {
   bool in_place = false, json = false, report = false, force = false, translations = false;
 };
 
-// FILE or FILE#CLIP; a file whose own name has a # is one.
 struct MotionChoice {
   std::string file, clip;
+  bool of_folder = false;
 };
-MotionChoice parse_choice(const std::string& text) {
-  const size_t mark = text.rfind('#');
-  std::error_code ignored;
-  if (mark == std::string::npos || std::filesystem::is_regular_file(text, ignored)) return {text, ""};
-  return {text.substr(0, mark), text.substr(mark + 1)};
+// FILE or FILE#CLIP; a file whose own name has a # is one. FOLDER: all of its motions.
+std::vector<MotionChoice> parse_choices(const std::vector<std::string>& texts) {
+  std::vector<MotionChoice> choices;
+  for (const std::string& text : texts) {
+    const size_t mark = text.rfind('#');
+    std::error_code ignored;
+    if (std::filesystem::is_directory(text, ignored)) {
+      const std::vector<std::string> files = list_motions(text);
+      if (files.empty())
+        throw Error(text + ": expected a folder with motions (" + motion_files() + "), found none in it");
+      for (const std::string& file : files) choices.push_back({file, "", true});
+    } else if (mark == std::string::npos || std::filesystem::is_regular_file(text, ignored)) {
+      choices.push_back({text, ""});
+    } else {
+      choices.push_back({text.substr(0, mark), text.substr(mark + 1)});
+    }
+  }
+  return choices;
 }
 
 using Animated = AnimatedCharacter;
@@ -98,9 +112,21 @@ StepsOf counted(std::string what, const std::atomic<bool>& stop) {
   };
 }
 
+// Clips of folders, and those whose name an earlier file's clip has, are called by their file.
+void name_clips(const MotionChoice& choice, const Motion& made, Motion* motion) {
+  bool taken = choice.of_folder;
+  for (const Clip& clip : motion->clips)
+    for (const Clip& other : made.clips) taken = taken || (choice.clip.empty() && other.name == clip.name);
+  if (!taken) return;
+  for (Clip& clip : motion->clips)
+    clip.name = motion->clips.size() == 1 ? stem_of(choice.file) : stem_of(choice.file) + "." + clip.name;
+}
+
 void add_motion_file(const Settings& s, const MotionChoice& choice, const std::atomic<bool>& stop, Animated* out) {
-  const Motion source = read_motion(choice.file, s.fps);
-  const MotionInput input = {choice.file, choice.clip, &source, [&] { return body_of_motion(choice.file); }};
+  MotionFile source = read_motion_for({choice.file, s.fps, s.layout, s.actor, s.up}, out->character);
+  name_clips(choice, out->motion, &source.motion);
+  const auto body = [&] { return source.whole ? body_of_motion(choice.file) : std::nullopt; };
+  const MotionInput input = {choice.file, choice.clip, &source.motion, body};
   add_motion(animate_options(s), input, counted("frames of " + file_name(choice.file), stop), out);
 }
 
@@ -108,6 +134,27 @@ Json limb_json(const sinew_limb_measure& limb) {
   return {{"deep_frames", limb.deep_frames},       {"depth", limb.depth}, {"greatest_depth", limb.greatest_depth},
           {"contact_frames", limb.contact_frames}, {"error", limb.error}, {"greatest_error", limb.greatest_error},
           {"range_frames", limb.range_frames}};
+}
+
+// What a folder has that is no motion, or none for this character, is left out and told.
+void add_motions(const Settings& s, const std::atomic<bool>& stop, Animated* out) {
+  std::string first_error;
+  for (const MotionChoice& choice : parse_choices(s.motions)) {
+    if (!choice.of_folder) {
+      add_motion_file(s, choice, stop, out);
+      continue;
+    }
+    try {
+      add_motion_file(s, choice, stop, out);
+    } catch (const OutOfMemory&) {
+      throw;
+    } catch (const Error& error) {
+      if (stop) throw;
+      if (first_error.empty()) first_error = error.what();
+      out->motion.notes.push_back("left out: " + std::string(error.what()));
+    }
+  }
+  if (out->motion.clips.empty()) throw Error(first_error);
 }
 
 // A line a limb: copied, then as the method left it.
@@ -183,7 +230,7 @@ void run(const Settings& s) {
     throw UsageError(s.output + ": a BVH has no mesh that --deform could correct; write a .glb, or a --sheet");
   const std::atomic<bool>& stop = stop_on_signals();
   Animated animated = read_animated(s.character);
-  for (const std::string& text : s.motions) add_motion_file(s, parse_choice(text), stop, &animated);
+  add_motions(s, stop, &animated);
   if (as_bvh && animated.motion.clips.size() != 1)
     throw UsageError(s.output + ": a BVH holds one clip, and there are " +
                      std::to_string(animated.motion.clips.size()) +
@@ -214,10 +261,13 @@ void add_inputs(CLI::App* sub, Settings* s) {
                       mesh_files())
       ->required()
       ->type_name("CHARACTER");
-  sub->add_option("--motion", s->motions,
-                  "Motion: all animations of a file or the one behind #; may be repeated. " + motion_files())
+  sub->add_option(
+         "--motion", s->motions,
+         "Motion: all animations of a file or the one behind #, of every file of a folder, or a clip that ships: "
+         "builtin:walk, builtin: lists them; may be repeated. " +
+             motion_files())
       ->required()
-      ->type_name("FILE[#CLIP]")
+      ->type_name("FILE[#CLIP]|FOLDER")
       ->allow_extra_args(false);
   shared_option(sub, "-o,--output", s->output,
                 "The character with its new animations as .glb, .gltf or .vrm, or one clip as .bvh")
@@ -237,6 +287,13 @@ void add_inputs(CLI::App* sub, Settings* s) {
   shared_option(sub, "--from-up", s->motion_up, "For the motions")
       ->check(CLI::IsMember({"auto", "x", "y", "z"}))
       ->capture_default_str();
+  sub->add_option(
+         "--layout", s->layout,
+         "Which joints places alone are (.npy, .npz): " + motion_layouts() + ". Guessed by their count unless given")
+      ->type_name("NAME");
+  sub->add_option("--actor", s->actor,
+                  "Of a file of several people: the root's name or number. The first unless given, where all are alike")
+      ->type_name("NAME|N");
   sub->add_flag("--measure", s->report,
                 "Say for every limb what the method changed. Copied and then: frames in the body or under the floor, "
                 "contacts, sliding, frames out of the natural range");
@@ -302,7 +359,7 @@ void add_animate(CLI::App& app) {
   sub->footer(
       "Examples:\n  sinew animate hero.glb --motion walk.bvh -o walking.glb --sheet walking.png\n"
       "  sinew animate hero.glb --motion walk.bvh --motion moves.glb#jump --map map.txt -o moves.glb\n"
-      "  sinew animate mesh.obj --motion walk.bvh -o walking.glb\n\n"
+      "  sinew animate mesh.obj --motion builtin:walk -o walking.glb\n\n"
       "  sinew animate broad.glb --motion walking.glb --method reference-points -o other.glb\n"
       "  sinew animate hero.glb --motion walk.bvh --deform volume -o walking.glb");
   sub->callback([s, of_reference] {

@@ -100,6 +100,10 @@ namespace Sinew
         public string Clip;
         /// <summary>A map file; null: found.</summary>
         public string Map;
+        /// <summary>Which joints places alone are (.npy, .npz): "smpl24", "humanml3d22", "coco17", "mediapipe33"; null: guessed by their count.</summary>
+        public string Layout;
+        /// <summary>Of a file of several people, by the root's name or number; null: the first where all are alike.</summary>
+        public string Actor;
     }
 
     /// <summary>`sinew pose`: one of four says the pose.</summary>
@@ -531,7 +535,7 @@ namespace Sinew
                     target_up = (uint)settings.TargetUp, motion_up = (uint)settings.MotionUp, deform = (uint)settings.Deform,
                     body_contact = One(settings.BodyContact), shapes = (uint)settings.Shapes, stiffness = settings.Stiffness,
                     tet_weights = (uint)settings.TetWeights, no_smoothing = One(settings.NoSmoothing), fps = settings.Fps, from = settings.From,
-                    to = settings.To, clip = pins.Of(settings.Clip), map = pins.Of(settings.Map)
+                    to = settings.To, clip = pins.Of(settings.Clip), map = pins.Of(settings.Map), layout = pins.Of(settings.Layout), actor = pins.Of(settings.Actor)
                 }), result);
                 Check(status, handle_, "animate", watch);
                 GC.KeepAlive(motion);

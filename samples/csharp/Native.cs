@@ -514,6 +514,7 @@ namespace Sinew
             public uint own_limb, head, torso, source_points, force, translations;
             public double stiffness;
             public uint tet_weights, no_smoothing;
+            public IntPtr layout, actor;
         }
 
         [StructLayout(LayoutKind.Sequential)]

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Fuzz target: the BVH reader; what it accepts is a sound motion that is written and read back.
-#include <cmath>
-
-#include "reader_checks.hpp"
+#include "clip_checks.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/motion.hpp"
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace sinew;
@@ -27,13 +24,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     demand(!motion.joints[j].end || motion.joints[j].parent >= 0, "an end has a joint");
   }
   for (const Clip& clip : motion.clips) {
-    demand(clip.frame_time > 0 && !clip.frames.empty(), "a clip has frames and a rate");
-    for (const MotionFrame& frame : clip.frames) {
-      demand(frame.rotations.size() == motion.joints.size() && frame.translations.size() == motion.joints.size(),
-             "a frame has every joint");
-      for (const Quaternion& q : frame.rotations)
-        demand(std::abs(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1) < 1e-9, "turns have length 1");
-    }
+    check_clip(motion, clip);
     const std::string again = input_file(nullptr, 0, "again.bvh");
     write_bvh(again, motion, clip);
     const Motion second = read_bvh(again);  // an Error here is a finding

@@ -6,7 +6,9 @@
 
 #include "make_glb.hpp"
 #include "network_fixture.hpp"
+#include "numpy_bytes.hpp"
 #include "sinew_formats/io.hpp"
+#include "vmd_bytes.hpp"
 #ifdef SINEW_HAS_MESHOPT
 #include "meshopt_glb.hpp"
 #endif
@@ -129,6 +131,22 @@ void write_glbs(const std::string& folder) {
 #endif
 }
 
+void write_motion_files(const std::string& folder) {
+  std::vector<float> poses(2 * 72, 0.1f), places;
+  for (int j = 0; j < 2 * 17; ++j)
+    places.insert(places.end(), {static_cast<float>(j % 5), static_cast<float>(j % 17), static_cast<float>(j % 3)});
+  const std::string poses_npy = npy_of("(2, 72)", poses), trans = npy_of("(2, 3)", std::vector<double>(6, 1)),
+                    rate = npy_of("()", std::vector<double>{60});
+  const ZipFiles amass = {{"poses.npy", poses_npy}, {"trans.npy", trans}, {"mocap_framerate.npy", rate}};
+  write(folder + "/numpy/amass.npz", zip_of(amass));
+  write(folder + "/numpy/deflated.npz", zip_of(amass, true));
+  write(folder + "/numpy/places.npy", npy_of("(2, 17, 3)", places));
+  write(folder + "/vmd/two.vmd",
+        vmd_of({{"\x83\x5a\x83\x93\x83\x5e\x81\x5b", 0},
+                {"\x8d\xb6\x82\xd0\x82\xb4", 3, {1, 2, 3}, {0.6f, 0, 0, 0.8f}, {127, 0, 127, 0}},
+                {"\x89\x45\x91\xab\x82\x68\x82\x6a", 0}}));
+}
+
 // Writes calls: given bytes, then random ones.
 struct Calls {
   std::string folder;
@@ -247,6 +265,7 @@ int main(int argc, char** argv) {
   const std::string folder = argv[1];
   write_models(folder + "/model");
   write_glbs(folder + "/glb");
+  write_motion_files(folder);
   write_binds(folder + "/bind");
   write_rigs(folder + "/skeleton");
   write_motions(folder + "/motion");

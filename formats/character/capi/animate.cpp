@@ -6,6 +6,7 @@
 #include "handle.hpp"
 #include "rig_of.hpp"
 #include "sinew_character/animate_job.hpp"
+#include "sinew_character/motion_file.hpp"
 
 namespace sinew {
 namespace {
@@ -49,15 +50,17 @@ AnimateOptions job_of(const sinew_character_animate_options& options, const sine
 }
 
 // The clips that `sinew animate` reads from the file of a motion, or those that were added to a character.
-Motion motion_of_handle(sinew_character* motion, double fps) {
+MotionFile motion_of_handle(sinew_character* motion, const sinew_character_animate_options& options,
+                            const AnimateOptions& job, const Character& target) {
   if (motion->clips.empty() && !motion->path.empty() && !motion->drop_animations) {
     const FilesOf scope(*motion);
-    return read_motion(motion->path, fps);
+    return read_motion_for({motion->path, job.fps, text_or_empty(options.layout), text_or_empty(options.actor), job.up},
+                           target);
   }
   Motion added = motion_of(motion->character.joints);
   added.name = motion->character.name;
   added.clips = motion->clips;
-  return added;
+  return {std::move(added), true};
 }
 
 AnimatedCharacter start(const sinew_character& from, const sinew_character_animate_options& options,
@@ -104,13 +107,13 @@ void animate(const sinew_character_animate_options& options, ProgressOfCaller* p
   const uint32_t first = count32(own_clip_count(target) + target->clips.size());
   const AnimateOptions job = job_of(options, *target);
   AnimatedCharacter made = start(*target, options, progress);
-  const Motion source = motion_of_handle(motion, job.fps);
+  const MotionFile source = motion_of_handle(motion, options, job, made.character);
   MotionInput input;
   input.file = file_of(*motion);
   input.clip = text_or_empty(options.clip);
-  input.motion = &source;
-  input.body = [motion]() -> std::optional<Character> {
-    if (motion->character.vertices.empty()) return std::nullopt;
+  input.motion = &source.motion;
+  input.body = [motion, &source]() -> std::optional<Character> {
+    if (motion->character.vertices.empty() || !source.whole) return std::nullopt;
     return motion->character;
   };
   const StepsOf steps = steps_of(progress);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "handle.hpp"
+#include "sinew_character/builtin_motion.hpp"
 #include "sinew_formats/file_kinds.hpp"
 
 namespace sinew {
@@ -57,7 +58,9 @@ Clip clip_of(const sinew_character_clip& given, size_t joint_count) {
 const Motion& own_motion(sinew_character* character) {
   if (character->own_motion) return *character->own_motion;
   Motion motion;
-  if (has_use(character->path, kReadsMotion)) {
+  if (is_builtin_motion(character->path)) {
+    motion = builtin_motions(character->path)[0];
+  } else if (has_use(character->path, kReadsMotion)) {
     const FilesOf scope(*character);
     try {
       motion = read_motion(character->path);

@@ -15,7 +15,7 @@ MapRig rig_of_handle(const sinew_character& from) {
   MapRig rig = map_rig_of(from.character);
   const FileKind* kind = file_kind(from.path);
   const bool alone = kind != nullptr && from.same_skin && from.character.vertices.empty();
-  if (alone && (kind->reader == FileReader::kBvh || kind->reader == FileReader::kRig)) {
+  if (alone && (is_motion_alone(from.path) || kind->reader == FileReader::kRig)) {
     const FilesOf scope(from);
     rig = read_map_rig(from.path);
   }

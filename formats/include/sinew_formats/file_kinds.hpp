@@ -29,7 +29,9 @@ enum class FileReader : uint8_t {
   kRig,
   kGltf,
   kScene,  // through Assimp as a glTF document
-  kBvh
+  kBvh,
+  kVmd,
+  kNumpy
 };
 
 struct FileKind {
@@ -44,6 +46,7 @@ const std::vector<FileKind>& file_kinds();
 // By the extension, without regard to case; null for another.
 const FileKind* file_kind(const std::string& path);
 bool has_use(const std::string& path, uint32_t uses);  // all of them
+bool is_motion_alone(const std::string& path);         // clips and their skeleton, no mesh
 
 // ".obj, .gltf, .glb" of the files of a use.
 std::string extensions_text(uint32_t uses, const char* between = ", ");

@@ -29,6 +29,8 @@ Character read_character(const std::string& path);
 std::vector<std::string> list_characters(const std::string& folder);
 // All mesh files, with or without a skeleton, sorted by path; otherwise the same.
 std::vector<std::string> list_meshes(const std::string& folder);
+// All files that may hold a motion, sorted by path; otherwise the same.
+std::vector<std::string> list_motions(const std::string& folder);
 // A name for each of the `paths` that were found below `folder`: NAME, or FOLDERS/NAME where several have that name, or
 // FOLDERS/NAME.EXTENSION where that is not enough.
 std::vector<std::string> character_names(const std::string& folder, const std::vector<std::string>& paths);

@@ -8,6 +8,7 @@ namespace sinew {
 namespace {
 
 constexpr uint32_t kWhole = kReadsMesh | kReadsSkeleton | kReadsMotion | kReadsWhole;
+constexpr uint32_t kMotionAlone = kReadsSkeleton | kReadsMotion | kOffered;
 constexpr uint32_t kGltfUses = kWhole | kWritesCharacter | kWritesMotion | kOffered;
 
 }  // namespace
@@ -29,7 +30,11 @@ const std::vector<FileKind>& file_kinds() {
       {".md5mesh", "MD5", kWhole, FileReader::kScene},
       {".ms3d", "MilkShape", kWhole, FileReader::kScene},
       {".smd", "Valve SMD", kWhole, FileReader::kScene},
-      {".bvh", "BVH", kReadsSkeleton | kReadsMotion | kWritesMotion | kOffered, FileReader::kBvh},
+      {".bvh", "BVH", kMotionAlone | kWritesMotion, FileReader::kBvh},
+      {".vrma", "VRM animation", kMotionAlone, FileReader::kGltf},
+      {".npz", "NumPy", kMotionAlone, FileReader::kNumpy},
+      {".npy", "NumPy", kMotionAlone, FileReader::kNumpy},
+      {".vmd", "VMD", kMotionAlone, FileReader::kVmd},
   };
   return kinds;
 }
@@ -44,6 +49,8 @@ bool has_use(const std::string& path, uint32_t uses) {
   const FileKind* kind = file_kind(path);
   return kind != nullptr && (kind->uses & uses) == uses;
 }
+
+bool is_motion_alone(const std::string& path) { return has_use(path, kMotionAlone) && !has_use(path, kReadsWhole); }
 
 std::vector<std::string> extensions_of(uint32_t uses) {
   std::vector<std::string> extensions;

@@ -102,6 +102,13 @@ void write_bytes(const std::string& path, const void* bytes, size_t size) {
   PendingFile(path, bytes, size).replace();
 }
 
+std::vector<std::string> list_files(const std::string& folder, uint32_t use) {
+  std::vector<std::string> paths;
+  for (const std::string& path : files_below(folder))
+    if (has_use(path, use)) paths.push_back(path);
+  return paths;
+}
+
 std::string lower(std::string text) {
   for (char& c : text)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -185,13 +192,8 @@ std::vector<std::string> list_characters(const std::string& folder) {
   return paths;
 }
 
-std::vector<std::string> list_meshes(const std::string& folder) {
-  std::vector<std::string> paths;
-  for (const std::string& path : files_below(folder)) {
-    if (has_use(path, kReadsMesh)) paths.push_back(path);
-  }
-  return paths;
-}
+std::vector<std::string> list_meshes(const std::string& folder) { return list_files(folder, kReadsMesh); }
+std::vector<std::string> list_motions(const std::string& folder) { return list_files(folder, kReadsMotion); }
 
 std::string rig_path_beside(const std::string& mesh_path) {
   const fs::path path = mesh_path;

@@ -29,8 +29,9 @@ std::string remedy(const std::string& path) {
       return "; Blender makes a .glb of it: blender --background --python-expr \"import bpy; "
              "bpy.ops.wm.usd_import(filepath='" +
              path + "'); " + export_glb;
-  if (has_extension(path, ".bvh"))
-    return "; a BVH has a skeleton and motion: take it with --skeleton, or with sinew animate --motion";
+  if (is_motion_alone(path))
+    return "; a " + std::string(file_kind(path)->name) +
+           " has a skeleton and motion: take it with --skeleton, or with sinew animate --motion";
   if (has_extension(path, ".max")) return "; in 3ds Max: File > Export > FBX or glTF";
   if (has_extension(path, ".ma") || has_extension(path, ".mb"))
     return "; in Maya: File > Export All > FBX export (load the plug-in fbxmaya)";
@@ -53,9 +54,10 @@ void read_skeleton(const std::string& path, bool with_skin, Character* character
   character->meshes.clear();  // they hung on the joints of another skeleton
   character->vertex_meshes.clear();
   if (has_extension(path, ".txt")) return read_rig(path, with_skin, character);
-  if (has_extension(path, ".bvh")) {
-    if (with_skin) throw Error(path + ": expected skin weights, found a BVH, which has none");
-    character->joints = rest_joints(read_bvh(path));
+  if (is_motion_alone(path)) {
+    if (with_skin)
+      throw Error(path + ": expected skin weights, found a " + std::string(file_kind(path)->name) + ", which has none");
+    character->joints = rest_joints(read_motion(path));
     character->influences.clear();
     return;
   }

@@ -7,6 +7,7 @@
 #include "gltf/gltf_read.hpp"
 #include "gltf/gltf_source.hpp"
 #include "gltf/node_parts.hpp"
+#include "gltf/vrm_animation.hpp"
 #include "motion/turns.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -76,7 +77,11 @@ class GltfMotionReader {
         fps_(fps),
         character_(read_gltf_character(path, false)),
         source_(*character_.gltf),
-        nodes_(gltf_nodes(path, source_.model)) {}
+        nodes_(gltf_nodes(path, source_.model)),
+        humanoid_(read_humanoid_nodes(path, source_)) {
+    if (has_extension(path, ".vrma") && !humanoid_)
+      throw Error(path + ": expected a VRM animation (extension VRMC_vrm_animation), found a glTF without it");
+  }
 
   Motion read() {
     if (model().animations.empty())
@@ -97,6 +102,8 @@ class GltfMotionReader {
  private:
   void read_clips() {
     motion_.name = stem_of(path_);
+    if (humanoid_ && humanoid_->left_out)
+      motion_.notes.emplace_back("expressions and the direction of the eyes were left out");
     for (size_t a = 0; a < model().animations.size(); ++a) read_tracks(a);
     choose_joints();
     for (size_t a = 0; a < model().animations.size(); ++a) read_clip(a);
@@ -120,6 +127,7 @@ class GltfMotionReader {
       const bool turns = channel.target_path == "rotation";
       if (!turns && channel.target_path != "translation" && channel.target_path != "scale") continue;
       if (channel.target_node < 0) continue;  // an extension's
+      if (humanoid_ && humanoid_->carries_no_joint(channel.target_node)) continue;
       if (static_cast<size_t>(channel.target_node) >= model().nodes.size())
         throw Error(name + ": expected a node below " + std::to_string(model().nodes.size()) + ", found " +
                     std::to_string(channel.target_node));
@@ -183,8 +191,11 @@ class GltfMotionReader {
       if (joint_of_node_[node] >= 0 || nodes_.in_scene[node] == 0) continue;
       const int up = joint_at_or_above(nodes_.parents[node]);
       const bool bare = model().nodes[node].mesh < 0 && model().nodes[node].camera < 0;
-      if (has_skin ? moves[node] != 0 && (above_joint[node] != 0 || (up >= 0 && bare))
-                   : moves[node] != 0 || (up >= 0 && bare))
+      const std::string* const bone = humanoid_ ? humanoid_->bone(node) : nullptr;
+      if (bone != nullptr)
+        take(node, *bone);
+      else if (has_skin ? moves[node] != 0 && (above_joint[node] != 0 || (up >= 0 && bare))
+                        : moves[node] != 0 || (up >= 0 && bare))
         take(node, model().nodes[node].name);
     }
     make_names_unique(&names);
@@ -340,6 +351,7 @@ class GltfMotionReader {
   const Character character_;
   const GltfSource& source_;
   const GltfNodes nodes_;
+  const std::optional<HumanoidNodes> humanoid_;  // of a VRM animation
   Motion motion_;
   std::vector<MorphClip> keys_;                         // [clips]
   std::vector<std::vector<Track>> tracks_;              // [animations][samplers]

@@ -20,6 +20,18 @@ std::array<float, 4> numbers_of(aiQuaternion q) {
   return {q.x, q.y, q.z, q.w};
 }
 
+// Printable UTF-8. Assimp 5.2 hands out other bytes as names of COLLADA animations that it puts together.
+bool is_text(const std::string& name) {
+  if (name.empty()) return false;
+  for (const char c : name)
+    if (static_cast<unsigned char>(c) < 32 || c == 127) return false;
+  try {
+    return !Json(name).dump().empty();
+  } catch (const Json::exception&) {
+    return false;
+  }
+}
+
 // Keys of one node and path: times that rise, values beside them.
 template <size_t N>
 struct Keys {
@@ -36,7 +48,11 @@ class AnimationConverter {
   AnimationConverter(const std::string& path, const aiAnimation& from, size_t number,
                      const std::map<std::string, size_t>& nodes, GltfSource* source)
       : from_(from), nodes_(nodes), source_(*source) {
-    name_ = from.mName.length > 0 ? from.mName.C_Str() : "animation_" + std::to_string(number);
+    name_ = from.mName.C_Str();
+    if (!is_text(name_)) {
+      name_ = "animation_" + std::to_string(number);
+      if (from.mName.length > 0) source_.notes.push_back("an animation's name is no text; it is called " + name_);
+    }
     where_ = path + ": animation " + in_quotes(name_);
     ticks_ = from.mTicksPerSecond > 0 ? from.mTicksPerSecond : kPlainTicks;
   }

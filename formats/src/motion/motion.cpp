@@ -162,10 +162,19 @@ std::vector<Affine> motion_palette(const Motion& motion, const MotionFrame& fram
   return palette;
 }
 
-Motion read_motion(const std::string& path, double fps) {
+Motion read_motion(const std::string& path, double fps, const std::string& layout) {
   if (!has_use(path, kReadsMotion))
     throw Error(path + ": expected a motion (" + extensions_text(kReadsMotion) + "), found another extension");
-  return file_kind(path)->reader == FileReader::kBvh ? read_bvh(path) : read_gltf_motion(path, fps);
+  switch (file_kind(path)->reader) {
+    case FileReader::kBvh:
+      return read_bvh(path);
+    case FileReader::kVmd:
+      return read_vmd(path);
+    case FileReader::kNumpy:
+      return read_numpy_motion(path, layout);
+    default:
+      return read_gltf_motion(path, fps);
+  }
 }
 
 }  // namespace sinew

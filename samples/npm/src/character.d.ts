@@ -73,6 +73,10 @@ export interface RetargetOptions {
   to?: number;
   /** by name or number; all where it is missing */
   clip?: string | number;
+  /** which joints places alone are (.npy, .npz); guessed by their count unless given */
+  layout?: "smpl24" | "humanml3d22" | "coco17" | "mediapipe33";
+  /** of a file of several people, by the root's name or number */
+  actor?: string | number;
   onProgress?: Progress;
 }
 export interface TransferOptions {

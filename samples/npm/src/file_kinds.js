@@ -18,6 +18,10 @@ export const fileKinds = [
   { extension: ".ms3d", name: "MilkShape", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole"] },
   { extension: ".smd", name: "Valve SMD", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole"] },
   { extension: ".bvh", name: "BVH", reader: "bvh", uses: ["readsSkeleton", "readsMotion", "writesMotion", "offered"] },
+  { extension: ".vrma", name: "VRM animation", reader: "gltf", uses: ["readsSkeleton", "readsMotion", "offered"] },
+  { extension: ".npz", name: "NumPy", reader: "numpy", uses: ["readsSkeleton", "readsMotion", "offered"] },
+  { extension: ".npy", name: "NumPy", reader: "numpy", uses: ["readsSkeleton", "readsMotion", "offered"] },
+  { extension: ".vmd", name: "VMD", reader: "vmd", uses: ["readsSkeleton", "readsMotion", "offered"] },
 ];
 
 /** The row of a file's extension, without regard to case. */

@@ -136,12 +136,13 @@ export const LAYOUTS = {
   characterMapResult: layout(48,
     "struct_size@0:u32 method@4:u32 joint_count@8:u32 mapped@12:u32 certainty@16:f32 reserved@20:f32 seconds@24:f64 " +
     "sources@32:u32 confidence@36:u32 reasons@40:u32 text@44:u32"),
-  characterAnimateOptions: layout(168,
+  characterAnimateOptions: layout(176,
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 in_place@24:u32 " +
     "no_range@28:u32 target_up@32:u32 motion_up@36:u32 deform@40:u32 cells@44:u32 rounds@48:u32 body_contact@52:u32 " +
     "shapes@56:u32 fps@64:f64 from@72:f64 to@80:f64 clip@88:u32 map@92:u32 sources@96:u32 area_power@100:u32 " +
     "no_own_limb@104:u32 legs@108:u32 report@112:u32 falloff@120:f64 own_limb@128:u32 head@132:u32 torso@136:u32 " +
-    "source_points@140:u32 force@144:u32 translations@148:u32 stiffness@152:f64 tet_weights@160:u32 no_smoothing@164:u32"),
+    "source_points@140:u32 force@144:u32 translations@148:u32 stiffness@152:f64 tet_weights@160:u32 no_smoothing@164:u32 " +
+    "layout@168:u32 actor@172:u32"),
   characterAnimateResult: layout(48,
     "struct_size@0:u32 clip_count@4:u32 first_clip@8:u32 mapped@12:u32 rigged@16:u32 shape_count@20:u32 certainty@24:f32 " +
     "limb_count@28:u32 limbs_before@32:u32 limbs_after@36:u32 mapped_by@40:u32 sources@44:u32"),

@@ -9,7 +9,7 @@ export const isWhole = (name) => isOffered(name, "readsWhole");
 export const isRig = (name) => fileKind(name)?.reader === "rig";
 export const isModel = (name) => lower(name).endsWith(".sinew");
 export const isStyle = (name) => lower(name).endsWith(".style");
-export const isMotion = (name) => fileKind(name)?.reader === "bvh"; // glTF files are characters, unless one says so
+export const isMotion = (name) => isOffered(name, "readsMotion") && !isMesh(name); // glTF files are characters, unless one says so
 export const isBeside = (name) => /\.(bin|png|jpe?g|webp|ktx2|mtl|tga|bmp|tiff?|gif|psd|dds)$/.test(lower(name)); // parts of a .gltf, .obj, .fbx or .dae
 
 // What the page's file dialogs offer.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sinew_character/motion_file.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew::web {
@@ -79,14 +80,15 @@ Json Player::clips_json(const Opened& opened) {
 Json Player::open(const std::string& file, const Character& character, uint32_t up, bool own, MotionMethod method,
                   const std::vector<sinew_map_pin>& pins) {
   auto opened = std::make_unique<Opened>();
-  opened->source = read_motion(file);
+  MotionFile read = read_motion_for({file, 0, "", "", up == 1 ? "z" : "auto"}, character);
+  opened->source = std::move(read.motion);
   std::vector<Clip>& clips = opened->source.clips;
   clips.erase(std::remove_if(clips.begin(), clips.end(), [](const Clip& clip) { return clip.frames.empty(); }),
               clips.end());
   if (clips.empty()) throw Error(file + ": expected a motion, found a skeleton without frames");
   opened->file = file;
   opened->work.character = character;
-  opened->body = body_of_motion(file);
+  if (read.whole) opened->body = body_of_motion(file);
   opened->pins = pins;
   opened->up = up;
   opened->own = own;

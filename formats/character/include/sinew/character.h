@@ -64,7 +64,8 @@ typedef enum sinew_file_use {
 SINEW_API const char* sinew_character_extensions(uint32_t uses);
 
 /* Opens a file by its extension. A .obj comes with the NAME.rig.txt beside it, where there is one; a .rig.txt with its NAME.obj. A
- * .bvh, or a .rig.txt alone, is a skeleton without a mesh.
+ * .bvh, .vrma, .npz, .npy or .vmd, or a .rig.txt alone, is a skeleton without a mesh. builtin:NAME is a clip that ships, for sinew_character_animate(): of several
+ * kinds of body the one that fits the character it is played on.
  *   path       the file
  *   character  out; untouched on failure. Closed by sinew_character_close()
  * Returns SINEW_OK, SINEW_ERROR_ARGUMENT (a pointer is null), SINEW_ERROR_INPUT, SINEW_ERROR_MEMORY. */
@@ -495,6 +496,9 @@ typedef struct sinew_character_animate_options {
   double stiffness;      /* SINEW_POSE_XPBD: of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2 */
   uint32_t tet_weights;  /* SINEW_POSE_XPBD: sinew_tet_weights */
   uint32_t no_smoothing; /* SINEW_POSE_XPBD: 1: bends are not smoothed */
+  const char* layout;    /* which joints places alone are (.npy, .npz): "smpl24", ...; null: guessed by their count */
+  const char*
+      actor; /* of a file of several people, by the root's name or number; null: the first where all are alike */
 } sinew_character_animate_options;
 
 static inline sinew_character_animate_options sinew_character_animate_options_init(void) {

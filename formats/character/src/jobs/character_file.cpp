@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "sinew_character/builtin_motion.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -32,6 +33,13 @@ CharacterFile open_obj(const std::string& path) {
   }
 }
 
+Character skeleton_of(const Motion& motion) {
+  Character character;
+  character.name = motion.name;
+  character.joints = rest_joints(motion);
+  return character;
+}
+
 // A file of joints or motion alone has no mesh.
 CharacterFile open_scene(const std::string& path) {
   try {
@@ -44,11 +52,7 @@ CharacterFile open_scene(const std::string& path) {
     } catch (const Error&) {
     }
     try {
-      const Motion motion = read_motion(path);
-      Character character;
-      character.name = motion.name;
-      character.joints = rest_joints(motion);
-      return {std::move(character), true};
+      return {skeleton_of(read_motion(path)), true};
     } catch (const Error&) {
     }
     throw;  // what is wrong with the mesh
@@ -58,6 +62,8 @@ CharacterFile open_scene(const std::string& path) {
 }  // namespace
 
 CharacterFile open_character(const std::string& path) {
+  if (is_builtin_motion(path)) return {skeleton_of(builtin_motions(path)[0]), true};
+  if (is_motion_alone(path)) return {skeleton_alone(path), true};
   const FileKind* kind = file_kind(path);
   if (kind == nullptr) return {read_mesh(path), true};  // throws: says which extensions there are
   switch (kind->reader) {
@@ -67,8 +73,6 @@ CharacterFile open_character(const std::string& path) {
       const std::string beside = (std::filesystem::path(path).parent_path() / (stem_of(path) + ".obj")).string();
       return {has_extension(path, ".rig.txt") && is_file(beside) ? read_character(path) : skeleton_alone(path), false};
     }
-    case FileReader::kBvh:
-      return {skeleton_alone(path), true};
     default:
       return open_scene(path);
   }

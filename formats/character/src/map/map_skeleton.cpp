@@ -13,9 +13,11 @@
 #include "sinew/names.h"
 #include "sinew/sinew.hpp"
 #include "sinew_character/bind.hpp"
+#include "sinew_character/builtin_motion.hpp"
 #include "sinew_character/skeleton_template.hpp"
 #include "sinew_character/stance.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/text_lines.hpp"
@@ -126,10 +128,12 @@ MapRig read_map_rig(const std::string& path) {
   if (path.rfind(kTemplate, 0) == 0) {
     rig.joints = skeleton_template(path.substr(std::string(kTemplate).size()));
     for (const Joint& joint : rig.joints) rig.ends.push_back(joint.deforms.value_or(true) ? 0 : 1);
+  } else if (is_builtin_motion(path)) {
+    rig = map_rig_of(builtin_motions(path)[0]);
   } else if (has_extension(path, ".obj")) {
     rig = map_rig_of(read_character(path));
-  } else if (has_extension(path, ".bvh")) {
-    rig = rig_in_stance(read_bvh(path));
+  } else if (is_motion_alone(path)) {
+    rig = rig_in_stance(read_motion(path));
   } else if (has_extension(path, ".txt")) {
     Character character;
     character.vertices.resize(skin_vertices(path));

@@ -9,9 +9,10 @@
 #include "motion/common_body.hpp"
 #include "motion/turns.hpp"
 #include "pose/skin_arrays.hpp"
+#include "sinew_character/builtin_motion.hpp"
 #include "sinew_character/engine_views.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 
 namespace sinew {
@@ -68,7 +69,7 @@ struct FrameArrays {
 }  // namespace
 
 std::optional<Character> body_of_motion(const std::string& path) {
-  if (has_extension(path, ".bvh")) return std::nullopt;
+  if (is_motion_alone(path) || is_builtin_motion(path)) return std::nullopt;
   try {
     return read_mesh(path);
   } catch (const Error&) {  // a skeleton alone

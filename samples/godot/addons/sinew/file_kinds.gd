@@ -3,5 +3,5 @@
 extends Reference
 
 const MESHES = ["obj", "gltf", "glb", "vrm", "fbx", "dae"]
-const SKELETONS = "*.rig.txt,*.gltf,*.glb,*.vrm,*.fbx,*.dae,*.bvh"
-const MOTIONS = "*.gltf,*.glb,*.vrm,*.fbx,*.dae,*.bvh"
+const SKELETONS = "*.rig.txt,*.gltf,*.glb,*.vrm,*.fbx,*.dae,*.bvh,*.vrma,*.npz,*.npy,*.vmd"
+const MOTIONS = "*.gltf,*.glb,*.vrm,*.fbx,*.dae,*.bvh,*.vrma,*.npz,*.npy,*.vmd"

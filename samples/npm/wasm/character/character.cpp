@@ -243,6 +243,8 @@ EMSCRIPTEN_KEEPALIVE const char* character_animate(sinew_character* character, s
         wish.take("from", &o.from);
         wish.take("to", &o.to);
         wish.take("clip", &o.clip);
+        wish.take("layout", &o.layout);
+        wish.take("actor", &o.actor);
         wish.take_array("sources", &o.sources);
       },
       [&](const sinew_character_animate_options& o, Json& said) {

@@ -381,7 +381,7 @@ class sinew_character_animate_options(Structure):
         ("map", c_char_p), ("sources", c_void_p), ("area_power", c_uint32), ("no_own_limb", c_uint32), ("legs", c_uint32),
         ("report", c_uint32), ("falloff", c_double), ("own_limb", c_uint32), ("head", c_uint32), ("torso", c_uint32),
         ("source_points", c_uint32), ("force", c_uint32), ("translations", c_uint32), ("stiffness", c_double), ("tet_weights", c_uint32),
-        ("no_smoothing", c_uint32)]
+        ("no_smoothing", c_uint32), ("layout", c_char_p), ("actor", c_char_p)]
 
 
 class sinew_character_animate_result(Structure):

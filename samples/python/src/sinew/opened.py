@@ -473,7 +473,8 @@ class OpenCharacter:
                  cells: int = 0, rounds: int = 0, body_contact: bool = False, stiffness: float = 0, tet_weights: declarations.TetWeights = "skin",
                  smoothing: bool = True, shapes: int = 0, fps: float = 0, start: float = 0, end: float = 0,
                  clip: Union[None, str, int] = None, map_file: Union[None, str, os.PathLike] = None, joint_map: Any = None,
-                 force: bool = False, translations: bool = False, threads: int = 1, progress: ProgressFunction = None) -> Retargeted:
+                 force: bool = False, translations: bool = False, layout: Optional[str] = None, actor: Union[None, str, int] = None,
+                 threads: int = 1, progress: ProgressFunction = None) -> Retargeted:
         """Adds clips of another skeleton. A bare mesh is rigged first.
 
         natural_range  knees and elbows stay in theirs
@@ -484,6 +485,8 @@ class OpenCharacter:
         map_file, joint_map  a file of `sinew map`, or [j] integers of the motion's joints, -1 for none; else the map is found
         translations   bones stretch as the motion's do
         force          plays a motion that does not fit, such as a person's on a horse; else an error
+        layout         which joints places alone are (.npy, .npz): "smpl24", "humanml3d22", "coco17", "mediapipe33"; None: guessed by their count
+        actor          of a file of several people, by the root's name or number; None: the first where all are alike
         """
         options = binding.init(declarations.sinew_character_animate_options)
         options.method, options.in_place, options.no_range = chosen(method, declarations.ANIMATE_METHOD, "method"), int(in_place), int(not natural_range)
@@ -495,6 +498,8 @@ class OpenCharacter:
         setattr(options, "from", start)  # a word of Python
         options.force, options.translations = int(force), int(translations)
         options.clip = None if clip is None else str(clip).encode()
+        options.layout = None if layout is None else layout.encode()
+        options.actor = None if actor is None else str(actor).encode()
         options.map = None if map_file is None else os.fsencode(map_file)
         given = None if joint_map is None else whole(joint_map, (self._view().joint_count,), "joint_map", np.int32, -1, motion._view().joint_count)
         options.sources = binding.address(given)

@@ -133,6 +133,22 @@ TEST(GltfFromScene, MotionsOfCollada) {
   expect_tip(motion.clips[1].frames.back(), {0, 5, 0});
 }
 
+// Assimp puts clips of one channel together, and under a name that is no text where all of theirs are too long for it.
+TEST(GltfFromScene, NamesThatAreNoTextAreReplaced) {
+  const TempFolder folder;
+  std::string text = moving_dae();
+  for (const char* name : {"bend", "rise"}) {
+    const std::string from = "<animation id=\"" + std::string(name) + "\" name=\"" + name + "\">";
+    const size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos);
+    text.replace(at, from.size(), "<animation id=\"" + std::string(1100, name[0]) + "\">");
+  }
+  const Motion motion = read_motion(folder.write("moves.dae", text), 10);
+  ASSERT_EQ(motion.clips.size(), 2u);
+  for (const Clip& clip : motion.clips)
+    for (const char c : clip.name) EXPECT_TRUE(c >= 32 && c < 127) << clip.name;
+}
+
 TEST(GltfFromScene, MotionsOfFbx) {
   const TempFolder folder;
   const std::string fbx = folder.file("moves.fbx");

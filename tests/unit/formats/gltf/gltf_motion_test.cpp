@@ -65,6 +65,20 @@ TEST(GltfMotion, SamplesEveryInterpolation) {
   EXPECT_NEAR(motion.clips[2].frames[10].translations[0][0], 12.5, 1e-5);
 }
 
+// Tangents of rotations are of their four numbers; the blend has length 1 again.
+TEST(GltfMotion, RotationsBlendCubically) {
+  const TempFolder folder;
+  GlbBuilder builder = two_joint_strip();
+  nlohmann::json cubic = named("cubic");
+  add_channel(&builder, &cubic, 1, "rotation", {0, 1},
+              {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0.5f, 0, 0, 0, 0, 0, 0, 0, kHalf, kHalf, 0, 0, 0, 0}, "CUBICSPLINE");
+  builder.add("animations", cubic);
+  const Quaternion q = read(folder, builder, 4).clips.at(0).frames.at(1).rotations[1];
+  // Hermite at t = 0.25: 0.84375 of the first, 0.140625 of its tangent, 0.15625 of the second.
+  const Quaternion wanted = normalised({0, 0, 0.140625 * 0.5 + 0.15625 * kHalf, 0.84375 + 0.15625 * kHalf});
+  EXPECT_NEAR(dot(q, wanted), 1, 1e-7);
+}
+
 TEST(GltfMotion, TakesTheRateOfItsKeys) {
   const TempFolder folder;
   const auto fps_of = [&](const std::vector<float>& times) {

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+// Motions in NumPy files: rotations of SMPL, SMPL-H and SMPL-X, or places of joints alone. No body model is needed.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "motion/npy.hpp"
+#include "motion/person.hpp"
+#include "motion/places.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/print.hpp"
+#include "text/text_lines.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr size_t kMostRotations = size_t{1} << 24;  // frames times joints
+
+// Joints of a body model in its order; hands are five fingers of three joints in the order of MANO.
+struct BodyModel {
+  const char* name;
+  std::vector<std::string> joints;
+};
+const std::vector<BodyModel>& body_models() {
+  static const std::vector<BodyModel> models = [] {
+    const std::vector<std::string> body = {
+        "hips",         "leftUpperLeg",  "rightUpperLeg", "spine",      "leftLowerLeg", "rightLowerLeg",
+        "chest",        "leftFoot",      "rightFoot",     "upperChest", "leftToes",     "rightToes",
+        "neck",         "leftShoulder",  "rightShoulder", "head",       "leftUpperArm", "rightUpperArm",
+        "leftLowerArm", "rightLowerArm", "leftHand",      "rightHand"};
+    std::vector<std::string> hands;
+    for (const char* side : {"left", "right"})
+      for (const char* finger : {"Index", "Middle", "Little", "Ring"})
+        for (const char* part : {"Proximal", "Intermediate", "Distal"})
+          hands.push_back(side + std::string(finger) + part);
+    for (const size_t at : {12u, 27u})  // a thumb behind four fingers
+      for (const char* part : {"Distal", "Proximal", "Metacarpal"})
+        hands.insert(hands.begin() + static_cast<std::ptrdiff_t>(at),
+                     (at == 12 ? "leftThumb" : "rightThumb") + std::string(part));
+    const auto join = [](std::vector<std::string> a, const std::vector<std::string>& b) {
+      a.insert(a.end(), b.begin(), b.end());
+      return a;
+    };
+    return std::vector<BodyModel>{{"SMPL, without hands", body},
+                                  {"SMPL", join(body, {"leftHand_end", "rightHand_end"})},
+                                  {"SMPL-H", join(body, hands)},
+                                  {"SMPL-X", join(join(body, {"jaw", "leftEye", "rightEye"}), hands)}};
+  }();
+  return models;
+}
+
+Quaternion of_axis_angle(const double* v) {
+  const double angle = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  const double s = angle > 1e-12 ? std::sin(angle / 2) / angle : 0.5;
+  return normalised({s * v[0], s * v[1], s * v[2], std::cos(angle / 2)});
+}
+// The first two columns of the matrix, one behind the other (Zhou et al. 2019).
+Quaternion of_six(const double* v) {
+  return quaternion_of(rotation_part({v[0], v[3], 0, 0, v[1], v[4], 0, 0, v[2], v[5], 0, 0}));
+}
+Quaternion of_matrix(const double* v) {  // row by row
+  return quaternion_of(rotation_part({v[0], v[1], v[2], 0, v[3], v[4], v[5], 0, v[6], v[7], v[8], 0}));
+}
+
+class NumpyReader {
+ public:
+  NumpyReader(const std::string& path, const std::string& layout)
+      : path_(path), layout_(layout), file_(read_npy_file(path)) {}
+
+  Motion read() {
+    if (layout_.empty() && has_rotations()) {
+      read_rotations();
+    } else {
+      read_places();
+    }
+    motion_.name = stem_of(path_);
+    Clip& clip = motion_.clips[0];
+    clip.name = motion_.name;
+    return std::move(motion_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& expected, const std::string& found) const {
+    throw Error(path_ + ": expected " + expected + ", found " + found);
+  }
+
+  const NpyArray* find(std::initializer_list<const char*> names) const {
+    for (const char* name : names)
+      if (const auto at = file_.arrays.find(name); at != file_.arrays.end()) return &at->second;
+    return nullptr;
+  }
+  std::string arrays_text() const {
+    std::string text;
+    for (const auto& [name, array] : file_.arrays) {
+      std::string sides;
+      for (const size_t side : array.shape) sides += (sides.empty() ? "" : ", ") + std::to_string(side);
+      text += (text.empty() ? "" : ", ") + (name.empty() ? std::string() : in_quotes(name) + " ") + "[" + sides + "]";
+      if (text.size() > 300) return text + ", ...";
+    }
+    return text.empty() ? "no numbers" : text;
+  }
+  bool has_rotations() const { return find({"poses", "global_orient", "root_orient"}) != nullptr; }
+
+  double frame_time(double fps) {
+    const NpyArray* const rate = find({"mocap_framerate", "mocap_frame_rate", "fps", "frame_rate"});
+    if (rate != nullptr && rate->values.size() == 1)
+      fps = rate->values[0];
+    else
+      motion_.notes.push_back(print("says no rate, so %g frames a second were guessed", fps));
+    if (!(fps > 0.1 && fps < 1e5)) fail("a rate of frames a second", print("%g", fps));
+    return 1 / fps;
+  }
+
+  // [frames x numbers] of one frame's rotations, from one array or several side by side.
+  std::vector<const NpyArray*> rotation_arrays() const {
+    if (const NpyArray* poses = find({"poses"})) return {poses};
+    const NpyArray* const root = find({"global_orient", "root_orient"});
+    const NpyArray* const body = find({"body_pose", "pose_body"});
+    if (body == nullptr) fail("'body_pose' beside 'global_orient'", arrays_text());
+    std::vector<const NpyArray*> all = {root, body};
+    const NpyArray* const both = find({"pose_hand"});
+    const NpyArray* const left = find({"left_hand_pose"});
+    const NpyArray* const right = find({"right_hand_pose"});
+    if (both != nullptr)
+      all.push_back(both);
+    else if (left != nullptr && right != nullptr)
+      all.insert(all.end(), {left, right});
+    return all;
+  }
+
+  void read_rotations() {
+    const std::vector<const NpyArray*> arrays = rotation_arrays();
+    const size_t frames = arrays[0]->rows();
+    size_t width = 0;
+    for (const NpyArray* array : arrays) {
+      if (array->shape.empty() || array->rows() != frames || frames == 0)
+        fail("rotations of as many frames in all arrays", arrays_text());
+      width += array->width();
+    }
+    const auto [model, numbers] = model_of(width, arrays);
+    if (frames > kMostRotations / model->joints.size())
+      fail("at most " + std::to_string(kMostRotations) + " frames times joints", std::to_string(frames) + " frames");
+    const NpyArray* const moves = find({"trans", "transl"});
+    if (moves != nullptr && (moves->rows() != frames || moves->width() != 3))
+      fail("'trans' of 3 numbers a frame", arrays_text());
+    motion_.joints = person_joints(model->joints);
+    Clip clip;
+    clip.frame_time = frame_time(30);
+    std::vector<double> row;
+    for (size_t f = 0; f < frames; ++f) {
+      row.clear();
+      for (const NpyArray* array : arrays) {
+        const auto begin = array->values.begin() + static_cast<std::ptrdiff_t>(f * array->width());
+        row.insert(row.end(), begin, begin + static_cast<std::ptrdiff_t>(array->width()));
+      }
+      clip.frames.push_back(frame_of(row, numbers, moves == nullptr ? nullptr : &moves->values[3 * f]));
+    }
+    motion_.notes.push_back(
+        print("%s, %zu numbers a rotation%s; bones have the lengths of a person of ours, no body model's", model->name,
+              numbers, numbers == 6 ? " (two columns of the matrix)" : ""));
+    motion_.clips.push_back(std::move(clip));
+    stand_up();
+  }
+
+  // By how many numbers a frame has: no two models and forms have as many. Places of their own say how many a rotation has.
+  std::pair<const BodyModel*, size_t> model_of(size_t width, const std::vector<const NpyArray*>& arrays) const {
+    const size_t said = arrays.size() > 1 ? arrays[0]->width() : 0;
+    for (const BodyModel& model : body_models())
+      for (const size_t numbers : {3u, 6u, 9u})
+        if (model.joints.size() * numbers == width && (said == 0 || said == numbers)) return {&model, numbers};
+    fail("rotations of 22 (SMPL without hands), 24 (SMPL), 52 (SMPL-H) or 55 joints (SMPL-X), 3, 6 or 9 numbers each",
+         arrays_text());
+  }
+
+  MotionFrame frame_of(const std::vector<double>& row, size_t numbers, const double* place) const {
+    MotionFrame frame;
+    for (size_t j = 0; j < motion_.joints.size(); ++j) {
+      const double* const v = &row[numbers * j];
+      const Quaternion q = numbers == 3 ? of_axis_angle(v) : numbers == 6 ? of_six(v) : of_matrix(v);
+      frame.rotations.push_back(motion_.joints[j].end ? kNoRotation4 : q);
+      frame.translations.push_back(motion_.joints[j].offset);
+    }
+    if (place != nullptr) frame.translations[0] = {place[0], place[1], place[2]};
+    return frame;
+  }
+
+  // The rest pose has y up; the clip's world may have z up, as AMASS.
+  void stand_up() {
+    Point3 up{};
+    for (const MotionFrame& frame : motion_.clips[0].frames) up = up + rotate(frame.rotations[0], {0, 1, 0});
+    const Quaternion turn = turn_to_y_up(up);
+    if (turn == kNoRotation4) return;
+    motion_.notes.push_back("the body stands along " + axis_name(up) + ", which is taken for up");
+    for (MotionFrame& frame : motion_.clips[0].frames) {
+      frame.rotations[0] = normalised(multiply(turn, frame.rotations[0]));
+      frame.translations[0] = rotate(turn, frame.translations[0]);
+    }
+  }
+
+  // The array of places: by its name, else the only one of that shape.
+  const NpyArray* places_array() const {
+    const auto fits = [](const NpyArray& a) { return a.shape.size() == 3 && (a.shape[2] == 3 || a.shape[2] == 4); };
+    for (const char* name : {"joints", "joints3d", "joints_3d", "positions", "keypoints", "keypoints3d", "motion", ""})
+      if (const NpyArray* array = find({name}); array != nullptr && fits(*array)) return array;
+    const NpyArray* only = nullptr;
+    for (const auto& [name, array] : file_.arrays) {
+      if (!fits(array)) continue;
+      if (only != nullptr) return nullptr;
+      only = &array;
+    }
+    return only;
+  }
+
+  const PlacesLayout& layout_of(size_t count) {
+    std::string counts;
+    for (const PlacesLayout& layout : places_layouts()) {
+      counts += (counts.empty() ? "" : ", ") + std::to_string(layout.count) + " (" + layout.name + ")";
+      if (layout_.empty() ? layout.count != count : layout_ != layout.name) continue;
+      if (layout.count != count)
+        fail(std::to_string(layout.count) + " joints of " + layout.name, std::to_string(count));
+      if (layout_.empty())
+        motion_.notes.push_back(
+            print("%zu places a frame, so the layout %s was guessed; --layout says another", count, layout.name));
+      return layout;
+    }
+    if (!layout_.empty()) fail("a layout (" + motion_layouts() + ")", in_quotes(layout_));
+    fail("places of " + counts + " joints", std::to_string(count));
+  }
+
+  void read_places() {
+    const NpyArray* const array = places_array();
+    if (array == nullptr)
+      fail("'poses' or 'global_orient' and 'body_pose' of a body model, or places [frames, joints, 3]", arrays_text());
+    const size_t frames = array->shape[0], count = array->shape[1], width = array->shape[2];
+    const PlacesLayout& layout = layout_of(count);
+    if (frames == 0 || frames > kMostRotations / count)
+      fail("1 to " + std::to_string(kMostRotations / count) + " frames", std::to_string(frames));
+    std::vector<std::vector<Point3>> places(frames);
+    for (size_t f = 0; f < frames; ++f)
+      for (size_t j = 0; j < count; ++j) {
+        const double* const v = &array->values[(f * count + j) * width];
+        places[f].push_back({v[0], v[1], v[2]});
+        for (const double x : places[f].back())
+          if (!(std::abs(x) < 1e6)) fail("places within a million of the origin", print("%g in frame %zu", x, f));
+      }
+    Motion found = motion_of_places(layout, places);
+    found.notes.insert(found.notes.begin(), motion_.notes.begin(), motion_.notes.end());
+    motion_ = std::move(found);
+    motion_.clips[0].frame_time = frame_time(layout.fps);
+  }
+
+  const std::string path_, layout_;
+  const NpyFile file_;
+  Motion motion_;
+};
+
+}  // namespace
+
+Motion read_numpy_motion(const std::string& path, const std::string& layout) {
+  return NumpyReader(path, layout).read();
+}
+
+}  // namespace sinew

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// A standing person's joints for motions that bring none: names, hierarchy and places.
+#ifndef SINEW_FORMATS_MOTION_PERSON_HPP
+#define SINEW_FORMATS_MOTION_PERSON_HPP
+
+#include <string>
+#include <vector>
+
+#include "motion/points.hpp"
+#include "sinew_formats/motion.hpp"
+
+namespace sinew {
+
+// VRM's names. In a T pose, 1.7 m high, y up, facing +z, left at +x; a joint's parent is the nearest of its ancestors that is listed.
+// Places are our own (the bundled skeleton of formats/character, to the centimetre), of no body model.
+std::vector<MotionJoint> person_joints(const std::vector<std::string>& names);
+
+// "left" in place of "right" and the other way round; the name itself where it has no side.
+std::string other_side_of_person(const std::string& name);
+
+// -1 for none.
+int joint_named(const std::vector<MotionJoint>& joints, const std::string& name);
+
+// What makes y up of a world in which `up` is up, by quarter turns: the axis that is nearest to it.
+Quaternion turn_to_y_up(const Point3& up);
+// "y", "-z" of the nearest axis, for the user.
+std::string axis_name(const Point3& direction);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+#include "motion/places.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/person.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr double kStraight = 0.1, kBent = 0.35;  // sines of a limb's bend: below the first its plane says nothing
+constexpr double kHipsStill = 1e-3;              // of the body's size: hips that never leave the origin
+
+// All joints of a layout, both sides, and the columns of each.
+struct Columns {
+  std::vector<std::string> names;
+  std::vector<std::vector<size_t>> of;
+
+  explicit Columns(const PlacesLayout& layout) {
+    for (const PlacesLayout::Joint& joint : layout.joints) {
+      names.emplace_back(joint.name);
+      of.push_back(joint.columns);
+      if (joint.right.empty()) continue;
+      names.push_back(other_side_of_person(joint.name));
+      of.push_back(joint.right);
+    }
+  }
+};
+
+// A hinge's limb: its middle joint points to `bend` at rest.
+struct HingeOf {
+  const char *upper, *lower, *end;
+  Point3 bend;
+};
+constexpr HingeOf kHinges[] = {{"UpperLeg", "LowerLeg", "Foot", {0, 0, 1}},
+                               {"UpperArm", "LowerArm", "Hand", {0, 0, -1}}};
+// Parts that turn by their sides.
+struct SidedPart {
+  const char *joint, *left, *along;
+};
+constexpr SidedPart kSided[] = {{"hips", "leftUpperLeg", "spine"},
+                                {"hips", "leftUpperLeg", "upperChest"},
+                                {"upperChest", "leftUpperArm", "neck"},
+                                {"upperChest", "leftUpperArm", "head"},
+                                {"head", "leftEar_end", "nose_end"}};
+
+class PlacesSolver {
+ public:
+  PlacesSolver(const PlacesLayout& layout, const std::vector<std::vector<Point3>>& places) {
+    const Columns columns(layout);
+    motion_.joints = person_joints(columns.names);
+    for (const std::vector<Point3>& row : places) {
+      std::vector<Point3>& frame = places_.emplace_back();
+      for (const std::vector<size_t>& of : columns.of) {
+        Point3 sum{};
+        for (const size_t column : of) sum = sum + row[column];
+        frame.push_back((1 / static_cast<double>(of.size())) * sum);
+      }
+    }
+  }
+
+  Motion solve() {
+    stand_up();
+    fit_lengths();
+    fit_sides();
+    Clip clip;
+    for (const std::vector<Point3>& frame : places_) clip.frames.push_back(frame_of(frame));
+    motion_.clips.push_back(std::move(clip));
+    return std::move(motion_);
+  }
+
+ private:
+  int index(const std::string& name) const { return joint_named(motion_.joints, name); }
+  static Point3 between(const std::vector<Point3>& at, int from, int to) {
+    return at[static_cast<size_t>(to)] - at[static_cast<size_t>(from)];
+  }
+
+  // The mean direction from one joint to another.
+  Point3 mean_of(const std::string& from, const std::string& to) const {
+    const int a = index(from), b = index(to);
+    Point3 sum{};
+    if (a >= 0 && b >= 0)
+      for (const std::vector<Point3>& frame : places_) sum = sum + unit(between(frame, a, b));
+    return sum;
+  }
+
+  void stand_up() {
+    const Point3 up =
+        mean_of("leftFoot", "leftUpperLeg") + mean_of("rightFoot", "rightUpperLeg") + mean_of("hips", "head");
+    const Quaternion turn = turn_to_y_up(up);
+    if (axis_name(up) != "y")
+      motion_.notes.push_back("the body stands along " + axis_name(up) + ", which is taken for up");
+    for (std::vector<Point3>& frame : places_)
+      for (Point3& place : frame) place = rotate(turn, place);
+    // Toes and noses point to where left, seen with up, has its front.
+    double front = 0;
+    for (const std::vector<Point3>& frame : places_)
+      for (const auto& [from, to] :
+           {std::pair("leftFoot", "leftToes"), std::pair("rightFoot", "rightToes"), std::pair("head", "nose_end")}) {
+        const int a = index(from), b = index(to), left = index("leftUpperLeg"), right = index("rightUpperLeg");
+        if (a >= 0 && b >= 0)
+          front += dot(unit(between(frame, a, b)), cross(unit(between(frame, right, left)), {0, 1, 0}));
+      }
+    if (front < 0) {
+      motion_.notes.emplace_back(
+          "left and right are exchanged (a left-handed world), so it is read as its mirror image");
+      for (std::vector<Point3>& frame : places_)
+        for (Point3& place : frame) place[2] = -place[2];
+    }
+    put_on_floor();
+  }
+
+  // Places that are relative to the hips say nothing of how high these are: the lowest joint is on the floor.
+  void put_on_floor() {
+    const size_t hips = static_cast<size_t>(index("hips"));
+    double size = 0, moved = 0;
+    for (const std::vector<Point3>& frame : places_) {
+      for (const Point3& place : frame) size = std::max(size, length(place - frame[hips]));
+      moved = std::max(moved, length(frame[hips] - places_[0][hips]));
+    }
+    if (places_.size() < 2 || moved > kHipsStill * size) return;
+    motion_.notes.emplace_back(
+        "hips never leave their place, so places are taken as relative to them, and the lowest joint of every frame is "
+        "on the floor");
+    for (std::vector<Point3>& frame : places_) {
+      double low = frame[0][1];
+      for (const Point3& place : frame) low = std::min(low, place[1]);
+      for (Point3& place : frame) place[1] -= low;
+    }
+  }
+
+  // Offsets keep their direction and get the length that the bone mostly has.
+  void fit_lengths() {
+    for (size_t j = 0; j < motion_.joints.size(); ++j) {
+      MotionJoint& joint = motion_.joints[j];
+      if (joint.parent < 0) continue;
+      std::vector<double> lengths;
+      for (const std::vector<Point3>& frame : places_)
+        lengths.push_back(length(between(frame, joint.parent, static_cast<int>(j))));
+      std::nth_element(lengths.begin(), lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2),
+                       lengths.end());
+      joint.offset = lengths[lengths.size() / 2] * unit(joint.offset);
+    }
+    take_rest();
+  }
+
+  // What hangs on a part that turns by its sides is where it is in that part's own axes, in the mean.
+  void fit_sides() {
+    std::vector<Point3> offsets(motion_.joints.size());
+    for (const std::vector<Point3>& frame : places_) {
+      const std::vector<Quaternion> world = rotations_of(frame);
+      for (size_t j = 0; j < offsets.size(); ++j) {
+        const int parent = motion_.joints[j].parent;
+        if (parent >= 0)
+          offsets[j] = offsets[j] + rotate(conjugate(world[static_cast<size_t>(parent)]),
+                                           between(frame, parent, static_cast<int>(j)));
+      }
+    }
+    for (size_t j = 0; j < offsets.size(); ++j) {
+      const int parent = motion_.joints[j].parent;
+      if (parent >= 0 && sided_part(static_cast<size_t>(parent)) != nullptr)
+        motion_.joints[j].offset = (1 / static_cast<double>(places_.size())) * offsets[j];
+    }
+    take_rest();
+  }
+
+  // Places at rest, the lowest on the floor.
+  void take_rest() {
+    MotionJoint& hips = motion_.joints[static_cast<size_t>(index("hips"))];
+    hips.offset = {};
+    double low = 0;
+    for (const Joint& joint : rest_joints(motion_)) low = std::min(low, double{joint.position.y});
+    hips.offset[1] = -low;
+    rest_.clear();
+    for (const Joint& joint : rest_joints(motion_)) rest_.push_back(point(joint.position));
+  }
+
+  // By whose sides a joint turns, where the layout has them; or null.
+  const SidedPart* sided_part(size_t j) const {
+    for (const SidedPart& part : kSided)
+      if (motion_.joints[j].name == part.joint && index(part.left) >= 0 && index(part.along) >= 0) return &part;
+    return nullptr;
+  }
+
+  std::vector<Quaternion> rotations_of(const std::vector<Point3>& at) const {
+    std::vector<Quaternion> world;
+    for (size_t j = 0; j < motion_.joints.size(); ++j) {  // layouts list parents first
+      const int parent = motion_.joints[j].parent;
+      const Quaternion above = parent < 0 ? kNoRotation4 : world[static_cast<size_t>(parent)];
+      world.push_back(motion_.joints[j].end ? above : rotation_at(j, above, at));
+    }
+    return world;
+  }
+
+  MotionFrame frame_of(const std::vector<Point3>& at) const {
+    const std::vector<Quaternion> world = rotations_of(at);
+    MotionFrame frame;
+    for (size_t j = 0; j < world.size(); ++j) {
+      const MotionJoint& joint = motion_.joints[j];
+      const Quaternion above = joint.parent < 0 ? kNoRotation4 : world[static_cast<size_t>(joint.parent)];
+      frame.rotations.push_back(normalised(multiply(conjugate(above), world[j])));
+      frame.translations.push_back(joint.parent < 0 ? at[j] : joint.offset);
+    }
+    return frame;
+  }
+
+  Quaternion rotation_at(size_t j, const Quaternion& above, const std::vector<Point3>& at) const {
+    const std::string& name = motion_.joints[j].name;
+    if (const SidedPart* part = sided_part(j)) {
+      const int left = index(part->left), right = index(other_side_of_person(part->left)), along = index(part->along);
+      const int own = static_cast<int>(j);
+      return rotation_between(between(rest_, right, left), between(rest_, own, along), between(at, right, left),
+                              between(at, own, along));
+    }
+    const Quaternion straight = swung(j, above, at);
+    for (const HingeOf& hinge : kHinges)
+      for (const char* side : {"left", "right"}) {
+        const std::string upper = side + std::string(hinge.upper), lower = side + std::string(hinge.lower);
+        if (name != upper && name != lower) continue;
+        const int a = index(upper), b = index(lower), c = index(side + std::string(hinge.end));
+        const Point3 first = unit(between(at, a, b)), second = unit(between(at, b, c));
+        const double bend = length(cross(first, second));
+        const double sure = std::clamp((bend - kStraight) / (kBent - kStraight), 0.0, 1.0);
+        if (!(sure > 0)) return straight;
+        const Point3 out = across(between(at, a, b), unit(between(at, a, c)));
+        const Point3 rest_bone = name == upper ? between(rest_, a, b) : between(rest_, b, c);
+        const Quaternion hinged = rotation_between(rest_bone, cross(between(rest_, a, b), hinge.bend),
+                                                   name == upper ? first : second, cross(first, out));
+        return slerp(straight, hinged, sure * sure * (3 - 2 * sure));
+      }
+    return straight;
+  }
+
+  // With its parent, then the shortest way to where the bone to its child points. What has no one child goes with its parent.
+  Quaternion swung(size_t j, const Quaternion& above, const std::vector<Point3>& at) const {
+    int child = -1;
+    for (size_t c = 0; c < motion_.joints.size(); ++c) {
+      if (motion_.joints[c].parent != static_cast<int>(j)) continue;
+      if (child >= 0) return above;
+      child = static_cast<int>(c);
+    }
+    if (child < 0) return above;
+    const Point3 bone = rotate(above, motion_.joints[static_cast<size_t>(child)].offset);
+    return normalised(multiply(rotation_between(bone, between(at, static_cast<int>(j), child)), above));
+  }
+
+  Motion motion_;
+  std::vector<std::vector<Point3>> places_;  // [frames][J]
+  std::vector<Point3> rest_;
+};
+
+}  // namespace
+
+const std::vector<PlacesLayout>& places_layouts() {
+  using Joints = std::vector<PlacesLayout::Joint>;
+  static const Joints body = {{"hips", {0}},
+                              {"leftUpperLeg", {1}, {2}},
+                              {"leftLowerLeg", {4}, {5}},
+                              {"leftFoot", {7}, {8}},
+                              {"leftToes", {10}, {11}},
+                              {"spine", {3}},
+                              {"chest", {6}},
+                              {"upperChest", {9}},
+                              {"neck", {12}},
+                              {"head", {15}},
+                              {"leftShoulder", {13}, {14}},
+                              {"leftUpperArm", {16}, {17}},
+                              {"leftLowerArm", {18}, {19}},
+                              {"leftHand", {20}, {21}}};
+  static const std::vector<PlacesLayout> layouts = [] {
+    Joints smpl = body;
+    smpl.push_back({"leftHand_end", {22}, {23}});
+    const Joints coco = {{"hips", {11, 12}},         {"leftUpperLeg", {11}, {12}}, {"leftLowerLeg", {13}, {14}},
+                         {"leftFoot", {15}, {16}},   {"upperChest", {5, 6}},       {"head", {3, 4}},
+                         {"nose_end", {0}},          {"leftEar_end", {3}, {4}},    {"leftUpperArm", {5}, {6}},
+                         {"leftLowerArm", {7}, {8}}, {"leftHand", {9}, {10}}};
+    const Joints mediapipe = {{"hips", {23, 24}},
+                              {"leftUpperLeg", {23}, {24}},
+                              {"leftLowerLeg", {25}, {26}},
+                              {"leftFoot", {27}, {28}},
+                              {"leftToes", {31}, {32}},
+                              {"upperChest", {11, 12}},
+                              {"head", {7, 8}},
+                              {"nose_end", {0}},
+                              {"leftEar_end", {7}, {8}},
+                              {"leftUpperArm", {11}, {12}},
+                              {"leftLowerArm", {13}, {14}},
+                              {"leftHand", {15}, {16}},
+                              {"leftHand_end", {17, 19}, {18, 20}}};
+    return std::vector<PlacesLayout>{{"smpl24", 24, 30, smpl},
+                                     {"humanml3d22", 22, 20, body},
+                                     {"coco17", 17, 30, coco},
+                                     {"mediapipe33", 33, 30, mediapipe}};
+  }();
+  return layouts;
+}
+
+std::string motion_layouts() {
+  std::string names;
+  for (const PlacesLayout& layout : places_layouts()) names += (names.empty() ? "" : ", ") + std::string(layout.name);
+  return names;
+}
+
+Motion motion_of_places(const PlacesLayout& layout, const std::vector<std::vector<Point3>>& places) {
+  return PlacesSolver(layout, places).solve();
+}
+
+}  // namespace sinew

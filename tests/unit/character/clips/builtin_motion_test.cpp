@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// Clips that ship: they loop, feet stand where they stand and nothing goes through the floor; names are told.
+#include "sinew_character/builtin_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "clips/puppet.hpp"
+#include "expect_error.hpp"
+#include "motion/points.hpp"
+#include "sinew_character/character_file.hpp"
+#include "sinew_character/map_skeleton.hpp"
+
+namespace sinew {
+namespace {
+
+const std::vector<std::string> kKinds = {"person", "quadruped", "bird", "fish", "spider"};
+
+Motion only(const std::string& path) {
+  std::vector<Motion> motions = builtin_motions(path);
+  EXPECT_EQ(motions.size(), 1u) << path;
+  return motions[0];
+}
+
+size_t joint_of(const Motion& motion, const std::string& end) {
+  for (size_t j = 0; j < motion.joints.size(); ++j) {
+    const std::string& name = motion.joints[j].name;
+    if (name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0) return j;
+  }
+  ADD_FAILURE() << "no " << end;
+  return 0;
+}
+
+std::vector<WorldPose> poses_of(const Motion& motion) {
+  std::vector<WorldPose> poses;
+  for (const MotionFrame& frame : motion.clips.at(0).frames) poses.push_back(world_pose(motion, frame));
+  return poses;
+}
+
+TEST(BuiltinMotion, EveryClipLoopsAtThirtyFrames) {
+  for (const std::string& kind : kKinds) {
+    const Motion motion = only("builtin:" + kind);
+    ASSERT_FALSE(motion.clips.empty()) << kind;
+    for (const Clip& clip : motion.clips) {
+      EXPECT_DOUBLE_EQ(clip.frame_time, 1.0 / 30);
+      ASSERT_GT(clip.frames.size(), 10u) << clip.name;
+      const MotionFrame &first = clip.frames.front(), &last = clip.frames.back();
+      EXPECT_EQ(first.rotations, last.rotations) << clip.name;
+      for (size_t j = 1; j < motion.joints.size(); ++j) EXPECT_EQ(first.translations[j], last.translations[j]);
+      const Point3 travel = last.translations[0] - first.translations[0];
+      EXPECT_NEAR(travel[0], 0, 1e-12);
+      EXPECT_NEAR(travel[1], 0, 1e-12);
+      for (size_t f = 1; f < clip.frames.size(); ++f)  // no frame jumps
+        for (size_t j = 0; j < motion.joints.size(); ++j)
+          EXPECT_GT(std::abs(dot(clip.frames[f].rotations[j], clip.frames[f - 1].rotations[j])), std::cos(0.5))
+              << clip.name << " " << f << " " << motion.joints[j].name;
+    }
+  }
+}
+
+// A foot that is flat in two frames stood still in between; there are such frames; no point of a foot is below the floor.
+void expect_planted(const std::string& path, const std::string& foot, const std::string& tip, size_t least) {
+  const Motion motion = only(path);
+  const size_t ankle = joint_of(motion, foot), toe = joint_of(motion, tip);
+  const double floor = rest_joints(motion)[toe].position.y;
+  const std::vector<WorldPose> poses = poses_of(motion);
+  size_t flat = 0;
+  for (size_t f = 1; f < poses.size(); ++f) {
+    EXPECT_GT(poses[f].positions[toe][1], floor - 0.004) << path << " " << foot << " " << f;
+    const auto is_flat = [&](const WorldPose& pose) {
+      return std::abs(pose.rotations[ankle][3]) > 1 - 1e-9 && std::abs(pose.positions[toe][1] - floor) < 1e-6;
+    };
+    if (!is_flat(poses[f]) || !is_flat(poses[f - 1])) continue;
+    ++flat;
+    EXPECT_LT(length(poses[f].positions[ankle] - poses[f - 1].positions[ankle]), 1e-6)
+        << path << " " << foot << " " << f;
+  }
+  EXPECT_GE(flat, least) << path << " " << foot;
+}
+
+TEST(BuiltinMotion, FeetStandWhereTheyStand) {
+  for (const char* side : {"Left", "Right"}) {
+    const std::string foot = side + std::string("Foot"), toe = side + std::string("ToeBase");
+    expect_planted("builtin:person/walk", foot, toe, 6);
+    expect_planted("builtin:run", foot, toe, 1);
+    expect_planted("builtin:person/idle", foot, toe, 120);
+    expect_planted("builtin:wave", foot, toe, 75);
+    expect_planted("builtin:sit", foot, toe, 135);
+    expect_planted("builtin:jump", foot, toe, 20);
+  }
+  for (const char* side : {".L", ".R"}) {
+    for (const char* foot : {"FrontFoot", "BackToe"}) {
+      expect_planted("builtin:quadruped/walk", foot + std::string(side), foot + std::string(side) + "_end", 8);
+      expect_planted("builtin:trot", foot + std::string(side), foot + std::string(side) + "_end", 2);
+      expect_planted("builtin:quadruped/idle", foot + std::string(side), foot + std::string(side) + "_end", 120);
+    }
+    for (const char* leg : {"1", "2", "3", "4"}) {
+      const std::string foot = "Foot" + std::string(leg) + side;
+      expect_planted("builtin:crawl", foot, foot + "_end", 8);
+    }
+  }
+}
+
+TEST(BuiltinMotion, AWalkSwingsItsArmsAgainstItsLegs) {
+  for (const char* name : {"builtin:person/walk", "builtin:run"}) {
+    const Motion motion = only(name);
+    const size_t hips = joint_of(motion, "Hips"), hand = joint_of(motion, "LeftHand"),
+                 foot = joint_of(motion, "LeftFoot");
+    double together = 0, lowest = 1e9, highest = -1e9;
+    for (const WorldPose& pose : poses_of(motion)) {
+      const Point3 arm = pose.positions[hand] - pose.positions[hips], leg = pose.positions[foot] - pose.positions[hips];
+      together += (arm[2] - 0.1) * (leg[2] + 0.05);
+      lowest = std::min(lowest, pose.positions[hips][1]);
+      highest = std::max(highest, pose.positions[hips][1]);
+    }
+    EXPECT_LT(together, -0.1) << name;
+    EXPECT_GT(highest - lowest, 0.02) << name;
+    EXPECT_GT(motion.clips[0].frames.back().translations[0][2], 1.0) << name;
+  }
+}
+
+TEST(BuiltinMotion, WingsFlapAndFishBend) {
+  const Motion flap = only("builtin:flap"), swim = only("builtin:swim");
+  const size_t wing = joint_of(flap, "Wing4.L_end"), other = joint_of(flap, "Wing4.R_end"),
+               tail = joint_of(swim, "Spine6_end");
+  double low = 1e9, high = -1e9, left = -1e9, right = 1e9;
+  for (const WorldPose& pose : poses_of(flap)) {
+    low = std::min(low, pose.positions[wing][1]);
+    high = std::max(high, pose.positions[wing][1]);
+    EXPECT_NEAR(pose.positions[wing][1], pose.positions[other][1], 1e-9) << "mirror images";
+  }
+  for (const WorldPose& pose : poses_of(swim)) {
+    left = std::max(left, pose.positions[tail][0]);
+    right = std::min(right, pose.positions[tail][0]);
+  }
+  EXPECT_GT(high - low, 0.6);
+  EXPECT_GT(left - right, 0.2);
+}
+
+TEST(BuiltinMotion, NamesAreClipsKindsOrBoth) {
+  EXPECT_TRUE(is_builtin_motion("builtin:walk"));
+  EXPECT_FALSE(is_builtin_motion("walk.bvh"));
+  EXPECT_EQ(builtin_motions("builtin:walk").size(), 2u) << "a person's, a quadruped's";
+  EXPECT_EQ(only("builtin:person").clips.size(), 6u);
+  EXPECT_EQ(only("builtin:quadruped/walk").joints[0].name, "Hips");
+  EXPECT_EQ(only("builtin:wave").clips[0].name, "wave");
+  for (const char* wrong : {"builtin:", "builtin:dance", "builtin:bird/walk", "builtin:/", "builtin:cat/walk"})
+    EXPECT_ERROR(builtin_motions(wrong), wrong, "expected builtin:NAME", "person: walk, run", "spider: crawl");
+}
+
+TEST(BuiltinMotion, OpensAsASkeletonWhereFilesDo) {
+  EXPECT_EQ(open_character("builtin:flap").character.joints.size(), only("builtin:flap").joints.size());
+  EXPECT_EQ(read_map_rig("builtin:crawl").joints.size(), only("builtin:crawl").joints.size());
+}
+
+TEST(Puppet, CurvesPassTheirKeysAndStayBetweenThem) {
+  const auto at = [](double t) { return clips::curve({{0, 1}, {0.25, 3}, {0.5, 3}, {0.75, -1}}, t); };
+  EXPECT_DOUBLE_EQ(at(0), 1);
+  EXPECT_DOUBLE_EQ(at(0.25), 3);
+  EXPECT_DOUBLE_EQ(at(0.75), -1);
+  EXPECT_NEAR(at(1 - 1e-9), 1, 1e-6);
+  for (double t = 0; t < 1; t += 0.01) {
+    EXPECT_LE(at(t), 3 + 1e-12) << t;
+    EXPECT_GE(at(t), -1 - 1e-12) << t;
+  }
+  for (double t = 0.25; t <= 0.5; t += 0.01) EXPECT_DOUBLE_EQ(at(t), 3) << "a level";
+}
+
+}  // namespace
+}  // namespace sinew

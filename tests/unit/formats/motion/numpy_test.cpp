@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: MIT
+// NumPy files: rotations of body models in all their forms, places alone, zips, and what is wrong in one line.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "expect_error.hpp"
+#include "motion/npy.hpp"
+#include "motion/points.hpp"
+#include "numpy_bytes.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_formats/motion.hpp"
+#include "temp_folder.hpp"
+
+namespace sinew {
+namespace {
+
+using test::npy_of;
+using test::zip_of;
+
+constexpr size_t kFrames = 5;
+
+std::string shape_of(std::initializer_list<size_t> sides) {
+  std::string text = "(";
+  for (const size_t side : sides) text += std::to_string(side) + ", ";
+  return text + ")";
+}
+
+// Axis angles of a body that faces along x and bends knees, elbows and spine, [frames x joints x 3].
+std::vector<double> bent_body(size_t joints) {
+  std::vector<double> values(kFrames * joints * 3, 0);
+  for (size_t f = 0; f < kFrames; ++f) {
+    double* const row = &values[f * joints * 3];
+    const double t = static_cast<double>(f);
+    row[1] = 1.2;                // the root turns about y
+    row[3 * 4] = 0.5 + 0.2 * t;  // left knee
+    row[3 * 5] = 1.1 - 0.1 * t;  // right knee
+    row[3 * 1] = -0.4;           // left hip
+    row[3 * 2 + 1] = 0.7;        // the right thigh twists
+    row[3 * 6] = 0.1 * t;        // chest
+    row[3 * 16 + 2] = -0.6;      // arms down
+    row[3 * 17 + 2] = 0.7;
+    row[3 * 18 + 1] = -0.3 - 0.3 * t;  // left elbow
+    row[3 * 15] = 0.2;                 // head
+  }
+  return values;
+}
+std::vector<double> path() {
+  std::vector<double> values;
+  for (size_t f = 0; f < kFrames; ++f) values.insert(values.end(), {0.1 * static_cast<double>(f), 0.95, 0.3});
+  return values;
+}
+
+Motion read(const std::string& name, const std::string& bytes, const std::string& layout = "") {
+  const TempFolder folder;
+  return read_motion(folder.write(name, bytes), 0, layout);
+}
+Motion amass() {
+  return read("walk.npz", zip_of({{"poses.npy", npy_of(shape_of({kFrames, 72}), bent_body(24))},
+                                  {"trans.npy", npy_of(shape_of({kFrames, 3}), path())},
+                                  {"gender.npy", npy_of("<U6", "()", std::string(24, 'm'))},
+                                  {"mocap_framerate.npy", npy_of("()", std::vector<double>{120})}}));
+}
+
+size_t joint_of(const Motion& motion, const std::string& name) {
+  for (size_t j = 0; j < motion.joints.size(); ++j)
+    if (motion.joints[j].name == name) return j;
+  ADD_FAILURE() << name;
+  return 0;
+}
+bool has_note(const Motion& motion, const std::string& part) {
+  for (const std::string& note : motion.notes)
+    if (note.find(part) != std::string::npos) return true;
+  return false;
+}
+
+TEST(Numpy, ReadsRotationsOfABodyModel) {
+  const Motion motion = amass();
+  EXPECT_EQ(motion.name, "walk");
+  ASSERT_EQ(motion.joints.size(), 24u);
+  EXPECT_EQ(motion.joints[0].name, "hips");
+  EXPECT_EQ(motion.joints[joint_of(motion, "leftLowerLeg")].parent, static_cast<int>(joint_of(motion, "leftUpperLeg")));
+  EXPECT_EQ(motion.joints[joint_of(motion, "rightShoulder")].parent, static_cast<int>(joint_of(motion, "upperChest")));
+  ASSERT_EQ(motion.clips.size(), 1u);
+  ASSERT_EQ(motion.clips[0].frames.size(), kFrames);
+  EXPECT_DOUBLE_EQ(motion.clips[0].frame_time, 1.0 / 120);
+  const MotionFrame& last = motion.clips[0].frames[4];
+  EXPECT_NEAR(std::abs(dot(last.rotations[joint_of(motion, "leftLowerLeg")], axis_rotation(0, 1.3))), 1, 1e-12);
+  EXPECT_NEAR(std::abs(dot(last.rotations[0], axis_rotation(1, 1.2))), 1, 1e-12);
+  EXPECT_NEAR(last.translations[0][0], 0.4, 1e-12);
+  const std::vector<Joint> rest = rest_joints(motion);
+  EXPECT_GT(rest[joint_of(motion, "leftHand")].position.x, 0.5f) << "left at +x";
+  EXPECT_GT(rest[joint_of(motion, "head")].position.y, 1.4f);
+  EXPECT_TRUE(has_note(motion, "SMPL")) << "told what it was taken for";
+}
+
+TEST(Numpy, SixAndNineNumbersSayTheSameAsAxisAngles) {
+  const Motion plain = amass();
+  std::vector<double> six, nine, root, body;
+  for (const MotionFrame& frame : plain.clips[0].frames)
+    for (size_t j = 0; j < 24; ++j) {
+      const Rotation r = rotation_of(frame.rotations[j]);
+      six.insert(six.end(), {r[0], r[3], r[6], r[1], r[4], r[7]});
+      nine.insert(nine.end(), r.begin(), r.end());
+      (j == 0 ? root : body).insert((j == 0 ? root : body).end(), {r[0], r[3], r[6], r[1], r[4], r[7]});
+    }
+  const std::vector<std::string> files = {zip_of({{"poses.npy", npy_of(shape_of({kFrames, 24, 6}), six)}}),
+                                          zip_of({{"poses.npy", npy_of(shape_of({kFrames, 24, 3, 3}), nine)}}),
+                                          zip_of({{"global_orient.npy", npy_of(shape_of({kFrames, 6}), root)},
+                                                  {"body_pose.npy", npy_of(shape_of({kFrames, 23, 6}), body)}},
+                                                 true)};
+  for (const std::string& bytes : files) {
+    const Motion motion = read("a.npz", bytes);
+    EXPECT_TRUE(has_note(motion, "30 frames a second were guessed"));
+    for (size_t f = 0; f < kFrames; ++f)
+      for (size_t j = 0; j < 24; ++j)
+        EXPECT_NEAR(std::abs(dot(motion.clips[0].frames[f].rotations[j], plain.clips[0].frames[f].rotations[j])), 1,
+                    1e-12);
+  }
+}
+
+TEST(Numpy, KnowsModelsByTheirCounts) {
+  for (const auto& [joints, finger] : {std::pair<size_t, size_t>{52, 22}, {55, 25}, {22, 0}}) {
+    const Motion motion =
+        read("a.npz", zip_of({{"poses.npy", npy_of(shape_of({kFrames, joints * 3}), bent_body(joints))}}));
+    ASSERT_EQ(motion.joints.size(), joints);
+    if (finger == 0) continue;
+    EXPECT_EQ(motion.joints[finger].name, "leftIndexProximal");
+    EXPECT_EQ(motion.joints[finger + 12].name, "leftThumbMetacarpal");
+    EXPECT_EQ(motion.joints[finger + 15].name, "rightIndexProximal");
+    EXPECT_EQ(motion.joints.back().name, "rightThumbDistal");
+  }
+}
+
+TEST(Numpy, AWorldWithZUpIsTurned) {
+  std::vector<double> poses = bent_body(24), places = path();
+  for (size_t f = 0; f < kFrames; ++f) {  // about x by a quarter after the turn about y
+    const Quaternion q = multiply(axis_rotation(0, std::acos(0.0)), axis_rotation(1, 1.2));
+    const double angle = 2 * std::acos(q[3]), s = std::sin(angle / 2);
+    for (size_t i = 0; i < 3; ++i) poses[f * 72 + i] = q[i] / s * angle;
+    places[3 * f + 1] = -0.3;
+    places[3 * f + 2] = 0.95;
+  }
+  const Motion motion = read("a.npz", zip_of({{"poses.npy", npy_of(shape_of({kFrames, 72}), poses)},
+                                              {"trans.npy", npy_of(shape_of({kFrames, 3}), places)}}));
+  const MotionFrame &a = motion.clips[0].frames[2], b = amass().clips[0].frames[2];
+  EXPECT_NEAR(std::abs(dot(a.rotations[0], b.rotations[0])), 1, 1e-12);
+  for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(a.translations[0][i], b.translations[0][i], 1e-12);
+  EXPECT_TRUE(has_note(motion, "stands along z"));
+}
+
+// Places of a motion's joints, in the order that a layout has them.
+std::vector<float> places_of(const Motion& motion, const std::function<Point3(const Point3&)>& change = {}) {
+  std::vector<float> values;
+  for (const MotionFrame& frame : motion.clips[0].frames)
+    for (const Point3& p : world_pose(motion, frame).positions)
+      for (const double x : change ? change(p) : p) values.push_back(static_cast<float>(x));
+  return values;
+}
+void expect_same_places(const Motion& found, const Motion& from, double tolerance) {
+  for (size_t f = 0; f < kFrames; ++f) {
+    const WorldPose a = world_pose(found, found.clips[0].frames[f]), b = world_pose(from, from.clips[0].frames[f]);
+    for (size_t j = 0; j < found.joints.size(); ++j) {
+      const size_t other = joint_of(from, found.joints[j].name);
+      EXPECT_LT(length(a.positions[j] - b.positions[other]), tolerance) << f << " " << found.joints[j].name;
+    }
+  }
+}
+
+TEST(Numpy, PlacesAloneBecomeAMotion) {
+  const Motion from = amass();
+  const Motion found = read("p.npy", npy_of(shape_of({kFrames, 24, 3}), places_of(from)));
+  ASSERT_EQ(found.joints.size(), 24u);
+  EXPECT_TRUE(has_note(found, "the layout smpl24 was guessed"));
+  expect_same_places(found, from, 1e-5);
+  // Bent limbs turn about their hinges: as they did.
+  const size_t knee = joint_of(from, "rightUpperLeg"), elbow = joint_of(from, "leftLowerArm");
+  const WorldPose a = world_pose(found, found.clips[0].frames[4]), b = world_pose(from, from.clips[0].frames[4]);
+  EXPECT_GT(std::abs(dot(a.rotations[knee], b.rotations[knee])), std::cos(0.05));
+  EXPECT_GT(std::abs(dot(a.rotations[elbow], b.rotations[elbow])), std::cos(0.05));
+}
+
+TEST(Numpy, PlacesMayStandAlongAnyAxisAndBeMirrored) {
+  const Motion from = amass();
+  const Motion z_up = read("z.npy",
+                           npy_of(shape_of({kFrames, 24, 3}), places_of(from,
+                                                                        [](const Point3& p) {
+                                                                          return Point3{p[0], -p[2], p[1]};
+                                                                        })),
+                           "smpl24");
+  expect_same_places(z_up, from, 1e-5);
+  EXPECT_TRUE(has_note(z_up, "stands along z"));
+  EXPECT_FALSE(has_note(z_up, "guessed; --layout")) << "it was said";
+  const Motion down = read("d.npy", npy_of(shape_of({kFrames, 24, 3}), places_of(from, [](const Point3& p) {
+                                             return Point3{p[0], -p[1], -p[2]};
+                                           })));
+  expect_same_places(down, from, 1e-5);
+  const Motion mirrored = read("m.npy", npy_of(shape_of({kFrames, 24, 3}), places_of(from, [](const Point3& p) {
+                                                 return Point3{p[0], p[1], -p[2]};
+                                               })));
+  expect_same_places(mirrored, from, 1e-5);
+  EXPECT_TRUE(has_note(mirrored, "left-handed"));
+}
+
+TEST(Numpy, LayoutsOfCamerasHaveMiddles) {
+  const Motion from = amass();
+  std::vector<float> coco;
+  for (const MotionFrame& frame : from.clips[0].frames) {
+    const WorldPose pose = world_pose(from, frame);
+    const size_t head = joint_of(from, "head");
+    const auto at_head = [&](double x, double y, double z) {
+      return pose.positions[head] + rotate(pose.rotations[head], {x, y, z});
+    };
+    std::vector<Point3> row = {at_head(0, 0.05, 0.1), at_head(0.03, 0.08, 0.08), at_head(-0.03, 0.08, 0.08),
+                               at_head(0.08, 0.05, 0), at_head(-0.08, 0.05, 0)};
+    for (const char* joint : {"UpperArm", "LowerArm", "Hand", "UpperLeg", "LowerLeg", "Foot"})
+      for (const char* side : {"left", "right"})
+        row.push_back(pose.positions[joint_of(from, side + std::string(joint))]);
+    for (const Point3& p : row)
+      for (const double x : p) coco.push_back(static_cast<float>(x - 0.1));
+  }
+  const Motion found = read("c.npz", zip_of({{"keypoints.npy", npy_of(shape_of({kFrames, 17, 3}), coco)}}));
+  EXPECT_EQ(found.joints[0].name, "hips");
+  for (size_t f = 0; f < kFrames; ++f) {
+    const WorldPose a = world_pose(found, found.clips[0].frames[f]), b = world_pose(from, from.clips[0].frames[f]);
+    const size_t head = joint_of(found, "head");
+    EXPECT_GT(std::abs(dot(a.rotations[head], b.rotations[joint_of(from, "head")])), std::cos(0.2));
+    for (const char* joint : {"leftHand", "rightFoot", "leftLowerLeg", "rightLowerArm"})
+      EXPECT_LT(
+          length(a.positions[joint_of(found, joint)] + Point3{0.1, 0.1, 0.1} - b.positions[joint_of(from, joint)]),
+          0.03)
+          << joint;
+  }
+}
+
+TEST(Numpy, PlacesRelativeToTheHipsStandOnTheFloor) {
+  Motion from = amass();
+  for (MotionFrame& frame : from.clips[0].frames) frame.translations[0] = {};
+  const Motion found = read("r.npy", npy_of(shape_of({kFrames, 24, 3}), places_of(from)));
+  EXPECT_TRUE(has_note(found, "on the floor"));
+  for (const MotionFrame& frame : found.clips[0].frames) {
+    double low = 1e9;
+    for (const Point3& p : world_pose(found, frame).positions) low = std::min(low, p[1]);
+    EXPECT_NEAR(low, 0, 1e-5);
+  }
+}
+
+TEST(Numpy, IsASkeletonToo) {
+  const TempFolder folder;
+  Character character;
+  read_skeleton(folder.write("p.npy", npy_of(shape_of({kFrames, 24, 3}), places_of(amass()))), false, &character);
+  EXPECT_EQ(character.joints.size(), 24u);
+  EXPECT_ERROR(read_skeleton(folder.file("p.npy"), true, &character), "p.npy", "expected skin weights, found a NumPy");
+}
+
+TEST(Numpy, WhatIsWrongIsOneLine) {
+  const auto fails = [](const std::string& name, const std::string& bytes, const std::string& part,
+                        const std::string& layout = "") { EXPECT_ERROR(read(name, bytes, layout), name, part); };
+  fails("a.npy", "", "expected a NumPy array");
+  fails("a.npy", npy_of("|O", "(2, 24, 3)", "....."), "pickled objects");
+  fails("a.npy", npy_of(shape_of({2, 24, 3}), std::vector<float>(10)),
+        "truncated array, expected 144 numbers, found 10");
+  fails("a.npy", npy_of(shape_of({2, 24, 3}), std::vector<float>(144, NAN)),
+        "expected finite numbers, found another at 0");
+  fails("a.npy", npy_of("<f4", "(99999999999, 99999999999, 3)", ""), "expected at most");
+  fails("a.npy", npy_of("<f4", "2, 3", ""), "expected a 'shape' such as (3, 4)");
+  fails("a.npy", npy_of("<f4", "(2, -3)", ""), "expected a 'shape' such as (3, 4)");
+  fails("a.npy", npy_of(shape_of({2, 23, 3}), std::vector<float>(138)),
+        "expected places of 24 (smpl24), 22 (humanml3d22), 17 (coco17), 33 (mediapipe33) joints, found 23");
+  fails("a.npy", npy_of(shape_of({2, 24, 3}), std::vector<float>(144)),
+        "expected a layout (smpl24, humanml3d22, coco17, mediapipe33), found 'h36m'", "h36m");
+  fails("a.npy", npy_of(shape_of({2, 24, 3}), std::vector<float>(144)), "expected 17 joints of coco17, found 24",
+        "coco17");
+  fails("a.npy", npy_of(shape_of({0, 24, 3}), std::vector<float>()), "frames, found 0");
+  fails("a.npy", npy_of(shape_of({7}), std::vector<float>(7)), "or places [frames, joints, 3], found [7]");
+  fails("a.npz", "PK", "expected a zip (.npz)");
+  fails("a.npz", zip_of({}), "found no numbers");
+  std::string shrunk = zip_of({{"a.npy", npy_of("(1)", std::vector<float>{1})}});
+  shrunk[shrunk.rfind("PK\1\2") + 10] = 5;
+  fails("a.npz", shrunk, "expected files that are stored or deflated, found method 5");
+  fails("a.npz", zip_of({{"poses.npy", npy_of(shape_of({2, 71}), std::vector<float>(142))}}),
+        "expected rotations of 22");
+  fails("a.npz", zip_of({{"global_orient.npy", npy_of(shape_of({2, 3}), std::vector<float>(6))}}),
+        "expected 'body_pose'");
+  fails("a.npz",
+        zip_of({{"poses.npy", npy_of(shape_of({2, 72}), std::vector<float>(144))},
+                {"trans.npy", npy_of(shape_of({3, 3}), std::vector<float>(9))}}),
+        "'trans' of 3 numbers a frame");
+  fails("a.npz",
+        zip_of({{"poses.npy", npy_of(shape_of({2, 72}), std::vector<float>(144))},
+                {"fps.npy", npy_of("()", std::vector<float>{0})}}),
+        "a rate of frames a second, found 0");
+}
+
+TEST(Numpy, EveryTruncationAndChangedByteIsRefusedOrRead) {
+  const TempFolder folder;
+  for (const bool deflated : {false, true}) {
+    const std::string whole = zip_of({{"poses.npy", npy_of(shape_of({1, 72}), std::vector<float>(72))}}, deflated);
+    for (size_t i = 0; i < 2 * whole.size(); i += 5) {
+      std::string bytes = i < whole.size() ? whole.substr(0, i) : whole;
+      if (i >= whole.size()) bytes[i - whole.size()] = static_cast<char>(bytes[i - whole.size()] ^ 0x5a);
+      try {
+        EXPECT_EQ(read_motion(folder.write("a.npz", bytes)).clips.size(), 1u);
+      } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sinew
