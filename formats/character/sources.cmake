@@ -50,8 +50,13 @@ set(sinew_character_sources
   rig/joints_beside_mesh
   rig/label_skeleton
   rig/rig_gate
+  rig/seam_homes
+  rig/seam_leak
+  rig/seam_surface
+  rig/seams
   rig/simplify_skeleton
   rig/skeleton_fit
+  rig/skeleton_paths
   style/style
   style/style_file)
 # Jobs as the command does them, the bundled models, and the C API over both; a page has models of its own.
