@@ -43,6 +43,7 @@ set(sinew_character_sources
   predict/skeleton_arrays
   predict/skeleton_template
   predict/turn
+  rig/cut_seams
   rig/infer_parents
   rig/joint_mirror
   rig/joint_surfaces

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bind_questions.hpp"
+#include "sinew_character/seams.hpp"
 #include "sinew_formats/character.hpp"
 #include "weights_replaced.hpp"
 
@@ -46,6 +47,7 @@ struct BindSummary {
   size_t answers_by_style = 0;                                // of those, from a style file
   std::string style;                                          // file that they were written to; empty: none
   std::vector<std::pair<std::string, std::string>> left_out;  // joints that may get no weight, and why
+  nlohmann::ordered_json seams = nlohmann::ordered_json::array();  // seams_json()
   std::vector<std::string> notes;                             // what the user should know about this file, a line each
 };
 
@@ -56,6 +58,9 @@ Doubts find_doubts(const Character& character, const std::vector<uint8_t>& confi
 std::string doubts_text(const Doubts& doubts);
 // Counts of the character and of its weights.
 void count_weights(const Character& character, BindSummary* summary);
+
+// [{"joints": [NAME, NAME], "position": [x, y, z], "length": l}], longest first.
+nlohmann::ordered_json seams_json(const std::vector<Joint>& joints, const Seams& seams);
 
 std::vector<std::string> summary_lines(const BindSummary& summary);
 nlohmann::ordered_json summary_json(const BindSummary& summary);

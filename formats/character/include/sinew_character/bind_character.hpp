@@ -72,6 +72,7 @@ struct CharacterBind {
   size_t kept_meshes = 0, folded_tips = 0;
   Seams seams;                    // with CharacterBindOptions::keep_apart
   size_t separated_vertices = 0;  // rows that lost weight across them
+  size_t doubled_vertices = 0;    // where they were opened
   uint32_t symmetric_vertices = 0;
   size_t workspace_bytes = 0, used_bytes = 0;  // of the largest of its binds
   double seconds = 0;                          // in sinew_bind()

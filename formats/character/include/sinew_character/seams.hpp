@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "sinew_formats/character.hpp"
@@ -23,6 +24,7 @@ constexpr uint32_t kNoHome = UINT32_MAX;
 
 struct Seams {
   std::vector<Seam> seams;      // longest first
+  std::vector<std::array<uint32_t, 2>> edges;  // across them, of vertices that are the first at their positions
   std::vector<uint32_t> homes;  // [V] joint of the part that a vertex near a seam belongs to, kNoHome elsewhere; empty without seams
 };
 
@@ -40,6 +42,15 @@ Seams find_seams(const Character& character, const WeightRows& rows);
 //   rows  in/out [V]
 // Returns how many rows changed.
 size_t keep_apart(const Character& character, const Seams& seams, const std::vector<uint8_t>& keep, WeightRows* rows);
+
+// Opens the seams as a slit: vertices there are doubled, and each face belongs to the part that most of its corners do. Nothing moves in
+// the rest pose. The new vertices come last, with the weights of the part that they now belong to; corners keep their UVs, normals and
+// materials, a glTF document its attributes and shapes. Returns how many vertices were doubled. Throws Error for a broken document.
+size_t cut_seams(const Seams& seams, Character* character);
+
+// "grown together: LeftHand and Hips, LeftThigh and RightThigh; no weight crosses, --cut opens them"
+//   doubled  vertices of cut_seams(), 0: they are not open
+std::string seams_text(const std::vector<Joint>& joints, const Seams& seams, size_t doubled);
 
 // How much weight lies on the wrong side of seams, where the true weights are known.
 struct SeamLeak {

@@ -131,6 +131,7 @@ class SeamFinder {
       found_.seams.push_back(describe(line));
     }
     crossing_ = std::move(kept);
+    for (const uint32_t e : crossing_) found_.edges.push_back({surface_.edges[e].from, surface_.edges[e].to});
     std::stable_sort(found_.seams.begin(), found_.seams.end(),
                      [](const Seam& a, const Seam& b) { return a.length > b.length; });
   }
@@ -167,9 +168,24 @@ class SeamFinder {
   Seams found_;
 };
 
-// Whether joints a row may cross to are worth a look: most bodies have none.
+// Whether so many edges of faces lie between parts that are apart that there may be a seam: most bodies have none, and welding
+// large meshes takes longer than this look at them.
 bool may_have_seams(const Character& character, const WeightRows& rows) {
-  return !character.vertices.empty() && character.joints.size() > 2 && rows.size() == character.vertices.size();
+  if (character.vertices.empty() || rows.size() != character.vertices.size()) return false;
+  const SkeletonPaths paths(character.joints, static_cast<double>(box_of(character.vertices).longest_side()));
+  std::vector<uint32_t> homes;
+  for (const auto& row : rows) homes.push_back(home_joint(row));
+  const auto place = [&](uint32_t v) { return paths.nearest(homes[v], point(character.vertices[v])); };
+  size_t count = 0;
+  for (size_t f = 0; f < character.face_count() && count < kFewestEdges; ++f) {
+    const uint32_t first = character.face_offsets[f], end = character.face_offsets[f + 1];
+    for (uint32_t c = first; c < end; ++c) {
+      const uint32_t a = character.face_vertices[c], b = character.face_vertices[c + 1 < end ? c + 1 : first];
+      if (homes[a] == homes[b] || homes[a] == kNoHome || homes[b] == kNoHome) continue;
+      count += paths.are_apart(place(a), place(b)) ? 1 : 0;
+    }
+  }
+  return count >= kFewestEdges;
 }
 
 }  // namespace
@@ -177,6 +193,20 @@ bool may_have_seams(const Character& character, const WeightRows& rows) {
 Seams find_seams(const Character& character, const WeightRows& rows) {
   if (!may_have_seams(character, rows)) return {};
   return SeamFinder(character, rows).run();
+}
+
+std::string seams_text(const std::vector<Joint>& joints, const Seams& seams, size_t doubled) {
+  std::string text;
+  std::vector<std::string> pairs;
+  for (const Seam& seam : seams.seams) {
+    std::string pair = joints[seam.joints[0]].name + " and " + joints[seam.joints[1]].name;
+    if (std::find(pairs.begin(), pairs.end(), pair) != pairs.end()) continue;
+    text += (pairs.empty() ? "" : ", ") + pair;
+    pairs.push_back(std::move(pair));
+  }
+  return "grown together: " + text + "; no weight crosses there, " +
+         (doubled > 0 ? "and it was opened: " + std::to_string(doubled) + " vertices were doubled"
+                      : std::string("--cut opens it"));
 }
 
 size_t keep_apart(const Character& character, const Seams& seams, const std::vector<uint8_t>& keep, WeightRows* rows) {
