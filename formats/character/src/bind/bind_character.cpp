@@ -219,7 +219,7 @@ class CharacterBinder {
     for (size_t v = 0; v < keep.size(); ++v) {
       const bool given = (!options_.bind.locked.empty() && options_.bind.locked[v] != 0) ||
                          (!options_.bind.hints.empty() && options_.bind.hints[v] != 0);
-      keep[v] = given || kept_[mesh_of(v)] ? 1 : 0;
+      keep[v] = given || (!kept_.empty() && kept_[mesh_of(v)]) ? 1 : 0;
     }
     out_.separated_vertices = keep_apart(whole_, out_.seams, keep, &out_.influences);
   }

@@ -21,11 +21,17 @@ class SeamCutter {
 
   size_t run() {
     const size_t before = character_.vertices.size();
+    stays_.assign(before, 0);
+    for (size_t f = 0; f < character_.face_count(); ++f) {
+      const std::vector<uint32_t> corners = corners_of(f);
+      const Run own = longest_run(corners);
+      for (size_t k = 0; k < own.count; ++k)
+        stays_[character_.face_vertices[character_.face_offsets[f] + (own.begin + k) % corners.size()]] = 1;
+    }
     for (size_t f = 0; f < character_.face_count(); ++f) cut_face(f);
     const size_t doubled = character_.vertices.size() - before;
-    if (doubled == 0) return 0;
     if (!character_.influences.empty()) weigh(before);
-    if (character_.gltf)
+    if (character_.gltf && doubled > 0)
       character_.gltf = cut_document(character_.name, *character_.gltf, character_.face_vertices,
                                      character_.vertices.size());
     return doubled;
@@ -56,10 +62,16 @@ class SeamCutter {
     return longest;
   }
 
+  std::vector<uint32_t> corners_of(size_t face) const {  // welded
+    std::vector<uint32_t> corners;
+    for (uint32_t c = character_.face_offsets[face]; c < character_.face_offsets[face + 1]; ++c)
+      corners.push_back(welded_[character_.face_vertices[c]]);
+    return corners;
+  }
+
   void cut_face(size_t face) {
-    const uint32_t first = character_.face_offsets[face], end = character_.face_offsets[face + 1];
-    std::vector<uint32_t> corners;  // welded
-    for (uint32_t c = first; c < end; ++c) corners.push_back(welded_[character_.face_vertices[c]]);
+    const uint32_t first = character_.face_offsets[face];
+    const std::vector<uint32_t> corners = corners_of(face);
     const Run own = longest_run(corners);
     for (size_t i = own.count; i < corners.size(); ++i) {
       const size_t across = (own.begin + i) % corners.size();
@@ -71,7 +83,9 @@ class SeamCutter {
     }
   }
 
+  // A vertex that only this part uses, of a mesh that was cut before, stays one.
   uint32_t doubled(uint32_t vertex) {
+    if (stays_[vertex] == 0) return doubles_[vertex] = vertex;
     const auto [at, is_new] = doubles_.try_emplace(vertex, static_cast<uint32_t>(character_.vertices.size()));
     if (!is_new) return at->second;
     const auto repeat = [vertex](auto* values) {
@@ -107,6 +121,7 @@ class SeamCutter {
   Character& character_;
   const std::vector<uint32_t> welded_;
   std::vector<std::array<uint32_t, 2>> crossing_;
+  std::vector<char> stays_;                            // [V] a corner of a face of its own part
   std::map<uint32_t, uint32_t> doubles_;               // vertex -> its copy
   std::map<uint32_t, std::vector<uint32_t>> beside_;   // welded vertex -> vertices of the part that its copies belong to
 };

@@ -68,23 +68,27 @@ class SeamFinder {
     return near;
   }
 
-  // Groups of crossing edges that share a vertex.
+  // Groups of crossing edges whose ends are the same or neighbours.
   std::vector<std::vector<uint32_t>> lines() const {
     std::vector<std::vector<uint32_t>> lines;
     std::vector<char> crosses(surface_.edges.size(), 0);
     for (const uint32_t e : crossing_) crosses[e] = 1;
+    const auto take = [&](uint32_t v, std::vector<uint32_t>* line) {
+      for (uint32_t k = surface_.offsets[v]; k < surface_.offsets[v + 1]; ++k) {
+        const uint32_t e = surface_.around[k];
+        if (crosses[e] == 0) continue;
+        crosses[e] = 0;
+        line->push_back(e);
+      }
+    };
     for (const uint32_t first : crossing_) {
       if (crosses[first] == 0) continue;
       crosses[first] = 0;
       std::vector<uint32_t> line = {first};
       for (size_t i = 0; i < line.size(); ++i)
         for (const uint32_t v : {surface_.edges[line[i]].from, surface_.edges[line[i]].to})
-          for (uint32_t k = surface_.offsets[v]; k < surface_.offsets[v + 1]; ++k) {
-            const uint32_t e = surface_.around[k];
-            if (crosses[e] == 0) continue;
-            crosses[e] = 0;
-            line.push_back(e);
-          }
+          for (uint32_t k = surface_.offsets[v]; k < surface_.offsets[v + 1]; ++k)
+            take(surface_.other_end(surface_.around[k], v), &line);
       lines.push_back(std::move(line));
     }
     return lines;
