@@ -3,7 +3,10 @@
 #include "gltf/cut_vertices.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "gltf/mesh_nodes.hpp"
@@ -16,8 +19,14 @@ namespace {
 
 class DocumentCutter {
  public:
-  DocumentCutter(const std::string& name, const GltfSource& source, const std::vector<uint32_t>& face_vertices)
-      : name_(name), read_(source), face_vertices_(face_vertices), cut_(source), mesh_nodes_(&cut_.document) {}
+  DocumentCutter(const std::string& name, const GltfSource& source, const std::vector<uint32_t>& face_vertices,
+                 const std::vector<Vec3>& vertices)
+      : name_(name),
+        read_(source),
+        face_vertices_(face_vertices),
+        vertices_(vertices),
+        cut_(source),
+        mesh_nodes_(&cut_.document) {}
 
   // The document's JSON and bytes are cut, its model is as read.
   GltfSource run() {
@@ -57,6 +66,7 @@ class DocumentCutter {
     Json& json = cut_.document["meshes"][mesh]["primitives"][static_cast<size_t>(part.primitive)];
     for (const auto& [key, accessor] : primitive.attributes)
       json["attributes"][key] = extended(where + ", " + key, accessor, sources);
+    place(part, before, sources, json["attributes"]["POSITION"].get<size_t>());
     for (size_t t = 0; t < primitive.targets.size(); ++t)
       for (const auto& [key, accessor] : primitive.targets[t])
         json["targets"][t][key] = extended(where + ", shape " + std::to_string(t), accessor, sources);
@@ -99,6 +109,29 @@ class DocumentCutter {
     return number;
   }
 
+  // Moves doubled vertices by what the Character's are away from those that they are of.
+  void place(const GltfPart& part, size_t before, const std::vector<uint32_t>& sources, size_t accessor) {
+    const Json& json = cut_.document["accessors"][accessor];
+    const tinygltf::Node& node = read_.model.nodes[static_cast<size_t>(part.node)];
+    const std::optional<Affine> back =
+        inverse(node.skin >= 0 ? read_.bind_pose.skin_frames[static_cast<size_t>(node.skin)]
+                               : read_.bind_pose.worlds[static_cast<size_t>(part.node)]);
+    if (!back || json["componentType"] != TINYGLTF_COMPONENT_TYPE_FLOAT || !read_.bind_pose.agrees) return;
+    const Json& view = cut_.document["bufferViews"][json["bufferView"].get<size_t>()];
+    uint8_t* const bytes = cut_.bytes.data() + view["byteOffset"].get<size_t>();
+    const auto local = [&](uint32_t vertex) {
+      const Vec3& p = vertices_[vertex];
+      return transform_point(*back, static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z));
+    };
+    for (size_t d = 0; d < sources.size(); ++d) {
+      const auto now = local(part.vertex_of[before + d]), then = local(part.vertex_of[sources[d]]);
+      std::array<float, 3> position;
+      std::memcpy(position.data(), bytes + (before + d) * sizeof position, sizeof position);
+      for (size_t c = 0; c < 3; ++c) position[c] += static_cast<float>(now[c] - then[c]);
+      std::memcpy(bytes + (before + d) * sizeof position, position.data(), sizeof position);
+    }
+  }
+
   size_t step_of(const tinygltf::Accessor& accessor) const {
     return static_cast<size_t>(accessor.ByteStride(read_.model.bufferViews[static_cast<size_t>(accessor.bufferView)]));
   }
@@ -112,6 +145,7 @@ class DocumentCutter {
   const std::string& name_;
   const GltfSource& read_;
   const std::vector<uint32_t>& face_vertices_;
+  const std::vector<Vec3>& vertices_;
   GltfSource cut_;
   MeshNodes mesh_nodes_;
   size_t next_corner_ = 0;
@@ -122,9 +156,10 @@ class DocumentCutter {
 }  // namespace
 
 std::shared_ptr<const GltfSource> cut_document(const std::string& name, const GltfSource& source,
-                                               const std::vector<uint32_t>& face_vertices, size_t vertex_count) {
-  std::shared_ptr<GltfSource> cut = read_again(name, DocumentCutter(name, source, face_vertices).run());
-  cut->vertex_count = vertex_count;
+                                               const std::vector<uint32_t>& face_vertices,
+                                               const std::vector<Vec3>& vertices) {
+  std::shared_ptr<GltfSource> cut = read_again(name, DocumentCutter(name, source, face_vertices, vertices).run());
+  cut->vertex_count = vertices.size();
   return cut;
 }
 

@@ -14,9 +14,10 @@ namespace sinew {
 // A copy of a character's document in which corners name the vertices that they name now. All attributes and morph targets of a doubled
 // vertex are those that it had; triangles become a list.
 //   face_vertices  [corners] of the Character, as the reader ordered them
-//   vertex_count   of the Character, with the doubled ones
+//   vertices       [V] of the Character, with the doubled ones: those have floats for positions moved to where they are now
 std::shared_ptr<const GltfSource> cut_document(const std::string& name, const GltfSource& source,
-                                               const std::vector<uint32_t>& face_vertices, size_t vertex_count);
+                                               const std::vector<uint32_t>& face_vertices,
+                                               const std::vector<Vec3>& vertices);
 
 }  // namespace sinew
 #endif

@@ -43,8 +43,8 @@ Seams find_seams(const Character& character, const WeightRows& rows);
 // Returns how many rows changed.
 size_t keep_apart(const Character& character, const Seams& seams, const std::vector<uint8_t>& keep, WeightRows* rows);
 
-// Opens the seams as a slit: vertices there are doubled, and each face belongs to the part that most of its corners do. Nothing moves in
-// the rest pose. The new vertices come last, with the weights of the part that they now belong to; corners keep their UVs, normals and
+// Opens the seams as a slit: vertices there are doubled, and each face belongs to the part that most of its corners do. Only the new
+// vertices move, by four millionths of the size towards their part, so that the engine does not weld them. They come last, with the weights of the part that they now belong to; corners keep their UVs, normals and
 // materials, a glTF document its attributes and shapes. Returns how many vertices were doubled. Throws Error for a broken document.
 size_t cut_seams(const Seams& seams, Character* character);
 

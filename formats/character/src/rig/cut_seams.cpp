@@ -5,12 +5,16 @@
 #include <utility>
 
 #include "gltf/cut_vertices.hpp"
+#include "motion/points.hpp"
 #include "sinew_character/bind.hpp"
 #include "sinew_character/mesh_neighbours.hpp"
 #include "sinew_character/seams.hpp"
+#include "sinew_formats/box.hpp"
 
 namespace sinew {
 namespace {
+
+constexpr double kParted = 4e-6;  // of the longest side: four units of the engine's grid
 
 class SeamCutter {
  public:
@@ -31,9 +35,10 @@ class SeamCutter {
     for (size_t f = 0; f < character_.face_count(); ++f) cut_face(f);
     const size_t doubled = character_.vertices.size() - before;
     if (!character_.influences.empty()) weigh(before);
+    part_copies(before);
     if (character_.gltf && doubled > 0)
       character_.gltf = cut_document(character_.name, *character_.gltf, character_.face_vertices,
-                                     character_.vertices.size());
+                                     character_.vertices);
     return doubled;
   }
 
@@ -115,6 +120,24 @@ class SeamCutter {
       std::vector<Influence> row;
       for (const auto& [joint, weight] : sums) row.push_back({joint, weight});
       character_.influences[copy] = round_influences(row, static_cast<uint32_t>(most));
+    }
+  }
+
+  // What lies at one place is one vertex for engines, so that the slit would close again: copies go a little towards their part.
+  void part_copies(size_t before) {
+    const double step = kParted * static_cast<double>(box_of(character_.vertices).longest_side());
+    for (const auto& [vertex, copy] : doubles_) {
+      Point3 sum = {};
+      double count = 0;
+      for (const uint32_t v : beside_[welded_[vertex]]) {
+        if (v >= before) continue;
+        sum = sum + point(character_.vertices[v]);
+        ++count;
+      }
+      if (copy < before || count == 0) continue;
+      const Point3 from = point(character_.vertices[copy]);
+      const Point3 to = from + step * unit((1 / count) * sum - from);
+      character_.vertices[copy] = {static_cast<float>(to[0]), static_cast<float>(to[1]), static_cast<float>(to[2])};
     }
   }
 
