@@ -42,13 +42,13 @@ struct BindSummary {
   bool compare = false;  // joints that changed most were asked for
   std::string hash;      // bind_hash()
   Doubts doubts;
-  std::vector<AskedPart> questions;                           // those that were asked for
-  size_t answers = 0;                                         // that the bind took
-  size_t answers_by_style = 0;                                // of those, from a style file
-  std::string style;                                          // file that they were written to; empty: none
-  std::vector<std::pair<std::string, std::string>> left_out;  // joints that may get no weight, and why
+  std::vector<AskedPart> questions;                                // those that were asked for
+  size_t answers = 0;                                              // that the bind took
+  size_t answers_by_style = 0;                                     // of those, from a style file
+  std::string style;                                               // file that they were written to; empty: none
+  std::vector<std::pair<std::string, std::string>> left_out;       // joints that may get no weight, and why
   nlohmann::ordered_json seams = nlohmann::ordered_json::array();  // seams_json()
-  std::vector<std::string> notes;                             // what the user should know about this file, a line each
+  std::vector<std::string> notes;  // what the user should know about this file, a line each
 };
 
 //   confidence  [V] 0..255; weights are character.influences

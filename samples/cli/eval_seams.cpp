@@ -14,8 +14,8 @@ namespace sinew::cli {
 namespace {
 
 struct SeamFigures {
-  double characters = 0, seams = 0;  // seams that were found
-  double with_seams = 0;             // characters that truly have some
+  double characters = 0, seams = 0;                       // seams that were found
+  double with_seams = 0;                                  // characters that truly have some
   double surface = 0, wrong_before = 0, wrong_after = 0;  // sums over those
   double l1_before = 0, l1_after = 0;                     // sums over all characters
   void add(const SeamFigures& f, double share) {

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "bind_summary.hpp"
 #include "commands.hpp"
 #include "dataset.hpp"
 #include "folder_files.hpp"
@@ -27,7 +28,6 @@
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "style_options.hpp"
-#include "bind_summary.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
@@ -306,9 +306,10 @@ void add_shape_options(CLI::App* sub, Settings* s) {
   sub->add_flag("--no-toes", s->no_toes, "Feet without toe joints");
   sub->add_flag("--no-ends", s->no_ends, "No NAME_end joints where chains end");
   shared_flag(sub, "--cut", s->cut);
-  shared_option(sub, "--to-pose", s->to_pose,
-                "The mesh follows, its bends keep their volume, and what is written is bound in that pose; what has grown "
-                "together is cut first");
+  shared_option(
+      sub, "--to-pose", s->to_pose,
+      "The mesh follows, its bends keep their volume, and what is written is bound in that pose; what has grown "
+      "together is cut first");
   sub->add_flag("--keep-lengths", s->keep_lengths,
                 "With --skeleton: rotate its bones and scale them all alike, instead of each by itself");
   sub->add_option("--prediction", s->prediction,

@@ -57,7 +57,7 @@ inline Character block_body(int low, int high) {
                  {"RightLeg", {8, 5, 2}, kRightUpLeg}};
   for (const Vec3& p : body.vertices) {
     const bool left = p.x <= 5;
-    const uint32_t joint = p.y > 10 ? uint32_t{kHips}
+    const uint32_t joint = p.y > 10  ? uint32_t{kHips}
                            : p.y > 5 ? uint32_t{left ? kLeftUpLeg : kRightUpLeg}
                                      : uint32_t{left ? kLeftLeg : kRightLeg};
     body.influences.push_back({{joint, 1.0f}});

@@ -85,8 +85,8 @@ class DocumentCutter {
     const size_t components = static_cast<size_t>(tinygltf::GetNumComponentsInType(static_cast<uint32_t>(old.type)));
     const Json& json = read_.document["accessors"][static_cast<size_t>(accessor)];
     const bool floats = old.sparse.isSparse || old.bufferView < 0;
-    const size_t size = components * static_cast<size_t>(tinygltf::GetComponentSizeInBytes(
-                                         static_cast<uint32_t>(floats ? TINYGLTF_COMPONENT_TYPE_FLOAT : old.componentType)));
+    const size_t size = components * static_cast<size_t>(tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(
+                                         floats ? TINYGLTF_COMPONENT_TYPE_FLOAT : old.componentType)));
     const size_t stride = (size + 3) / 4 * 4;
     std::vector<uint8_t> values((old.count + sources.size()) * stride, 0);
     const std::vector<float> resolved =
@@ -95,7 +95,8 @@ class DocumentCutter {
     const size_t step = floats ? size : step_of(old);
     for (size_t v = 0; v < old.count + sources.size(); ++v) {
       const size_t source = v < old.count ? v : sources[v - old.count];
-      if (source >= old.count) throw Error(where + ": expected a value for every vertex, found " + std::to_string(old.count));
+      if (source >= old.count)
+        throw Error(where + ": expected a value for every vertex, found " + std::to_string(old.count));
       std::copy_n(from + source * step, size, values.data() + v * stride);
     }
     const int number = add_accessor(&cut_, values.data(), values.size(), json["type"].get<std::string>().c_str(),

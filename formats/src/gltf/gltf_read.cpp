@@ -330,7 +330,8 @@ class GltfReader {
 
   void read_faces(const std::string& where, const tinygltf::Primitive& primitive, const GltfPart& part,
                   const std::vector<Vec3>& normals, const std::vector<float>& uvs) {
-    for (const std::array<uint32_t, 3>& corners : primitive_triangles(where, model(), primitive, part.vertex_of.size())) {
+    for (const std::array<uint32_t, 3>& corners :
+         primitive_triangles(where, model(), primitive, part.vertex_of.size())) {
       for (const uint32_t corner : corners) {
         character_.face_vertices.push_back(part.vertex_of[corner]);
         has_normals_ |= !normals.empty();

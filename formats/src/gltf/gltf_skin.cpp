@@ -48,7 +48,6 @@ FixedRow to_fixed(const std::vector<Influence>& row, uint32_t one) {
   return fixed;
 }
 
-
 class SkinWriter {
  public:
   SkinWriter(const std::string& path, const Character& character, bool unorm8, GltfSource* source)

@@ -41,15 +41,14 @@ class JointMover {
       for (size_t k = 0; k < binds.size(); ++k) {
         const int joint = joint_of_[static_cast<size_t>(skin.joints[k])];
         if (joint >= 0)
-          binds[k] = multiply(back(worlds_[static_cast<size_t>(joint)]),
-                              multiply(rest_world(skin.joints[k]), binds[k]));
+          binds[k] =
+              multiply(back(worlds_[static_cast<size_t>(joint)]), multiply(rest_world(skin.joints[k]), binds[k]));
         for (size_t c = 0; c < 4; ++c)
           for (size_t r = 0; r < 4; ++r)
             values.push_back(r < 3 ? static_cast<float>(binds[k][r * 4 + c]) : (c == 3 ? 1.0f : 0.0f));
       }
-      moved->document["skins"][s]["inverseBindMatrices"] =
-          add_accessor(moved, values.data(), values.size() * 4, "MAT4", TINYGLTF_COMPONENT_TYPE_FLOAT, binds.size(),
-                       false, false);
+      moved->document["skins"][s]["inverseBindMatrices"] = add_accessor(
+          moved, values.data(), values.size() * 4, "MAT4", TINYGLTF_COMPONENT_TYPE_FLOAT, binds.size(), false, false);
     }
   }
 

@@ -72,7 +72,8 @@ std::shared_ptr<const GltfSource> moved_document(const std::string& name, const 
   const GltfNodes nodes = gltf_nodes(name, source.model);
   const auto hangs_on_joint = [&](int node) {
     for (; node >= 0; node = nodes.parents[static_cast<size_t>(node)])
-      if (std::find(source.joint_nodes.begin(), source.joint_nodes.end(), node) != source.joint_nodes.end()) return true;
+      if (std::find(source.joint_nodes.begin(), source.joint_nodes.end(), node) != source.joint_nodes.end())
+        return true;
     return false;
   };
   std::vector<int> orphans;

@@ -23,9 +23,10 @@ struct Seam {
 constexpr uint32_t kNoHome = UINT32_MAX;
 
 struct Seams {
-  std::vector<Seam> seams;      // longest first
+  std::vector<Seam> seams;                     // longest first
   std::vector<std::array<uint32_t, 2>> edges;  // across them, of vertices that are the first at their positions
-  std::vector<uint32_t> homes;  // [V] joint of the part that a vertex near a seam belongs to, kNoHome elsewhere; empty without seams
+  std::vector<uint32_t>
+      homes;  // [V] joint of the part that a vertex near a seam belongs to, kNoHome elsewhere; empty without seams
 };
 
 using WeightRows = std::vector<std::vector<Influence>>;

@@ -223,8 +223,7 @@ std::vector<std::string> bind_notes(const Character& character, const JointChoic
                     " joints that end chains gave their weight to their parents; --keep-tips keeps it");
   if (bound.kept_meshes > 0)
     notes.push_back(std::to_string(bound.kept_meshes) + " attached meshes kept as they are; --bind-props binds them");
-  if (!bound.seams.seams.empty())
-    notes.push_back(seams_text(character.joints, bound.seams, bound.doubled_vertices));
+  if (!bound.seams.seams.empty()) notes.push_back(seams_text(character.joints, bound.seams, bound.doubled_vertices));
   return notes;
 }
 

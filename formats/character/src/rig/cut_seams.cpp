@@ -37,8 +37,7 @@ class SeamCutter {
     if (!character_.influences.empty()) weigh(before);
     part_copies(before);
     if (character_.gltf && doubled > 0)
-      character_.gltf = cut_document(character_.name, *character_.gltf, character_.face_vertices,
-                                     character_.vertices);
+      character_.gltf = cut_document(character_.name, *character_.gltf, character_.face_vertices, character_.vertices);
     return doubled;
   }
 
@@ -144,9 +143,9 @@ class SeamCutter {
   Character& character_;
   const std::vector<uint32_t> welded_;
   std::vector<std::array<uint32_t, 2>> crossing_;
-  std::vector<char> stays_;                            // [V] a corner of a face of its own part
-  std::map<uint32_t, uint32_t> doubles_;               // vertex -> its copy
-  std::map<uint32_t, std::vector<uint32_t>> beside_;   // welded vertex -> vertices of the part that its copies belong to
+  std::vector<char> stays_;                           // [V] a corner of a face of its own part
+  std::map<uint32_t, uint32_t> doubles_;              // vertex -> its copy
+  std::map<uint32_t, std::vector<uint32_t>> beside_;  // welded vertex -> vertices of the part that its copies belong to
 };
 
 }  // namespace

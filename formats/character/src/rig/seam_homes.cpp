@@ -10,8 +10,9 @@
 namespace sinew {
 namespace {
 
-constexpr double kFacing = 0.7;      // cosine above which a vertex looks away from its bone, and tells how thick the part is
-constexpr size_t kSteps = 11;        // places along a bone with a radius each
+constexpr double kFacing =
+    0.7;                       // cosine above which a vertex looks away from its bone, and tells how thick the part is
+constexpr size_t kSteps = 11;  // places along a bone with a radius each
 constexpr double kWindow = 0.15;     // of a bone, to both sides of such a place
 constexpr size_t kFewest = 8;        // vertices that a radius is the median of
 constexpr double kThinnest = 0.003;  // radius, of the size
@@ -83,7 +84,7 @@ class Radii {
 
   const SeamSurface& surface_;
   const SkeletonPaths& paths_;
-  std::vector<std::vector<uint32_t>> owned_;                      // [J] vertices
+  std::vector<std::vector<uint32_t>> owned_;                    // [J] vertices
   std::vector<std::vector<std::array<double, kSteps>>> known_;  // [J][bones]
 };
 
@@ -185,8 +186,8 @@ class HomeFinder {
 }  // namespace
 
 uint32_t home_joint(const std::vector<Influence>& row) {
-  const auto most =
-      std::max_element(row.begin(), row.end(), [](const Influence& a, const Influence& b) { return a.weight < b.weight; });
+  const auto most = std::max_element(row.begin(), row.end(),
+                                     [](const Influence& a, const Influence& b) { return a.weight < b.weight; });
   return most == row.end() || !(most->weight > 0) ? kNoHome : most->joint;
 }
 

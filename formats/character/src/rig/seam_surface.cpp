@@ -57,7 +57,8 @@ void SeamSurface::find_normals(const Character& character) {
     for (uint32_t c = first + 2; c < end; ++c) {
       const uint32_t corners[3] = {welded[character.face_vertices[first]], welded[character.face_vertices[c - 1]],
                                    welded[character.face_vertices[c]]};
-      const Point3 normal = cross(positions[corners[1]] - positions[corners[0]], positions[corners[2]] - positions[corners[0]]);
+      const Point3 normal =
+          cross(positions[corners[1]] - positions[corners[0]], positions[corners[2]] - positions[corners[0]]);
       for (const uint32_t corner : corners) sums[corner] = sums[corner] + normal;
     }
   }

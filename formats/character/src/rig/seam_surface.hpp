@@ -19,13 +19,13 @@ struct SurfaceEdge {
 };
 
 struct SeamSurface {
-  double size = 0;                  // the box's longest side
-  std::vector<uint32_t> welded;     // [V] the first vertex at the same position
-  std::vector<Point3> positions;    // [V]
-  std::vector<Point3> normals;      // [V] of welded vertices; zero where they cancel
-  std::vector<SurfaceEdge> edges;   // each once, ascending
-  std::vector<uint32_t> offsets;    // [V + 1] CSR into `around`
-  std::vector<uint32_t> around;     // edges of a welded vertex
+  double size = 0;                 // the box's longest side
+  std::vector<uint32_t> welded;    // [V] the first vertex at the same position
+  std::vector<Point3> positions;   // [V]
+  std::vector<Point3> normals;     // [V] of welded vertices; zero where they cancel
+  std::vector<SurfaceEdge> edges;  // each once, ascending
+  std::vector<uint32_t> offsets;   // [V + 1] CSR into `around`
+  std::vector<uint32_t> around;    // edges of a welded vertex
 
   explicit SeamSurface(const Character& character);
 

@@ -25,8 +25,7 @@ SkeletonPaths::SkeletonPaths(const std::vector<Joint>& joints, double size)
     if (parents_[j] >= 0) bones_[at(parents_[j])].push_back(positions_[j] - positions_[at(parents_[j])]);
   }
   for (size_t j = 0; j < joints.size(); ++j)
-    if (bones_[j].empty() && parents_[j] >= 0)
-      bones_[j].push_back(0.5 * (positions_[j] - positions_[at(parents_[j])]));
+    if (bones_[j].empty() && parents_[j] >= 0) bones_[j].push_back(0.5 * (positions_[j] - positions_[at(parents_[j])]));
 }
 
 BonePoint SkeletonPaths::nearest(uint32_t joint, const Point3& from) const {

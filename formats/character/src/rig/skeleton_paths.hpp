@@ -26,7 +26,6 @@ class SkeletonPaths {
   SkeletonPaths(const std::vector<Joint>& joints, double size);
 
   size_t joint_count() const { return positions_.size(); }
-  double size() const { return size_; }
   // The nearest place on the bones of `joint`: segments to its children, of a leaf half its parent's bone on.
   BonePoint nearest(uint32_t joint, const Point3& from) const;
   // Along the bones; straight from limb to limb where both hang on one joint, so that hierarchies in which all limbs hang on a root at
@@ -38,9 +37,9 @@ class SkeletonPaths {
 
  private:
   double size_;
-  std::vector<Point3> positions_;            // [J]
-  std::vector<int> parents_, depths_;        // [J]
-  std::vector<std::vector<Point3>> bones_;   // [J] from the joint to the end of each bone
+  std::vector<Point3> positions_;           // [J]
+  std::vector<int> parents_, depths_;       // [J]
+  std::vector<std::vector<Point3>> bones_;  // [J] from the joint to the end of each bone
 };
 
 }  // namespace sinew
