@@ -20,7 +20,6 @@ constexpr double kBand = 0.06;     // of the size, to both sides of where weight
 constexpr double kReach = 0.1;     // the same: rows are cleaned
 constexpr double kValley = -0.05;  // mean turn across a line above which it is no valley
 constexpr size_t kFewestEdges = 8;
-constexpr double kShortest = 0.15;  // of the size, along a line
 
 class SeamFinder {
  public:
@@ -132,10 +131,8 @@ class SeamFinder {
       }
       const double count = static_cast<double>(line.size());
       if (line.size() < kFewestEdges || turn > kValley * count || 2 * joined < line.size()) continue;
-      Seam seam = describe(line);
-      if (seam.length < kShortest * surface_.size) continue;
       kept.insert(kept.end(), line.begin(), line.end());
-      found_.seams.push_back(seam);
+      found_.seams.push_back(describe(line));
     }
     crossing_ = std::move(kept);
     for (const uint32_t e : crossing_) found_.edges.push_back({surface_.edges[e].from, surface_.edges[e].to});
