@@ -9,6 +9,7 @@ set(sinew_formats_sources
   files/read_mesh
   gltf/add_accessor
   gltf/bind_pose
+  gltf/cut_vertices
   gltf/gltf_container
   gltf/gltf_decompress
   gltf/gltf_document
@@ -22,7 +23,10 @@ set(sinew_formats_sources
   gltf/gltf_motion_write
   gltf/gltf_read
   gltf/gltf_skin
+  gltf/move_joints
   gltf/move_vertices
+  gltf/primitive_triangles
+  gltf/reread
   gltf/gltf_summary
   gltf/gltf_write
   gltf/tinygltf

@@ -50,6 +50,7 @@ set(sinew_character_sources
   predict/skeleton_arrays
   predict/skeleton_template
   predict/turn
+  rig/cut_seams
   rig/infer_parents
   rig/joint_mirror
   rig/joint_surfaces
@@ -57,8 +58,13 @@ set(sinew_character_sources
   rig/joints_beside_mesh
   rig/label_skeleton
   rig/rig_gate
+  rig/seam_homes
+  rig/seam_leak
+  rig/seam_surface
+  rig/seams
   rig/simplify_skeleton
   rig/skeleton_fit
+  rig/skeleton_paths
   style/style
   style/style_file)
 # Jobs as the command does them, the bundled models, and the C API over both; a page has models of its own.

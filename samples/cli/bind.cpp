@@ -30,6 +30,14 @@ struct Settings {
   bool json = false;
 };
 
+// What changes the mesh needs a file that has one.
+void check_mesh_changes(const BindSettings& one) {
+  if (one.cut && one.symmetric)
+    throw UsageError("--symmetric keeps both sides alike to the last bit and looks for no seams: leave --cut out");
+  if ((one.cut || !one.to_pose.empty()) && (one.output == "-" || has_extension(one.output, ".rig.txt")))
+    throw UsageError("--cut and --to-pose change the mesh, and rig.txt has none: write a .glb or .gltf");
+}
+
 // The options that no bind can be done with.
 void check(const Settings& s) {
   check_output(s.one.output, {".glb", ".gltf", ".vrm", ".rig.txt"}, true);
@@ -39,6 +47,7 @@ void check(const Settings& s) {
   if (s.one.ask && s.one.mesh == "-") throw UsageError("--ask and the mesh both want standard input");
   if (s.one.ask && s.one.output == "-")
     throw UsageError("--ask writes pictures beside the output: give it a file name");
+  check_mesh_changes(s.one);
   if (s.one.output == "-" && s.json)
     throw UsageError("-o - and --json both want standard output: give the weights a file name");
 }
@@ -175,6 +184,14 @@ void add_outputs(CLI::App* sub, Settings* s) {
   add_style_options(sub, &s->one.style);
 }
 
+void add_mesh_changes(CLI::App* sub, Settings* s) {
+  section(sub, "What becomes of the mesh");
+  shared_flag(sub, "--cut", s->one.cut);
+  shared_option(sub, "--to-pose", s->one.to_pose,
+                "The mesh follows and its bends keep their volume; what has grown together is cut first, a file's own "
+                "joints move with it");
+}
+
 void add_artists_words(CLI::App* sub, Settings* s) {
   section(sub, "Joints and weights that are given");
   sub->add_option("--never", s->one.never, "Joints that must get no weight, one name per line")->type_name("FILE");
@@ -237,6 +254,7 @@ void add_bind(CLI::App& app) {
   add_inputs(sub, s.get());
   add_outputs(sub, s.get());
   add_artists_words(sub, s.get());
+  add_mesh_changes(sub, s.get());
   add_rest(sub, s.get());
   sub->footer(
       "Examples:\n  sinew bind hero.obj --skeleton hero.rig.txt -o hero.glb --png hero.png\n"
@@ -245,6 +263,7 @@ void add_bind(CLI::App& app) {
       "  sinew bind hero.glb --method heat --influences 8 -o hero.rig.txt\n"
       "  sinew bind villain.obj --skeleton villain.rig.txt --like hero.glb -o villain.glb\n"
       "  sinew bind hero.obj --skeleton hero.rig.txt --hints painted.rig.txt -o hero.glb\n"
+      "  sinew bind hero.glb --to-pose t -o hero.bound.glb\n"
       "  sinew bind hero.glb --questions 3 -o hero.bound.glb\n"
       "  sinew bind hero.glb --answer 812=rigid:Head --answer 40=soft -o hero.bound.glb\n"
       "  sinew bind hero.glb --ask --save-style my.style && sinew bind others -o bound --style my.style\n"

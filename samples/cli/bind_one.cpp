@@ -95,6 +95,8 @@ BindJobOptions job_options(const BindSettings& settings, const Binder& binder, c
   job.bind_props = settings.bind_props;
   job.fit = settings.fit;
   job.symmetric = settings.symmetric;
+  job.cut = settings.cut;
+  job.to_pose = settings.to_pose;
   job.influence_count = settings.influences;
   job.up_axis = settings.up == "z" ? 1 : 0;
   job.thread_count = settings.threads;
@@ -210,7 +212,8 @@ BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool prog
   BindJob job(options, binder, &character);
   Answers answers;
   CharacterBind result = bind_and_ask(settings, character, &job, &answers);
-  character.influences = std::move(result.influences);
+  const WeightsReplaced replaced = compare_weights(character.joints, before.rows, result.influences, before.kept);
+  job.apply(&result);
   if (settings.confidence) character.confidence = result.confidence;
   write_character(settings.output, character);
   draw(settings, character, result.confidence);
@@ -224,7 +227,8 @@ BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool prog
     summary.left_out.emplace_back(character.joints[left.joint].name, left.why);
   for (std::string& note : bind_notes(character, job.choice(), result)) summary.notes.push_back(std::move(note));
   summary.compare = settings.compare;
-  summary.replaced = compare_weights(character.joints, before.rows, character.influences, before.kept);
+  summary.replaced = replaced;
+  summary.seams = seams_json(character.joints, result.seams);
   return {std::move(character), std::move(summary)};
 }
 

@@ -26,6 +26,8 @@ struct BindSettings {
   StyleOptions style;
   bool keep_tips = false, bind_props = false, fit = false;
   bool symmetric = false, confidence = false;
+  bool cut = false;                  // what has grown together is opened
+  std::string to_pose;               // rest pose of what is written; empty: as the mesh stands
   unsigned questions = 0;            // parts to list or, with `ask`, to ask about on the terminal
   bool ask = false;                  // reads answers from standard input
   std::vector<std::string> answers;  // PART=ANSWER

@@ -101,6 +101,15 @@ std::vector<std::string> summary_lines(const BindSummary& s) {
   return lines;
 }
 
+nlohmann::ordered_json seams_json(const std::vector<Joint>& joints, const Seams& seams) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const Seam& seam : seams.seams)
+    json.push_back({{"joints", {joints[seam.joints[0]].name, joints[seam.joints[1]].name}},
+                    {"position", {seam.position.x, seam.position.y, seam.position.z}},
+                    {"length", seam.length}});
+  return json;
+}
+
 nlohmann::ordered_json summary_json(const BindSummary& s) {
   nlohmann::ordered_json json = {{"mesh", s.mesh},
                                  {"method", s.method},
@@ -133,6 +142,7 @@ nlohmann::ordered_json summary_json(const BindSummary& s) {
   if (s.symmetric) json["symmetric_vertices"] = s.symmetric_vertices;
   if (s.replaced.vertices > 0) json["replaced"] = replaced_json(s.replaced, s.compare);
   for (const auto& [joint, why] : s.left_out) json["left_out"].push_back({{"joint", joint}, {"why", why}});
+  json["seams"] = s.seams;
   if (!s.notes.empty()) json["notes"] = s.notes;
   return json;
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bind_questions.hpp"
+#include "sinew_character/seams.hpp"
 #include "sinew_formats/character.hpp"
 #include "weights_replaced.hpp"
 
@@ -41,12 +42,13 @@ struct BindSummary {
   bool compare = false;  // joints that changed most were asked for
   std::string hash;      // bind_hash()
   Doubts doubts;
-  std::vector<AskedPart> questions;                           // those that were asked for
-  size_t answers = 0;                                         // that the bind took
-  size_t answers_by_style = 0;                                // of those, from a style file
-  std::string style;                                          // file that they were written to; empty: none
-  std::vector<std::pair<std::string, std::string>> left_out;  // joints that may get no weight, and why
-  std::vector<std::string> notes;                             // what the user should know about this file, a line each
+  std::vector<AskedPart> questions;                                // those that were asked for
+  size_t answers = 0;                                              // that the bind took
+  size_t answers_by_style = 0;                                     // of those, from a style file
+  std::string style;                                               // file that they were written to; empty: none
+  std::vector<std::pair<std::string, std::string>> left_out;       // joints that may get no weight, and why
+  nlohmann::ordered_json seams = nlohmann::ordered_json::array();  // seams_json()
+  std::vector<std::string> notes;  // what the user should know about this file, a line each
 };
 
 //   confidence  [V] 0..255; weights are character.influences
@@ -56,6 +58,9 @@ Doubts find_doubts(const Character& character, const std::vector<uint8_t>& confi
 std::string doubts_text(const Doubts& doubts);
 // Counts of the character and of its weights.
 void count_weights(const Character& character, BindSummary* summary);
+
+// [{"joints": [NAME, NAME], "position": [x, y, z], "length": l}], longest first.
+nlohmann::ordered_json seams_json(const std::vector<Joint>& joints, const Seams& seams);
 
 std::vector<std::string> summary_lines(const BindSummary& summary);
 nlohmann::ordered_json summary_json(const BindSummary& summary);

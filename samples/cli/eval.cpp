@@ -234,6 +234,15 @@ void add_studies(CLI::App* parent) {
       "It is moved, scaled, rotated, mirrored, renumbered, unwelded, its faces split or merged, decimated,\n"
       "subdivided.");
   sub->callback([robustness] { run_study(*robustness, study_robustness); });
+
+  sub = parent->add_subcommand("seams", "How much weight crosses where parts of the body have grown together");
+  const auto seams = add_study(sub, "seams");
+  sub->footer(
+      "Example:\n  sinew eval seams characters/val\n\n"
+      "Parts are apart that are far from each other along the skeleton and near in space; true seams are\n"
+      "edges between parts by the reference's weights, and what counts is the surface within 5 % of the\n"
+      "longest side around them.");
+  sub->callback([seams] { run_study(*seams, study_seams); });
 }
 
 }  // namespace

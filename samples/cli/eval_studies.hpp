@@ -34,6 +34,9 @@ void print_reliability(const std::string& title, const Reliability& reliability)
 // Prints how far the weights move when the character is moved, turned, renumbered, remeshed and so on.
 void study_robustness(const Study& study);
 
+// Prints how much of the weight around places that have grown together lies on the wrong side, bound plainly and kept apart.
+void study_seams(const Study& study);
+
 // Lets the reference answer up to `questions` questions of every character and prints L1 without and with the answers,
 // per family.
 void study_questions(const Study& study, uint32_t questions);

@@ -23,6 +23,7 @@ constexpr OptionWord kWords[] = {
     {"--cells", "N", "Cells of the lattice along the longest side, for volume and xpbd"},
     {"--checkpoint", "FILE", "Float checkpoint of sinew train"},
     {"--config", "FILE", "Settings that differ from the defaults, as JSON"},
+    {"--cut", "", "Open what has grown together as a slit: vertices along it are doubled"},
     {"--deform", "METHOD", "How vertices follow their joints"},
     {"--detail", "DETAIL", "How much of the body has joints"},
     {"--format", "FORMAT", "What to write where several files come out"},

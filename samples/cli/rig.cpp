@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "bind_summary.hpp"
 #include "commands.hpp"
 #include "dataset.hpp"
 #include "folder_files.hpp"
@@ -43,7 +44,7 @@ struct Settings {
   unsigned spine = 0, influences = 4;
   StyleOptions style;
   bool mirror = false, no_mirror = false, no_toes = false, no_ends = false, no_bind = false, json = false,
-       keep_lengths = false, gate = false;
+       keep_lengths = false, gate = false, cut = false;
 };
 
 struct Models {
@@ -85,6 +86,7 @@ RigJobOptions job_options(const Settings& s) {
   job.bind = !s.no_bind;
   job.keep_lengths = s.keep_lengths;
   job.gate = s.gate;
+  job.cut = s.cut;
   job.to_pose = s.to_pose;
   job.influence_count = s.influences;
   BindOptions style;
@@ -146,6 +148,7 @@ Json summary_json(const Settings& s, const Rigged& rigged, const std::string& me
     one["parent_confidence"] = skeleton.parent_confidence[j];
     json["joints"].push_back(std::move(one));
   }
+  if (!s.no_bind) json["seams"] = seams_json(rigged.character.joints, rigged.seams);
   json["notes"] = rigged.character.notes;
   if (s.gate) {
     const GateFigures& figures = rigged.gate_figures;
@@ -223,6 +226,7 @@ void run(Settings s) {
   if (s.keep_lengths && s.skeleton.empty())
     throw UsageError("--keep-lengths is for a skeleton of your own: give --skeleton");
   if (!s.to_pose.empty() && s.no_bind) throw UsageError("--to-pose moves the mesh by its weights: leave --no-bind out");
+  if (s.cut && s.no_bind) throw UsageError("--cut finds seams by weights: leave --no-bind out");
   if (!s.hands_model.empty() && s.detail == "body")
     throw UsageError("--hands-model is for fingers: give --detail hands or full");
   if (s.front.size() == 2 && s.front[1] == s.up[0])
@@ -236,6 +240,8 @@ void run(Settings s) {
   if (!s.png.empty()) check_output(s.png, {".png"});
   if (s.output == "-" && s.json)
     throw UsageError("-o - and --json both want standard output: give the skeleton a file name");
+  if (s.cut && (s.output == "-" || has_extension(s.output, ".rig.txt")))
+    throw UsageError("--cut changes the mesh, and rig.txt has none: write a .glb or .gltf");
   check_skeleton_source(s.skeleton);
   const Rigged rigged = rig_one(s, load_models(s), s.mesh);
   write_rigged(s, rigged, s.output);
@@ -299,8 +305,11 @@ void add_shape_options(CLI::App* sub, Settings* s) {
       ->type_name("N");
   sub->add_flag("--no-toes", s->no_toes, "Feet without toe joints");
   sub->add_flag("--no-ends", s->no_ends, "No NAME_end joints where chains end");
-  shared_option(sub, "--to-pose", s->to_pose,
-                "The mesh follows, its bends keep their volume, and what is written is bound in that pose");
+  shared_flag(sub, "--cut", s->cut);
+  shared_option(
+      sub, "--to-pose", s->to_pose,
+      "The mesh follows, its bends keep their volume, and what is written is bound in that pose; what has grown "
+      "together is cut first");
   sub->add_flag("--keep-lengths", s->keep_lengths,
                 "With --skeleton: rotate its bones and scale them all alike, instead of each by itself");
   sub->add_option("--prediction", s->prediction,

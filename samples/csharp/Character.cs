@@ -33,6 +33,10 @@ namespace Sinew
         public Character Like;
         /// <summary>A file of `sinew bind --save-style`; or null.</summary>
         public string Style;
+        /// <summary>Open what has grown together: vertices along it are doubled, the new ones come last.</summary>
+        public bool Cut;
+        /// <summary>The rest pose that the character is put into, cut before: "t", "a", or a file whose skeleton stands so; or null.</summary>
+        public string ToPose;
         /// <summary>Bytes of a .sinew file in place of the bundled model; or null.</summary>
         public byte[] Model;
     }
@@ -47,6 +51,8 @@ namespace Sinew
         public bool ZUp, NoToes, NoEnds, NoBind, KeepLengths;
         /// <summary>Measure the result: what fails is a note that begins with "gate: ".</summary>
         public bool Gate;
+        /// <summary>Open what has grown together; ToPose does so, too.</summary>
+        public bool Cut;
         /// <summary>The rest pose that the character is put into: "t", "a", or a file whose skeleton stands so; or null.</summary>
         public string ToPose;
         /// <summary>A file or template:NAME that is put into the mesh; or null.</summary>
@@ -462,7 +468,8 @@ namespace Sinew
                     up = Axis(settings.ZUp), keep_tips = One(settings.KeepTips), bind_props = One(settings.BindProps), fit = One(settings.Fit),
                     symmetric = One(settings.Symmetric), keep_confidence = One(settings.KeepConfidence), joint_flags = pins.Of(settings.JointFlags),
                     locked = pins.Of(settings.Locked), hinted = pins.Of(settings.Hinted),
-                    like = settings.Like == null ? IntPtr.Zero : settings.Like.Handle, style = pins.Of(settings.Style)
+                    like = settings.Like == null ? IntPtr.Zero : settings.Like.Handle, style = pins.Of(settings.Style),
+                    cut = One(settings.Cut), to_pose = pins.Of(settings.ToPose)
                 }), result);
                 Check(status, handle_, "bind", watch);
                 GC.KeepAlive(settings);
@@ -487,7 +494,7 @@ namespace Sinew
                     detail = (uint)settings.Detail, mirror = (uint)settings.Mirror, up = Axis(settings.ZUp),
                     spine_count = (uint)settings.SpineCount, no_toes = One(settings.NoToes), no_ends = One(settings.NoEnds),
                     no_bind = One(settings.NoBind), keep_lengths = One(settings.KeepLengths), influence_count = (uint)settings.Influences,
-                    skeleton = pins.Of(settings.Skeleton), gate = One(settings.Gate), to_pose = pins.Of(settings.ToPose)
+                    skeleton = pins.Of(settings.Skeleton), gate = One(settings.Gate), cut = One(settings.Cut), to_pose = pins.Of(settings.ToPose)
                 }), result);
                 Check(status, handle_, "rig", watch);
                 return Read<Native.sinew_character_rig_result>(result).spread;

@@ -440,17 +440,26 @@ namespace Sinew
             public IntPtr progress, progress_user, models;
             public uint method, influence_count, up, joints, rigid_parts, softness_percent, surface_vertices, keep_tips, bind_props, fit,
                 symmetric, keep_confidence, question_count, answer_count;
-            public IntPtr answers, joint_flags, locked, hinted, hints, like, style;
+            public IntPtr answers, joint_flags, locked, hinted, hints, like, style, to_pose;
+            public uint cut, reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_seam
+        {
+            public uint joints_0, joints_1;
+            public float position_0, position_1, position_2, length;
         }
 
         [StructLayout(LayoutKind.Sequential)]
         public struct sinew_character_bind_result
         {
             public uint struct_size, symmetric_vertices, kept_meshes, folded_tips, left_out_count, question_count, answers_by_style,
-                reserved;
+                seam_count;
             public double seconds;
             public UIntPtr workspace_bytes;
-            public IntPtr left_out, left_out_why, questions, vertex_questions, hash;
+            public IntPtr left_out, left_out_why, questions, vertex_questions, hash, seams;
+            public uint doubled_vertices, reserved;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -468,7 +477,7 @@ namespace Sinew
             public uint method, detail, mirror, up, spine_count, no_toes, no_ends, no_bind, keep_lengths, influence_count, rigid_parts,
                 softness_percent, surface_vertices, edit_count;
             public IntPtr edits, skeleton, skeleton_character;
-            public uint category, front, gate, reserved;
+            public uint category, front, gate, cut;
             public IntPtr to_pose;
         }
 
@@ -482,6 +491,8 @@ namespace Sinew
             public float front_0, front_1, front_2;
             public uint up;
             public float front_confidence, up_confidence;
+            public uint seam_count;
+            public IntPtr seams;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -899,6 +910,7 @@ namespace Sinew
             new StructSize("sinew_character_clip", Marshal.SizeOf(typeof(sinew_character_clip)), true),
             new StructSize("sinew_character_models", Marshal.SizeOf(typeof(sinew_character_models)), true),
             new StructSize("sinew_character_bind_options", Marshal.SizeOf(typeof(sinew_character_bind_options)), true),
+            new StructSize("sinew_character_seam", Marshal.SizeOf(typeof(sinew_character_seam)), false),
             new StructSize("sinew_character_bind_result", Marshal.SizeOf(typeof(sinew_character_bind_result)), true),
             new StructSize("sinew_skeleton_edit", Marshal.SizeOf(typeof(sinew_skeleton_edit)), false),
             new StructSize("sinew_character_rig_options", Marshal.SizeOf(typeof(sinew_character_rig_options)), true),

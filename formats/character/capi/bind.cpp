@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sinew_character_bind(): the job of `sinew bind`.
 #include "handle.hpp"
+#include "seams_of.hpp"
 #include "sinew_character/bind_job.hpp"
 
 namespace sinew {
@@ -53,6 +54,8 @@ BindJobOptions job_of(const sinew_character_bind_options& options, const sinew_c
   job.bind_props = options.bind_props != 0;
   job.fit = options.fit != 0;
   job.symmetric = options.symmetric != 0;
+  job.cut = options.cut != 0;
+  if (options.to_pose != nullptr) job.to_pose = options.to_pose;
   job.said = marks(options.joint_flags, character.joints.size());
   job.locked = marks(options.locked, character.vertices.size());
   job.hinted = marks(options.hinted, character.vertices.size());
@@ -87,6 +90,10 @@ void fill_result(const Character& character, const BindJob& job, const Character
   filled.questions = views->questions.data();
   filled.vertex_questions = views->vertex_questions.empty() ? nullptr : views->vertex_questions.data();
   filled.hash = views->text.c_str();
+  views->seams = seams_of(bound.seams);
+  filled.seams = views->seams.data();
+  filled.seam_count = count32(views->seams.size());
+  filled.doubled_vertices = count32(bound.doubled_vertices);
   give(filled, result);
 }
 
@@ -136,8 +143,7 @@ void bind(const sinew_character_bind_options& options, ProgressOfCaller* progres
     answers.push_back(answer);
   }
   CharacterBind bound = job.bind(answers, options.question_count);
-  character.influences = std::move(bound.influences);
-  bound.influences.clear();
+  job.apply(&bound);
   character.confidence = bound.confidence;
   for (std::string& note : bind_notes(character, job.choice(), bound)) character.notes.push_back(std::move(note));
   target->character = std::move(character);

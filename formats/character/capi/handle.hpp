@@ -51,6 +51,7 @@ struct ResultViews {
   std::vector<int32_t> sources;
   std::vector<sinew_limb_measure> before, after;
   std::vector<sinew_transfer_part> parts;
+  std::vector<sinew_character_seam> seams;
   std::string text;
 };
 

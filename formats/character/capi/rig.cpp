@@ -4,6 +4,7 @@
 
 #include "handle.hpp"
 #include "rig_of.hpp"
+#include "seams_of.hpp"
 #include "sinew_character/engine_views.hpp"
 #include "sinew_character/rig_job.hpp"
 #include "sinew_character/skeleton_template.hpp"
@@ -37,6 +38,7 @@ RigJobOptions job_of(const sinew_character_rig_options& options) {
   job.bind = options.no_bind == 0;
   job.keep_lengths = options.keep_lengths != 0;
   job.gate = options.gate != 0;
+  job.cut = options.cut != 0;
   if (options.to_pose != nullptr) job.to_pose = options.to_pose;
   if (options.influence_count != 0) job.influence_count = options.influence_count;
   if (options.thread_count != 0) job.thread_count = options.thread_count;
@@ -94,6 +96,9 @@ void fill_result(const RiggedCharacter& rigged, ResultViews* views, sinew_charac
   filled.ends = views->ends.data();
   filled.confidence = views->confidence.data();
   filled.parent_confidence = views->parent_confidence.data();
+  views->seams = seams_of(rigged.seams);
+  filled.seams = views->seams.data();
+  filled.seam_count = count32(views->seams.size());
   give(filled, result);
 }
 

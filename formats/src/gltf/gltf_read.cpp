@@ -10,6 +10,7 @@
 #include "gltf/bind_pose.hpp"
 #include "gltf/gltf_from_scene.hpp"
 #include "gltf/gltf_source.hpp"
+#include "gltf/primitive_triangles.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
@@ -329,24 +330,8 @@ class GltfReader {
 
   void read_faces(const std::string& where, const tinygltf::Primitive& primitive, const GltfPart& part,
                   const std::vector<Vec3>& normals, const std::vector<float>& uvs) {
-    const size_t vertex_count = part.vertex_of.size();
-    std::vector<uint32_t> indices;
-    if (primitive.indices >= 0) {
-      indices = accessor_integers(where + ", indices", model(), primitive.indices, 1);
-      for (const uint32_t index : indices)
-        if (index >= vertex_count)
-          throw Error(where + ": expected indices below " + std::to_string(vertex_count) + ", found " +
-                      std::to_string(index));
-    } else {
-      for (size_t v = 0; v < vertex_count; ++v) indices.push_back(static_cast<uint32_t>(v));
-    }
-    const bool list = primitive.mode != TINYGLTF_MODE_TRIANGLE_STRIP && primitive.mode != TINYGLTF_MODE_TRIANGLE_FAN;
-    if (list && indices.size() % 3 != 0)
-      throw Error(where + ": expected indices in threes, found " + std::to_string(indices.size()));
-    for (size_t i = 2; i < indices.size(); i += list ? 3 : 1) {
-      std::array<uint32_t, 3> corners = {indices[i - 2], indices[i - 1], indices[i]};
-      if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP && i % 2 == 1) std::swap(corners[1], corners[2]);
-      if (primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN) corners[0] = indices[0];
+    for (const std::array<uint32_t, 3>& corners :
+         primitive_triangles(where, model(), primitive, part.vertex_of.size())) {
       for (const uint32_t corner : corners) {
         character_.face_vertices.push_back(part.vertex_of[corner]);
         has_normals_ |= !normals.empty();

@@ -48,14 +48,6 @@ FixedRow to_fixed(const std::vector<Influence>& row, uint32_t one) {
   return fixed;
 }
 
-// Whether joints are still those of the file (`b`); one that had no parent there may have got one, see infer_parents().
-bool same_joints(const std::vector<Joint>& a, const std::vector<Joint>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Joint& x, const Joint& y) {
-    return x.name == y.name && (x.parent == y.parent || y.parent < 0) && x.position.x == y.position.x &&
-           x.position.y == y.position.y && x.position.z == y.position.z;
-  });
-}
-
 class SkinWriter {
  public:
   SkinWriter(const std::string& path, const Character& character, bool unorm8, GltfSource* source)
@@ -443,6 +435,13 @@ class SkinWriter {
 };
 
 }  // namespace
+
+bool same_joints(const std::vector<Joint>& a, const std::vector<Joint>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Joint& x, const Joint& y) {
+    return x.name == y.name && (x.parent == y.parent || y.parent < 0) && x.position.x == y.position.x &&
+           x.position.y == y.position.y && x.position.z == y.position.z;
+  });
+}
 
 std::vector<int> add_joint_nodes(const std::string& path, const std::vector<Joint>& joints, Json* document) {
   Json& nodes = (*document)["nodes"];

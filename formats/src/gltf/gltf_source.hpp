@@ -75,6 +75,9 @@ std::vector<uint32_t> accessor_integers(const std::string& where, const tinygltf
 std::vector<Affine> inverse_bind_matrices(const std::string& where, const tinygltf::Model& model,
                                           const tinygltf::Skin& skin);
 
+// Whether joints are still those of the file (`b`); one that had no parent there may have got one, see infer_parents().
+bool same_joints(const std::vector<Joint>& a, const std::vector<Joint>& b);
+
 // Where a Character's joints are in a document.
 struct GltfJoints {
   std::vector<int> nodes;      // [J]

@@ -62,17 +62,25 @@ void move_vertices(const std::string& where, const tinygltf::Primitive& primitiv
 }
 
 std::shared_ptr<const GltfSource> moved_document(const std::string& name, const GltfSource& source,
-                                                 const std::vector<Affine>& matrices) {
+                                                 const std::vector<Affine>& matrices, bool with_joints) {
   if (!source.bind_pose.agrees)
     throw Error(name +
                 ": its meshes know no common rest pose, so they are not put into another; write it once with "
                 "sinew bind and start from that file");
   auto moved = std::make_shared<GltfSource>(source);
   MeshNodes mesh_nodes(&moved->document);
+  const GltfNodes nodes = gltf_nodes(name, source.model);
+  const auto hangs_on_joint = [&](int node) {
+    for (; node >= 0; node = nodes.parents[static_cast<size_t>(node)])
+      if (std::find(source.joint_nodes.begin(), source.joint_nodes.end(), node) != source.joint_nodes.end())
+        return true;
+    return false;
+  };
   std::vector<int> orphans;
   for_each_node(source.parts, [&](size_t first, size_t last) {
     const int node = source.parts[first].node;
     const tinygltf::Node& read = source.model.nodes[static_cast<size_t>(node)];
+    if (with_joints && read.skin < 0 && hangs_on_joint(node)) return;
     const Affine& frame = read.skin >= 0 ? source.bind_pose.skin_frames[static_cast<size_t>(read.skin)]
                                          : source.bind_pose.worlds[static_cast<size_t>(node)];
     const std::optional<Affine> back = inverse(frame);

@@ -21,6 +21,10 @@ export interface BindOptions {
   fit?: boolean;
   symmetric?: boolean;
   keepConfidence?: boolean;
+  /** open what has grown together: vertices along it are doubled */
+  cut?: boolean;
+  /** the rest pose that the character is put into, cut before */
+  toPose?: "t" | "a";
   onProgress?: Progress;
 }
 export interface RigOptions {
@@ -46,6 +50,8 @@ export interface RigOptions {
   toPose?: "t" | "a";
   /** measure the result: what fails is a note that begins with "gate: " */
   gate?: boolean;
+  /** open what has grown together; toPose does so, too */
+  cut?: boolean;
   onProgress?: Progress;
 }
 export interface RetargetOptions {
@@ -105,7 +111,7 @@ export class CharacterFile {
   private constructor();
   readonly notes: string[];
   bind(options?: BindOptions): {
-    hash: string; seconds: number; symmetricVertices: number; keptMeshes: number; foldedTips: number; leftOut: { joint: number; why: string }[];
+    hash: string; seconds: number; symmetricVertices: number; keptMeshes: number; foldedTips: number; seams: number; leftOut: { joint: number; why: string }[];
   };
   rig(options?: RigOptions): { mirrored: boolean; matched: number; spread: number; seconds: number };
   retarget(motion: CharacterFile, options?: RetargetOptions): {

@@ -10,12 +10,12 @@ import { choice } from "./shapes.js";
 // Options by name to members of the C structs: a number or yes as it is, a word by its place in a list.
 const BIND = {
   method: WORDS.method, influences: "influence_count", up: WORDS.up, joints: WORDS.jointsFrom, rigidParts: WORDS.rigidParts,
-  softness: "softness_percent", surfaceVertices: "surface_vertices", keepTips: "keep_tips", bindProps: "bind_props", fit: "fit", symmetric: "symmetric", keepConfidence: "keep_confidence",
+  softness: "softness_percent", surfaceVertices: "surface_vertices", keepTips: "keep_tips", bindProps: "bind_props", fit: "fit", symmetric: "symmetric", keepConfidence: "keep_confidence", cut: "cut", toPose: "to_pose",
 };
 const RIG = {
   method: WORDS.characterRigMethod, detail: WORDS.characterDetail, mirror: WORDS.mirror, up: WORDS.up, front: WORDS.front, spine: "spine_count",
   toes: "!no_toes", ends: "!no_ends", bind: "!no_bind", keepLengths: "keep_lengths", influences: "influence_count", category: WORDS.slotCategory, template: "skeleton",
-  toPose: "to_pose", gate: "gate",
+  toPose: "to_pose", gate: "gate", cut: "cut",
 };
 const RETARGET = {
   method: WORDS.animateMethod, inPlace: "in_place", range: "!no_range", force: "force", translations: "translations", targetUp: WORDS.up, motionUp: WORDS.up, deform: WORDS.poseDeform, bodyContact: "body_contact", shapes: "shapes", fps: "fps", from: "from", to: "to",

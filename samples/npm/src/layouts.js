@@ -111,25 +111,28 @@ export const LAYOUTS = {
   characterModels: layout(48,
     "struct_size@0:u32 reserved@4:u32 bind@8:u32 bind_size@12:u32 rig@16:u32 rig_size@20:u32 hands@24:u32 hands_size@28:u32 " +
     "slots@32:u32 slots_size@36:u32 front@40:u32 front_size@44:u32"),
-  characterBindOptions: layout(104,
+  characterBindOptions: layout(116,
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 " +
     "influence_count@24:u32 up@28:u32 joints@32:u32 rigid_parts@36:u32 softness_percent@40:u32 surface_vertices@44:u32 " +
     "keep_tips@48:u32 bind_props@52:u32 fit@56:u32 symmetric@60:u32 keep_confidence@64:u32 question_count@68:u32 " +
-    "answer_count@72:u32 answers@76:u32 joint_flags@80:u32 locked@84:u32 hinted@88:u32 hints@92:u32 like@96:u32 style@100:u32"),
-  characterBindResult: layout(64,
+    "answer_count@72:u32 answers@76:u32 joint_flags@80:u32 locked@84:u32 hinted@88:u32 hints@92:u32 like@96:u32 style@100:u32 " +
+    "to_pose@104:u32 cut@108:u32 reserved@112:u32"),
+  characterSeam: layout(24, "joints@0:u32x2 position@8:f32x3 length@20:f32"),
+  characterBindResult: layout(80,
     "struct_size@0:u32 symmetric_vertices@4:u32 kept_meshes@8:u32 folded_tips@12:u32 left_out_count@16:u32 " +
-    "question_count@20:u32 answers_by_style@24:u32 reserved@28:u32 seconds@32:f64 workspace_bytes@40:u32 left_out@44:u32 " +
-    "left_out_why@48:u32 questions@52:u32 vertex_questions@56:u32 hash@60:u32"),
+    "question_count@20:u32 answers_by_style@24:u32 seam_count@28:u32 seconds@32:f64 workspace_bytes@40:u32 left_out@44:u32 " +
+    "left_out_why@48:u32 questions@52:u32 vertex_questions@56:u32 hash@60:u32 seams@64:u32 doubled_vertices@68:u32 " +
+    "reserved@72:u32"),
   skeletonEdit: layout(12, "kind@0:u32 reserved@4:u32 text@8:u32"),
   characterRigOptions: layout(108,
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 detail@24:u32 " +
     "mirror@28:u32 up@32:u32 spine_count@36:u32 no_toes@40:u32 no_ends@44:u32 no_bind@48:u32 keep_lengths@52:u32 " +
     "influence_count@56:u32 rigid_parts@60:u32 softness_percent@64:u32 surface_vertices@68:u32 edit_count@72:u32 edits@76:u32 " +
-    "skeleton@80:u32 skeleton_character@84:u32 category@88:u32 front@92:u32 gate@96:u32 reserved@100:u32 to_pose@104:u32"),
-  characterRigResult: layout(88,
+    "skeleton@80:u32 skeleton_character@84:u32 category@88:u32 front@92:u32 gate@96:u32 cut@100:u32 to_pose@104:u32"),
+  characterRigResult: layout(96,
     "struct_size@0:u32 mirrored@4:u32 matched@8:u32 joint_count@12:u32 spread@16:f32 reserved@20:f32 scale@24:f64 " +
     "seconds@32:f64 bind_seconds@40:f64 ends@48:u32 confidence@52:u32 parent_confidence@56:u32 front@60:f32x3 up@72:u32 " +
-    "front_confidence@76:f32 up_confidence@80:f32"),
+    "front_confidence@76:f32 up_confidence@80:f32 seam_count@84:u32 seams@88:u32"),
   characterMapOptions: layout(48,
     "struct_size@0:u32 method@4:u32 no_names@8:u32 no_ends@12:u32 target_up@16:u32 source_up@20:u32 guess_up@24:u32 " +
     "pin_count@28:u32 pins@32:u32 pins_file@36:u32 branches_first@40:u32 branches_cost@44:u32"),

@@ -257,6 +257,10 @@ typedef struct sinew_character_bind_options {
       hints; /* weights of some vertices of the same mesh, joints by name: the same as hints; or null */
   const sinew_character* like; /* a bound character whose weights are carried over where they fit; or null */
   const char* style;           /* a .style file that answers what it knows; or null */
+  const char*
+      to_pose; /* rest pose of the result: "t", "a", or a file whose skeleton stands so; null = as it stands. Cuts, too */
+  uint32_t cut;      /* 1: what has grown together is opened, its vertices doubled; the new ones come last */
+  uint32_t reserved; /* 0 */
 } sinew_character_bind_options;
 
 static inline sinew_character_bind_options sinew_character_bind_options_init(void) {
@@ -266,6 +270,13 @@ static inline sinew_character_bind_options sinew_character_bind_options_init(voi
   return options;
 }
 
+/* A line along which two parts of the body that move apart have grown together. No weight crosses it. */
+typedef struct sinew_character_seam {
+  uint32_t joints[2]; /* that most of it lies between */
+  float position[3];  /* its middle */
+  float length;
+} sinew_character_seam;
+
 typedef struct sinew_character_bind_result {
   uint32_t struct_size;        /* sizeof(sinew_character_bind_result) */
   uint32_t symmetric_vertices; /* with symmetric */
@@ -274,14 +285,17 @@ typedef struct sinew_character_bind_result {
   uint32_t left_out_count;     /* joints that may get no weight */
   uint32_t question_count;     /* as asked for, at most */
   uint32_t answers_by_style;   /* that the style file gave */
-  uint32_t reserved;           /* 0 */
-  double seconds;              /* in sinew_bind() */
+  uint32_t seam_count;
+  double seconds; /* in sinew_bind() */
   size_t workspace_bytes;
-  const uint32_t* left_out;         /* [left_out_count] */
-  const char* const* left_out_why;  /* [left_out_count] "control", "no weight in the file", ... */
-  const sinew_question* questions;  /* [question_count] by falling gain */
-  const uint32_t* vertex_questions; /* [V] or SINEW_NO_QUESTION; null without questions */
-  const char* hash;                 /* of the weights, as `sinew bind --json` has it */
+  const uint32_t* left_out;          /* [left_out_count] */
+  const char* const* left_out_why;   /* [left_out_count] "control", "no weight in the file", ... */
+  const sinew_question* questions;   /* [question_count] by falling gain */
+  const uint32_t* vertex_questions;  /* [V] before a cut, or SINEW_NO_QUESTION; null without questions */
+  const char* hash;                  /* of the weights, as `sinew bind --json` has it */
+  const sinew_character_seam* seams; /* [seam_count] longest first */
+  uint32_t doubled_vertices;         /* with cut or to_pose */
+  uint32_t reserved;                 /* 0 */
 } sinew_character_bind_result;
 
 static inline sinew_character_bind_result sinew_character_bind_result_init(void) {
@@ -353,8 +367,8 @@ typedef struct sinew_character_rig_options {
   const sinew_character* skeleton_character; /* the same of a character; or null */
   uint32_t category;                         /* sinew_slot_category of SINEW_CHARACTER_RIG_SLOTS */
   uint32_t front;                            /* sinew_front; 0 = found */
-  uint32_t gate;     /* 1: the result is measured; what fails is a note that begins with "gate: " */
-  uint32_t reserved; /* 0 */
+  uint32_t gate; /* 1: the result is measured; what fails is a note that begins with "gate: " */
+  uint32_t cut;  /* 1: what has grown together is opened, as of a bind; to_pose does so, too */
   const char*
       to_pose; /* rest pose of the result: "t", "a", or a file whose skeleton stands so; null = as the mesh stands */
 } sinew_character_rig_options;
@@ -382,6 +396,8 @@ typedef struct sinew_character_rig_result {
   uint32_t up;                    /* sinew_up, Y or Z */
   float front_confidence;         /* 0..1, see sinew_rig_outputs; below 0.7 a coin toss */
   float up_confidence;
+  uint32_t seam_count;
+  const sinew_character_seam* seams; /* [seam_count] longest first */
 } sinew_character_rig_result;
 
 static inline sinew_character_rig_result sinew_character_rig_result_init(void) {

@@ -10,6 +10,7 @@
 
 #include "sinew_character/bind.hpp"
 #include "sinew_character/joint_verdicts.hpp"
+#include "sinew_character/seams.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -41,6 +42,7 @@ struct CharacterBindOptions {
   BindOptions bind;         // without joint_flags: the choice has them
   bool keep_tips = false;   // tips keep the weight that they get
   bool bind_props = false;  // meshes without a skin are bound even if they hang on joints, or others have skins
+  bool keep_apart = true;   // no weight across seams
 };
 
 // Which joints of a character may get weight. What the user says, `said` [J] SINEW_JOINT_* or empty, has the last word:
@@ -68,6 +70,9 @@ struct CharacterBind {
   std::vector<uint32_t> vertex_questions;          // [V] index of a question or SINEW_NO_QUESTION, with the same
   std::vector<uint32_t> vertex_parts;              // [V] connected pieces, numbered in no certain order, with the same
   size_t kept_meshes = 0, folded_tips = 0;
+  Seams seams;                    // with CharacterBindOptions::keep_apart
+  size_t separated_vertices = 0;  // rows that lost weight across them
+  size_t doubled_vertices = 0;    // where they were opened
   uint32_t symmetric_vertices = 0;
   size_t workspace_bytes = 0, used_bytes = 0;  // of the largest of its binds
   double seconds = 0;                          // in sinew_bind()

@@ -33,6 +33,9 @@ struct BindJobOptions {
   uint32_t influence_count = 4, thread_count = 1, up_axis = 0;
   uint32_t rigid_parts = SINEW_RIGID_PARTS_AUTO, softness_percent = 100, surface_vertices = 32768;
   bool keep_tips = false, bind_props = false, fit = false, symmetric = false;
+  bool cut = false;  // what has grown together is opened: see cut_seams()
+  std::string
+      to_pose;  // the rest pose of what is written: "t", "a" or a file that stands so; empty: as it stands. Cuts as well
   std::vector<uint8_t> said;    // [J] SINEW_JOINT_* of the user, or empty
   std::vector<uint8_t> locked;  // [V] non-zero: keeps its weights; or empty
   std::vector<uint8_t> hinted;  // [V] the same, and they steer their surroundings; or empty
@@ -52,6 +55,9 @@ class BindJob {
 
   // The character is as it was. Throws Error.
   CharacterBind bind(const std::vector<sinew_answer>& answers, uint32_t question_count);
+  // Gives the character the weights of a bind, opens its seams and puts it into another rest pose, as the options say. The bind keeps what
+  // is told about it, with a confidence for every vertex that there is now. Throws Error; the character is as it was then.
+  void apply(CharacterBind* bound);
   // Answers of a style for the parts that a bind without them asks about.
   std::vector<sinew_answer> answers_of(const Style& style);
   // The rules that answers make, with `style`'s before them. Throws Error, which begins with `path`, where there are none.

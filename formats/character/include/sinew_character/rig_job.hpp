@@ -13,6 +13,7 @@
 #include "sinew_character/predict_details.hpp"
 #include "sinew_character/predict_skeleton.hpp"
 #include "sinew_character/rig_gate.hpp"
+#include "sinew_character/seams.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -38,6 +39,7 @@ struct RigJobOptions {
   bool toes = true, ends = true, bind = true, keep_lengths = false;
   std::string
       to_pose;  // the rest pose of what is written: "t", "a" or a file that stands so; empty: as the mesh stands. Needs `bind`
+  bool cut = false;   // what has grown together is opened; `to_pose` does so too. Needs `bind`
   bool gate = false;  // measure the result: RiggedCharacter::gate
   uint32_t influence_count = 4, thread_count = 1;
   uint32_t rigid_parts = SINEW_RIGID_PARTS_AUTO, softness_percent = 100, surface_vertices = 32768;
@@ -58,6 +60,7 @@ struct RiggedCharacter {
   Character character;
   PredictedSkeleton skeleton;
   std::optional<FittedSkeleton> fitted;  // with RigJobOptions::skeleton
+  Seams seams;                           // with RigJobOptions::bind
   GateFigures gate_figures;              // with RigJobOptions::gate
   std::vector<std::string> gate;         // the same: what fails, a line each, told in the notes as well
   double bind_seconds = 0;

@@ -82,6 +82,7 @@ class CharacterBinder {
       follow_carriers();
     }
     if (!options_.keep_tips) out_.folded_tips = fold_tips(whole_, choice_, kept_, &out_.influences);
+    if (options_.keep_apart && !options_.bind.symmetric) separate();
     order_questions();
     return std::move(out_);
   }
@@ -209,6 +210,18 @@ class CharacterBinder {
     for (uint32_t& q : out_.vertex_questions)
       if (q != SINEW_NO_QUESTION) q = position[q];
     out_.questions = std::move(questions);
+  }
+
+  // No weight across seams; what is given or kept stays.
+  void separate() {
+    out_.seams = find_seams(whole_, out_.influences);
+    std::vector<uint8_t> keep(whole_.vertices.size(), 0);
+    for (size_t v = 0; v < keep.size(); ++v) {
+      const bool given = (!options_.bind.locked.empty() && options_.bind.locked[v] != 0) ||
+                         (!options_.bind.hints.empty() && options_.bind.hints[v] != 0);
+      keep[v] = given || (!kept_.empty() && kept_[mesh_of(v)]) ? 1 : 0;
+    }
+    out_.separated_vertices = keep_apart(whole_, out_.seams, keep, &out_.influences);
   }
 
   // Kept meshes: rigid with their joint, so that pictures and poses show them where they are.

@@ -12,6 +12,7 @@
 #include "sinew_character/bind.hpp"
 #include "sinew_character/bind_character.hpp"
 #include "sinew_character/engine_views.hpp"
+#include "sinew_character/seams.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -164,6 +165,7 @@ TransferResult transfer(const Character& source, const Character& target, const 
         result.influences[v].push_back({out.joint_indices[i], static_cast<float>(out.weights[i]) / 65535.0f});
     if (options.locked.empty() || options.locked[v] == 0) fold_row(joints.takes, &result.influences[v]);
   }
+  (void)keep_apart(target, find_seams(target, result.influences), options.locked, &result.influences);
   return result;
 }
 

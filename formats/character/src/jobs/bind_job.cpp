@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "sinew_character/engine_views.hpp"
 #include "sinew_character/find_joint_map.hpp"
+#include "sinew_character/rest_pose.hpp"
 #include "sinew_character/skeleton_repair.hpp"
 #include "sinew_character/thread_pool.hpp"
 #include "sinew_character/transfer.hpp"
@@ -177,6 +179,16 @@ CharacterBind BindJob::bind(const std::vector<sinew_answer>& answers, uint32_t q
   return bind_character(character, choice_, character_options);
 }
 
+void BindJob::apply(CharacterBind* bound) {
+  Character bare = *character_;
+  bare.influences = std::move(bound->influences);
+  bare.confidence = bound->confidence;
+  if (job_.cut || !job_.to_pose.empty()) bound->doubled_vertices = cut_seams(bound->seams, &bare);
+  bound->confidence = std::exchange(bare.confidence, {});
+  if (!job_.to_pose.empty()) bare = in_rest_pose(bare, read_rest_pose(job_.to_pose), job_.up_axis == 1 ? 2 : 1);
+  *character_ = std::move(bare);
+}
+
 // What there could be answers for, as proposed: what a style is matched with and made of.
 const CharacterBind& BindJob::proposed() {
   if (!has_proposed_) proposed_ = bind({}, SINEW_MAX_QUESTIONS);
@@ -211,6 +223,7 @@ std::vector<std::string> bind_notes(const Character& character, const JointChoic
                     " joints that end chains gave their weight to their parents; --keep-tips keeps it");
   if (bound.kept_meshes > 0)
     notes.push_back(std::to_string(bound.kept_meshes) + " attached meshes kept as they are; --bind-props binds them");
+  if (!bound.seams.seams.empty()) notes.push_back(seams_text(character.joints, bound.seams, bound.doubled_vertices));
   return notes;
 }
 

@@ -124,6 +124,10 @@ void bind_rigged(const RigJobOptions& job, const RigModels& models, RiggedCharac
       rigged->fitted ? bind_to_own(options, character) : bind_to_prediction(rigged->skeleton, options, &character);
   character.influences = std::move(result.influences);
   rigged->bind_seconds = result.seconds;
+  rigged->seams = std::move(result.seams);
+  if (rigged->seams.seams.empty()) return;
+  const size_t doubled = job.cut || !job.to_pose.empty() ? cut_seams(rigged->seams, &character) : 0;
+  character.notes.push_back(seams_text(character.joints, rigged->seams, doubled));
 }
 
 // The mesh and both of its skeletons in another rest pose.
@@ -147,6 +151,7 @@ void measure_gate(const RigJobOptions& job, RiggedCharacter* rigged) {
 RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool by_names, const RigJobOptions& job,
                               const RigModels& models) {
   if (!job.to_pose.empty() && !job.bind) throw Error("another rest pose needs weights: bind the mesh as well");
+  if (job.cut && !job.bind) throw Error("seams are found by weights: bind the mesh as well");
   const std::optional<RestPose> pose =
       job.to_pose.empty() ? std::nullopt : std::optional<RestPose>(read_rest_pose(job.to_pose));
   RiggedCharacter rigged;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "gltf/move_joints.hpp"
 #include "gltf/move_vertices.hpp"
 #include "predict/limbs.hpp"
 #include "predict/turn.hpp"
@@ -351,7 +352,12 @@ Character in_rest_pose(const Character& character, const RestPose& pose, uint32_
   for (Joint& joint : posed.joints) height(joint.position) += fall;
   const std::vector<Affine> matrices = vertex_matrices(character, palette, posed);
   turn_corner_normals(character, matrices, &posed);
-  if (character.gltf) posed.gltf = moved_document(character.name, *character.gltf, matrices);
+  if (!character.gltf) return posed;
+  const bool own = !character.gltf->joint_nodes.empty() && same_joints(character.joints, character.gltf->joints);
+  posed.gltf = moved_document(character.name, *character.gltf, matrices, own);
+  if (!own) return posed;
+  for (Affine& m : palette) m[up_axis == 1 ? 7 : 11] += static_cast<double>(fall);
+  posed.gltf = moved_joints(character.name, *posed.gltf, palette, posed.joints);
   return posed;
 }
 

@@ -166,6 +166,8 @@ EMSCRIPTEN_KEEPALIVE const char* character_bind(sinew_character* character, cons
         wish.take("fit", &o.fit);
         wish.take("symmetric", &o.symmetric);
         wish.take("keep_confidence", &o.keep_confidence);
+        wish.take("cut", &o.cut);
+        wish.take("to_pose", &o.to_pose);
         wish.take_array("joint_flags", &o.joint_flags);
         wish.take_array("locked", &o.locked);
         wish.take_array("hinted", &o.hinted);
@@ -180,6 +182,7 @@ EMSCRIPTEN_KEEPALIVE const char* character_bind(sinew_character* character, cons
         said["symmetricVertices"] = result.symmetric_vertices;
         said["keptMeshes"] = result.kept_meshes;
         said["foldedTips"] = result.folded_tips;
+        said["seams"] = result.seam_count;
         said["leftOut"] = Json::array();
         for (uint32_t i = 0; i < result.left_out_count; ++i)
           said["leftOut"].push_back({{"joint", result.left_out[i]}, {"why", result.left_out_why[i]}});
@@ -204,6 +207,7 @@ EMSCRIPTEN_KEEPALIVE const char* character_rig(sinew_character* character, const
         wish.take("influence_count", &o.influence_count);
         wish.take("category", &o.category);
         wish.take("gate", &o.gate);
+        wish.take("cut", &o.cut);
         wish.take("to_pose", &o.to_pose);
         wish.take("skeleton", &o.skeleton);
         wish.take_array("skeleton_character", &o.skeleton_character);

@@ -331,14 +331,20 @@ class sinew_character_bind_options(Structure):
         ("joints", c_uint32), ("rigid_parts", c_uint32), ("softness_percent", c_uint32), ("surface_vertices", c_uint32),
         ("keep_tips", c_uint32), ("bind_props", c_uint32), ("fit", c_uint32), ("symmetric", c_uint32), ("keep_confidence", c_uint32),
         ("question_count", c_uint32), ("answer_count", c_uint32), ("answers", POINTER(sinew_answer)), ("joint_flags", c_void_p),
-        ("locked", c_void_p), ("hinted", c_void_p), ("hints", c_void_p), ("like", c_void_p), ("style", c_char_p)]
+        ("locked", c_void_p), ("hinted", c_void_p), ("hints", c_void_p), ("like", c_void_p), ("style", c_char_p), ("to_pose", c_char_p),
+        ("cut", c_uint32), ("reserved", c_uint32)]
+
+
+class sinew_character_seam(Structure):
+    _fields_ = [("joints", c_uint32 * 2), ("position", c_float * 3), ("length", c_float)]
 
 
 class sinew_character_bind_result(Structure):
     _fields_ = [("struct_size", c_uint32), ("symmetric_vertices", c_uint32), ("kept_meshes", c_uint32), ("folded_tips", c_uint32),
-        ("left_out_count", c_uint32), ("question_count", c_uint32), ("answers_by_style", c_uint32), ("reserved", c_uint32),
+        ("left_out_count", c_uint32), ("question_count", c_uint32), ("answers_by_style", c_uint32), ("seam_count", c_uint32),
         ("seconds", c_double), ("workspace_bytes", c_size_t), ("left_out", c_void_p), ("left_out_why", POINTER(c_char_p)),
-        ("questions", POINTER(sinew_question)), ("vertex_questions", c_void_p), ("hash", c_char_p)]
+        ("questions", POINTER(sinew_question)), ("vertex_questions", c_void_p), ("hash", c_char_p),
+        ("seams", POINTER(sinew_character_seam)), ("doubled_vertices", c_uint32), ("reserved", c_uint32)]
 
 
 class sinew_skeleton_edit(Structure):
@@ -351,14 +357,14 @@ class sinew_character_rig_options(Structure):
         ("spine_count", c_uint32), ("no_toes", c_uint32), ("no_ends", c_uint32), ("no_bind", c_uint32), ("keep_lengths", c_uint32),
         ("influence_count", c_uint32), ("rigid_parts", c_uint32), ("softness_percent", c_uint32), ("surface_vertices", c_uint32),
         ("edit_count", c_uint32), ("edits", POINTER(sinew_skeleton_edit)), ("skeleton", c_char_p), ("skeleton_character", c_void_p),
-        ("category", c_uint32), ("front", c_uint32), ("gate", c_uint32), ("reserved", c_uint32), ("to_pose", c_char_p)]
+        ("category", c_uint32), ("front", c_uint32), ("gate", c_uint32), ("cut", c_uint32), ("to_pose", c_char_p)]
 
 
 class sinew_character_rig_result(Structure):
     _fields_ = [("struct_size", c_uint32), ("mirrored", c_uint32), ("matched", c_uint32), ("joint_count", c_uint32), ("spread", c_float),
         ("reserved", c_float), ("scale", c_double), ("seconds", c_double), ("bind_seconds", c_double), ("ends", c_void_p),
         ("confidence", c_void_p), ("parent_confidence", c_void_p), ("front", c_float * 3), ("up", c_uint32), ("front_confidence", c_float),
-        ("up_confidence", c_float)]
+        ("up_confidence", c_float), ("seam_count", c_uint32), ("seams", POINTER(sinew_character_seam))]
 
 
 class sinew_character_map_options(Structure):
@@ -436,10 +442,10 @@ STRUCTS: Tuple[Any, ...] = (sinew_mesh, sinew_model, sinew_answer, sinew_alterna
 
 
 CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_arrays, sinew_character_clip, sinew_character_models,
-    sinew_character_bind_options, sinew_character_bind_result, sinew_skeleton_edit, sinew_character_rig_options, sinew_character_rig_result,
-    sinew_character_map_options, sinew_character_map_result, sinew_character_animate_options, sinew_character_animate_result,
-    sinew_character_pose_options, sinew_character_transfer_options, sinew_character_transfer_result, sinew_character_simplify_options,
-    sinew_character_bake_options, sinew_character_bake_result)
+    sinew_character_bind_options, sinew_character_seam, sinew_character_bind_result, sinew_skeleton_edit, sinew_character_rig_options,
+    sinew_character_rig_result, sinew_character_map_options, sinew_character_map_result, sinew_character_animate_options,
+    sinew_character_animate_result, sinew_character_pose_options, sinew_character_transfer_options, sinew_character_transfer_result,
+    sinew_character_simplify_options, sinew_character_bake_options, sinew_character_bake_result)
 
 
 # Result and arguments.

@@ -332,8 +332,8 @@ class OpenCharacter:
              deform: Optional[Iterable[Union[str, int]]] = None, never: Optional[Iterable[Union[str, int]]] = None,
              rigid_parts: declarations.RigidParts = "auto", softness: float = 1.0, surface_vertices: int = 0, keep_tips: bool = False,
              bind_props: bool = False, fit: bool = False, symmetric: bool = False, keep_confidence: bool = False, locked: Any = None,
-             hints: Any = None, like: Optional["OpenCharacter"] = None, style: Union[None, str, os.PathLike] = None, questions: int = 0,
-             answers: Sequence[Tuple] = (), model: ModelFile = None, threads: int = 1, progress: ProgressFunction = None) -> Bound:
+             hints: Any = None, like: Optional["OpenCharacter"] = None, style: Union[None, str, os.PathLike] = None, cut: bool = False,
+             to_pose: Union[None, str, os.PathLike] = None, questions: int = 0, answers: Sequence[Tuple] = (), model: ModelFile = None, threads: int = 1, progress: ProgressFunction = None) -> Bound:
         """Skin weights for the mesh.
 
         joints     where it is known from which joints may get weight: "own": those that have some, mesh by mesh; "names"; "all";
@@ -346,6 +346,8 @@ class OpenCharacter:
         hints      the same, and their weights steer the vertices around them; or an OpenCharacter with weights of some vertices
         like       a bound character whose weights are carried over where they fit
         style      a file of `sinew bind --save-style`
+        cut        what has grown together is opened: vertices along it are doubled, the new ones come last
+        to_pose    "t", "a" or a file whose skeleton stands so: the rest pose that the character is put into, cut before
         Other arguments are those of sinew.bind().
         """
         options = binding.init(declarations.sinew_character_bind_options)
@@ -371,6 +373,7 @@ class OpenCharacter:
         options.hints = hints.pointer if isinstance(hints, OpenCharacter) else None
         options.like = None if like is None else like.pointer
         options.style = None if style is None else os.fsencode(style)
+        options.cut, options.to_pose = int(cut), None if to_pose is None else os.fsencode(to_pose)
         models = _Models(bind=model)
         result = binding.init(declarations.sinew_character_bind_result)
         self._job("bind", "sinew_character_bind", [], options, result, threads, progress, models)
@@ -386,7 +389,7 @@ class OpenCharacter:
             ends: bool = True, bind: bool = True,
             skeleton: Union[None, str, os.PathLike, "OpenCharacter"] = None, keep_lengths: bool = False,
             edits: Sequence[Tuple[declarations.EditKind, str]] = (), to_pose: Union[None, str, os.PathLike] = None,
-            gate: bool = False, influences: int = 0, category: declarations.SlotCategory = "any", model: ModelFile = None,
+            gate: bool = False, cut: bool = False, influences: int = 0, category: declarations.SlotCategory = "any", model: ModelFile = None,
             hands_model: ModelFile = None, front_model: ModelFile = None, threads: int = 1,
             progress: ProgressFunction = None) -> Rigged:
         """A skeleton for the mesh, and weights for it. A skeleton that the character has is left out.
@@ -397,6 +400,7 @@ class OpenCharacter:
                   ("rename", "JOINT=NAME"), ("at", "JOINT=X,Y,Z"): as move, and adds what was not found
         to_pose   "t", "a" or a file whose skeleton stands so: the rest pose that the character is put into
         gate      measure the result: what fails is a note that begins with "gate: "
+        cut       what has grown together is opened: vertices along it are doubled; to_pose does so, too
         category  of method "slots": which slots a body may have
         Other arguments are those of sinew.rig().
         """
@@ -407,6 +411,7 @@ class OpenCharacter:
         options.front = chosen(front, FRONTS, "front")
         options.no_toes, options.no_ends, options.no_bind = int(not toes), int(not ends), int(not bind)
         options.keep_lengths, options.influence_count, options.gate = int(keep_lengths), influences, int(gate)
+        options.cut = int(cut)
         options.category = chosen(category, declarations.SLOT_CATEGORY, "category")
         if to_pose is not None:
             options.to_pose = os.fsencode(to_pose)

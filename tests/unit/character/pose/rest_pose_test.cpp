@@ -218,5 +218,31 @@ TEST(RestPose, ADocumentOfGltfIsMovedToo) {
   EXPECT_NEAR(place_of(read, "LeftHand").y, place_of(posed, "LeftHand").y, 1e-5f);
 }
 
+// Joints of the file itself are moved, by their own names, with the matrices of its skin: what is read is what was posed.
+TEST(RestPose, AFilesOwnJointsMoveWithTheMesh) {
+  const TempFolder folder;
+  const std::string file = folder.file("bound.glb"), moved = folder.file("moved.glb");
+  write_gltf(file, figure(kSlouched));
+  const Character rest = read_gltf(file);
+  ASSERT_EQ(rest.joints.size(), kSlouched.size());
+  const Character posed = in_rest_pose(rest, pose_of(RestPose::Kind::kT), 1);
+  write_gltf(moved, posed);
+  const Character read = read_gltf(moved);
+  ASSERT_EQ(read.joints.size(), rest.joints.size());
+  for (size_t j = 0; j < read.joints.size(); ++j) {
+    EXPECT_EQ(read.joints[j].name, rest.joints[j].name);
+    EXPECT_NEAR(read.joints[j].position.x, posed.joints[j].position.x, 1e-5f);
+    EXPECT_NEAR(read.joints[j].position.y, posed.joints[j].position.y, 1e-5f);
+    EXPECT_NEAR(read.joints[j].position.z, posed.joints[j].position.z, 1e-5f);
+  }
+  ASSERT_EQ(read.vertices.size(), posed.vertices.size());
+  for (size_t v = 0; v < read.vertices.size(); ++v) {
+    EXPECT_NEAR(read.vertices[v].x, posed.vertices[v].x, 1e-5f);
+    EXPECT_NEAR(read.vertices[v].y, posed.vertices[v].y, 1e-5f);
+    EXPECT_NEAR(read.vertices[v].z, posed.vertices[v].z, 1e-5f);
+  }
+  expect_bone(read, "LeftArm", "LeftForeArm", {1, 0, 0});
+}
+
 }  // namespace
 }  // namespace sinew

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// Accessors of primitives with the values of doubled vertices behind the others, and new indices.
+#include "gltf/cut_vertices.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "gltf/mesh_nodes.hpp"
+#include "gltf/primitive_triangles.hpp"
+#include "gltf/reread.hpp"
+#include "sinew_formats/error.hpp"
+
+namespace sinew {
+namespace {
+
+class DocumentCutter {
+ public:
+  DocumentCutter(const std::string& name, const GltfSource& source, const std::vector<uint32_t>& face_vertices,
+                 const std::vector<Vec3>& vertices)
+      : name_(name),
+        read_(source),
+        face_vertices_(face_vertices),
+        vertices_(vertices),
+        cut_(source),
+        mesh_nodes_(&cut_.document) {}
+
+  // The document's JSON and bytes are cut, its model is as read.
+  GltfSource run() {
+    for_each_node(read_.parts, [&](size_t first, size_t last) {
+      const int mesh = mesh_nodes_.own_mesh(read_.parts[first].node);
+      for (size_t p = first; p < last; ++p) cut_part(static_cast<size_t>(mesh), p);
+    });
+    drop_unused_accessors(orphans_, &cut_);
+    return std::move(cut_);
+  }
+
+ private:
+  void cut_part(size_t mesh, size_t p) {
+    GltfPart& part = cut_.parts[p];
+    const size_t node = static_cast<size_t>(part.node), before = part.vertex_of.size();
+    const tinygltf::Primitive& primitive = read_.model.meshes[static_cast<size_t>(read_.model.nodes[node].mesh)]
+                                               .primitives[static_cast<size_t>(part.primitive)];
+    const std::string where = name_ + ": mesh " + std::to_string(mesh);
+    std::vector<uint32_t> indices, sources;  // of the doubled ones
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> doubled;
+    for (const auto& corners : primitive_triangles(where, read_.model, primitive, before)) {
+      for (const uint32_t corner : corners) {
+        const uint32_t wanted = face_vertices_.at(next_corner_++);
+        uint32_t index = corner;
+        if (part.vertex_of[corner] != wanted) {
+          const auto [at, is_new] = doubled.try_emplace({corner, wanted}, static_cast<uint32_t>(part.vertex_of.size()));
+          index = at->second;
+          if (is_new) {
+            part.vertex_of.push_back(wanted);
+            sources.push_back(corner);
+          }
+        }
+        indices.push_back(index);
+      }
+    }
+    if (sources.empty()) return;
+    Json& json = cut_.document["meshes"][mesh]["primitives"][static_cast<size_t>(part.primitive)];
+    for (const auto& [key, accessor] : primitive.attributes)
+      json["attributes"][key] = extended(where + ", " + key, accessor, sources);
+    place(part, before, sources, json["attributes"]["POSITION"].get<size_t>());
+    for (size_t t = 0; t < primitive.targets.size(); ++t)
+      for (const auto& [key, accessor] : primitive.targets[t])
+        json["targets"][t][key] = extended(where + ", shape " + std::to_string(t), accessor, sources);
+    if (primitive.indices >= 0) orphans_.push_back(primitive.indices);
+    json["indices"] = add_accessor(&cut_, indices.data(), indices.size() * 4, "SCALAR",
+                                   TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, indices.size(), false, false);
+    cut_.document["bufferViews"].back()["target"] = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
+    json["mode"] = TINYGLTF_MODE_TRIANGLES;
+  }
+
+  // A new accessor with the values of `accessor` and then those of `sources` again.
+  int extended(const std::string& where, int accessor, const std::vector<uint32_t>& sources) {
+    const tinygltf::Accessor& old = read_.model.accessors.at(static_cast<size_t>(accessor));
+    const auto key = std::make_pair(accessor, sources);
+    if (const auto known = extended_.find(key); known != extended_.end()) return known->second;
+    const size_t components = static_cast<size_t>(tinygltf::GetNumComponentsInType(static_cast<uint32_t>(old.type)));
+    const Json& json = read_.document["accessors"][static_cast<size_t>(accessor)];
+    const bool floats = old.sparse.isSparse || old.bufferView < 0;
+    const size_t size = components * static_cast<size_t>(tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(
+                                         floats ? TINYGLTF_COMPONENT_TYPE_FLOAT : old.componentType)));
+    const size_t stride = (size + 3) / 4 * 4;
+    std::vector<uint8_t> values((old.count + sources.size()) * stride, 0);
+    const std::vector<float> resolved =
+        floats ? accessor_floats(where, read_.model, accessor, static_cast<int>(components)) : std::vector<float>();
+    const uint8_t* const from = floats ? reinterpret_cast<const uint8_t*>(resolved.data()) : bytes_of(where, old);
+    const size_t step = floats ? size : step_of(old);
+    for (size_t v = 0; v < old.count + sources.size(); ++v) {
+      const size_t source = v < old.count ? v : sources[v - old.count];
+      if (source >= old.count)
+        throw Error(where + ": expected a value for every vertex, found " + std::to_string(old.count));
+      std::copy_n(from + source * step, size, values.data() + v * stride);
+    }
+    const int number = add_accessor(&cut_, values.data(), values.size(), json["type"].get<std::string>().c_str(),
+                                    floats ? TINYGLTF_COMPONENT_TYPE_FLOAT : old.componentType,
+                                    old.count + sources.size(), true, !floats && old.normalized);
+    cut_.document["bufferViews"].back()["byteStride"] = stride;
+    for (const char* bound : {"min", "max"})
+      if (json.contains(bound)) cut_.document["accessors"][static_cast<size_t>(number)][bound] = json[bound];
+    orphans_.push_back(accessor);
+    extended_[key] = number;
+    return number;
+  }
+
+  // Moves doubled vertices by what the Character's are away from those that they are of.
+  void place(const GltfPart& part, size_t before, const std::vector<uint32_t>& sources, size_t accessor) {
+    const Json& json = cut_.document["accessors"][accessor];
+    const tinygltf::Node& node = read_.model.nodes[static_cast<size_t>(part.node)];
+    const std::optional<Affine> back =
+        inverse(node.skin >= 0 ? read_.bind_pose.skin_frames[static_cast<size_t>(node.skin)]
+                               : read_.bind_pose.worlds[static_cast<size_t>(part.node)]);
+    if (!back || json["componentType"] != TINYGLTF_COMPONENT_TYPE_FLOAT || !read_.bind_pose.agrees) return;
+    const Json& view = cut_.document["bufferViews"][json["bufferView"].get<size_t>()];
+    uint8_t* const bytes = cut_.bytes.data() + view["byteOffset"].get<size_t>();
+    const auto local = [&](uint32_t vertex) {
+      const Vec3& p = vertices_[vertex];
+      return transform_point(*back, static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z));
+    };
+    for (size_t d = 0; d < sources.size(); ++d) {
+      const auto now = local(part.vertex_of[before + d]), then = local(part.vertex_of[sources[d]]);
+      std::array<float, 3> position;
+      std::memcpy(position.data(), bytes + (before + d) * sizeof position, sizeof position);
+      for (size_t c = 0; c < 3; ++c) position[c] += static_cast<float>(now[c] - then[c]);
+      std::memcpy(bytes + (before + d) * sizeof position, position.data(), sizeof position);
+    }
+  }
+
+  size_t step_of(const tinygltf::Accessor& accessor) const {
+    return static_cast<size_t>(accessor.ByteStride(read_.model.bufferViews[static_cast<size_t>(accessor.bufferView)]));
+  }
+  const uint8_t* bytes_of(const std::string& where, const tinygltf::Accessor& accessor) const {
+    (void)accessor_floats(where, read_.model, static_cast<int>(&accessor - read_.model.accessors.data()),
+                          tinygltf::GetNumComponentsInType(static_cast<uint32_t>(accessor.type)));  // checks its range
+    const tinygltf::BufferView& view = read_.model.bufferViews[static_cast<size_t>(accessor.bufferView)];
+    return read_.model.buffers[static_cast<size_t>(view.buffer)].data.data() + view.byteOffset + accessor.byteOffset;
+  }
+
+  const std::string& name_;
+  const GltfSource& read_;
+  const std::vector<uint32_t>& face_vertices_;
+  const std::vector<Vec3>& vertices_;
+  GltfSource cut_;
+  MeshNodes mesh_nodes_;
+  size_t next_corner_ = 0;
+  std::vector<int> orphans_;
+  std::map<std::pair<int, std::vector<uint32_t>>, int> extended_;
+};
+
+}  // namespace
+
+std::shared_ptr<const GltfSource> cut_document(const std::string& name, const GltfSource& source,
+                                               const std::vector<uint32_t>& face_vertices,
+                                               const std::vector<Vec3>& vertices) {
+  std::shared_ptr<GltfSource> cut = read_again(name, DocumentCutter(name, source, face_vertices, vertices).run());
+  cut->vertex_count = vertices.size();
+  return cut;
+}
+
+}  // namespace sinew
