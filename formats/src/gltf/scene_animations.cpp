@@ -20,7 +20,7 @@ std::array<float, 4> numbers_of(aiQuaternion q) {
   return {q.x, q.y, q.z, q.w};
 }
 
-// Printable UTF-8. Assimp 5.2 hands out other bytes as names of COLLADA animations that it puts together.
+// Printable UTF-8. Assimp 5.2 calls COLLADA animations that it puts together combinedAnim_ and '0' + number, a byte that is no text from 80 on.
 bool is_text(const std::string& name) {
   if (name.empty()) return false;
   for (const char c : name)

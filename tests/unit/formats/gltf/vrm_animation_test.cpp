@@ -66,10 +66,10 @@ TEST(VrmAnimation, JointsAreTheHumanoids) {
 }
 
 TEST(VrmAnimation, BrokenMapsAreOneLine) {
-  const auto fails = [](const auto& change, const std::string& part) {
+  const auto fails = [](const auto& change, const std::string& expected) {
     GlbBuilder builder = dance();
     change(&builder.document["extensions"]["VRMC_vrm_animation"]);
-    EXPECT_ERROR(read(builder), "dance.vrma", part);
+    EXPECT_ERROR(read(builder), "dance.vrma", expected);
   };
   using Json = nlohmann::json;
   fails([](Json* e) { (*e)["humanoid"]["humanBones"]["hips"]["node"] = 5; },

@@ -255,8 +255,8 @@ TEST(Numpy, IsASkeletonToo) {
 }
 
 TEST(Numpy, WhatIsWrongIsOneLine) {
-  const auto fails = [](const std::string& name, const std::string& bytes, const std::string& part,
-                        const std::string& layout = "") { EXPECT_ERROR(read(name, bytes, layout), name, part); };
+  const auto fails = [](const std::string& name, const std::string& bytes, const std::string& expected,
+                        const std::string& layout = "") { EXPECT_ERROR(read(name, bytes, layout), name, expected); };
   fails("a.npy", "", "expected a NumPy array");
   fails("a.npy", npy_of("|O", "(2, 24, 3)", "....."), "pickled objects");
   fails("a.npy", npy_of(shape_of({2, 24, 3}), std::vector<float>(10)),
