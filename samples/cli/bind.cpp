@@ -34,6 +34,7 @@ struct Settings {
 void check_mesh_changes(const BindSettings& one) {
   if (one.cut && one.symmetric)
     throw UsageError("--symmetric keeps both sides alike to the last bit and looks for no seams: leave --cut out");
+  if (one.cut && one.no_seams) throw UsageError("--cut opens seams: leave --no-seams out");
   if ((one.cut || !one.to_pose.empty()) && (one.output == "-" || has_extension(one.output, ".rig.txt")))
     throw UsageError("--cut and --to-pose change the mesh, and rig.txt has none: write a .glb or .gltf");
 }
@@ -187,6 +188,8 @@ void add_outputs(CLI::App* sub, Settings* s) {
 void add_mesh_changes(CLI::App* sub, Settings* s) {
   section(sub, "What becomes of the mesh");
   shared_flag(sub, "--cut", s->one.cut);
+  sub->add_flag("--no-seams", s->one.no_seams,
+                "Weight may cross where parts have grown together, as the engine alone has it");
   shared_option(sub, "--to-pose", s->one.to_pose,
                 "The mesh follows and its bends keep their volume; what has grown together is cut first, a file's own "
                 "joints move with it");

@@ -95,6 +95,7 @@ BindJobOptions job_options(const BindSettings& settings, const Binder& binder, c
   job.bind_props = settings.bind_props;
   job.fit = settings.fit;
   job.symmetric = settings.symmetric;
+  job.seams = !settings.no_seams;
   job.cut = settings.cut;
   job.to_pose = settings.to_pose;
   job.influence_count = settings.influences;

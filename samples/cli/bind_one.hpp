@@ -25,7 +25,7 @@ struct BindSettings {
   unsigned influences = 4, threads = 1;
   StyleOptions style;
   bool keep_tips = false, bind_props = false, fit = false;
-  bool symmetric = false, confidence = false;
+  bool symmetric = false, confidence = false, no_seams = false;
   bool cut = false;                  // what has grown together is opened
   std::string to_pose;               // rest pose of what is written; empty: as the mesh stands
   unsigned questions = 0;            // parts to list or, with `ask`, to ask about on the terminal

@@ -39,7 +39,7 @@ function project(name, from = name) {
 // What the command gives for a sample.
 function bound(name, ...options) {
   const rig = join(work, `${name}.rig.txt`);
-  const args = ["bind", join(data, `${name}.obj`), "--skeleton", join(data, `${name}.rig.txt`), "--json", ...options];
+  const args = ["bind", join(data, `${name}.obj`), "--skeleton", join(data, `${name}.rig.txt`), "--no-seams", "--json", ...options];
   const { hash } = JSON.parse(sinew(...args, "-o", rig));
   return { hash, rows: readRig(readFileSync(rig, "utf8")).influences };
 }

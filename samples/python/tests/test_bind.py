@@ -19,7 +19,7 @@ class SameAsCommand(unittest.TestCase):
     def compare(self, name, options, **arguments):
         positions, faces, skeleton, _ = read_character(name)
         with folder() as where:
-            told = command("bind", DATA / f"{name}.obj", "--skeleton", DATA / f"{name}.rig.txt", "--joints", "all", "--keep-tips",
+            told = command("bind", DATA / f"{name}.obj", "--skeleton", DATA / f"{name}.rig.txt", "--joints", "all", "--keep-tips", "--no-seams",
                            "-o", f"{where}/out.rig.txt", "--json", *options)
             _, rows = read_rig(f"{where}/out.rig.txt", len(positions))
         skin = sinew.bind(positions, faces, skeleton, **arguments)

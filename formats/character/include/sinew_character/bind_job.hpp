@@ -33,7 +33,8 @@ struct BindJobOptions {
   uint32_t influence_count = 4, thread_count = 1, up_axis = 0;
   uint32_t rigid_parts = SINEW_RIGID_PARTS_AUTO, softness_percent = 100, surface_vertices = 32768;
   bool keep_tips = false, bind_props = false, fit = false, symmetric = false;
-  bool cut = false;  // what has grown together is opened: see cut_seams()
+  bool cut = false;   // what has grown together is opened: see cut_seams()
+  bool seams = true;  // no weight across what has grown together
   std::string
       to_pose;  // the rest pose of what is written: "t", "a" or a file that stands so; empty: as it stands. Cuts as well
   std::vector<uint8_t> said;    // [J] SINEW_JOINT_* of the user, or empty

@@ -163,6 +163,7 @@ BindJob::BindJob(const BindJobOptions& job, const Binder& binder, Character* cha
 CharacterBind BindJob::bind(const std::vector<sinew_answer>& answers, uint32_t question_count) {
   const Character& character = *character_;
   CharacterBindOptions character_options = options_;
+  character_options.keep_apart = job_.seams;
   BindOptions& options = character_options.bind;
   options.answers = answers;
   options.question_count = question_count;
