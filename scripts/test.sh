@@ -33,12 +33,6 @@ tell_seconds() {
 }
 trap tell_seconds EXIT
 
-# clang needs two thirds of the time of GCC for it; on some systems its sanitizers are a package of their own, which may be missing.
-sanitizer_compiler() {
-  if echo 'int main() {}' | clang++ -fsanitize=address,undefined -x c++ - -o build/sanitizers_are_there >/dev/null 2>&1; then
-    echo -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++
-  fi
-}
 build() {  # PRESET ARGUMENT_OF_CMAKE...
   cmake --preset "$@" -DSINEW_PRECOMPILE=ON >/dev/null
   cmake --build --preset "$1" -j "$jobs"
@@ -53,7 +47,7 @@ if [ "${1:-}" != quick ]; then
   phase "conformance, linked only" scripts/conformance.sh --link ci-links
   phase "conformance of kernels" scripts/conformance.sh --kernels aarch64 cortex-m7
   # Engine, formats and quant: what reads files from strangers. The trainer under sanitizers is `cmake --preset dev` by hand.
-  phase "sanitizer build" build sanitize $(sanitizer_compiler)
+  phase "sanitizer build" build sanitize
   # Without the data folder, which is large: those cases ran above.
   phase "sanitizer tests" env SINEW_SHARED_DIR=none ctest --test-dir build/sanitize --output-on-failure -j "$jobs" -LE 'slow|tools'
 fi
