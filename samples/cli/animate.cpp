@@ -140,16 +140,12 @@ Json limb_json(const sinew_limb_measure& limb) {
 void add_motions(const Settings& s, const std::atomic<bool>& stop, Animated* out) {
   std::string first_error;
   for (const MotionChoice& choice : parse_choices(s.motions)) {
-    if (!choice.of_folder) {
-      add_motion_file(s, choice, stop, out);
-      continue;
-    }
     try {
       add_motion_file(s, choice, stop, out);
     } catch (const OutOfMemory&) {
       throw;
     } catch (const Error& error) {
-      if (stop) throw;
+      if (!choice.of_folder || stop) throw;
       if (first_error.empty()) first_error = error.what();
       out->motion.notes.push_back("left out: " + std::string(error.what()));
     }

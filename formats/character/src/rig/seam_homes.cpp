@@ -116,7 +116,7 @@ class HomeFinder {
   }
 
  private:
-  // Joints that have weight at a vertex or a few edges on, and the largest weight that they have there.
+  // Joints that have weight at a vertex or a few edges on, each with nothing yet.
   Scores candidates(uint32_t vertex) const {
     std::vector<uint32_t> reached = {vertex};
     size_t ring = 0;

@@ -68,11 +68,17 @@ class SeamFinder {
     return near;
   }
 
+  // [edges] 1: crosses.
+  std::vector<char> which_cross() const {
+    std::vector<char> crosses(surface_.edges.size(), 0);
+    for (const uint32_t e : crossing_) crosses[e] = 1;
+    return crosses;
+  }
+
   // Groups of crossing edges whose ends are the same or neighbours.
   std::vector<std::vector<uint32_t>> lines() const {
     std::vector<std::vector<uint32_t>> lines;
-    std::vector<char> crosses(surface_.edges.size(), 0);
-    for (const uint32_t e : crossing_) crosses[e] = 1;
+    std::vector<char> crosses = which_cross();
     const auto take = [&](uint32_t v, std::vector<uint32_t>* line) {
       for (uint32_t k = surface_.offsets[v]; k < surface_.offsets[v + 1]; ++k) {
         const uint32_t e = surface_.around[k];
@@ -96,8 +102,7 @@ class SeamFinder {
 
   // [V] the piece of the surface without crossing edges that a vertex belongs to.
   std::vector<uint32_t> pieces() const {
-    std::vector<char> crosses(surface_.edges.size(), 0);
-    for (const uint32_t e : crossing_) crosses[e] = 1;
+    const std::vector<char> crosses = which_cross();
     std::vector<uint32_t> pieces(homes_.size(), kNoHome);
     for (uint32_t first = 0; first < pieces.size(); ++first) {
       if (pieces[first] != kNoHome) continue;
