@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "motion/person.hpp"
+#include "sinew_formats/median.hpp"
 
 namespace sinew {
 namespace {
@@ -138,9 +139,7 @@ class PlacesSolver {
       std::vector<double> lengths;
       for (const std::vector<Point3>& frame : places_)
         lengths.push_back(length(between(frame, joint.parent, static_cast<int>(j))));
-      std::nth_element(lengths.begin(), lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2),
-                       lengths.end());
-      joint.offset = lengths[lengths.size() / 2] * unit(joint.offset);
+      joint.offset = median(&lengths) * unit(joint.offset);
     }
     take_rest();
   }

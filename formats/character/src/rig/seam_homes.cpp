@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "sinew_formats/median.hpp"
+
 namespace sinew {
 namespace {
 
@@ -27,12 +29,6 @@ double* score_of(Scores* scores, uint32_t joint) {
   const auto found = std::lower_bound(scores->begin(), scores->end(), joint,
                                       [](const auto& one, uint32_t j) { return one.first < j; });
   return found != scores->end() && found->first == joint ? &found->second : nullptr;
-}
-
-double median(std::vector<double>* values) {
-  const auto middle = values->begin() + static_cast<std::ptrdiff_t>(values->size() / 2);
-  std::nth_element(values->begin(), middle, values->end());
-  return *middle;
 }
 
 // How thick a part is along its bones: the usual distance of its surface.

@@ -13,6 +13,7 @@
 
 #include "sinew_character/joint_verdicts.hpp"
 #include "sinew_datasets/bone_distance.hpp"
+#include "sinew_formats/median.hpp"
 #include "sinew_formats/print.hpp"
 
 namespace sinew {
@@ -161,10 +162,7 @@ class Labels {
     }
     usual_.assign(c_.joints.size(), 0);
     for (size_t j = 0; j < own.size(); ++j) {
-      if (own[j].empty()) continue;
-      const auto middle = own[j].begin() + static_cast<std::ptrdiff_t>(own[j].size() / 2);
-      std::nth_element(own[j].begin(), middle, own[j].end());
-      usual_[j] = *middle;
+      if (!own[j].empty()) usual_[j] = median(&own[j]);
     }
   }
 
