@@ -204,7 +204,7 @@ SINEW_INLINE void wide_tile(const LinearView& linear, const TileRows& rows, uint
 SINEW_INLINE TileRows rows_from(const TileRows& all, uint32_t begin) {
   TileRows tile = all;
   tile.in += begin * all.in_stride;
-  tile.residual += begin * all.residual_stride;
+  if (tile.residual != nullptr) tile.residual += begin * all.residual_stride;
   tile.out += begin * all.out_stride;
   if (tile.present != nullptr) tile.present += begin;
   tile.first_row += begin;
