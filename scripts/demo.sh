@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh
-cmake --preset release >/dev/null
+cmake --preset release -DSINEW_UNITY=ON >/dev/null
 cmake --build --preset release --target sinew_cli -j "$(nproc)"
 
 sinew=build/release/sinew

@@ -20,7 +20,7 @@ namespace {
 
 constexpr char kMagic[8] = {'S', 'I', 'N', 'E', 'W', 'C', 'K', 'P'};
 constexpr uint32_t kVersion = 2, kOldestVersion = 1;
-constexpr size_t kHeaderBytes = 24;  // magic, version u32, CRC-32 u32, payload bytes u64; all little-endian
+constexpr size_t kCheckpointHeader = 24;  // magic, version u32, CRC-32 u32, payload bytes u64; all little-endian
 
 uint32_t version_of(cereal::PortableBinaryOutputArchive&) { return kVersion; }
 // cereal hands every struct the archive that it began with, so the version travels in it.
@@ -73,24 +73,24 @@ Checkpoint read_checkpoint(const std::string& path) {
   const std::vector<uint8_t> bytes = read_file(path);
   if (bytes.size() < sizeof kMagic || std::memcmp(bytes.data(), kMagic, sizeof kMagic) != 0)
     throw Error(path + ": expected a sinew checkpoint, found a file that does not begin with SINEWCKP");
-  if (bytes.size() < kHeaderBytes)
-    throw Error(path + ": truncated checkpoint, expected " + std::to_string(kHeaderBytes) + " bytes of header, found " +
-                std::to_string(bytes.size()));
+  if (bytes.size() < kCheckpointHeader)
+    throw Error(path + ": truncated checkpoint, expected " + std::to_string(kCheckpointHeader) +
+                " bytes of header, found " + std::to_string(bytes.size()));
   const uint32_t version = load_u32(bytes.data() + 8);
   const uint64_t length = load_u64(bytes.data() + 16);
   if (version < kOldestVersion || version > kVersion)
     throw Error(path + ": expected checkpoint version " + std::to_string(kOldestVersion) + " to " +
                 std::to_string(kVersion) + ", found " + std::to_string(version));
-  const size_t payload_bytes = bytes.size() - kHeaderBytes;
+  const size_t payload_bytes = bytes.size() - kCheckpointHeader;
   if (length != payload_bytes)
     throw Error(path + ": truncated checkpoint, expected " + std::to_string(length) +
                 " bytes after the header, found " + std::to_string(payload_bytes));
-  if (load_u32(bytes.data() + 12) != crc32(0, bytes.data() + kHeaderBytes, payload_bytes))
+  if (load_u32(bytes.data() + 12) != crc32(0, bytes.data() + kCheckpointHeader, payload_bytes))
     throw Error(path + ": damaged checkpoint, the checksum does not match");
 
   Checkpoint checkpoint;
   try {
-    std::istringstream stream(std::string(bytes.begin() + kHeaderBytes, bytes.end()));
+    std::istringstream stream(std::string(bytes.begin() + kCheckpointHeader, bytes.end()));
     InputArchive archive(stream, version);
     static_cast<cereal::PortableBinaryInputArchive&>(archive)(checkpoint);
     if (stream.peek() != std::istringstream::traits_type::eof()) throw Error("bytes left over");
@@ -112,11 +112,11 @@ void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
     archive(checkpoint);
   }
   const std::string payload = stream.str();
-  std::vector<uint8_t> bytes(kHeaderBytes + payload.size());
+  std::vector<uint8_t> bytes(kCheckpointHeader + payload.size());
   std::memcpy(bytes.data(), kMagic, sizeof kMagic);
-  std::memcpy(bytes.data() + kHeaderBytes, payload.data(), payload.size());
+  std::memcpy(bytes.data() + kCheckpointHeader, payload.data(), payload.size());
   store_u32(bytes.data() + 8, kVersion);
-  store_u32(bytes.data() + 12, crc32(0, bytes.data() + kHeaderBytes, payload.size()));
+  store_u32(bytes.data() + 12, crc32(0, bytes.data() + kCheckpointHeader, payload.size()));
   store_u64(bytes.data() + 16, payload.size());
   write_file(path, bytes);
 }

@@ -15,7 +15,7 @@ start_build() {
 # argument of cmake for host.cmake then.
 build_host() {
   local work=$SINEW_WASM_ENGINE/host
-  emcmake cmake -S "$root/samples/npm/wasm/host" -B "$work" -DCMAKE_BUILD_TYPE=Release "$engine_archive" >"$work.log" 2>&1 &&
+  emcmake cmake -S "$root/samples/npm/wasm/host" -B "$work" -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=10 "$engine_archive" >"$work.log" 2>&1 &&
     cmake --build "$work" -j "$(nproc)" --target sinew_host >>"$work.log" 2>&1 || { cat "$work.log" >&2; return 1; }
   host_archive=-DSINEW_HOST_ARCHIVE=$work/libsinew_host.a
 }

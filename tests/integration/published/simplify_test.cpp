@@ -19,8 +19,8 @@ namespace sinew {
 namespace {
 
 const std::string kData = std::string(SINEW_SOURCE_DIR) + "/samples/data";
-const char* const kSamples[] = {"biped__robed", "biped__robot", "quadruped__tailed", "bird__winged",
-                                "many-legged__plated"};
+const char* const kSimplified[] = {"biped__robed", "biped__robot", "quadruped__tailed", "bird__winged",
+                                   "many-legged__plated"};
 
 Character sample(const std::string& name) { return read_character(kData + "/" + name + ".obj"); }
 
@@ -131,7 +131,7 @@ TEST(PublishedSimplify, ATwistGoesUnlessItIsSeen) {
 }
 
 TEST(PublishedSimplify, TheLowLevelTakesNoLimbsOff) {
-  for (const std::string name : kSamples) {
+  for (const std::string name : kSimplified) {
     const Character before = sample(name);
     std::vector<uint8_t> classes = limb_classes(map_rig_of(before), 'y');
     SimplifyOptions low;

@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-constexpr const char* kSamples[] = {"biped__robot", "snake__long"};
+constexpr const char* kTransferred[] = {"biped__robot", "snake__long"};
 constexpr const char* kWays[] = {"", " --as-drawn"};
 
 Character bound(const std::string& mesh, const std::string& rig) {
@@ -29,7 +29,7 @@ class PublishedTransfer : public Cli {
 };
 
 TEST_F(PublishedTransfer, AMeshOntoItselfKeepsItsWeights) {
-  for (const std::string sample : kSamples) {
+  for (const std::string sample : kTransferred) {
     fs::copy(kData + "/" + sample + ".obj", in("own.obj"), fs::copy_options::overwrite_existing);
     fs::copy(kData + "/" + sample + ".rig.txt", in("own.rig.txt"), fs::copy_options::overwrite_existing);
     const Character own = bound(in("own.obj"), in("own.rig.txt"));

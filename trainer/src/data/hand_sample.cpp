@@ -32,12 +32,6 @@ Vector3d share(Vec3i p) {
   return {p.x * kStep, p.y * kStep, p.z * kStep};
 }
 
-double segment_distance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
-  const Vector3d along = b - a;
-  const double t = std::clamp((p - a).dot(along) / std::max(along.squaredNorm(), 1e-12), 0.0, 1.0);
-  return (p - a - t * along).norm();
-}
-
 }  // namespace
 
 HandSource::HandSource(const Character& character, const TargetHand& hand)

@@ -35,12 +35,6 @@ Matrix3d rotation_between(const Vector3d& from, const Vector3d& to) {
   return Eigen::AngleAxisd(std::atan2(sine, cosine), unit).toRotationMatrix();
 }
 
-double segment_distance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
-  const Vector3d along = b - a;
-  const double t = std::clamp((p - a).dot(along) / std::max(along.squaredNorm(), 1e-12), 0.0, 1.0);
-  return (p - a - t * along).norm();
-}
-
 }  // namespace
 
 RigSource::RigSource(const Character& character)

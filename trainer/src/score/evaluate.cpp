@@ -13,6 +13,7 @@
 #include "sinew_datasets/bone_distance.hpp"
 #include "sinew_formats/box.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/vertex_areas.hpp"
 #include "sinew_trainer/fold_targets.hpp"
 #include "sinew_trainer/random_poses.hpp"
 
@@ -27,10 +28,6 @@ Point scaled(const Vec3& p, double scale) {
   return {static_cast<double>(p.x) * scale, static_cast<double>(p.y) * scale, static_cast<double>(p.z) * scale};
 }
 
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 double length(const Point& p) { return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]); }
 
 // Differences in double, as the yardstick's script has them.
@@ -39,25 +36,6 @@ double longest_side(const std::vector<Vec3>& vertices) {
   return std::max({static_cast<double>(high.x) - static_cast<double>(low.x),
                    static_cast<double>(high.y) - static_cast<double>(low.y),
                    static_cast<double>(high.z) - static_cast<double>(low.z)});
-}
-
-// A third of every adjacent triangle; polygons are fans.
-std::vector<double> vertex_areas(const Character& c) {
-  std::vector<double> areas(c.vertices.size(), 0.0);
-  for (size_t f = 0; f < c.face_count(); ++f) {
-    for (uint32_t k = c.face_offsets[f] + 1; k + 1 < c.face_offsets[f + 1]; ++k) {
-      const std::array<uint32_t, 3> corners = {c.face_vertices[c.face_offsets[f]], c.face_vertices[k],
-                                               c.face_vertices[k + 1]};
-      const Point a = scaled(c.vertices[corners[0]], 1);
-      Point ab = scaled(c.vertices[corners[1]], 1), ac = scaled(c.vertices[corners[2]], 1);
-      for (size_t i = 0; i < 3; ++i) {
-        ab[i] -= a[i];
-        ac[i] -= a[i];
-      }
-      for (uint32_t v : corners) areas[v] += length(cross(ab, ac)) / 6;
-    }
-  }
-  return areas;
 }
 
 // Linear blend skinning; what a row lacks to sum 1 stays at rest.

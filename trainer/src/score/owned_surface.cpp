@@ -4,30 +4,13 @@
 #include <cmath>
 
 #include "sinew_formats/box.hpp"
+#include "sinew_formats/vertex_areas.hpp"
 #include "sinew_trainer/rig_score.hpp"
 
 namespace sinew {
 namespace {
 
 constexpr double kMiddle = 0.01;  // of the longest side
-
-std::vector<double> vertex_areas(const Character& character) {
-  std::vector<double> area(character.vertices.size(), 0.0);
-  for (size_t f = 0; f < character.face_count(); ++f) {
-    const uint32_t begin = character.face_offsets[f], end = character.face_offsets[f + 1];
-    for (uint32_t i = begin + 2; i < end; ++i) {
-      const uint32_t corner[3] = {character.face_vertices[begin], character.face_vertices[i - 1],
-                                  character.face_vertices[i]};
-      const Vec3 &a = character.vertices[corner[0]], &b = character.vertices[corner[1]],
-                 &c = character.vertices[corner[2]];
-      const double u[3] = {double(b.x) - a.x, double(b.y) - a.y, double(b.z) - a.z};
-      const double v[3] = {double(c.x) - a.x, double(c.y) - a.y, double(c.z) - a.z};
-      const double twice = std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
-      for (const uint32_t k : corner) area[k] += twice / 6;
-    }
-  }
-  return area;
-}
 
 // The joint of most weight where `to` says whom each joint's weight is for; -1 without any.
 template <class To>

@@ -18,7 +18,7 @@ using Eigen::Index;
 constexpr size_t kMostTerms = 28;
 constexpr double kNearer = 0.85;   // scale of a joint's values, a joint further, before anything is known
 constexpr double kFirstRidge = 4;  // of the sums of squares over the poses
-constexpr double kRidge = 1;
+constexpr double kDriverRidge = 1;
 constexpr double kSharpness = 0.6;  // how much more a joint that explains more may explain in the end
 constexpr double kPairs = 2;        // scale of values of two turns
 constexpr double kRounding = 1e4;   // factors have four decimals: half the bytes in a file, the same weights
@@ -110,7 +110,7 @@ MorphDriver fit_driver(const PoseRotations& rotations, const std::vector<double>
   if (chosen.terms.empty()) return driver;
   const MatrixF values = rotations.values(chosen.terms, chosen.scales);
   Matrix normal = (values.transpose() * values).cast<double>();
-  normal.diagonal().array() += kRidge;
+  normal.diagonal().array() += kDriverRidge;
   const Eigen::LLT<Matrix> root(normal);
   // In coordinates where the normal matrix is 1, the best weights are the main axes of the solution.
   const Matrix solution = root.matrixL().solve((values.transpose() * moves).cast<double>());

@@ -23,8 +23,8 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kArmsOfA = 45 * kDegree;   // below the shoulders' line
 constexpr double kMostLean = 10 * kDegree;  // of a trunk that stays as it is
-constexpr double kUpright = 50 * kDegree;   // a trunk that leans more is no biped's
-constexpr double kStanding = 0.1;           // a foot's share along the floor below which it has no direction
+constexpr double kLean = 50 * kDegree;      // a trunk that leans more is no biped's
+constexpr double kFootAlong = 0.1;          // a foot's share along the floor below which it has no direction
 
 size_t at(int j) { return static_cast<size_t>(j); }
 
@@ -175,7 +175,7 @@ void put_upright(const Body& body, const RestPose& pose, Wishes* wishes) {
   const std::optional<Point> line = trunk_line(body, &from);
   if (!line) return;
   const double lean = std::acos(std::clamp(dot(*line, body.up), -1.0, 1.0));
-  if (lean > kUpright)
+  if (lean > kLean)
     throw Error("the pose " + pose.name +
                 " is for characters that stand upright, and this trunk does not; give a file that "
                 "stands as it shall");
@@ -224,7 +224,7 @@ size_t stand_like(const Body& body, const Body& like, Wishes* wishes) {
 // A foot's bone as its parent left it, turned about the upright axis to the front.
 std::optional<Point> foot_forward(const Body& body, const Point& bone) {
   const double high = dot(bone, body.up), along = std::sqrt(std::max(0.0, 1 - high * high));
-  if (along < kStanding) return std::nullopt;
+  if (along < kFootAlong) return std::nullopt;
   return along * body.front + high * body.up;
 }
 

@@ -11,9 +11,9 @@
 namespace sinew {
 namespace {
 
-using names::JointName;
+using ReadName = names::JointName;
 
-double edge_cost(const Joint& a, const JointName& at_a, const Joint& b, const JointName& at_b) {
+double edge_cost(const Joint& a, const ReadName& at_a, const Joint& b, const ReadName& at_b) {
   const double distance = static_cast<double>(
       std::hypot(a.position.x - b.position.x, a.position.y - b.position.y, a.position.z - b.position.z));
   if (at_a.side * at_b.side < 0) return distance * 4;
@@ -25,11 +25,11 @@ double edge_cost(const Joint& a, const JointName& at_a, const Joint& b, const Jo
 }
 
 // The middle of a body by its name; otherwise the joint from which the largest branch is smallest.
-size_t choose_root(const std::vector<JointName>& said, const std::vector<std::vector<size_t>>& neighbours) {
+size_t choose_root(const std::vector<ReadName>& said, const std::vector<std::vector<size_t>>& neighbours) {
   const size_t count = said.size();
-  for (const auto& wanted : {+[](const JointName& name) { return name.root; },
-                             +[](const JointName& name) { return name.part == names::Part::kHips; },
-                             +[](const JointName& name) { return name.part == names::Part::kSpine; }}) {
+  for (const auto& wanted : {+[](const ReadName& name) { return name.root; },
+                             +[](const ReadName& name) { return name.part == names::Part::kHips; },
+                             +[](const ReadName& name) { return name.part == names::Part::kSpine; }}) {
     for (size_t j = 0; j < count; ++j)
       if (said[j].side == 0 && wanted(said[j])) return j;
   }
@@ -60,7 +60,7 @@ size_t top_of(const std::vector<Joint>& joints, size_t joint) {
 }
 
 // Leaves with a parent that only end its bone: what a flat list may have of a hierarchy, and nothing to hang others on.
-std::vector<char> tips_of(const std::vector<Joint>& joints, const std::vector<JointName>& said) {
+std::vector<char> tips_of(const std::vector<Joint>& joints, const std::vector<ReadName>& said) {
   std::vector<char> tips(joints.size(), 0);
   for (size_t j = 0; j < joints.size(); ++j)
     tips[j] = joints[j].parent >= 0 && said[j].has(names::kEnd | names::kNub | names::kTip) ? 1 : 0;
@@ -73,7 +73,7 @@ std::vector<char> tips_of(const std::vector<Joint>& joints, const std::vector<Jo
 
 size_t infer_parents(std::vector<Joint>* joints) {
   const size_t count = joints->size();
-  std::vector<JointName> said;
+  std::vector<ReadName> said;
   for (const Joint& joint : *joints) said.push_back(names::read_joint_name(joint.name.c_str()));
   const std::vector<char> tips = tips_of(*joints, said);
   const size_t tip_count = static_cast<size_t>(std::count(tips.begin(), tips.end(), char{1}));

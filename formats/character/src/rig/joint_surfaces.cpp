@@ -2,34 +2,20 @@
 // Areas of faces to vertices, of vertices to joints.
 #include "rig/joint_surfaces.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
+
+#include "sinew_formats/vertex_areas.hpp"
 
 namespace sinew {
 namespace {
 
-double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double u[3] = {double{b.x} - a.x, double{b.y} - a.y, double{b.z} - a.z};
-  const double v[3] = {double{c.x} - a.x, double{c.y} - a.y, double{c.z} - a.z};
-  return 0.5 * std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
-}
-
-// [V] a third of the faces around a vertex; all alike where there is no surface.
-std::vector<double> vertex_areas(const Character& c) {
-  std::vector<double> areas(c.vertices.size(), 0.0);
-  double whole = 0;
-  for (size_t f = 0; f + 1 < c.face_offsets.size(); ++f) {
-    const uint32_t* const corners = c.face_vertices.data() + c.face_offsets[f];
-    for (size_t k = 2; k < c.face_offsets[f + 1] - c.face_offsets[f]; ++k) {
-      const uint32_t triangle[3] = {corners[0], corners[k - 1], corners[k]};
-      const double third = triangle_area(c.vertices[triangle[0]], c.vertices[triangle[1]], c.vertices[triangle[2]]) / 3;
-      for (const uint32_t v : triangle) areas[v] += third;
-      whole += third;
-    }
-  }
-  if (!(whole > 0)) areas.assign(areas.size(), 1.0);
+// [V] as vertex_areas(); all alike where there is no surface.
+std::vector<double> shares_of_vertices(const Character& c) {
+  std::vector<double> areas = vertex_areas(c);
+  if (!std::any_of(areas.begin(), areas.end(), [](double area) { return area > 0; })) areas.assign(areas.size(), 1.0);
   return areas;
 }
 
@@ -37,7 +23,7 @@ std::vector<double> vertex_areas(const Character& c) {
 
 JointSurfaces joint_surfaces(const Character& c) {
   if (c.influences.empty()) return {};
-  const std::vector<double> areas = vertex_areas(c);
+  const std::vector<double> areas = shares_of_vertices(c);
   std::vector<double> sums(c.joints.size(), 0.0);
   std::vector<std::array<double, 3>> middles(c.joints.size());
   double whole = 0;

@@ -12,6 +12,7 @@
 #include "names/joint_name.hpp"
 #include "sinew_character/joint_verdicts.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/vertex_areas.hpp"
 
 namespace sinew {
 namespace {
@@ -30,9 +31,6 @@ Point point(const Vec3& p) { return {static_cast<double>(p.x), static_cast<doubl
 Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double length(const Point& a) { return std::sqrt(dot(a, a)); }
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 // Linear between the two nearest, as numpy's. `values` holds at least one.
 double quantile(std::vector<double> values, double share) {
@@ -54,21 +52,6 @@ double longest_side(const std::vector<Vec3>& vertices) {
     }
   }
   return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-}
-
-// A third of the area of the triangles around each vertex, twice. [V]
-std::vector<double> vertex_areas(const Character& c) {
-  std::vector<double> areas(c.vertices.size(), 0);
-  for (size_t f = 0; f < c.face_count(); ++f) {
-    const uint32_t first = c.face_offsets[f], last = c.face_offsets[f + 1];
-    for (uint32_t k = first + 1; k + 1 < last; ++k) {
-      const uint32_t corners[3] = {c.face_vertices[first], c.face_vertices[k], c.face_vertices[k + 1]};
-      const Point a = point(c.vertices[corners[0]]);
-      const double area = length(cross(point(c.vertices[corners[1]]) - a, point(c.vertices[corners[2]]) - a));
-      for (const uint32_t v : corners) areas[v] += area / 3;
-    }
-  }
-  return areas;
 }
 
 void check(const Character& c) {

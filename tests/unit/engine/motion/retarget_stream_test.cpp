@@ -80,18 +80,18 @@ TEST(RetargetStream, KeepsTheRangeThatClipsKeep) {
   EXPECT_EQ(rotations, clip.rotations);
 }
 
-struct Figures {
+struct StreamFigures {
   double off = 0, below = 0, slide = 0;  // shares of the height
   int contacts = 0;
 };
 
 // What the source has on its floor, hands that do not move there, and how far the two are off.
-Figures play(const Proportions& p, const Motion& motion, int stands_with) {
+StreamFigures play(const Proportions& p, const Motion& motion, int stands_with) {
   const MotionScene source = built({}), target = built(p);
   const BoxBody a(source, 0.1), b(target, 0.1 * p.size, p.size);
   const sinew_motion_body body = b.view();
   Live live(source, target, &body);
-  Figures out;
+  StreamFigures out;
   Placed before, from;
   const double height = 1.58 * p.size;
   for (int f = 0; f < 30; ++f) {
@@ -124,7 +124,7 @@ TEST(RetargetStream, TheBodyIsOnTheFloorFromTheFirstFrameOn) {
                                        {pushing, kLeftFoot},
                                        {kneeling, -1},
                                        {sitting, -1}}) {
-      const Figures found = play(p, motion, with);
+      const StreamFigures found = play(p, motion, with);
       EXPECT_GE(found.contacts, 30) << "one of them in all frames";
       EXPECT_LT(found.slide, 0.005) << p.arms << " " << p.trunk << " " << p.thighs;
       EXPECT_LT(found.off, 0.01) << p.arms << " " << p.trunk << " " << p.thighs;

@@ -18,9 +18,9 @@ using namespace sinew;
 using namespace sinew::rigging;
 using sinew_test::MeshScene;
 
-struct MeshRun : sinew_test::MeshRun {
+struct HandMesh : sinew_test::MeshRun {
   GridQuantizer quantizer;
-  explicit MeshRun(const MeshScene& scene) : sinew_test::MeshRun(scene) {
+  explicit HandMesh(const MeshScene& scene) : sinew_test::MeshRun(scene) {
     EXPECT_EQ(make_grid_quantizer(scene.positions.data(), scene.vertex_count(), 0, &quantizer), SINEW_OK);
   }
 };
@@ -56,7 +56,7 @@ struct Cropped {
   Counts counts;
   Workspace block;
 
-  Cropped(const MeshRun& run, const MeshScene& scene, const HandPosition& place) {
+  Cropped(const HandMesh& run, const MeshScene& scene, const HandPosition& place) {
     const sinew_mesh view = scene.mesh_view();
     counts.vertices = view.vertex_count;
     counts.faces = view.face_count;
@@ -75,12 +75,12 @@ struct Cropped {
   }
 };
 
-Vec3i grid(const MeshRun& run, float x, float y, float z) {
+Vec3i grid(const HandMesh& run, float x, float y, float z) {
   const float p[3] = {x, y, z};
   return quantize_point(run.quantizer, p);
 }
 
-HandPosition position_at(const MeshRun& run, float wrist, float elbow, float length) {
+HandPosition position_at(const HandMesh& run, float wrist, float elbow, float length) {
   HandPosition place;
   place.wrist = grid(run, wrist, 0.5f, 0);
   place.elbow = grid(run, elbow, 0.5f, 0);
@@ -94,7 +94,7 @@ TEST(HandFrame, BringsTheForearmToXAndComesBack) {
     for (uint32_t quarters = 0; quarters < 4; ++quarters) {
       for (const bool right : {false, true}) {
         const MeshScene scene = arm();
-        const MeshRun run(scene);
+        const HandMesh run(scene);
         HandPosition place = position_at(run, 0.8f, 0.4f, 0.2f);
         place.elbow = place.wrist + elbow;
         place.quarters = quarters;
@@ -126,7 +126,7 @@ TEST(HandFrame, TheRightHandIsTheLeftOnesMirrorImage) {
 
 TEST(HandCrop, HoldsTheHandAloneFromItsWristOn) {
   const MeshScene scene = arm();
-  const MeshRun run(scene);
+  const HandMesh run(scene);
   const Cropped cropped(run, scene, position_at(run, 0.8f, 0.4f, 0.2f));
   const HandCrop& crop = cropped.crop;
   ASSERT_GT(crop.surface_triangles, 0u);
@@ -142,7 +142,7 @@ TEST(HandCrop, HoldsTheHandAloneFromItsWristOn) {
 
 TEST(HandCrop, IsClosedWhereItWasCutAndWhereTheMeshWasOpen) {
   const MeshScene scene = arm();
-  const MeshRun run(scene);
+  const HandMesh run(scene);
   const Cropped cropped(run, scene, position_at(run, 0.8f, 0.4f, 0.2f));
   const Mesh& mesh = cropped.crop.mesh;
   EXPECT_EQ(mesh.welded_count, cropped.crop.surface_vertices + 2) << "one middle a loop";
@@ -165,7 +165,7 @@ TEST(HandCrop, IsClosedWhereItWasCutAndWhereTheMeshWasOpen) {
 TEST(HandCrop, PartsBesideTheHandStayOut) {
   MeshScene scene = arm();
   add_tube(&scene, 0.7, 1.1, 0.5, 0.15, 0.02);  // within the region, away from the axis
-  const MeshRun run(scene);
+  const HandMesh run(scene);
   const Cropped cropped(run, scene, position_at(run, 0.8f, 0.4f, 0.2f));
   ASSERT_GT(cropped.crop.surface_vertices, 0u);
   for (uint32_t v = 0; v < cropped.crop.surface_vertices; ++v)
@@ -174,7 +174,7 @@ TEST(HandCrop, PartsBesideTheHandStayOut) {
 
 TEST(HandCrop, IsEmptyWhereThereIsNoSurface) {
   const MeshScene scene = arm();
-  const MeshRun run(scene);
+  const HandMesh run(scene);
   HandPosition place = position_at(run, 0.8f, 0.4f, 0.2f);
   place.wrist = grid(run, 3, 3, 3);
   EXPECT_EQ(Cropped(run, scene, place).crop.surface_triangles, 0u);

@@ -38,7 +38,7 @@ Morphs knee_shape(uint32_t vertex) {
   return morphs;
 }
 
-json written(const TempFolder& folder, const Character& c, const Morphs& morphs, std::string* glb) {
+json written_morphs(const TempFolder& folder, const Character& c, const Morphs& morphs, std::string* glb) {
   GlbOptions options;
   write_gltf_morphs(folder.file("out.glb"), c, options, morphs);
   const std::vector<uint8_t> bytes = read_file(folder.file("out.glb"));
@@ -59,7 +59,7 @@ TEST(GltfMorphs, MovesLieInTheMeshsOwnSpace) {
   const TempFolder folder;
   const Character c = read_gltf(folder.write("in.glb", turned_strip().glb()));
   std::string glb;
-  const json document = written(folder, c, knee_shape(7), &glb);
+  const json document = written_morphs(folder, c, knee_shape(7), &glb);
   const json& mesh = document["meshes"][0];
   ASSERT_EQ(mesh["primitives"][0]["targets"].size(), 1u);
   const size_t position = mesh["primitives"][0]["targets"][0]["POSITION"].get<size_t>();
@@ -106,7 +106,7 @@ void expect_the_same_weight(const GlbBuilder& builder) {
   const Character c = read_gltf(folder.write("in.glb", builder.glb()));
   Morphs morphs = knee_shape(7);
   std::string glb;
-  json document = written(folder, c, morphs, &glb);
+  json document = written_morphs(folder, c, morphs, &glb);
   const json correctives = document["meshes"][0]["extras"]["sinew_correctives"];
   ASSERT_EQ(correctives["joints"].size(), 2u);
   EXPECT_EQ(correctives["joints"][0]["joint"], "knee");
@@ -169,7 +169,7 @@ TEST(GltfMorphs, TargetsAndTheirAnimationsStay) {
   clip.weights = {{0}, {0.5f}, {0.75f}};
   morphs.clips = {clip};
   std::string glb;
-  const json document = written(folder, c, morphs, &glb);
+  const json document = written_morphs(folder, c, morphs, &glb);
   EXPECT_EQ(document["meshes"][0]["primitives"][0]["targets"].size(), 2u);
   EXPECT_EQ(document["meshes"][0]["weights"], json::array({0.5, 0.0}));
   EXPECT_EQ(document["meshes"][0]["extras"]["targetNames"], json::array({"target_0", "knee.1"}));
@@ -187,7 +187,7 @@ TEST(GltfMorphs, AMeshFromAnObjGetsThemToo) {
   c.joints = {{"a", {0, 0, 0}, -1}, {"knee", {0, 0.5f, 0}, 0}};
   c.influences.assign(4, {{0, 0.5f}, {1, 0.5f}});
   std::string glb;
-  const json document = written(folder, c, knee_shape(2), &glb);
+  const json document = written_morphs(folder, c, knee_shape(2), &glb);
   const size_t position = document["meshes"][0]["primitives"][0]["targets"][0]["POSITION"].get<size_t>();
   EXPECT_EQ(sparse_values(glb, document, position), (std::vector<float>{0.25f, 0, 0.5f}));
   SINEW_EXPECT_VALID_GLTF({folder.file("out.glb")});

@@ -31,7 +31,7 @@ nlohmann::json named(const char* name) {
   return {{"name", name}, {"channels", nlohmann::json::array()}, {"samplers", nlohmann::json::array()}};
 }
 
-Motion read(const TempFolder& folder, const GlbBuilder& builder, double fps = 0) {
+Motion read_clips(const TempFolder& folder, const GlbBuilder& builder, double fps = 0) {
   return read_gltf_motion(folder.write("a.glb", builder.glb()), fps);
 }
 
@@ -45,7 +45,7 @@ TEST(GltfMotion, SamplesEveryInterpolation) {
   add_channel(&builder, &cubic, 0, "translation", {0, 2}, {0, 0, 0, 10, 0, 0, 3, 0, 0, 5, 0, 0, 16, 0, 0, 0, 0, 0},
               "CUBICSPLINE");
   for (nlohmann::json* animation : {&linear, &step, &cubic}) builder.add("animations", *animation);
-  const Motion motion = read(folder, builder, 10);
+  const Motion motion = read_clips(folder, builder, 10);
   ASSERT_EQ(motion.joints.size(), 2u);
   EXPECT_EQ(motion.joints[0].name, "hip");
   EXPECT_EQ(motion.joints[1].offset[1], 2);
@@ -73,7 +73,7 @@ TEST(GltfMotion, RotationsBlendCubically) {
   add_channel(&builder, &cubic, 1, "rotation", {0, 1},
               {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0.5f, 0, 0, 0, 0, 0, 0, 0, kHalf, kHalf, 0, 0, 0, 0}, "CUBICSPLINE");
   builder.add("animations", cubic);
-  const Quaternion q = read(folder, builder, 4).clips.at(0).frames.at(1).rotations[1];
+  const Quaternion q = read_clips(folder, builder, 4).clips.at(0).frames.at(1).rotations[1];
   // Hermite at t = 0.25: 0.84375 of the first, 0.140625 of its tangent, 0.15625 of the second.
   const Quaternion wanted = normalised({0, 0, 0.140625 * 0.5 + 0.15625 * kHalf, 0.84375 + 0.15625 * kHalf});
   EXPECT_NEAR(dot(q, wanted), 1, 1e-7);
@@ -88,7 +88,7 @@ TEST(GltfMotion, TakesTheRateOfItsKeys) {
     for (size_t i = 0; i < times.size(); ++i) values.insert(values.end(), {0, 0, 0, 1});
     add_channel(&builder, &animation, 1, "rotation", times, values, "LINEAR");
     builder.add("animations", animation);
-    return 1 / read(folder, builder).clips[0].frame_time;
+    return 1 / read_clips(folder, builder).clips[0].frame_time;
   };
   std::vector<float> times;
   for (int i = 0; i < 86; ++i) times.push_back(static_cast<float>(i * 0.033332));
@@ -116,7 +116,7 @@ TEST(GltfMotion, ReadsThroughScaledAndTurnedParents) {
   add_channel(&builder, &animation, 0, "translation", {0, 1}, {1000, 0, 0, 1100, 0, 0}, "LINEAR");
   add_channel(&builder, &animation, 0, "rotation", {0, 1}, {0, 0, 0, 1, 0, 0, kHalf, kHalf}, "LINEAR");
   builder.add("animations", animation);
-  const Motion motion = read(folder, builder, 1);
+  const Motion motion = read_clips(folder, builder, 1);
   ASSERT_EQ(motion.joints.size(), 3u);
   EXPECT_EQ(motion.joints[0].name, "hip");
   EXPECT_EQ(motion.joints[0].parent, 2);
@@ -137,7 +137,7 @@ TEST(GltfMotion, NodesWithoutASkinAreJoints) {
   nlohmann::json animation = named("a");
   add_channel(&builder, &animation, 0, "rotation", {0, 1}, {0, 0, 0, 1, 0, 0, kHalf, kHalf}, "LINEAR");
   builder.add("animations", animation);
-  const Motion motion = read(folder, builder);
+  const Motion motion = read_clips(folder, builder);
   ASSERT_EQ(motion.joints.size(), 2u);
   EXPECT_EQ(motion.joints[1].parent, 0);
   EXPECT_EQ(motion.clips[0].frames.size(), 25u);
@@ -153,7 +153,7 @@ TEST(GltfMotion, TwoKeysAtOneTimeAreAJump) {
     values.insert(values.end(), key.begin(), key.end());
   add_channel(&builder, &animation, 1, "rotation", {0, 0.5f, 0.5f, 1}, values, "LINEAR");
   builder.add("animations", animation);
-  const Clip clip = read(folder, builder).clips.at(0);
+  const Clip clip = read_clips(folder, builder).clips.at(0);
   ASSERT_GE(clip.frames.size(), 3u);
   size_t jumps = 0;
   for (size_t f = 1; f < clip.frames.size(); ++f)
@@ -163,14 +163,14 @@ TEST(GltfMotion, TwoKeysAtOneTimeAreAJump) {
 
 TEST(GltfMotion, WhatIsWrongIsOneLine) {
   const TempFolder folder;
-  EXPECT_ERROR(read(folder, two_joint_strip()), "a.glb: expected an animation, found none");
+  EXPECT_ERROR(read_clips(folder, two_joint_strip()), "a.glb: expected an animation, found none");
   const auto expect = [&](const std::function<void(nlohmann::json*, GlbBuilder*)>& change, const char* wanted) {
     GlbBuilder builder = two_joint_strip();
     nlohmann::json animation = named("a");
     add_channel(&builder, &animation, 1, "rotation", {0, 1}, {0, 0, 0, 1, 0, 0, kHalf, kHalf}, "LINEAR");
     change(&animation, &builder);
     builder.add("animations", animation);
-    EXPECT_ERROR(read(folder, builder), "a.glb: animation ", "'a'", wanted);
+    EXPECT_ERROR(read_clips(folder, builder), "a.glb: animation ", "'a'", wanted);
   };
   using Animation = nlohmann::json*;
   expect([](Animation a, GlbBuilder*) { (*a)["channels"][0]["target"]["node"] = 99; }, "expected a node below 3");

@@ -40,14 +40,14 @@ GlbBuilder dance() {
       {"expressions", {{"preset", {{"happy", {{"node", 4}}}}}}}};
   return builder;
 }
-Motion read(const GlbBuilder& builder, const std::string& name = "dance.vrma") {
+Motion read_dance(const GlbBuilder& builder, const std::string& name = "dance.vrma") {
   const TempFolder folder;
   return read_motion(folder.write(name, builder.glb()));
 }
 
 TEST(VrmAnimation, JointsAreTheHumanoids) {
   for (const char* name : {"dance.vrma", "dance.glb"}) {
-    const Motion motion = read(dance(), name);
+    const Motion motion = read_dance(dance(), name);
     ASSERT_EQ(motion.joints.size(), 3u);
     EXPECT_EQ(motion.joints[0].name, "hips");
     EXPECT_EQ(motion.joints[1].name, "leftUpperLeg");
@@ -69,7 +69,7 @@ TEST(VrmAnimation, BrokenMapsAreOneLine) {
   const auto fails = [](const auto& change, const std::string& expected) {
     GlbBuilder builder = dance();
     change(&builder.document["extensions"]["VRMC_vrm_animation"]);
-    EXPECT_ERROR(read(builder), "dance.vrma", expected);
+    EXPECT_ERROR(read_dance(builder), "dance.vrma", expected);
   };
   using Json = nlohmann::json;
   fails([](Json* e) { (*e)["humanoid"]["humanBones"]["hips"]["node"] = 5; },
@@ -82,7 +82,7 @@ TEST(VrmAnimation, BrokenMapsAreOneLine) {
   fails([](Json* e) { (*e)["lookAt"] = {{"node", 77}}; }, "'lookAt'");
   GlbBuilder plain = dance();
   plain.document.erase("extensions");
-  EXPECT_ERROR(read(plain), "dance.vrma", "expected a VRM animation (extension VRMC_vrm_animation)");
+  EXPECT_ERROR(read_dance(plain), "dance.vrma", "expected a VRM animation (extension VRMC_vrm_animation)");
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ Motion read(const std::string& bytes) {
   const TempFolder folder;
   return read_motion(folder.write("dance.vmd", bytes));
 }
-size_t joint_of(const Motion& motion, const std::string& name) {
+size_t find_joint(const Motion& motion, const std::string& name) {
   for (size_t j = 0; j < motion.joints.size(); ++j)
     if (motion.joints[j].name == name) return j;
   return motion.joints.size();
@@ -41,11 +41,11 @@ TEST(Vmd, ReadsStandardBones) {
   EXPECT_EQ(motion.name, "dance");
   ASSERT_EQ(motion.clips[0].frames.size(), 11u);
   EXPECT_DOUBLE_EQ(motion.clips[0].frame_time, 1.0 / 30);
-  const size_t knee = joint_of(motion, "leftLowerLeg"), center = joint_of(motion, "center"),
-               elbow = joint_of(motion, "rightLowerArm");
+  const size_t knee = find_joint(motion, "leftLowerLeg"), center = find_joint(motion, "center"),
+               elbow = find_joint(motion, "rightLowerArm");
   ASSERT_LT(elbow, motion.joints.size());
-  EXPECT_EQ(motion.joints[knee].parent, static_cast<int>(joint_of(motion, "leftUpperLeg")));
-  EXPECT_EQ(joint_of(motion, "leftIndexProximal"), motion.joints.size()) << "no finger has keys";
+  EXPECT_EQ(motion.joints[knee].parent, static_cast<int>(find_joint(motion, "leftUpperLeg")));
+  EXPECT_EQ(find_joint(motion, "leftIndexProximal"), motion.joints.size()) << "no finger has keys";
   // From a left-handed world: z and turns about x and y the other way.
   const MotionFrame &last = motion.clips[0].frames[10], &middle = motion.clips[0].frames[5];
   EXPECT_NEAR(std::abs(dot(last.rotations[knee], axis_rotation(0, -1))), 1, 1e-6);
@@ -62,16 +62,17 @@ TEST(Vmd, ReadsStandardBones) {
   EXPECT_EQ(motion.notes[1], "1 bones without a standard name were left out");
   // A person with arms lowered, left at +x, facing +z.
   const std::vector<Joint> rest = rest_joints(motion);
-  EXPECT_GT(rest[joint_of(motion, "leftHand")].position.x, 0.4f);
-  EXPECT_LT(rest[joint_of(motion, "leftHand")].position.y, rest[joint_of(motion, "leftUpperArm")].position.y - 0.2f);
-  EXPECT_GT(rest[joint_of(motion, "leftToes")].position.z, 0.05f);
-  EXPECT_NEAR(double{rest[joint_of(motion, "hips")].position.y}, 0.95, 1e-6);
+  EXPECT_GT(rest[find_joint(motion, "leftHand")].position.x, 0.4f);
+  EXPECT_LT(rest[find_joint(motion, "leftHand")].position.y,
+            rest[find_joint(motion, "leftUpperArm")].position.y - 0.2f);
+  EXPECT_GT(rest[find_joint(motion, "leftToes")].position.z, 0.05f);
+  EXPECT_NEAR(double{rest[find_joint(motion, "hips")].position.y}, 0.95, 1e-6);
 }
 
 TEST(Vmd, CurvesSayHowAKeyIsReached) {
   const auto at = [](std::array<uint8_t, 4> curve) {
     const Motion motion = read(vmd_of({{kCenter, 0}, {kCenter, 10, {10, 0, 0}, {0, 0, 0, 1}, curve}}));
-    return motion.clips[0].frames[5].translations[joint_of(motion, "center")][0] / 0.8;
+    return motion.clips[0].frames[5].translations[find_joint(motion, "center")][0] / 0.8;
   };
   EXPECT_NEAR(at({20, 20, 107, 107}), 0.5, 1e-9);
   EXPECT_NEAR(at({127, 0, 127, 0}), 0.00878, 1e-5) << "late";
@@ -81,10 +82,10 @@ TEST(Vmd, CurvesSayHowAKeyIsReached) {
 
 TEST(Vmd, FingersComeWhereTheyHaveKeys) {
   const Motion motion = read(vmd_of({{kFinger, 0}, {kRightLegIk, 0}}));
-  const size_t finger = joint_of(motion, "leftIndexProximal");
+  const size_t finger = find_joint(motion, "leftIndexProximal");
   ASSERT_LT(finger, motion.joints.size());
-  EXPECT_EQ(motion.joints[finger].parent, static_cast<int>(joint_of(motion, "leftHand")));
-  EXPECT_LT(joint_of(motion, "rightIndexProximal"), motion.joints.size()) << "of both sides";
+  EXPECT_EQ(motion.joints[finger].parent, static_cast<int>(find_joint(motion, "leftHand")));
+  EXPECT_LT(find_joint(motion, "rightIndexProximal"), motion.joints.size()) << "of both sides";
   EXPECT_EQ(motion.notes[0], "1 IK bones were left out, and nothing else moves the legs; bake IK into bones first");
 }
 

@@ -9,13 +9,13 @@
 namespace sinew {
 namespace {
 
-const char kTriangle[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+const char kOneFace[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 const char kRig[] =
     "joints hip 0 1 0\njoints knee 0 0.5 0.1\nroot hip\nskin 0 hip 0.75 knee 0.25\nskin 2 knee 1\nhier hip knee\n";
 
 Character rigged(const std::string& rig) {
   const TempFolder folder;
-  folder.write("dog.obj", kTriangle);
+  folder.write("dog.obj", kOneFace);
   return read_character(folder.write("dog.rig.txt", rig));
 }
 
@@ -78,7 +78,7 @@ TEST(Rig, ABrokenRigLeavesTheMeshAsItWas) {
 
 TEST(Rig, SkeletonAloneIgnoresVertexNumbers) {
   const TempFolder folder;
-  Character c = read_obj(folder.write("mesh.obj", kTriangle));
+  Character c = read_obj(folder.write("mesh.obj", kOneFace));
   read_skeleton(folder.write("s.txt", "joints a 0 0 0\nroot a\nskin 77 a 1\n"), false, &c);
   EXPECT_EQ(c.joints.size(), 1u);
   EXPECT_TRUE(c.influences.empty());
@@ -94,7 +94,7 @@ TEST(Rig, WritesNamesWithoutBlanks) {
   c.influences[0].push_back({2, 4e-7f});  // prints as nothing
   write_rig(folder.file("out.rig.txt"), c);
   EXPECT_NE(folder.text_of("out.rig.txt").find("skin 0 left_hip 0.750000 left_hip_3 0.250000\n"), std::string::npos);
-  Character again = read_obj(folder.write("mesh.obj", kTriangle));
+  Character again = read_obj(folder.write("mesh.obj", kOneFace));
   read_skeleton(folder.file("out.rig.txt"), true, &again);
   EXPECT_EQ(again.joints[0].name, "left_hip");
   EXPECT_EQ(again.joints[1].name, "left_hip_3");
