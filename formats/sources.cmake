@@ -57,3 +57,5 @@ foreach(sources sinew_formats_sources sinew_network_sources)
   list(TRANSFORM ${sources} PREPEND ${CMAKE_CURRENT_LIST_DIR}/src/)
   list(TRANSFORM ${sources} APPEND .cpp)
 endforeach()
+# tinygltf itself: what includes its header before it would leave it out.
+set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/src/gltf/tinygltf.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
