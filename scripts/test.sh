@@ -34,7 +34,7 @@ tell_seconds() {
 trap tell_seconds EXIT
 
 build() {  # PRESET ARGUMENT_OF_CMAKE...
-  cmake --preset "$@" -DSINEW_PRECOMPILE=ON >/dev/null
+  cmake --preset "$@" -DSINEW_PRECOMPILE=ON -DSINEW_UNITY_TESTS=ON >/dev/null
   cmake --build --preset "$1" -j "$jobs"
 }
 

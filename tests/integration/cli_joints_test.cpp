@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool has_text(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 class CliJoints : public Cli {
  protected:
@@ -52,9 +52,9 @@ class CliJoints : public Cli {
 
 TEST_F(CliJoints, OwnJointsAndAttachedMeshesByDefault) {
   const std::string text = good("bind hero.glb -o out.glb --method heat").out;
-  EXPECT_TRUE(has(text, "1 joints get no weight (no weight in the file: kneeIK); --joints all gives it to all"))
+  EXPECT_TRUE(has_text(text, "1 joints get no weight (no weight in the file: kneeIK); --joints all gives it to all"))
       << text;
-  EXPECT_TRUE(has(text, "1 attached meshes kept as they are; --bind-props binds them")) << text;
+  EXPECT_TRUE(has_text(text, "1 attached meshes kept as they are; --bind-props binds them")) << text;
   EXPECT_EQ(weight_of("out.glb", "kneeIK"), 0);
   const std::string glb = slurp(in("out.glb"));
   const json out = json_of_glb(glb);
@@ -69,9 +69,9 @@ TEST_F(CliJoints, OwnJointsAndAttachedMeshesByDefault) {
 }
 
 TEST_F(CliJoints, NamesAllAndLists) {
-  EXPECT_TRUE(has(good("bind hero.glb -o out.glb --method heat --joints names").out, "control: kneeIK"));
+  EXPECT_TRUE(has_text(good("bind hero.glb -o out.glb --method heat --joints names").out, "control: kneeIK"));
   EXPECT_EQ(weight_of("out.glb", "kneeIK"), 0);
-  EXPECT_FALSE(has(good("bind hero.glb -o out.glb --method heat --joints all").out, "no weight"));
+  EXPECT_FALSE(has_text(good("bind hero.glb -o out.glb --method heat --joints all").out, "no weight"));
   EXPECT_GT(weight_of("out.glb", "kneeIK"), 0);
   put(in("list.txt"), "hip\nkneeIK\n");
   good("bind hero.glb -o out.glb --method heat --joints list.txt");
@@ -82,7 +82,7 @@ TEST_F(CliJoints, NamesAllAndLists) {
 }
 
 TEST_F(CliJoints, PropsAreBoundWhereAskedFor) {
-  EXPECT_FALSE(has(good("bind hero.glb -o out.glb --method heat --bind-props").out, "attached"));
+  EXPECT_FALSE(has_text(good("bind hero.glb -o out.glb --method heat --bind-props").out, "attached"));
 }
 
 TEST_F(CliJoints, ASkeletonInOtherUnitsIsToldAndMended) {
@@ -92,11 +92,12 @@ TEST_F(CliJoints, ASkeletonInOtherUnitsIsToldAndMended) {
     joint.position = {100 * joint.position.x, 100 * joint.position.y, 100 * joint.position.z};
   write_rig(in("big.rig.txt"), big);
   const std::string warned = good("bind " + kSnake + " --skeleton big.rig.txt -o out.glb --method heat").out;
-  EXPECT_TRUE(has(warned, "warning: the skeleton is 100 times as large as the mesh")) << warned;
-  EXPECT_TRUE(has(warned, "--fit mends that"));
+  EXPECT_TRUE(has_text(warned, "warning: the skeleton is 100 times as large as the mesh")) << warned;
+  EXPECT_TRUE(has_text(warned, "--fit mends that"));
   const std::string mended = good("bind " + kSnake + " --skeleton big.rig.txt -o out.glb --method heat --fit").out;
-  EXPECT_TRUE(has(mended, "--fit has mended that")) << mended;
-  EXPECT_FALSE(has(good("bind " + kSnake + " --skeleton " + kSnakeRig + " -o out.glb --method heat").out, "warning"));
+  EXPECT_TRUE(has_text(mended, "--fit has mended that")) << mended;
+  EXPECT_FALSE(
+      has_text(good("bind " + kSnake + " --skeleton " + kSnakeRig + " -o out.glb --method heat").out, "warning"));
 }
 
 TEST_F(CliJoints, AFlatListGetsAHierarchy) {
@@ -105,8 +106,8 @@ TEST_F(CliJoints, AFlatListGetsAHierarchy) {
     rig += "joints " + joint.name + " " + std::to_string(joint.position.x) + " " + std::to_string(joint.position.y) +
            " " + std::to_string(joint.position.z) + "\n";
   put(in("flat.rig.txt"), rig + "root " + read_character(kSnake).joints.front().name + "\n");
-  EXPECT_TRUE(has(good("bind " + kSnake + " --skeleton flat.rig.txt -o out.glb --method heat").out,
-                  "17 joints had no parent and got the nearest one along the body"));
+  EXPECT_TRUE(has_text(good("bind " + kSnake + " --skeleton flat.rig.txt -o out.glb --method heat").out,
+                       "17 joints had no parent and got the nearest one along the body"));
 }
 
 }  // namespace

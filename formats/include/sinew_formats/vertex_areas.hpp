@@ -26,7 +26,8 @@ inline std::vector<double> vertex_areas(const Character& character) {
     for (size_t k = 2; k < character.face_offsets[f + 1] - character.face_offsets[f]; ++k) {
       const uint32_t triangle[3] = {corners[0], corners[k - 1], corners[k]};
       const double third = triangle_area(character.vertices[triangle[0]], character.vertices[triangle[1]],
-                                         character.vertices[triangle[2]]) / 3;
+                                         character.vertices[triangle[2]]) /
+                           3;
       for (const uint32_t v : triangle) areas[v] += third;
     }
   }

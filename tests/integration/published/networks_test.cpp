@@ -28,9 +28,9 @@ namespace {
 
 using namespace rigging;
 
-const std::string kData = SINEW_SOURCE_DIR "/samples/data/";
+const std::string kNetworkData = SINEW_SOURCE_DIR "/samples/data/";
 
-Character sample_character(const char* name) { return read_character(kData + name + ".obj"); }
+Character sample_character(const char* name) { return read_character(kNetworkData + name + ".obj"); }
 
 TEST(PublishedNetworks, AttributesArePositionsNormalsLaplaciansAndDistances) {
   const Character character = sample_character("snake__long");
@@ -115,7 +115,7 @@ TEST(PublishedNetworks, SlotsAreTwoNetworksInOneFileAndTheSameByEveryKernel) {
 
 // The shipped model is small enough to be bundled, and finds a humanoid's limbs.
 TEST(PublishedNetworks, ShippedSlotsFindAHumanoid) {
-  const std::vector<uint8_t> bytes = read_file(kData + "sinew_slots.sinew");
+  const std::vector<uint8_t> bytes = read_file(kNetworkData + "sinew_slots.sinew");
   EXPECT_LE(bytes.size(), 300000u);
   const std::unique_ptr<LoadedModel> model = model_from_bytes(bytes, "sinew_slots.sinew", ModelUse::kSlotJoints);
   SkeletonOptions options;

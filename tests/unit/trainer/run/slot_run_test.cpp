@@ -14,12 +14,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Scene {
+struct SlotScene {
   TempFolder folder;
   RigTrainConfig config;
   TrainOptions options;
 
-  Scene() {
+  SlotScene() {
     const std::string data = std::string(SINEW_SOURCE_DIR) + "/samples/data/";
     fs::create_directories(folder.file("set"));
     for (const char* name : {"biped__robot", "snake__long"})
@@ -53,7 +53,7 @@ std::vector<double> totals(const std::string& log) {
 }
 
 TEST(SlotRun, LearnsAndGoesOnAsIfItHadNotStopped) {
-  Scene scene;
+  SlotScene scene;
   const Checkpoint whole = scene.train("whole.ckpt");
   const std::vector<double> total = totals(whole.state.log_csv);
   ASSERT_EQ(total.size(), 4u);
@@ -72,7 +72,7 @@ TEST(SlotRun, LearnsAndGoesOnAsIfItHadNotStopped) {
 }
 
 TEST(SlotRun, ThreadsChangeNoNumber) {
-  Scene scene;
+  SlotScene scene;
   const Checkpoint one = scene.train("one.ckpt");
   scene.options.threads = 3;
   const Checkpoint three = scene.train("three.ckpt");
