@@ -17,8 +17,6 @@
 namespace sinew {
 namespace {
 
-const std::string kRobed = kData + "/biped__robed.obj", kRobedRig = kData + "/biped__robed.rig.txt";
-
 struct Close {
   void operator()(sinew_character* character) const { sinew_character_close(character); }
 };

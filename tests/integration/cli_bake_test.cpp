@@ -14,10 +14,8 @@ namespace {
 
 using CliBake = Cli;
 
-const std::string kBaked = kData + "/biped__robed.obj";
-
 TEST_F(CliBake, HalvesTheErrorOfHeldOutPoses) {
-  const auto json = nlohmann::json::parse(good("bake " + kBaked + " --poses 150 --limit 50 --json -o baked.glb").out);
+  const auto json = nlohmann::json::parse(good("bake " + kRobed + " --poses 150 --limit 50 --json -o baked.glb").out);
   EXPECT_GT(json["shapes"], 8);
   EXPECT_EQ(json["held_out_poses"], 10);
   EXPECT_GT(json["held_out_error"]["linear"], 1e-4);
@@ -29,8 +27,8 @@ TEST_F(CliBake, HalvesTheErrorOfHeldOutPoses) {
 
 TEST_F(CliBake, LearnsFromAnAnimationAndPlaysInIt) {
   put(in("nod.bvh"), nodding_bvh());
-  put(in("map.txt"), nodding_map(read_character(kBaked)));
-  good("animate " + kBaked + " --motion nod.bvh --map map.txt --method copy -o nodding.glb");
+  put(in("map.txt"), nodding_map(read_character(kRobed)));
+  good("animate " + kRobed + " --motion nod.bvh --map map.txt --method copy -o nodding.glb");
   const auto json = nlohmann::json::parse(good("bake nodding.glb --animation 0 --shapes 2 --json -o baked.glb").out);
   EXPECT_EQ(json["animations"], 1);
   EXPECT_EQ(json["held_out_poses"], 10);
@@ -44,11 +42,11 @@ TEST_F(CliBake, LearnsFromAnAnimationAndPlaysInIt) {
 }
 
 TEST_F(CliBake, WrongUseIsOneLine) {
-  bad(2, "bake " + kBaked + "");
-  bad(2, "bake " + kBaked + " -o out.obj");
-  bad(2, "bake " + kBaked + " --deform linear -o out.glb");
-  bad(2, "bake " + kBaked + " --shapes 0 -o out.glb");
-  EXPECT_NE(bad(1, "bake " + kBaked + " --animation walk -o out.glb").error.find("no animation"), std::string::npos);
+  bad(2, "bake " + kRobed + "");
+  bad(2, "bake " + kRobed + " -o out.obj");
+  bad(2, "bake " + kRobed + " --deform linear -o out.glb");
+  bad(2, "bake " + kRobed + " --shapes 0 -o out.glb");
+  EXPECT_NE(bad(1, "bake " + kRobed + " --animation walk -o out.glb").error.find("no animation"), std::string::npos);
   put(in("bare.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   put(in("bare.rig.txt"), "joints a 0 0 0\njoints b 0 1 0\nroot a\nhier a b\n");
   EXPECT_NE(bad(1, "bake bare.obj -o out.glb").error.find("bind it first"), std::string::npos);

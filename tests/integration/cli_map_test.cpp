@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::string kRobed = kData + "/biped__robed.rig.txt", kRobot = kData + "/biped__robot.rig.txt";
+const std::string kRobotRig = kData + "/biped__robot.rig.txt";
 
 class CliMap : public Cli {
  protected:
@@ -32,8 +32,8 @@ class CliMap : public Cli {
 };
 
 TEST_F(CliMap, ALineForEveryJointAndTheSameAsJson) {
-  const Outcome text = good("map " + kRobed + " --from " + kRobot);
-  const Json json = Json::parse(good("map " + kRobed + " --from " + kRobot + " --json").out);
+  const Outcome text = good("map " + kRobedRig + " --from " + kRobotRig);
+  const Json json = Json::parse(good("map " + kRobedRig + " --from " + kRobotRig + " --json").out);
   EXPECT_EQ(lines(text.out), json["joints"].size());
   EXPECT_NE(text.error.find("joints from"), std::string::npos) << "the summary goes beside the map";
   std::istringstream words(text.out);
@@ -57,10 +57,10 @@ TEST_F(CliMap, ALineForEveryJointAndTheSameAsJson) {
 }
 
 TEST_F(CliMap, AnEditedMapIsKept) {
-  const Outcome wrote = good("map " + kRobed + " --from " + kRobot + " -o a.map");
+  const Outcome wrote = good("map " + kRobedRig + " --from " + kRobotRig + " -o a.map");
   EXPECT_NE(wrote.out.find("wrote a.map"), std::string::npos);
   const std::string before = slurp(in("a.map"));
-  good("map " + kRobed + " --from " + kRobot + " --map a.map -o b.map");
+  good("map " + kRobedRig + " --from " + kRobotRig + " --map a.map -o b.map");
   EXPECT_EQ(slurp(in("b.map")), before);
   // Another source for one joint, none for a second, a third is free.
   make_chain("t.rig.txt", "t");
@@ -76,21 +76,22 @@ TEST_F(CliMap, AnEditedMapIsKept) {
 }
 
 TEST_F(CliMap, FilesOfOtherKindsAndPresets) {
-  EXPECT_GT(lines(good("map " + kCaped + " --from " + kRobed).out), 10u);
-  EXPECT_NE(good("map " + kRobed + " --to mixamo").out.find("mixamorig:"), std::string::npos);
+  EXPECT_GT(lines(good("map " + kCaped + " --from " + kRobedRig).out), 10u);
+  EXPECT_NE(good("map " + kRobedRig + " --to mixamo").out.find("mixamorig:"), std::string::npos);
   EXPECT_EQ(good("map template:unreal --from template:unreal").out.find(" -\n"), std::string::npos);
   for (const char* method : {"auto", "sinew", "branches"})
-    EXPECT_GT(lines(good("map " + kRobed + " --from " + kRobot + " --no-names --up auto --method " + method).out), 10u);
+    EXPECT_GT(lines(good("map " + kRobedRig + " --from " + kRobotRig + " --no-names --up auto --method " + method).out),
+              10u);
   for (const char* option : {"--cost mean", "--cost sum", "--first both", "--first target", "--first source"})
-    EXPECT_GT(lines(good("map " + kRobed + " --from " + kRobot + " --method branches " + option).out), 10u);
-  EXPECT_NE(bad(2, "map " + kRobed + " --from " + kRobot + " --cost sum").error.find("--method branches"),
+    EXPECT_GT(lines(good("map " + kRobedRig + " --from " + kRobotRig + " --method branches " + option).out), 10u);
+  EXPECT_NE(bad(2, "map " + kRobedRig + " --from " + kRobotRig + " --cost sum").error.find("--method branches"),
             std::string::npos);
-  bad(2, "map " + kRobed + " --from " + kRobot + " --method branches --first none");
+  bad(2, "map " + kRobedRig + " --from " + kRobotRig + " --method branches --first none");
   put(in("ends.tsv"), "biped__robed\tno such\n");
-  EXPECT_NE(
-      bad(1, "map " + kRobed + " --from " + kRobot + " --ends ends.tsv").error.find("ends.tsv:1: expected a joint"),
-      std::string::npos);
-  good("map " + kRobed + " --from " + kRobot + " -o out.json");
+  EXPECT_NE(bad(1, "map " + kRobedRig + " --from " + kRobotRig + " --ends ends.tsv")
+                .error.find("ends.tsv:1: expected a joint"),
+            std::string::npos);
+  good("map " + kRobedRig + " --from " + kRobotRig + " -o out.json");
   EXPECT_TRUE(Json::parse(slurp(in("out.json"))).contains("certainty"));
 }
 
@@ -124,7 +125,7 @@ TEST_F(CliMap, WrongUsageIsOneLine) {
 }
 
 TEST_F(CliMap, APictureOfBoth) {
-  good("map " + kRobed + " --from " + kRobot + " --up z --png map.png -o map.txt");
+  good("map " + kRobedRig + " --from " + kRobotRig + " --up z --png map.png -o map.txt");
   const std::string png = slurp(in("map.png"));
   ASSERT_GT(png.size(), 1000u);
   EXPECT_EQ(png.substr(1, 3), "PNG");

@@ -12,8 +12,6 @@
 namespace sinew {
 namespace {
 
-const std::string kRobed = kData + "/biped__robed.obj", kRobedRig = kData + "/biped__robed.rig.txt";
-
 class CliRigEdit : public Cli {
  protected:
   // A skeleton takes the place of the model's answer, so that no model is needed.

@@ -13,15 +13,13 @@
 namespace sinew {
 namespace {
 
-const std::string kWhole = kData + "/biped__robed.obj", kWholeRig = kData + "/biped__robed.rig.txt";
-
 class CliSimplify : public Cli {};
 
 TEST_F(CliSimplify, WeightsFollowTheirJoints) {
-  const Outcome outcome = good("simplify " + kWhole + " --level 9 --json -o few.glb");
+  const Outcome outcome = good("simplify " + kRobed + " --level 9 --json -o few.glb");
   const auto json = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(json["joints"], 9);
-  const Character before = read_character(kWhole), after = read_character(in("few.glb"));
+  const Character before = read_character(kRobed), after = read_character(in("few.glb"));
   ASSERT_EQ(after.joints.size(), 9u);
   ASSERT_EQ(json["into"].size() + 9, before.joints.size());
   EXPECT_FALSE(after.influences.empty());
@@ -35,20 +33,20 @@ TEST_F(CliSimplify, WeightsFollowTheirJoints) {
 }
 
 TEST_F(CliSimplify, ASkeletonAloneBecomesASkeleton) {
-  fs::copy_file(kWholeRig, in("alone.rig.txt"));
+  fs::copy_file(kRobedRig, in("alone.rig.txt"));
   good("simplify alone.rig.txt --level 12 -o less.rig.txt");
-  good("simplify alone.rig.txt --level low --mesh " + kWhole + " -o less.glb");
+  good("simplify alone.rig.txt --level low --mesh " + kRobed + " -o less.glb");
   Character all, less;
-  read_skeleton(kWholeRig, false, &all);
+  read_skeleton(kRobedRig, false, &all);
   read_skeleton(in("less.rig.txt"), false, &less);
   EXPECT_LT(less.joints.size(), all.joints.size());
   EXPECT_GT(less.joints.size(), 5u);
 }
 
 TEST_F(CliSimplify, KeptJointsStay) {
-  const Character before = read_character(kWhole);
+  const Character before = read_character(kRobed);
   const std::string last = before.joints.back().name;
-  good("simplify " + kWhole + " --level 3 --keep " + last + " -o few.rig.txt");
+  good("simplify " + kRobed + " --level 3 --keep " + last + " -o few.rig.txt");
   Character after;
   read_skeleton(in("few.rig.txt"), false, &after);
   ASSERT_EQ(after.joints.size(), 3u);
@@ -56,7 +54,7 @@ TEST_F(CliSimplify, KeptJointsStay) {
 }
 
 TEST_F(CliSimplify, AnimationsStayOnTheJointsThatAreLeft) {
-  good("bind " + kWhole + " --skeleton " + kWholeRig + " -o hero.glb");
+  good("bind " + kRobed + " --skeleton " + kRobedRig + " -o hero.glb");
   const Character hero = read_gltf(in("hero.glb"));
   Motion motion = motion_of(hero.joints);
   Clip clip = {"lean", 0.1, {}};
@@ -87,7 +85,7 @@ TEST_F(CliSimplify, AnimationsStayOnTheJointsThatAreLeft) {
 
 TEST_F(CliSimplify, RigMakesASkeletonOfTheShapeAlone) {
   for (const std::string method : {"shape", "regions"}) {
-    const Outcome outcome = good("rig " + kWhole + " --method " + method + " --json -o " + method + ".glb");
+    const Outcome outcome = good("rig " + kRobed + " --method " + method + " --json -o " + method + ".glb");
     const auto json = nlohmann::json::parse(outcome.out);
     const Character bound = read_character(in(method + ".glb"));
     EXPECT_EQ(json["joints"].size(), bound.joints.size());
@@ -100,14 +98,14 @@ TEST_F(CliSimplify, RigMakesASkeletonOfTheShapeAlone) {
 }
 
 TEST_F(CliSimplify, WrongCallsSayWhatIsWrong) {
-  EXPECT_NE(bad(2, "simplify " + kWhole + " --level few -o o.glb").error.find("high, low or how many"),
+  EXPECT_NE(bad(2, "simplify " + kRobed + " --level few -o o.glb").error.find("high, low or how many"),
             std::string::npos);
-  bad(2, "simplify " + kWhole + " --level 0 -o o.glb");
-  bad(2, "simplify " + kWhole + " -o o.png");
-  bad(1, "simplify " + kWhole + " --keep nobody -o o.glb");
+  bad(2, "simplify " + kRobed + " --level 0 -o o.glb");
+  bad(2, "simplify " + kRobed + " -o o.png");
+  bad(1, "simplify " + kRobed + " --keep nobody -o o.glb");
   bad(1, "simplify missing.glb -o o.glb");
-  bad(2, "simplify " + kWhole + " --mesh " + kWhole + " -o o.glb");
-  fs::copy_file(kWholeRig, in("alone.rig.txt"));
+  bad(2, "simplify " + kRobed + " --mesh " + kRobed + " -o o.glb");
+  fs::copy_file(kRobedRig, in("alone.rig.txt"));
   EXPECT_NE(bad(2, "simplify alone.rig.txt -o o.glb").error.find("no mesh"), std::string::npos);
   EXPECT_FALSE(fs::exists(in("o.glb")));
 }

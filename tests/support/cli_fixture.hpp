@@ -26,6 +26,7 @@ namespace sinew {
 inline const std::string kProgram = std::string(SINEW_BINARY_DIR) + "/sinew";
 inline const std::string kData = std::string(SINEW_SOURCE_DIR) + "/samples/data";
 inline const std::string kSnake = kData + "/snake__long.obj", kSnakeRig = kData + "/snake__long.rig.txt";
+inline const std::string kRobed = kData + "/biped__robed.obj", kRobedRig = kData + "/biped__robed.rig.txt";
 inline const std::string kCaped = kData + "/biped__caped.gltf";
 
 struct Outcome {

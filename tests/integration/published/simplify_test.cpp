@@ -18,11 +18,11 @@
 namespace sinew {
 namespace {
 
-const std::string kData = std::string(SINEW_SOURCE_DIR) + "/samples/data";
+const std::string kSimplifyData = std::string(SINEW_SOURCE_DIR) + "/samples/data";
 const char* const kSimplified[] = {"biped__robed", "biped__robot", "quadruped__tailed", "bird__winged",
                                    "many-legged__plated"};
 
-Character sample(const std::string& name) { return read_character(kData + "/" + name + ".obj"); }
+Character sample(const std::string& name) { return read_character(kSimplifyData + "/" + name + ".obj"); }
 
 size_t find(const Character& c, const std::string& name) {
   for (size_t j = 0; j < c.joints.size(); ++j)
