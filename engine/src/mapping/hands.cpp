@@ -8,6 +8,7 @@ namespace sinew::mapping {
 namespace {
 
 constexpr double kFingerAlone = 0.9;
+constexpr int32_t kFingerJoints = 3;
 
 // The direction in which points spread most: the eigenvector of their covariance.
 Point main_axis(const Point* points, int32_t count) {
@@ -43,6 +44,22 @@ Part finger_word(const Anatomy& rig, int32_t finger) {
   return Part::kNone;
 }
 
+// What branches off a limb. Where two fingers share a bone of the palm, as ring and little finger of some captures do, it is they that
+// count. Returns how many there are.
+int32_t gather_fingers(const Anatomy& rig, const Limb& limb, int32_t* list) {
+  int32_t count = 0;
+  rig.limbs.each_sub(limb, [&](int32_t t) {
+    const Limb& palm = rig.limb(t);
+    int32_t fingers[kMostFingers], shared = 0;
+    rig.limbs.each_end_sub(palm, [&](int32_t u) {
+      if (rig.limb(u).joint_count >= kFingerJoints && shared < kMostFingers) fingers[shared++] = u;
+    });
+    if (palm.joint_count > 1 || shared < 2) fingers[0] = t, shared = 1;
+    for (int32_t k = 0; k < shared && count < kMostFingers; ++k) list[count++] = fingers[k];
+  });
+  return count;
+}
+
 }  // namespace
 
 // Takes the twist joints out of two limbs' lists, and puts those side by side that lie on bones which stand for each other.
@@ -70,14 +87,7 @@ void Matcher::match_all_fingers() {
   for (int32_t k = 0; k < finger_pairs_; ++k) {  // more come on the way
     const Limb &a = a_->limb(fingers_[k].a), &b = b_->limb(fingers_[k].b);
     int32_t fa[kMostFingers], fb[kMostFingers];
-    const auto gather = [](const Anatomy& rig, const Limb& limb, int32_t* list) {
-      int32_t n = 0;
-      rig.limbs.each_sub(limb, [&](int32_t t) {
-        if (n < kMostFingers) list[n++] = t;
-      });
-      return n;
-    };
-    int32_t na = gather(*a_, a, fa), nb = gather(*b_, b, fb);
+    int32_t na = gather_fingers(*a_, a, fa), nb = gather_fingers(*b_, b, fb);
     match_twists(a, b, fa, &na, fb, &nb);
     if (na >= 2 && nb >= 2) {
       match_hand(a, b, fa, na, fb, nb);

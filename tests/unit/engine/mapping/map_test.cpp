@@ -259,6 +259,32 @@ TEST(Map, TwistJointsAreNoFingers) {
   EXPECT_EQ(call.source_of(a, a, "LeftForeArmTwist"), "LeftForeArmTwist");
 }
 
+// A glove's: index and thumb share one bone of the palm, ring and little finger another.
+TEST(Map, FingersThatShareABoneOfThePalmAreFingers) {
+  const char* const fingers[] = {"Thumb", "Index", "Middle", "Ring", "Pinky"};
+  const auto with_fingers = [&](TestRig rig, bool shared) {
+    for (const float s : {1.0f, -1.0f}) {
+      const std::string side = s > 0 ? "Left" : "Right";
+      const int32_t hand = rig.find(side + "Hand");
+      int32_t palm[2] = {hand, hand};
+      for (int k = 0; k < 2 && shared; ++k)
+        palm[k] = rig.add(side + "HandPalm" + std::to_string(k), hand, s * 0.71f, 1.42f, k == 0 ? 0.005f : -0.005f);
+      for (int f = 0; f < 5; ++f) {
+        const float z = 0.04f - 0.02f * static_cast<float>(f), start = f == 0 ? 0.73f : 0.78f;
+        int32_t last = f == 2 ? hand : palm[f < 2 ? 0 : 1];
+        for (int k = 0; k < 3; ++k)
+          last = rig.add(side + fingers[f] + std::to_string(k), last, s * (start + 0.03f * static_cast<float>(k)),
+                         1.42f, f == 0 ? 0.05f + 0.02f * static_cast<float>(k) : z);
+      }
+    }
+    return rig;
+  };
+  const TestRig hand = with_fingers(humanoid(2, true), false), glove = with_fingers(humanoid(2, true), true);
+  MapCall call;
+  call.run(hand, glove);
+  for (const std::string& name : hand.names) EXPECT_EQ(call.source_of(hand, glove, name), name);
+}
+
 TEST(Map, NearlyEqualRigsOfTooManyLimbsGoByTheirPlaces) {
   TestRig urchin;
   urchin.add("a", -1, 0, 0, 0);
