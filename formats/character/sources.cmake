@@ -30,6 +30,7 @@ set(sinew_character_sources
   motion/common_body
   motion/motion_file
   motion/moving_joints
+  motion/rest_floor
   motion/retarget
   motion/stance
   motion/upright_body

@@ -7,6 +7,7 @@
 #include "sinew_character/builtin_motion.hpp"
 #include "sinew_character/map_cover.hpp"
 #include "sinew_character/map_skeleton.hpp"
+#include "sinew_character/rest_floor.hpp"
 
 namespace sinew {
 namespace {
@@ -42,7 +43,9 @@ Motion motion_of_request(const MotionRequest& request, const Character& characte
 MotionFile read_motion_for(const MotionRequest& request, const Character& character) {
   Motion motion = motion_of_request(request, character);
   std::optional<Motion> one = one_actor(motion, request.path, request.actor);
-  return one ? MotionFile{std::move(*one), false} : MotionFile{std::move(motion), true};
+  MotionFile file = one ? MotionFile{std::move(*one), false} : MotionFile{std::move(motion), true};
+  if (std::optional<Motion> level = motion_on_rest_floor(file.motion)) file.motion = std::move(*level);
+  return file;
 }
 
 }  // namespace sinew
