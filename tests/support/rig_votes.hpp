@@ -23,6 +23,8 @@ struct VoteScene {
   std::vector<sinew::Vec3i> starts, ends;
   std::vector<uint16_t> start_spreads, end_spreads, start_classes, end_classes;
   bool folded = true;
+  std::vector<sinew::Vec3i> inside;  // a place in the body for each point, or none
+  std::vector<int32_t> inside_radii;
 
   // A row of probabilities: `share` for one class, the rest for all of them alike.
   static void add_row(std::vector<uint16_t>* rows, uint32_t classes, uint32_t joint_class, double share) {
@@ -51,6 +53,10 @@ struct VoteScene {
     v.start_class = start_classes.data();
     v.end_class = end_classes.data();
     v.mean = place(0, 0.5, 0.01);
+    if (inside.size() == starts.size()) {
+      v.inside = inside.data();
+      v.inside_radius = inside_radii.data();
+    }
     return v;
   }
   // The same points in another order.

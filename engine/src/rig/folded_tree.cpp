@@ -23,6 +23,10 @@ constexpr int32_t kMiddle = side_share(300), kPairMiddle = side_share(200);
 constexpr int32_t kEndSnap = side_share(400);      // an end of a joint on the plane
 constexpr int32_t kEndDistance = side_share(120);  // from an end to any joint
 constexpr uint32_t kEndSeeds = 12;
+// What a bone through the air costs, in bits, Q16, for all of it; places on it that are looked at, of bones longer than the second; how much more than
+// its radius a place in the body reaches.
+constexpr int64_t kThroughAir = 10 << 16;
+constexpr int32_t kAirPlaces = 7, kAirLength = side_share(600), kAirMargin = side_share(150);
 
 class Grower {
  public:
@@ -119,6 +123,23 @@ class Grower {
     }
   }
 
+  // Of the places on the way between two joints those in no ball of the body, of kAirPlaces.
+  SINEW_RARE int32_t places_in_air(Vec3i a, Vec3i b) const {
+    if (votes_.inside == nullptr || square_distance(a, b) < square(int64_t{kAirLength})) return 0;
+    int32_t air = 0;
+    for (int32_t k = 1; k <= kAirPlaces; ++k) {
+      const Vec3i at = a + Vec3i{(b.x - a.x) / (kAirPlaces + 1) * k, (b.y - a.y) / (kAirPlaces + 1) * k,
+                                 (b.z - a.z) / (kAirPlaces + 1) * k};
+      bool in_body = false;
+      for (uint32_t p = 0; p < votes_.points && !in_body; ++p) {
+        const int64_t reach = int64_t{votes_.inside_radius[p]} * 5 / 4 + kAirMargin;
+        in_body = square_distance(folded_position(votes_.inside[p], tree_.mirrored), at) < square(reach);
+      }
+      air += in_body ? 0 : 1;
+    }
+    return air;
+  }
+
   // In bits, Q16: -log2(chance by the votes + 0.01), 10 log2(e) a side of distance, -0.7 log2(chance of the classes).
   SINEW_RARE void find_costs() {
     const uint32_t n = tree_.count;
@@ -128,20 +149,21 @@ class Grower {
       total[j] = int64_t{votes_.points} * kOne * 20 / 500;
       for (uint32_t k = 0; k < n; ++k) total[j] += int64_t{20} * between_[k * n + j] + int64_t{3} * between_[j * n + k];
     }
-    const auto cost = [&](uint32_t from, uint32_t to, int64_t votes) {
+    const auto cost = [&](uint32_t from, uint32_t to, int64_t votes, int32_t air) {
       const FoldedNode &a = tree_.nodes[from], &b = tree_.nodes[to];
       const int64_t surprise =
           log2_q16(static_cast<uint64_t>(100 * total[to])) - log2_q16(static_cast<uint64_t>(100 * votes + total[to]));
       const int64_t distance = (static_cast<int64_t>(length(b.at - a.at)) * kCostPerUnit) >> 16;
       const int64_t classes = int64_t{kParentSurprise[a.joint_class][b.joint_class]} * 56 / 5;
-      return static_cast<int32_t>(surprise + distance + classes);
+      return static_cast<int32_t>(surprise + distance + classes + kThroughAir * air / kAirPlaces);
     };
     // Both ways at once: each needs the other's votes.
     for (uint32_t i = 0; i < n; ++i) {
       for (uint32_t j = 0; j < i; ++j) {
         const int64_t there = between_[i * n + j], back = between_[j * n + i];
-        between_[i * n + j] = cost(i, j, 20 * there + 3 * back);
-        between_[j * n + i] = cost(j, i, 20 * back + 3 * there);
+        const int32_t air = places_in_air(tree_.nodes[i].at, tree_.nodes[j].at);
+        between_[i * n + j] = cost(i, j, 20 * there + 3 * back, air);
+        between_[j * n + i] = cost(j, i, 20 * back + 3 * there, air);
       }
     }
   }
@@ -167,7 +189,9 @@ class Grower {
 
   int64_t limb_cost(uint32_t from, uint32_t to, const bool* continued) const {
     const FoldedNode &a = tree_.nodes[from], &b = tree_.nodes[to];
-    const bool astray = lies_across(a, b) || leaves_limb(a.joint_class, b.joint_class);
+    const bool beyond = limb_of(b.joint_class) == LimbClass::kArm && a.joint_class == kClassHand &&
+                        square_distance(a.at, b.at) > square(int64_t{kAirLength});
+    const bool astray = lies_across(a, b) || leaves_limb(a.joint_class, b.joint_class) || beyond;
     const bool second = continued[from] && continues_limb(a.joint_class, b.joint_class);
     return (astray ? kAstray : 0) + (second ? kSecond : 0);
   }

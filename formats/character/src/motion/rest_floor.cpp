@@ -14,7 +14,7 @@
 namespace sinew {
 namespace {
 
-constexpr double kStands = 0.85, kLies = 0.5;           // cosine of what a trunk leans, in the median frame
+constexpr double kStands = 0.85, kLies = 0.5;             // cosine of what a trunk leans, in the median frame
 constexpr double kBelowFloor = 0.05, kAboveFloor = 0.15;  // of the body's height: where its lowest joint may be
 
 // A trunk's direction and the joints of one pose.

@@ -15,6 +15,7 @@ namespace {
 using sinew_test::FoundRig;
 using sinew_test::KnownJoint;
 using sinew_test::place;
+using sinew_test::units;
 using sinew_test::votes_for;
 using sinew_test::VoteScene;
 
@@ -146,6 +147,45 @@ TEST(Limbs, ASecondArmIsALimbOfItsOwn) {
     EXPECT_EQ(found.joints[static_cast<size_t>(joint.parent)].joint_class, kClassSpine) << joint.position.y;
   }
   EXPECT_EQ(arms, 4u);
+}
+
+// Pelvis, chest, head, on either side an arm of four joints and at `beside` the head a limb of two.
+std::vector<KnownJoint> toy(double up) {
+  return {{0, .3, 0, kClassPelvis, -1},    {0, .5, 0, kClassSpine, 0},      {0, .7, 0, kClassHead, 1},
+          {.1, .48, 0, kClassUpperArm, 1}, {.2, .42, 0, kClassForearm, 3},  {.28, .38, 0, kClassHand, 4},
+          {.2, up, 0, kClassUpperArm, 2},  {.3, up + .02, 0, kClassHand, 6}};
+}
+
+TEST(Limbs, AnArmAboveTheHeadThatItHangsOnIsAnEar) {
+  const FoundRig eared(votes_for(toy(.75), 60, 0.003, 1));
+  EXPECT_EQ(eared.count_of(kClassEar), 4u);
+  EXPECT_EQ(eared.count_of(kClassHand), 2u) << "arms of the chest are arms";
+  const FoundRig four_armed(votes_for(toy(.65), 60, 0.003, 1));
+  EXPECT_EQ(four_armed.count_of(kClassEar), 0u) << "a trunk that is taken for a head";
+  EXPECT_EQ(four_armed.count_of(kClassHand), 4u);
+}
+
+TEST(Limbs, NoBoneGoesThroughTheAirWhereAnotherGoesThroughTheBody) {
+  std::vector<KnownJoint> joints = toy(.75);
+  joints.pop_back();
+  joints[6].joint_class = kClassHand;
+  VoteScene scene = votes_for(joints, 60, 0.003, 1);
+  for (uint32_t i = 0; i < 1500; ++i) {  // votes say that ears are hands of the forearms
+    const double side = i % 2 == 0 ? 1 : -1;
+    scene.add(place(side * .2, .42, 0), kClassForearm, place(side * .2, .75, 0), kClassHand);
+  }
+  EXPECT_EQ(FoundRig(scene).count_of(kClassEar), 0u);
+  // Balls along all bones that are there.
+  for (size_t p = 0; p < scene.starts.size(); ++p) {
+    const KnownJoint& end = joints[1 + p % 6];
+    const KnownJoint& start = joints[static_cast<size_t>(end.parent)];
+    const double t = static_cast<double>(p / 6 % 9) / 8;
+    scene.inside.push_back(place(start.x + t * (end.x - start.x), start.y + t * (end.y - start.y), 0));
+    scene.inside_radii.push_back(units(.03));
+  }
+  const FoundRig found(scene);
+  EXPECT_EQ(found.count_of(kClassEar), 2u) << "of the head, then";
+  EXPECT_EQ(found.count_of(kClassHand), 2u);
 }
 
 TEST(Limbs, WhichClassesAreWhichLimb) {
