@@ -31,6 +31,8 @@ struct MotionFrame {
   std::vector<Point3> translations;   // [J] a joint that keeps its place has its offset here
 };
 
+constexpr size_t kMostRotations = size_t{1} << 24;  // frames times joints of a clip that a file may ask for
+
 struct Clip {
   std::string name;
   double frame_time = 1.0 / 30;  // seconds

@@ -19,7 +19,6 @@
 namespace sinew {
 namespace {
 
-constexpr size_t kMostRotations = size_t{1} << 24;  // frames times joints of a clip: what a broken time could ask for
 constexpr double kFewestFps = 24, kMostFps = 240, kPlainFps = 30;
 
 enum class Blend { kLinear, kStep, kCubic };

@@ -15,8 +15,6 @@
 namespace sinew {
 namespace {
 
-constexpr size_t kMostRotations = size_t{1} << 24;  // frames times joints
-
 // Joints of a body model in its order; hands are five fingers of three joints in the order of MANO.
 struct BodyModel {
   const char* name;

@@ -18,7 +18,6 @@ namespace {
 
 constexpr size_t kHeader = 30, kKey = 111, kNameBytes = 15;
 constexpr double kUnit = 0.08, kFps = 30, kArmsDown = 0.66;  // metres; radians of the rest pose's arms
-constexpr size_t kMostRotations = size_t{1} << 24;           // frames times joints
 constexpr const char *kIk = "\x82\x68\x82\x6a", *kLeft = "\x8d\xb6", *kRight = "\x89\x45";  // Shift-JIS
 
 struct BoneName {

@@ -11,7 +11,6 @@ namespace sinew {
 namespace {
 
 constexpr double kAround = 0.05;  // of the size
-constexpr size_t kFewestEdges = 8;
 
 double weight_of(const std::vector<Influence>& row, uint32_t joint) {
   double weight = 0, sum = 0;

@@ -12,6 +12,8 @@
 
 namespace sinew {
 
+constexpr size_t kFewestEdges = 8;  // of a seam
+
 struct SurfaceEdge {
   uint32_t from = 0, to = 0;  // welded: indices of Character's vertices
   double length = 0;

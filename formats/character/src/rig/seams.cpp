@@ -19,7 +19,6 @@ namespace {
 constexpr double kBand = 0.06;     // of the size, to both sides of where weights cross: homes are decided anew
 constexpr double kReach = 0.1;     // the same: rows are cleaned
 constexpr double kValley = -0.05;  // mean turn across a line above which it is no valley
-constexpr size_t kFewestEdges = 8;
 
 class SeamFinder {
  public:
