@@ -48,6 +48,7 @@ export class View {
   #light = new DirectionalLight(0xffffff, 1.7);
   #mesh;
   #grid;
+  #upAxis = 0;
   #joints = []; // [{parent, position}]
   #editing = false;
   #handles = []; // Object3D per joint, a skeleton of their own that the rings turn
@@ -109,11 +110,21 @@ export class View {
     this.#mesh = new Mesh(geometry, new MeshStandardMaterial({ vertexColors: true, wireframe, roughness: 0.82, metalness: 0, side: DoubleSide }));
     this.#mesh.frustumCulled = false; // poses leave the rest pose's bounds
     this.#model.add(this.#mesh);
+    this.#stand(upAxis);
+    this.setSkeleton(joints);
+  }
+
+  setUp(upAxis) {
+    if (upAxis !== this.#upAxis) this.#stand(upAxis);
+  }
+
+  // upAxis 1: z, which the picture turns up; else y.
+  #stand(upAxis) {
+    this.#upAxis = upAxis;
     this.#model.rotation.x = upAxis === 1 ? -Math.PI / 2 : 0;
     this.#model.updateMatrixWorld(true);
     this.frame();
-    this.setSkeleton(joints);
-    this.#makeGrid(geometry.boundingBox.clone().applyMatrix4(this.#model.matrixWorld));
+    this.#makeGrid(this.#mesh.geometry.boundingBox.clone().applyMatrix4(this.#model.matrixWorld));
   }
 
   setSkeleton(joints) {
