@@ -16,6 +16,7 @@ set(sinew_formats_sources
   gltf/gltf_draco
   gltf/gltf_from_mesh
   gltf/gltf_from_scene
+  gltf/gltf_joint_nodes
   gltf/gltf_meshopt
   gltf/gltf_morphs_write
   gltf/morph_animations

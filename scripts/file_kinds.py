@@ -16,10 +16,10 @@ HEADER, TABLE = "formats/include/sinew_formats/file_kinds.hpp", "formats/src/fil
 JAVASCRIPT, GODOT = "samples/npm/src/file_kinds.js", "samples/godot/addons/sinew/file_kinds.gd"
 GENERATOR = f"Generated from {TABLE} by scripts/file_kinds.py; a test compares."
 ROW = re.compile(r'\{"(\.[\w.]+)", "([^"]+)", ([\w| ]+), FileReader::k(\w+)\}')
-# What people run, without tests; a line with three extensions is a list.
-FRONT_ENDS = ["samples/web/src", "samples/npm/src", "samples/godot/addons", "samples/blender/sinew_blender", "samples/python/src", "samples/csharp"]
+# What people run and what it calls, without tests; a line with three extensions is a list, in C++ a statement.
+FRONT_ENDS = ["samples/cli", "samples/web/wasm", "samples/npm/wasm", "formats/src", "formats/character", "formats/datasets", "samples/web/src", "samples/npm/src", "samples/godot/addons", "samples/blender/sinew_blender", "samples/python/src", "samples/csharp"]
 SLASHES = r"//.*|(?s:/\*.*?\*/)"
-COMMENT = {".js": SLASHES, ".cs": SLASHES, ".html": r"(?s:<!--.*?-->)", ".py": r'#.*|(?s:""".*?""")', ".gd": r"#.*"}
+COMMENT = {".cpp": SLASHES, ".hpp": SLASHES, ".js": SLASHES, ".cs": SLASHES, ".html": r"(?s:<!--.*?-->)", ".py": r'#.*|(?s:""".*?""")', ".gd": r"#.*"}
 
 
 def kinds(root):
@@ -59,21 +59,39 @@ def godot_text(rows):
     return "\n".join(out) + "\n"
 
 
+def statements(text):
+    """(line, text in one line) of each statement of C++: what a formatter has broken is one again. Ends inside strings do not count."""
+    line, start, part, braces = 1, 1, "", 0
+    for token in re.findall(r'"(?:[^"\\\n]|\\.)*"|[;{}]|[^";{}]+|"', text):
+        if not part.strip():
+            start = line + token[:len(token) - len(token.lstrip())].count("\n")
+        line += token.count("\n")
+        is_body = token == "{" and braces == 0 and not part.rstrip().endswith(("=", ",", "(", "{"))  # else of a list
+        braces += {"{": not is_body, "}": -(braces > 0)}.get(token, 0)
+        part += token.replace("\n", " ")
+        if is_body or token == ";" or (token == "}" and braces == 0 and part.strip() == "}"):
+            yield start, part
+            part, braces = "", 0
+    yield start, part
+
+
 def own_lists(root, rows):
-    """Lines of front-ends that name three extensions of the table or more."""
+    """Lines of front-ends, statements of C++, that name three extensions of the table or more."""
     words = "|".join(sorted((re.escape(extension[1:]) for extension, *_ in rows if extension not in (".x", ".mesh")), key=len, reverse=True))
     quoted = re.compile(rf"(?<![\w.])[*.]*\.?({words})(?![\w.]*\w)", re.IGNORECASE)
+    bare = re.compile(rf'(?<![\w.])\.({words})(?!\.?\w)|"({words})"', re.IGNORECASE)  # in C++ glTF and VRM are words of many sentences
     faults = []
     for folder in FRONT_ENDS:
         for path in sorted((root / folder).rglob("*")):
             name = path.relative_to(root).as_posix()
-            if path.suffix not in COMMENT or name in (JAVASCRIPT, GODOT) or "node_modules" in name or path.name == "Test.cs":
+            if path.suffix not in COMMENT or name in (JAVASCRIPT, GODOT, TABLE) or "node_modules" in name or path.name == "Test.cs":
                 continue
             text = path.read_text(encoding="utf-8")
             blank = re.sub(COMMENT[path.suffix], lambda m: "\n" * m.group().count("\n"), text)
-            for number, line in enumerate(blank.split("\n"), 1):
+            is_cpp = path.suffix in (".cpp", ".hpp")
+            for number, line in statements(blank) if is_cpp else enumerate(blank.split("\n"), 1):
                 strings = " ".join(re.findall(r'"[^"]*"|\'[^\']*\'|`[^`]*`|/[^/ ]+/', line))
-                if len({found.lower() for found in quoted.findall(strings)}) >= 3:
+                if len({found[found.lastindex].lower() for found in (bare if is_cpp else quoted).finditer(strings)}) >= 3:
                     faults.append(f"{name}:{number}: a list of extensions of its own; {TABLE} is the table, and scripts/file_kinds.py writes it for front-ends")
     return faults
 

@@ -217,7 +217,7 @@ void tell(const Settings& s, const Animated& animated) {
 }
 
 void run(const Settings& s) {
-  check_output(s.output, {".glb", ".gltf", ".vrm", ".bvh"});
+  check_output(s.output, kWritesMotion);
   if (!s.sheet.empty()) check_output(s.sheet, {".png"});
   if (!(s.from <= s.to)) throw UsageError(print("--start %g is behind --end %g", s.from, s.to));
   const bool as_bvh = has_extension(s.output, ".bvh");
@@ -266,7 +266,7 @@ void add_inputs(CLI::App* sub, Settings* s) {
       ->type_name("FILE[#CLIP]|FOLDER")
       ->allow_extra_args(false);
   shared_option(sub, "-o,--output", s->output,
-                "The character with its new animations as .glb, .gltf or .vrm, or one clip as .bvh")
+                "The character with its new animations, or one clip as .bvh: " + extensions_text(kWritesMotion))
       ->required();
   shared_option(sub, "--map", s->map, "By anatomy and names unless given");
   shared_option(

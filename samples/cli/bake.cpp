@@ -59,7 +59,7 @@ void tell(const Settings& s, const BakedCharacter& baked) {
 }
 
 void run(const Settings& s) {
-  check_output(s.output, {".glb", ".gltf", ".vrm"});
+  check_output(s.output, kWholeOutputs);
   const sinew_deform_options deform = deform_options(s.deform).value();  // --deform takes corrections alone
   const std::atomic<bool>& stop = stop_on_signals();
   const Character character = read_character(s.character);
@@ -96,8 +96,8 @@ void add_bake(CLI::App& app) {
       ->required()
       ->type_name("CHARACTER");
   shared_option(sub, "-o,--output", s->output,
-                "The character with its shapes, what drives them, and their weights in its animations: .glb, .gltf or "
-                ".vrm")
+                "The character with its shapes, what drives them, and their weights in its animations: " +
+                    extensions_text(kWholeOutputs))
       ->required();
   sub->add_option("--poses", s->poses, "Poses to learn from: random ones, or frames of --animation")
       ->check(CLI::Range(1u, 10000u))

@@ -21,8 +21,6 @@
 namespace sinew::cli {
 namespace {
 
-constexpr const char* kFormats[] = {"glb", "gltf", "rig.txt"};
-
 struct Settings {
   BindSettings one;
   std::string model, method, report, format;
@@ -35,13 +33,13 @@ void check_mesh_changes(const BindSettings& one) {
   if (one.cut && one.symmetric)
     throw UsageError("--symmetric keeps both sides alike to the last bit and looks for no seams: leave --cut out");
   if (one.cut && one.no_seams) throw UsageError("--cut opens seams: leave --no-seams out");
-  if ((one.cut || !one.to_pose.empty()) && (one.output == "-" || has_extension(one.output, ".rig.txt")))
-    throw UsageError("--cut and --to-pose change the mesh, and rig.txt has none: write a .glb or .gltf");
+  if ((one.cut || !one.to_pose.empty()) && !has_use(one.output, kReadsMesh))
+    throw UsageError("--cut and --to-pose change the mesh, and rig.txt has none: write a .glb");
 }
 
 // The options that no bind can be done with.
 void check(const Settings& s) {
-  check_output(s.one.output, {".glb", ".gltf", ".vrm", ".rig.txt"}, true);
+  check_output(s.one.output, kSkinOutputs, true);
   if (!s.one.png.empty()) check_output(s.one.png, {".png"});
   if (!s.one.png_confidence.empty()) check_output(s.one.png_confidence, {".png"});
   if (!s.one.save_style.empty()) check_output(s.one.save_style, {".style"});
@@ -98,9 +96,7 @@ void check_folder(const Settings& s) {
   }
   if (s.one.output.empty()) throw UsageError(s.one.mesh + " is a folder: say with -o OUTDIR where its files go");
   std::error_code ignored;
-  const bool is_file = has_extension(s.one.output, ".glb") || has_extension(s.one.output, ".gltf") ||
-                       has_extension(s.one.output, ".vrm") || has_extension(s.one.output, ".rig.txt") ||
-                       std::filesystem::is_regular_file(s.one.output, ignored);
+  const bool is_file = has_use(s.one.output, kSkinOutputs) || std::filesystem::is_regular_file(s.one.output, ignored);
   if (s.one.output == "-" || is_file)
     throw UsageError("-o " + s.one.output + ": " + s.one.mesh + " is a folder, expected a folder for its files");
   if (!s.report.empty()) check_output(s.report, {".html", ".htm"});
@@ -151,9 +147,9 @@ void add_inputs(CLI::App* sub, Settings* s) {
                 skeleton_files() +
                     ". Not needed when the mesh has its own; in a folder, NAME.rig.txt beside NAME.obj is "
                     "found");
-  shared_option(sub, "-o,--output", s->one.output,
-                ".glb, .gltf with .bin, .vrm or .rig.txt, - for rig.txt on standard output; for a folder another "
-                "folder, which gets NAME.glb for every mesh, below the same sub-folders")
+  shared_option(
+      sub, "-o,--output", s->one.output,
+      skin_output_text("for a folder another folder, which gets NAME.glb for every mesh, below the same sub-folders"))
       ->default_str("MESH.bound.glb");
   shared_option(sub, "--model", s->model)->default_str("bundled");
   shared_option(sub, "--method", s->method,
@@ -238,9 +234,7 @@ void add_rest(CLI::App* sub, Settings* s) {
   section(sub, "A folder of meshes");
   add_jobs(sub, s->jobs)->default_str("1");
   shared_option(sub, "--report", s->report, "A picture and a row of every mesh");
-  shared_option(sub, "--format", s->format)
-      ->check(CLI::IsMember(std::vector<std::string>(std::begin(kFormats), std::end(kFormats))))
-      ->default_str("glb");
+  shared_option(sub, "--format", s->format)->check(CLI::IsMember(format_names(kSkinOutputs)))->default_str("glb");
   section(sub, "The rest");
   shared_option(sub, "--up", s->one.up)->check(CLI::IsMember({"y", "z"}))->capture_default_str();
   shared_option(sub, "--threads", s->one.threads,

@@ -27,7 +27,7 @@ struct Settings {
 };
 
 void convert_one(const Settings& s) {
-  check_output(s.output, character_outputs(), true);
+  check_output(s.output, kWritesCharacter, true);
   if (!s.format.empty()) throw UsageError("--format is for a folder of characters, and " + s.input + " is none");
   if (has_extension(s.input, ".obj") && has_extension(s.skeleton, ".obj"))
     throw UsageError("--skeleton " + s.skeleton + ": an OBJ holds no skeleton");
@@ -111,6 +111,10 @@ void convert(const Settings& s) {
   fs::is_directory(s.input, ignored) ? convert_folder(s) : convert_one(s);
 }
 
+std::string written_files() {
+  return extensions_text(kWritesCharacter) + " (an .obj with its .rig.txt); - for rig.txt on standard output";
+}
+
 }  // namespace
 
 void add_dataset_convert(CLI::App* parent) {
@@ -123,12 +127,11 @@ void add_dataset_convert(CLI::App* parent) {
       ->required()
       ->type_name("IN|DIR");
   shared_option(sub, "output,-o,--output", s->output,
-                ".glb, .gltf, .vrm, .rig.txt, or .obj with .rig.txt beside it; - for rig.txt on standard output; for a "
-                "folder a folder, which gets FAMILY__NAME for FAMILY/NAME")
+                written_files() + "; for a folder a folder, which gets FAMILY__NAME for FAMILY/NAME")
       ->required();
   shared_option(sub, "--skeleton", s->skeleton, "With its weights");
   shared_option(sub, "--format", s->format, "With a folder; obj comes with .rig.txt")
-      ->check(CLI::IsMember({"obj", "glb", "gltf"}))
+      ->check(CLI::IsMember(format_names(kMeshOutputs)))
       ->default_str("obj");
   sub->footer(
       "Examples:\n  sinew dataset convert hero.obj hero.glb\n"
@@ -142,9 +145,7 @@ void add_dataset_decimate(CLI::App* parent) {
   sub->add_option("input", s->input, "Character. " + mesh_files() + "; NAME.rig.txt beside NAME.obj is read too")
       ->required()
       ->type_name("IN");
-  shared_option(sub, "output,-o,--output", s->output,
-                ".glb, .gltf, .vrm, .rig.txt, or .obj with .rig.txt beside it; - for rig.txt on standard output")
-      ->required();
+  shared_option(sub, "output,-o,--output", s->output, written_files())->required();
   shared_option(sub, "--skeleton", s->skeleton, "With its weights");
   sub->add_option("--ratio", s->ratio, "Share of the vertices to keep")
       ->required()

@@ -4,13 +4,21 @@
 
 #include <stdexcept>
 
-#include "sinew_formats/file_kinds.hpp"
-
 namespace sinew::cli {
 
 std::string mesh_files() { return extensions_text(kReadsMesh); }
 std::string skeleton_files() { return extensions_text(kReadsSkeleton); }
 std::string motion_files() { return extensions_text(kReadsMotion); }
+
+std::vector<std::string> format_names(uint32_t uses) {
+  std::vector<std::string> names = extensions_of(uses);
+  for (std::string& name : names) name.erase(0, 1);
+  return names;
+}
+
+std::string skin_output_text(const std::string& more) {
+  return extensions_text(kSkinOutputs) + " (a .gltf with its .bin), - for rig.txt on standard output; " + more;
+}
 
 namespace {
 

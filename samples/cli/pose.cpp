@@ -90,7 +90,8 @@ std::vector<Affine> turned_palette(const Settings& s, const Character& character
 // A moment of one of the file's own animations.
 std::vector<Affine> animated_palette(const Settings& s, const Character& character, std::string* what) {
   if (character.gltf == nullptr)
-    throw Error(s.character + ": has no animations, they lie in glTF files; expected a .glb, .gltf or .vrm");
+    throw Error(s.character +
+                ": has no animations; expected a file that can: " + extensions_text(kReadsWhole | kReadsMotion));
   return clip_palette(read_gltf_motion(s.character), s.character, s.animation, s.time, character.joints.size(), what);
 }
 
@@ -119,7 +120,9 @@ void run(const Settings& s) {
         "give one of --random SEED, --animation NAME, --matrices FILE.pose, --to-pose POSE, and --joint NAME=rx,ry,rz "
         "as often as needed");
   (void)deform_options(s.deform);
-  check_output(s.output, {".obj", ".png"});
+  std::vector<std::string> outputs = extensions_of(kWritesMesh);
+  outputs.emplace_back(".png");
+  check_output(s.output, outputs);
   const Character character = read_character(s.character);
   if (character.joints.empty() || character.influences.empty()) {
     throw Error(s.character + ": has no skin weights to pose; bind it first with sinew bind");
@@ -145,7 +148,7 @@ void add_pose(CLI::App& app) {
   sub->add_option("character", s->character, "Skinned file, or NAME.obj with NAME.rig.txt beside it. " + mesh_files())
       ->required()
       ->type_name("CHARACTER");
-  shared_option(sub, "-o,--output", s->output, ".obj or .png")->required();
+  shared_option(sub, "-o,--output", s->output, extensions_text(kWritesMesh) + " or .png")->required();
   auto* seed = sub->add_option("--random", s->seed, "Rotate every joint but the roots at random")->type_name("SEED");
   shared_option(sub, "--limit", s->limit, "About each axis, with --random")
       ->check(CLI::Range(0.0, 180.0))

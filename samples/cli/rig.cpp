@@ -236,12 +236,12 @@ void run(Settings s) {
   std::error_code ignored;
   if (std::filesystem::is_directory(s.mesh, ignored)) return run_folder(s);
   if (s.output.empty()) s.output = stem_of(s.mesh) + ".rigged.glb";
-  check_output(s.output, {".glb", ".gltf", ".vrm", ".rig.txt"}, true);
+  check_output(s.output, kSkinOutputs, true);
   if (!s.png.empty()) check_output(s.png, {".png"});
   if (s.output == "-" && s.json)
     throw UsageError("-o - and --json both want standard output: give the skeleton a file name");
-  if (s.cut && (s.output == "-" || has_extension(s.output, ".rig.txt")))
-    throw UsageError("--cut changes the mesh, and rig.txt has none: write a .glb or .gltf");
+  if (s.cut && !has_use(s.output, kReadsMesh))
+    throw UsageError("--cut changes the mesh, and rig.txt has none: write a .glb");
   check_skeleton_source(s.skeleton);
   const Rigged rigged = rig_one(s, load_models(s), s.mesh);
   write_rigged(s, rigged, s.output);
@@ -257,9 +257,7 @@ void add_inputs(CLI::App* sub, Settings* s) {
          "Mesh, or a folder: every mesh in it and below it. " + mesh_files() + ", or - for an OBJ on standard input")
       ->required()
       ->type_name("MESH|DIR");
-  shared_option(
-      sub, "-o,--output", s->output,
-      ".glb, .gltf with .bin, .vrm or .rig.txt, - for rig.txt on standard output; for a folder another folder")
+  shared_option(sub, "-o,--output", s->output, skin_output_text("for a folder another folder"))
       ->default_str("MESH.rigged.glb");
   shared_option(sub, "--skeleton", s->skeleton,
                 "It is put into the mesh, with its own names and hierarchy, where the predicted one is: " +
@@ -326,7 +324,7 @@ void add_models(CLI::App* sub, Settings* s) {
       ->default_str("bundled");
   sub->add_option("--front-model", s->front_model, "Model of fronts")->type_name("FILE")->default_str("bundled");
   shared_option(sub, "--format", s->format, "With a folder")
-      ->check(CLI::IsMember({"glb", "gltf", "rig.txt"}))
+      ->check(CLI::IsMember(format_names(kSkinOutputs)))
       ->capture_default_str();
 }
 

@@ -67,7 +67,7 @@ std::optional<Motion> own_animations(const Settings& s) {
 
 void run(const Settings& s) {
   const SimplifyOptions options = parse_level(s);
-  check_output(s.output, character_outputs(), true);
+  check_output(s.output, kWritesCharacter, true);
   if (s.output == "-" && s.json)
     throw UsageError("-o - and --json both want standard output: give the skeleton a file name");
   Character character = read_input(s);
@@ -111,7 +111,8 @@ void add_simplify(CLI::App& app) {
                   "Skinned file, NAME.obj with NAME.rig.txt beside it, or a .rig.txt alone. " + mesh_files())
       ->required()
       ->type_name("RIG");
-  shared_option(sub, "-o,--output", s->output, ".glb, .gltf, .obj, .rig.txt, or - for rig.txt on standard output")
+  shared_option(sub, "-o,--output", s->output,
+                extensions_text(kWritesCharacter) + ", or - for rig.txt on standard output")
       ->required();
   sub->add_option(
          "--level", s->level,

@@ -42,7 +42,9 @@ void check_output(const std::string& path, const std::vector<std::string>& exten
   throw UsageError("output " + path + ": unknown extension, expected " + known);
 }
 
-std::vector<std::string> character_outputs() { return extensions_of(kWritesCharacter); }
+void check_output(const std::string& path, uint32_t uses, bool stream_allowed) {
+  check_output(path, extensions_of(uses), stream_allowed);
+}
 
 Character read_mesh_and_skeleton(const std::string& mesh, const std::string& skeleton, bool with_skin) {
   if (has_extension(mesh, ".txt")) {

@@ -33,8 +33,9 @@ class GateError : public Error {
 // Throws UsageError unless `path` is "-" (when allowed) or ends with one of `extensions`; Error when its folder is
 // missing or it is a folder itself. Called before any work.
 void check_output(const std::string& path, const std::vector<std::string>& extensions, bool stream_allowed = false);
+// The same for files that are good for `uses`, FileUse.
+void check_output(const std::string& path, uint32_t uses, bool stream_allowed = false);
 
-std::vector<std::string> character_outputs();
 // A mesh, with the skeleton of another file when `skeleton` is not empty. UsageError when the two are swapped.
 Character read_mesh_and_skeleton(const std::string& mesh, const std::string& skeleton, bool with_skin);
 

@@ -207,10 +207,9 @@ void write_one(const Settings& s, const Transferred& done, const std::string& ou
 
 // What goes where: one file for one target, a folder for several.
 std::vector<std::string> outputs_of(const Settings& s) {
-  const std::vector<std::string> known = {".glb", ".gltf", ".vrm", ".rig.txt"};
   if (s.targets.size() == 1) {
     const std::string output = s.output.empty() ? stem_of(s.targets[0]) + ".transferred.glb" : s.output;
-    check_output(output, known, true);
+    check_output(output, kSkinOutputs, true);
     return {output};
   }
   if (s.output.empty()) throw UsageError("several targets: say with -o OUTDIR where their files go");
@@ -273,8 +272,8 @@ void run(const Settings& s) {
   const Character source = read_character(s.source);
   if (source.influences.empty())
     throw Error(s.source +
-                ": has no weights to carry over; expected a bound character (glTF with a skin, or OBJ with a "
-                ".rig.txt that has skin lines beside it)");
+                ": has no weights to carry over; expected a bound character: a file with a skin, or NAME.obj with a "
+                "NAME.rig.txt beside it that has skin lines");
   std::unique_ptr<LoadedModel> model;
   const bool binds = s.method == "auto" || s.method == "rebind";
   if (binds && !s.heat) model = load_model(s.model);
@@ -303,9 +302,7 @@ void add_inputs(CLI::App* sub, Settings* s) {
       ->required()
       ->type_name("SOURCE");
   sub->add_option("targets", s->targets, "Meshes that get weights. " + mesh_files())->required()->type_name("TARGET");
-  shared_option(
-      sub, "-o,--output", s->output,
-      ".glb, .gltf with .bin, .vrm or .rig.txt, - for rig.txt on standard output; for several targets a folder")
+  shared_option(sub, "-o,--output", s->output, skin_output_text("for several targets a folder"))
       ->default_str("TARGET.transferred.glb");
   shared_option(sub, "--skeleton", s->from.skeleton,
                 "For the targets: " + skeleton_files() +
@@ -344,7 +341,7 @@ void add_rest(CLI::App* sub, Settings* s) {
   shared_option(sub, "--up", s->up)->check(CLI::IsMember({"y", "z"}))->capture_default_str();
   shared_option(sub, "--from-up", s->source_up, "The source; as --up unless given")->check(CLI::IsMember({"y", "z"}));
   shared_option(sub, "--format", s->format, "With several targets")
-      ->check(CLI::IsMember({"glb", "gltf", "rig.txt"}))
+      ->check(CLI::IsMember(format_names(kSkinOutputs)))
       ->capture_default_str();
   shared_option(sub, "--threads", s->threads, "On one mesh; the same bytes for any N")
       ->check(CLI::Range(1, static_cast<int>(SINEW_MAX_THREADS)))

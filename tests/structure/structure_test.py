@@ -98,7 +98,10 @@ class Structure(unittest.TestCase):
         for name, text, found in (("web/src/a.js", 'const all = [".glb", ".fbx", ".bvh"];', 1), ("web/src/a.js", "const any = /\\.(glb|fbx|bvh)$/i;", 1),
                                   ("web/src/a.js", "// .glb, .fbx, .bvh", 0), ("web/src/a.js", 'const two = ".glb .fbx";', 0),
                                   ("godot/addons/a.gd", 'return ["glb", "fbx", "bvh"]', 1), ("blender/sinew_blender/a.py", 'GLOB = "*.glb;*.fbx;*.bvh"', 1),
-                                  ("python/src/a.py", '"""Opens .glb,\n.fbx, .bvh."""', 0), ("web/src/a.html", '<input accept=".glb,.fbx,.bvh" />', 1)):
+                                  ("python/src/a.py", '"""Opens .glb,\n.fbx, .bvh."""', 0), ("web/src/a.html", '<input accept=".glb,.fbx,.bvh" />', 1),
+                                  ("cli/a.cpp", 'check(path, {".glb",\n  ".fbx", ".bvh"});', 1), ("cli/a.cpp", 'add("-o", "A .glb; or "\n  ".fbx or .bvh");', 1),
+                                  ("cli/a.cpp", 'if (is(path, ".glb") ||\n  is(path, ".fbx") || is(path, ".bvh")) return;', 1), ("cli/a.cpp", '// .glb .fbx .bvh\n', 0),
+                                  ("cli/a.cpp", 'void f() {\n  if (is(path, ".glb")) g(".fbx");\n  h(".bvh");\n}', 0), ("cli/a.cpp", 'footer("sinew a.glb b.fbx c.bvh");', 0)):
             path = "samples/" + name
             self.write(path, text)
             self.assertEqual(len(file_kinds.own_lists(self.root, rows)), found, text)

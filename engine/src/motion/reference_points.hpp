@@ -15,7 +15,7 @@ struct ReferenceOptions {
   bool own_limb = false, legs = false, head = false, torso = false, source_points = false;
   // Capsules are a guess (ours): they push joints away from the body, straight out, and do no more.
   bool outwards = false;
-  double falloff = 0.05;  // share of the source's height; 0 = none
+  double falloff = static_cast<double>(0.05f);  // share of the source's height, as a caller says it; 0 = none
   double least_cosine = 1e-5;
 };
 // Also reads progress into `progress`. Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_VERSION.

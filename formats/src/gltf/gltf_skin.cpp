@@ -7,6 +7,7 @@
 #include <set>
 
 #include "gltf/bind_pose.hpp"
+#include "gltf/fixed_weights.hpp"
 #include "gltf/gltf_source.hpp"
 #include "gltf/mesh_nodes.hpp"
 #include "gltf/move_vertices.hpp"
@@ -16,37 +17,6 @@
 
 namespace sinew {
 namespace {
-
-struct FixedInfluence {
-  uint32_t joint = 0;
-  uint32_t weight = 0;
-};
-using FixedRow = std::vector<FixedInfluence>;
-
-// Weights as integers that sum to exactly `one`, sorted falling, ties to the lower joint; the remainder goes to the
-// largest. Flooring keeps the remainder positive, so the order holds; the 0.01 lets weights that were k/one in float
-// stay k.
-FixedRow to_fixed(const std::vector<Influence>& row, uint32_t one) {
-  std::map<uint32_t, double> merged;
-  double total = 0;
-  for (const Influence& influence : row)
-    if (influence.weight > 0) {
-      merged[influence.joint] += static_cast<double>(influence.weight);
-      total += static_cast<double>(influence.weight);
-    }
-  FixedRow fixed;
-  uint32_t sum = 0;
-  for (const auto& [joint, weight] : merged) {
-    const uint32_t value = static_cast<uint32_t>(weight / total * one + 0.01);
-    fixed.push_back({joint, value});
-    sum += value;
-  }
-  std::stable_sort(fixed.begin(), fixed.end(),
-                   [](const FixedInfluence& a, const FixedInfluence& b) { return a.weight > b.weight; });
-  if (!fixed.empty()) fixed.front().weight += one - sum;
-  while (!fixed.empty() && fixed.back().weight == 0) fixed.pop_back();
-  return fixed;
-}
 
 class SkinWriter {
  public:
@@ -435,50 +405,6 @@ class SkinWriter {
 };
 
 }  // namespace
-
-bool same_joints(const std::vector<Joint>& a, const std::vector<Joint>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Joint& x, const Joint& y) {
-    return x.name == y.name && (x.parent == y.parent || y.parent < 0) && x.position.x == y.position.x &&
-           x.position.y == y.position.y && x.position.z == y.position.z;
-  });
-}
-
-std::vector<int> add_joint_nodes(const std::string& path, const std::vector<Joint>& joints, Json* document) {
-  Json& nodes = (*document)["nodes"];
-  if (nodes.is_null()) nodes = Json::array();
-  const size_t base = nodes.size();
-  std::vector<int> numbers;
-  std::vector<size_t> roots;
-  for (size_t j = 0; j < joints.size(); ++j) {
-    const Joint& joint = joints[j];
-    if (joint.parent >= static_cast<int>(joints.size()))
-      throw Error(path + ": cannot write, joint " + in_quotes(joint.name) + " has a parent that does not exist");
-    size_t steps = 0;
-    for (int up = joint.parent; up >= 0; up = joints[static_cast<size_t>(up)].parent)
-      if (++steps > joints.size())
-        throw Error(path + ": cannot write, joint " + in_quotes(joint.name) + " is in a cycle");
-    const Vec3 from = joint.parent < 0 ? Vec3{} : joints[static_cast<size_t>(joint.parent)].position;
-    const auto difference = [](float a, float b) { return static_cast<double>(a) - static_cast<double>(b); };
-    nodes.push_back({{"name", joint.name},
-                     {"translation",
-                      {difference(joint.position.x, from.x), difference(joint.position.y, from.y),
-                       difference(joint.position.z, from.z)}}});
-    numbers.push_back(static_cast<int>(base + j));
-    if (joint.parent < 0) roots.push_back(base + j);
-  }
-  for (size_t j = 0; j < joints.size(); ++j)
-    if (joints[j].parent >= 0) nodes[base + static_cast<size_t>(joints[j].parent)]["children"].push_back(base + j);
-  size_t top = roots.empty() ? 0 : roots[0];
-  if (roots.size() > 1) {
-    top = nodes.size();
-    nodes.push_back({{"name", "skeleton"}, {"children", roots}});
-  }
-  if (document->contains("scenes") && !(*document)["scenes"].empty() && !roots.empty()) {
-    const size_t scene = document->value("scene", size_t{0});
-    (*document)["scenes"].at(scene)["nodes"].push_back(top);
-  }
-  return numbers;
-}
 
 GltfJoints write_gltf_skin(const std::string& path, const Character& character, bool unorm8, GltfSource* source) {
   try {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Assimp's scene to glTF. Only where Assimp is: in the command, and in the module of WebAssembly that reads FBX and COLLADA alone.
+// Assimp's scene to glTF: nodes, skins and meshes. Only where Assimp is: in the command, and in the module of WebAssembly that reads FBX and COLLADA alone.
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
-#include <array>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstring>
@@ -13,11 +12,12 @@
 #include <set>
 #include <unordered_map>
 
-#include "files/picture_files.hpp"
 #include "gltf/gltf_container.hpp"
 #include "gltf/gltf_from_scene.hpp"
 #include "gltf/scene_animations.hpp"
 #include "gltf/scene_files.hpp"
+#include "gltf/scene_materials.hpp"
+#include "gltf/scene_nodes.hpp"
 #include "gltf/scene_process.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
@@ -28,16 +28,6 @@
 namespace sinew {
 namespace {
 
-Affine affine_of(const aiMatrix4x4& m) {
-  return {static_cast<double>(m.a1), static_cast<double>(m.a2), static_cast<double>(m.a3), static_cast<double>(m.a4),
-          static_cast<double>(m.b1), static_cast<double>(m.b2), static_cast<double>(m.b3), static_cast<double>(m.b4),
-          static_cast<double>(m.c1), static_cast<double>(m.c2), static_cast<double>(m.c3), static_cast<double>(m.c4)};
-}
-
-bool is_finite(const Affine& m) {
-  return std::all_of(m.begin(), m.end(), [](double value) { return std::isfinite(value); });
-}
-
 // Column-major 4x4, as glTF has it.
 std::vector<float> columns_of(const Affine& m) {
   std::vector<float> out;
@@ -46,35 +36,19 @@ std::vector<float> columns_of(const Affine& m) {
   return out;
 }
 
-// A node's numbers of Assimp's scene, parents before children.
-struct SceneNode {
-  const aiNode* node = nullptr;
-  int parent = -1;
-  Affine world = kIdentity;
-  bool bone = false;          // moves vertices
-  bool bones_below = false;   // itself not counted
-  bool meshes_below = false;  // itself counted
-  bool not_a_joint = false;   // a locator, a camera, a light; FBX says so, COLLADA does not
-  bool joint = false;
-  std::map<int, Affine> binds = {};  // by mesh node
-};
-
 class SceneConverter {
  public:
   SceneConverter(const std::string& path, const aiScene& scene)
-      : path_(path), scene_(scene), pictures_(path, &source_.notes) {}
+      : path_(path), scene_(scene), found_(find_scene_nodes(path, scene)), nodes_(found_.nodes) {}
 
   // Bytes of a GLB.
   std::vector<uint8_t> convert(std::vector<std::string>* notes) {
     source_.document = {{"asset", {{"version", "2.0"}, {"generator", "sinew"}}}, {"scene", 0}};
-    collect_nodes();
-    find_bones();
-    find_joints();
-    for (unsigned m = 0; m < scene_.mNumMaterials; ++m) add_material(*scene_.mMaterials[m]);
+    add_scene_materials(path_, scene_, &source_);
     for (size_t n = 0; n < nodes_.size(); ++n) add_node(n);
     add_unused_skin();
     document()["scenes"] = {{{"nodes", roots_}}};
-    add_scene_animations(path_, scene_, by_name_, &source_);
+    add_scene_animations(path_, scene_, found_.by_name, &source_);
     if (skipped_faces_ != 0)
       source_.notes.push_back(std::to_string(skipped_faces_) + " points and lines were left out");
     *notes = std::move(source_.notes);
@@ -84,121 +58,11 @@ class SceneConverter {
  private:
   Json& document() { return source_.document; }
 
-  // FBX names its axes and counts in centimetres by a factor; Assimp leaves both to us. (COLLADA's and MD5's are in the
-  // root.)
-  Affine to_metres_and_y_up() const {
-    if (has_extension(path_, ".smd")) return {1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0};  // Z is up
-    if (!has_extension(path_, ".fbx") || scene_.mMetaData == nullptr) return kIdentity;
-    float factor = 1;
-    double scale = 1;
-    if (scene_.mMetaData->Get("UnitScaleFactor", factor))
-      scale = static_cast<double>(factor);
-    else if (!scene_.mMetaData->Get("UnitScaleFactor", scale))
-      scale = 1;
-    scale = std::isfinite(scale) && scale > 0 ? scale * 0.01 : 0.01;
-    // Right, up and front of the file become +X, +Y and +Z.
-    const std::array<std::array<const char*, 2>, 3> names = {
-        {{"CoordAxis", "CoordAxisSign"}, {"UpAxis", "UpAxisSign"}, {"FrontAxis", "FrontAxisSign"}}};
-    Affine rotation{};
-    double determinant = 0;
-    std::array<size_t, 3> axes{};
-    std::array<double, 3> signs{};
-    for (size_t r = 0; r < 3; ++r) {
-      int32_t axis = static_cast<int32_t>(r), sign = 1;
-      (void)scene_.mMetaData->Get(names[r][0], axis);
-      (void)scene_.mMetaData->Get(names[r][1], sign);
-      axes[r] = axis >= 0 && axis < 3 ? static_cast<size_t>(axis) : r;
-      signs[r] = sign < 0 ? -1 : 1;
-      rotation[r * 4 + axes[r]] = signs[r] * scale;
-    }
-    const bool even = (axes[1] + 3 - axes[0]) % 3 == 1;
-    if (axes[0] != axes[1] && axes[1] != axes[2] && axes[0] != axes[2])
-      determinant = signs[0] * signs[1] * signs[2] * (even ? 1 : -1);
-    // Axes that mirror, or name one twice, are no axes.
-    return determinant > 0 ? rotation : Affine{scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0};
-  }
-
-  void collect_nodes() {
-    std::set<std::string> cameras_lights;
-    for (unsigned i = 0; i < scene_.mNumCameras; ++i) cameras_lights.insert(scene_.mCameras[i]->mName.C_Str());
-    for (unsigned i = 0; i < scene_.mNumLights; ++i) cameras_lights.insert(scene_.mLights[i]->mName.C_Str());
-    nodes_.push_back({scene_.mRootNode, -1});
-    for (size_t n = 0; n < nodes_.size(); ++n) {
-      const aiNode& node = *nodes_[n].node;
-      Affine local = affine_of(node.mTransformation);
-      if (n == 0) local = multiply(to_metres_and_y_up(), local);
-      if (!is_finite(local))
-        throw Error(path_ + ": node " + in_quotes(node.mName.C_Str()) + ": expected a finite transform, found another");
-      locals_.push_back(local);
-      nodes_[n].world =
-          nodes_[n].parent < 0 ? local : multiply(nodes_[static_cast<size_t>(nodes_[n].parent)].world, local);
-      bool null = false;
-      if (node.mMetaData != nullptr) (void)node.mMetaData->Get("IsNull", null);
-      nodes_[n].not_a_joint = null || cameras_lights.count(node.mName.C_Str()) != 0;
-      by_name_.emplace(node.mName.C_Str(), n);
-      for (unsigned c = 0; c < node.mNumChildren; ++c) nodes_.push_back({node.mChildren[c], static_cast<int>(n)});
-    }
-  }
-
-  void find_bones() {
-    for (size_t n = 0; n < nodes_.size(); ++n)
-      for (unsigned i = 0; i < nodes_[n].node->mNumMeshes; ++i) {
-        const aiMesh& mesh = *scene_.mMeshes[nodes_[n].node->mMeshes[i]];
-        for (unsigned b = 0; b < mesh.mNumBones; ++b) {
-          const auto at = by_name_.find(mesh.mBones[b]->mName.C_Str());
-          if (at == by_name_.end())
-            throw Error(path_ + ": mesh " + in_quotes(mesh.mName.C_Str()) + ": expected a node for its bone " +
-                        in_quotes(mesh.mBones[b]->mName.C_Str()) + ", found none");
-          nodes_[at->second].bone = true;
-          nodes_[at->second].binds.emplace(static_cast<int>(n), affine_of(mesh.mBones[b]->mOffsetMatrix));
-        }
-      }
-    for (size_t n = nodes_.size(); n-- > 0;) {
-      SceneNode& node = nodes_[n];
-      node.meshes_below = node.meshes_below || node.node->mNumMeshes != 0;
-      if (node.parent < 0) continue;
-      SceneNode& parent = nodes_[static_cast<size_t>(node.parent)];
-      parent.meshes_below = parent.meshes_below || node.meshes_below;
-      parent.bones_below = parent.bones_below || node.bone || node.bones_below;
-    }
-  }
-
-  // FBX marks its locators, so that all else without a mesh is a joint; the others mark nothing.
-  void find_joints() {
-    const bool fbx = has_extension(path_, ".fbx");
-    const bool has_bones = nodes_[0].bones_below || nodes_[0].bone;
-    std::vector<char> below_bone(nodes_.size(), 0);
-    std::vector<int> branches(nodes_.size(), 0);
-    for (size_t n = 1; n < nodes_.size(); ++n) {
-      const size_t parent = static_cast<size_t>(nodes_[n].parent);
-      below_bone[n] = below_bone[parent] != 0 || nodes_[parent].bone;
-      branches[parent] += nodes_[n].bone || nodes_[n].bones_below;
-    }
-    for (size_t n = 0; n < nodes_.size(); ++n) {
-      SceneNode& node = nodes_[n];
-      if (node.bone) node.joint = true;
-      if (node.joint || n == 0 || node.node->mNumMeshes != 0) continue;
-      if (!has_bones)
-        node.joint =
-            fbx && !node.not_a_joint &&
-            !(node.meshes_below && nodes_[static_cast<size_t>(node.parent)].parent < 0 && node.node->mNumChildren == 0);
-      else if (node.bones_below)  // hips without weights: the branches meet there
-        node.joint = below_bone[n] != 0 || (fbx ? !node.not_a_joint : branches[n] > 1 && !node.meshes_below);
-      else  // leaves, and what they hang on
-        node.joint = nodes_[static_cast<size_t>(node.parent)].joint && !node.meshes_below && !node.not_a_joint;
-    }
-    for (size_t n = 0; n < nodes_.size(); ++n)
-      if (nodes_[n].joint) {
-        joint_number_[n] = joint_nodes_.size();
-        joint_nodes_.push_back(n);
-      }
-  }
-
   void add_node(size_t n) {
     const SceneNode& from = nodes_[n];
     Json node = Json::object();
     node["name"] = from.node->mName.C_Str();
-    if (!stands_alone(n)) position(locals_[n], &node);
+    if (!stands_alone(n)) position(found_.locals[n], &node);
     if (from.parent < 0 || stands_alone(n)) roots_.push_back(n);
     for (size_t child = n + 1; child < nodes_.size(); ++child)
       if (nodes_[child].parent == static_cast<int>(n) && !stands_alone(child)) node["children"].push_back(child);
@@ -257,7 +121,7 @@ class SceneConverter {
       if (!first) first = positions[n];
     }
     std::vector<float> values;
-    for (const size_t n : joint_nodes_) {
+    for (const size_t n : found_.joint_nodes) {
       Affine bind = kIdentity;
       const auto at = nodes_[n].binds.find(static_cast<int>(mesh_node));
       if (at != nodes_[n].binds.end()) {
@@ -278,15 +142,15 @@ class SceneConverter {
     const auto [known, is_new] = skins_.try_emplace(values, static_cast<int>(skins_.size()));
     if (is_new) {
       const int accessor = add_accessor(&source_, values.data(), values.size() * 4, "MAT4",
-                                        TINYGLTF_COMPONENT_TYPE_FLOAT, joint_nodes_.size(), false, false);
-      document()["skins"].push_back({{"joints", joint_nodes_}, {"inverseBindMatrices", accessor}});
+                                        TINYGLTF_COMPONENT_TYPE_FLOAT, found_.joint_nodes.size(), false, false);
+      document()["skins"].push_back({{"joints", found_.joint_nodes}, {"inverseBindMatrices", accessor}});
     }
     return known->second;
   }
 
   // A skeleton that moves no mesh yet.
   void add_unused_skin() {
-    if (skins_.empty() && !joint_nodes_.empty()) document()["skins"].push_back({{"joints", joint_nodes_}});
+    if (skins_.empty() && !found_.joint_nodes.empty()) document()["skins"].push_back({{"joints", found_.joint_nodes}});
   }
 
   int add_mesh(size_t n) {
@@ -323,7 +187,7 @@ class SceneConverter {
     std::vector<Influences> rows(mesh.mNumBones == 0 ? 0 : mesh.mNumVertices);
     for (unsigned b = 0; b < mesh.mNumBones; ++b) {
       const aiBone& bone = *mesh.mBones[b];
-      const uint16_t joint = static_cast<uint16_t>(joint_number_.at(by_name_.at(bone.mName.C_Str())));
+      const uint16_t joint = static_cast<uint16_t>(found_.joint_number.at(found_.by_name.at(bone.mName.C_Str())));
       for (unsigned w = 0; w < bone.mNumWeights; ++w) {
         const aiVertexWeight& weight = bone.mWeights[w];
         if (weight.mVertexId < mesh.mNumVertices && weight.mWeight > 0 && std::isfinite(weight.mWeight))
@@ -470,76 +334,14 @@ class SceneConverter {
     }
   }
 
-  int texture_of(const aiMaterial& material, std::initializer_list<aiTextureType> kinds, bool normals) {
-    for (const aiTextureType kind : kinds) {
-      aiString name;
-      if (material.GetTexture(kind, 0, &name) != AI_SUCCESS || name.length == 0 || name == aiString(".")) continue;
-      const auto [at, is_new] = textures_.try_emplace(name.C_Str(), -1);
-      if (!is_new) return at->second;
-      Picture picture;
-      if (const aiTexture* inside = scene_.GetEmbeddedTexture(name.C_Str()); inside != nullptr) {
-        const uint8_t* bytes = reinterpret_cast<const uint8_t*>(inside->pcData);
-        if (inside->mHeight == 0 && png_or_jpeg(bytes, inside->mWidth) != nullptr)
-          picture = std::make_shared<std::vector<uint8_t> >(bytes, bytes + inside->mWidth);
-        else
-          source_.notes.push_back("embedded picture " + in_quotes(name.C_Str()) +
-                                  " is no PNG or JPEG and was left out");
-      } else {
-        picture = pictures_.find(name.C_Str());
-      }
-      if (!picture || (normals && is_grey(*picture))) return -1;
-      source_.bytes.resize((source_.bytes.size() + 3) / 4 * 4);
-      document()["bufferViews"].push_back(
-          {{"buffer", 0}, {"byteOffset", source_.bytes.size()}, {"byteLength", picture->size()}});
-      source_.bytes.insert(source_.bytes.end(), picture->begin(), picture->end());
-      if (!document().contains("buffers")) document()["buffers"] = Json::array({Json::object()});
-      document()["images"].push_back({{"bufferView", document()["bufferViews"].size() - 1},
-                                      {"mimeType", png_or_jpeg(picture->data(), picture->size())}});
-      document()["textures"].push_back({{"source", document()["images"].size() - 1}});
-      return at->second = static_cast<int>(document()["textures"].size()) - 1;
-    }
-    return -1;
-  }
-
-  void add_material(const aiMaterial& from) {
-    aiString name;
-    (void)from.Get(AI_MATKEY_NAME, name);
-    std::array<float, 4> base = {1, 1, 1, 1};
-    aiColor3D colour;
-    if (from.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS) base = {colour.r, colour.g, colour.b, 1};
-    float opacity = 1;
-    // 0 is what exporters write who mean the opposite: nobody exports an invisible body.
-    if (from.Get(AI_MATKEY_OPACITY, opacity) == AI_SUCCESS && opacity > 0 && opacity < 1) base[3] = opacity;
-    Json material = {{"name", name.C_Str()}};
-    const int texture = texture_of(from, {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}, false);
-    Json& surface = material["pbrMetallicRoughness"];
-    surface = {{"metallicFactor", 0}, {"roughnessFactor", 0.9}};
-    if (texture >= 0) {
-      base[0] = base[1] = base[2] = 1;
-      surface["baseColorTexture"] = {{"index", texture}};
-    }
-    for (float& channel : base) channel = std::isfinite(channel) ? std::clamp(channel, 0.0f, 1.0f) : 1.0f;
-    surface["baseColorFactor"] = base;
-    if (base[3] < 1) material["alphaMode"] = "BLEND";
-    const int normal =
-        texture_of(from, {aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA, aiTextureType_HEIGHT}, true);
-    if (normal >= 0) material["normalTexture"] = {{"index", normal}};
-    document()["materials"].push_back(std::move(material));
-  }
-
   std::string path_;
   const aiScene& scene_;
   GltfSource source_;
-  PictureFiles pictures_;
-  std::vector<SceneNode> nodes_;
-  std::vector<Affine> locals_;
+  const SceneNodes found_;
+  const std::vector<SceneNode>& nodes_;
   std::vector<size_t> roots_;
-  std::map<std::string, size_t> by_name_;
-  std::vector<size_t> joint_nodes_;
-  std::map<size_t, size_t> joint_number_;
   std::map<std::vector<float>, int> skins_;
   std::map<unsigned, Json> primitives_;
-  std::map<std::string, int> textures_;
   size_t skipped_faces_ = 0;
 };
 

@@ -40,12 +40,17 @@ export function edit(editing) {
   run(sendPose);
 }
 
+// What a bind takes for up, 0 = Y, 1 = Z. That of a predicted skeleton was found or told with it; others are told, and stand on Y unless they are,
+// as the command has them. told: 0, 1, or 2 where nobody said.
+export const upOf = ({ upAxis }, told) => upAxis ?? (told === 1 ? 1 : 0);
+
 // rig: as the module describes it. chosen: the name of the joint that is chosen then.
 function useRig({ joints, ...rig }, chosen) {
   const { source } = at.character;
   const isSame = joints.length === at.character.joints.length && joints.every(({ parent }, j) => parent === at.character.joints[j].parent);
   source.answers = answersFor(source.answers, at.character.joints, joints, kinds.rigid);
-  Object.assign(at.character, { mirrored: false, doubtful: false }, rig, { joints });
+  Object.assign(at.character, { mirrored: false, doubtful: false, upAxis: upOf(rig, at.character.up) }, rig, { joints });
+  at.view.setUp(at.character.upAxis);
   lookNowhere();
   if (isSame) {
     at.view.moveSkeleton(joints); // and renamed
@@ -65,7 +70,7 @@ export async function predict(wishes = at.editor.wishes) {
   if (!models.skeletons) await fetchModel("sinew_rig.sinew");
   if (!models.fronts) await fetchModel("sinew_front.sinew");
   if (wishes.detail > 0 && !models.hands) await fetchModel("sinew_hands.sinew");
-  const rig = await engine.call("rig", { wishes: { ...wishes, upAxis: at.character.upAxis } });
+  const rig = await engine.call("rig", { wishes: { ...wishes, up: at.character.up } });
   setEditing(true);
   useRig(rig, chosen);
 }

@@ -20,6 +20,7 @@ function* ofCharacter(character, result) {
     yield part("look first at ", `${number.format(result.lookFirst)} vertices`, `The least sure tenth, ${Math.round(100 * result.lookFirstSure)} % sure on average; Doubt shows them`);
     if (result.leftOut.length) yield part("no weight for ", `${result.leftOut.length} joints`, result.leftOut.join("\n"));
     if (result.lockedVertices) yield part("locked ", `${number.format(result.lockedVertices)} vertices`, "They keep their weights; L on their joint frees them");
+    if (result.grownTogether) yield part("grown together ", "parts", result.grownTogether);
     if (result.keptMeshes) yield part("kept ", `${result.keptMeshes} attached meshes`, "They follow the joints that they hang on");
   } else {
     yield part("", character.joints.length === 0 ? "without a skeleton…" : "binding…");

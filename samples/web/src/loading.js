@@ -3,7 +3,7 @@
 import { listQuestions, lookNowhere } from "./asked.js";
 import { useStyle, useStyleAnswers } from "./asking.js";
 import { bind } from "./binding.js";
-import { predict, setEditing, showSkeleton } from "./editing.js";
+import { predict, setEditing, showSkeleton, upOf } from "./editing.js";
 import { isBeside, isWhole, pairFiles } from "./files.js";
 import { clearError, run, save } from "./jobs.js";
 import { useModel } from "./models.js";
@@ -81,11 +81,12 @@ function showCharacters() {
 // anew: a predicted skeleton is predicted again, as for another up axis.
 export async function load(source, anew = false) {
   const { name, mesh, skeleton } = source;
-  const upAxis = Number($("up").value);
   source.number ??= ++at.lastNumber;
   const loaded = await engine.call("load", { mesh, skeleton, number: source.number });
   // From here on the module has the new character, whether it can be bound or not.
-  at.character = { ...loaded, name, upAxis, source, result: null, size: longestSide(loaded.buffers.positions) };
+  const up = Number($("up").value);
+  const upAxis = upOf(loaded, up);
+  at.character = { ...loaded, name, up, upAxis, source, result: null, size: longestSide(loaded.buffers.positions) };
   source.answers ??= [];
   source.locked = new Set(); // with the rows that were locked
   $("artist").hidden = !loaded.hasReference;

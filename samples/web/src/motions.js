@@ -26,12 +26,12 @@ export class Motions {
   async open(name, { method = motionMethods.contacts, pins = {} } = {}) {
     const character = this.#current();
     if (!character?.result) throw new Error(`${name}: is a motion; open a character first`);
-    const { source, joints, upAxis } = character;
+    const { source, joints, up } = character;
     const own = name === source.mesh;
     const known = new Map(joints.flatMap((joint, j) => (joint.name in pins ? [[j, pins[joint.name]]] : [])));
     this.player.wait(name);
     try {
-      const motion = await this.#engine.call("motion", { name, wish: { upAxis, own, method, pins: [...known] } });
+      const motion = await this.#engine.call("motion", { name, wish: { up, own, method, pins: [...known] } });
       source.motion = { name, method, pins };
       this.#show({ name, own, method, pins: known, ...motion });
     } catch (error) {

@@ -1,36 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The picture: mesh with vertex colours, skeleton on top, orbit camera, the rings that turn a joint, and joints that are
-// dragged where the skeleton is edited. Draws only when something changed.
+// The picture: mesh with vertex colours, skeleton on top (bones.js), orbit camera, the rings that turn a joint, and what the pointer does there
+// (pointer.js). Draws only when something changed.
 import {
-  BufferAttribute,
-  BufferGeometry,
-  Color,
-  DirectionalLight,
-  DoubleSide,
-  GridHelper,
-  Group,
-  HemisphereLight,
-  InstancedMesh,
-  MathUtils,
-  Matrix4,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  Object3D,
-  OctahedronGeometry,
-  PerspectiveCamera,
-  Quaternion,
-  Raycaster,
-  Scene,
-  SphereGeometry,
-  SRGBColorSpace,
-  Vector2,
-  Vector3,
-  WebGLRenderer,
+  BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, GridHelper, Group, HemisphereLight, MathUtils, Mesh,
+  MeshStandardMaterial, Object3D, PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { TransformControls } from "three/addons/controls/TransformControls.js";
-import { draggedTo } from "./limbs.js";
+import { Bones } from "./bones.js";
+import { Pointer } from "./pointer.js";
 import { ContactSpots } from "./spots.js";
 
 const colourOf = ([r, g, b]) => new Color().setRGB(r / 255, g / 255, b / 255, SRGBColorSpace);
@@ -38,10 +16,6 @@ const toLinear = Float32Array.from({ length: 256 }, (_, i) => {
   const x = i / 255;
   return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
 });
-const bonesColour = new Color(0xdfe5ec);
-const chosenColour = new Color(0xffb02e);
-const pickPixels = 11;
-const dragPixels = 3; // less is a click
 
 export class View {
   onPickJoint = () => {};
@@ -53,10 +27,8 @@ export class View {
   onStrokeEnd = () => {};
   selected = -1;
   #also = new Set(); // joints that turn with the chosen one
-  #boneSize = 1;
   #look = null; // shown instead of the coloured mesh, see look.js
   #palette = null; // of the last pose
-  #stroking = false;
   #onStroke = null;
   toMiddle = true; // a dragged joint goes to the middle of the limb behind the pointer; with Alt the other way round
   #turnable = true; // whether the rings turn the chosen joint
@@ -70,15 +42,15 @@ export class View {
   #orbit;
   #gizmo;
   #model = new Group(); // turned when Z is up
-  #bones = new Group();
+  #pointer;
   #spots = new ContactSpots(this.#model);
+  #bones = new Bones(this.#model, () => this.#radius);
   #light = new DirectionalLight(0xffffff, 1.7);
   #mesh;
   #grid;
+  #upAxis = 0;
   #joints = []; // [{parent, position}]
-  #jointColours = null; // while a predicted skeleton is edited
   #editing = false;
-  #drag = null; // {joint, offset, from, moved}
   #handles = []; // Object3D per joint, a skeleton of their own that the rings turn
   #jointPositions = new Float32Array();
   #radius = 1;
@@ -96,7 +68,6 @@ export class View {
     this.#scene.add(new HemisphereLight(0xffffff, 0x8b93a3, 1.9), this.#camera, this.#model);
     this.#camera.add(this.#light);
     this.#light.position.set(0.6, 0.9, 0.7);
-    this.#model.add(this.#bones);
     this.#orbit = new OrbitControls(this.#camera, this.#renderer.domElement);
     this.#orbit.enableDamping = false;
     this.#orbit.addEventListener("change", () => this.redraw());
@@ -116,8 +87,8 @@ export class View {
       this.onTurn(this.selected, x * MathUtils.RAD2DEG, y * MathUtils.RAD2DEG, z * MathUtils.RAD2DEG);
     });
     this.#scene.add(this.#gizmo.getHelper());
-    this.#listenForDrags();
-    this.#listenForClicks();
+    const canvas = this.#renderer.domElement;
+    this.#pointer = new Pointer(this, { host, canvas, camera: this.#camera, model: this.#model, mesh: () => this.#mesh });
     new ResizeObserver(() => this.#resize()).observe(host);
     this.#resize();
   }
@@ -139,20 +110,29 @@ export class View {
     this.#mesh = new Mesh(geometry, new MeshStandardMaterial({ vertexColors: true, wireframe, roughness: 0.82, metalness: 0, side: DoubleSide }));
     this.#mesh.frustumCulled = false; // poses leave the rest pose's bounds
     this.#model.add(this.#mesh);
+    this.#stand(upAxis);
+    this.setSkeleton(joints);
+  }
+
+  setUp(upAxis) {
+    if (upAxis !== this.#upAxis) this.#stand(upAxis);
+  }
+
+  // upAxis 1: z, which the picture turns up; else y.
+  #stand(upAxis) {
+    this.#upAxis = upAxis;
     this.#model.rotation.x = upAxis === 1 ? -Math.PI / 2 : 0;
     this.#model.updateMatrixWorld(true);
     this.frame();
-    this.setSkeleton(joints);
-    this.#makeGrid(geometry.boundingBox.clone().applyMatrix4(this.#model.matrixWorld));
+    this.#makeGrid(this.#mesh.geometry.boundingBox.clone().applyMatrix4(this.#model.matrixWorld));
   }
 
   setSkeleton(joints) {
     this.select(-1);
-    this.#jointColours = null;
     this.#joints = joints;
     this.#jointPositions = Float32Array.from(joints.flatMap((j) => j.position));
     this.#makeHandles();
-    this.#makeBones();
+    this.#bones.make(joints, this.#jointPositions);
     this.redraw();
   }
 
@@ -161,14 +141,13 @@ export class View {
     this.#joints = joints;
     this.#jointPositions = Float32Array.from(joints.flatMap((j) => j.position));
     this.#placeHandles();
-    this.#placeBones();
+    this.#bones.place(this.#jointPositions);
     this.redraw();
   }
 
   // colours: [[r, g, b]], 0 to 255, or null.
   setJointColours(colours) {
-    this.#jointColours = colours?.map(colourOf) ?? null;
-    this.#paintBones();
+    this.#bones.paint({ colours: colours?.map(colourOf) ?? null });
     this.redraw();
   }
 
@@ -186,7 +165,7 @@ export class View {
     this.select(this.selected);
   }
   get dragging() {
-    return this.#drag?.moved ?? false;
+    return this.#pointer.dragging;
   }
 
   setColours(srgb) {
@@ -209,7 +188,7 @@ export class View {
       if (this.#gizmo.dragging && j === this.selected) return;
       handle.rotation.set(...[0, 1, 2].map((axis) => turns[j * 3 + axis] * MathUtils.DEG2RAD));
     });
-    this.#placeBones();
+    this.#bones.place(this.#jointPositions);
     this.#goAlong(moves);
     this.redraw();
   }
@@ -256,11 +235,10 @@ export class View {
   }
 
   get boneSize() {
-    return this.#boneSize;
+    return this.#bones.thickness;
   }
   set boneSize(size) {
-    this.#boneSize = size;
-    if (this.#bones.children.length > 0) this.#placeBones();
+    this.#bones.thickness = size;
     this.redraw();
   }
 
@@ -270,7 +248,7 @@ export class View {
   }
   set also(joints) {
     this.#also = new Set(joints);
-    this.#paintBones();
+    this.#bones.paint({ chosen: this.selected, also: this.#also });
     this.redraw();
   }
 
@@ -279,15 +257,15 @@ export class View {
     this.selected = joint;
     if (joint < 0 || this.#editing || !this.#turnable || this.#onStroke) this.#gizmo.detach();
     else this.#gizmo.attach(this.#handles[joint]);
-    this.#paintBones();
+    this.#bones.paint({ chosen: this.selected, also: this.#also });
     this.redraw();
   }
 
   get skeletonShown() {
-    return this.#bones.visible;
+    return this.#bones.shown;
   }
   set skeletonShown(shown) {
-    this.#bones.visible = shown;
+    this.#bones.shown = shown;
     this.redraw();
   }
 
@@ -329,11 +307,30 @@ export class View {
     return { x: box.left + ((at.x + 1) / 2) * box.width, y: box.top + ((1 - at.y) / 2) * box.height, behind: at.z > 1 };
   }
 
+  jointPosition(joint) {
+    return [...this.#jointPositions.subarray(joint * 3, joint * 3 + 3)];
+  }
+  get jointCount() {
+    return this.#joints.length;
+  }
+
+  // While the pointer has something else to do no drag orbits.
+  set orbiting(orbiting) {
+    this.#orbit.enabled = orbiting;
+  }
+  // The picture stays as it is, whatever the window does.
+  hold() {
+    this.#untouched = false;
+  }
+  get onRing() {
+    return this.#gizmo.axis !== null;
+  }
+
   // Where a joint would be in the middle of what is behind it, as the picture stands; where it is if nothing is there.
   middleOf(joint) {
     const { x, y } = this.jointOnScreen(joint);
-    const from = [...this.#jointPositions.subarray(joint * 3, joint * 3 + 3)];
-    return this.#place(joint, from, x, y, true);
+    const from = this.jointPosition(joint);
+    return this.#pointer.place(joint, from, x, y, true);
   }
 
   // The rest is for tests.
@@ -350,7 +347,7 @@ export class View {
     return Array.from(this.#mesh.geometry.getAttribute("color").array);
   }
   ringUnderPointer() {
-    return this.#gizmo.axis !== null;
+    return this.onRing;
   }
   // How far the rings' own skeleton is from where the engine has the joints, in sizes of the character.
   largestHandleDistance() {
@@ -406,205 +403,11 @@ export class View {
     });
   }
 
-  #makeBones() {
-    for (const child of [...this.#bones.children]) {
-      child.removeFromParent();
-      child.dispose();
-    }
-    const material = () => new MeshBasicMaterial({ transparent: true, opacity: 0.9, depthTest: false, depthWrite: false });
-    const bone = new OctahedronGeometry(1, 0);
-    const corners = bone.getAttribute("position");
-    for (let i = 0; i < corners.count; ++i) {
-      // From 0 to 1 along Y, widest near the start.
-      const y = corners.getY(i);
-      corners.setY(i, y > 0.5 ? 1 : y < -0.5 ? 0 : 0.18);
-    }
-    const bones = new InstancedMesh(bone, material(), Math.max(1, this.#joints.length));
-    bones.material.opacity = 0.5;
-    const joints = new InstancedMesh(new SphereGeometry(1, 12, 8), material(), Math.max(1, this.#joints.length));
-    bones.renderOrder = 1;
-    joints.renderOrder = 2;
-    for (const mesh of [bones, joints]) {
-      mesh.count = this.#joints.length;
-      mesh.frustumCulled = false;
-      this.#bones.add(mesh);
-    }
-    this.#placeBones();
-    this.#paintBones();
-  }
-
-  #placeBones() {
-    const [bones, joints] = this.#bones.children;
-    const at = new Vector3();
-    const from = new Vector3();
-    const along = new Vector3();
-    const turn = new Quaternion();
-    const up = new Vector3(0, 1, 0);
-    const matrix = new Matrix4();
-    const size = new Vector3();
-    this.#joints.forEach(({ parent }, j) => {
-      at.fromArray(this.#jointPositions, j * 3);
-      let length = this.#radius * 0.1;
-      if (parent >= 0) {
-        from.fromArray(this.#jointPositions, parent * 3);
-        along.subVectors(at, from);
-        length = along.length();
-        turn.setFromUnitVectors(up, along.normalize());
-        const width = Math.min(length * 0.09, this.#radius * 0.014) * this.#boneSize;
-        bones.setMatrixAt(j, matrix.compose(from, turn, size.set(width, length, width)));
-      } else {
-        bones.setMatrixAt(j, matrix.makeScale(0, 0, 0));
-      }
-      const ball = Math.min(Math.max(length * 0.1, this.#radius * 0.004), this.#radius * 0.011) * this.#boneSize * (j === this.selected ? 1.5 : 1);
-      joints.setMatrixAt(j, matrix.compose(at, turn.identity(), size.setScalar(ball)));
-    });
-    bones.instanceMatrix.needsUpdate = true;
-    joints.instanceMatrix.needsUpdate = true;
-  }
-
-  #paintBones() {
-    if (this.#bones.children.length === 0) return;
-    const [bones, joints] = this.#bones.children;
-    this.#joints.forEach(({ parent }, j) => {
-      joints.setColorAt(j, j === this.selected || this.#also.has(j) ? chosenColour : (this.#jointColours?.[j] ?? bonesColour));
-      bones.setColorAt(j, parent === this.selected && parent >= 0 ? chosenColour : bonesColour);
-    });
-    for (const mesh of [bones, joints]) if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
-    this.#placeBones();
-  }
-
   #makeGrid(box) {
     this.#grid?.dispose();
     this.#grid?.removeFromParent();
     this.#grid = new GridHelper(this.#radius * 4, 20, 0x4a515d, 0x2c3139);
     this.#grid.position.set(this.#centre.x, box.min.y, this.#centre.z);
     this.#scene.add(this.#grid);
-  }
-
-  // The joint that is nearest to a place of the page, -1 where none is near.
-  #jointAt(x, y) {
-    let best = -1;
-    let nearest = pickPixels;
-    for (let j = 0; this.skeletonShown && j < this.#joints.length; ++j) {
-      const at = this.jointOnScreen(j);
-      const distance = Math.hypot(at.x - x, at.y - y);
-      if (!at.behind && distance < nearest) [best, nearest] = [j, distance];
-    }
-    return best;
-  }
-
-  // The shown vertex under the pointer, -1 beside the mesh.
-  #surfaceAt({ clientX, clientY }) {
-    if (!this.#mesh) return -1;
-    const [hit] = this.#rayThrough(clientX, clientY).intersectObject(this.#mesh);
-    if (!hit) return -1;
-    const positions = this.#mesh.geometry.getAttribute("position");
-    const at = this.#mesh.worldToLocal(hit.point.clone()), corner = new Vector3();
-    const [near] = ["a", "b", "c"].map((name) => hit.face[name]).sort((a, b) => corner.fromBufferAttribute(positions, a).distanceToSquared(at) - corner.fromBufferAttribute(positions, b).distanceToSquared(at));
-    return near;
-  }
-
-  #rayThrough(x, y) {
-    const box = this.#renderer.domElement.getBoundingClientRect();
-    const point = new Vector2(((x - box.left) / box.width) * 2 - 1, 1 - ((y - box.top) / box.height) * 2);
-    this.#camera.updateMatrixWorld();
-    const ray = new Raycaster();
-    ray.setFromCamera(point, this.#camera);
-    return ray;
-  }
-
-  // Where a joint that is at `from` goes when it is dragged to a place of the page.
-  #place(joint, from, x, y, toMiddle) {
-    const { origin, direction } = this.#rayThrough(x, y).ray;
-    const toModel = new Matrix4().copy(this.#model.matrixWorld).invert(); // turned at most, so lengths stay
-    const { geometry } = this.#mesh;
-    return draggedTo({
-      origin: origin.applyMatrix4(toModel).toArray(),
-      direction: direction.transformDirection(toModel).toArray(),
-      forward: this.#camera.getWorldDirection(new Vector3()).transformDirection(toModel).toArray(),
-      from,
-      plane: this.planeOf(joint),
-      surface: toMiddle ? { positions: geometry.getAttribute("position").array, triangles: geometry.index.array } : null,
-    });
-  }
-
-  // Before the canvas hears of it: a drag that begins on a joint is no orbit.
-  #listenForDrags() {
-    this.#host.addEventListener(
-      "pointerdown",
-      (event) => {
-        if (this.onStroke && event.button === 0 && event.target === this.#renderer.domElement && this.#surfaceAt(event) >= 0) {
-          this.#stroking = true;
-          this.#orbit.enabled = false;
-          event.target.setPointerCapture(event.pointerId);
-          this.onStroke(this.#surfaceAt(event));
-          return;
-        }
-        if (!this.#editing || !this.draggable || event.button !== 0 || event.target !== this.#renderer.domElement || this.#drag) return;
-        const joint = this.#jointAt(event.clientX, event.clientY);
-        if (joint < 0) return;
-        this.#orbit.enabled = false;
-        this.#untouched = false; // the picture stays as it is, whatever the window does
-        const at = this.jointOnScreen(joint);
-        this.#drag = {
-          joint,
-          offset: [at.x - event.clientX, at.y - event.clientY],
-          start: [event.clientX, event.clientY],
-          from: [...this.#jointPositions.subarray(joint * 3, joint * 3 + 3)],
-          moved: false,
-        };
-        event.target.setPointerCapture(event.pointerId);
-      },
-      true,
-    );
-    const canvas = this.#renderer.domElement;
-    canvas.addEventListener("pointermove", (event) => {
-      const drag = this.#drag;
-      if (this.#stroking) {
-        const at = this.#surfaceAt(event);
-        if (at >= 0) this.onStroke?.(at);
-        return;
-      }
-      if (!drag) {
-        canvas.style.cursor = this.#editing && this.draggable && this.#jointAt(event.clientX, event.clientY) >= 0 ? "move" : "";
-        return;
-      }
-      const { clientX: x, clientY: y } = event;
-      if (!drag.moved && Math.hypot(x - drag.start[0], y - drag.start[1]) < dragPixels) return;
-      drag.moved = true;
-      drag.from = this.#place(drag.joint, drag.from, x + drag.offset[0], y + drag.offset[1], this.toMiddle !== event.altKey);
-      this.onDrag(drag.joint, drag.from);
-    });
-    const end = () => {
-      if (this.#stroking) {
-        this.#stroking = false;
-        this.#orbit.enabled = true;
-        return this.onStrokeEnd();
-      }
-      if (!this.#drag) return;
-      const { moved } = this.#drag;
-      this.#drag = null;
-      this.#orbit.enabled = true;
-      if (moved) this.onDragEnd();
-    };
-    canvas.addEventListener("pointerup", end);
-    canvas.addEventListener("pointercancel", end);
-  }
-
-  // A click, not the end of a drag, chooses the joint under the pointer, else the strongest joint of the surface there.
-  #listenForClicks() {
-    const canvas = this.#renderer.domElement;
-    let down = null;
-    canvas.addEventListener("pointerdown", (event) => {
-      down = event.button === 0 && this.#gizmo.axis === null && !this.#stroking ? [event.clientX, event.clientY] : null;
-    });
-    canvas.addEventListener("pointerup", (event) => {
-      if (!down || !this.#mesh || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > 4) return;
-      const joint = this.#jointAt(event.clientX, event.clientY);
-      const more = event.ctrlKey || event.metaKey || event.shiftKey; // beside the chosen one
-      if (joint >= 0) return this.onPickJoint(joint, more);
-      const at = this.#surfaceAt(event);
-      if (at >= 0) this.onPickSurface(at, more);
-    });
   }
 }

@@ -167,7 +167,7 @@ const calls = {
       module._free(at);
     }
   },
-  // name: of a .bvh or an animated glTF, FBX or COLLADA, "" for none any more. wish: {upAxis, own, method, pins}
+  // name: of a .bvh or an animated glTF, FBX or COLLADA, "" for none any more. wish: {up, own, method, pins}
   async motion({ name, wish = {} }) {
     await needScenes(name);
     return withText(name && plain(name), (at) => withText(JSON.stringify(wish), (w) => checked(module._web_motion(at, w))));

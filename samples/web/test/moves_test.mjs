@@ -204,6 +204,8 @@ try {
     await give(made("squat.bvh", testClip("squat")));
     await method("Ref. points");
     assert.equal(await errorLine(), "");
+    command("animate", figure, "--motion", at("squat.bvh"), "--method", "reference-points", "-o", at("capsules.glb"));
+    assert.ok((await downloaded("#download")).bytes.equals(readFileSync(at("capsules.glb"))), "the page's GLB differs from the command's");
     await method("Contacts");
     await page.setInputFiles("#motion-files", [{ name: "squat.glb", mimeType: "model/gltf-binary", buffer: readFileSync(at("squat.glb")) }]);
     await page.waitForFunction(() => document.getElementById("motion-files").files.length === 0);

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "characters.hpp"
 #include "sinew_character/answers.hpp"
-#include "sinew_character/bind_character.hpp"
+#include "sinew_character/bind_job.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew::web {
@@ -24,51 +25,32 @@ double sure_of_least_tenth(std::vector<uint8_t> confidence) {
   return sum / static_cast<double>(tenth);
 }
 
-struct Bound {
-  CharacterBind result;
-  JointChoice choice;  // with the joints that answers named
-};
-
-// The user's word about joints, after the file's names and weights.
-void switch_joints(const Character& character, const Wish& wish, JointChoice* choice) {
-  take_back_joints(wish.always, {}, choice);
-  for (const size_t joint : wish.never) {
-    if (joint >= character.joints.size()) continue;
-    if ((choice->flags[joint] & SINEW_JOINT_NEVER) == 0) choice->left_out.push_back({joint, "never deforms, as asked"});
-    choice->flags[joint] |= SINEW_JOINT_NEVER;
-    choice->tips.erase(std::remove(choice->tips.begin(), choice->tips.end(), joint), choice->tips.end());
-  }
-}
-
-Bound bind_with(const Session& s, const Wish& wish, const std::vector<sinew_answer>& answers, uint32_t questions) {
-  CharacterBindOptions options;
-  options.bind.method = wish.method;
-  if (options.bind.method == SINEW_METHOD_MODEL) {
-    if (s.bind_model.bytes.empty()) throw Error("no model is loaded");
-    options.bind.model = &s.bind_model.model;
-  }
-  options.bind.influence_count = wish.influences;
-  options.bind.up_axis = wish.up_axis;
-  options.bind.symmetric = wish.symmetric;
-  options.bind.rigid_parts = wish.rigid_parts;
-  options.bind.softness_percent = options.bind.method == SINEW_METHOD_MODEL ? wish.softness_percent : 100;
+// The command's job for the character as it is, with what its user said. `sinew rig` binds attached meshes too, and tips keep their weight.
+BindJob job_for(Session& s, const Wish& wish) {
+  const Rig& rig = s.rigs().now();
+  BindJobOptions job;
+  job.choice = &rig.choice;
+  job.taken_back = wish.always;
+  if (!wish.never.empty()) job.said.assign(s.character.joints.size(), 0);
+  for (const size_t joint : wish.never) job.said.at(joint) = SINEW_JOINT_NEVER;
+  job.influence_count = wish.influences;
+  job.up_axis = wish.up_axis;
+  job.symmetric = wish.symmetric;
+  job.rigid_parts = wish.rigid_parts;
+  job.keep_tips = job.bind_props = rig.predicted;
   if (!s.character.influences.empty()) {  // rows to keep
-    options.bind.locked = s.locked;
-    options.bind.hints = s.hints;
+    job.locked = s.locked;
+    job.hinted = s.hints;
   }
-  options.bind.progress = wish.progress;
-  options.bind.answers = answers;
-  options.bind.question_count = questions;
-  options.keep_tips = options.bind_props = s.rigs().now().predicted;
-  Bound bound;
-  bound.choice = s.rigs().now().choice;
-  switch_joints(s.character, wish, &bound.choice);
-  std::vector<size_t> named;
-  for (const sinew_answer& answer : answers)
-    if (answer.kind == SINEW_ANSWER_RIGID && answer.joint < s.character.joints.size()) named.push_back(answer.joint);
-  take_back_joints(named, {}, &bound.choice);
-  bound.result = bind_character(s.character, bound.choice, options);
-  return bound;
+  job.progress = wish.progress;
+  Binder binder;
+  binder.method = wish.method;
+  if (wish.method == SINEW_METHOD_MODEL) {
+    if (s.bind_model.bytes.empty()) throw Error("no model is loaded");
+    binder.model = &s.bind_model.model;
+    job.softness_percent = wish.softness_percent;
+  }
+  return BindJob(job, binder, &s.character);
 }
 
 Json question_json(const std::vector<Joint>& joints, const sinew_question& question) {
@@ -114,8 +96,9 @@ std::vector<sinew_answer> read_answers(const std::string& text) {
 
 Json bind_shown(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers) {
   need_joints(s);
-  Bound bound = bind_with(s, wish, answers, kQuestions);
-  CharacterBind& result = bound.result;
+  BindJob job = job_for(s, wish);
+  CharacterBind result = job.bind(answers, kQuestions);
+  const JointChoice& choice = job.choice();
   s.taken = {};
   s.slots = wish.influences;
   Rows rows = {std::move(result.influences), std::move(result.confidence)};
@@ -130,10 +113,10 @@ Json bind_shown(Session& s, const Wish& wish, const std::vector<sinew_answer>& a
   s.strongest.resize(s.surface.vertex_of.size());
   for (size_t i = 0; i < s.strongest.size(); ++i) s.strongest[i] = s.joints[size_t{s.surface.vertex_of[i]} * s.slots];
   Json off = Json::array();
-  for (size_t j = 0; j < bound.choice.flags.size(); ++j)
-    if ((bound.choice.flags[j] & SINEW_JOINT_NEVER) != 0) off.push_back(j);
+  for (size_t j = 0; j < choice.flags.size(); ++j)
+    if ((choice.flags[j] & SINEW_JOINT_NEVER) != 0) off.push_back(j);
   Json left_out = Json::array();
-  for (const LeftOutJoint& left : bound.choice.left_out)
+  for (const LeftOutJoint& left : choice.left_out)
     left_out.push_back(s.character.joints[left.joint].name + " (" + left.why + ")");
   Json questions = Json::array();
   for (const sinew_question& question : result.questions)
@@ -149,6 +132,8 @@ Json bind_shown(Session& s, const Wish& wish, const std::vector<sinew_answer>& a
           {"paintedVertices", std::count(s.hints.begin(), s.hints.end(), uint8_t{1})},
           {"symmetricVertices", result.symmetric_vertices},
           {"keptMeshes", result.kept_meshes},
+          {"grownTogether",
+           result.seams.seams.empty() ? "" : without_option(seams_text(s.character.joints, result.seams, 0))},
           {"lookFirst", (s.confidence.size() + 9) / 10},
           {"lookFirstSure", sure_of_least_tenth(s.confidence)},
           {"meanInfluences", static_cast<double>(pairs) / static_cast<double>(s.character.vertices.size())},
@@ -158,7 +143,7 @@ Json bind_shown(Session& s, const Wish& wish, const std::vector<sinew_answer>& a
 // A bind that shows weights while a joint is dragged: no questions, no sums.
 Json rebind(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers) {
   need_joints(s);
-  CharacterBind result = bind_with(s, wish, answers, 0).result;
+  CharacterBind result = job_for(s, wish).bind(answers, 0);
   s.taken = {};
   s.slots = wish.influences;
   Rows rows = {std::move(result.influences), std::move(result.confidence)};
@@ -168,7 +153,7 @@ Json rebind(Session& s, const Wish& wish, const std::vector<sinew_answer>& answe
 
 // Shows the character as these answers would bind it; what was taken stays what is written.
 Json preview(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers) {
-  CharacterBind result = bind_with(s, wish, answers, 0).result;
+  CharacterBind result = job_for(s, wish).bind(answers, 0);
   end_preview(s);
   s.taken = {std::move(result.influences), std::move(result.confidence)};
   swap_rows(s, &s.taken);
@@ -180,9 +165,9 @@ Json preview(Session& s, const Wish& wish, const std::vector<sinew_answer>& answ
 Json style_answers(Session& s, const Wish& wish) {
   Json list = Json::array();
   if (s.style.sheets.empty()) return {{"answers", std::move(list)}};
-  CharacterBind proposed = bind_with(s, wish, {}, SINEW_MAX_QUESTIONS).result;
-  const AskedBind asked = {proposed.questions, proposed.vertex_parts, wish.up_axis};
-  for (const sinew_answer& answer : answer_by_style(s.style, s.character, asked, s.rigs().now().choice.flags)) {
+  BindJob job = job_for(s, wish);
+  const CharacterBind& proposed = job.proposed();
+  for (const sinew_answer& answer : job.answers_of(s.style)) {
     const uint32_t number = proposed.vertex_questions[answer.vertex];
     list.push_back({{"question", question_json(s.character.joints, proposed.questions[number])},
                     {"number", number},
@@ -190,17 +175,13 @@ Json style_answers(Session& s, const Wish& wish) {
                     {"kind", answer.kind},
                     {"joint", answer.joint}});
   }
-  s.vertex_questions = std::move(proposed.vertex_questions);
+  s.vertex_questions = proposed.vertex_questions;
   return {{"answers", std::move(list)}};
 }
 
 // The loaded style with these answers.
-void save_style(const Session& s, const Wish& wish, const std::vector<sinew_answer>& answers, const std::string& path) {
-  const CharacterBind proposed = bind_with(s, wish, {}, SINEW_MAX_QUESTIONS).result;
-  Style style = s.style;
-  style.sheets.push_back(learn_style(s.character, {proposed.questions, proposed.vertex_parts, wish.up_axis}, answers));
-  if (style.sheets.back().rules.empty()) throw Error("there is no answer to keep in a style; answer a question first");
-  write_style(path, style);
+void save_style(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers, const std::string& path) {
+  write_style(path, job_for(s, wish).learnt(s.style, answers, path));
 }
 
 }  // namespace sinew::web

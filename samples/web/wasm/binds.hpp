@@ -36,7 +36,7 @@ Json preview(Session& s, const Wish& wish, const std::vector<sinew_answer>& answ
 // web_buffer(kVertexQuestions).
 Json style_answers(Session& s, const Wish& wish);
 // The loaded style with these answers.
-void save_style(const Session& s, const Wish& wish, const std::vector<sinew_answer>& answers, const std::string& path);
+void save_style(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers, const std::string& path);
 
 }  // namespace sinew::web
 #endif

@@ -6,10 +6,8 @@
 #include <utility>
 
 #include "rig_json.hpp"
-#include "sinew_character/bind_character.hpp"
-#include "sinew_character/engine_views.hpp"
+#include "sinew_character/bind_job.hpp"
 #include "sinew_character/rig_job.hpp"
-#include "sinew_character/skeleton_repair.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 
@@ -27,6 +25,12 @@ std::vector<std::vector<Influence>> weights_of_file(const std::string& skeleton,
 }
 
 }  // namespace
+
+std::string without_option(std::string line) {
+  for (const char* option : {" (--no-mirror)", "; --fit mends that", ", --cut opens it"})
+    if (const size_t at = line.find(option); at != std::string::npos) line.erase(at, std::string(option).size());
+  return line;
+}
 
 // The character has the present rig. Weights stay where joints were moved or renamed, until the next bind.
 Json show_rig(Session& s) {
@@ -54,7 +58,8 @@ Json predict(Session& s, const Json& wishes) {
   RigJobOptions job;
   job.bind = false;  // the page shows the skeleton first
   job.detail = static_cast<SkeletonDetail>(wishes.at("detail").get<uint8_t>());
-  job.up = wishes.at("upAxis").get<uint32_t>() == 1 ? UpChoice::kZ : UpChoice::kY;
+  const uint32_t up = wishes.at("up").get<uint32_t>();
+  job.up = up == 0 ? UpChoice::kY : up == 1 ? UpChoice::kZ : UpChoice::kFound;
   job.mirror = wishes.at("mirror").get<uint32_t>();
   job.spine_count = wishes.at("spine").get<uint32_t>();
   job.toes = wishes.at("toes").get<bool>();
@@ -81,11 +86,8 @@ Json predict(Session& s, const Json& wishes) {
 Json edit(Session& s, const Json& edits, bool mirror, bool continues) {
   try {
     s.rigs().edit(s.character, read_edits(edits), mirror, continues);
-  } catch (const Error& error) {  // the option of the command is a box on the page
-    std::string line = error.what();
-    const std::string option = " (--no-mirror)";
-    const size_t at = line.find(option);
-    throw Error(at == std::string::npos ? line : line.erase(at, option.size()));
+  } catch (const Error& error) {
+    throw Error(without_option(error.what()));
   }
   return show_rig(s);
 }
@@ -97,9 +99,8 @@ Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint
   if (character.face_count() == 0) throw Error(mesh + ": has no faces to show; drop a mesh with polygons");
   JointChoice choice;
   if (!character.joints.empty()) {
-    check_bindable(character);
-    (void)infer_parents(&character.joints);
-    choice = choose_joints(character, skeleton.empty() ? JointsFrom::kAuto : JointsFrom::kNames);
+    choice = prepare_joints(skeleton.empty() ? JointsFrom::kAuto : JointsFrom::kNames, false, &character);
+    for (std::string& note : character.notes) note = without_option(std::move(note));
   }
   std::vector<std::vector<Influence>> reference =
       skeleton.empty() ? std::move(character.influences) : weights_of_file(skeleton, read_mesh(mesh));

@@ -18,6 +18,8 @@ Json predict(Session& s, const Json& wishes);
 Json edit(Session& s, const Json& edits, bool mirror, bool continues);
 // The character has the present rig. Weights stay where joints were moved or renamed, until the next bind.
 Json show_rig(Session& s);
+// What the command says of its options the page has as boxes, or not at all.
+std::string without_option(std::string line);
 
 }  // namespace sinew::web
 #endif

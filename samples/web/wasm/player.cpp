@@ -15,6 +15,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
+const char* up_text(uint32_t up) { return up == 0 ? "y" : up == 1 ? "z" : "auto"; }
+
 Json limb_json(const sinew_limb_measure& limb) {
   return {{"deep", limb.deep_frames}, {"contacts", limb.contact_frames}, {"depth", limb.depth}, {"error", limb.error}};
 }
@@ -43,7 +45,7 @@ void Player::make(MotionMethod method, Opened* opened) {
   }
   AnimateOptions options;
   options.character = opened->work.character.name;
-  if (opened->up == 1) options.up = "z";
+  options.up = up_text(opened->up);
   options.pins = opened->pins;
   options.method = method == MotionMethod::kCopy              ? AnimateMethod::kCopy
                    : method == MotionMethod::kReferencePoints ? AnimateMethod::kReferencePoints
@@ -80,7 +82,7 @@ Json Player::clips_json(const Opened& opened) {
 Json Player::open(const std::string& file, const Character& character, uint32_t up, bool own, MotionMethod method,
                   const std::vector<sinew_map_pin>& pins) {
   auto opened = std::make_unique<Opened>();
-  MotionFile read = read_motion_for({file, 0, "", "", up == 1 ? "z" : "auto"}, character);
+  MotionFile read = read_motion_for({file, 0, "", "", up_text(up)}, character);
   opened->source = std::move(read.motion);
   std::vector<Clip>& clips = opened->source.clips;
   clips.erase(std::remove_if(clips.begin(), clips.end(), [](const Clip& clip) { return clip.frames.empty(); }),

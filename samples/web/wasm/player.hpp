@@ -20,7 +20,7 @@ enum class MotionMethod : uint32_t { kContacts = 0, kCopy, kReferencePoints };
 class Player {
  public:
   // Retargets every clip of the file to the character; a motion that is there already stays when that fails. Throws Error.
-  //   up    0 = Y, 1 = Z, the character's
+  //   up    the character's: 0 = Y, 1 = Z, 2 = found
   //   own   the file is the character's own
   //   pins  of the map, which the rest follows
   // Returns {clips: [{name, frames, seconds, limbs}], joints, mapped, how, sourceJoints: [{name, parent}], map: [{source,

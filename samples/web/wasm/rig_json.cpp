@@ -59,6 +59,7 @@ Json rig_json(const Rigs& rigs) {
     reply["spread"] = skeleton.spread;
     reply["doubtful"] = rig.predicted && skeleton.usable && *skeleton.usable < kDoubtfulUsable;
     reply["seconds"] = skeleton.seconds;
+    if (rig.predicted) reply["upAxis"] = skeleton.up_axis;
   }
   reply["joints"] = std::move(joints);
   return reply;

@@ -12,7 +12,8 @@
 namespace sinew::web {
 
 // The present rig: {joints: [{name, parent, position, colour, side, end, partner, confidence}], predicted, editable, canUndo,
-// canRedo}, and of one that can be edited {mirrored, axis, plane, spread, doubtful, seconds}. Of others nobody knows partners,
+// canRedo}, and of one that can be edited {mirrored, axis, plane, spread, doubtful, seconds}, of a predicted one upAxis, which it
+// is bound with. Of others nobody knows partners,
 // ends and confidence: -1, false and 1.
 nlohmann::ordered_json rig_json(const Rigs& rigs);
 

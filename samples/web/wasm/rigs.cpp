@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sinew_character/label_skeleton.hpp"
+#include "sinew_character/own_skeleton.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew::web {
@@ -14,21 +15,15 @@ namespace {
 
 constexpr size_t kMostSteps = 200;
 
-JointChoice choose_for(const Character& character, const std::vector<Joint>& joints, JointsFrom from,
-                       const std::vector<uint8_t>& said) {
+// Of a file's joints that were edited: the weights of now are not the file's.
+JointChoice choose_by_names(const Character& character, const std::vector<Joint>& joints) {
   Character with;
   with.name = character.name;
-  if (from == JointsFrom::kNames) with.vertices = character.vertices;  // it looks for joints beside the mesh
+  with.vertices = character.vertices;  // joints beside the mesh get none
   with.meshes = character.meshes;
   with.vertex_meshes = character.vertex_meshes;
   with.joints = joints;
-  return choose_joints(with, from, said);
-}
-
-std::vector<uint8_t> all_but_ends(const PredictedSkeleton& skeleton) {
-  std::vector<uint8_t> said;
-  for (const uint8_t end : skeleton.ends) said.push_back(end != 0 ? SINEW_JOINT_NEVER : SINEW_JOINT_DEFORMS);
-  return said;
+  return choose_joints(with, JointsFrom::kNames);
 }
 
 }  // namespace
@@ -50,7 +45,7 @@ Rig predicted_rig(const Character& character, PredictedSkeleton skeleton) {
   Rig rig;
   rig.predicted = true;
   rig.joints = skeleton.joints;
-  rig.choice = choose_for(character, rig.joints, JointsFrom::kAll, all_but_ends(skeleton));
+  rig.choice = choose_predicted(skeleton, character);
   rig.skeleton = std::move(skeleton);
   return rig;
 }
@@ -79,7 +74,7 @@ void Rigs::edit(const Character& character, const std::vector<SkeletonEdit>& edi
     rig = predicted_rig(character, std::move(skeleton));
   } else {
     rig.joints = skeleton.joints;
-    rig.choice = choose_for(character, rig.joints, JointsFrom::kNames, {});
+    rig.choice = choose_by_names(character, rig.joints);
     rig.skeleton = std::move(skeleton);
   }
   put(std::move(rig), continues);

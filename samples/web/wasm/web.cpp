@@ -174,7 +174,7 @@ EMSCRIPTEN_KEEPALIVE void web_forget(uint32_t number) {
   if (number != session().number) session().rigs_of.erase(number);
 }
 
-// A new skeleton for the character. wishes: {upAxis, mirror, spine, toes, ends} as SkeletonOptions has them, and the
+// A new skeleton for the character. wishes: {up (0 = y, 1 = z, 2 = found), mirror, spine, toes, ends} as SkeletonOptions has them, and the
 // number of a SkeletonDetail. Replies with notes on what the mesh does not show, too.
 EMSCRIPTEN_KEEPALIVE const char* web_rig(const char* wishes) {
   return answer([&] { return predict(session(), Json::parse(wishes)); });
@@ -286,7 +286,7 @@ EMSCRIPTEN_KEEPALIVE const char* web_pose(const float* turns, uint32_t method) {
 }
 
 // Clips of a .bvh or an animated glTF for the character as it is; "" closes what was open.
-// wish: {upAxis, own, method, pins: [[joint, joint of the file or -1], ...]}, method a MotionMethod
+// wish: {up (as in web_rig()), own, method, pins: [[joint, joint of the file or -1], ...]}, method a MotionMethod
 EMSCRIPTEN_KEEPALIVE const char* web_motion(const char* path, const char* wish) {
   return answer([&]() -> Json {
     Session& s = session();
@@ -298,7 +298,7 @@ EMSCRIPTEN_KEEPALIVE const char* web_motion(const char* path, const char* wish) 
     const Json json = Json::parse(wish);
     std::vector<sinew_map_pin> pins;
     for (const Json& pin : json.at("pins")) pins.push_back({pin.at(0).get<uint32_t>(), pin.at(1).get<int32_t>()});
-    return s.player.open(path, s.character, json.at("upAxis").get<uint32_t>(), json.at("own").get<bool>(),
+    return s.player.open(path, s.character, json.at("up").get<uint32_t>(), json.at("own").get<bool>(),
                          motion_method(json.at("method").get<uint32_t>()), pins);
   });
 }

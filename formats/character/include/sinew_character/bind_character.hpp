@@ -48,6 +48,8 @@ struct CharacterBindOptions {
 // Which joints of a character may get weight. What the user says, `said` [J] SINEW_JOINT_* or empty, has the last word:
 // with joints that deform these and no others do, and joints that never do are left out beside the rest.
 JointChoice choose_joints(const Character& character, JointsFrom from, const std::vector<uint8_t>& said = {});
+// The user's word for a choice that is there already.
+void apply_said(const std::vector<uint8_t>& said, JointChoice* choice);
 
 // Takes joints back that were left out or are tips, because the user binds vertices to them: in hints, say. Those that
 // the user forbids stay out.

@@ -37,9 +37,11 @@ struct BindJobOptions {
   bool seams = true;  // no weight across what has grown together
   std::string
       to_pose;  // the rest pose of what is written: "t", "a" or a file that stands so; empty: as it stands. Cuts as well
-  std::vector<uint8_t> said;    // [J] SINEW_JOINT_* of the user, or empty
-  std::vector<uint8_t> locked;  // [V] non-zero: keeps its weights; or empty
-  std::vector<uint8_t> hinted;  // [V] the same, and they steer their surroundings; or empty
+  const JointChoice* choice = nullptr;  // of prepare_joints() before, where the weights of now are no more the file's
+  std::vector<size_t> taken_back;  // joints that may get weight though the choice left them out; `said` comes after it
+  std::vector<uint8_t> said;       // [J] SINEW_JOINT_* of the user, or empty
+  std::vector<uint8_t> locked;     // [V] non-zero: keeps its weights; or empty
+  std::vector<uint8_t> hinted;     // [V] the same, and they steer their surroundings; or empty
   const BindHints* hints = nullptr;
   const Character* like = nullptr;  // a bound character whose weights show how they are wanted
   std::string mesh;                 // file of the character, for messages
@@ -47,11 +49,15 @@ struct BindJobOptions {
   void* progress_user = nullptr;
 };
 
+// What is done once with a file's skeleton: gives flat joint lists a hierarchy, brings the skeleton into the mesh or warns, all told in the
+// character's notes. Returns which joints may get weight. Throws Error.
+JointChoice prepare_joints(JointsFrom from, bool fit, Character* character);
+
 // A character that is bound any number of times, each time with more answers.
 class BindJob {
  public:
-  // Gives flat joint lists a hierarchy, brings the skeleton into the mesh or warns, puts rows of hints into the character, all told in its
-  // notes. `character` must outlive the job. Throws Error.
+  // Prepares the joints unless they have a choice, and puts rows of hints into the character. `character` must outlive the job, the choice
+  // need not. Throws Error.
   BindJob(const BindJobOptions& options, const Binder& binder, Character* character);
 
   // The character is as it was. Throws Error.
@@ -63,12 +69,12 @@ class BindJob {
   std::vector<sinew_answer> answers_of(const Style& style);
   // The rules that answers make, with `style`'s before them. Throws Error, which begins with `path`, where there are none.
   Style learnt(Style style, const std::vector<sinew_answer>& said, const std::string& path);
+  // The bind without answers, with all its questions: what a style is matched with and made of. Made when it is first asked for.
+  const CharacterBind& proposed();
 
   const JointChoice& choice() const { return choice_; }  // of the last bind
 
  private:
-  const CharacterBind& proposed();
-
   BindJobOptions job_;
   CharacterBindOptions options_;
   Character* character_;

@@ -30,6 +30,8 @@ FittedSkeleton fit_own_skeleton(const std::vector<Joint>& own, const std::string
 // which becomes the character's and whose joints all do but for bone ends.
 CharacterBind bind_to_own(BindOptions options, const Character& character);
 CharacterBind bind_to_prediction(const PredictedSkeleton& skeleton, const BindOptions& options, Character* character);
+// The joints of a predicted skeleton that may get weight in a mesh, whatever joints that has.
+JointChoice choose_predicted(const PredictedSkeleton& skeleton, const Character& mesh);
 
 }  // namespace sinew
 #endif

@@ -74,8 +74,10 @@ void choose_by_names(const Character& character, JointChoice* choice) {
   }
 }
 
+}  // namespace
+
 // A joint that the user names is neither left out nor a tip.
-void apply_the_users_word(const std::vector<uint8_t>& said, JointChoice* choice) {
+void apply_said(const std::vector<uint8_t>& said, JointChoice* choice) {
   if (std::any_of(said.begin(), said.end(), [](uint8_t flag) { return (flag & SINEW_JOINT_DEFORMS) != 0; })) {
     choice->flags = said;
     choice->left_out.clear();
@@ -95,8 +97,6 @@ void apply_the_users_word(const std::vector<uint8_t>& said, JointChoice* choice)
   }
 }
 
-}  // namespace
-
 JointChoice choose_joints(const Character& character, JointsFrom from, const std::vector<uint8_t>& said) {
   JointChoice choice;
   choice.flags.assign(character.joints.size(), 0);
@@ -111,7 +111,7 @@ JointChoice choose_joints(const Character& character, JointsFrom from, const std
     choice.left_out.clear();
   }
   choice.set_of_mesh.resize(mesh_count(character), SIZE_MAX);
-  apply_the_users_word(said, &choice);
+  apply_said(said, &choice);
   return choice;
 }
 

@@ -131,13 +131,22 @@ std::string left_out_text(const Character& character, const JointChoice& choice)
 
 }  // namespace
 
-BindJob::BindJob(const BindJobOptions& job, const Binder& binder, Character* character)
-    : job_(job), character_(character) {
+JointChoice prepare_joints(JointsFrom from, bool fit, Character* character) {
   check_bindable(*character);  // before anything that takes longer the more joints there are
   if (const size_t given = infer_parents(&character->joints); given > 0)
     character->notes.push_back(std::to_string(given) +
                                " joints had no parent and got the nearest one along the body; check the hierarchy");
-  bring_into_mesh(job.fit, character);
+  bring_into_mesh(fit, character);
+  return choose_joints(*character, from);
+}
+
+BindJob::BindJob(const BindJobOptions& job, const Binder& binder, Character* character)
+    : job_(job), character_(character) {
+  // Hints are no weights of the file: the choice comes first.
+  chosen_ = job.choice != nullptr ? *job.choice : prepare_joints(job.joints, job.fit, character);
+  job_.choice = nullptr;
+  take_back_joints(job.taken_back, {}, &chosen_);
+  apply_said(job.said, &chosen_);
   options_.keep_tips = job.keep_tips;
   options_.bind_props = job.bind_props;
   BindOptions& options = options_.bind;
@@ -145,8 +154,6 @@ BindJob::BindJob(const BindJobOptions& job, const Binder& binder, Character* cha
   options.model = binder.model;
   options.influence_count = job.influence_count;
   options.up_axis = job.up_axis;
-  // Hints are no weights of the file: the choice comes first.
-  chosen_ = choose_joints(*character, job.joints, job.said);
   options.locked = job.locked;
   options.hints = job.hinted;
   if (job.hints != nullptr) set_hints(*job.hints, character, &options.hints);
@@ -190,7 +197,6 @@ void BindJob::apply(CharacterBind* bound) {
   *character_ = std::move(bare);
 }
 
-// What there could be answers for, as proposed: what a style is matched with and made of.
 const CharacterBind& BindJob::proposed() {
   if (!has_proposed_) proposed_ = bind({}, SINEW_MAX_QUESTIONS);
   has_proposed_ = true;
@@ -209,8 +215,8 @@ Style BindJob::learnt(Style style, const std::vector<sinew_answer>& said, const 
   style.sheets.push_back(learn_style(*character_, {asked.questions, asked.vertex_parts, job_.up_axis}, said));
   if (style.sheets.back().rules.empty())
     throw Error(path +
-                ": there is no answer to keep; give some with --ask or --answer, about parts "
-                "that --questions lists");
+                ": there is no answer to keep; answer parts that are asked about (--ask, or --answer for those that "
+                "--questions lists)");
   return style;
 }
 

@@ -84,13 +84,20 @@ CharacterBind bind_to_own(BindOptions options, const Character& character) {
 CharacterBind bind_to_prediction(const PredictedSkeleton& skeleton, const BindOptions& options, Character* character) {
   character->joints = skeleton.joints;
   character->influences.clear();
-  std::vector<uint8_t> said;
-  for (const uint8_t end : skeleton.ends) said.push_back(end != 0 ? SINEW_JOINT_NEVER : SINEW_JOINT_DEFORMS);
   CharacterBindOptions bind;
   bind.bind = options;
   bind.keep_tips = true;
   bind.bind_props = true;
-  return bind_character(*character, choose_joints(*character, JointsFrom::kAll, said), bind);
+  return bind_character(*character, choose_predicted(skeleton, *character), bind);
+}
+
+JointChoice choose_predicted(const PredictedSkeleton& skeleton, const Character& mesh) {
+  Character joints;  // vertices do not matter
+  joints.joints = skeleton.joints;
+  joints.meshes = mesh.meshes;
+  std::vector<uint8_t> said;
+  for (const uint8_t end : skeleton.ends) said.push_back(end != 0 ? SINEW_JOINT_NEVER : SINEW_JOINT_DEFORMS);
+  return choose_joints(joints, JointsFrom::kAll, said);
 }
 
 }  // namespace sinew

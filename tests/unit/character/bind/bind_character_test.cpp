@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "expect_error.hpp"
+#include "sinew_character/bind_job.hpp"
 
 namespace sinew {
 namespace {
@@ -88,6 +89,28 @@ TEST(ChooseJoints, ByNamesWithoutWeights) {
   EXPECT_EQ(choice.left_out.size(), 1u);
   EXPECT_EQ(choice.tips, std::vector<size_t>{5});
   EXPECT_EQ(choose_joints(c, JointsFrom::kOwn).from, JointsFrom::kNames);  // it has none
+}
+
+// An editor binds again and again: the weights of now are its own, and its user switches joints on and off.
+TEST(BindJob, AChoiceOfBeforeStaysWhateverTheWeightsAreNow) {
+  Character c = two_bars();
+  give_own_weights(&c);
+  const JointChoice before = prepare_joints(JointsFrom::kAuto, false, &c);
+  c.influences.clear();
+  BindJobOptions options;
+  options.choice = &before;
+  options.taken_back = {2, 6};
+  options.said.assign(c.joints.size(), 0);
+  options.said[6] = SINEW_JOINT_NEVER;
+  BindJob job(options, {}, &c);
+  const CharacterBind result = job.bind({}, 0);
+  EXPECT_EQ(job.choice().from, JointsFrom::kOwn);
+  EXPECT_EQ(why(job.choice(), 2), "");
+  EXPECT_EQ(why(job.choice(), 6), "never deforms, as asked");
+  EXPECT_EQ(why(job.choice(), 5), "no weight in the file");
+  const std::vector<double> low = weight_of_joints(c, result, 0);
+  EXPECT_GT(low[2], 1);
+  EXPECT_EQ(low[3] + low[4] + low[6], 0);
 }
 
 TEST(ChooseJoints, AllMeansAll) {

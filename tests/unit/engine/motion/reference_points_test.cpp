@@ -302,6 +302,17 @@ TEST(ReferencePoints, FramesDoNotKnowOfEachOther) {
                          whole.rotations.begin() + static_cast<ptrdiff_t>(3 * four)));
 }
 
+// The command says it, other front-ends do not: the same bytes.
+TEST(ReferencePoints, TheDefaultFalloffIsTheOneThatACallerCanSay) {
+  sinew_reference_options options = sinew_reference_options_init();
+  sinew::motion::ReferenceOptions unsaid, said;
+  sinew::Progress progress;
+  ASSERT_EQ(sinew::motion::read_reference_options(&options, &unsaid, &progress), SINEW_OK);
+  options.falloff = 0.05f;
+  ASSERT_EQ(sinew::motion::read_reference_options(&options, &said, &progress), SINEW_OK);
+  EXPECT_EQ(unsaid.falloff, said.falloff);
+}
+
 TEST(ReferencePoints, WhatIsWrongIsRefused) {
   const Bodies bodies;
   PlayedClip clip(bodies.source, bodies.target);

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// Which of a scene's nodes are joints, by what they move and where they hang.
+#include "gltf/scene_nodes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/file_names.hpp"
+#include "text/text_lines.hpp"
+
+namespace sinew {
+
+Affine affine_of(const aiMatrix4x4& m) {
+  return {static_cast<double>(m.a1), static_cast<double>(m.a2), static_cast<double>(m.a3), static_cast<double>(m.a4),
+          static_cast<double>(m.b1), static_cast<double>(m.b2), static_cast<double>(m.b3), static_cast<double>(m.b4),
+          static_cast<double>(m.c1), static_cast<double>(m.c2), static_cast<double>(m.c3), static_cast<double>(m.c4)};
+}
+
+bool is_finite(const Affine& m) {
+  return std::all_of(m.begin(), m.end(), [](double value) { return std::isfinite(value); });
+}
+
+namespace {
+
+class NodeFinder {
+ public:
+  NodeFinder(const std::string& path, const aiScene& scene) : path_(path), scene_(scene) {}
+
+  SceneNodes find() {
+    collect_nodes();
+    find_bones();
+    find_joints();
+    return std::move(out_);
+  }
+
+ private:
+  // FBX names its axes and counts in centimetres by a factor; Assimp leaves both to us. (COLLADA's and MD5's are in the
+  // root.)
+  Affine to_metres_and_y_up() const {
+    if (has_extension(path_, ".smd")) return {1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0};  // Z is up
+    if (!has_extension(path_, ".fbx") || scene_.mMetaData == nullptr) return kIdentity;
+    float factor = 1;
+    double scale = 1;
+    if (scene_.mMetaData->Get("UnitScaleFactor", factor))
+      scale = static_cast<double>(factor);
+    else if (!scene_.mMetaData->Get("UnitScaleFactor", scale))
+      scale = 1;
+    scale = std::isfinite(scale) && scale > 0 ? scale * 0.01 : 0.01;
+    // Right, up and front of the file become +X, +Y and +Z.
+    const std::array<std::array<const char*, 2>, 3> names = {
+        {{"CoordAxis", "CoordAxisSign"}, {"UpAxis", "UpAxisSign"}, {"FrontAxis", "FrontAxisSign"}}};
+    Affine rotation{};
+    double determinant = 0;
+    std::array<size_t, 3> axes{};
+    std::array<double, 3> signs{};
+    for (size_t r = 0; r < 3; ++r) {
+      int32_t axis = static_cast<int32_t>(r), sign = 1;
+      (void)scene_.mMetaData->Get(names[r][0], axis);
+      (void)scene_.mMetaData->Get(names[r][1], sign);
+      axes[r] = axis >= 0 && axis < 3 ? static_cast<size_t>(axis) : r;
+      signs[r] = sign < 0 ? -1 : 1;
+      rotation[r * 4 + axes[r]] = signs[r] * scale;
+    }
+    const bool even = (axes[1] + 3 - axes[0]) % 3 == 1;
+    if (axes[0] != axes[1] && axes[1] != axes[2] && axes[0] != axes[2])
+      determinant = signs[0] * signs[1] * signs[2] * (even ? 1 : -1);
+    // Axes that mirror, or name one twice, are no axes.
+    return determinant > 0 ? rotation : Affine{scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0};
+  }
+
+  void collect_nodes() {
+    std::set<std::string> cameras_lights;
+    for (unsigned i = 0; i < scene_.mNumCameras; ++i) cameras_lights.insert(scene_.mCameras[i]->mName.C_Str());
+    for (unsigned i = 0; i < scene_.mNumLights; ++i) cameras_lights.insert(scene_.mLights[i]->mName.C_Str());
+    nodes_.push_back({scene_.mRootNode, -1});
+    for (size_t n = 0; n < nodes_.size(); ++n) {
+      const aiNode& node = *nodes_[n].node;
+      Affine local = affine_of(node.mTransformation);
+      if (n == 0) local = multiply(to_metres_and_y_up(), local);
+      if (!is_finite(local))
+        throw Error(path_ + ": node " + in_quotes(node.mName.C_Str()) + ": expected a finite transform, found another");
+      out_.locals.push_back(local);
+      nodes_[n].world =
+          nodes_[n].parent < 0 ? local : multiply(nodes_[static_cast<size_t>(nodes_[n].parent)].world, local);
+      bool null = false;
+      if (node.mMetaData != nullptr) (void)node.mMetaData->Get("IsNull", null);
+      nodes_[n].not_a_joint = null || cameras_lights.count(node.mName.C_Str()) != 0;
+      out_.by_name.emplace(node.mName.C_Str(), n);
+      for (unsigned c = 0; c < node.mNumChildren; ++c) nodes_.push_back({node.mChildren[c], static_cast<int>(n)});
+    }
+  }
+
+  void find_bones() {
+    for (size_t n = 0; n < nodes_.size(); ++n)
+      for (unsigned i = 0; i < nodes_[n].node->mNumMeshes; ++i) {
+        const aiMesh& mesh = *scene_.mMeshes[nodes_[n].node->mMeshes[i]];
+        for (unsigned b = 0; b < mesh.mNumBones; ++b) {
+          const auto at = out_.by_name.find(mesh.mBones[b]->mName.C_Str());
+          if (at == out_.by_name.end())
+            throw Error(path_ + ": mesh " + in_quotes(mesh.mName.C_Str()) + ": expected a node for its bone " +
+                        in_quotes(mesh.mBones[b]->mName.C_Str()) + ", found none");
+          nodes_[at->second].bone = true;
+          nodes_[at->second].binds.emplace(static_cast<int>(n), affine_of(mesh.mBones[b]->mOffsetMatrix));
+        }
+      }
+    for (size_t n = nodes_.size(); n-- > 0;) {
+      SceneNode& node = nodes_[n];
+      node.meshes_below = node.meshes_below || node.node->mNumMeshes != 0;
+      if (node.parent < 0) continue;
+      SceneNode& parent = nodes_[static_cast<size_t>(node.parent)];
+      parent.meshes_below = parent.meshes_below || node.meshes_below;
+      parent.bones_below = parent.bones_below || node.bone || node.bones_below;
+    }
+  }
+
+  // FBX marks its locators, so that all else without a mesh is a joint; the others mark nothing.
+  void find_joints() {
+    const bool fbx = has_extension(path_, ".fbx");
+    const bool has_bones = nodes_[0].bones_below || nodes_[0].bone;
+    std::vector<char> below_bone(nodes_.size(), 0);
+    std::vector<int> branches(nodes_.size(), 0);
+    for (size_t n = 1; n < nodes_.size(); ++n) {
+      const size_t parent = static_cast<size_t>(nodes_[n].parent);
+      below_bone[n] = below_bone[parent] != 0 || nodes_[parent].bone;
+      branches[parent] += nodes_[n].bone || nodes_[n].bones_below;
+    }
+    for (size_t n = 0; n < nodes_.size(); ++n) {
+      SceneNode& node = nodes_[n];
+      if (node.bone) node.joint = true;
+      if (node.joint || n == 0 || node.node->mNumMeshes != 0) continue;
+      if (!has_bones)
+        node.joint =
+            fbx && !node.not_a_joint &&
+            !(node.meshes_below && nodes_[static_cast<size_t>(node.parent)].parent < 0 && node.node->mNumChildren == 0);
+      else if (node.bones_below)  // hips without weights: the branches meet there
+        node.joint = below_bone[n] != 0 || (fbx ? !node.not_a_joint : branches[n] > 1 && !node.meshes_below);
+      else  // leaves, and what they hang on
+        node.joint = nodes_[static_cast<size_t>(node.parent)].joint && !node.meshes_below && !node.not_a_joint;
+    }
+    for (size_t n = 0; n < nodes_.size(); ++n)
+      if (nodes_[n].joint) {
+        out_.joint_number[n] = out_.joint_nodes.size();
+        out_.joint_nodes.push_back(n);
+      }
+  }
+
+  const std::string& path_;
+  const aiScene& scene_;
+  SceneNodes out_;
+  std::vector<SceneNode>& nodes_ = out_.nodes;
+};
+
+}  // namespace
+
+SceneNodes find_scene_nodes(const std::string& path, const aiScene& scene) { return NodeFinder(path, scene).find(); }
+
+}  // namespace sinew

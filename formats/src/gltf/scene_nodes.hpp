@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Nodes of a scene that Assimp read, in metres with Y up, and which of them are joints. Only where the build has Assimp.
+#ifndef SINEW_FORMATS_GLTF_SCENE_NODES_HPP
+#define SINEW_FORMATS_GLTF_SCENE_NODES_HPP
+
+#include <assimp/scene.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sinew_formats/affine.hpp"
+
+namespace sinew {
+
+struct SceneNode {
+  const aiNode* node = nullptr;
+  int parent = -1;
+  Affine world = kIdentity;
+  bool bone = false;          // moves vertices
+  bool bones_below = false;   // itself not counted
+  bool meshes_below = false;  // itself counted
+  bool not_a_joint = false;   // a locator, a camera, a light; FBX says so, COLLADA does not
+  bool joint = false;
+  std::map<int, Affine> binds = {};  // by mesh node
+};
+
+// Parents before children; 0 is the scene's root.
+struct SceneNodes {
+  std::vector<SceneNode> nodes;
+  std::vector<Affine> locals;             // [nodes]
+  std::map<std::string, size_t> by_name;  // of equal names the first
+  std::vector<size_t> joint_nodes;        // joint -> node
+  std::map<size_t, size_t> joint_number;  // node -> joint
+};
+
+// Throws Error, which begins with `path`, for transforms that are not finite and bones without a node.
+SceneNodes find_scene_nodes(const std::string& path, const aiScene& scene);
+
+Affine affine_of(const aiMatrix4x4& matrix);
+bool is_finite(const Affine& transform);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// What the pointer is on in the picture, and what it does there: clicks choose joints, drags move joints where the skeleton is edited, strokes of
+// the brush paint. Other drags orbit.
+import { Matrix4, Raycaster, Vector2, Vector3 } from "three";
+import { draggedTo } from "./limbs.js";
+
+const pickPixels = 11;
+const dragPixels = 3; // less is a click
+
+export class Pointer {
+  #view;
+  #canvas;
+  #camera;
+  #model;
+  #mesh;
+  #stroking = false;
+  #drag = null; // {joint, offset, start, from, moved}
+
+  // view: the View; its handlers are called. mesh: () => the shown mesh, or nothing.
+  constructor(view, { host, canvas, camera, model, mesh }) {
+    this.#view = view;
+    this.#canvas = canvas;
+    this.#camera = camera;
+    this.#model = model;
+    this.#mesh = mesh;
+    this.#listenForDrags(host);
+    this.#listenForClicks();
+  }
+
+  get dragging() {
+    return this.#drag?.moved ?? false;
+  }
+
+  // The joint that is nearest to a place of the page, -1 where none is near.
+  jointAt(x, y) {
+    let best = -1;
+    let nearest = pickPixels;
+    for (let j = 0; this.#view.skeletonShown && j < this.#view.jointCount; ++j) {
+      const at = this.#view.jointOnScreen(j);
+      const distance = Math.hypot(at.x - x, at.y - y);
+      if (!at.behind && distance < nearest) [best, nearest] = [j, distance];
+    }
+    return best;
+  }
+
+  // The shown vertex under the pointer, -1 beside the mesh.
+  surfaceAt({ clientX, clientY }) {
+    const mesh = this.#mesh();
+    if (!mesh) return -1;
+    const [hit] = this.#rayThrough(clientX, clientY).intersectObject(mesh);
+    if (!hit) return -1;
+    const positions = mesh.geometry.getAttribute("position");
+    const at = mesh.worldToLocal(hit.point.clone()), corner = new Vector3();
+    const [near] = ["a", "b", "c"].map((name) => hit.face[name]).sort((a, b) => corner.fromBufferAttribute(positions, a).distanceToSquared(at) - corner.fromBufferAttribute(positions, b).distanceToSquared(at));
+    return near;
+  }
+
+  #rayThrough(x, y) {
+    const box = this.#canvas.getBoundingClientRect();
+    const point = new Vector2(((x - box.left) / box.width) * 2 - 1, 1 - ((y - box.top) / box.height) * 2);
+    this.#camera.updateMatrixWorld();
+    const ray = new Raycaster();
+    ray.setFromCamera(point, this.#camera);
+    return ray;
+  }
+
+  // Where a joint that is at `from` goes when it is dragged to a place of the page.
+  place(joint, from, x, y, toMiddle) {
+    const { origin, direction } = this.#rayThrough(x, y).ray;
+    const toModel = new Matrix4().copy(this.#model.matrixWorld).invert(); // turned at most, so lengths stay
+    const { geometry } = this.#mesh();
+    return draggedTo({
+      origin: origin.applyMatrix4(toModel).toArray(),
+      direction: direction.transformDirection(toModel).toArray(),
+      forward: this.#camera.getWorldDirection(new Vector3()).transformDirection(toModel).toArray(),
+      from,
+      plane: this.#view.planeOf(joint),
+      surface: toMiddle ? { positions: geometry.getAttribute("position").array, triangles: geometry.index.array } : null,
+    });
+  }
+
+  // Before the canvas hears of it: a drag that begins on a joint is no orbit.
+  #listenForDrags(host) {
+    host.addEventListener(
+      "pointerdown",
+      (event) => {
+        if (this.#view.onStroke && event.button === 0 && event.target === this.#canvas && this.surfaceAt(event) >= 0) {
+          this.#stroking = true;
+          this.#view.orbiting = false;
+          event.target.setPointerCapture(event.pointerId);
+          this.#view.onStroke(this.surfaceAt(event));
+          return;
+        }
+        if (!this.#view.editing || !this.#view.draggable || event.button !== 0 || event.target !== this.#canvas || this.#drag) return;
+        const joint = this.jointAt(event.clientX, event.clientY);
+        if (joint < 0) return;
+        this.#view.orbiting = false;
+        this.#view.hold();
+        const at = this.#view.jointOnScreen(joint);
+        this.#drag = {
+          joint,
+          offset: [at.x - event.clientX, at.y - event.clientY],
+          start: [event.clientX, event.clientY],
+          from: this.#view.jointPosition(joint),
+          moved: false,
+        };
+        event.target.setPointerCapture(event.pointerId);
+      },
+      true,
+    );
+    const canvas = this.#canvas;
+    canvas.addEventListener("pointermove", (event) => {
+      const drag = this.#drag;
+      if (this.#stroking) {
+        const at = this.surfaceAt(event);
+        if (at >= 0) this.#view.onStroke?.(at);
+        return;
+      }
+      if (!drag) {
+        canvas.style.cursor = this.#view.editing && this.#view.draggable && this.jointAt(event.clientX, event.clientY) >= 0 ? "move" : "";
+        return;
+      }
+      const { clientX: x, clientY: y } = event;
+      if (!drag.moved && Math.hypot(x - drag.start[0], y - drag.start[1]) < dragPixels) return;
+      drag.moved = true;
+      drag.from = this.place(drag.joint, drag.from, x + drag.offset[0], y + drag.offset[1], this.#view.toMiddle !== event.altKey);
+      this.#view.onDrag(drag.joint, drag.from);
+    });
+    const end = () => {
+      if (this.#stroking) {
+        this.#stroking = false;
+        this.#view.orbiting = true;
+        return this.#view.onStrokeEnd();
+      }
+      if (!this.#drag) return;
+      const { moved } = this.#drag;
+      this.#drag = null;
+      this.#view.orbiting = true;
+      if (moved) this.#view.onDragEnd();
+    };
+    canvas.addEventListener("pointerup", end);
+    canvas.addEventListener("pointercancel", end);
+  }
+
+  // A click, not the end of a drag, chooses the joint under the pointer, else the strongest joint of the surface there.
+  #listenForClicks() {
+    const canvas = this.#canvas;
+    let down = null;
+    canvas.addEventListener("pointerdown", (event) => {
+      down = event.button === 0 && !this.#view.onRing && !this.#stroking ? [event.clientX, event.clientY] : null;
+    });
+    canvas.addEventListener("pointerup", (event) => {
+      if (!down || !this.#mesh() || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > 4) return;
+      const joint = this.jointAt(event.clientX, event.clientY);
+      const more = event.ctrlKey || event.metaKey || event.shiftKey; // beside the chosen one
+      if (joint >= 0) return this.#view.onPickJoint(joint, more);
+      const at = this.surfaceAt(event);
+      if (at >= 0) this.#view.onPickSurface(at, more);
+    });
+  }
+}
