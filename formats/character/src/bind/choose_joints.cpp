@@ -25,6 +25,10 @@ bool has_weights(const Character& character) {
   return false;
 }
 
+bool names_those_that_deform(const std::vector<uint8_t>& said) {
+  return std::any_of(said.begin(), said.end(), [](uint8_t flag) { return (flag & SINEW_JOINT_DEFORMS) != 0; });
+}
+
 void leave_out(const std::string& why, size_t joint, JointChoice* choice) {
   choice->flags[joint] |= SINEW_JOINT_NEVER;
   choice->left_out.push_back({joint, why});
@@ -78,7 +82,7 @@ void choose_by_names(const Character& character, JointChoice* choice) {
 
 // A joint that the user names is neither left out nor a tip.
 void apply_said(const std::vector<uint8_t>& said, JointChoice* choice) {
-  if (std::any_of(said.begin(), said.end(), [](uint8_t flag) { return (flag & SINEW_JOINT_DEFORMS) != 0; })) {
+  if (names_those_that_deform(said)) {
     choice->flags = said;
     choice->left_out.clear();
     choice->tips.clear();
@@ -116,8 +120,9 @@ JointChoice choose_joints(const Character& character, JointsFrom from, const std
 }
 
 void take_back_joints(const std::vector<size_t>& joints, const std::vector<uint8_t>& said, JointChoice* choice) {
+  if (names_those_that_deform(said)) return;
   for (const size_t joint : joints) {
-    if (!said.empty() && (choice->flags == said || (said[joint] & SINEW_JOINT_NEVER) != 0)) continue;
+    if (!said.empty() && (said[joint] & SINEW_JOINT_NEVER) != 0) continue;
     choice->flags[joint] &= static_cast<uint8_t>(~SINEW_JOINT_NEVER);
     choice->tips.erase(std::remove(choice->tips.begin(), choice->tips.end(), joint), choice->tips.end());
     choice->left_out.erase(std::remove_if(choice->left_out.begin(), choice->left_out.end(),

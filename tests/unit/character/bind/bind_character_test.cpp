@@ -91,6 +91,17 @@ TEST(ChooseJoints, ByNamesWithoutWeights) {
   EXPECT_EQ(choose_joints(c, JointsFrom::kOwn).from, JointsFrom::kNames);  // it has none
 }
 
+TEST(ChooseJoints, AJointThatIsForbiddenKeepsNoOtherFromComingBack) {
+  const Character c = two_bars();
+  std::vector<uint8_t> said(c.joints.size(), 0);
+  said[6] = SINEW_JOINT_NEVER;
+  JointChoice choice = choose_joints(c, JointsFrom::kAuto, said);
+  EXPECT_EQ(choice.tips, std::vector<size_t>{5});
+  take_back_joints({5, 6}, said, &choice);
+  EXPECT_TRUE(choice.tips.empty());
+  EXPECT_EQ(why(choice, 6), "control");
+}
+
 // An editor binds again and again: the weights of now are its own, and its user switches joints on and off.
 TEST(BindJob, AChoiceOfBeforeStaysWhateverTheWeightsAreNow) {
   Character c = two_bars();
