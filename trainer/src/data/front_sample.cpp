@@ -100,13 +100,13 @@ FrontSample FrontSource::sample(const std::vector<SurfacePoint>& points, uint32_
   return s;
 }
 
-std::vector<FrontSample> FrontSource::make(uint64_t seed, double strength) const {
-  const RigSource::Placed placed = source_.make_mesh(mix_seeds(seed, 1), {.strength = strength});
+std::vector<FrontSample> FrontSource::make(uint64_t seed, const RigVariant& variant, uint32_t upright) const {
+  const RigSource::Placed placed = source_.make_mesh(mix_seeds(seed, 1), variant);
   Random random(mix_seeds(seed, 2));
   const uint32_t first = random.below(kFrontFrames), turn = 1 + random.below(kFrontFrames - 1);
   std::vector<FrontSample> samples;
-  samples.push_back(sample(points_of(placed, random.next()), first, true));
-  samples.push_back(sample(points_of(placed, random.next()), (first + turn) % kFrontFrames, true));
+  for (uint32_t i = 0; i < upright; ++i)
+    samples.push_back(sample(points_of(placed, random.next()), (first + i * turn) % kFrontFrames, true));
   std::vector<SurfacePoint> points = points_of(placed, random.next());
   tilt(&random, &points);
   samples.push_back(sample(points, random.below(kFrontFrames), false));
