@@ -73,7 +73,7 @@ sinew_status vote(const RigPlan& plan, const Kernels& kernels, Arena& arena, boo
     if (status != SINEW_OK) return status;
     if (arena.measuring()) continue;
     if (i == 0) *sheet = is_sheet(voter.set.points, kSetPoints);
-    store->add(voter.set, voter.outputs, frame->folded);
+    store->add(voter.set, voter.outputs, frame->folded, plan.tree.kind);
   }
   return SINEW_OK;
 }
@@ -157,7 +157,8 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
   if (front != SINEW_OK) return front;
   if (o.mirror > SINEW_MIRROR_NEVER || o.spine_count > kMaxSpine || o.no_toes > 1 || o.no_ends > 1 ||
       o.weights_in_place > 1 || kernel_name(o.kernel) == nullptr || o.method > SINEW_RIG_SLOTS ||
-      o.category >= kSlotCategories || (o.category != 0 && o.method != SINEW_RIG_SLOTS)) {
+      o.category >= kBodyKinds ||
+      (o.category != 0 && o.method != SINEW_RIG_VOTES && o.method != SINEW_RIG_SLOTS)) {
     return SINEW_ERROR_ARGUMENT;
   }
   const bool published = o.method == SINEW_RIG_REGIONS || o.method == SINEW_RIG_SLOTS;
@@ -171,7 +172,7 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
     if (o.method == SINEW_RIG_SLOTS) {
       const sinew_status opened = open_slots(model, &plan->slots);
       if (opened != SINEW_OK) return opened;
-      plan->slots.category = static_cast<SlotCategory>(o.category);
+      plan->slots.category = static_cast<BodyKind>(o.category);
     }
   }
   if (vertices == 0 || vertices > SINEW_MAX_VERTICES || corners > 24u * SINEW_MAX_VERTICES || faces > corners / 2)
@@ -187,6 +188,7 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
   plan->tree.spine = o.spine_count == 0 ? -1 : static_cast<int32_t>(o.spine_count);
   plan->tree.toes = o.no_toes == 0;
   plan->tree.ends = o.no_ends == 0;
+  plan->tree.kind = static_cast<BodyKind>(o.category);
   plan->mirroring = published ? Mirroring::kNever : static_cast<Mirroring>(o.mirror);
   plan->method = o.method;
   plan->up_axis = plan->front.up_axis;

@@ -14,9 +14,10 @@ namespace {
 
 RigJobOptions job_of(const sinew_character_rig_options& options) {
   check_at_most("method", options.method, SINEW_CHARACTER_RIG_SLOTS);
-  check_at_most("category", options.category, SINEW_CATEGORY_FISH);
-  if (options.category != 0 && options.method != SINEW_CHARACTER_RIG_SLOTS)
-    throw Failure(SINEW_ERROR_ARGUMENT, "category: is for SINEW_CHARACTER_RIG_SLOTS");
+  check_at_most("category", options.category, SINEW_CATEGORY_MANY_LEGGED);
+  if (options.category != 0 &&
+      (options.method == SINEW_CHARACTER_RIG_SHAPE || options.method == SINEW_CHARACTER_RIG_REGIONS))
+    throw Failure(SINEW_ERROR_ARGUMENT, "category: steers what a model says, and this method has none");
   check_at_most("detail", options.detail, SINEW_CHARACTER_DETAIL_FULL);
   check_at_most("mirror", options.mirror, SINEW_MIRROR_NEVER);
   check_at_most("thread_count", options.thread_count, SINEW_MAX_THREADS);

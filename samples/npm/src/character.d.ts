@@ -43,7 +43,7 @@ export interface RigOptions {
   keepLengths?: boolean;
   influences?: number;
   /** which slots a body may have, for method "slots" */
-  category?: "any" | "biped" | "quadruped" | "bird" | "fish";
+  category?: "any" | "biped" | "quadruped" | "bird" | "fish" | "snake" | "many-legged";
   /** a bundled skeleton that is put into the mesh: "mixamo", "vrm", "unreal", "rigify", ... */
   template?: string;
   /** the rest pose that the character is put into: arms out, or 45 degrees lower */

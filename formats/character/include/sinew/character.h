@@ -365,7 +365,7 @@ typedef struct sinew_character_rig_options {
   const sinew_skeleton_edit* edits;          /* [edit_count] */
   const char* skeleton;                      /* a file, or template:NAME, that is put into the mesh; or null */
   const sinew_character* skeleton_character; /* the same of a character; or null */
-  uint32_t category;                         /* sinew_slot_category of SINEW_CHARACTER_RIG_SLOTS */
+  uint32_t category;                         /* sinew_category: what kind of body it is; 0 = as the model says */
   uint32_t front;                            /* sinew_front; 0 = found */
   uint32_t gate; /* 1: the result is measured; what fails is a note that begins with "gate: " */
   uint32_t cut;  /* 1: what has grown together is opened, as of a bind; to_pose does so, too */

@@ -35,7 +35,7 @@ struct RigJobOptions {
   uint32_t mirror = SINEW_MIRROR_AUTO, spine_count = 0;
   UpChoice up = UpChoice::kFound;
   uint32_t front = SINEW_FRONT_AUTO;
-  uint32_t category = 0;  // SINEW_CATEGORY_*, of slots
+  uint32_t category = 0;  // sinew_category; not with kShape and kRegions
   bool toes = true, ends = true, bind = true, keep_lengths = false;
   std::string
       to_pose;  // the rest pose of what is written: "t", "a" or a file that stands so; empty: as the mesh stands. Needs `bind`

@@ -58,7 +58,7 @@ PredictedSkeleton predict(const RigJobOptions& job, const RigModels& models, Cha
   PredictedSkeleton skeleton = predict_skeleton(*character, options);
   const float spread = skeleton.spread;
   const std::optional<float> usable = skeleton.usable;
-  if (job.method == RigMethod::kAuto && spread > kUnknownSpread) {
+  if (job.method == RigMethod::kAuto && job.category == SINEW_CATEGORY_ANY && spread > kUnknownSpread) {
     options.method = SINEW_RIG_SHAPE;
     skeleton = predict_skeleton(*character, options);
     skeleton.spread = spread;
