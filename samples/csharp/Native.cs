@@ -482,6 +482,14 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_doubt
+        {
+            public IntPtr name;
+            public float doubt;
+            public uint reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
         public struct sinew_character_rig_result
         {
             public uint struct_size, mirrored, matched, joint_count;
@@ -493,6 +501,8 @@ namespace Sinew
             public float front_confidence, up_confidence;
             public uint seam_count;
             public IntPtr seams;
+            public uint doubtful_count;
+            public IntPtr doubtful;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -914,6 +924,7 @@ namespace Sinew
             new StructSize("sinew_character_bind_result", Marshal.SizeOf(typeof(sinew_character_bind_result)), true),
             new StructSize("sinew_skeleton_edit", Marshal.SizeOf(typeof(sinew_skeleton_edit)), false),
             new StructSize("sinew_character_rig_options", Marshal.SizeOf(typeof(sinew_character_rig_options)), true),
+            new StructSize("sinew_character_doubt", Marshal.SizeOf(typeof(sinew_character_doubt)), false),
             new StructSize("sinew_character_rig_result", Marshal.SizeOf(typeof(sinew_character_rig_result)), true),
             new StructSize("sinew_character_map_options", Marshal.SizeOf(typeof(sinew_character_map_options)), true),
             new StructSize("sinew_character_map_result", Marshal.SizeOf(typeof(sinew_character_map_result)), true),

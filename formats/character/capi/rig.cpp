@@ -97,6 +97,11 @@ void fill_result(const RiggedCharacter& rigged, ResultViews* views, sinew_charac
   filled.ends = views->ends.data();
   filled.confidence = views->confidence.data();
   filled.parent_confidence = views->parent_confidence.data();
+  for (const LimbDoubt& limb : rigged.doubtful) views->texts.push_back(limb.name);
+  for (size_t i = 0; i < rigged.doubtful.size(); ++i)
+    views->doubtful.push_back({views->texts[i].c_str(), rigged.doubtful[i].doubt, 0});
+  filled.doubtful = views->doubtful.data();
+  filled.doubtful_count = count32(views->doubtful.size());
   views->seams = seams_of(rigged.seams);
   filled.seams = views->seams.data();
   filled.seam_count = count32(views->seams.size());

@@ -113,7 +113,10 @@ export class CharacterFile {
   bind(options?: BindOptions): {
     hash: string; seconds: number; symmetricVertices: number; keptMeshes: number; foldedTips: number; seams: number; leftOut: { joint: number; why: string }[];
   };
-  rig(options?: RigOptions): { mirrored: boolean; matched: number; spread: number; seconds: number };
+  /** doubtful: limbs that may be wrong, most doubtful first, and how likely they are */
+  rig(options?: RigOptions): {
+    mirrored: boolean; matched: number; spread: number; seconds: number; doubtful: { name: string; doubt: number }[];
+  };
   retarget(motion: CharacterFile, options?: RetargetOptions): {
     clipCount: number; mapped: number; rigged: boolean; shapeCount: number; certainty: number; mappedBy: string;
   };

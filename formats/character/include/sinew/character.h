@@ -380,6 +380,13 @@ static inline sinew_character_rig_options sinew_character_rig_options_init(void)
   return options;
 }
 
+/* A limb that may be wrong. */
+typedef struct sinew_character_doubt {
+  const char* name; /* of the joint that the limb is called by: LeftArm, RightUpLeg, Tail */
+  float doubt;      /* how likely the limb is wrong, 0..1 */
+  uint32_t reserved;
+} sinew_character_doubt;
+
 typedef struct sinew_character_rig_result {
   uint32_t struct_size; /* sizeof(sinew_character_rig_result) */
   uint32_t mirrored;    /* 1: the skeleton is its own mirror image */
@@ -398,6 +405,8 @@ typedef struct sinew_character_rig_result {
   float up_confidence;
   uint32_t seam_count;
   const sinew_character_seam* seams; /* [seam_count] longest first */
+  uint32_t doubtful_count;
+  const sinew_character_doubt* doubtful; /* [doubtful_count] most doubtful first; of votes */
 } sinew_character_rig_result;
 
 static inline sinew_character_rig_result sinew_character_rig_result_init(void) {

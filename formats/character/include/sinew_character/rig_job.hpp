@@ -10,6 +10,7 @@
 
 #include "sinew_character/edit_skeleton.hpp"
 #include "sinew_character/fit_skeleton.hpp"
+#include "sinew_character/limb_doubts.hpp"
 #include "sinew_character/predict_details.hpp"
 #include "sinew_character/predict_skeleton.hpp"
 #include "sinew_character/rig_gate.hpp"
@@ -60,6 +61,7 @@ struct RiggedCharacter {
   Character character;
   PredictedSkeleton skeleton;
   std::optional<FittedSkeleton> fitted;  // with RigJobOptions::skeleton
+  std::vector<LimbDoubt> doubtful;       // of votes: limbs that may be wrong, in joints of `skeleton`
   Seams seams;                           // with RigJobOptions::bind
   GateFigures gate_figures;              // with RigJobOptions::gate
   std::vector<std::string> gate;         // the same: what fails, a line each, told in the notes as well

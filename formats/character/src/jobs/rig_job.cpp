@@ -140,6 +140,12 @@ void put_into_pose(const RestPose& pose, RiggedCharacter* rigged) {
   if (rigged->fitted) rigged->fitted->joints = rigged->character.joints;
 }
 
+// Of votes: limbs that may be wrong, by name.
+void say_doubts(RiggedCharacter* rigged) {
+  rigged->doubtful = doubtful_limbs(rigged->skeleton);
+  if (!rigged->doubtful.empty()) rigged->character.notes.push_back(doubts_text(rigged->doubtful));
+}
+
 void measure_gate(const RigJobOptions& job, RiggedCharacter* rigged) {
   rigged->gate_figures = gate_figures(rigged->character, rigged->skeleton);
   rigged->gate = gate_failures(rigged->gate_figures, job.bind);
@@ -164,6 +170,7 @@ RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool 
   if (job.detail != SkeletonDetail::kBody) found = add_details(job, *models.hands, &rigged);
   if (!job.skeleton.empty()) put_own(job, found, &rigged);
   edit_skeleton(job.edits, job.mirror != SINEW_MIRROR_NEVER, &rigged.skeleton);
+  if (rigged.skeleton.usable) say_doubts(&rigged);
   if (!character.joints.empty())
     character.notes.push_back("the file's own skeleton of " + std::to_string(character.joints.size()) +
                               " joints was left out; sinew bind keeps it");

@@ -360,11 +360,16 @@ class sinew_character_rig_options(Structure):
         ("category", c_uint32), ("front", c_uint32), ("gate", c_uint32), ("cut", c_uint32), ("to_pose", c_char_p)]
 
 
+class sinew_character_doubt(Structure):
+    _fields_ = [("name", c_char_p), ("doubt", c_float), ("reserved", c_uint32)]
+
+
 class sinew_character_rig_result(Structure):
     _fields_ = [("struct_size", c_uint32), ("mirrored", c_uint32), ("matched", c_uint32), ("joint_count", c_uint32), ("spread", c_float),
         ("reserved", c_float), ("scale", c_double), ("seconds", c_double), ("bind_seconds", c_double), ("ends", c_void_p),
         ("confidence", c_void_p), ("parent_confidence", c_void_p), ("front", c_float * 3), ("up", c_uint32), ("front_confidence", c_float),
-        ("up_confidence", c_float), ("seam_count", c_uint32), ("seams", POINTER(sinew_character_seam))]
+        ("up_confidence", c_float), ("seam_count", c_uint32), ("seams", POINTER(sinew_character_seam)), ("doubtful_count", c_uint32),
+        ("doubtful", POINTER(sinew_character_doubt))]
 
 
 class sinew_character_map_options(Structure):
@@ -443,9 +448,9 @@ STRUCTS: Tuple[Any, ...] = (sinew_mesh, sinew_model, sinew_answer, sinew_alterna
 
 CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_arrays, sinew_character_clip, sinew_character_models,
     sinew_character_bind_options, sinew_character_seam, sinew_character_bind_result, sinew_skeleton_edit, sinew_character_rig_options,
-    sinew_character_rig_result, sinew_character_map_options, sinew_character_map_result, sinew_character_animate_options,
-    sinew_character_animate_result, sinew_character_pose_options, sinew_character_transfer_options, sinew_character_transfer_result,
-    sinew_character_simplify_options, sinew_character_bake_options, sinew_character_bake_result)
+    sinew_character_doubt, sinew_character_rig_result, sinew_character_map_options, sinew_character_map_result,
+    sinew_character_animate_options, sinew_character_animate_result, sinew_character_pose_options, sinew_character_transfer_options,
+    sinew_character_transfer_result, sinew_character_simplify_options, sinew_character_bake_options, sinew_character_bake_result)
 
 
 # Result and arguments.

@@ -47,7 +47,8 @@ class Bound:
 @dataclass
 class Rigged:
     """What rig() made. ends, confidence, parent_confidence: a value a joint; spread: how far off the votes think they are;
-    front, up and how sure they are: as sinew.Rig has them."""
+    front, up and how sure they are: as sinew.Rig has them; doubtful: limbs that may be wrong, most doubtful first, with how
+    likely they are."""
 
     mirrored: bool
     matched: int
@@ -60,6 +61,7 @@ class Rigged:
     up: str = "y"
     front_certainty: float = 0.0
     up_certainty: float = 0.0
+    doubtful: Tuple[Tuple[str, float], ...] = ()
 
 
 @dataclass
@@ -431,7 +433,8 @@ class OpenCharacter:
                       _array(result.ends, np.uint8, count).astype(bool) if result.ends else np.zeros(count, bool),
                       *(_array(a, np.float32, count) if a else np.zeros(count, np.float32) for a in (result.confidence, result.parent_confidence)),
                       front=tuple(result.front), up=declarations.UP[result.up], front_certainty=result.front_confidence,
-                      up_certainty=result.up_confidence)
+                      up_certainty=result.up_confidence,
+                      doubtful=tuple((one.name.decode(), one.doubt) for one in result.doubtful[:result.doubtful_count]))
 
     def map(self, source: Union[str, os.PathLike, "OpenCharacter"], *, method: declarations.MapMethod = "auto", names: bool = True,
             ends: bool = True, first: declarations.BranchesFirst = "both", cost: declarations.BranchesCost = "mean",
