@@ -150,7 +150,8 @@ Json summary_json(const Settings& s, const Rigged& rigged, const std::string& me
   }
   json["doubtful"] = Json::array();
   for (const LimbDoubt& limb : rigged.doubtful)
-    json["doubtful"].push_back({{"name", limb.name}, {"doubt", std::round(100.0 * static_cast<double>(limb.doubt)) / 100}});
+    json["doubtful"].push_back(
+        {{"name", limb.name}, {"doubt", std::round(100.0 * static_cast<double>(limb.doubt)) / 100}});
   if (!s.no_bind) json["seams"] = seams_json(rigged.character.joints, rigged.seams);
   json["notes"] = rigged.character.notes;
   if (s.gate) {

@@ -100,8 +100,8 @@ struct Refiner {
 
 }  // namespace
 
-sinew_status refine_front(const RigPlan& plan, const sinew_mesh& input, const Kernels& kernels, Arena& arena, Mesh* mesh,
-                          UprightMesh* upright, MirrorFrame* frame) {
+sinew_status refine_front(const RigPlan& plan, const sinew_mesh& input, const Kernels& kernels, Arena& arena,
+                          Mesh* mesh, UprightMesh* upright, MirrorFrame* frame) {
   const ArenaScope scope(arena);
   Refiner refiner{plan, input, kernels, arena, *mesh, *upright, *frame, upright->front.turn, {}};
   refiner.voter.other = plan.other;

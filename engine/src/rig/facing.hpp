@@ -20,8 +20,8 @@ sinew_status choose_facing(const RigPlan& plan, const Kernels& kernels, Arena& a
 // The found front of a mesh that no plane mirrors is off by up to 30 degrees: it is turned in steps of 15 degrees for as long
 // as the votes of one set get surer, at most two. Nothing is done where the front is a coin toss or the mesh is mirrored.
 // On return mesh, `upright` and `frame` are those of the chosen front. Returns what stand_upright() and the network do.
-sinew_status refine_front(const RigPlan& plan, const sinew_mesh& input, const Kernels& kernels, Arena& arena, Mesh* mesh,
-                          UprightMesh* upright, MirrorFrame* frame);
+sinew_status refine_front(const RigPlan& plan, const sinew_mesh& input, const Kernels& kernels, Arena& arena,
+                          Mesh* mesh, UprightMesh* upright, MirrorFrame* frame);
 
 }  // namespace sinew::rigging
 #endif

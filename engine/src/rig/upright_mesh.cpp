@@ -80,7 +80,8 @@ sinew_status stand_upright(const FrontPlan& plan, const sinew_mesh& input, const
   return SINEW_OK;
 }
 
-sinew_status stand_again(const sinew_mesh& input, const Counts& counts, Arena& arena, Mesh* mesh, UprightMesh* upright) {
+sinew_status stand_again(const sinew_mesh& input, const Counts& counts, Arena& arena, Mesh* mesh,
+                         UprightMesh* upright) {
   const Turn& turn = upright->front.turn;
   upright->mesh = input;
   upright->up_axis = turn.up_axis;

@@ -27,7 +27,7 @@ struct UprightMesh {
   uint32_t up_axis = 0;  // of `mesh`
   GridQuantizer quantizer;
   Front front;
-  bool known = false;  // the front was given, or found and no coin toss
+  bool known = false;       // the front was given, or found and no coin toss
   float* turned = nullptr;  // [V x 3] room for positions, where a front may be turned to
 };
 

@@ -14,7 +14,7 @@ struct LimbDoubt {
   std::vector<int> joints;  // from the body outwards, bone ends too
   int joint = 0;            // that it is called by
   std::string name;         // of that: LeftArm, RightUpLeg, Tail
-  float doubt = 0;   // how likely it is wrong, 0..1
+  float doubt = 0;          // how likely it is wrong, 0..1
 };
 
 // Limbs of a skeleton that was predicted by votes: what hangs on its trunk, in the order of kinds. A limb is wrong whose

@@ -332,7 +332,11 @@ void draw_skeleton(const Character& c, const std::vector<uint8_t>& red_joints, c
       const size_t parent = parent_of(j);
       if (parent == j || !visible(j) || !visible(parent)) continue;
       const float width = std::min(line, 0.8f * std::min(radius[j], radius[parent]));
-      draw_capsule(points[parent], points[j], outline ? width + rim : width, outline ? dark : is_red(j) ? red : bright, 0.9f, canvas);
+      draw_capsule(points[parent], points[j], outline ? width + rim : width,
+                   outline     ? dark
+                   : is_red(j) ? red
+                               : bright,
+                   0.9f, canvas);
     }
   }
   for (size_t j = 0; j < points.size(); ++j) {

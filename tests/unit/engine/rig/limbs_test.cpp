@@ -164,9 +164,9 @@ TEST(Limbs, WhichClassesAreWhichLimb) {
 
 // A trunk along z with two pairs of limbs that both vote for legs, as of a dog that is taken for something else.
 std::vector<KnownJoint> four_legs() {
-  return {{0, .5, 0, kClassPelvis, -1},   {0, .5, .4, kClassSpine, 0},   {.08, .45, .4, kClassThigh, 1},
-          {.08, .25, .4, kClassCalf, 2},  {.08, .05, .4, kClassFoot, 3}, {.08, .45, 0, kClassThigh, 0},
-          {.08, .25, 0, kClassCalf, 5},   {.08, .05, 0, kClassFoot, 6}};
+  return {{0, .5, 0, kClassPelvis, -1},  {0, .5, .4, kClassSpine, 0},   {.08, .45, .4, kClassThigh, 1},
+          {.08, .25, .4, kClassCalf, 2}, {.08, .05, .4, kClassFoot, 3}, {.08, .45, 0, kClassThigh, 0},
+          {.08, .25, 0, kClassCalf, 5},  {.08, .05, 0, kClassFoot, 6}};
 }
 
 TEST(Limbs, TheFrontPairOfAQuadrupedAreArms) {
@@ -181,15 +181,14 @@ TEST(Limbs, TheFrontPairOfAQuadrupedAreArms) {
     EXPECT_EQ(found.count_of(kClassFoot), 2u);
     EXPECT_EQ(found.count_of(kClassHand), 2u);
     EXPECT_EQ(found.count_of(kClassUpperArm), 2u);
-    for (const RigJoint& joint : found.joints)
-      EXPECT_TRUE(joint.joint_class != kClassHand || joint.position.z > 0);
+    for (const RigJoint& joint : found.joints) EXPECT_TRUE(joint.joint_class != kClassHand || joint.position.z > 0);
   }
 }
 
 TEST(Limbs, TheLowestPairOfABipedAreLegs) {
-  std::vector<KnownJoint> joints = {{0, .5, 0, kClassPelvis, -1},   {0, .8, 0, kClassSpine, 0},
-                                    {.1, .8, 0, kClassThigh, 1},    {.25, .75, 0, kClassCalf, 2},
-                                    {.4, .7, 0, kClassFoot, 3},     {.08, .45, 0, kClassUpperArm, 0},
+  std::vector<KnownJoint> joints = {{0, .5, 0, kClassPelvis, -1},    {0, .8, 0, kClassSpine, 0},
+                                    {.1, .8, 0, kClassThigh, 1},     {.25, .75, 0, kClassCalf, 2},
+                                    {.4, .7, 0, kClassFoot, 3},      {.08, .45, 0, kClassUpperArm, 0},
                                     {.08, .25, 0, kClassForearm, 5}, {.08, .05, 0, kClassHand, 6}};
   RigOptions options;
   options.kind = BodyKind::kBiped;
