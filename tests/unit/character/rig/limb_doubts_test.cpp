@@ -62,12 +62,5 @@ TEST(LimbDoubts, ALimbThatGuessesIsNamed) {
   EXPECT_EQ(doubts_text(limbs).rfind("warning: doubtful: LeftArm", 0), 0u);
 }
 
-TEST(LimbDoubts, SidesAreThoseOfTheFront) {
-  PredictedSkeleton skeleton = person();
-  for (Joint& joint : skeleton.joints) joint.position = {0, joint.position.y, -joint.position.x};
-  skeleton.front = {1, 0, 0};
-  EXPECT_EQ(limb_doubts(skeleton).size(), 4u) << "arms and legs are one limb a side";
-}
-
 }  // namespace
 }  // namespace sinew
