@@ -42,7 +42,7 @@ export interface RigOptions {
   bind?: boolean;
   keepLengths?: boolean;
   influences?: number;
-  /** which slots a body may have, for method "slots" */
+  /** what kind of body it is, where the model takes it for another: which limbs are arms, legs, wings */
   category?: "any" | "biped" | "quadruped" | "bird" | "fish" | "snake" | "many-legged";
   /** a bundled skeleton that is put into the mesh: "mixamo", "vrm", "unreal", "rigify", ... */
   template?: string;
