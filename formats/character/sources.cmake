@@ -58,6 +58,7 @@ set(sinew_character_sources
   rig/joint_verdicts
   rig/joints_beside_mesh
   rig/label_skeleton
+  rig/limb_doubts
   rig/rig_gate
   rig/seam_homes
   rig/seam_leak

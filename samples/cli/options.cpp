@@ -27,7 +27,6 @@ constexpr OptionWord kWords[] = {
     {"--body-contact", "", "Keep arms and thighs out of the body, for volume and xpbd"},
     {"--cache", "DIR", "Folder for computed features"},
     {"--calibrate", "DIR", "Characters that the ranges of integers are measured on"},
-    {"--category", "KIND", "With --method slots: what kind of body"},
     {"--cells", "N", "Cells of the lattice along the longest side, for volume and xpbd"},
     {"--checkpoint", "FILE", "Float checkpoint of sinew train"},
     {"--config", "FILE", "Settings that differ from the defaults, as JSON"},

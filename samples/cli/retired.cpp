@@ -13,6 +13,7 @@ struct Retired {
 
 constexpr Retired kRetired[] = {
     {"extract", nullptr, nullptr, "sinew rig MESH --method shape (or regions)"},
+    {"rig", "--category", nullptr, "--class KIND"},
     {"bind", "--all-joints", nullptr, "--joints all"},
     {"bind", "--deform", nullptr, "--joints FILE"},
     {"bind", "--compare", nullptr, "--changes"},

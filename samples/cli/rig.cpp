@@ -148,6 +148,10 @@ Json summary_json(const Settings& s, const Rigged& rigged, const std::string& me
     one["parent_confidence"] = skeleton.parent_confidence[j];
     json["joints"].push_back(std::move(one));
   }
+  json["doubtful"] = Json::array();
+  for (const LimbDoubt& limb : rigged.doubtful)
+    json["doubtful"].push_back(
+        {{"name", limb.name}, {"doubt", std::round(100.0 * static_cast<double>(limb.doubt)) / 100}});
   if (!s.no_bind) json["seams"] = seams_json(rigged.character.joints, rigged.seams);
   json["notes"] = rigged.character.notes;
   if (s.gate) {
@@ -178,11 +182,26 @@ void tell(const Settings& s, const Rigged& rigged, const std::string& mesh, cons
   if (output != "-") std::fprintf(out, "wrote %s\n", printable(output).c_str());
 }
 
+// The joints of limbs that may be wrong; of a skeleton of the user's own those that lie where such joints were.
+std::vector<uint8_t> doubtful_joints(const Rigged& rigged) {
+  const std::vector<Joint>& joints = rigged.character.joints;
+  std::vector<uint8_t> doubtful(joints.size(), 0);
+  for (const LimbDoubt& limb : rigged.doubtful)
+    for (const int one : limb.joints) {
+      const Vec3& at = rigged.skeleton.joints[static_cast<size_t>(one)].position;
+      for (size_t j = 0; j < joints.size(); ++j)
+        if (joints[j].position.x == at.x && joints[j].position.y == at.y && joints[j].position.z == at.z)
+          doubtful[j] = 1;
+    }
+  return doubtful;
+}
+
 void write_rigged(const Settings& s, const Rigged& rigged, const std::string& output) {
   write_character(output, rigged.character);
   if (s.png.empty()) return;
   RenderOptions view;
   view.up_z = rigged.skeleton.up_axis == 1;
+  view.red_joints = doubtful_joints(rigged);
   const auto colours = rigged.character.influences.empty()
                            ? heat_colours(std::vector<float>(rigged.character.vertices.size(), 0.0f), 1.0f)
                            : weight_colours(rigged.character);

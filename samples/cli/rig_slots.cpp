@@ -15,7 +15,7 @@ namespace sinew::cli {
 namespace {
 
 // In the order of SINEW_CATEGORY_*.
-constexpr const char* kCategories[] = {"any", "biped", "quadruped", "bird", "fish"};
+constexpr const char* kCategories[] = {"any", "biped", "quadruped", "bird", "fish", "snake", "many-legged"};
 
 }  // namespace
 
@@ -28,17 +28,20 @@ void add_method_options(CLI::App* sub, MethodOptions* options) {
       "the surface, whose contacts are collapsed to a tree")
       ->check(CLI::IsMember({"auto", "votes", "shape", "slots", "regions"}))
       ->capture_default_str();
-  shared_option(sub, "--category", options->category, "It says what slots there are")
+  sub->add_option("--class", options->category,
+                  "What kind of body it is, where the model takes it for another: which limbs are arms, legs, wings")
+      ->type_name("KIND")
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(kCategories), std::end(kCategories))))
       ->capture_default_str();
 }
 
 void check_method(const CLI::App& sub, const MethodOptions& options) {
   const auto given = [&](const char* option) { return sub.get_option(option)->count() > 0; };
-  if (!options.slots()) {
-    if (given("--category")) throw UsageError("--category is for --method slots");
-    return;
-  }
+  if (options.extracts() && given("--class"))
+    throw UsageError("--class steers what a model says: leave --method " + options.method + " out");
+  if (given("--class") && given("--prediction"))
+    throw UsageError("--class steers a prediction: leave --prediction out, whose names say what joints are");
+  if (!options.slots()) return;
   for (const char* option : {"--mirror", "--spine", "--prediction"})
     if (given(option)) throw UsageError(std::string(option) + " does not go with --method slots");
 }
@@ -46,7 +49,7 @@ void check_method(const CLI::App& sub, const MethodOptions& options) {
 uint32_t category_number(const std::string& name) {
   for (uint32_t i = 0; i < std::size(kCategories); ++i)
     if (name == kCategories[i]) return i;
-  throw UsageError("--category " + name + ": there is none of that name");
+  throw UsageError("--class " + name + ": there is none of that name");
 }
 
 }  // namespace sinew::cli

@@ -13,7 +13,7 @@ class App;
 
 namespace sinew::cli {
 
-// --method and --category of sinew rig.
+// --method and --class of sinew rig.
 struct MethodOptions {
   std::string method = "auto", category = "any";
   bool slots() const { return method == "slots"; }

@@ -57,8 +57,8 @@ namespace Sinew
         public string ToPose;
         /// <summary>A file or template:NAME that is put into the mesh; or null.</summary>
         public string Skeleton;
-        /// <summary>Which slots a body may have, for CharacterRigMethod.Slots.</summary>
-        public SlotCategory Category;
+        /// <summary>What kind of body it is, where the model takes it for another.</summary>
+        public Category Category;
         /// <summary>Bytes of .sinew files in place of the bundled models; or null. Model: of the method.</summary>
         public byte[] Model, HandsModel;
     }

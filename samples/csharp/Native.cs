@@ -26,6 +26,7 @@ namespace Sinew
     public enum Mirror { Auto = 0, Always = 1, Never = 2 }
     public enum Front { Auto = 0, PlusZ = 1, MinusZ = 2, PlusX = 3, MinusX = 4, PlusY = 5, MinusY = 6 }
     public enum RigMethod { Votes = 0, Shape = 1, Regions = 2, Slots = 3 }
+    public enum Category { Any = 0, Biped = 1, Quadruped = 2, Bird = 3, Fish = 4, Snake = 5, ManyLegged = 6 }
     public enum JointRole { Deforms = 0, Root = 1, Control = 2, Slot = 3, End = 4, Twist = 5, Face = 6, Finger = 7, Helper = 8 }
     public enum Follows { Unknown = 0, Some = 1, None = 2 }
     public enum Naming { Sinew = 0, Mixamo = 1, Vrm = 2, Unreal = 3, Rigify = 4, Makehuman = 5 }
@@ -33,7 +34,6 @@ namespace Sinew
     public enum TransferReason { Asked = 0, Style = 1, Mismatch = 2, Plain = 3, Near = 4, Far = 5, NoMatch = 6, Kept = 7 }
     public enum BranchesFirst { Both = 0, Target = 1, Source = 2 }
     public enum BranchesCost { Mean = 0, Sum = 1 }
-    public enum SlotCategory { Any = 0, Biped = 1, Quadruped = 2, Bird = 3, Fish = 4 }
     public enum SimplifyLevel { High = 0, Low = 1 }
     public enum JointsFrom { Auto = 0, Own = 1, Names = 2, All = 3 }
     public enum CharacterRigMethod { Auto = 0, Votes = 1, Shape = 2, Regions = 3, Slots = 4 }
@@ -482,6 +482,14 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_doubt
+        {
+            public IntPtr name;
+            public float doubt;
+            public uint reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
         public struct sinew_character_rig_result
         {
             public uint struct_size, mirrored, matched, joint_count;
@@ -493,6 +501,8 @@ namespace Sinew
             public float front_confidence, up_confidence;
             public uint seam_count;
             public IntPtr seams;
+            public uint doubtful_count;
+            public IntPtr doubtful;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -914,6 +924,7 @@ namespace Sinew
             new StructSize("sinew_character_bind_result", Marshal.SizeOf(typeof(sinew_character_bind_result)), true),
             new StructSize("sinew_skeleton_edit", Marshal.SizeOf(typeof(sinew_skeleton_edit)), false),
             new StructSize("sinew_character_rig_options", Marshal.SizeOf(typeof(sinew_character_rig_options)), true),
+            new StructSize("sinew_character_doubt", Marshal.SizeOf(typeof(sinew_character_doubt)), false),
             new StructSize("sinew_character_rig_result", Marshal.SizeOf(typeof(sinew_character_rig_result)), true),
             new StructSize("sinew_character_map_options", Marshal.SizeOf(typeof(sinew_character_map_options)), true),
             new StructSize("sinew_character_map_result", Marshal.SizeOf(typeof(sinew_character_map_result)), true),

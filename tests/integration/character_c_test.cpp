@@ -296,7 +296,7 @@ TEST_F(CharacterC, PosesAsTheCommand) {
 
 TEST_F(CharacterC, PublishedMethodsAsTheCommand) {
   const Handle robed = open(kRobed), caped = open(kCaped);
-  good("rig " + kRobed + " --method slots --category biped --no-bind -o command.rig.txt");
+  good("rig " + kRobed + " --method slots --class biped --no-bind -o command.rig.txt");
   sinew_character_rig_options rig = sinew_character_rig_options_init();
   rig.method = SINEW_CHARACTER_RIG_SLOTS;
   rig.category = SINEW_CATEGORY_BIPED;
@@ -350,6 +350,7 @@ TEST_F(CharacterC, RefusesWhatAnotherMethodTakes) {
   };
   sinew_character_rig_options rig = sinew_character_rig_options_init();
   rig.category = SINEW_CATEGORY_BIRD;
+  rig.method = SINEW_CHARACTER_RIG_SHAPE;
   refused(sinew_character_rig(caped.get(), &rig, nullptr), "category: ");
   rig.method = SINEW_CHARACTER_RIG_SLOTS + 1;
   refused(sinew_character_rig(caped.get(), &rig, nullptr), "method: ");

@@ -49,7 +49,7 @@ TEST_F(CliSlots, TrainsRigsAndIsMeasured) {
 
   // Display, edits and the bind are those of any skeleton.
   const std::string root = told["joints"][0]["name"];
-  good("rig figure.obj --method slots --model slots.sinew --category biped --move " + root +
+  good("rig figure.obj --method slots --model slots.sinew --class biped --move " + root +
        "=0.25,0.5,0 -o figure.glb --png figure.png");
   EXPECT_GT(fs::file_size(in("figure.png")), 1000u);
   const Character bound = read_gltf(in("figure.glb"));
@@ -104,8 +104,10 @@ TEST_F(CliSlots, TrainingStopsBelowAPresetTotal) {
 TEST_F(CliSlots, WrongUsage) {
   const std::string rig = "rig set/biped__robot.obj --method slots ";
   EXPECT_NE(bad(2, rig + "--model x.sinew --spine 3").error.find("--spine does not go with"), std::string::npos);
-  EXPECT_NE(bad(2, rig + "--model x.sinew --category crab").error.find("--category"), std::string::npos);
-  EXPECT_NE(bad(2, "rig set/biped__robot.obj --category biped").error.find("--category is for"), std::string::npos);
+  EXPECT_NE(bad(2, rig + "--model x.sinew --class crab").error.find("--class"), std::string::npos);
+  EXPECT_NE(bad(2, rig + "--model x.sinew --category biped").error.find("--class KIND"), std::string::npos);
+  EXPECT_NE(bad(2, "rig set/biped__robot.obj --method shape --class biped").error.find("--class steers"),
+            std::string::npos);
   EXPECT_NE(bad(1, rig + "--model x.sinew").error.find("x.sinew"), std::string::npos);
   for (const char* other : {"sinew_default", "sinew_rig", "sinew_hands"})
     EXPECT_NE(bad(1, rig + "--model " + kData + "/" + other + ".sinew").error.find(other), std::string::npos);

@@ -57,16 +57,6 @@ typedef enum sinew_branches_cost {
   SINEW_BRANCHES_SUM = 1   /* favours short branches */
 } sinew_branches_cost;
 
-/* sinew_rig_options.category with SINEW_RIG_SLOTS. ANY: all slots. BIPED: trunk, arms, legs. QUADRUPED: these, tail, ears. BIRD:
- * trunk, legs, wings, tail. FISH, and snakes: trunk, tail, wings for fins. */
-typedef enum sinew_slot_category {
-  SINEW_CATEGORY_ANY = 0,
-  SINEW_CATEGORY_BIPED = 1,
-  SINEW_CATEGORY_QUADRUPED = 2,
-  SINEW_CATEGORY_BIRD = 3,
-  SINEW_CATEGORY_FISH = 4
-} sinew_slot_category;
-
 #define SINEW_NO_AREA 0xFFFFFFFFu /* sinew_reference_options.area_power: 0, which as a number asks for the default */
 #define SINEW_NO_FALLOFF (-1.0f)  /* sinew_reference_options.falloff: none, as drawn; 0 asks for the default */
 

@@ -70,6 +70,21 @@ typedef enum sinew_rig_method {
                         * are named Bone, of class OTHER and confidence 0; spread is 0, facing 0 or 1 */
 } sinew_rig_method;    /* 2: sinew/published.h */
 
+/* What kind of body the mesh has, by the caller's word. Numbers are never reused.
+ * SINEW_RIG_VOTES: it says what limbs are. BIPED: the lowest pair are legs, others arms. QUADRUPED: the rearmost pair are legs,
+ * others arms. BIRD: arms are wings. FISH: all limbs are wings, for fins. SNAKE: it has no limbs. MANY_LEGGED: all are legs.
+ * SINEW_RIG_SLOTS: it says which slots there are. ANY: all. BIPED: trunk, arms, legs. QUADRUPED: these, tail, ears. BIRD: trunk,
+ * legs, wings, tail. FISH: trunk, tail, wings. SNAKE: trunk, tail. MANY_LEGGED: trunk, arms, legs, tail. */
+typedef enum sinew_category {
+  SINEW_CATEGORY_ANY = 0,
+  SINEW_CATEGORY_BIPED = 1,
+  SINEW_CATEGORY_QUADRUPED = 2,
+  SINEW_CATEGORY_BIRD = 3,
+  SINEW_CATEGORY_FISH = 4,
+  SINEW_CATEGORY_SNAKE = 5,
+  SINEW_CATEGORY_MANY_LEGGED = 6
+} sinew_category;
+
 /* What a call is asked to do: inputs only. Start from sinew_rig_options_init(), which asks for every default.
  * Later versions add members at the end, and 0 asks for what this version does; see struct_size in sinew/types.h. */
 typedef struct sinew_rig_options {
@@ -84,7 +99,7 @@ typedef struct sinew_rig_options {
   sinew_progress progress;   /* or null */
   void* progress_user;
   uint32_t method;   /* sinew_rig_method */
-  uint32_t category; /* of SINEW_RIG_SLOTS in published.h; else 0 */
+  uint32_t category; /* sinew_category of SINEW_RIG_VOTES and of SINEW_RIG_SLOTS in published.h; else 0 */
   /* Of sinew_rig_model_open(), made for fronts: which way the mesh faces is found at any angle, and with SINEW_UP_AUTO which
    * of y and z is up. Null: SINEW_UP_AUTO is y, and the front is one of four, by where the votes are surest */
   const sinew_model* front_model;

@@ -39,23 +39,37 @@ class Grower {
         between_(between),
         tree_(*tree) {}
 
-  void run() {
+  void run(BodyKind kind) {
     const uint32_t n = votes_.points;
     for (uint32_t p = 0; p < n; ++p) {
       starts_[p] = owner(votes_.start[p], votes_.start_class + size_t{p} * kJointClasses);
       ends_[p] = owner(votes_.end[p], votes_.end_class + size_t{p} * kEndClasses);
     }
-    count_votes();
-    choose_root();
-    connect();
-    if (tree_.mirrored) tree_.nodes[tree_.root].at.x = 0;
-    LimbVotes limbs = {};
-    count_limbs(limbs);
+    grow();
+    LimbVotes votes = {}, limbs;
+    count_limbs(votes);
+    copy(votes, limbs);
     settle_limbs(limbs, &tree_);
+    if (kind != BodyKind::kAny && steer_limbs(kind, &tree_, votes)) {
+      grow();
+      settle_limbs(votes, &tree_);
+    }
     find_ends();
   }
 
  private:
+  void grow() {
+    count_votes();
+    choose_root();
+    connect();
+    if (tree_.mirrored) tree_.nodes[tree_.root].at.x = 0;
+  }
+
+  static void copy(const LimbVotes& from, LimbVotes& to) {
+    for (uint32_t j = 0; j < kMaxFoldedJoints; ++j)
+      for (uint32_t k = 0; k < kLimbs; ++k) to[j][k] = from[j][k];
+  }
+
   // The joint that makes exp(-distance / width) (probability of its class + 0.03) greatest.
   uint8_t owner(Vec3i vote, const uint16_t* classes) const {
     const Vec3i at = folded_position(vote, tree_.mirrored);
@@ -79,6 +93,7 @@ class Grower {
   void count_votes() {
     const uint32_t j = tree_.count;
     for (uint32_t i = 0; i < j * j; ++i) between_[i] = 0;
+    for (uint32_t i = 0; i < j; ++i) points_[i] = tips_[i] = 0;
     int64_t trust[kMaxFoldedJoints] = {}, votes[kMaxFoldedJoints] = {};
     for (uint32_t p = 0; p < votes_.points; ++p) {
       const uint8_t from = starts_[p], to = ends_[p];
@@ -292,7 +307,7 @@ class Grower {
 
 }  // namespace
 
-sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t count, Arena& arena,
+sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t count, BodyKind kind, Arena& arena,
                        FoldedTree* tree) {
   const ArenaScope scope(arena);
   Cloud cloud;
@@ -309,7 +324,7 @@ sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t
     tree->nodes[j].at = joints[j].at;
     tree->nodes[j].joint_class = joints[j].joint_class;
   }
-  Grower(pool, cloud, starts, ends, between, tree).run();
+  Grower(pool, cloud, starts, ends, between, tree).run(kind);
   return SINEW_OK;
 }
 

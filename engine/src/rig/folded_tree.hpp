@@ -3,6 +3,7 @@
 #ifndef SINEW_RIG_FOLDED_TREE_HPP
 #define SINEW_RIG_FOLDED_TREE_HPP
 
+#include "rig/body_kind.hpp"
 #include "rig/clusters.hpp"
 
 namespace sinew::rigging {
@@ -38,10 +39,12 @@ struct FoldedTree {
 // for the worse. A limb is a chain of its own: joints of paired classes that lie on two sides never hang together, nor an arm or a leg on a tail or an ear; what goes on
 // from a joint of a limb that has its next already costs more (rig/limbs.hpp). Ends are modes of the end votes that are tips.
 //   joints  in   [count], count >= 1, as from find_folded_joints()
+//   kind         of body: its limbs are arms or legs by where they are (rig/limbs.hpp), and the tree is grown by that
 //   tree    out  nodes have the joints' numbers
 //   arena        scratch, all of it released
 // Returns SINEW_OK or SINEW_ERROR_WORKSPACE.
-sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t count, Arena& arena, FoldedTree* tree);
+sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t count, BodyKind kind, Arena& arena,
+                       FoldedTree* tree);
 
 }  // namespace sinew::rigging
 #endif

@@ -45,20 +45,24 @@ static_assert(kTable.count == kSlots, "the table fills all slots");
 
 const JointSlot* joint_slots() { return kTable.slots; }
 
-bool in_category(const JointSlot& slot, SlotCategory category) {
+bool in_category(const JointSlot& slot, BodyKind category) {
   const JointClass c = slot.joint_class;
   const bool trunk = c <= kClassHead, arm = c >= kClassClavicle && c <= kClassHand,
              leg = c >= kClassHip && c <= kClassToe, tail = c == kClassTail, wing = c == kClassWing;
   switch (category) {
-    case SlotCategory::kBiped:
+    case BodyKind::kBiped:
       return trunk || arm || leg;
-    case SlotCategory::kQuadruped:
+    case BodyKind::kQuadruped:
       return trunk || arm || leg || tail || c == kClassEar;
-    case SlotCategory::kBird:
+    case BodyKind::kBird:
       return trunk || leg || tail || wing;
-    case SlotCategory::kFish:
+    case BodyKind::kFish:
       return trunk || tail || wing;
-    case SlotCategory::kAny:
+    case BodyKind::kSnake:
+      return trunk || tail;
+    case BodyKind::kManyLegged:
+      return trunk || arm || leg || tail;
+    case BodyKind::kAny:
       break;
   }
   return true;

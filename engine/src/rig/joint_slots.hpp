@@ -5,6 +5,7 @@
 #define SINEW_RIG_JOINT_SLOTS_HPP
 
 #include "model/task.hpp"
+#include "rig/body_kind.hpp"
 #include "rig/joint_class.hpp"
 #include "rig/rig_points.hpp"
 
@@ -27,12 +28,9 @@ constexpr uint32_t slot_pair(uint32_t i, uint32_t j) { return i * (2 * kSlots - 
 
 const JointSlot* joint_slots();  // [kSlots]
 
-// What kind of body: says which slots may hold a joint. Numbers are those of SINEW_CATEGORY_*.
-enum class SlotCategory : uint8_t { kAny, kBiped, kQuadruped, kBird, kFish };
-constexpr uint32_t kSlotCategories = 5;
-// any: all. biped: trunk, arms, legs. quadruped: these, tail, ears. bird: trunk, legs, wings, tail. fish, and snakes: trunk,
-// tail, wings for fins.
-bool in_category(const JointSlot& slot, SlotCategory category);
+// Which slots may hold a joint. any: all. biped: trunk, arms, legs. quadruped: these, tail, ears. bird: trunk, legs, wings, tail.
+// fish: trunk, tail, wings for fins. snake: trunk, tail. many-legged: trunk, arms, legs, tail.
+bool in_category(const JointSlot& slot, BodyKind category);
 
 constexpr uint32_t kSlotsFeatureSet = 3, kConnectionsFeatureSet = 4;  // of the rig task; files hold both networks
 

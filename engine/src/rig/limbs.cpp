@@ -7,8 +7,21 @@ namespace {
 
 constexpr int32_t kClearSide = side_share(250);
 
-// The same joint of another limb.
-uint8_t class_in(LimbClass limb, uint8_t c) {
+static_assert(kClassHip - kClassClavicle == kClassFoot - kClassHand &&
+                  kClassThigh - kClassUpperArm == kClassFoot - kClassHand,
+              "an arm's joints and a leg's follow each other alike");
+
+}  // namespace
+
+LimbClass limb_of(uint32_t joint_class) {
+  if (joint_class >= kClassClavicle && joint_class <= kClassHand) return LimbClass::kArm;
+  if (joint_class >= kClassHip && joint_class <= kClassToe) return LimbClass::kLeg;
+  if (joint_class == kClassTail) return LimbClass::kTail;
+  if (joint_class == kClassEar) return LimbClass::kEar;
+  return joint_class == kClassHair ? LimbClass::kHair : LimbClass::kNone;
+}
+
+uint8_t class_in_limb(LimbClass limb, uint8_t c) {
   const LimbClass now = limb_of(c);
   if (now == LimbClass::kNone || now == limb) return c;
   switch (limb) {
@@ -23,19 +36,6 @@ uint8_t class_in(LimbClass limb, uint8_t c) {
     default:
       return now == LimbClass::kLeg && c != kClassToe ? static_cast<uint8_t>(c - (kClassHip - kClassClavicle)) : c;
   }
-}
-static_assert(kClassHip - kClassClavicle == kClassFoot - kClassHand &&
-                  kClassThigh - kClassUpperArm == kClassFoot - kClassHand,
-              "an arm's joints and a leg's follow each other alike");
-
-}  // namespace
-
-LimbClass limb_of(uint32_t joint_class) {
-  if (joint_class >= kClassClavicle && joint_class <= kClassHand) return LimbClass::kArm;
-  if (joint_class >= kClassHip && joint_class <= kClassToe) return LimbClass::kLeg;
-  if (joint_class == kClassTail) return LimbClass::kTail;
-  if (joint_class == kClassEar) return LimbClass::kEar;
-  return joint_class == kClassHair ? LimbClass::kHair : LimbClass::kNone;
 }
 
 bool continues_limb(uint32_t from, uint32_t to) {
@@ -62,8 +62,7 @@ class Limbs {
   Limbs(LimbVotes& votes, FoldedTree& tree) : votes_(votes), tree_(tree) {}
 
   void settle() {
-    order_[count_++] = tree_.root;
-    for (uint32_t i = 0; i < count_; ++i) take(order_[i]);
+    collect();
     for (uint32_t i = 0; i < count_; ++i) {
       FoldedNode& node = tree_.nodes[order_[i]];
       const uint32_t first = first_[order_[i]];
@@ -78,12 +77,59 @@ class Limbs {
       }
       uint32_t best = 0;
       for (uint32_t k = 1; k < kLimbs; ++k) best = votes[k] > votes[best] ? k : best;
-      if (votes[best] > 0) node.joint_class = class_in(static_cast<LimbClass>(best), node.joint_class);
+      if (votes[best] > 0) node.joint_class = class_in_limb(static_cast<LimbClass>(best), node.joint_class);
     }
     if (!tree_.mirrored) choose_sides();
   }
 
+  // Legs by place, see steer_limbs(). Joints of each limb are those that collect() found.
+  bool steer(BodyKind kind, LimbVotes& votes) {
+    collect();
+    if (kind != BodyKind::kBiped && kind != BodyKind::kQuadruped) return false;
+    uint32_t limbs[kMaxFoldedJoints], n = 0;
+    for (uint32_t j = 0; j < tree_.count; ++j) {
+      const LimbClass limb = limb_of(tree_.nodes[j].joint_class);
+      const bool paired = limb == LimbClass::kArm || limb == LimbClass::kLeg;
+      if (first_[j] != j || !paired || joints_[j] < 2 || (tree_.mirrored && !tree_.beside(j))) continue;
+      uint32_t at = n++;
+      for (; at > 0 && how_far(kind, limbs[at - 1]) > how_far(kind, j); --at) limbs[at] = limbs[at - 1];
+      limbs[at] = j;
+    }
+    const uint32_t legs = tree_.mirrored ? 1 : 2;
+    if (n <= legs) return false;
+    bool changed = false;
+    for (uint32_t i = 0; i < n; ++i) {
+      const LimbClass limb = i < legs ? LimbClass::kLeg : LimbClass::kArm;
+      changed = changed || limb_of(tree_.nodes[limbs[i]].joint_class) != limb;
+      for (uint32_t j = 0; j < tree_.count; ++j)
+        if (first_[j] == limbs[i]) make(limb, j, votes);
+    }
+    return changed;
+  }
+
  private:
+  void collect() {
+    order_[count_++] = tree_.root;
+    for (uint32_t i = 0; i < count_; ++i) take(order_[i]);
+  }
+
+  // The mean of a limb's joints, from below or, of a quadruped, from behind.
+  int64_t how_far(BodyKind kind, uint32_t limb) const {
+    int64_t sum = 0;
+    for (uint32_t j = 0; j < tree_.count; ++j)
+      if (first_[j] == limb) sum += kind == BodyKind::kQuadruped ? tree_.nodes[j].at.z : tree_.nodes[j].at.y;
+    return sum / joints_[limb];
+  }
+
+  void make(LimbClass limb, uint32_t j, LimbVotes& votes) {
+    constexpr auto kArm = static_cast<uint32_t>(LimbClass::kArm), kLeg = static_cast<uint32_t>(LimbClass::kLeg);
+    const int64_t both = votes[j][kArm] + votes[j][kLeg];
+    votes[j][kArm] = limb == LimbClass::kArm ? both : 0;
+    votes[j][kLeg] = limb == LimbClass::kLeg ? both : 0;
+    const uint8_t c = tree_.nodes[j].joint_class;
+    if (c != kClassTail && c != kClassEar && c != kClassHair) tree_.nodes[j].joint_class = class_in_limb(limb, c);
+  }
+
   bool begins(uint32_t limb) const { return first_[limb] == limb && is_paired_class(tree_.nodes[limb].joint_class); }
 
   void take(uint32_t j) {
@@ -161,5 +207,10 @@ class Limbs {
 }  // namespace
 
 SINEW_RARE void settle_limbs(LimbVotes& votes, FoldedTree* tree) { Limbs(votes, *tree).settle(); }
+
+SINEW_RARE bool steer_limbs(BodyKind kind, FoldedTree* tree, LimbVotes& votes) {
+  LimbVotes sums = {};
+  return Limbs(sums, *tree).steer(kind, votes);
+}
 
 }  // namespace sinew::rigging

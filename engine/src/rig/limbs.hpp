@@ -3,6 +3,7 @@
 #ifndef SINEW_RIG_LIMBS_HPP
 #define SINEW_RIG_LIMBS_HPP
 
+#include "rig/body_kind.hpp"
 #include "rig/folded_tree.hpp"
 
 namespace sinew::rigging {
@@ -11,6 +12,8 @@ namespace sinew::rigging {
 enum class LimbClass : uint8_t { kArm, kLeg, kTail, kEar, kHair, kNone };
 constexpr uint32_t kLimbs = 5;
 LimbClass limb_of(uint32_t joint_class);
+// The same joint of another limb: the foot of an arm is a hand. Classes of no limb stay.
+uint8_t class_in_limb(LimbClass limb, uint8_t joint_class);
 
 // Whether a joint of the second class is the next of an arm or a leg behind one of the first.
 bool continues_limb(uint32_t from, uint32_t to);
@@ -32,6 +35,12 @@ using LimbVotes = int64_t[kMaxFoldedJoints][kLimbs];
 // of what it hangs on; others are on their own side of that. Of two that fork from one joint the one on the other side hangs on the trunk.
 //   votes  in, out: the sums of a limb's joints are added to its first
 void settle_limbs(LimbVotes& votes, FoldedTree* tree);
+
+// Which limbs of a settled tree are legs by where they are, in a body of that kind: the lowest pair of a biped's, the
+// rearmost pair of a quadruped's; the others are arms. Where a body has one pair alone the votes stay.
+//   votes  in, out: of each joint, not summed; those of a limb's joints for arms and legs go to the one that it is
+// Returns whether a limb is another now than the tree says. The tree is to be grown again then.
+bool steer_limbs(BodyKind kind, FoldedTree* tree, LimbVotes& votes);
 
 }  // namespace sinew::rigging
 #endif

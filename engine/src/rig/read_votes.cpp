@@ -44,7 +44,7 @@ bool VoteStore::allocate(Arena& arena, uint32_t sets) {
   return arena.ok();
 }
 
-void VoteStore::add(const PointSet& set, const int16_t* rows, bool folded) {
+void VoteStore::add(const PointSet& set, const int16_t* rows, bool folded, BodyKind kind) {
   for (uint32_t i = 0; i < kSetPoints; ++i, ++points_) {
     const int16_t* const row = rows + size_t{i} * kRigOutputs;
     const int32_t sign = PointSet::on_left(set.points[i]) ? 1 : -1;
@@ -61,6 +61,8 @@ void VoteStore::add(const PointSet& set, const int16_t* rows, bool folded) {
     end_spread_[points_] = spread_of(row[kRigEndSpread]);
     probabilities(row + kRigStartClass, kJointClasses, start_class_ + size_t{points_} * kJointClasses);
     probabilities(row + kRigEndClass, kEndClasses, end_class_ + size_t{points_} * kEndClasses);
+    steer_classes(kind, start_class_ + size_t{points_} * kJointClasses);
+    steer_classes(kind, end_class_ + size_t{points_} * kEndClasses);
     const Vec3i p = set.points[i].position;
     inside_[points_] = set.medial[i];
     inside_radius_[points_] = static_cast<int32_t>(length(p - set.medial[i]));

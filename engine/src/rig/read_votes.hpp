@@ -4,6 +4,7 @@
 #define SINEW_RIG_READ_VOTES_HPP
 
 #include "core/arena.hpp"
+#include "rig/body_kind.hpp"
 #include "rig/mirror_frame.hpp"
 #include "rig/rig_points.hpp"
 #include "rig/votes.hpp"
@@ -14,8 +15,8 @@ namespace sinew::rigging {
 class VoteStore {
  public:
   bool allocate(Arena& arena, uint32_t sets);
-  // Adds the votes of a set. rows: [kSetPoints x kRigOutputs], as rig_task.hpp says.
-  void add(const PointSet& set, const int16_t* rows, bool folded);
+  // Adds the votes of a set, with the classes of that kind of body. rows: [kSetPoints x kRigOutputs], as rig_task.hpp says.
+  void add(const PointSet& set, const int16_t* rows, bool folded, BodyKind kind = BodyKind::kAny);
   // All that was added.
   Votes votes(bool folded) const;
 

@@ -89,7 +89,7 @@ int16_t connection_of(const SlotJoints& joints, const SlotTree& tree, uint32_t a
   return joints.connection[i < j ? slot_pair(i, j) : slot_pair(j, i)];
 }
 
-void choose_slots(const SlotJoints& joints, SlotCategory category, const RigOptions& options, SlotTree* tree) {
+void choose_slots(const SlotJoints& joints, BodyKind category, const RigOptions& options, SlotTree* tree) {
   uint32_t likeliest = 0;
   for (uint32_t pass = 0; pass < 2; ++pass) {
     for (uint32_t i = 0; i < kSlots; ++i) {
@@ -218,7 +218,7 @@ void pair_rows(const SlotJoints& joints, int16_t* rows) {
   }
 }
 
-void join_slots(const SlotJoints& joints, SlotCategory category, const RigOptions& options, Rig* rig) {
+void join_slots(const SlotJoints& joints, BodyKind category, const RigOptions& options, Rig* rig) {
   SlotTree tree;
   choose_slots(joints, category, options, &tree);
   span_tree(joints, &tree);

@@ -15,7 +15,7 @@ namespace sinew::rigging {
 struct SlotsPlan {
   sinew_model joints, connections;  // the file's two networks
   NetworkOptions network;
-  SlotCategory category = SlotCategory::kAny;
+  BodyKind category = BodyKind::kAny;
 };
 
 // What both networks say of a mesh.
@@ -35,7 +35,7 @@ void pair_rows(const SlotJoints& joints, int16_t* rows);
 // Slots that more likely than not hold a joint, or the likeliest one; joined by the tree of the likeliest connections from the
 // pelvis, or the first slot there is; bone ends hang on the joint that they likeliest hang on. Parents come first. The spread is a
 // quarter of the scatter of slots that hold a joint.
-void join_slots(const SlotJoints& joints, SlotCategory category, const RigOptions& options, Rig* rig);
+void join_slots(const SlotJoints& joints, BodyKind category, const RigOptions& options, Rig* rig);
 
 // All of it for a mesh in its mirror frame. Scratch is taken from the arena and released. Returns SINEW_OK,
 // SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED.

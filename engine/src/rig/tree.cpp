@@ -107,7 +107,7 @@ SINEW_RARE sinew_status find_rig(const Votes& votes, const RigOptions& options, 
     joints[0] = {votes.mean, kClassPelvis, 0};
     count = 1;
   }
-  status = grow_tree(pool, joints, count, arena, tree);
+  status = grow_tree(pool, joints, count, options.kind, arena, tree);
   if (status != SINEW_OK || arena.measuring()) return status;
   unfold_tree(options, tree, rig);
   rig->spread = mean_spread(votes);

@@ -18,6 +18,7 @@ struct RigOptions {
       -1;            // joints between pelvis and neck or head, at most kMaxSpine (rig/wishes.hpp); -1: as the votes say
   bool toes = true;  // keep toe joints
   bool ends = true;  // keep bone ends
+  BodyKind kind = BodyKind::kAny;
 };
 
 struct Rig {

@@ -52,6 +52,7 @@ struct ResultViews {
   std::vector<sinew_limb_measure> before, after;
   std::vector<sinew_transfer_part> parts;
   std::vector<sinew_character_seam> seams;
+  std::vector<sinew_character_doubt> doubtful;
   std::string text;
 };
 

@@ -14,9 +14,10 @@ namespace {
 
 RigJobOptions job_of(const sinew_character_rig_options& options) {
   check_at_most("method", options.method, SINEW_CHARACTER_RIG_SLOTS);
-  check_at_most("category", options.category, SINEW_CATEGORY_FISH);
-  if (options.category != 0 && options.method != SINEW_CHARACTER_RIG_SLOTS)
-    throw Failure(SINEW_ERROR_ARGUMENT, "category: is for SINEW_CHARACTER_RIG_SLOTS");
+  check_at_most("category", options.category, SINEW_CATEGORY_MANY_LEGGED);
+  if (options.category != 0 &&
+      (options.method == SINEW_CHARACTER_RIG_SHAPE || options.method == SINEW_CHARACTER_RIG_REGIONS))
+    throw Failure(SINEW_ERROR_ARGUMENT, "category: steers what a model says, and this method has none");
   check_at_most("detail", options.detail, SINEW_CHARACTER_DETAIL_FULL);
   check_at_most("mirror", options.mirror, SINEW_MIRROR_NEVER);
   check_at_most("thread_count", options.thread_count, SINEW_MAX_THREADS);
@@ -96,6 +97,11 @@ void fill_result(const RiggedCharacter& rigged, ResultViews* views, sinew_charac
   filled.ends = views->ends.data();
   filled.confidence = views->confidence.data();
   filled.parent_confidence = views->parent_confidence.data();
+  for (const LimbDoubt& limb : rigged.doubtful) views->texts.push_back(limb.name);
+  for (size_t i = 0; i < rigged.doubtful.size(); ++i)
+    views->doubtful.push_back({views->texts[i].c_str(), rigged.doubtful[i].doubt, 0});
+  filled.doubtful = views->doubtful.data();
+  filled.doubtful_count = count32(views->doubtful.size());
   views->seams = seams_of(rigged.seams);
   filled.seams = views->seams.data();
   filled.seam_count = count32(views->seams.size());

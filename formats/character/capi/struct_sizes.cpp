@@ -19,6 +19,7 @@ constexpr StructSize kStructSizes[] = {
     {"sinew_character_bind_result", sizeof(sinew_character_bind_result)},
     {"sinew_skeleton_edit", sizeof(sinew_skeleton_edit)},
     {"sinew_character_rig_options", sizeof(sinew_character_rig_options)},
+    {"sinew_character_doubt", sizeof(sinew_character_doubt)},
     {"sinew_character_rig_result", sizeof(sinew_character_rig_result)},
     {"sinew_character_map_options", sizeof(sinew_character_map_options)},
     {"sinew_character_map_result", sizeof(sinew_character_map_result)},

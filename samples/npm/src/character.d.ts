@@ -42,8 +42,8 @@ export interface RigOptions {
   bind?: boolean;
   keepLengths?: boolean;
   influences?: number;
-  /** which slots a body may have, for method "slots" */
-  category?: "any" | "biped" | "quadruped" | "bird" | "fish";
+  /** what kind of body it is, where the model takes it for another: which limbs are arms, legs, wings */
+  category?: "any" | "biped" | "quadruped" | "bird" | "fish" | "snake" | "many-legged";
   /** a bundled skeleton that is put into the mesh: "mixamo", "vrm", "unreal", "rigify", ... */
   template?: string;
   /** the rest pose that the character is put into: arms out, or 45 degrees lower */
@@ -113,7 +113,10 @@ export class CharacterFile {
   bind(options?: BindOptions): {
     hash: string; seconds: number; symmetricVertices: number; keptMeshes: number; foldedTips: number; seams: number; leftOut: { joint: number; why: string }[];
   };
-  rig(options?: RigOptions): { mirrored: boolean; matched: number; spread: number; seconds: number };
+  /** doubtful: limbs that may be wrong, most doubtful first, and how likely they are */
+  rig(options?: RigOptions): {
+    mirrored: boolean; matched: number; spread: number; seconds: number; doubtful: { name: string; doubt: number }[];
+  };
   retarget(motion: CharacterFile, options?: RetargetOptions): {
     clipCount: number; mapped: number; rigged: boolean; shapeCount: number; certainty: number; mappedBy: string;
   };

@@ -14,7 +14,7 @@ const BIND = {
 };
 const RIG = {
   method: WORDS.characterRigMethod, detail: WORDS.characterDetail, mirror: WORDS.mirror, up: WORDS.up, front: WORDS.front, spine: "spine_count",
-  toes: "!no_toes", ends: "!no_ends", bind: "!no_bind", keepLengths: "keep_lengths", influences: "influence_count", category: WORDS.slotCategory, template: "skeleton",
+  toes: "!no_toes", ends: "!no_ends", bind: "!no_bind", keepLengths: "keep_lengths", influences: "influence_count", category: WORDS.category, template: "skeleton",
   toPose: "to_pose", gate: "gate", cut: "cut",
 };
 const RETARGET = {

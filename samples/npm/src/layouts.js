@@ -129,10 +129,11 @@ export const LAYOUTS = {
     "mirror@28:u32 up@32:u32 spine_count@36:u32 no_toes@40:u32 no_ends@44:u32 no_bind@48:u32 keep_lengths@52:u32 " +
     "influence_count@56:u32 rigid_parts@60:u32 softness_percent@64:u32 surface_vertices@68:u32 edit_count@72:u32 edits@76:u32 " +
     "skeleton@80:u32 skeleton_character@84:u32 category@88:u32 front@92:u32 gate@96:u32 cut@100:u32 to_pose@104:u32"),
-  characterRigResult: layout(96,
+  characterDoubt: layout(12, "name@0:u32 doubt@4:f32 reserved@8:u32"),
+  characterRigResult: layout(104,
     "struct_size@0:u32 mirrored@4:u32 matched@8:u32 joint_count@12:u32 spread@16:f32 reserved@20:f32 scale@24:f64 " +
     "seconds@32:f64 bind_seconds@40:f64 ends@48:u32 confidence@52:u32 parent_confidence@56:u32 front@60:f32x3 up@72:u32 " +
-    "front_confidence@76:f32 up_confidence@80:f32 seam_count@84:u32 seams@88:u32"),
+    "front_confidence@76:f32 up_confidence@80:f32 seam_count@84:u32 seams@88:u32 doubtful_count@92:u32 doubtful@96:u32"),
   characterMapOptions: layout(48,
     "struct_size@0:u32 method@4:u32 no_names@8:u32 no_ends@12:u32 target_up@16:u32 source_up@20:u32 guess_up@24:u32 " +
     "pin_count@28:u32 pins@32:u32 pins_file@36:u32 branches_first@40:u32 branches_cost@44:u32"),
@@ -229,6 +230,7 @@ export const WORDS = {
   mirror: ["auto", "always", "never"],
   front: ["auto", "plus-z", "minus-z", "plus-x", "minus-x", "plus-y", "minus-y"],
   rigMethod: ["votes", "shape", "regions", "slots"],
+  category: ["any", "biped", "quadruped", "bird", "fish", "snake", "many-legged"],
   jointRole: ["deforms", "root", "control", "slot", "end", "twist", "face", "finger", "helper"],
   follows: ["unknown", "some", "none"],
   naming: ["sinew", "mixamo", "vrm", "unreal", "rigify", "makehuman"],
@@ -236,7 +238,6 @@ export const WORDS = {
   transferReason: ["asked", "style", "mismatch", "plain", "near", "far", "no-match", "kept"],
   branchesFirst: ["both", "target", "source"],
   branchesCost: ["mean", "sum"],
-  slotCategory: ["any", "biped", "quadruped", "bird", "fish"],
   simplifyLevel: ["high", "low"],
   jointsFrom: ["auto", "own", "names", "all"],
   characterRigMethod: ["auto", "votes", "shape", "regions", "slots"],

@@ -15,6 +15,29 @@ using namespace rigging;
 
 constexpr double kLeastSideways = 0.7;  // share of the way from right to left that is horizontal
 constexpr uint32_t kLeastSided = 2;     // joints of each side
+constexpr double kLeastAlong = 0.75;    // share of the way from pelvis and tail to the head that is along the floor
+constexpr double kLeastTrunk = 0.15;    // of the longest side
+
+// Of a body that lies along the floor, a quadruped's or a fish's, the head is in front of pelvis and tail.
+std::array<double, 2> front_by_head(const RigSource& source, const RigSource::Placed& placed) {
+  std::array<double, 3> sums[2] = {};  // of heads, of what is behind
+  uint32_t counts[2] = {0, 0};
+  for (size_t j = 0; j < placed.joints.size(); ++j) {
+    const uint8_t c = source.target().joints[j].joint_class;
+    const bool head = c == kClassHead, behind = c == kClassPelvis || c == kClassTail;
+    if (!head && !behind) continue;
+    for (size_t axis = 0; axis < 3; ++axis) sums[head ? 0 : 1][axis] += placed.joints[j][axis];
+    ++counts[head ? 0 : 1];
+  }
+  if (counts[0] == 0 || counts[1] == 0)
+    throw Error(source.name() + ": neither its joints' names nor a head and a pelvis tell its front");
+  std::array<double, 3> along{};
+  for (size_t axis = 0; axis < 3; ++axis) along[axis] = sums[0][axis] / counts[0] - sums[1][axis] / counts[1];
+  const double size = std::hypot(along[0], along[1], along[2]);
+  if (std::fabs(along[2]) < kLeastAlong * size || size < kLeastTrunk)
+    throw Error(source.name() + ": its joints' names do not tell left from right, and it does not lie along the floor");
+  return {0, along[2] > 0 ? 1.0 : -1.0};  // in its mirror frame
+}
 
 // A direction of the floor's plane from the mean of the right joints to that of the left ones, turned to the front.
 std::array<double, 2> front_of(const RigSource& source) {
@@ -28,8 +51,7 @@ std::array<double, 2> front_of(const RigSource& source) {
     for (size_t axis = 0; axis < 3; ++axis) sums[side > 0 ? 0 : 1][axis] += placed.joints[j][axis];
     ++counts[side > 0 ? 0 : 1];
   }
-  if (counts[0] < kLeastSided || counts[1] < kLeastSided)
-    throw Error(source.name() + ": its joints' names do not tell left from right");
+  if (counts[0] < kLeastSided || counts[1] < kLeastSided) return front_by_head(source, placed);
   std::array<double, 3> left{};
   double squared = 0;
   for (size_t axis = 0; axis < 3; ++axis) {
@@ -100,13 +122,13 @@ FrontSample FrontSource::sample(const std::vector<SurfacePoint>& points, uint32_
   return s;
 }
 
-std::vector<FrontSample> FrontSource::make(uint64_t seed, double strength) const {
-  const RigSource::Placed placed = source_.make_mesh(mix_seeds(seed, 1), {.strength = strength});
+std::vector<FrontSample> FrontSource::make(uint64_t seed, const RigVariant& variant, uint32_t upright) const {
+  const RigSource::Placed placed = source_.make_mesh(mix_seeds(seed, 1), variant);
   Random random(mix_seeds(seed, 2));
   const uint32_t first = random.below(kFrontFrames), turn = 1 + random.below(kFrontFrames - 1);
   std::vector<FrontSample> samples;
-  samples.push_back(sample(points_of(placed, random.next()), first, true));
-  samples.push_back(sample(points_of(placed, random.next()), (first + turn) % kFrontFrames, true));
+  for (uint32_t i = 0; i < upright; ++i)
+    samples.push_back(sample(points_of(placed, random.next()), (first + i * turn) % kFrontFrames, true));
   std::vector<SurfacePoint> points = points_of(placed, random.next());
   tilt(&random, &points);
   samples.push_back(sample(points, random.below(kFrontFrames), false));

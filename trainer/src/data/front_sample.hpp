@@ -24,8 +24,8 @@ class FrontSource {
   // Throws Error as RigSource does, and for a skeleton whose names do not tell left from right, or not where the front is.
   explicit FrontSource(const Character& character);
 
-  // Of one pose and stretch (RigSource): two upright samples in different frames, and one that is not upright.
-  std::vector<FrontSample> make(uint64_t seed, double strength) const;
+  // Of one copy (RigSource): `upright` samples, frames in turn, and one that is not upright, each of points of its own.
+  std::vector<FrontSample> make(uint64_t seed, const RigVariant& variant, uint32_t upright = 2) const;
   // As it is, upright, in the first frame.
   FrontSample original(uint64_t seed) const;
 

@@ -93,14 +93,17 @@ Samples hand_samples_of(const Character& character, uint32_t variants, uint64_t 
   return samples;
 }
 
-// The character itself is first, upright; its variants come with their tilted meshes.
-Samples front_samples_of(const Character& character, uint32_t variants, uint64_t seed) {
+// The character itself is first, upright; its variants come with their tilted meshes. A variant in eight keeps its pose.
+Samples front_samples_of(const Character& character, const RigTrainConfig& config, uint32_t variants, uint64_t seed) {
+  constexpr uint32_t kUpright = 4;  // of each copy: another look at it costs less than another copy
   const FrontSource source(character);
   Samples samples;
   samples.push_back(std::make_unique<FrontSample>(source.original(mix_seeds(seed, 0))));
   for (uint32_t v = 0; v < variants; ++v) {
-    const double strength = v % 4 == 0 ? 0 : v % 4 == 1 ? 0.5 : 1.0;
-    for (FrontSample& sample : source.make(mix_seeds(seed, 1 + v), strength))
+    const uint64_t own = mix_seeds(seed, 1 + v);
+    RigVariant variant = draw_variant(config, own, v % 4 == 0 ? 0.5 : 1.0);
+    if (v % 8 == 1) variant.strength = 0;
+    for (FrontSample& sample : source.make(own, variant, kUpright))
       samples.push_back(std::make_unique<FrontSample>(std::move(sample)));
   }
   return samples;
@@ -108,7 +111,7 @@ Samples front_samples_of(const Character& character, uint32_t variants, uint64_t
 
 Samples samples_of(const Character& character, const RigTrainConfig& config, uint32_t variants, uint64_t seed) {
   if (is_hands(config)) return hand_samples_of(character, variants, seed);
-  if (config.architecture == "front") return front_samples_of(character, variants, seed);
+  if (config.architecture == "front") return front_samples_of(character, config, variants, seed);
   if (config.architecture == "slots") {
     const RigSource source(character);
     return samples_of(variants, seed,

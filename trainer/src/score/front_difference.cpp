@@ -19,7 +19,7 @@ namespace {
 std::vector<FrontSample> some_samples(const std::string& folder, size_t limit) {
   std::vector<FrontSample> samples;
   each_of_some_characters(folder, limit, [&](const Character& character, size_t i) {
-    for (FrontSample& sample : FrontSource(character).make(i, 1)) samples.push_back(std::move(sample));
+    for (FrontSample& sample : FrontSource(character).make(i, {.strength = 1})) samples.push_back(std::move(sample));
     return true;
   });
   return samples;

@@ -365,7 +365,7 @@ typedef struct sinew_character_rig_options {
   const sinew_skeleton_edit* edits;          /* [edit_count] */
   const char* skeleton;                      /* a file, or template:NAME, that is put into the mesh; or null */
   const sinew_character* skeleton_character; /* the same of a character; or null */
-  uint32_t category;                         /* sinew_slot_category of SINEW_CHARACTER_RIG_SLOTS */
+  uint32_t category;                         /* sinew_category: what kind of body it is; 0 = as the model says */
   uint32_t front;                            /* sinew_front; 0 = found */
   uint32_t gate; /* 1: the result is measured; what fails is a note that begins with "gate: " */
   uint32_t cut;  /* 1: what has grown together is opened, as of a bind; to_pose does so, too */
@@ -379,6 +379,13 @@ static inline sinew_character_rig_options sinew_character_rig_options_init(void)
   options.struct_size = sizeof options;
   return options;
 }
+
+/* A limb that may be wrong. */
+typedef struct sinew_character_doubt {
+  const char* name; /* of the joint that the limb is called by: LeftArm, RightUpLeg, Tail */
+  float doubt;      /* how likely the limb is wrong, 0..1 */
+  uint32_t reserved;
+} sinew_character_doubt;
 
 typedef struct sinew_character_rig_result {
   uint32_t struct_size; /* sizeof(sinew_character_rig_result) */
@@ -398,6 +405,8 @@ typedef struct sinew_character_rig_result {
   float up_confidence;
   uint32_t seam_count;
   const sinew_character_seam* seams; /* [seam_count] longest first */
+  uint32_t doubtful_count;
+  const sinew_character_doubt* doubtful; /* [doubtful_count] most doubtful first; of votes */
 } sinew_character_rig_result;
 
 static inline sinew_character_rig_result sinew_character_rig_result_init(void) {

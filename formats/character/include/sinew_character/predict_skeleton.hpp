@@ -17,7 +17,7 @@ namespace sinew {
 struct SkeletonOptions {
   uint32_t method = SINEW_RIG_VOTES;         // sinew_rig_method
   const sinew_model* model = nullptr;        // of sinew_rig_model_open(); not needed for SINEW_RIG_SHAPE
-  uint32_t category = 0;                     // of SINEW_RIG_SLOTS
+  uint32_t category = 0;                     // sinew_category, of SINEW_RIG_VOTES and SINEW_RIG_SLOTS
   uint32_t up_axis = 0;                      // where up is not found
   const sinew_model* front_model = nullptr;  // finds the front; null: by the votes
   bool find_up = false;                      // with front_model: y or z

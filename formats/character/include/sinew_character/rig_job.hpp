@@ -10,6 +10,7 @@
 
 #include "sinew_character/edit_skeleton.hpp"
 #include "sinew_character/fit_skeleton.hpp"
+#include "sinew_character/limb_doubts.hpp"
 #include "sinew_character/predict_details.hpp"
 #include "sinew_character/predict_skeleton.hpp"
 #include "sinew_character/rig_gate.hpp"
@@ -35,7 +36,7 @@ struct RigJobOptions {
   uint32_t mirror = SINEW_MIRROR_AUTO, spine_count = 0;
   UpChoice up = UpChoice::kFound;
   uint32_t front = SINEW_FRONT_AUTO;
-  uint32_t category = 0;  // SINEW_CATEGORY_*, of slots
+  uint32_t category = 0;  // sinew_category; not with kShape and kRegions
   bool toes = true, ends = true, bind = true, keep_lengths = false;
   std::string
       to_pose;  // the rest pose of what is written: "t", "a" or a file that stands so; empty: as the mesh stands. Needs `bind`
@@ -60,6 +61,7 @@ struct RiggedCharacter {
   Character character;
   PredictedSkeleton skeleton;
   std::optional<FittedSkeleton> fitted;  // with RigJobOptions::skeleton
+  std::vector<LimbDoubt> doubtful;       // of votes: limbs that may be wrong, in joints of `skeleton`
   Seams seams;                           // with RigJobOptions::bind
   GateFigures gate_figures;              // with RigJobOptions::gate
   std::vector<std::string> gate;         // the same: what fails, a line each, told in the notes as well

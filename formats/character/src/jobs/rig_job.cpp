@@ -58,7 +58,7 @@ PredictedSkeleton predict(const RigJobOptions& job, const RigModels& models, Cha
   PredictedSkeleton skeleton = predict_skeleton(*character, options);
   const float spread = skeleton.spread;
   const std::optional<float> usable = skeleton.usable;
-  if (job.method == RigMethod::kAuto && spread > kUnknownSpread) {
+  if (job.method == RigMethod::kAuto && job.category == SINEW_CATEGORY_ANY && spread > kUnknownSpread) {
     options.method = SINEW_RIG_SHAPE;
     skeleton = predict_skeleton(*character, options);
     skeleton.spread = spread;
@@ -140,6 +140,12 @@ void put_into_pose(const RestPose& pose, RiggedCharacter* rigged) {
   if (rigged->fitted) rigged->fitted->joints = rigged->character.joints;
 }
 
+// Of votes: limbs that may be wrong, by name.
+void say_doubts(RiggedCharacter* rigged) {
+  rigged->doubtful = doubtful_limbs(rigged->skeleton);
+  if (!rigged->doubtful.empty()) rigged->character.notes.push_back(doubts_text(rigged->doubtful));
+}
+
 void measure_gate(const RigJobOptions& job, RiggedCharacter* rigged) {
   rigged->gate_figures = gate_figures(rigged->character, rigged->skeleton);
   rigged->gate = gate_failures(rigged->gate_figures, job.bind);
@@ -164,6 +170,7 @@ RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool 
   if (job.detail != SkeletonDetail::kBody) found = add_details(job, *models.hands, &rigged);
   if (!job.skeleton.empty()) put_own(job, found, &rigged);
   edit_skeleton(job.edits, job.mirror != SINEW_MIRROR_NEVER, &rigged.skeleton);
+  if (rigged.skeleton.usable) say_doubts(&rigged);
   if (!character.joints.empty())
     character.notes.push_back("the file's own skeleton of " + std::to_string(character.joints.size()) +
                               " joints was left out; sinew bind keeps it");

@@ -30,6 +30,7 @@ struct RenderOptions {
   float yaw_degrees = 25.0f, pitch_degrees = 10.0f;  // camera turn about Y (front = +Z) and tilt down
   bool draw_skeleton = true;
   bool up_z = false;
+  std::vector<uint8_t> red_joints;  // [J] 1: it and the bone to its parent are red; empty: none
   std::vector<RenderMark> marks;
   Vec3 focus;              // with focus_radius > 0: the middle of the picture instead of the whole mesh,
   float focus_radius = 0;  //   and how far it shows around it, in the mesh's units

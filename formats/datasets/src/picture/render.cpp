@@ -304,7 +304,7 @@ void draw_capsule(const ScreenPoint& a, const ScreenPoint& b, float radius, cons
 
 // Bones as light lines with a dark rim, joints as discs in their colours. Discs shrink where joints are dense
 // (fingers).
-void draw_skeleton(const Character& c, const Camera& camera, Canvas* canvas) {
+void draw_skeleton(const Character& c, const std::vector<uint8_t>& red_joints, const Camera& camera, Canvas* canvas) {
   std::vector<ScreenPoint> points;
   for (const Joint& joint : c.joints) points.push_back(camera(joint.position));
   const auto parent_of = [&](size_t j) {
@@ -317,7 +317,8 @@ void draw_skeleton(const Character& c, const Camera& camera, Canvas* canvas) {
   const float size = static_cast<float>(std::min(canvas->width, canvas->height));
   // Lower bounds keep thin lines whole in small pictures.
   const float rim = std::max(size / 700, 1.5f), line = std::max(size / 600, 1.8f);
-  const Linear dark = to_linear({28, 30, 36}), bright = to_linear({250, 250, 250});
+  const Linear dark = to_linear({28, 30, 36}), bright = to_linear({250, 250, 250}), red = to_linear({225, 20, 20});
+  const auto is_red = [&](size_t j) { return j < red_joints.size() && red_joints[j] != 0; };
 
   std::vector<float> radius(points.size(), size / 90);
   for (size_t j = 0; j < points.size(); ++j) {
@@ -331,14 +332,18 @@ void draw_skeleton(const Character& c, const Camera& camera, Canvas* canvas) {
       const size_t parent = parent_of(j);
       if (parent == j || !visible(j) || !visible(parent)) continue;
       const float width = std::min(line, 0.8f * std::min(radius[j], radius[parent]));
-      draw_capsule(points[parent], points[j], outline ? width + rim : width, outline ? dark : bright, 0.9f, canvas);
+      draw_capsule(points[parent], points[j], outline ? width + rim : width,
+                   outline     ? dark
+                   : is_red(j) ? red
+                               : bright,
+                   0.9f, canvas);
     }
   }
   for (size_t j = 0; j < points.size(); ++j) {
     if (!visible(j)) continue;
     draw_capsule(points[j], points[j], radius[j] + rim, dark, 1, canvas);
     draw_capsule(points[j], points[j], radius[j], bright, 1, canvas);
-    draw_capsule(points[j], points[j], 0.78f * radius[j], to_linear(joint_colour(j)), 1, canvas);
+    draw_capsule(points[j], points[j], 0.78f * radius[j], is_red(j) ? red : to_linear(joint_colour(j)), 1, canvas);
   }
 }
 
@@ -410,7 +415,7 @@ Image render(const Character& character, const std::vector<std::array<uint8_t, 3
   const Camera camera(character.vertices, options, canvas.width, canvas.height);
   draw_faces(character, vertex_colours, camera, &canvas);
   darken_occluded(camera, &canvas);
-  if (options.draw_skeleton) draw_skeleton(character, camera, &canvas);
+  if (options.draw_skeleton) draw_skeleton(character, options.red_joints, camera, &canvas);
   draw_marks(options.marks, camera, &canvas);
   return average(canvas);
 }

@@ -220,6 +220,9 @@ EMSCRIPTEN_KEEPALIVE const char* character_rig(sinew_character* character, const
         said["matched"] = result.matched;
         said["spread"] = static_cast<double>(result.spread);
         said["seconds"] = result.seconds;
+        said["doubtful"] = Json::array();
+        for (uint32_t i = 0; i < result.doubtful_count; ++i)
+          said["doubtful"].push_back({{"name", result.doubtful[i].name}, {"doubt", result.doubtful[i].doubt}});
         return status;
       });
 }

@@ -83,6 +83,8 @@ Front = Literal["auto", "plus-z", "minus-z", "plus-x", "minus-x", "plus-y", "min
 FRONT: Tuple[str, ...] = ("auto", "plus-z", "minus-z", "plus-x", "minus-x", "plus-y", "minus-y")
 RigMethod = Literal["votes", "shape", "regions", "slots"]
 RIG_METHOD: Tuple[str, ...] = ("votes", "shape", "regions", "slots")
+Category = Literal["any", "biped", "quadruped", "bird", "fish", "snake", "many-legged"]
+CATEGORY: Tuple[str, ...] = ("any", "biped", "quadruped", "bird", "fish", "snake", "many-legged")
 RIG_DETAIL: Dict[str, int] = {"DETAIL_HANDS": 1, "DETAIL_FACE": 2, "DETAIL_PROPS": 4}
 JointRole = Literal["deforms", "root", "control", "slot", "end", "twist", "face", "finger", "helper"]
 JOINT_ROLE: Tuple[str, ...] = ("deforms", "root", "control", "slot", "end", "twist", "face", "finger", "helper")
@@ -98,8 +100,6 @@ BranchesFirst = Literal["both", "target", "source"]
 BRANCHES_FIRST: Tuple[str, ...] = ("both", "target", "source")
 BranchesCost = Literal["mean", "sum"]
 BRANCHES_COST: Tuple[str, ...] = ("mean", "sum")
-SlotCategory = Literal["any", "biped", "quadruped", "bird", "fish"]
-SLOT_CATEGORY: Tuple[str, ...] = ("any", "biped", "quadruped", "bird", "fish")
 SimplifyLevel = Literal["high", "low"]
 SIMPLIFY_LEVEL: Tuple[str, ...] = ("high", "low")
 FILE_USE: Dict[str, int] = {"READ_MESH": 1, "READ_SKELETON": 2, "READ_MOTION": 4, "READ_WHOLE": 8, "WRITE_CHARACTER": 16,
@@ -360,11 +360,16 @@ class sinew_character_rig_options(Structure):
         ("category", c_uint32), ("front", c_uint32), ("gate", c_uint32), ("cut", c_uint32), ("to_pose", c_char_p)]
 
 
+class sinew_character_doubt(Structure):
+    _fields_ = [("name", c_char_p), ("doubt", c_float), ("reserved", c_uint32)]
+
+
 class sinew_character_rig_result(Structure):
     _fields_ = [("struct_size", c_uint32), ("mirrored", c_uint32), ("matched", c_uint32), ("joint_count", c_uint32), ("spread", c_float),
         ("reserved", c_float), ("scale", c_double), ("seconds", c_double), ("bind_seconds", c_double), ("ends", c_void_p),
         ("confidence", c_void_p), ("parent_confidence", c_void_p), ("front", c_float * 3), ("up", c_uint32), ("front_confidence", c_float),
-        ("up_confidence", c_float), ("seam_count", c_uint32), ("seams", POINTER(sinew_character_seam))]
+        ("up_confidence", c_float), ("seam_count", c_uint32), ("seams", POINTER(sinew_character_seam)), ("doubtful_count", c_uint32),
+        ("doubtful", POINTER(sinew_character_doubt))]
 
 
 class sinew_character_map_options(Structure):
@@ -443,9 +448,9 @@ STRUCTS: Tuple[Any, ...] = (sinew_mesh, sinew_model, sinew_answer, sinew_alterna
 
 CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_arrays, sinew_character_clip, sinew_character_models,
     sinew_character_bind_options, sinew_character_seam, sinew_character_bind_result, sinew_skeleton_edit, sinew_character_rig_options,
-    sinew_character_rig_result, sinew_character_map_options, sinew_character_map_result, sinew_character_animate_options,
-    sinew_character_animate_result, sinew_character_pose_options, sinew_character_transfer_options, sinew_character_transfer_result,
-    sinew_character_simplify_options, sinew_character_bake_options, sinew_character_bake_result)
+    sinew_character_doubt, sinew_character_rig_result, sinew_character_map_options, sinew_character_map_result,
+    sinew_character_animate_options, sinew_character_animate_result, sinew_character_pose_options, sinew_character_transfer_options,
+    sinew_character_transfer_result, sinew_character_simplify_options, sinew_character_bake_options, sinew_character_bake_result)
 
 
 # Result and arguments.

@@ -47,7 +47,8 @@ class Bound:
 @dataclass
 class Rigged:
     """What rig() made. ends, confidence, parent_confidence: a value a joint; spread: how far off the votes think they are;
-    front, up and how sure they are: as sinew.Rig has them."""
+    front, up and how sure they are: as sinew.Rig has them; doubtful: limbs that may be wrong, most doubtful first, with how
+    likely they are."""
 
     mirrored: bool
     matched: int
@@ -60,6 +61,7 @@ class Rigged:
     up: str = "y"
     front_certainty: float = 0.0
     up_certainty: float = 0.0
+    doubtful: Tuple[Tuple[str, float], ...] = ()
 
 
 @dataclass
@@ -389,7 +391,7 @@ class OpenCharacter:
             ends: bool = True, bind: bool = True,
             skeleton: Union[None, str, os.PathLike, "OpenCharacter"] = None, keep_lengths: bool = False,
             edits: Sequence[Tuple[declarations.EditKind, str]] = (), to_pose: Union[None, str, os.PathLike] = None,
-            gate: bool = False, cut: bool = False, influences: int = 0, category: declarations.SlotCategory = "any", model: ModelFile = None,
+            gate: bool = False, cut: bool = False, influences: int = 0, category: declarations.Category = "any", model: ModelFile = None,
             hands_model: ModelFile = None, front_model: ModelFile = None, threads: int = 1,
             progress: ProgressFunction = None) -> Rigged:
         """A skeleton for the mesh, and weights for it. A skeleton that the character has is left out.
@@ -401,7 +403,7 @@ class OpenCharacter:
         to_pose   "t", "a" or a file whose skeleton stands so: the rest pose that the character is put into
         gate      measure the result: what fails is a note that begins with "gate: "
         cut       what has grown together is opened: vertices along it are doubled; to_pose does so, too
-        category  of method "slots": which slots a body may have
+        category  what kind of body it is, where the model takes it for another: which limbs are arms, legs, wings
         Other arguments are those of sinew.rig().
         """
         options = binding.init(declarations.sinew_character_rig_options)
@@ -412,7 +414,7 @@ class OpenCharacter:
         options.no_toes, options.no_ends, options.no_bind = int(not toes), int(not ends), int(not bind)
         options.keep_lengths, options.influence_count, options.gate = int(keep_lengths), influences, int(gate)
         options.cut = int(cut)
-        options.category = chosen(category, declarations.SLOT_CATEGORY, "category")
+        options.category = chosen(category, declarations.CATEGORY, "category")
         if to_pose is not None:
             options.to_pose = os.fsencode(to_pose)
         listed = (declarations.sinew_skeleton_edit * len(edits))()
@@ -431,7 +433,8 @@ class OpenCharacter:
                       _array(result.ends, np.uint8, count).astype(bool) if result.ends else np.zeros(count, bool),
                       *(_array(a, np.float32, count) if a else np.zeros(count, np.float32) for a in (result.confidence, result.parent_confidence)),
                       front=tuple(result.front), up=declarations.UP[result.up], front_certainty=result.front_confidence,
-                      up_certainty=result.up_confidence)
+                      up_certainty=result.up_confidence,
+                      doubtful=tuple((one.name.decode(), one.doubt) for one in result.doubtful[:result.doubtful_count]))
 
     def map(self, source: Union[str, os.PathLike, "OpenCharacter"], *, method: declarations.MapMethod = "auto", names: bool = True,
             ends: bool = True, first: declarations.BranchesFirst = "both", cost: declarations.BranchesCost = "mean",

@@ -202,5 +202,52 @@ TEST(Limbs, WhichClassesAreWhichLimb) {
   EXPECT_FALSE(leaves_limb(kClassForearm, kClassFoot)) << "spiders' legs are of both kinds";
 }
 
+// A trunk along z with two pairs of limbs that both vote for legs, as of a dog that is taken for something else.
+std::vector<KnownJoint> four_legs() {
+  return {{0, .5, 0, kClassPelvis, -1},  {0, .5, .4, kClassSpine, 0},   {.08, .45, .4, kClassThigh, 1},
+          {.08, .25, .4, kClassCalf, 2}, {.08, .05, .4, kClassFoot, 3}, {.08, .45, 0, kClassThigh, 0},
+          {.08, .25, 0, kClassCalf, 5},  {.08, .05, 0, kClassFoot, 6}};
+}
+
+TEST(Limbs, TheFrontPairOfAQuadrupedAreArms) {
+  RigOptions options;
+  const FoundRig taken(votes_for(four_legs(), 60, 0.003, 1), options);
+  EXPECT_EQ(taken.count_of(kClassFoot), 4u);
+  options.kind = BodyKind::kQuadruped;
+  for (const bool folded : {true, false}) {
+    VoteScene scene = votes_for(four_legs(), 60, 0.003, 1);
+    scene.folded = folded;
+    const FoundRig found(scene, options);
+    EXPECT_EQ(found.count_of(kClassFoot), 2u);
+    EXPECT_EQ(found.count_of(kClassHand), 2u);
+    EXPECT_EQ(found.count_of(kClassUpperArm), 2u);
+    for (const RigJoint& joint : found.joints) EXPECT_TRUE(joint.joint_class != kClassHand || joint.position.z > 0);
+  }
+}
+
+TEST(Limbs, TheLowestPairOfABipedAreLegs) {
+  std::vector<KnownJoint> joints = {{0, .5, 0, kClassPelvis, -1},    {0, .8, 0, kClassSpine, 0},
+                                    {.1, .8, 0, kClassThigh, 1},     {.25, .75, 0, kClassCalf, 2},
+                                    {.4, .7, 0, kClassFoot, 3},      {.08, .45, 0, kClassUpperArm, 0},
+                                    {.08, .25, 0, kClassForearm, 5}, {.08, .05, 0, kClassHand, 6}};
+  RigOptions options;
+  options.kind = BodyKind::kBiped;
+  const FoundRig found(votes_for(joints, 60, 0.003, 1), options);
+  for (const RigJoint& joint : found.joints) {
+    EXPECT_TRUE(joint.joint_class != kClassHand || joint.position.y > side_share(6000));
+    EXPECT_TRUE(joint.joint_class != kClassFoot || joint.position.y < side_share(1000));
+  }
+  EXPECT_EQ(found.count_of(kClassHand), 2u);
+  EXPECT_EQ(found.count_of(kClassFoot), 2u);
+}
+
+TEST(Limbs, OnePairAloneIsWhatItsVotesSay) {
+  std::vector<KnownJoint> joints = four_legs();
+  joints.resize(5);
+  RigOptions options;
+  options.kind = BodyKind::kQuadruped;
+  EXPECT_EQ(FoundRig(votes_for(joints, 60, 0.003, 1), options).count_of(kClassFoot), 2u);
+}
+
 }  // namespace
 }  // namespace sinew::rigging

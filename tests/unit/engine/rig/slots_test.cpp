@@ -87,7 +87,7 @@ struct Body {
   void connect(uint32_t a, uint32_t b, int16_t logit) {
     joints->connection[slot_pair(std::min(a, b), std::max(a, b))] = logit;
   }
-  void join(SlotCategory category = SlotCategory::kAny, const RigOptions& options = {}) {
+  void join(BodyKind category = BodyKind::kAny, const RigOptions& options = {}) {
     join_slots(*joints, category, options, &rig);
   }
 };
@@ -125,9 +125,9 @@ TEST(Slots, OptionsAndCategoriesTakeSlotsAway) {
   Body body;
   RigOptions options;
   options.ends = false;
-  body.join(SlotCategory::kAny, options);
+  body.join(BodyKind::kAny, options);
   EXPECT_EQ(body.rig.count, 3u);
-  body.join(SlotCategory::kFish);
+  body.join(BodyKind::kFish);
   EXPECT_EQ(body.rig.count, 3u) << "a fish has no thigh";
   for (int32_t& p : body.joints->presence) p = -3000;
   body.joints->presence[body.thigh] = -100;

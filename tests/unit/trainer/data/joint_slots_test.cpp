@@ -91,15 +91,15 @@ TEST(JointSlots, ALongChainIsThinnedAtEqualSteps) {
 }
 
 TEST(JointSlots, CategoriesSayWhatABodyHas) {
-  const auto count = [](SlotCategory category) {
+  const auto count = [](BodyKind category) {
     return std::count_if(joint_slots(), joint_slots() + kSlots,
                          [&](const JointSlot& slot) { return in_category(slot, category); });
   };
-  EXPECT_EQ(count(SlotCategory::kAny), kSlots);
-  EXPECT_EQ(count(SlotCategory::kBiped), 9 + 2 * 11);
-  EXPECT_EQ(count(SlotCategory::kQuadruped), 9 + 5 + 2 * 12);
-  EXPECT_EQ(count(SlotCategory::kBird), 9 + 5 + 2 * 9);
-  EXPECT_EQ(count(SlotCategory::kFish), 9 + 5 + 2 * 3);
+  EXPECT_EQ(count(BodyKind::kAny), kSlots);
+  EXPECT_EQ(count(BodyKind::kBiped), 9 + 2 * 11);
+  EXPECT_EQ(count(BodyKind::kQuadruped), 9 + 5 + 2 * 12);
+  EXPECT_EQ(count(BodyKind::kBird), 9 + 5 + 2 * 9);
+  EXPECT_EQ(count(BodyKind::kFish), 9 + 5 + 2 * 3);
 }
 
 }  // namespace
