@@ -26,6 +26,7 @@ set(sinew_character_sources
   map/map_file
   map/map_levels
   map/map_skeleton
+  map/map_source
   map/motion_map
   motion/common_body
   motion/motion_file

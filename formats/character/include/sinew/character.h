@@ -427,6 +427,8 @@ typedef struct sinew_character_map_options {
   const char* pins_file;     /* a map whose lines are kept; or null */
   uint32_t branches_first;   /* sinew_branches_first, of SINEW_MAP_BRANCHES */
   uint32_t branches_cost;    /* sinew_branches_cost, of SINEW_MAP_BRANCHES */
+  const char* layout;        /* of the source, as in sinew_character_animate_options */
+  const char* actor;         /* of the source, as in sinew_character_animate_options */
 } sinew_character_map_options;
 
 static inline sinew_character_map_options sinew_character_map_options_init(void) {
@@ -442,7 +444,7 @@ typedef struct sinew_character_map_result {
   uint32_t joint_count; /* J of the target */
   uint32_t mapped;      /* of them with a source */
   float certainty;      /* 0..1, of front, sides and trunk */
-  float reserved;       /* 0 */
+  float cover;          /* 0..1, how much of both bodies it reaches; below 0.5 sinew_character_animate() refuses it */
   double seconds;
   const int32_t* sources;  /* [J] joint of the source, -1 = none */
   const float* confidence; /* [J] 0..1 */
@@ -457,7 +459,9 @@ static inline sinew_character_map_result sinew_character_map_result_init(void) {
   return result;
 }
 
-/* Which joint of the source stands for which of the target. Changes neither; the result's arrays are the target's. */
+/* Which joint of the source stands for which of the target. Changes neither; the result's arrays are the target's. The source is read as
+ * sinew_character_animate() reads it as a motion: in a stance that is guessed where its rest pose is none. A joint of its motion that it
+ * has beside its own (an animated node without skin) is counted behind them. */
 SINEW_API sinew_status sinew_character_map(sinew_character* target, const sinew_character* source,
                                            const sinew_character_map_options* options,
                                            sinew_character_map_result* result);

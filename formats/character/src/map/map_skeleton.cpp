@@ -14,8 +14,8 @@
 #include "sinew/sinew.hpp"
 #include "sinew_character/bind.hpp"
 #include "sinew_character/builtin_motion.hpp"
+#include "sinew_character/map_source.hpp"
 #include "sinew_character/skeleton_template.hpp"
-#include "sinew_character/stance.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -60,10 +60,7 @@ std::vector<uint8_t> animated_joints(const Motion& motion) {
   return animated;
 }
 
-MapRig rig_in_stance(const Motion& motion) {
-  const std::optional<Motion> standing = standing_motion(motion);
-  return map_rig_of(standing ? *standing : motion);
-}
+MapRig rig_in_stance(const Motion& motion) { return map_source_of(motion, nullptr, {}, "auto").rig; }
 
 // Of a file with a mesh, or with moving nodes alone.
 MapRig rig_of_scene(const std::string& path) {
