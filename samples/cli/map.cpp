@@ -31,7 +31,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kNoEnds = "none";  // of --ends, in place of a file
 
 struct Settings {
-  std::string target, source, preset, output = "-", method = "auto", cost = "mean", first = "both", up = "y",
+  std::string target, source, preset, output = "-", method = "auto", cost = "mean", first = "both", up = "auto",
                                       source_up, pins_file, ends_file, png, level, layout, actor;
   std::vector<std::string> pins;
   bool no_names = false, json = false;
@@ -251,7 +251,7 @@ void add_inputs(CLI::App* sub, Settings* s) {
          "Joints that only end bones, for files without weights. A file of lines JOINT, or RIG and JOINT with a "
          "tab; none: do not read from the skin weights which they are")
       ->type_name("FILE|none");
-  shared_option(sub, "--up", s->up, "auto finds out")
+  shared_option(sub, "--up", s->up, "auto: along the legs of a body with two, else y")
       ->check(CLI::IsMember({"x", "y", "z", "auto"}))
       ->capture_default_str();
   shared_option(sub, "--from-up", s->source_up, "The source; as --up unless given")

@@ -28,7 +28,7 @@ MapRig rig_of_handle(const sinew_character& from) {
 }
 
 MapSourceRequest request_of(const std::string& path, const sinew_character_map_options& options) {
-  const char target_up = options.guess_up != 0 ? 'a' : up_of(options.target_up, 'y');
+  const char target_up = options.guess_up != 0 ? 'a' : up_of(options.target_up, 'a');
   const char source_up = up_of(options.source_up, target_up);
   return {path, text_or_empty(options.layout), text_or_empty(options.actor), std::string(1, source_up),
           std::string(1, target_up)};

@@ -419,9 +419,9 @@ typedef struct sinew_character_map_options {
   uint32_t struct_size;       /* sizeof(sinew_character_map_options) */
   uint32_t method;            /* sinew_map_method */
   uint32_t no_names, no_ends; /* 1: not read */
-  uint32_t target_up;         /* sinew_up; 0 = Y */
+  uint32_t target_up;         /* sinew_up; 0 = along the legs of a body that has two, else Y */
   uint32_t source_up;         /* sinew_up; 0 = as the target's, Y for a template */
-  uint32_t guess_up;          /* 1: which way is up is found out for both */
+  uint32_t guess_up;          /* 1: as with target_up 0, whatever it is */
   uint32_t pin_count;
   const sinew_map_pin* pins; /* [pin_count] pairs that are kept; or null */
   const char* pins_file;     /* a map whose lines are kept; or null */

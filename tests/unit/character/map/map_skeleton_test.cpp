@@ -48,5 +48,47 @@ TEST(MapRig, AMotionIsSeenInItsStance) {
   }
 }
 
+// A fish along z: a head, a tail of three joints, two fins whose tips lie where they are said to.
+MapRig fish(const Vec3& tip) {
+  MapRig rig;
+  rig.joints = {{"a", {0, 0, 0}, -1},
+                {"b", {0, 0, 0.6f}, 0},
+                {"c", {0, 0, 1}, 1},
+                {"d", {0, 0, -0.5f}, 0},
+                {"e", {0, 0, -1}, 3},
+                {"f", {0, 0, -1.4f}, 4},
+                {"g", {0.2f, -0.1f, 0.3f}, 0},
+                {"h", {tip.x, tip.y, tip.z}, 6},
+                {"i", {-0.2f, -0.1f, 0.3f}, 0},
+                {"j", {-tip.x, tip.y, tip.z}, 8}};
+  return rig;
+}
+
+std::vector<int32_t> sources_of(const MapRig& target, const MapRig& source, char target_up, char source_up) {
+  MapSkeletonOptions options;
+  options.names = false;
+  options.target_up = target_up;
+  options.source_up = source_up;
+  return map_skeleton(target, source, options).sources;
+}
+
+MapRig lying(MapRig rig) {  // z up
+  for (Joint& joint : rig.joints) joint.position = {joint.position.x, -joint.position.z, joint.position.y};
+  return rig;
+}
+
+TEST(MapRig, WhatHasNoLegsHasYUp) {
+  const MapRig swept = fish({0.4f, -0.1f, -0.5f}), hanging = fish({0.4f, -0.6f, 0.3f});
+  EXPECT_EQ(sources_of(swept, hanging, 'a', 'a'), sources_of(swept, hanging, 'y', 'y'));
+  EXPECT_EQ(sources_of(hanging, swept, 'a', 'a'), sources_of(hanging, swept, 'y', 'y'));
+}
+
+TEST(MapRig, ABodyHasItsUpAlongItsLegs) {
+  const MapRig person = map_rig_of(walking_person());
+  const std::vector<int32_t> wanted = sources_of(person, person, 'y', 'y');
+  EXPECT_EQ(sources_of(lying(person), person, 'a', 'a'), wanted);
+  EXPECT_EQ(sources_of(person, lying(person), 'a', 'a'), wanted);
+}
+
 }  // namespace
 }  // namespace sinew
