@@ -30,7 +30,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Settings {
-  std::string character, output, map, method = "auto", up = "auto", motion_up = "auto", sheet, layout, actor;
+  std::string character, output, map, method = "auto", up = "auto", motion_up = "auto", sheet, layout, actor, limits;
   std::vector<std::string> motions;
   DeformSettings deform;
   size_t shapes = 16;
@@ -85,6 +85,7 @@ AnimateOptions animate_options(const Settings& s) {
                    : s.method == "contacts"         ? AnimateMethod::kContacts
                    : s.method == "reference-points" ? AnimateMethod::kReferencePoints
                                                     : AnimateMethod::kAuto;
+  options.limits = s.limits;
   options.in_place = s.in_place;
   options.range = s.range;
   options.report = s.report;
@@ -307,6 +308,11 @@ void add_clip_options(CLI::App* sub, Settings* s) {
       "--translations", s->translations,
       "Spine, arms and legs stretch as the motion's do. Elsewhere than between equal rigs they keep their lengths "
       "unless given");
+  sub->add_option(
+         "--limits", s->limits,
+         "How far joints may turn, contacts or not. A robot's .urdf, a text file of lines hinge, ball and fixed "
+         "(formats/spec/limits.md), or human: what bodies can do")
+      ->type_name("FILE|human");
   sub->add_option("--fps", s->fps, "Frames a second. As many as the motion has unless given")
       ->check(CLI::Range(0.1, 1000.0))
       ->type_name("N");

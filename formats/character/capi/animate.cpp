@@ -30,6 +30,7 @@ AnimateOptions job_of(const sinew_character_animate_options& options, const sine
   if (options.sources != nullptr)
     job.sources.assign(options.sources, options.sources + character.character.joints.size());
   job.method = static_cast<AnimateMethod>(options.method);
+  job.limits = text_or_empty(options.limits);
   job.in_place = options.in_place != 0;
   job.range = options.no_range == 0;
   job.report = options.report != 0;

@@ -519,6 +519,9 @@ typedef struct sinew_character_animate_options {
   const char* layout;    /* which joints places alone are (.npy, .npz): "smpl24", ...; null: guessed by their count */
   const char*
       actor; /* of a file of several people, by the root's name or number; null: the first where all are alike */
+  const char*
+      limits; /* what joints stay within, contacts or not: a .urdf, a file of formats/spec/limits.md, or "human" for what
+                       * bodies can do; null: nothing but the natural range */
 } sinew_character_animate_options;
 
 static inline sinew_character_animate_options sinew_character_animate_options_init(void) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "sinew_character/joint_limits.hpp"
 #include "sinew_character/map_source.hpp"
 #include "sinew_character/rig_job.hpp"
 #include "sinew_formats/error.hpp"
@@ -118,6 +119,7 @@ void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsO
   Retargeter retargeter(source, out->character.joints, map.sources, motion_classes(target, from, s.up, map.sources),
                         settings, {up_of(s.motion_up), up_of(s.up)});
   set_method(s, choice.file, body, out, &retargeter);
+  if (!s.limits.empty()) retargeter.keep_limits(joint_limits(s.limits, target, s.up));
   size_t frames = 0, mapped = 0;
   for (const Clip& clip : clips) frames += clip.frames.size();
   for (const int joint : map.sources) mapped += joint >= 0 ? 1 : 0;
