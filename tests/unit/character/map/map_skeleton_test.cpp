@@ -90,5 +90,45 @@ TEST(MapRig, ABodyHasItsUpAlongItsLegs) {
   EXPECT_EQ(sources_of(person, lying(person), 'a', 'a'), wanted);
 }
 
+// Four legs and a tail. With `beside`, hips and spine hang side by side on a root where the hips are.
+MapRig animal(bool beside) {
+  MapRig rig;
+  const auto add = [&](const std::string& name, const Vec3& at, int parent) {
+    rig.joints.push_back({name, at, parent});
+    return static_cast<int>(rig.joints.size()) - 1;
+  };
+  const int root = add("root", {0, 1, -0.5f}, -1), hips = beside ? add("hips", {0, 1, -0.5f}, root) : root;
+  const int spine = add("spine", {0, 1.02f, -0.2f}, root), chest = add("chest", {0, 1.02f, 0.3f}, spine);
+  const int neck = add("neck", {0, 1.2f, 0.5f}, chest), head = add("head", {0, 1.4f, 0.7f}, neck);
+  add("nose", {0, 1.38f, 0.95f}, head);
+  int tail = hips;
+  for (int k = 1; k <= 3; ++k)
+    tail = add("tail" + std::to_string(k), {0, 1.0f, -0.5f - 0.15f * static_cast<float>(k)}, tail);
+  for (const float side : {1.0f, -1.0f}) {
+    const std::string name = side > 0 ? "l_" : "r_";
+    for (const bool fore : {false, true}) {
+      const float z = fore ? 0.35f : -0.55f, x = side * 0.15f;
+      const std::string leg = name + (fore ? "fore" : "hind");
+      int at = add(leg + "1", {x, 0.9f, z}, fore ? chest : hips);
+      at = add(leg + "2", {x, 0.5f, fore ? z - 0.05f : z + 0.08f}, at);
+      at = add(leg + "3", {x, 0.1f, z}, at);
+      add(leg + "4", {x, 0, z + 0.12f}, at);
+    }
+  }
+  return rig;
+}
+
+TEST(MapRig, HipsBesideTheSpineLeaveTheTrunkWhole) {
+  const MapRig plain = animal(false), beside = animal(true);
+  const std::vector<int32_t> sources = sources_of(beside, plain, 'y', 'y');
+  for (size_t j = 0; j < beside.joints.size(); ++j) {
+    const std::string& name = beside.joints[j].name;
+    if (name == "root" || name == "hips" || name.rfind("tail", 0) == 0) continue;
+    EXPECT_GE(sources[j], 0) << name;
+    if (sources[j] < 0) continue;
+    EXPECT_EQ(plain.joints[static_cast<size_t>(sources[j])].name, name);
+  }
+}
+
 }  // namespace
 }  // namespace sinew
