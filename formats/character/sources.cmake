@@ -26,14 +26,18 @@ set(sinew_character_sources
   map/map_file
   map/map_levels
   map/map_skeleton
+  map/map_source
   map/motion_map
   motion/common_body
+  motion/human_limits
+  motion/joint_limits
   motion/motion_file
   motion/moving_joints
   motion/rest_floor
   motion/retarget
   motion/stance
   motion/upright_body
+  motion/urdf_limits
   pose/bend_volume
   pose/deform
   pose/pose

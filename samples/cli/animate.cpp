@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sinew animate: motion of any skeleton for a character, into its own file.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -19,6 +20,7 @@
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/motion_layout.hpp"
 #include "sinew_formats/print.hpp"
 #include "support.hpp"
 
@@ -28,7 +30,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Settings {
-  std::string character, output, map, method = "auto", up = "auto", motion_up = "auto", sheet, layout, actor;
+  std::string character, output, map, method = "auto", up = "auto", motion_up = "auto", sheet, layout, actor, limits;
   std::vector<std::string> motions;
   DeformSettings deform;
   size_t shapes = 16;
@@ -83,6 +85,7 @@ AnimateOptions animate_options(const Settings& s) {
                    : s.method == "contacts"         ? AnimateMethod::kContacts
                    : s.method == "reference-points" ? AnimateMethod::kReferencePoints
                                                     : AnimateMethod::kAuto;
+  options.limits = s.limits;
   options.in_place = s.in_place;
   options.range = s.range;
   options.report = s.report;
@@ -123,7 +126,8 @@ void name_clips(const MotionChoice& choice, const Motion& made, Motion* motion) 
 }
 
 void add_motion_file(const Settings& s, const MotionChoice& choice, const std::atomic<bool>& stop, Animated* out) {
-  MotionFile source = read_motion_for({choice.file, s.fps, s.layout, s.actor, s.up}, out->character);
+  const std::string layout = choice.of_folder && !takes_layout(choice.file) ? "" : s.layout;
+  MotionFile source = read_motion_for({choice.file, s.fps, layout, s.actor, s.up}, map_rig_of(out->character));
   name_clips(choice, out->motion, &source.motion);
   const auto body = [&] { return source.whole ? body_of_motion(choice.file) : std::nullopt; };
   const MotionInput input = {choice.file, choice.clip, &source.motion, body};
@@ -139,7 +143,11 @@ Json limb_json(const sinew_limb_measure& limb) {
 // What a folder has that is no motion, or none for this character, is left out and told.
 void add_motions(const Settings& s, const std::atomic<bool>& stop, Animated* out) {
   std::string first_error;
-  for (const MotionChoice& choice : parse_choices(s.motions)) {
+  const std::vector<MotionChoice> choices = parse_choices(s.motions);
+  const bool laid_out =
+      std::any_of(choices.begin(), choices.end(), [](const MotionChoice& choice) { return takes_layout(choice.file); });
+  if (!s.layout.empty() && !laid_out) check_layout(choices[0].file);
+  for (const MotionChoice& choice : choices) {
     try {
       add_motion_file(s, choice, stop, out);
     } catch (const OutOfMemory&) {
@@ -283,13 +291,8 @@ void add_inputs(CLI::App* sub, Settings* s) {
   shared_option(sub, "--from-up", s->motion_up, "For the motions")
       ->check(CLI::IsMember({"auto", "x", "y", "z"}))
       ->capture_default_str();
-  sub->add_option(
-         "--layout", s->layout,
-         "Which joints places alone are (.npy, .npz): " + motion_layouts() + ". Guessed by their count unless given")
-      ->type_name("NAME");
-  sub->add_option("--actor", s->actor,
-                  "Of a file of several people: the root's name or number. The first unless given, where all are alike")
-      ->type_name("NAME|N");
+  shared_option(sub, "--layout", s->layout, motion_layouts() + ". Guessed by their count unless given");
+  shared_option(sub, "--actor", s->actor, "The first unless given, where all are alike");
   sub->add_flag("--measure", s->report,
                 "Say for every limb what the method changed. Copied and then: frames in the body or under the floor, "
                 "contacts, sliding, frames out of the natural range");
@@ -305,6 +308,11 @@ void add_clip_options(CLI::App* sub, Settings* s) {
       "--translations", s->translations,
       "Spine, arms and legs stretch as the motion's do. Elsewhere than between equal rigs they keep their lengths "
       "unless given");
+  sub->add_option(
+         "--limits", s->limits,
+         "How far joints may turn, contacts or not. A robot's .urdf, a text file of lines hinge, ball and fixed "
+         "(formats/spec/limits.md), or human: what bodies can do")
+      ->type_name("FILE|human");
   sub->add_option("--fps", s->fps, "Frames a second. As many as the motion has unless given")
       ->check(CLI::Range(0.1, 1000.0))
       ->type_name("N");

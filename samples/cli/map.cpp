@@ -15,9 +15,11 @@
 #include "sinew/published.h"
 #include "sinew_character/map_levels.hpp"
 #include "sinew_character/map_skeleton.hpp"
+#include "sinew_character/map_source.hpp"
 #include "sinew_character/motion_map.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/motion.hpp"
 #include "sinew_formats/print.hpp"
 #include "support.hpp"
 
@@ -29,15 +31,17 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kNoEnds = "none";  // of --ends, in place of a file
 
 struct Settings {
-  std::string target, source, preset, output = "-", method = "auto", cost = "mean", first = "both", up = "y", source_up,
-                                      pins_file, ends_file, png, level;
+  std::string target, source, preset, output = "-", method = "auto", cost = "mean", first = "both", up = "auto",
+                                      source_up, pins_file, ends_file, png, level, layout, actor;
   std::vector<std::string> pins;
   bool no_names = false, json = false;
 };
 
-MapRig read_rig_for_map(const std::string& path) {
+// A template that does not exist is wrong usage.
+template <class Read>
+MapRig read_rig(const std::string& path, const Read& read) {
   try {
-    return read_map_rig(path);
+    return read();
   } catch (const Error& error) {
     if (path.rfind("template:", 0) == 0) throw UsageError(error.what());
     throw;
@@ -99,7 +103,8 @@ std::vector<sinew_map_pin> read_pins(const Settings& s, const MapRig& target, co
   return pins;
 }
 
-Json map_json(const Settings& s, const MapRig& target, const MapRig& source, const MappedSkeleton& map) {
+Json map_json(const Settings& s, const MapRig& target, const MapRig& source, const MappedSkeleton& map,
+              const MapCover& cover) {
   Json json;
   json["target"] = target.name;
   json["source"] = source.name;
@@ -107,6 +112,8 @@ Json map_json(const Settings& s, const MapRig& target, const MapRig& source, con
   json["method"] = map.method == SINEW_MAP_BRANCHES ? "branches" : "sinew";
   json["mapped"] = map.mapped;
   json["certainty"] = map.certainty;
+  json["cover"] = cover.share;
+  if (cover.share < kLeastCover) json["missing"] = cover.missing;
   json["seconds"] = map.seconds;
   json["workspace_bytes"] = map.workspace_bytes;
   for (size_t j = 0; j < target.joints.size(); ++j) {
@@ -124,7 +131,8 @@ Json map_json(const Settings& s, const MapRig& target, const MapRig& source, con
   return json;
 }
 
-void tell(const Settings& s, const MapRig& target, const MapRig& source, const MappedSkeleton& map, std::FILE* out) {
+void tell(const Settings& s, const MapRig& target, const MapRig& source, const MappedSkeleton& map,
+          const MapCover& cover, std::FILE* out) {
   std::fprintf(out, "%s: %zu of %zu joints from %s, which has %zu; %.1f ms%s\n", printable(target.name).c_str(),
                map.mapped, target.joints.size(), printable(source.name).c_str(), source.joints.size(),
                1e3 * map.seconds, map.method == SINEW_MAP_BRANCHES ? ", by branches" : "");
@@ -133,6 +141,9 @@ void tell(const Settings& s, const MapRig& target, const MapRig& source, const M
                  "  warning: which way is front is not sure (%.0f %%), left and right may be exchanged; "
                  "--set with one pair of a side settles it\n",
                  100 * static_cast<double>(map.certainty));
+  if (cover.share < kLeastCover)
+    std::fprintf(out, "  warning: %s: its motion does not fit, sinew animate would refuse it without --force\n",
+                 cover.missing.c_str());
   for (size_t j = 0; j < target.joints.size(); ++j)
     if (map.sources[j] < 0 && map.reasons[j] != SINEW_MAP_END)
       std::fprintf(out, "  %s: none, %s\n", printable(target.joints[j].name).c_str(), map_reason_text(map.reasons[j]));
@@ -178,21 +189,25 @@ void write_map(const Settings& s, const MapRig& target, const MapRig& source, co
 
 void run(const Settings& given) {
   const Settings s = settled(given);
-  MapRig target = read_rig_for_map(s.target), source = read_rig_for_map(s.source);
+  MapRig target = read_rig(s.target, [&] { return read_map_rig(s.target); });
+  MapRig source = read_rig(s.source, [&] {
+    return read_map_source({s.source, s.layout, s.actor, s.source_up, s.up}, target);
+  });
   if (!s.ends_file.empty() && s.ends_file != kNoEnds) {
     read_ends(s.ends_file, &target);
     read_ends(s.ends_file, &source);
   }
   const MappedSkeleton map = map_joints(s, target, source);
-  const std::string json = map_json(s, target, source, map).dump(2, ' ', false, Json::error_handler_t::replace);
+  const MapCover cover = map_cover(target, s.up[0], source, s.source_up[0], {map.sources.begin(), map.sources.end()});
+  const std::string json = map_json(s, target, source, map, cover).dump(2, ' ', false, Json::error_handler_t::replace);
   write_map(s, target, source, map, json);
   if (s.json) {
     std::printf("%s\n", json.c_str());
   } else if (s.output == "-") {
     std::printf("%s", map_text(target, source, map).c_str());
-    tell(s, target, source, map, stderr);
+    tell(s, target, source, map, cover, stderr);
   } else {
-    tell(s, target, source, map, stdout);
+    tell(s, target, source, map, cover, stdout);
   }
 }
 
@@ -236,12 +251,14 @@ void add_inputs(CLI::App* sub, Settings* s) {
          "Joints that only end bones, for files without weights. A file of lines JOINT, or RIG and JOINT with a "
          "tab; none: do not read from the skin weights which they are")
       ->type_name("FILE|none");
-  shared_option(sub, "--up", s->up, "auto finds out")
+  shared_option(sub, "--up", s->up, "auto: along the legs of a body with two, else y")
       ->check(CLI::IsMember({"x", "y", "z", "auto"}))
       ->capture_default_str();
   shared_option(sub, "--from-up", s->source_up, "The source; as --up unless given")
       ->check(CLI::IsMember({"x", "y", "z", "auto"}));
   shared_option(sub, "--png", s->png, "Both skeletons, what stands for each other in one colour");
+  shared_option(sub, "--layout", s->layout, motion_layouts() + ". Guessed by their count unless given");
+  shared_option(sub, "--actor", s->actor, "The first unless given, where all are alike");
   shared_flag(sub, "--json", s->json, "With confidence and reasons");
 }
 

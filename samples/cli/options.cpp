@@ -23,6 +23,7 @@ std::string skin_output_text(const std::string& more) {
 namespace {
 
 constexpr OptionWord kWords[] = {
+    {"--actor", "NAME|N", "Of a file of several people: the root's name or number"},
     {"--animation", "NAME", "One of the file's own animations, by name or number"},
     {"--body-contact", "", "Keep arms and thighs out of the body, for volume and xpbd"},
     {"--cache", "DIR", "Folder for computed features"},
@@ -41,6 +42,7 @@ constexpr OptionWord kWords[] = {
     {"--joints", "JOINTS", "Which joints may get weight: own, names, all"},
     {"--json", "", "Print what was done as JSON"},
     {"--label", "TEXT", "Name in tables"},
+    {"--layout", "NAME", "Which joints places alone are, of .npy and .npz"},
     {"--limit", "DEGREES", "Largest angle by which a random pose rotates a joint"},
     {"--lock", "FILE", "Vertices that keep the weights they have, one 0-based index per line"},
     {"--map", "FILE", "Which joint is which: lines TARGET_JOINT SOURCE_JOINT, - for none"},

@@ -110,6 +110,8 @@ namespace Sinew
         public string Layout;
         /// <summary>Of a file of several people, by the root's name or number; null: the first where all are alike.</summary>
         public string Actor;
+        /// <summary>What joints stay within: a .urdf, a file of limits, or "human"; null: nothing but the natural range.</summary>
+        public string Limits;
     }
 
     /// <summary>`sinew pose`: one of four says the pose.</summary>
@@ -542,7 +544,8 @@ namespace Sinew
                     target_up = (uint)settings.TargetUp, motion_up = (uint)settings.MotionUp, deform = (uint)settings.Deform,
                     body_contact = One(settings.BodyContact), shapes = (uint)settings.Shapes, stiffness = settings.Stiffness,
                     tet_weights = (uint)settings.TetWeights, no_smoothing = One(settings.NoSmoothing), fps = settings.Fps, from = settings.From,
-                    to = settings.To, clip = pins.Of(settings.Clip), map = pins.Of(settings.Map), layout = pins.Of(settings.Layout), actor = pins.Of(settings.Actor)
+                    to = settings.To, clip = pins.Of(settings.Clip), map = pins.Of(settings.Map), layout = pins.Of(settings.Layout), actor = pins.Of(settings.Actor),
+                    limits = pins.Of(settings.Limits)
                 }), result);
                 Check(status, handle_, "animate", watch);
                 GC.KeepAlive(motion);

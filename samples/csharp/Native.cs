@@ -73,6 +73,8 @@ namespace Sinew
         public const uint NO_AREA = 4294967295;
         public const int ERROR_INPUT = -30;
         public const int ERROR_MEMORY = -31;
+        public const uint LIMIT_HINGE = 1;
+        public const uint LIMIT_BALL = 2;
         public const uint DETAIL_HANDS = 1;
         public const uint DETAIL_FACE = 2;
         public const uint DETAIL_PROPS = 4;
@@ -216,6 +218,14 @@ namespace Sinew
             public uint struct_size, corrected;
             public IntPtr positions;
             public uint active_tetrahedra, inverted_tetrahedra;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_joint_limit
+        {
+            public uint joint, kind;
+            public float zero_0, zero_1, zero_2, zero_3, axis_0, axis_1, axis_2, side_0, side_1, side_2, least_0, least_1, least_2, most_0,
+                most_1, most_2;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -511,13 +521,14 @@ namespace Sinew
             public uint struct_size, method, no_names, no_ends, target_up, source_up, guess_up, pin_count;
             public IntPtr pins, pins_file;
             public uint branches_first, branches_cost;
+            public IntPtr layout, actor;
         }
 
         [StructLayout(LayoutKind.Sequential)]
         public struct sinew_character_map_result
         {
             public uint struct_size, method, joint_count, mapped;
-            public float certainty, reserved;
+            public float certainty, cover;
             public double seconds;
             public IntPtr sources, confidence, reasons, text;
         }
@@ -535,7 +546,7 @@ namespace Sinew
             public uint own_limb, head, torso, source_points, force, translations;
             public double stiffness;
             public uint tet_weights, no_smoothing;
-            public IntPtr layout, actor;
+            public IntPtr layout, actor, limits;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -651,6 +662,10 @@ namespace Sinew
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_deform_pose(IntPtr deformer, IntPtr palette, IntPtr workspace, UIntPtr workspace_bytes,
             IntPtr outputs);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_keep_joint_limits(IntPtr limits, uint limit_count, uint joint_count, uint frame_count,
+            IntPtr rotations);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_map_workspace_size(uint target_count, uint source_count, out UIntPtr size_bytes);
@@ -890,6 +905,7 @@ namespace Sinew
             new StructSize("sinew_deform_options", Marshal.SizeOf(typeof(sinew_deform_options)), true),
             new StructSize("sinew_deformer", Marshal.SizeOf(typeof(sinew_deformer)), false),
             new StructSize("sinew_deform_outputs", Marshal.SizeOf(typeof(sinew_deform_outputs)), true),
+            new StructSize("sinew_joint_limit", Marshal.SizeOf(typeof(sinew_joint_limit)), false),
             new StructSize("sinew_map_pin", Marshal.SizeOf(typeof(sinew_map_pin)), false),
             new StructSize("sinew_map_options", Marshal.SizeOf(typeof(sinew_map_options)), true),
             new StructSize("sinew_map_outputs", Marshal.SizeOf(typeof(sinew_map_outputs)), true),

@@ -88,6 +88,28 @@ TEST_F(CliAnimate, TheSameRigPlaysAsItWasRecorded) {
   SINEW_EXPECT_VALID_GLTF(written);
 }
 
+TEST_F(CliAnimate, JointsStayWithinTheirLimits) {
+  const Motion walk = walking_person(8);
+  write_bvh(in("walk.bvh"), walk, walk.clips[0]);
+  const std::string robot = "animate " + kData + "/biped__robot.obj --motion walk.bvh ";
+  Character rig;
+  read_skeleton(kData + "/biped__robot.rig.txt", false, &rig);
+  good(robot + "-o free.glb");
+  const Motion free = read_gltf_motion(in("free.glb"));
+  size_t moving = 0;  // a joint that turns
+  for (size_t j = 0; j < rig.joints.size(); ++j)
+    if (free.clips[0].frames[3].rotations[j][3] < free.clips[0].frames[3].rotations[moving][3]) moving = j;
+  put(in("stiff.limits"), "fixed " + rig.joints[moving].name + "\n");
+  good(robot + "--limits stiff.limits -o stiff.glb");
+  const Motion stiff = read_gltf_motion(in("stiff.glb"));
+  for (const MotionFrame& frame : stiff.clips[0].frames) EXPECT_NEAR(std::abs(frame.rotations[moving][3]), 1, 1e-6);
+  good(robot + "--limits human -o human.glb");
+  put(in("wrong.limits"), "fixed nobody\n");
+  EXPECT_NE(bad(1, robot + "--limits wrong.limits -o none.glb").error.find("wrong.limits:1: expected a joint of"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(in("none.glb")));
+}
+
 // The same walk with a rest pose that is none: joints in frames of their own, with and without names, a frame of the clip, facing elsewhere.
 TEST_F(CliAnimate, AMotionPlaysTheSameHoweverItIsWritten) {
   const Motion walk = walking_person();

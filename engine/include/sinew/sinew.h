@@ -17,6 +17,7 @@
  *   sinew/motion.h        plays motion of another skeleton, and keeps contacts
  *   sinew/motion_clips.h  whole clips of it: natural ranges, what is left to be mended
  *   sinew/motion_stream.h frame by frame as it comes, in one block of memory
+ *   sinew/joint_limits.h  holds joints within limits, as robots have them
  *   sinew/abi.h           sizes of structs, for bindings
  *   sinew/published.h     methods as others published them, for comparison; this header does not include it
  *
@@ -35,6 +36,7 @@
 #include "sinew/abi.h"
 #include "sinew/bind.h"
 #include "sinew/deform.h"
+#include "sinew/joint_limits.h"
 #include "sinew/map.h"
 #include "sinew/model.h"
 #include "sinew/motion.h"

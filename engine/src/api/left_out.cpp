@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The C API: what a library for microcontrollers leaves out (SINEW_SMALL_CODE).
+#include "sinew/joint_limits.h"
 #include "sinew/published.h"
 #include "sinew/sinew.h"
 
@@ -86,6 +87,9 @@ sinew_status sinew_retarget_frame(sinew_retarget*, const float*, const float*, f
 }
 sinew_status sinew_retarget_keep_range(sinew_retarget*, const sinew_motion_body*, const sinew_motion_clip*, void*,
                                        size_t) {
+  return SINEW_ERROR_NOT_BUILT;
+}
+sinew_status sinew_keep_joint_limits(const sinew_joint_limit*, uint32_t, uint32_t, uint32_t, float*) {
   return SINEW_ERROR_NOT_BUILT;
 }
 sinew_status sinew_retarget_measure(sinew_retarget*, const sinew_motion_body*, const sinew_motion_body*,

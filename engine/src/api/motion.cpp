@@ -7,10 +7,12 @@
 #include "api/arguments.hpp"
 #include "core/build.hpp"
 #include "core/struct_size.hpp"
+#include "motion/joint_limits.hpp"
 #include "motion/measure_clip.hpp"
 #include "motion/reference_points.hpp"
 #include "motion/retarget.hpp"
 #include "motion/retarget_stream.hpp"
+#include "sinew/joint_limits.h"
 #include "sinew/motion_clips.h"
 #include "sinew/published.h"
 
@@ -19,6 +21,7 @@ static_assert(sizeof(sinew_floor) == 6 * sizeof(uint32_t) + sizeof(void*), "sine
 static_assert(sizeof(sinew_retarget_stream_options) == 6 * sizeof(uint32_t) + sizeof(void*),
               "a hole in sinew_retarget_stream_options");
 static_assert(sizeof(sinew_limb_measure) == 12 * sizeof(uint32_t), "sinew_limb_measure never changes");
+static_assert(sizeof(sinew_joint_limit) == 18 * sizeof(uint32_t), "sinew_joint_limit never changes");
 static_assert(sizeof(sinew_contact_spot) == 6 * sizeof(uint32_t), "sinew_contact_spot never changes");
 static_assert(sizeof(sinew_reference_options) == 10 * sizeof(uint32_t) + 2 * sizeof(void*),
               "a hole in sinew_reference_options");
@@ -166,6 +169,13 @@ sinew_status sinew_retarget_keep_range(sinew_retarget* plan, const sinew_motion_
   const sinew::motion::ClipInputs inputs = clip_inputs(*clip, 30, {});
   sinew::Arena arena(workspace, workspace_bytes);
   return sinew::motion::keep_range(plan, *target, inputs, arena);
+}
+
+sinew_status sinew_keep_joint_limits(const sinew_joint_limit* limits, uint32_t limit_count, uint32_t joint_count,
+                                     uint32_t frame_count, float* rotations) {
+  if ((limits == nullptr && limit_count > 0) || (rotations == nullptr && frame_count > 0)) return SINEW_ERROR_ARGUMENT;
+  if (joint_count == 0 || joint_count > SINEW_MAX_JOINTS) return SINEW_ERROR_COUNT;
+  return sinew::motion::keep_joint_limits(limits, limit_count, joint_count, frame_count, rotations);
 }
 
 sinew_status sinew_retarget_measure(sinew_retarget* plan, const sinew_motion_body* source,

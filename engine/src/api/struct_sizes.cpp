@@ -3,6 +3,7 @@
 #include "sinew/abi.h"
 #include "sinew/bind.h"
 #include "sinew/deform.h"
+#include "sinew/joint_limits.h"
 #include "sinew/map.h"
 #include "sinew/model.h"
 #include "sinew/motion.h"
@@ -38,6 +39,7 @@ constexpr StructSize kStructSizes[] = {
     {"sinew_deform_options", sizeof(sinew_deform_options)},
     {"sinew_deformer", sizeof(sinew_deformer)},
     {"sinew_deform_outputs", sizeof(sinew_deform_outputs)},
+    {"sinew_joint_limit", sizeof(sinew_joint_limit)},
     {"sinew_map_pin", sizeof(sinew_map_pin)},
     {"sinew_map_options", sizeof(sinew_map_options)},
     {"sinew_map_outputs", sizeof(sinew_map_outputs)},

@@ -17,6 +17,7 @@ void Anatomy::find_body() {
     const int32_t a = limb(hip_pair.a).attach, b = limb(hip_pair.b).attach;
     const int32_t both = a >= 0 && b >= 0 ? r.common(b, a) : -1;
     if (both >= 0) hip = both;
+    climb_to_trunk();
   }
   find_lying();
   take_spine(pick_spine());

@@ -122,7 +122,7 @@ void Anatomy::find_hip() {
   if (hip < 0) hip = rig->first_root();
 }
 
-// A pelvis that carries the legs alone, and hangs beside the spine: the hips are what carries both.
+// A pelvis that carries the legs, perhaps a tail, and hangs beside the spine: the hips are what carries both.
 void Anatomy::climb_to_trunk() {
   const Hierarchy& r = *rig;
   const auto leads_on = [&](int32_t joint, int32_t but) {  // to a trunk with limbs
@@ -138,11 +138,13 @@ void Anatomy::climb_to_trunk() {
   };
   int32_t central = 0;
   each_kid(r, hip, [&](int32_t kid) { central += side[kid] == 0 && r.end[kid] == 0 ? 1 : 0; });
-  if (central > 0) return;
+  if (leads_on(hip, -1)) return;
+  // With something in the plane of its own, which may be a tail, it gives way to a joint in the same place alone.
+  const double near = central > 0 ? 0.05 * r.size : r.size;
   int32_t from = hip;
   for (int32_t up = r.parent[hip]; up >= 0 && side[up] == 0; up = r.parent[up]) {
     if (leads_on(up, from)) {
-      hip = up;
+      if (r.bone(up, hip) <= near) hip = up;
       return;
     }
     from = up;

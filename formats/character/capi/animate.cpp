@@ -4,9 +4,9 @@
 
 #include "corrections_of.hpp"
 #include "handle.hpp"
+#include "motion_of.hpp"
 #include "rig_of.hpp"
 #include "sinew_character/animate_job.hpp"
-#include "sinew_character/motion_file.hpp"
 
 namespace sinew {
 namespace {
@@ -30,6 +30,7 @@ AnimateOptions job_of(const sinew_character_animate_options& options, const sine
   if (options.sources != nullptr)
     job.sources.assign(options.sources, options.sources + character.character.joints.size());
   job.method = static_cast<AnimateMethod>(options.method);
+  job.limits = text_or_empty(options.limits);
   job.in_place = options.in_place != 0;
   job.range = options.no_range == 0;
   job.report = options.report != 0;
@@ -52,15 +53,12 @@ AnimateOptions job_of(const sinew_character_animate_options& options, const sine
 // The clips that `sinew animate` reads from the file of a motion, or those that were added to a character.
 MotionFile motion_of_handle(sinew_character* motion, const sinew_character_animate_options& options,
                             const AnimateOptions& job, const Character& target) {
-  if (motion->clips.empty() && !motion->path.empty() && !motion->drop_animations) {
+  if (plays_its_file(*motion)) {
     const FilesOf scope(*motion);
     return read_motion_for({motion->path, job.fps, text_or_empty(options.layout), text_or_empty(options.actor), job.up},
-                           target);
+                           map_rig_of(target));
   }
-  Motion added = motion_of(motion->character.joints);
-  added.name = motion->character.name;
-  added.clips = motion->clips;
-  return {std::move(added), true};
+  return added_motion(*motion);
 }
 
 AnimatedCharacter start(const sinew_character& from, const sinew_character_animate_options& options,
@@ -113,8 +111,8 @@ void animate(const sinew_character_animate_options& options, ProgressOfCaller* p
   input.clip = text_or_empty(options.clip);
   input.motion = &source.motion;
   input.body = [motion, &source]() -> std::optional<Character> {
-    if (motion->character.vertices.empty() || !source.whole) return std::nullopt;
-    return motion->character;
+    const Character* body = body_of(*motion, source);
+    return body != nullptr ? std::optional<Character>(*body) : std::nullopt;
   };
   const StepsOf steps = steps_of(progress);
   add_motion(job, input, steps, &made);

@@ -2,6 +2,8 @@
 // sinew_character_map(): the job of `sinew map`.
 #include "corrections_of.hpp"
 #include "handle.hpp"
+#include "motion_of.hpp"
+#include "sinew_character/map_cover.hpp"
 #include "sinew_character/map_skeleton.hpp"
 #include "sinew_character/own_skeleton.hpp"
 #include "sinew_formats/file_kinds.hpp"
@@ -9,13 +11,15 @@
 namespace sinew {
 namespace {
 
+char up_of(uint32_t up, char usual) {
+  return up == SINEW_UP_X ? 'x' : up == SINEW_UP_Y ? 'y' : up == SINEW_UP_Z ? 'z' : usual;
+}
+
 // As `sinew map` reads the file: ends of a motion are its End Sites, ends of a rig.txt alone are in its weights.
 MapRig rig_of_handle(const sinew_character& from) {
   if (from.character.joints.empty()) throw Error(from.character.name + ": expected a skeleton, found a mesh alone");
   MapRig rig = map_rig_of(from.character);
-  const FileKind* kind = file_kind(from.path);
-  const bool alone = kind != nullptr && from.same_skin && from.character.vertices.empty();
-  if (alone && (is_motion_alone(from.path) || kind->reader == FileReader::kRig)) {
+  if (from.same_skin && from.character.vertices.empty() && !from.path.empty()) {
     const FilesOf scope(from);
     rig = read_map_rig(from.path);
   }
@@ -23,8 +27,27 @@ MapRig rig_of_handle(const sinew_character& from) {
   return rig;
 }
 
-char up_of(uint32_t up, char usual) {
-  return up == SINEW_UP_X ? 'x' : up == SINEW_UP_Y ? 'y' : up == SINEW_UP_Z ? 'z' : usual;
+MapSourceRequest request_of(const std::string& path, const sinew_character_map_options& options) {
+  const char target_up = options.guess_up != 0 ? 'a' : up_of(options.target_up, 'a');
+  const char source_up = up_of(options.source_up, target_up);
+  return {path, text_or_empty(options.layout), text_or_empty(options.actor), std::string(1, source_up),
+          std::string(1, target_up)};
+}
+
+// As sinew_character_animate() plays it.
+MapRig source_of_handle(const sinew_character& from, const sinew_character_map_options& options, const MapRig& target) {
+  std::optional<MotionFile> motion;
+  const MapSourceRequest request = request_of(from.path, options);
+  if (plays_its_file(from)) {
+    const FilesOf scope(from);
+    motion = read_motion_in(request, target);
+  } else if (!from.clips.empty()) {
+    motion = added_motion(from);
+  }
+  if (!motion) return rig_of_handle(from);
+  MapRig rig = map_source_of(motion->motion, body_of(from, *motion), target.joints, request.up).rig;
+  rig.name = file_of(from);
+  return rig;
 }
 
 void map(const sinew_character_map_options& options, bool from_template, const MapRig& source,
@@ -44,7 +67,7 @@ void map(const sinew_character_map_options& options, bool from_template, const M
   job.branches_cost = options.branches_cost;
   job.names = options.no_names == 0;
   job.ends = options.no_ends == 0;
-  job.target_up = options.guess_up != 0 ? 'a' : up_of(options.target_up, 'y');
+  job.target_up = options.guess_up != 0 ? 'a' : up_of(options.target_up, 'a');
   job.source_up = up_of(options.source_up, from_template ? 'y' : job.target_up);
   if (options.pins_file != nullptr) job.pins = read_map_file(options.pins_file, target, source);
   for (uint32_t p = 0; p < options.pin_count; ++p) {
@@ -69,6 +92,7 @@ void map(const sinew_character_map_options& options, bool from_template, const M
   filled.joint_count = count32(target.joints.size());
   filled.mapped = count32(mapped.mapped);
   filled.certainty = mapped.certainty;
+  filled.cover = map_cover(target, job.target_up, source, job.source_up, mapped.sources).share;
   filled.seconds = mapped.seconds;
   filled.sources = views.sources.data();
   filled.confidence = views.confidence.data();
@@ -91,7 +115,8 @@ sinew_status sinew_character_map(sinew_character* target, const sinew_character*
     need(source != nullptr, "source");
     need(result != nullptr, "result");
     check_result(result);
-    map(options_of(given), false, rig_of_handle(*source), target, result);
+    const sinew_character_map_options options = options_of(given);
+    map(options, false, source_of_handle(*source, options, rig_of_handle(*target)), target, result);
   });
 }
 
@@ -102,7 +127,9 @@ sinew_status sinew_character_map_file(sinew_character* target, const char* sourc
     need(source != nullptr, "source");
     need(result != nullptr, "result");
     check_result(result);
-    map(options_of(given), is_template(source), read_map_rig(source), target, result);
+    const sinew_character_map_options options = options_of(given);
+    map(options, is_template(source), read_map_source(request_of(source, options), rig_of_handle(*target)), target,
+        result);
   });
 }
 

@@ -9,6 +9,7 @@
 #include "motion/turns.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
+#include "sinew_formats/motion_layout.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {
@@ -162,9 +163,21 @@ std::vector<Affine> motion_palette(const Motion& motion, const MotionFrame& fram
   return palette;
 }
 
+bool takes_layout(const std::string& path) {
+  const FileKind* kind = file_kind(path);
+  return kind != nullptr && kind->reader == FileReader::kNumpy;
+}
+
+void check_layout(const std::string& path) {
+  if (takes_layout(path)) return;
+  throw Error(path + ": --layout says which joints the places of a .npy or .npz file are (" + motion_layouts() +
+              "); this one's joints have names, leave it out");
+}
+
 Motion read_motion(const std::string& path, double fps, const std::string& layout) {
   if (!has_use(path, kReadsMotion))
     throw Error(path + ": expected a motion (" + extensions_text(kReadsMotion) + "), found another extension");
+  if (!layout.empty()) check_layout(path);
   switch (file_kind(path)->reader) {
     case FileReader::kBvh:
       return read_bvh(path);

@@ -83,6 +83,8 @@ export interface RetargetOptions {
   layout?: "smpl24" | "humanml3d22" | "coco17" | "mediapipe33";
   /** of a file of several people, by the root's name or number */
   actor?: string | number;
+  /** what joints stay within: "human", a .urdf or a file of limits; nothing but the natural range where it is missing */
+  limits?: string;
   onProgress?: Progress;
 }
 export interface TransferOptions {

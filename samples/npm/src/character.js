@@ -19,7 +19,7 @@ const RIG = {
 };
 const RETARGET = {
   method: WORDS.animateMethod, inPlace: "in_place", range: "!no_range", force: "force", translations: "translations", targetUp: WORDS.up, motionUp: WORDS.up, deform: WORDS.poseDeform, bodyContact: "body_contact", shapes: "shapes", fps: "fps", from: "from", to: "to",
-  clip: "clip", layout: "layout", actor: "actor", stiffness: "stiffness", tetWeights: WORDS.tetWeights, smoothing: "!no_smoothing",
+  clip: "clip", layout: "layout", actor: "actor", limits: "limits", stiffness: "stiffness", tetWeights: WORDS.tetWeights, smoothing: "!no_smoothing",
 };
 const TRANSFER = { method: WORDS.transferMethod, influences: "influence_count", targetUp: WORDS.up, sourceUp: WORDS.up, garment: "garment", heat: "heat" };
 const MEMBERS = { rigidParts: "rigid_parts", targetUp: "target_up", sourceUp: "source_up", motionUp: "motion_up", tetWeights: "tet_weights" };

@@ -49,6 +49,7 @@ export const LAYOUTS = {
     "split_cell_count@24:u32 reserved@28:u32x7"),
   deformOutputs: layout(20,
     "struct_size@0:u32 corrected@4:u32 positions@8:u32 active_tetrahedra@12:u32 inverted_tetrahedra@16:u32"),
+  jointLimit: layout(72, "joint@0:u32 kind@4:u32 zero@8:f32x4 axis@24:f32x3 side@36:f32x3 least@48:f32x3 most@60:f32x3"),
   mapPin: layout(8, "target@0:u32 source@4:i32"),
   mapOptions: layout(40,
     "struct_size@0:u32 method@4:u32 pin_count@8:u32 reserved@12:u32 pins@16:u32 branches_first@20:u32 branches_cost@24:u32 " +
@@ -134,19 +135,19 @@ export const LAYOUTS = {
     "struct_size@0:u32 mirrored@4:u32 matched@8:u32 joint_count@12:u32 spread@16:f32 reserved@20:f32 scale@24:f64 " +
     "seconds@32:f64 bind_seconds@40:f64 ends@48:u32 confidence@52:u32 parent_confidence@56:u32 front@60:f32x3 up@72:u32 " +
     "front_confidence@76:f32 up_confidence@80:f32 seam_count@84:u32 seams@88:u32 doubtful_count@92:u32 doubtful@96:u32"),
-  characterMapOptions: layout(48,
+  characterMapOptions: layout(56,
     "struct_size@0:u32 method@4:u32 no_names@8:u32 no_ends@12:u32 target_up@16:u32 source_up@20:u32 guess_up@24:u32 " +
-    "pin_count@28:u32 pins@32:u32 pins_file@36:u32 branches_first@40:u32 branches_cost@44:u32"),
+    "pin_count@28:u32 pins@32:u32 pins_file@36:u32 branches_first@40:u32 branches_cost@44:u32 layout@48:u32 actor@52:u32"),
   characterMapResult: layout(48,
-    "struct_size@0:u32 method@4:u32 joint_count@8:u32 mapped@12:u32 certainty@16:f32 reserved@20:f32 seconds@24:f64 " +
+    "struct_size@0:u32 method@4:u32 joint_count@8:u32 mapped@12:u32 certainty@16:f32 cover@20:f32 seconds@24:f64 " +
     "sources@32:u32 confidence@36:u32 reasons@40:u32 text@44:u32"),
-  characterAnimateOptions: layout(176,
+  characterAnimateOptions: layout(184,
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 in_place@24:u32 " +
     "no_range@28:u32 target_up@32:u32 motion_up@36:u32 deform@40:u32 cells@44:u32 rounds@48:u32 body_contact@52:u32 " +
     "shapes@56:u32 fps@64:f64 from@72:f64 to@80:f64 clip@88:u32 map@92:u32 sources@96:u32 area_power@100:u32 " +
     "no_own_limb@104:u32 legs@108:u32 report@112:u32 falloff@120:f64 own_limb@128:u32 head@132:u32 torso@136:u32 " +
     "source_points@140:u32 force@144:u32 translations@148:u32 stiffness@152:f64 tet_weights@160:u32 no_smoothing@164:u32 " +
-    "layout@168:u32 actor@172:u32"),
+    "layout@168:u32 actor@172:u32 limits@176:u32"),
   characterAnimateResult: layout(48,
     "struct_size@0:u32 clip_count@4:u32 first_clip@8:u32 mapped@12:u32 rigged@16:u32 shape_count@20:u32 certainty@24:f32 " +
     "limb_count@28:u32 limbs_before@32:u32 limbs_after@36:u32 mapped_by@40:u32 sources@44:u32"),
@@ -200,6 +201,8 @@ export const MAX_BIHARMONIC_VERTICES = 65536;
 export const NO_AREA = 4294967295;
 export const ERROR_INPUT = -30;
 export const ERROR_MEMORY = -31;
+export const LIMIT_HINGE = 1;
+export const LIMIT_BALL = 2;
 export const DETAIL_HANDS = 1;
 export const DETAIL_FACE = 2;
 export const DETAIL_PROPS = 4;

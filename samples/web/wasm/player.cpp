@@ -82,7 +82,7 @@ Json Player::clips_json(const Opened& opened) {
 Json Player::open(const std::string& file, const Character& character, uint32_t up, bool own, MotionMethod method,
                   const std::vector<sinew_map_pin>& pins) {
   auto opened = std::make_unique<Opened>();
-  MotionFile read = read_motion_for({file, 0, "", "", up_text(up)}, character);
+  MotionFile read = read_motion_for({file, 0, "", "", up == 1 ? "z" : "auto"}, map_rig_of(character));
   opened->source = std::move(read.motion);
   std::vector<Clip>& clips = opened->source.clips;
   clips.erase(std::remove_if(clips.begin(), clips.end(), [](const Clip& clip) { return clip.frames.empty(); }),

@@ -428,14 +428,16 @@ typedef struct sinew_character_map_options {
   uint32_t struct_size;       /* sizeof(sinew_character_map_options) */
   uint32_t method;            /* sinew_map_method */
   uint32_t no_names, no_ends; /* 1: not read */
-  uint32_t target_up;         /* sinew_up; 0 = Y */
+  uint32_t target_up;         /* sinew_up; 0 = along the legs of a body that has two, else Y */
   uint32_t source_up;         /* sinew_up; 0 = as the target's, Y for a template */
-  uint32_t guess_up;          /* 1: which way is up is found out for both */
+  uint32_t guess_up;          /* 1: as with target_up 0, whatever it is */
   uint32_t pin_count;
   const sinew_map_pin* pins; /* [pin_count] pairs that are kept; or null */
   const char* pins_file;     /* a map whose lines are kept; or null */
   uint32_t branches_first;   /* sinew_branches_first, of SINEW_MAP_BRANCHES */
   uint32_t branches_cost;    /* sinew_branches_cost, of SINEW_MAP_BRANCHES */
+  const char* layout;        /* of the source, as in sinew_character_animate_options */
+  const char* actor;         /* of the source, as in sinew_character_animate_options */
 } sinew_character_map_options;
 
 static inline sinew_character_map_options sinew_character_map_options_init(void) {
@@ -451,7 +453,7 @@ typedef struct sinew_character_map_result {
   uint32_t joint_count; /* J of the target */
   uint32_t mapped;      /* of them with a source */
   float certainty;      /* 0..1, of front, sides and trunk */
-  float reserved;       /* 0 */
+  float cover;          /* 0..1, how much of both bodies it reaches; below 0.5 sinew_character_animate() refuses it */
   double seconds;
   const int32_t* sources;  /* [J] joint of the source, -1 = none */
   const float* confidence; /* [J] 0..1 */
@@ -466,7 +468,9 @@ static inline sinew_character_map_result sinew_character_map_result_init(void) {
   return result;
 }
 
-/* Which joint of the source stands for which of the target. Changes neither; the result's arrays are the target's. */
+/* Which joint of the source stands for which of the target. Changes neither; the result's arrays are the target's. The source is read as
+ * sinew_character_animate() reads it as a motion: in a stance that is guessed where its rest pose is none. A joint of its motion that it
+ * has beside its own (an animated node without skin) is counted behind them. */
 SINEW_API sinew_status sinew_character_map(sinew_character* target, const sinew_character* source,
                                            const sinew_character_map_options* options,
                                            sinew_character_map_result* result);
@@ -524,6 +528,9 @@ typedef struct sinew_character_animate_options {
   const char* layout;    /* which joints places alone are (.npy, .npz): "smpl24", ...; null: guessed by their count */
   const char*
       actor; /* of a file of several people, by the root's name or number; null: the first where all are alike */
+  const char*
+      limits; /* what joints stay within, contacts or not: a .urdf, a file of formats/spec/limits.md, or "human" for what
+                       * bodies can do; null: nothing but the natural range */
 } sinew_character_animate_options;
 
 static inline sinew_character_animate_options sinew_character_animate_options_init(void) {

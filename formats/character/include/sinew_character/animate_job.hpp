@@ -26,6 +26,7 @@ struct AnimateOptions {
   std::vector<int> sources;                     // [J] joint of the motion or -1, in place of a map; or empty
   std::vector<sinew_map_pin> pins;              // that a found map keeps
   AnimateMethod method = AnimateMethod::kAuto;
+  std::string limits;  // of joint_limits(), or empty
   bool in_place = false, range = true, report = false;
   bool translations = false;  // bones of the body stretch as the source's do
   bool force = false;         // plays a motion whose map reaches less than kLeastCover, with a note; an Error else

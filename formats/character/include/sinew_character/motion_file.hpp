@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "sinew_character/map_skeleton.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew {
@@ -14,14 +15,14 @@ struct MotionRequest {
   double fps = 0;           // as in read_motion()
   std::string layout = {};  // as in read_motion()
   std::string actor = {};   // as in one_actor()
-  std::string up = "auto";  // of the character: "x", "y", "z"
+  std::string up = "auto";  // of the target: "x", "y", "z"
 };
 struct MotionFile {
   Motion motion;
   bool whole = true;  // all joints of the file; false: one of its actors
 };
-// read_motion() and one_actor(), or of builtin_motions() the one whose body maps best onto the character.
-MotionFile read_motion_for(const MotionRequest& request, const Character& character);
+// read_motion() and one_actor(), or of builtin_motions() the one whose body maps best onto the target.
+MotionFile read_motion_for(const MotionRequest& request, const MapRig& target);
 
 }  // namespace sinew
 #endif

@@ -7,8 +7,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "sinew/joint_limits.h"
 #include "sinew/motion_clips.h"
 #include "sinew/published.h"
 #include "sinew/sinew.hpp"
@@ -57,6 +59,9 @@ class Retargeter {
   // From now on knees and elbows stay in their natural range (sinew_retarget_keep_range()), for which bodies are there.
   void keep_range() { range_ = true; }
 
+  // From now on joints stay within limits (sinew_keep_joint_limits()), which have the last word.
+  void keep_limits(std::vector<sinew_joint_limit> limits) { limits_ = std::move(limits); }
+
   // Before each frame `keep_going` is asked; false ends with an Error that says so. With a `report` the clip is measured, for
   // which bodies are there.
   Clip run(const Clip& clip, const std::function<bool()>& keep_going = {}, ClipReport* report = nullptr);
@@ -82,6 +87,7 @@ class Retargeter {
   sinew_retarget* plan_ = nullptr;  // in memory_
   bool has_source_ = false, contacts_ = false, range_ = false;
   std::optional<sinew_reference_options> reference_;
+  std::vector<sinew_joint_limit> limits_;
   Body target_body_, source_body_;
   std::vector<uint32_t> triangles_, vertices_;  // vertices of the target
   Workspace workspace_;

@@ -3,12 +3,11 @@
 #include "sinew_character/animate_job.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <utility>
 
+#include "sinew_character/joint_limits.hpp"
+#include "sinew_character/map_source.hpp"
 #include "sinew_character/rig_job.hpp"
-#include "sinew_character/stance.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/print.hpp"
 
@@ -39,10 +38,9 @@ std::vector<Clip> chosen_clips(const AnimateOptions& s, const std::string& file,
 }
 
 // By the method; the motion's own body, if it has one, says what touches what.
-void set_method(const AnimateOptions& s, const MotionInput& input, AnimatedCharacter* out, Retargeter* retargeter) {
+void set_method(const AnimateOptions& s, const std::string& file, const std::optional<Character>& source,
+                AnimatedCharacter* out, Retargeter* retargeter) {
   if (s.method == AnimateMethod::kCopy && !s.report) return;
-  const std::string& file = input.file;
-  const std::optional<Character> source = input.body ? input.body() : std::nullopt;
   const size_t shared = retargeter->take_bodies(out->character, source ? &*source : nullptr);
   if (s.method == AnimateMethod::kCopy) return;
   if (s.method == AnimateMethod::kReferencePoints) {
@@ -63,33 +61,6 @@ void set_method(const AnimateOptions& s, const MotionInput& input, AnimatedChara
     out->motion.notes.push_back(file +
                                 ": has no body of the character's own mesh, so feet are held and arms kept out of the "
                                 "body, but what hands touched is not known");
-}
-
-// Whether a motion was made on the character: most of its joints stand from their parents as the character's of the same names do.
-bool has_rest_of(const Motion& motion, const std::vector<Joint>& target) {
-  const Motion own = motion_of(target);
-  std::map<std::string, size_t> named;
-  for (size_t j = 0; j < own.joints.size(); ++j) named[own.joints[j].name] = j;
-  size_t same = 0;
-  for (const MotionJoint& joint : motion.joints) {
-    const auto found = named.find(joint.name);
-    if (found == named.end() || joint.parent < 0) continue;
-    const Point3 &a = joint.offset, &b = own.joints[found->second].offset;
-    const double off = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), size = std::hypot(b[0], b[1], b[2]);
-    same += off <= 0.01 * size ? 1 : 0;
-  }
-  return 2 * same > motion.joints.size();
-}
-
-// The motion from a stance where it is at rest in none. With a body the rest pose is the body's, which makes it one.
-std::optional<Motion> find_standing(const AnimateOptions& s, const MotionInput& input, AnimatedCharacter* out) {
-  if (has_rest_of(*input.motion, out->character.joints)) return std::nullopt;
-  std::optional<Motion> standing = standing_motion(*input.motion, s.motion_up);
-  if (!standing) return std::nullopt;
-  const std::optional<Character> body = input.body ? input.body() : std::nullopt;
-  if (body && !body->influences.empty()) return std::nullopt;
-  out->motion.notes.push_back(input.file + ": its rest pose is no stance, so one was guessed from how it moves");
-  return standing;
 }
 
 // The caller's map, a file's, or a found one.
@@ -129,10 +100,13 @@ AnimatedCharacter animated_character(Character character, const std::string& pat
 }
 
 void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsOf& steps, AnimatedCharacter* out) {
-  const std::optional<Motion> standing = find_standing(s, choice, out);
-  const Motion& source = standing ? *standing : *choice.motion;
+  const std::optional<Character> body = choice.body ? choice.body() : std::nullopt;
+  MapSource read = map_source_of(*choice.motion, body ? &*body : nullptr, out->character.joints, s.motion_up);
+  if (read.standing)
+    out->motion.notes.push_back(choice.file + ": its rest pose is no stance, so one was guessed from how it moves");
+  const Motion& source = read.standing ? *read.standing : *choice.motion;
   const std::vector<Clip> clips = chosen_clips(s, choice.file, choice.clip, source);
-  MapRig target = map_rig_of(out->character), from = map_rig_of(source);
+  MapRig target = map_rig_of(out->character), &from = read.rig;
   target.name = s.character;
   from.name = choice.file;
   out->map = map_of(s, target, from);
@@ -144,7 +118,8 @@ void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsO
   settings.translations = s.translations ? 1 : 0;
   Retargeter retargeter(source, out->character.joints, map.sources, motion_classes(target, from, s.up, map.sources),
                         settings, {up_of(s.motion_up), up_of(s.up)});
-  set_method(s, choice, out, &retargeter);
+  set_method(s, choice.file, body, out, &retargeter);
+  if (!s.limits.empty()) retargeter.keep_limits(joint_limits(s.limits, target, s.up));
   size_t frames = 0, mapped = 0;
   for (const Clip& clip : clips) frames += clip.frames.size();
   for (const int joint : map.sources) mapped += joint >= 0 ? 1 : 0;

@@ -9,13 +9,15 @@
 #include <utility>
 
 #include "map/map_rig_view.hpp"
+#include "motion/points.hpp"
+#include "motion/upright_body.hpp"
 #include "rig/joint_surfaces.hpp"
 #include "sinew/names.h"
 #include "sinew/sinew.hpp"
 #include "sinew_character/bind.hpp"
 #include "sinew_character/builtin_motion.hpp"
+#include "sinew_character/map_source.hpp"
 #include "sinew_character/skeleton_template.hpp"
-#include "sinew_character/stance.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -60,10 +62,27 @@ std::vector<uint8_t> animated_joints(const Motion& motion) {
   return animated;
 }
 
-MapRig rig_in_stance(const Motion& motion) {
-  const std::optional<Motion> standing = standing_motion(motion);
-  return map_rig_of(standing ? *standing : motion);
+// Up where nobody says it: along the legs of a body that has two, else y, as nearly all files have it. What the engine finds without either
+// is wrong for one animal in eight and for most fish (F1 of public maps without names 0.855, of y 0.900).
+char found_up(const MapRig& rig, const MapSkeletonOptions& options) {
+  MapRig read = rig;
+  if (!options.names)
+    for (Joint& joint : read.joints) joint.name.clear();
+  if (!options.ends) read.ends.clear();
+  const std::optional<UprightBody> body = find_upright_body(read.joints, limb_classes(read, 'a'));
+  if (!body) return 'y';
+  Point3 legs{};
+  for (const UprightLimb& leg : body->legs)
+    legs = legs + unit(point(rig.joints[static_cast<size_t>(leg.upper)].position) -
+                       point(rig.joints[static_cast<size_t>(leg.end)].position));
+  const Point3 up = unit(legs);
+  constexpr double kPlain = 0.8;  // cosine
+  for (size_t axis = 0; axis < 3; ++axis)
+    if (up[axis] > kPlain) return static_cast<char>('x' + axis);
+  return 'y';
 }
+
+MapRig rig_in_stance(const Motion& motion) { return map_source_of(motion, nullptr, {}, "auto").rig; }
 
 // Of a file with a mesh, or with moving nodes alone.
 MapRig rig_of_scene(const std::string& path) {
@@ -147,7 +166,9 @@ MapRig read_map_rig(const std::string& path) {
 }
 
 MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const MapSkeletonOptions& options) {
-  const MapRigView target_view(target, options.target_up, options), source_view(source, options.source_up, options);
+  const auto up_of = [&](const MapRig& rig, char up) { return up == 'a' ? found_up(rig, options) : up; };
+  const MapRigView target_view(target, up_of(target, options.target_up), options),
+      source_view(source, up_of(source, options.source_up), options);
   const sinew_skeleton &to = target_view.skeleton, &from = source_view.skeleton;
   MapSettings settings;
   settings.method = options.method;

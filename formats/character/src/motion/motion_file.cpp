@@ -8,6 +8,7 @@
 #include "sinew_character/map_cover.hpp"
 #include "sinew_character/map_skeleton.hpp"
 #include "sinew_character/rest_floor.hpp"
+#include "sinew_formats/motion_layout.hpp"
 
 namespace sinew {
 namespace {
@@ -23,10 +24,10 @@ std::pair<float, size_t> fit_of(const Motion& motion, const MapRig& rig, const s
   return {cover.share, found.mapped};
 }
 
-Motion motion_of_request(const MotionRequest& request, const Character& character) {
+Motion motion_of_request(const MotionRequest& request, const MapRig& rig) {
   if (!is_builtin_motion(request.path)) return read_motion(request.path, request.fps, request.layout);
+  if (!request.layout.empty()) check_layout(request.path);
   std::vector<Motion> motions = builtin_motions(request.path);
-  const MapRig rig = map_rig_of(character);
   size_t best = 0;
   std::pair<float, size_t> best_fit;
   for (size_t m = 0; m < motions.size() && motions.size() > 1; ++m) {
@@ -40,8 +41,8 @@ Motion motion_of_request(const MotionRequest& request, const Character& characte
 
 }  // namespace
 
-MotionFile read_motion_for(const MotionRequest& request, const Character& character) {
-  Motion motion = motion_of_request(request, character);
+MotionFile read_motion_for(const MotionRequest& request, const MapRig& rig) {
+  Motion motion = motion_of_request(request, rig);
   std::optional<Motion> one = one_actor(motion, request.path, request.actor);
   MotionFile file = one ? MotionFile{std::move(*one), false} : MotionFile{std::move(motion), true};
   if (std::optional<Motion> level = motion_on_rest_floor(file.motion)) file.motion = std::move(*level);

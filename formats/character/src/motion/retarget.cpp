@@ -251,6 +251,9 @@ Clip Retargeter::run(const Clip& clip, const std::function<bool()>& keep_going, 
     check(room.reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE);
     check(sinew_retarget_reference_points(plan_, from_body, &target, &whole, &*reference_, room.data(), room.size()));
   }
+  if (!limits_.empty())
+    check(sinew_keep_joint_limits(limits_.data(), static_cast<uint32_t>(limits_.size()),
+                                  static_cast<uint32_t>(target_count_), whole.frame_count, to.rotations.data()));
   if (report != nullptr) measure(&report->after);
   go_on();
   Clip out = {clip.name, clip.frame_time, {}};

@@ -114,13 +114,13 @@ class StanceFinder {
   }
   int top() const { return body_.head >= 0 ? body_.head : body_.chest; }
 
-  // From feet to head in the mean, the nearest axis.
+  // From feet to where legs begin in the mean, the nearest axis; a quadruped's head is farther ahead than above.
   size_t up_axis() const {
     if (up_ == "x" || up_ == "y" || up_ == "z") return static_cast<size_t>(up_[0] - 'x');
     Point3 sum{};
     for (size_t f = 0; f < moving_.frame_count(); ++f)
-      sum =
-          sum + moving_.position(f, top()) - 0.5 * (moving_.position(f, leg(0).end) + moving_.position(f, leg(1).end));
+      for (const UprightLimb& limb : body_.legs)
+        sum = sum + moving_.position(f, limb.upper) - moving_.position(f, limb.end);
     return sum[2] > std::max(sum[0], sum[1]) ? 2 : sum[0] > sum[1] ? 0 : 1;
   }
 
@@ -239,10 +239,16 @@ class StanceFinder {
     turn(joint) = multiply(turn(parent), moving_.mean_rotation(frames, parent, joint));
     if (joint == body_.chest && body_.has_arms) {
       const Point3 side = moving_.mean_difference(frames_, joint, body_.arms[1].upper, body_.arms[0].upper);
-      swing(joint, side, axes_.left);
+      const int next = next_in_trunk(joint);
+      if (next >= 0)
+        turn(joint) = rotation_between(side, moving_.offset(next), axes_.left, axes_.up);
+      else
+        swing(joint, side, axes_.left);
     } else if (const int next = next_in_trunk(joint); next >= 0) {
+      // Who dances or runs leans while he stands; below the chest nobody's stance does.
       const Point3 bone = moving_.offset(next);
-      swing(joint, bone, across(rotate(turn(joint), bone), axes_.left));
+      const bool below_chest = is_below(body_.chest, joint);
+      swing(joint, bone, below_chest ? axes_.up : across(rotate(turn(joint), bone), axes_.left));
     }
     for (size_t k = 0; k < 2; ++k) {
       const double sign = k == 0 ? 1 : -1;
@@ -250,6 +256,7 @@ class StanceFinder {
       if (joint == leg(k).end) stand(joint, leg(k));
       if (!body_.has_arms) continue;
       stretch(joint, body_.arms[k], sign * axes_.left);
+      roll_arm(joint, body_.arms[k], sign * axes_.left);
     }
   }
 
@@ -277,6 +284,25 @@ class StanceFinder {
     };
     bone(limb.upper, limb.middle);
     bone(limb.middle, limb.end);
+  }
+
+  // Elbows are hinges: stretched aside, they would bend to the front. Upper arm and forearm both know how their elbow does.
+  void roll_arm(int joint, const UprightLimb& arm, const Point3& along) {
+    if (joint != arm.upper && joint != arm.middle) return;
+    Point3 axis{};
+    double bent = 0;
+    for (const size_t f : all_) {
+      const Point3 elbow = moving_.position(f, arm.middle);
+      const Point3 bend =
+          cross(unit(elbow - moving_.position(f, arm.upper)), unit(moving_.position(f, arm.end) - elbow));
+      axis = axis + rotate(conjugate(moving_.rotation(f, joint)), bend);
+      bent += length(bend);
+    }
+    constexpr double kLeastBend = 0.1, kOneWay = 0.7;  // mean sine; how far all bends are one
+    if (bent < kLeastBend * static_cast<double>(all_.size()) || length(axis) < kOneWay * bent) return;
+    const Point3 bone = joint == arm.upper ? moving_.mean_difference(all_, joint, arm.upper, arm.middle)
+                                           : moving_.mean_difference(all_, joint, arm.middle, arm.end);
+    turn(joint) = rotation_between(bone, axis, along, cross(along, axes_.front));
   }
 
   // Flat, as where it is lowest, and ahead.

@@ -149,6 +149,7 @@ std::optional<UprightBody> find_upright_body(const std::vector<Joint>& joints, c
 bool stands(const UprightBody& body, const std::vector<Point3>& positions) {
   constexpr double kStretched = 0.5;  // of a limb's length, the least that it reaches
   constexpr double kAbove = 0.4;      // of a leg, the chest or the head over the hips
+  constexpr double kLean = 0.25;      // tangent of a trunk's lean, the most
   constexpr double kApart = 0.03;     // of a leg, where legs begin
   constexpr double kMirrored = 0.08;  // of a leg, mean distance from mirror images
   const auto at = [&](int joint) { return positions[static_cast<size_t>(joint)]; };
@@ -167,6 +168,7 @@ bool stands(const UprightBody& body, const std::vector<Point3>& positions) {
   const Point3 middle = 0.5 * (at(body.legs[0].upper) + at(body.legs[1].upper));
   const double top = dot(at(body.chest) - middle, up);
   if (std::max(top, body.head >= 0 ? dot(at(body.head) - middle, up) : top) < kAbove * leg) return false;
+  if (length(across(at(body.chest) - middle, up)) > kLean * std::max(0.0, top)) return false;
   const Point3 side = at(body.legs[0].upper) - at(body.legs[1].upper);
   if (length(across(side, up)) < kApart * leg || std::abs(dot(unit(side), up)) > 0.3) return false;
   const Point3 normal = unit(across(side, up));

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <map>
 
+#include "map/map_rig_view.hpp"
 #include "rig/joint_surfaces.hpp"
 #include "sinew/sinew.hpp"
-#include "sinew_character/engine_views.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -44,7 +44,8 @@ std::vector<uint32_t> joints_to_merge(const SimplifyOptions& options, const Char
   const std::vector<Joint>& joints = character.joints;
   if (joints.empty()) throw Error(character.name + ": no joints to simplify");
   const std::vector<uint8_t> keep = kept_joints(options, character);
-  const SkeletonView view(joints);
+  const MapRig rig = map_rig_of(character);  // arms and legs are what they are to maps
+  const MapRigView view(rig, 'a', {});
   const JointSurfaces surfaces = joint_surfaces(character);
   SimplifySettings settings;
   settings.level = options.low ? SINEW_SIMPLIFY_LOW : SINEW_SIMPLIFY_HIGH;

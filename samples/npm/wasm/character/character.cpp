@@ -251,6 +251,7 @@ EMSCRIPTEN_KEEPALIVE const char* character_animate(sinew_character* character, s
         wish.take("to", &o.to);
         wish.take("clip", &o.clip);
         wish.take("layout", &o.layout);
+        wish.take("limits", &o.limits);
         wish.take("actor", &o.actor);
         wish.take_array("sources", &o.sources);
       },

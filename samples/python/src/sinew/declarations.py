@@ -32,6 +32,8 @@ MAX_BIHARMONIC_VERTICES = 65536
 NO_AREA = 4294967295
 ERROR_INPUT = -30
 ERROR_MEMORY = -31
+LIMIT_HINGE = 1
+LIMIT_BALL = 2
 DETAIL_HANDS = 1
 DETAIL_FACE = 2
 DETAIL_PROPS = 4
@@ -65,6 +67,7 @@ DeformMethod = Literal["volume", "xpbd", "delta-mush"]
 DEFORM_METHOD: Tuple[str, ...] = ("volume", "xpbd", "delta-mush")
 TetWeights = Literal["skin", "distance"]
 TET_WEIGHTS: Tuple[str, ...] = ("skin", "distance")
+LIMIT_KIND: Dict[str, int] = {"LIMIT_HINGE": 1, "LIMIT_BALL": 2}
 MapMethod = Literal["auto", "sinew", "branches"]
 MAP_METHOD: Tuple[str, ...] = ("auto", "sinew", "branches")
 MapReason = Literal["found", "pinned", "no-counterpart", "fewer-joints", "end", "outside", "taken", "beside-limits"]
@@ -188,6 +191,11 @@ class sinew_deformer(Structure):
 class sinew_deform_outputs(Structure):
     _fields_ = [("struct_size", c_uint32), ("corrected", c_uint32), ("positions", c_void_p), ("active_tetrahedra", c_uint32),
         ("inverted_tetrahedra", c_uint32)]
+
+
+class sinew_joint_limit(Structure):
+    _fields_ = [("joint", c_uint32), ("kind", c_uint32), ("zero", c_float * 4), ("axis", c_float * 3), ("side", c_float * 3),
+        ("least", c_float * 3), ("most", c_float * 3)]
 
 
 class sinew_map_pin(Structure):
@@ -375,12 +383,12 @@ class sinew_character_rig_result(Structure):
 class sinew_character_map_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("no_names", c_uint32), ("no_ends", c_uint32), ("target_up", c_uint32),
         ("source_up", c_uint32), ("guess_up", c_uint32), ("pin_count", c_uint32), ("pins", POINTER(sinew_map_pin)), ("pins_file", c_char_p),
-        ("branches_first", c_uint32), ("branches_cost", c_uint32)]
+        ("branches_first", c_uint32), ("branches_cost", c_uint32), ("layout", c_char_p), ("actor", c_char_p)]
 
 
 class sinew_character_map_result(Structure):
     _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("joint_count", c_uint32), ("mapped", c_uint32), ("certainty", c_float),
-        ("reserved", c_float), ("seconds", c_double), ("sources", c_void_p), ("confidence", c_void_p), ("reasons", c_void_p),
+        ("cover", c_float), ("seconds", c_double), ("sources", c_void_p), ("confidence", c_void_p), ("reasons", c_void_p),
         ("text", c_char_p)]
 
 
@@ -392,7 +400,7 @@ class sinew_character_animate_options(Structure):
         ("map", c_char_p), ("sources", c_void_p), ("area_power", c_uint32), ("no_own_limb", c_uint32), ("legs", c_uint32),
         ("report", c_uint32), ("falloff", c_double), ("own_limb", c_uint32), ("head", c_uint32), ("torso", c_uint32),
         ("source_points", c_uint32), ("force", c_uint32), ("translations", c_uint32), ("stiffness", c_double), ("tet_weights", c_uint32),
-        ("no_smoothing", c_uint32), ("layout", c_char_p), ("actor", c_char_p)]
+        ("no_smoothing", c_uint32), ("layout", c_char_p), ("actor", c_char_p), ("limits", c_char_p)]
 
 
 class sinew_character_animate_result(Structure):
@@ -440,10 +448,11 @@ class sinew_character_bake_result(Structure):
 
 
 STRUCTS: Tuple[Any, ...] = (sinew_mesh, sinew_model, sinew_answer, sinew_alternative, sinew_question, sinew_skeleton, sinew_skin,
-    sinew_options, sinew_bind_outputs, sinew_deform_options, sinew_deformer, sinew_deform_outputs, sinew_map_pin, sinew_map_options,
-    sinew_map_outputs, sinew_retarget_options, sinew_motion_body, sinew_floor, sinew_contact_options, sinew_motion_clip, sinew_limb_measure,
-    sinew_contact_spot, sinew_retarget_stream_options, sinew_rig_options, sinew_rig_outputs, sinew_joint_verdicts, sinew_bound_character,
-    sinew_vertex_pair, sinew_transfer_options, sinew_transfer_part, sinew_transfer_outputs, sinew_reference_options, sinew_simplify_options)
+    sinew_options, sinew_bind_outputs, sinew_deform_options, sinew_deformer, sinew_deform_outputs, sinew_joint_limit, sinew_map_pin,
+    sinew_map_options, sinew_map_outputs, sinew_retarget_options, sinew_motion_body, sinew_floor, sinew_contact_options, sinew_motion_clip,
+    sinew_limb_measure, sinew_contact_spot, sinew_retarget_stream_options, sinew_rig_options, sinew_rig_outputs, sinew_joint_verdicts,
+    sinew_bound_character, sinew_vertex_pair, sinew_transfer_options, sinew_transfer_part, sinew_transfer_outputs, sinew_reference_options,
+    sinew_simplify_options)
 
 
 CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_arrays, sinew_character_clip, sinew_character_models,
@@ -474,6 +483,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_deform_create": (c_int, [POINTER(sinew_mesh), POINTER(sinew_skeleton), POINTER(sinew_skin), POINTER(sinew_deform_options),
         c_void_p, c_size_t, POINTER(sinew_deformer)]),
     "sinew_deform_pose": (c_int, [POINTER(sinew_deformer), c_void_p, c_void_p, c_size_t, POINTER(sinew_deform_outputs)]),
+    "sinew_keep_joint_limits": (c_int, [POINTER(sinew_joint_limit), c_uint32, c_uint32, c_uint32, c_void_p]),
     "sinew_map_workspace_size": (c_int, [c_uint32, c_uint32, POINTER(c_size_t)]),
     "sinew_map": (c_int, [POINTER(sinew_skeleton), POINTER(sinew_skeleton), POINTER(sinew_map_options), c_void_p, c_size_t,
         POINTER(sinew_map_outputs)]),

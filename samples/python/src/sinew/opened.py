@@ -439,17 +439,21 @@ class OpenCharacter:
     def map(self, source: Union[str, os.PathLike, "OpenCharacter"], *, method: declarations.MapMethod = "auto", names: bool = True,
             ends: bool = True, first: declarations.BranchesFirst = "both", cost: declarations.BranchesCost = "mean",
             target_up: MotionUp = "auto", source_up: MotionUp = "auto", guess_up: bool = False,
-            pins: Union[None, str, os.PathLike, Mapping[Union[str, int], Union[str, int, None]]] = None) -> FileMap:
+            pins: Union[None, str, os.PathLike, Mapping[Union[str, int], Union[str, int, None]]] = None,
+            layout: Optional[str] = None, actor: Union[None, str, int] = None) -> FileMap:
         """Which joint of the source (a file, "template:NAME", an OpenCharacter) stands for which of this character. Changes neither.
 
         pins  {target joint: source joint or None}, by name or number, or a map file whose lines are kept
         first, cost  of method "branches": whose branches choose, and what two branches cost
-        target_up, source_up  "auto": y, and as the target's
+        target_up, source_up  "auto": along the legs of a body that has two, else y; and as the target's
+        layout, actor  of the source, as in retarget()
         """
         options = binding.init(declarations.sinew_character_map_options)
         options.method, options.no_names, options.no_ends = chosen(method, declarations.MAP_METHOD, "method"), int(not names), int(not ends)
         options.target_up, options.source_up = chosen(target_up, declarations.UP, "target_up"), chosen(source_up, declarations.UP, "source_up")
         options.guess_up = int(guess_up)
+        options.layout = None if layout is None else layout.encode()
+        options.actor = None if actor is None else str(actor).encode()
         options.branches_first = chosen(first, declarations.BRANCHES_FIRST, "first")
         options.branches_cost = chosen(cost, declarations.BRANCHES_COST, "cost")
         if isinstance(pins, Mapping):
@@ -482,7 +486,7 @@ class OpenCharacter:
                  smoothing: bool = True, shapes: int = 0, fps: float = 0, start: float = 0, end: float = 0,
                  clip: Union[None, str, int] = None, map_file: Union[None, str, os.PathLike] = None, joint_map: Any = None,
                  force: bool = False, translations: bool = False, layout: Optional[str] = None, actor: Union[None, str, int] = None,
-                 threads: int = 1, progress: ProgressFunction = None) -> Retargeted:
+                 limits: Union[None, str, os.PathLike] = None, threads: int = 1, progress: ProgressFunction = None) -> Retargeted:
         """Adds clips of another skeleton. A bare mesh is rigged first.
 
         natural_range  knees and elbows stay in theirs
@@ -495,6 +499,7 @@ class OpenCharacter:
         force          plays a motion that does not fit, such as a person's on a horse; else an error
         layout         which joints places alone are (.npy, .npz): "smpl24", "humanml3d22", "coco17", "mediapipe33"; None: guessed by their count
         actor          of a file of several people, by the root's name or number; None: the first where all are alike
+        limits         what joints stay within: a .urdf, a file of limits (formats/spec/limits.md), or "human"; None: nothing but the natural range
         """
         options = binding.init(declarations.sinew_character_animate_options)
         options.method, options.in_place, options.no_range = chosen(method, declarations.ANIMATE_METHOD, "method"), int(in_place), int(not natural_range)
@@ -508,6 +513,7 @@ class OpenCharacter:
         options.clip = None if clip is None else str(clip).encode()
         options.layout = None if layout is None else layout.encode()
         options.actor = None if actor is None else str(actor).encode()
+        options.limits = None if limits is None else os.fsencode(limits)
         options.map = None if map_file is None else os.fsencode(map_file)
         given = None if joint_map is None else whole(joint_map, (self._view().joint_count,), "joint_map", np.int32, -1, motion._view().joint_count)
         options.sources = binding.address(given)

@@ -10,7 +10,9 @@
 namespace sinew {
 namespace {
 
-Character sample(const std::string& name) { return read_character(SINEW_SOURCE_DIR "/samples/data/" + name + ".obj"); }
+MapRig sample(const std::string& name) {
+  return map_rig_of(read_character(SINEW_SOURCE_DIR "/samples/data/" + name + ".obj"));
+}
 
 TEST(MotionFile, AWalkIsThatOfTheCharactersLimbs) {
   EXPECT_EQ(read_motion_for({"builtin:walk"}, sample("biped__robot")).motion.joints[0].name, "mixamorig:Hips");

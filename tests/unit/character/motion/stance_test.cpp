@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "motion/points.hpp"
+#include "sinew_character/builtin_motion.hpp"
 #include "walking_motion.hpp"
 
 namespace sinew {
@@ -121,6 +122,32 @@ TEST(Stance, WhatDoesNotGoUprightIsLeftAlone) {
       if (name == "LeftUpLeg" || name == "RightUpLeg") frame.rotations[j] = axis_rotation(0, 0.1);
     }
   EXPECT_FALSE(standing_motion(with_random_axes(animal)));
+  EXPECT_FALSE(standing_motion(builtin_motions("builtin:quadruped/walk")[0])) << "its head is ahead, not above";
+}
+
+// Who leans all the time has an upright stance, and an arm is rolled as its elbow bends.
+TEST(Stance, TheTrunkIsUprightAndElbowsBendToTheFront) {
+  Motion leaning = walking_person();
+  for (MotionFrame& frame : leaning.clips[0].frames)
+    for (size_t j = 0; j < leaning.joints.size(); ++j) {
+      const std::string& name = leaning.joints[j].name;
+      if (name == "Spine") frame.rotations[j] = axis_rotation(0, 0.35);
+      if (name == "LeftArm") frame.rotations[j] = multiply(frame.rotations[j], axis_rotation(0, 0.6));  // rolled
+    }
+  const Motion written = with_random_axes(leaning);
+  const std::optional<Motion> found = standing_motion(written);
+  ASSERT_TRUE(found);
+  const std::vector<Joint> rest = rest_joints(*found);
+  const Point3 trunk = unit(rest_of(rest, "Chest") - rest_of(rest, "Spine"));
+  EXPECT_GT(trunk[1], std::cos(0.02));
+  const Clip& clip = found->clips[0];
+  for (size_t j = 0; j < found->joints.size(); ++j)
+    if (found->joints[j].name == "LeftForeArm") {
+      // Against the stance a forearm turns about up alone, towards the front.
+      EXPECT_LT(std::abs(clip.frames[10].rotations[j][0]), 0.02);
+      EXPECT_LT(std::abs(clip.frames[10].rotations[j][2]), 0.02);
+      EXPECT_NEAR(std::abs(clip.frames[10].rotations[j][1]), std::sin(0.175), 0.02);
+    }
 }
 
 }  // namespace
