@@ -33,6 +33,10 @@ set(sinew_character_sources
   motion/retarget
   motion/stance
   motion/upright_body
+  picture/body_class
+  picture/picture_view
+  picture/plane_bones
+  picture/plane_motion
   pose/bend_volume
   pose/deform
   pose/pose
@@ -75,6 +79,7 @@ set(sinew_job_sources
   src/jobs/character_file
   src/jobs/find_joint_map
   src/jobs/own_skeleton
+  src/jobs/picture_job
   src/jobs/pose_job
   src/jobs/rig_bare_mesh
   src/jobs/rig_job
