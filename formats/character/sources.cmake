@@ -37,6 +37,7 @@ set(sinew_character_sources
   picture/picture_view
   picture/plane_bones
   picture/plane_motion
+  picture/side_limbs
   pose/bend_volume
   pose/deform
   pose/pose

@@ -16,7 +16,8 @@ void add_picture_options(CLI::App* sub, PictureOptions* options) {
   sub->add_option("--class", options->body, "What body it is. Found unless given")
       ->type_name("WORD")
       ->check(CLI::IsMember(body_class_words()));
-  sub->add_option("--mask", options->mask, "A picture that is bright where the figure is. Found unless given")->type_name("FILE");
+  sub->add_option("--mask", options->mask, "A picture that is bright where the figure is. Found unless given")
+      ->type_name("FILE");
   sub->add_option("--mask-out", options->mask_out, "The figure that was found, white on black")->type_name("FILE.png");
   sub->add_option("--figure", options->figure, "Of several figures, from left to right. The largest unless given")
       ->check(CLI::Range(1u, 99u))
@@ -52,7 +53,8 @@ void write_mask(const PictureOptions& options, const PictureCharacter& found) {
   Image image;
   image.width = static_cast<int>(mask.width);
   image.height = static_cast<int>(mask.height);
-  for (const uint8_t inside : mask.inside) image.rgb.insert(image.rgb.end(), 3, inside != 0 ? uint8_t{255} : uint8_t{0});
+  for (const uint8_t inside : mask.inside)
+    image.rgb.insert(image.rgb.end(), 3, inside != 0 ? uint8_t{255} : uint8_t{0});
   write_file(options.mask_out, encode_png(image));
 }
 

@@ -44,7 +44,8 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     for (const uint32_t v : mesh.face_vertices) demand(v < mesh.vertices.size(), "corners name vertices");
     for (const sinew::Vec3& v : mesh.vertices)
       demand(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z), "places are finite");
-    for (const auto& uv : mesh.corner_uvs) demand(uv[0] >= 0 && uv[0] <= 1 && uv[1] >= 0 && uv[1] <= 1, "UVs are in the picture");
+    for (const auto& uv : mesh.corner_uvs)
+      demand(uv[0] >= 0 && uv[0] <= 1 && uv[1] >= 0 && uv[1] <= 1, "UVs are in the picture");
   } catch (const sinew::Error& error) {
     const std::string text = error.what();
     demand(text.rfind("input: ", 0) == 0, "an error begins with its file: " + text);

@@ -18,8 +18,8 @@ const std::string kChild = kData + "/drawing__child.png", kCat = kData + "/drawi
 class CliPicture : public Cli {};
 
 TEST_F(CliPicture, ADrawingBecomesACharacterInItsOwnPlace) {
-  const auto said = nlohmann::json::parse(
-      good("rig " + kChild + " --units pixels --mask-out mask.png --json -o child.glb").out);
+  const auto said =
+      nlohmann::json::parse(good("rig " + kChild + " --units pixels --mask-out mask.png --json -o child.glb").out);
   EXPECT_EQ(said["picture"]["class"], "biped");
   EXPECT_EQ(said["picture"]["view"], "from the front");
   EXPECT_TRUE(fs::exists(in("mask.png")));
@@ -75,11 +75,14 @@ TEST_F(CliPicture, MotionStaysInThePlane) {
 
 TEST_F(CliPicture, WhatIsNoPictureOfACharacterIsALine) {
   put(in("empty.png"), "");
-  EXPECT_NE(bad(1, "rig empty.png -o a.glb").error.find("empty.png: expected a PNG or JPEG picture, found an empty file"), std::string::npos);
+  EXPECT_NE(
+      bad(1, "rig empty.png -o a.glb").error.find("empty.png: expected a PNG or JPEG picture, found an empty file"),
+      std::string::npos);
   put(in("cut.png"), slurp(kChild).substr(0, 3000));
   EXPECT_NE(bad(1, "rig cut.png -o a.glb").error.find("cut.png: cannot read this PNG"), std::string::npos);
   EXPECT_FALSE(fs::exists(in("a.glb")));
-  EXPECT_NE(bad(1, "rig " + kChild + " --figure 2 -o a.glb").error.find("there is no figure 2, found 1"), std::string::npos);
+  EXPECT_NE(bad(1, "rig " + kChild + " --figure 2 -o a.glb").error.find("there is no figure 2, found 1"),
+            std::string::npos);
   EXPECT_NE(bad(2, "rig " + kSnake + " --flat -o a.glb").error.find("--flat is for pictures"), std::string::npos);
   EXPECT_NE(bad(2, "animate " + kCaped + " -o a.glb").error.find("--motion is required"), std::string::npos);
 }

@@ -15,7 +15,8 @@
 namespace sinew::test {
 
 using Rgba = std::array<uint8_t, 4>;
-constexpr Rgba kWhite = {255, 255, 255, 255}, kInk = {30, 28, 34, 255}, kRed = {200, 60, 50, 255}, kClear = {0, 0, 0, 0};
+constexpr Rgba kWhite = {255, 255, 255, 255}, kInk = {30, 28, 34, 255}, kRed = {200, 60, 50, 255},
+               kClear = {0, 0, 0, 0};
 
 template <typename ColourAt>
 PictureFile picture_of(uint32_t width, uint32_t height, const ColourAt& colour_at) {
@@ -50,8 +51,8 @@ double overlap(const Mask& mask, const Inside& inside) {
 // Of stored blocks and right checksums, so that any size is cheap: rows of filter 0.
 //   colour_type  0 grey, 2 RGB, 3 palette, 6 RGBA, as in a PNG
 //   palette      RGB triples, for colour_type 3
-std::vector<uint8_t> png_bytes(uint32_t width, uint32_t height, int depth, int colour_type, const std::vector<uint8_t>& rows,
-                               const std::vector<uint8_t>& palette = {});
+std::vector<uint8_t> png_bytes(uint32_t width, uint32_t height, int depth, int colour_type,
+                               const std::vector<uint8_t>& rows, const std::vector<uint8_t>& palette = {});
 
 }  // namespace sinew::test
 #endif

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "picture/side_limbs.hpp"
 #include "sinew_formats/box.hpp"
 #include "sinew_formats/print.hpp"
 
@@ -17,7 +18,8 @@ constexpr float kLayer = 0.006f;
 std::vector<PictureView> views_of(const std::optional<BodyClass>& given) {
   using enum PictureView;
   if (given == BodyClass::kBiped) return {kFront};
-  if (given == BodyClass::kQuadruped || given == BodyClass::kFish || given == BodyClass::kSnake) return {kFacesRight, kFacesLeft};
+  if (given == BodyClass::kQuadruped || given == BodyClass::kFish || given == BodyClass::kSnake)
+    return {kFacesRight, kFacesLeft};
   return {kFront, kFacesRight, kFacesLeft};
 }
 
@@ -51,20 +53,24 @@ void lay_into_plane(const Character& mesh, PictureView view, PredictedSkeleton* 
     place.z = kLayer * size * layer_of(view, *skeleton, j);
   }
   if (view == PictureView::kFront) return;
+  part_side_limbs(mesh, skeleton);
   skeleton->mirrored = false;  // about the picture plane, in which both sides now lie
   skeleton->partners.assign(skeleton->joints.size(), -1);
 }
 
 size_t count_class(const PredictedSkeleton& skeleton, uint8_t wanted) {
   size_t count = 0;
-  for (size_t j = 0; j < skeleton.joints.size(); ++j) count += skeleton.classes[j] == wanted && skeleton.ends[j] == 0 ? 1 : 0;
+  for (size_t j = 0; j < skeleton.joints.size(); ++j)
+    count += skeleton.classes[j] == wanted && skeleton.ends[j] == 0 ? 1 : 0;
   return count;
 }
 
 }  // namespace
 
 const char* picture_view_text(PictureView view) {
-  return view == PictureView::kFront ? "from the front" : view == PictureView::kFacesRight ? "facing right" : "facing left";
+  return view == PictureView::kFront        ? "from the front"
+         : view == PictureView::kFacesRight ? "facing right"
+                                            : "facing left";
 }
 
 Vec3 from_picture(PictureView view, const Vec3& p) {
@@ -80,29 +86,26 @@ Vec3 to_picture(PictureView view, const Vec3& p) {
 BodyClass body_class_of(const PredictedSkeleton& skeleton) {
   const size_t legs = count_class(skeleton, SINEW_CLASS_THIGH), arms = count_class(skeleton, SINEW_CLASS_UPPER_ARM),
                wings = count_class(skeleton, SINEW_CLASS_WING), others = count_class(skeleton, SINEW_CLASS_OTHER);
-  if (legs + arms > 4 || (legs + arms == 0 && others >= 12)) return BodyClass::kManyLegged;
+  if (legs + arms >= 6 || (legs + arms == 0 && others >= 12)) return BodyClass::kManyLegged;
   if (wings >= 2 && arms == 0) return BodyClass::kBird;
-  if (legs + arms == 0) {
-    const Box box = [&] {
-      std::vector<Vec3> places;
-      for (const Joint& joint : skeleton.joints) places.push_back(joint.position);
-      return box_of(places);
-    }();
-    const float high = box.high.y - box.low.y, length = box.high.z - box.low.z;
-    return skeleton.joints.size() >= 10 && length > 4 * high ? BodyClass::kSnake : BodyClass::kFish;
-  }
   // From the pelvis to where neck or head begin.
   const Vec3* low = nullptr;
   const Vec3* high = nullptr;
+  std::vector<Vec3> places;
   for (size_t j = 0; j < skeleton.joints.size(); ++j) {
     const uint8_t c = skeleton.classes[j];
+    places.push_back(skeleton.joints[j].position);
     if (low == nullptr && c == SINEW_CLASS_PELVIS) low = &skeleton.joints[j].position;
     if (high == nullptr && (c == SINEW_CLASS_NECK || c == SINEW_CLASS_HEAD)) high = &skeleton.joints[j].position;
   }
-  if (low == nullptr || high == nullptr) return legs > 0 ? BodyClass::kBiped : BodyClass::kOther;
-  const bool upright = high->y - low->y > std::abs(high->z - low->z);
-  if (upright) return BodyClass::kBiped;
-  return arms > 0 && legs > 0 ? BodyClass::kQuadruped : legs > 0 ? BodyClass::kBird : BodyClass::kOther;
+  const bool upright = low != nullptr && high != nullptr && high->y - low->y > std::abs(high->z - low->z);
+  if (legs == 0) {
+    const Box box = box_of(places);
+    if (upright && arms > 0) return BodyClass::kOther;
+    return box.high.z - box.low.z > 4 * (box.high.y - box.low.y) ? BodyClass::kSnake : BodyClass::kFish;
+  }
+  if (upright || low == nullptr || high == nullptr) return BodyClass::kBiped;
+  return arms > 0 ? BodyClass::kQuadruped : BodyClass::kBird;
 }
 
 SeenBody see_body(const Character& mesh, const std::optional<BodyClass>& given, const RigJobOptions& job,
@@ -130,11 +133,14 @@ SeenBody see_body(const Character& mesh, const std::optional<BodyClass>& given, 
   float rival = 1e9f;
   for (size_t s = 0; s < seen.size(); ++s)
     if (s != best) rival = std::min(rival, seen[s].skeleton.spread);
-  out.certainty = given || seen.size() == 1 ? 1.0f : rival / (rival + out.skeleton.spread);
+  // A spread of one and a half times the best one's is as good as never the right view.
+  const float ratio = std::pow(rival / std::max(out.skeleton.spread, 1e-4f), 6.0f);
+  out.certainty = given || seen.size() == 1 ? 1.0f : std::isfinite(ratio) ? ratio / (1 + ratio) : 1.0f;
   notes->insert(notes->end(), said[best].begin(), said[best].end());
   if (by_votes && !given)
-    notes->push_back(print("seen as a %s %s, a guess (%.0f %%); --class says what it is", body_class_word(out.body).c_str(),
-                           picture_view_text(out.view), 100 * static_cast<double>(out.certainty)));
+    notes->push_back(print("seen as a %s %s, a guess (%.0f %%); --class says what it is",
+                           body_class_word(out.body).c_str(), picture_view_text(out.view),
+                           100 * static_cast<double>(out.certainty)));
   lay_into_plane(mesh, by_votes ? out.view : PictureView::kFront, &out.skeleton);
   return out;
 }

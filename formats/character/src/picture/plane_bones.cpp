@@ -97,7 +97,8 @@ class PlaneBones {
     for (const size_t j : order_) {
       const int parent = body_.joints[j].parent;
       const bool leg = is_leg(classes_[j]), arm = is_arm(classes_[j]);
-      if (parent >= 0 && (leg || arm) && (leg ? is_leg(classes_[static_cast<size_t>(parent)]) : is_arm(classes_[static_cast<size_t>(parent)])) &&
+      if (parent >= 0 && (leg || arm) &&
+          (leg ? is_leg(classes_[static_cast<size_t>(parent)]) : is_arm(classes_[static_cast<size_t>(parent)])) &&
           classes_[static_cast<size_t>(parent)] != SINEW_CLASS_CLAVICLE) {
         from_side_[j] = from_side_[static_cast<size_t>(parent)];  // a limb as a whole
         continue;
@@ -151,8 +152,8 @@ class PlaneBones {
       if (parent >= 0) continue;
       Point3 moved;
       for (size_t k = 0; k < 3; ++k) moved[k] = pose.positions[j][k] - rest_.positions[j][k];
-      const Vec3 in_picture = to_picture(
-          view_, {static_cast<float>(moved[0]), static_cast<float>(moved[1]), static_cast<float>(moved[2])});
+      const Vec3 in_picture =
+          to_picture(view_, {static_cast<float>(moved[0]), static_cast<float>(moved[1]), static_cast<float>(moved[2])});
       out.translations.back()[0] += static_cast<double>(in_picture.x);
       out.translations.back()[1] += moved[1];
     }
@@ -161,7 +162,8 @@ class PlaneBones {
     if (!stands) return out;
     const WorldPose flat = world_pose(plane_, out);
     MotionFrame rest = out;
-    for (size_t j = 0; j < rest.rotations.size(); ++j) rest.rotations[j] = kNoRotation4, rest.translations[j] = plane_.joints[j].offset;
+    for (size_t j = 0; j < rest.rotations.size(); ++j)
+      rest.rotations[j] = kNoRotation4, rest.translations[j] = plane_.joints[j].offset;
     const double lift = lowest_foot(pose) - rest_floor_ + lowest_foot(world_pose(plane_, rest)) - lowest_foot(flat);
     for (size_t j = 0; j < plane_.joints.size(); ++j)
       if (plane_.joints[j].parent < 0) out.translations[j][1] += lift;

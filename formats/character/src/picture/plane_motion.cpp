@@ -43,7 +43,8 @@ void add_picture_motion(const PictureCharacter& picture, bool depth, const Anima
   body.motion = motion_of(body.character.joints);
   AnimateOptions copied = options;
   copied.up = "y";
-  if (copied.method == AnimateMethod::kAuto && !depth) copied.method = AnimateMethod::kCopy;  // feet are put on the floor here
+  if (copied.method == AnimateMethod::kAuto && !depth)
+    copied.method = AnimateMethod::kCopy;  // feet are put on the floor here
   add_motion(copied, input, steps, &body);
   const std::vector<uint8_t> classes = classes_of(picture, body.motion.joints.size());
   for (const Clip& clip : body.motion.clips)

@@ -22,8 +22,8 @@ struct Pixels {
 struct PictureFile {
   std::string name;  // file stem
   Pixels pixels;
-  Picture bytes;             // the file itself, for a texture
-  uint8_t orientation = 1;   // of its EXIF data, 1..8: how the file's rows become those of `pixels`
+  Picture bytes;            // the file itself, for a texture
+  uint8_t orientation = 1;  // of its EXIF data, 1..8: how the file's rows become those of `pixels`
 };
 
 // PNG (any depth, palettes, interlaced) and JPEG (grey, YCbCr, RGB), told apart by their first bytes. Throws Error: another format, damaged or cut

@@ -14,9 +14,10 @@
 namespace sinew {
 
 struct PictureMeshOptions {
-  bool pixels = false;  // units are the picture's pixels, x from the left edge, y up from the bottom edge; else the figure's longest side is 1, its
-                        // feet at y 0, its middle at x 0
-  bool flat = false;    // a card, 1 % of the longest side thick
+  bool pixels =
+      false;  // units are the picture's pixels, x from the left edge, y up from the bottom edge; else the figure's longest side is 1, its
+              // feet at y 0, its middle at x 0
+  bool flat = false;  // a card, 1 % of the longest side thick
 };
 
 // The picture's plane is xy, seen from +z. Vertices on the outline are common to both sides; those between lie in front (z > 0) and behind. One

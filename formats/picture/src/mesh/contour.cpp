@@ -33,7 +33,7 @@ double distance_to_line(const Place& p, const Place& a, const Place& b) {
 }  // namespace
 
 std::vector<Loop> contours_of(const Mask& mask) {
-  const uint32_t width = mask.width + 1;  // of the grid of pixels' corners
+  const uint32_t width = mask.width + 1;                             // of the grid of pixels' corners
   std::vector<uint8_t> edges(size_t{width} * (mask.height + 1), 0);  // bit d: an edge leaves in direction d
   const auto corner = [&](int64_t x, int64_t y) { return static_cast<size_t>(y) * width + static_cast<size_t>(x); };
   for (int64_t y = 0; y < int64_t{mask.height}; ++y)
@@ -64,7 +64,8 @@ std::vector<Loop> contours_of(const Mask& mask) {
         }
         if (!found) break;
         here = static_cast<uint8_t>(here & ~(1 << direction));
-        loop.push_back({static_cast<double>(x) + 0.5 * kStepX[direction], static_cast<double>(y) + 0.5 * kStepY[direction]});
+        loop.push_back(
+            {static_cast<double>(x) + 0.5 * kStepX[direction], static_cast<double>(y) + 0.5 * kStepY[direction]});
         x += kStepX[direction];
         y += kStepY[direction];
       }

@@ -54,7 +54,8 @@ Character picture_mesh(const PictureFile& picture, const Figure& figure, const P
   using namespace picture;
   const Inflation inflation = inflate(figure.mask);
   const PlaneMesh mesh = triangulate(figure.mask, inflation, kPoints);
-  if (mesh.triangles.size() < 8) throw Error(picture.name + ": the figure has too few pixels for a mesh; give a larger picture");
+  if (mesh.triangles.size() < 8)
+    throw Error(picture.name + ": the figure has too few pixels for a mesh; give a larger picture");
   const Plane plane = plane_of(picture, figure, mesh, options.pixels);
   Character out;
   out.name = picture.name;

@@ -19,7 +19,8 @@ constexpr int kRounds = 5;
 // Where distances to the outline have their ridge: a limb's middle line.
 bool on_ridge(const Grid<float>& depth, uint32_t x, uint32_t y) {
   if (x == 0 || y == 0 || x + 1 >= depth.width || y + 1 >= depth.height) return false;
-  const float gx = 0.5f * (depth.at(x + 1, y) - depth.at(x - 1, y)), gy = 0.5f * (depth.at(x, y + 1) - depth.at(x, y - 1));
+  const float gx = 0.5f * (depth.at(x + 1, y) - depth.at(x - 1, y)),
+              gy = 0.5f * (depth.at(x, y + 1) - depth.at(x, y - 1));
   return std::hypot(gx, gy) < 0.75f;
 }
 
@@ -33,12 +34,14 @@ std::vector<Place> inner_points(const Inflation& inflation, double spacing) {
   std::vector<Candidate> candidates;
   for (uint32_t y = 0; y < depth.height; ++y)
     for (uint32_t x = 0; x < depth.width; ++x)
-      if (const float d = depth.at(x, y); d >= 1.2f && (static_cast<double>(d) >= 0.6 * spacing || on_ridge(depth, x, y)))
+      if (const float d = depth.at(x, y);
+          d >= 1.2f && (static_cast<double>(d) >= 0.6 * spacing || on_ridge(depth, x, y)))
         candidates.push_back({d, static_cast<uint32_t>(depth.index(x, y))});
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return a.depth != b.depth ? a.depth > b.depth : a.at < b.at;
   });
-  const auto columns = static_cast<size_t>(depth.width / spacing) + 3, rows = static_cast<size_t>(depth.height / spacing) + 3;
+  const auto columns = static_cast<size_t>(depth.width / spacing) + 3,
+             rows = static_cast<size_t>(depth.height / spacing) + 3;
   std::vector<std::vector<uint32_t>> cells(columns * rows);
   std::vector<Place> points;
   for (const Candidate& one : candidates) {
@@ -59,8 +62,7 @@ std::vector<Place> inner_points(const Inflation& inflation, double spacing) {
 // Points of a triangulation, in whole steps of its grid.
 class Net {
  public:
-  explicit Net(const Mask& mask)
-      : scale_(static_cast<double>(Delaunay::kMost) / std::max(mask.width, mask.height)) {}
+  explicit Net(const Mask& mask) : scale_(static_cast<double>(Delaunay::kMost) / std::max(mask.width, mask.height)) {}
   uint32_t insert(const Place& p) {
     const uint32_t number = net_.insert(std::llround(p[0] * scale_), std::llround(p[1] * scale_));
     if (number == points_.size()) points_.push_back(p);

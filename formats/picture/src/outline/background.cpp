@@ -40,8 +40,7 @@ float middle_of(std::vector<float>* values) {
 
 // The value that a share of all is not above.
 float value_at(std::vector<float> values, double share) {
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
@@ -85,8 +84,8 @@ void Background::fit_surface(const Grid<Lab>& colours, const std::vector<uint32_
       const uint32_t x = samples[k] % width_, y = samples[k] / width_;
       const Lab& colour = colours.values[samples[k]];
       const Lab expected = surface_at(x, y);
-      const double d = static_cast<double>(
-          length({colour[0] - expected[0], colour[1] - expected[1], colour[2] - expected[2]}));
+      const double d =
+          static_cast<double>(length({colour[0] - expected[0], colour[1] - expected[1], colour[2] - expected[2]}));
       const double weight = 1 / (1 + d * d / (scale * scale));
       const Basis b = basis_at(double{1} * x / width_, double{1} * y / height_);
       for (size_t c = 0; c < 3; ++c)
@@ -101,7 +100,7 @@ void Background::fit_surface(const Grid<Lab>& colours, const std::vector<uint32_
 
 // A row that is off by the same on both sides of the picture has a line; so has a column.
 void Background::fit_lines(const Grid<Lab>& colours, const std::vector<uint32_t>& samples) {
-  constexpr size_t kLeastSamples = 8;
+  constexpr size_t kLeastSamples = 4;
   constexpr float kLeastLine = 2.5f;
   for (const bool rows : {true, false}) {
     std::vector<Lab>& lines = rows ? rows_ : columns_;

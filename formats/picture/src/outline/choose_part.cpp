@@ -43,7 +43,8 @@ Chosen choose_part(const std::string& name, const Mask& mask, uint32_t number) {
     throw Error(name + ": no figure found: nothing stands out from the border of the picture" + cure);
   const size_t all = size_t{mask.width} * mask.height;
   if (largest->pixels * 400 < all && static_cast<float>(largest->side()) < 0.15f * largest_side)
-    throw Error(name + ": no figure found: the largest thing is " + std::to_string(largest->side()) + " pixels long" + cure);
+    throw Error(name + ": no figure found: the largest thing is " + std::to_string(largest->side()) + " pixels long" +
+                cure);
   if (largest->pixels < 64) throw Error(name + ": no figure found: too few pixels" + cure);
   if (largest->pixels * 50 > all * 49)
     throw Error(name + ": no figure found: all of the picture is one, without a background" + cure);

@@ -122,7 +122,8 @@ Mask enclosed(const Mask& strokes, const Mask& domain, float radius) {
     const int32_t part = outside.numbers.values[i];
     if (part < 0) continue;
     const uint32_t x = i % width, y = i / width;
-    if (x == 0 || y == 0 || x + 1 == width || y + 1 == height || domain.inside[i] == 0) open[static_cast<size_t>(part)] = 1;
+    if (x == 0 || y == 0 || x + 1 == width || y + 1 == height || domain.inside[i] == 0)
+      open[static_cast<size_t>(part)] = 1;
   }
   Mask out = barrier;
   for (size_t i = 0; i < out.inside.size(); ++i) {
@@ -150,7 +151,7 @@ void close_strokes(const Mask& domain, Foreground* out) {
 
 Foreground find_foreground(const Grid<Lab>& colours, const Mask& domain) {
   const auto largest = static_cast<float>(std::max(domain.width, domain.height));
-  const std::vector<uint32_t> border = border_of(domain, std::max(1.0f, 0.025f * largest));
+  const std::vector<uint32_t> border = border_of(domain, std::max(4.0f, 0.025f * largest));
   Foreground out;
   out.mask = domain;
   out.likeness = Grid<uint8_t>(domain.width, domain.height, kUnlike);

@@ -11,9 +11,10 @@ namespace sinew::picture {
 enum Likeness : uint8_t { kUnlike = 0, kShadow = 1, kLike = 2 };
 
 struct Foreground {
-  Mask mask;                // not reached from the border
-  Grid<uint8_t> likeness;   // Likeness of `mask`'s pixels: holes and paper inside of outlines look as the background does
-  bool drawn = false;       // outlines on paper: the figure is what they enclose
+  Mask mask;  // not reached from the border
+  Grid<uint8_t>
+      likeness;        // Likeness of `mask`'s pixels: holes and paper inside of outlines look as the background does
+  bool drawn = false;  // outlines on paper: the figure is what they enclose
 };
 
 // `domain` says which pixels there are; the others are neither.

@@ -14,7 +14,8 @@ void open_holes(const Grid<uint8_t>& likeness, Mask* figure) {
   const Parts parts = parts_of(candidates, true);
   std::vector<size_t> lit(parts.sizes.size(), 0);
   for (size_t i = 0; i < likeness.values.size(); ++i)
-    if (parts.numbers.values[i] >= 0 && likeness.values[i] == kLike) ++lit[static_cast<size_t>(parts.numbers.values[i])];
+    if (parts.numbers.values[i] >= 0 && likeness.values[i] == kLike)
+      ++lit[static_cast<size_t>(parts.numbers.values[i])];
   const auto hole = [&](int32_t part) {
     return part >= 0 && parts.sizes[static_cast<size_t>(part)] * kLeastShare >= pixels &&
            lit[static_cast<size_t>(part)] * kLitShare >= parts.sizes[static_cast<size_t>(part)];
@@ -32,7 +33,8 @@ void open_holes(const Grid<uint8_t>& likeness, Mask* figure) {
     const int32_t island = rest.numbers.values[i];
     if (island < 0 || island == main || rest.sizes[static_cast<size_t>(island)] < kLeastIsland) continue;
     const uint32_t x = i % width, y = i / width;
-    for (const uint32_t next : {x > 0 ? i - 1 : i, x + 1 < width ? i + 1 : i, y > 0 ? i - width : i, y + 1 < height ? i + width : i})
+    for (const uint32_t next :
+         {x > 0 ? i - 1 : i, x + 1 < width ? i + 1 : i, y > 0 ? i - width : i, y + 1 < height ? i + width : i})
       if (const int32_t part = parts.numbers.values[next]; part >= 0) drawn_in[static_cast<size_t>(part)] = 1;
   }
   for (size_t i = 0; i < opened.inside.size(); ++i) {

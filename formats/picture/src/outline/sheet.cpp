@@ -47,7 +47,8 @@ std::optional<Mask> sheet_of(const Mask& part) {
     }
   const double all = double{1} * part.width * part.height;
   const auto either = static_cast<double>(pixels + quadrilateral - both);
-  if (static_cast<double>(pixels) < kLeastShare * all || static_cast<double>(both) < kLeastOverlap * either) return std::nullopt;
+  if (static_cast<double>(pixels) < kLeastShare * all || static_cast<double>(both) < kLeastOverlap * either)
+    return std::nullopt;
   const Grid<float> deep = squared_distance(filled, true);
   const float rim = std::max(3.0f, 0.012f * static_cast<float>(std::max(part.width, part.height)));
   for (size_t i = 0; i < filled.inside.size(); ++i) filled.inside[i] = deep.values[i] > rim * rim ? 1 : 0;

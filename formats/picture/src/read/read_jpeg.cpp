@@ -6,9 +6,9 @@
 #include "sinew_formats/error.hpp"
 
 #ifdef SINEW_HAS_JPEG
-#include <csetjmp>
-
 #include <jpeglib.h>
+
+#include <csetjmp>
 #endif
 
 namespace sinew::picture {
@@ -98,7 +98,9 @@ Pixels decode_jpeg(const std::string& path, const std::vector<uint8_t>& bytes) {
 }
 #else
 Pixels decode_jpeg(const std::string& path, const std::vector<uint8_t>&) {
-  throw Error(path + ": this sinew was built without JPEG; install libjpeg (Debian: libjpeg-dev) and build again, or give a PNG");
+  throw Error(
+      path +
+      ": this sinew was built without JPEG; install libjpeg (Debian: libjpeg-dev) and build again, or give a PNG");
 }
 #endif
 

@@ -32,7 +32,8 @@ Pixels decode_png(const std::string& path, const std::vector<uint8_t>& bytes) {
 }
 #else
 Pixels decode_png(const std::string& path, const std::vector<uint8_t>&) {
-  throw Error(path + ": this sinew was built without PNG; install libpng (Debian: libpng-dev) and build again, or give a JPEG");
+  throw Error(
+      path + ": this sinew was built without PNG; install libpng (Debian: libpng-dev) and build again, or give a JPEG");
 }
 #endif
 

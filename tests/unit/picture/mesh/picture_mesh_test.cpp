@@ -47,7 +47,8 @@ TEST(PictureMesh, IsClosedAndTurnsOutwards) {
       --edges[{c[(i + 1) % 3], c[i]}];
     }
     const Vec3 &p = mesh.vertices[c[0]], &q = mesh.vertices[c[1]], &r = mesh.vertices[c[2]];
-    volume += static_cast<double>(p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) + p.z * (q.x * r.y - q.y * r.x));
+    volume += static_cast<double>(p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) +
+                                  p.z * (q.x * r.y - q.y * r.x));
   }
   for (const auto& [edge, count] : edges) EXPECT_EQ(count, 0) << edge.first << " " << edge.second;
   EXPECT_GT(volume, 0);
@@ -96,7 +97,8 @@ TEST(Inflation, LimbsAreRound) {
     for (uint32_t x = 5; x < 95; ++x) bar.inside[y * 100 + x] = 1;  // 19 thick
   const picture::Inflation inflation = picture::inflate(bar);
   for (const int off : {0, 3, 6, 9})
-    EXPECT_NEAR(inflation.height.at(50, static_cast<uint32_t>(19 + off)), std::sqrt(100.0f - static_cast<float>(off * off)), 0.01f);
+    EXPECT_NEAR(inflation.height.at(50, static_cast<uint32_t>(19 + off)),
+                std::sqrt(100.0f - static_cast<float>(off * off)), 0.01f);
   EXPECT_EQ(inflation.height.at(50, 5), 0);
 }
 
@@ -107,7 +109,10 @@ TEST(Delaunay, NoPointIsInsideOfACircle) {
   const auto next = [&state] { return (state = state * 1664525u + 1013904223u) >> 16; };
   for (int i = 0; i < 150; ++i) {
     // A third on one line, a third on a grid.
-    const int64_t x = i % 3 == 0 ? 5000 : i % 3 == 1 ? next() % 8 * 2500 : next() % 20000, y = i % 3 == 1 ? next() % 8 * 2500 : next() % 20000;
+    const int64_t x = i % 3 == 0   ? 5000
+                      : i % 3 == 1 ? next() % 8 * 2500
+                                   : next() % 20000,
+                  y = i % 3 == 1 ? next() % 8 * 2500 : next() % 20000;
     if (net.insert(x, y) == points.size()) points.push_back({static_cast<double>(x), static_cast<double>(y)});
   }
   double area = 0;

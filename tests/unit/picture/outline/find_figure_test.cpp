@@ -42,7 +42,8 @@ TEST(FindFigure, OnPaper) {
     const double shadow = std::hypot(std::max(0, std::abs(x - 108) - 20), std::max(0, std::abs(y - 125) - 50));
     light -= 26 * std::exp(-shadow * shadow / 200);
     const double line = y % 17 == 0 ? 30 : 0;
-    return Rgba{static_cast<uint8_t>(light - line), static_cast<uint8_t>(light - 0.6 * line), static_cast<uint8_t>(0.96 * light), 255};
+    return Rgba{static_cast<uint8_t>(light - line), static_cast<uint8_t>(light - 0.6 * line),
+                static_cast<uint8_t>(0.96 * light), 255};
   };
   EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, colour)).mask, in_body), 0.97);
 }
@@ -96,7 +97,8 @@ TEST(FindFigure, OnASheetOnATable) {
 TEST(FindFigure, OneOfTwo) {
   const auto left = [](int x, int y) { return in_disc(x, y, 50, 100, 30); };
   const auto right = [](int x, int y) { return in_disc(x, y, 150, 100, 40); };
-  const PictureFile picture = picture_of(kSide, kSide, [&](int x, int y) { return left(x, y) || right(x, y) ? kRed : kWhite; });
+  const PictureFile picture =
+      picture_of(kSide, kSide, [&](int x, int y) { return left(x, y) || right(x, y) ? kRed : kWhite; });
   const Figure largest = find_figure(picture);
   EXPECT_GT(overlap(largest.mask, right), 0.99);
   EXPECT_EQ(largest.count, 2u);
@@ -112,17 +114,22 @@ TEST(FindFigure, OneOfTwo) {
 TEST(FindFigure, NothingThereIsALine) {
   EXPECT_ERROR(find_figure(picture_of(1, 1, [](int, int) { return kWhite; })), "picture: no figure found");
   EXPECT_ERROR(find_figure(picture_of(kSide, kSide, [](int, int) { return kRed; })), "picture: no figure found");
-  const auto letters = [](int x, int y) { return x % 20 > 4 && x % 20 < 12 && y % 24 > 6 && y % 24 < 18 && x > 20 && x < 180 && y > 20 && y < 180 ? kInk : kWhite; };
+  const auto letters = [](int x, int y) {
+    return x % 20 > 4 && x % 20 < 12 && y % 24 > 6 && y % 24 < 18 && x > 20 && x < 180 && y > 20 && y < 180 ? kInk
+                                                                                                            : kWhite;
+  };
   EXPECT_ERROR(find_figure(picture_of(kSide, kSide, letters)), "picture: no figure found", "--mask");
 }
 
 TEST(FigureOfMask, AsDrawn) {
   const PictureFile picture = picture_of(kSide, kSide, [](int, int) { return kRed; });
-  const PictureFile mask = picture_of(kSide / 2, kSide / 2, [](int x, int y) { return in_body(2 * x, 2 * y) ? kWhite : kInk; });
+  const PictureFile mask =
+      picture_of(kSide / 2, kSide / 2, [](int x, int y) { return in_body(2 * x, 2 * y) ? kWhite : kInk; });
   const Figure figure = figure_of_mask(picture, mask);
   EXPECT_EQ(figure.source, FigureSource::kMask);
   EXPECT_GT(overlap(figure.mask, in_body), 0.97);
-  EXPECT_ERROR(figure_of_mask(picture, picture_of(50, 100, [](int, int) { return kWhite; })), "expected a mask of the shape", "50 x 100");
+  EXPECT_ERROR(figure_of_mask(picture, picture_of(50, 100, [](int, int) { return kWhite; })),
+               "expected a mask of the shape", "50 x 100");
 }
 
 }  // namespace

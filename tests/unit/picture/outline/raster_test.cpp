@@ -27,7 +27,8 @@ TEST(Raster, SpreadParabolasIsTheLeastOfAll) {
       float least = kFar;
       for (uint32_t v = 0; v < 5; ++v)
         for (uint32_t u = 0; u < 7; ++u) {
-          const float dx = static_cast<float>(x) - static_cast<float>(u), dy = static_cast<float>(y) - static_cast<float>(v);
+          const float dx = static_cast<float>(x) - static_cast<float>(u),
+                      dy = static_cast<float>(y) - static_cast<float>(v);
           if (grid.at(u, v) < kFar) least = std::min(least, grid.at(u, v) + dx * dx + dy * dy);
         }
       expected.at(x, y) = least;
@@ -43,9 +44,10 @@ TEST(Raster, OutsideOfThePictureIsNoFigure) {
 }
 
 TEST(Raster, ClosingFillsGaps) {
-  const Mask mask = of_text({".........", ".........", ".........", "...#.#...", ".........", ".........", "........."});
-  EXPECT_TRUE(closed(mask, 1).at(4, 3));
-  EXPECT_FALSE(closed(mask, 1).at(4, 2));
+  const Mask mask =
+      of_text({".........", ".........", ".........", "...#.#...", ".........", ".........", "........."});
+  EXPECT_TRUE(closed(mask, 1.5f).at(4, 3));
+  EXPECT_FALSE(closed(mask, 1.5f).at(4, 1));
   EXPECT_TRUE(closed(mask, 0).inside == mask.inside);
 }
 

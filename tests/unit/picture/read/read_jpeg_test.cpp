@@ -45,8 +45,9 @@ std::vector<uint8_t> jpeg_bytes(int components) {
 
 std::vector<uint8_t> with_orientation(uint8_t orientation) {
   std::vector<uint8_t> out = jpeg_bytes(3);
-  const std::vector<uint8_t> exif = {0xff, 0xe1, 0, 34, 'E', 'x', 'i', 'f', 0, 0, 'M', 'M', 0, 42, 0, 0, 0, 8,
-                                     0, 1, 0x01, 0x12, 0, 3, 0, 0, 0, 1, 0, orientation, 0, 0, 0, 0, 0, 0};
+  const std::vector<uint8_t> exif = {0xff, 0xe1, 0, 34, 'E', 'x',         'i', 'f', 0,    0,    'M', 'M',
+                                     0,    42,   0, 0,  0,   8,           0,   1,   0x01, 0x12, 0,   3,
+                                     0,    0,    0, 1,  0,   orientation, 0,   0,   0,    0,    0,   0};
   out.insert(out.begin() + 2, exif.begin(), exif.end());
   return out;
 }
@@ -87,7 +88,8 @@ TEST(ReadJpeg, ExifTurns) {
 TEST(ReadJpeg, CutOffIsALine) {
   const std::vector<uint8_t> whole = jpeg_bytes(3);
   for (size_t size = 3; size + 2 < whole.size(); ++size)
-    EXPECT_ERROR(decode_picture("cut.jpg", {whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}), "cut.jpg: ");
+    EXPECT_ERROR(decode_picture("cut.jpg", {whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}),
+                 "cut.jpg: ");
 }
 
 }  // namespace

@@ -23,17 +23,20 @@ TEST(ReadPng, DepthsAndPalettesAreOnePicture) {
 }
 
 TEST(ReadPng, AlphaIsKept) {
-  EXPECT_EQ(decode_picture("a.png", png_bytes(1, 1, 8, 6, {9, 8, 7, 6})).pixels.rgba, (std::vector<uint8_t>{9, 8, 7, 6}));
+  EXPECT_EQ(decode_picture("a.png", png_bytes(1, 1, 8, 6, {9, 8, 7, 6})).pixels.rgba,
+            (std::vector<uint8_t>{9, 8, 7, 6}));
 }
 
 TEST(ReadPng, EveryTruncationIsALine) {
   const std::vector<uint8_t> whole = png_bytes(2, 1, 8, 2, kTwo);
   for (size_t size = 0; size + 12 < whole.size(); ++size)
-    EXPECT_ERROR(decode_picture("cut.png", {whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}), "cut.png: ");
+    EXPECT_ERROR(decode_picture("cut.png", {whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}),
+                 "cut.png: ");
 }
 
 TEST(ReadPng, SidesAreLimited) {
-  EXPECT_ERROR(decode_picture("wide.png", png_bytes(8193, 1, 8, 0, std::vector<uint8_t>(8193))), "wide.png: ", "8193 x 1", "8192");
+  EXPECT_ERROR(decode_picture("wide.png", png_bytes(8193, 1, 8, 0, std::vector<uint8_t>(8193))),
+               "wide.png: ", "8193 x 1", "8192");
   EXPECT_EQ(decode_picture("wide.png", png_bytes(8192, 1, 8, 0, std::vector<uint8_t>(8192))).pixels.width, 8192u);
 }
 
