@@ -46,6 +46,7 @@ float layer_of(PictureView view, const PredictedSkeleton& skeleton, size_t joint
 }
 
 void lay_into_plane(const Character& mesh, PictureView view, PredictedSkeleton* skeleton) {
+  take_forks_off(skeleton);
   const float size = box_of(mesh.vertices).longest_side();
   for (size_t j = 0; j < skeleton->joints.size(); ++j) {
     Vec3& place = skeleton->joints[j].position;
@@ -86,8 +87,6 @@ Vec3 to_picture(PictureView view, const Vec3& p) {
 BodyClass body_class_of(const PredictedSkeleton& skeleton) {
   const size_t legs = count_class(skeleton, SINEW_CLASS_THIGH), arms = count_class(skeleton, SINEW_CLASS_UPPER_ARM),
                wings = count_class(skeleton, SINEW_CLASS_WING), others = count_class(skeleton, SINEW_CLASS_OTHER);
-  if (legs + arms >= 6 || (legs + arms == 0 && others >= 12)) return BodyClass::kManyLegged;
-  if (wings >= 2 && arms == 0) return BodyClass::kBird;
   // From the pelvis to where neck or head begin.
   const Vec3* low = nullptr;
   const Vec3* high = nullptr;
@@ -99,6 +98,9 @@ BodyClass body_class_of(const PredictedSkeleton& skeleton) {
     if (high == nullptr && (c == SINEW_CLASS_NECK || c == SINEW_CLASS_HEAD)) high = &skeleton.joints[j].position;
   }
   const bool upright = low != nullptr && high != nullptr && high->y - low->y > std::abs(high->z - low->z);
+  if (upright && legs > 0 && arms > 0) return BodyClass::kBiped;
+  if (legs + arms >= 6 || (legs + arms == 0 && others >= 12)) return BodyClass::kManyLegged;
+  if (wings >= 2 && arms == 0) return BodyClass::kBird;
   if (legs == 0) {
     const Box box = box_of(places);
     if (upright && arms > 0) return BodyClass::kOther;

@@ -85,4 +85,44 @@ void part_side_limbs(const Character& mesh, PredictedSkeleton* skeleton) {
   }
 }
 
+void take_forks_off(PredictedSkeleton* skeleton) {
+  const std::vector<Joint>& joints = skeleton->joints;
+  const size_t count = joints.size();
+  std::vector<size_t> below(count, 1);  // joints of a branch; parents come first
+  for (size_t j = count; j-- > 0;)
+    if (joints[j].parent >= 0) below[static_cast<size_t>(joints[j].parent)] += below[j];
+  std::vector<uint8_t> gone(count, 0);
+  std::vector<int> kept_child(count, -1);
+  for (size_t j = 0; j < count; ++j) {
+    const uint8_t c = skeleton->classes[j];
+    if (joints[j].parent < 0 || skeleton->ends[j] != 0 || !is_limb(c)) continue;
+    const auto parent = static_cast<size_t>(joints[j].parent);
+    const uint8_t above = skeleton->classes[parent];
+    if (!is_limb(above) || above == SINEW_CLASS_HAND || above == SINEW_CLASS_FOOT || above == SINEW_CLASS_TOE) continue;
+    int& kept = kept_child[parent];
+    if (kept >= 0) gone[below[j] > below[static_cast<size_t>(kept)] ? static_cast<size_t>(kept) : j] = 1;
+    if (kept < 0 || gone[static_cast<size_t>(kept)] != 0) kept = static_cast<int>(j);
+  }
+  std::vector<int> numbers(count, -1);
+  PredictedSkeleton out = *skeleton;
+  out.joints.clear(), out.classes.clear(), out.ends.clear(), out.partners.clear();
+  out.confidence.clear(), out.parent_confidence.clear();
+  for (size_t j = 0; j < count; ++j) {
+    const int parent = joints[j].parent;
+    if (parent >= 0 && gone[static_cast<size_t>(parent)] != 0) gone[j] = 1;
+    if (gone[j] != 0) continue;
+    numbers[j] = static_cast<int>(out.joints.size());
+    out.joints.push_back(joints[j]);
+    out.joints.back().parent = parent >= 0 ? numbers[static_cast<size_t>(parent)] : -1;
+    out.classes.push_back(skeleton->classes[j]);
+    out.ends.push_back(skeleton->ends[j]);
+    out.partners.push_back(skeleton->partners[j]);
+    out.confidence.push_back(skeleton->confidence[j]);
+    out.parent_confidence.push_back(skeleton->parent_confidence[j]);
+  }
+  for (int32_t& partner : out.partners)
+    if (partner >= 0) partner = numbers[static_cast<size_t>(partner)];
+  *skeleton = std::move(out);
+}
+
 }  // namespace sinew

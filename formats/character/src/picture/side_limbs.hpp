@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Legs of a picture from the side, where both of a pair are to be seen.
+// Limbs of a picture that lie on each other or beside each other.
 #ifndef SINEW_CHARACTER_PICTURE_SIDE_LIMBS_HPP
 #define SINEW_CHARACTER_PICTURE_SIDE_LIMBS_HPP
 
@@ -12,6 +12,9 @@ namespace sinew {
 // height on where they part. Joints are in the picture plane already.
 //   mesh  in the picture plane
 void part_side_limbs(const Character& mesh, PredictedSkeleton* skeleton);
+
+// Votes for two legs that lie on each other make one leg that forks. No arm or leg does, above hand or foot: the way with most joints stays.
+void take_forks_off(PredictedSkeleton* skeleton);
 
 }  // namespace sinew
 #endif

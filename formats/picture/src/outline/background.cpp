@@ -59,7 +59,8 @@ Background::Background(const Grid<Lab>& colours, const std::vector<uint32_t>& sa
   fit_surface(colours, samples);
   fit_lines(colours, samples);
   std::vector<float> off_by, of_light;
-  for (const uint32_t i : samples) {
+  for (size_t k = 0; k < samples.size(); k += std::max<size_t>(1, samples.size() / 50000)) {
+    const uint32_t i = samples[k];
     const Lab d = off(i % width_, i / width_, colours.values[i]);
     off_by.push_back(length(d));
     of_light.push_back(std::abs(d[0]));

@@ -24,7 +24,7 @@ std::vector<uint32_t> border_of(const Mask& domain, float width) {
 }
 
 // Means of L over 5 x 5 pixels of the same domain, what the background has there taken off.
-Grid<float> blurred_light(const Grid<Lab>& off) {
+Grid<float> blurred_light(const Grid<float>& off) {
   Grid<float> rows(off.width, off.height), out(off.width, off.height);
   const auto mean = [](uint32_t at, uint32_t n, const auto& value) {
     const uint32_t first = at < 2 ? 0 : at - 2, last = std::min(n - 1, at + 2);
@@ -34,7 +34,7 @@ Grid<float> blurred_light(const Grid<Lab>& off) {
   };
   for (uint32_t y = 0; y < off.height; ++y)
     for (uint32_t x = 0; x < off.width; ++x)
-      rows.at(x, y) = mean(x, off.width, [&](uint32_t k) { return off.at(k, y)[0]; });
+      rows.at(x, y) = mean(x, off.width, [&](uint32_t k) { return off.at(k, y); });
   for (uint32_t y = 0; y < off.height; ++y)
     for (uint32_t x = 0; x < off.width; ++x)
       out.at(x, y) = mean(y, off.height, [&](uint32_t k) { return rows.at(x, k); });
@@ -48,12 +48,13 @@ struct Judged {
 };
 
 Judged judge(const Grid<Lab>& colours, const Mask& domain, const Background& background) {
-  Grid<Lab> off(colours.width, colours.height);
+  Grid<float> off(colours.width, colours.height);  // of L
   Judged out = {Grid<uint8_t>(colours.width, colours.height), {}, kShadowStep + 0.3f * background.noise()};
   const float tolerance = background.tolerance();
   for (uint32_t y = 0; y < colours.height; ++y)
     for (uint32_t x = 0; x < colours.width; ++x) {
-      const Lab d = off.at(x, y) = background.off(x, y, colours.at(x, y));
+      const Lab d = background.off(x, y, colours.at(x, y));
+      off.at(x, y) = d[0];
       const size_t i = off.index(x, y);
       if (domain.inside[i] == 0) continue;
       const bool shadow = background.smooth() && d[0] < 0 && d[0] > -kDarkestShadow - 2 * background.noise() &&
