@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 
 packages=(g++ clang cmake make binutils libeigen3-dev libspectra-dev libopenmesh-dev libtinyobjloader-dev libtinygltf-dev libcereal-dev
           libcli11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev librapidcheck-dev libpng-dev zlib1g-dev clang-format python3-numpy
-          libopenmpi-dev openmpi-bin dpkg-dev file libmeshoptimizer-dev libdraco-dev libassimp-dev)
+          libopenmpi-dev openmpi-bin dpkg-dev file libmeshoptimizer-dev libdraco-dev libassimp-dev libjpeg-dev)
 # A node that did not come from Debian's packages is fine too.
 command -v node >/dev/null 2>&1 || packages+=(nodejs)
 command -v npm >/dev/null 2>&1 || packages+=(npm)

@@ -38,6 +38,11 @@ set(sinew_character_sources
   motion/stance
   motion/upright_body
   motion/urdf_limits
+  picture/body_class
+  picture/picture_view
+  picture/plane_bones
+  picture/plane_motion
+  picture/side_limbs
   pose/bend_volume
   pose/deform
   pose/pose
@@ -81,6 +86,7 @@ set(sinew_job_sources
   src/jobs/character_file
   src/jobs/find_joint_map
   src/jobs/own_skeleton
+  src/jobs/picture_job
   src/jobs/pose_job
   src/jobs/rig_bare_mesh
   src/jobs/rig_job

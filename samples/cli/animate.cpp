@@ -14,9 +14,11 @@
 #include "deform_options.hpp"
 #include "motion_sheet.hpp"
 #include "options.hpp"
+#include "picture_options.hpp"
 #include "progress.hpp"
 #include "sinew_character/animate_job.hpp"
 #include "sinew_character/motion_file.hpp"
+#include "sinew_character/plane_motion.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
@@ -33,12 +35,13 @@ struct Settings {
   std::string character, output, map, method = "auto", up = "auto", motion_up = "auto", sheet, layout, actor, limits;
   std::vector<std::string> motions;
   DeformSettings deform;
+  PictureOptions picture;
   size_t shapes = 16;
   double fps = 0, from = 0, to = 1e9;
   uint32_t area_power = 3;
   double falloff = 0.05;
   bool own_limb = false, legs = false, head = false, torso = false, source_points = false, range = true;
-  bool in_place = false, json = false, report = false, force = false, translations = false;
+  bool in_place = false, json = false, report = false, force = false, translations = false, depth = false;
 };
 
 struct MotionChoice {
@@ -65,14 +68,26 @@ std::vector<MotionChoice> parse_choices(const std::vector<std::string>& texts) {
   return choices;
 }
 
-using Animated = AnimatedCharacter;
+struct Animated : AnimatedCharacter {
+  std::optional<PictureCharacter> picture;  // what it was made of
+};
 
-// A bound character as it is; a mesh without a skeleton gets one.
-Animated read_animated(const std::string& path) {
+// A bound character as it is; a mesh without a skeleton gets one, a picture a mesh as well.
+Animated read_animated(const Settings& s) {
+  const std::string& path = s.character;
+  if (is_picture(path)) {
+    PictureCharacter made = rig_picture(path, picture_job(s.picture));
+    Animated out;
+    static_cast<AnimatedCharacter&>(out) = animated_character(made.rigged.character, path);
+    out.rigged = true;
+    out.motion.notes = made.rigged.character.notes;
+    out.picture = std::move(made);
+    return out;
+  }
   std::error_code ignored;
   const bool pair = has_extension(path, ".rig.txt") ||
                     (has_extension(path, ".obj") && std::filesystem::is_regular_file(rig_path_beside(path), ignored));
-  return animated_character(pair ? read_character(path) : read_mesh(path), path);
+  return {animated_character(pair ? read_character(path) : read_mesh(path), path), {}};
 }
 
 AnimateOptions animate_options(const Settings& s) {
@@ -131,7 +146,11 @@ void add_motion_file(const Settings& s, const MotionChoice& choice, const std::a
   name_clips(choice, out->motion, &source.motion);
   const auto body = [&] { return source.whole ? body_of_motion(choice.file) : std::nullopt; };
   const MotionInput input = {choice.file, choice.clip, &source.motion, body};
-  add_motion(animate_options(s), input, counted("frames of " + file_name(choice.file), stop), out);
+  const StepsOf steps = counted("frames of " + file_name(choice.file), stop);
+  if (out->picture)
+    add_picture_motion(*out->picture, s.depth, animate_options(s), input, steps, out);
+  else
+    add_motion(animate_options(s), input, steps, out);
 }
 
 Json limb_json(const sinew_limb_measure& limb) {
@@ -143,7 +162,8 @@ Json limb_json(const sinew_limb_measure& limb) {
 // What a folder has that is no motion, or none for this character, is left out and told.
 void add_motions(const Settings& s, const std::atomic<bool>& stop, Animated* out) {
   std::string first_error;
-  const std::vector<MotionChoice> choices = parse_choices(s.motions);
+  const std::vector<std::string> own = {out->picture ? default_clip(out->picture->body) : ""};
+  const std::vector<MotionChoice> choices = parse_choices(s.motions.empty() ? own : s.motions);
   const bool laid_out =
       std::any_of(choices.begin(), choices.end(), [](const MotionChoice& choice) { return takes_layout(choice.file); });
   if (!s.layout.empty() && !laid_out) check_layout(choices[0].file);
@@ -188,6 +208,7 @@ void tell(const Settings& s, const Animated& animated) {
     json["output"] = s.output;
     json["joints"] = joints;
     json["rigged"] = animated.rigged;
+    if (animated.picture) json["picture"] = picture_json(*animated.picture);
     for (const AnimatedClip& one : animated.made) {
       json["clips"].push_back({{"motion", one.file},
                                {"name", one.clip},
@@ -225,6 +246,8 @@ void tell(const Settings& s, const Animated& animated) {
 }
 
 void run(const Settings& s) {
+  if (s.motions.empty() && !is_picture(s.character)) throw UsageError("--motion is required");
+  if (s.depth && !is_picture(s.character)) throw UsageError("--depth is for pictures, and " + s.character + " is none");
   check_output(s.output, kWritesMotion);
   if (!s.sheet.empty()) check_output(s.sheet, {".png"});
   if (!(s.from <= s.to)) throw UsageError(print("--start %g is behind --end %g", s.from, s.to));
@@ -233,7 +256,7 @@ void run(const Settings& s) {
   if (deform && as_bvh && s.sheet.empty())
     throw UsageError(s.output + ": a BVH has no mesh that --deform could correct; write a .glb, or a --sheet");
   const std::atomic<bool>& stop = stop_on_signals();
-  Animated animated = read_animated(s.character);
+  Animated animated = read_animated(s);
   add_motions(s, stop, &animated);
   if (as_bvh && animated.motion.clips.size() != 1)
     throw UsageError(s.output + ": a BVH holds one clip, and there are " +
@@ -244,7 +267,8 @@ void run(const Settings& s) {
   if (!s.sheet.empty()) {
     std::optional<CharacterDeformer> deformer;
     if (deform) deformer.emplace(animated.character, *deform);
-    sheet = encode_png(motion_sheet(animated.character, animated.motion, s.up == "z", deformer ? &*deformer : nullptr));
+    sheet = encode_png(motion_sheet(animated.character, animated.motion, s.up == "z", deformer ? &*deformer : nullptr,
+                                    animated.picture ? &animated.picture->picture : nullptr));
   }
   if (stop) throw Error(s.output + ": cannot write, the work was interrupted");
   if (as_bvh) {
@@ -256,21 +280,22 @@ void run(const Settings& s) {
     write_gltf_morphs(s.output, animated.character, options, animated.morphs);
   }
   if (!s.sheet.empty()) write_file(s.sheet, sheet);
+  if (animated.picture) write_mask(s.picture, *animated.picture);
   tell(s, animated);
 }
 
 void add_inputs(CLI::App* sub, Settings* s) {
   sub->add_option("character", s->character,
-                  "Skinned file, NAME.obj with NAME.rig.txt beside it, or a bare mesh. It gets a skeleton first; " +
+                  "Skinned file, NAME.obj with NAME.rig.txt beside it, a bare mesh, or a picture of a character (.png, "
+                  ".jpg). What has no skeleton gets one first; " +
                       mesh_files())
       ->required()
       ->type_name("CHARACTER");
   sub->add_option(
          "--motion", s->motions,
          "Motion: all animations of a file or the one behind #, of every file of a folder, or a clip that ships: "
-         "builtin:walk, builtin: lists them; may be repeated. " +
+         "builtin:walk, builtin: lists them; may be repeated. A picture has one of its class unless given. " +
              motion_files())
-      ->required()
       ->type_name("FILE[#CLIP]|FOLDER")
       ->allow_extra_args(false);
   shared_option(sub, "-o,--output", s->output,
@@ -358,15 +383,22 @@ void add_animate(CLI::App& app) {
   auto s = std::make_shared<Settings>();
   add_inputs(sub, s.get());
   add_clip_options(sub, s.get());
+  add_picture_options(sub, &s->picture);
+  add_picture_class(sub, &s->picture);
+  sub->add_flag("--depth", s->depth, "Bones of a picture's character leave its plane as the motion's do");
   add_corrections(sub, s.get());
   const std::vector<CLI::Option*> of_reference = add_reference_options(sub, s.get());
   sub->footer(
       "Examples:\n  sinew animate hero.glb --motion walk.bvh -o walking.glb --sheet walking.png\n"
       "  sinew animate hero.glb --motion walk.bvh --motion moves.glb#jump --map map.txt -o moves.glb\n"
-      "  sinew animate mesh.obj --motion builtin:walk -o walking.glb\n\n"
+      "  sinew animate mesh.obj --motion builtin:walk -o walking.glb\n"
+      "  sinew animate drawing.png -o drawing.glb --sheet drawing-frames.png\n\n"
       "  sinew animate broad.glb --motion walking.glb --method reference-points -o other.glb\n"
       "  sinew animate hero.glb --motion walk.bvh --deform volume -o walking.glb");
-  sub->callback([s, of_reference] {
+  sub->callback([s, of_reference, sub] {
+    check_picture_options(*sub, s->character);
+    if (!s->picture.body.empty() && !is_picture(s->character))
+      throw UsageError("--class is for pictures (.png, .jpg), and " + s->character + " is none");
     for (const CLI::Option* option : of_reference)
       if (option->count() > 0 && s->method != "reference-points")
         throw UsageError(option->get_name() + " goes with --method reference-points");

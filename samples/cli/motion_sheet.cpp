@@ -6,6 +6,7 @@
 
 #include "sinew_character/pose.hpp"
 #include "sinew_formats/box.hpp"
+#include "sinew_picture/picture_mesh.hpp"
 
 namespace sinew::cli {
 namespace {
@@ -15,13 +16,15 @@ constexpr int kSide = 300;
 
 }  // namespace
 
-Image motion_sheet(const Character& character, const Motion& motion, bool up_z, CharacterDeformer* deformer) {
-  const auto colours = weight_colours(character);
+Image motion_sheet(const Character& character, const Motion& motion, bool up_z, CharacterDeformer* deformer,
+                   const PictureFile* picture) {
+  const auto colours = picture != nullptr ? picture_colours(*picture, character) : weight_colours(character);
   const Box rest = box_of(character.vertices);
   RenderOptions view;
   view.width = view.height = kSide;
   view.draw_skeleton = false;
   view.up_z = up_z;
+  if (picture != nullptr) view.yaw_degrees = view.pitch_degrees = 0;
   view.focus_radius = 0.62f * rest.longest_side();
   Image sheet;
   for (size_t c = 0; c < std::min(motion.clips.size(), kMostRows); ++c) {

@@ -6,12 +6,15 @@
 #include "sinew_character/deform.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/motion.hpp"
+#include "sinew_picture/picture_file.hpp"
 
 namespace sinew::cli {
 
 // The character in frames at equal distances, seen from its front at one scale; it may walk, the picture goes with it. Without a deformer it
 // is skinned linearly.
-Image motion_sheet(const Character& character, const Motion& motion, bool up_z, CharacterDeformer* deformer);
+//   picture  whose character it is, drawn from the front in its colours; null: by weights
+Image motion_sheet(const Character& character, const Motion& motion, bool up_z, CharacterDeformer* deformer,
+                   const PictureFile* picture = nullptr);
 
 }  // namespace sinew::cli
 #endif

@@ -18,6 +18,7 @@
 #include "dataset.hpp"
 #include "folder_files.hpp"
 #include "options.hpp"
+#include "picture_options.hpp"
 #include "progress.hpp"
 #include "rig_skeleton.hpp"
 #include "rig_slots.hpp"
@@ -40,6 +41,7 @@ struct Settings {
   std::string mesh, output, model, bind_model, png, up = "auto", front = "auto", format = "glb", prediction, skeleton,
                                                     to_pose;
   MethodOptions method;
+  PictureOptions picture;
   std::vector<SkeletonEdit> edits;
   unsigned spine = 0, influences = 4;
   StyleOptions style;
@@ -57,11 +59,14 @@ Models load_models(const Settings& s) {
     models.rig = load_model(s.model, s.method.slots() ? ModelUse::kSlotJoints : ModelUse::kRig);
   if (!s.no_bind) models.bind = load_model(s.bind_model);
   if (s.detail != "body") models.hands = load_model(s.hands_model, ModelUse::kHands);
-  if (s.prediction.empty() && (s.front == "auto" || s.up == "auto")) models.front = load_front_model(s.front_model);
+  if (s.prediction.empty() && !is_picture(s.mesh) && (s.front == "auto" || s.up == "auto"))
+    models.front = load_front_model(s.front_model);
   return models;
 }
 
-using Rigged = RiggedCharacter;
+struct Rigged : RiggedCharacter {
+  std::optional<PictureCharacter> picture;  // without its `rigged`, which is this
+};
 
 constexpr std::array<const char*, 7> kFronts = {"auto", "+z", "-z", "+x", "-x", "+y", "-y"};
 
@@ -103,15 +108,21 @@ RigJobOptions job_options(const Settings& s) {
 Rigged rig_one(const Settings& s, const Models& models, const std::string& path) {
   const auto opened = [](const std::unique_ptr<LoadedModel>& model) { return model ? &model->model : nullptr; };
   const RigModels ready = {opened(models.rig), opened(models.bind), opened(models.hands), opened(models.front)};
+  if (is_picture(path)) {
+    PictureCharacter made = rig_picture(path, picture_job(s.picture), job_options(s), ready);
+    Rigged rigged = {std::move(made.rigged), {}};
+    rigged.picture = std::move(made);
+    return rigged;
+  }
   Character mesh = read_mesh(path);
   if (!s.prediction.empty()) {
     Character file;
     read_skeleton(s.prediction, false, &file);
     PredictedSkeleton given = skeleton_from_joints(file.joints);
     given.up_axis = s.up == "z" ? 1 : 0;
-    return rig_character(std::move(mesh), std::move(given), true, job_options(s), ready);
+    return {rig_character(std::move(mesh), std::move(given), true, job_options(s), ready), {}};
   }
-  return rig_character(std::move(mesh), job_options(s), ready);
+  return {rig_character(std::move(mesh), job_options(s), ready), {}};
 }
 
 Json summary_json(const Settings& s, const Rigged& rigged, const std::string& mesh, const std::string& output) {
@@ -123,7 +134,8 @@ Json summary_json(const Settings& s, const Rigged& rigged, const std::string& me
   json["symmetric"] = skeleton.mirrored;
   json["spread"] = skeleton.spread;
   if (skeleton.usable) json["usable"] = std::round(100.0 * static_cast<double>(*skeleton.usable)) / 100;
-  if (s.prediction.empty()) {
+  if (rigged.picture) json["picture"] = picture_json(*rigged.picture);
+  if (s.prediction.empty() && !rigged.picture) {
     json["up"] = skeleton.up_axis == 1 ? "z" : "y";
     json["up_certainty"] = skeleton.up_confidence;
     json["front"] = skeleton.front;
@@ -198,8 +210,10 @@ std::vector<uint8_t> doubtful_joints(const Rigged& rigged) {
 
 void write_rigged(const Settings& s, const Rigged& rigged, const std::string& output) {
   write_character(output, rigged.character);
+  if (rigged.picture) write_mask(s.picture, *rigged.picture);
   if (s.png.empty()) return;
   RenderOptions view;
+  if (rigged.picture) view.yaw_degrees = view.pitch_degrees = 0;
   view.up_z = rigged.skeleton.up_axis == 1;
   view.red_joints = doubtful_joints(rigged);
   const auto colours = rigged.character.influences.empty()
@@ -250,6 +264,10 @@ void run(Settings s) {
     throw UsageError("--hands-model is for fingers: give --detail hands or full");
   if (s.front.size() == 2 && s.front[1] == s.up[0])
     throw UsageError("--front " + s.front + " is up by --up " + s.up + ": give an axis across it");
+  if (is_picture(s.mesh))
+    for (const auto& [given, option] : {std::pair{s.up != "auto", "--up"}, std::pair{s.front != "auto", "--front"},
+                                        std::pair{!s.prediction.empty(), "--prediction"}})
+      if (given) throw UsageError(std::string(option) + " is for meshes, and " + s.mesh + " is a picture");
   if (!s.prediction.empty() && !s.model.empty())
     throw UsageError("--prediction and --model: a skeleton that is given is not predicted");
   std::error_code ignored;
@@ -271,11 +289,11 @@ void run(Settings s) {
 
 // What most meshes need.
 void add_inputs(CLI::App* sub, Settings* s) {
-  sub->add_option(
-         "mesh", s->mesh,
-         "Mesh, or a folder: every mesh in it and below it. " + mesh_files() + ", or - for an OBJ on standard input")
+  sub->add_option("mesh", s->mesh,
+                  "Mesh, a picture of a character (.png, .jpg), or a folder: every mesh in it and below it. " +
+                      mesh_files() + ", or - for an OBJ on standard input")
       ->required()
-      ->type_name("MESH|DIR");
+      ->type_name("MESH|PICTURE|DIR");
   shared_option(sub, "-o,--output", s->output, skin_output_text("for a folder another folder"))
       ->default_str("MESH.rigged.glb");
   shared_option(sub, "--skeleton", s->skeleton,
@@ -353,6 +371,7 @@ void add_rig(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("rig", "Make a skeleton for a bare mesh, and bind the mesh to it");
   auto s = std::make_shared<Settings>();
   add_inputs(sub, s.get());
+  add_picture_options(sub, &s->picture);
   section(sub, "Edits");
   auto edits = std::make_shared<EditOptions>(sub);
   add_shape_options(sub, s.get());
@@ -361,6 +380,7 @@ void add_rig(CLI::App& app) {
   sub->footer(
       "Examples:\n  sinew rig hero.obj -o hero.glb --png hero.png\n"
       "  sinew rig hero.obj --skeleton template:mixamo -o hero.glb\n"
+      "  sinew rig drawing.png -o drawing.glb\n"
       "  sinew rig meshes -o rigged\n\n"
       "  sinew rig hero.obj --no-bind -o hero.rig.txt && sinew bind hero.obj --skeleton hero.rig.txt\n"
       "  sinew rig hero.obj --move LeftHand=0.7,1.4,0 --add Tail=Hips:0,0.9,-0.2 --remove Spine2\n"
@@ -369,6 +389,8 @@ void add_rig(CLI::App& app) {
       "before the mesh is bound.");
   sub->callback([s, edits, sub] {
     check_method(*sub, s->method);
+    check_picture_options(*sub, s->mesh);
+    if (is_picture(s->mesh) && s->method.category != "any") s->picture.body = s->method.category;
     s->edits = edits->in_order();
     run(*s);
   });

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Fuzzes one target (obj, rig, glb, bvh, numpy, vmd, model, bind, skeleton, motion, map, names, transfer or deform) until it has used CPU_SECONDS of processor time, on a growing corpus
+# Fuzzes one target (obj, rig, glb, bvh, numpy, vmd, picture, model, bind, skeleton, motion, map, names, transfer or deform) until it has used CPU_SECONDS of processor time, on a growing corpus
 # beside the build; stops with 1 at the first finding. Prints how many inputs were run.
 #   tests/fuzz/run.sh BUILD_DIR TARGET [CPU_SECONDS]
 set -euo pipefail
-[ $# -ge 2 ] || { echo "usage: tests/fuzz/run.sh BUILD_DIR obj|rig|glb|bvh|numpy|vmd|model|bind|skeleton|motion|map|names|transfer|deform [CPU_SECONDS]" >&2; exit 2; }
+[ $# -ge 2 ] || { echo "usage: tests/fuzz/run.sh BUILD_DIR obj|rig|glb|bvh|numpy|vmd|picture|model|bind|skeleton|motion|map|names|transfer|deform [CPU_SECONDS]" >&2; exit 2; }
 build=$1 target=$2 seconds=${3:-600}
 here=$(cd "$(dirname "$0")" && pwd)
 program=$build/tests/sinew_fuzz_$target

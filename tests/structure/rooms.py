@@ -16,8 +16,9 @@ NAMESPACE = re.compile(r"^(?:inline )?namespace (sinew[\w:]*) \{", re.MULTILINE)
 DOOR = "api"
 # A house with its folders, and what it must not include. A folder belongs to the house with the longest name that fits.
 HOUSES = {
-    "engine": (["engine/include", "engine/src"], ["formats", "character", "datasets", "trainer", "quant"]),
-    "formats": (["formats/include", "formats/src"], ["character", "datasets", "trainer", "quant"]),
+    "engine": (["engine/include", "engine/src"], ["formats", "picture", "character", "datasets", "trainer", "quant"]),
+    "formats": (["formats/include", "formats/src"], ["picture", "character", "datasets", "trainer", "quant"]),
+    "picture": (["formats/picture/include", "formats/picture/src"], ["character", "datasets", "trainer", "quant"]),
     "character": (["formats/character/include", "formats/character/src"], ["datasets", "trainer", "quant"]),
     "datasets": (["formats/datasets/include", "formats/datasets/src"], ["trainer", "quant"]),
     "trainer": (["trainer/include", "trainer/src"], ["quant"]),

@@ -42,6 +42,8 @@ using Picture = std::shared_ptr<const std::vector<uint8_t>>;
 struct Material {
   std::array<float, 4> base_color = {1, 1, 1, 1};  // linear RGB 0..1, opacity
   std::array<float, 3> emissive = {0, 0, 0};       // linear RGB 0..1
+  bool unlit = false;                              // KHR_materials_unlit
+  bool cut_out = false;                            // what the texture's alpha leaves out below a half is not there
   Picture base_color_texture, normal_texture;      // null = none
 };
 

@@ -144,6 +144,11 @@ class Materials {
     made->pbrMetallicRoughness.baseColorFactor.assign(material.base_color.begin(), material.base_color.end());
     made->emissiveFactor.assign(material.emissive.begin(), material.emissive.end());
     if (material.base_color[3] < 1) made->alphaMode = "BLEND";
+    if (material.cut_out) made->alphaMode = "MASK";  // at alphaCutoff's 0.5
+    if (material.unlit) {
+      made->extensions["KHR_materials_unlit"] = tinygltf::Value(tinygltf::Value::Object());
+      if (model_.extensionsUsed.empty()) model_.extensionsUsed.push_back("KHR_materials_unlit");
+    }
     made->pbrMetallicRoughness.baseColorTexture.index = texture_of(material.base_color_texture);
     made->normalTexture.index = texture_of(material.normal_texture);
   }

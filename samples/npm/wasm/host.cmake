@@ -23,6 +23,7 @@ target_link_options(libraries PUBLIC -fexceptions)
 
 set(formats ${sinew_root}/formats)
 include(${formats}/sources.cmake)
+include(${formats}/picture/sources.cmake)
 include(${formats}/character/sources.cmake)
 set(SINEW_HOST_ARCHIVE "" CACHE FILEPATH "libsinew_host.a of emscripten; empty = compile it")
 if(SINEW_HOST_ARCHIVE)
@@ -30,10 +31,11 @@ if(SINEW_HOST_ARCHIVE)
   target_link_libraries(sinew_host INTERFACE ${SINEW_HOST_ARCHIVE})
   set(sinew_host_use INTERFACE)
 else()
-  add_library(sinew_host STATIC ${sinew_formats_sources} ${sinew_character_sources} ${sinew_job_sources}
+  add_library(sinew_host STATIC ${sinew_formats_sources} ${sinew_picture_sources} ${sinew_character_sources} ${sinew_job_sources}
     ${sinew_root}/samples/npm/wasm/read_scene.cpp)
   target_compile_definitions(sinew_host PRIVATE SINEW_SCENES_ELSEWHERE)
   set(sinew_host_use PUBLIC)
 endif()
-target_include_directories(sinew_host ${sinew_host_use} ${formats}/include ${formats}/src ${formats}/character/include ${formats}/character/src)
+target_include_directories(sinew_host ${sinew_host_use} ${formats}/include ${formats}/src ${formats}/picture/include ${formats}/picture/src
+  ${formats}/character/include ${formats}/character/src)
 target_link_libraries(sinew_host ${sinew_host_use} sinew_engine_internals libraries sinew_build_flags)

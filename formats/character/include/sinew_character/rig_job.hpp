@@ -68,6 +68,9 @@ struct RiggedCharacter {
   double bind_seconds = 0;
 };
 
+// The skeleton that rig_character() begins with: by the method, up and front found where the job leaves them open. Doubts go into the notes.
+PredictedSkeleton predict_for_job(const RigJobOptions& options, const RigModels& models, Character* mesh);
+
 // Starts from a bare mesh, whatever skeleton `mesh` has: that goes, which the notes say. Throws Error.
 RiggedCharacter rig_character(Character mesh, const RigJobOptions& options, const RigModels& models);
 // The same from a skeleton that something else predicted.

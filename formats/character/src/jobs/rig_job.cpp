@@ -38,49 +38,6 @@ void say_direction(const RigJobOptions& job, const PredictedSkeleton& skeleton, 
                    (front ? "--front, as in --front +z" : ""));
 }
 
-PredictedSkeleton predict(const RigJobOptions& job, const RigModels& models, Character* character) {
-  SkeletonOptions options;
-  options.method = engine_method(job.method);
-  if (options.method == SINEW_RIG_VOTES || options.method == SINEW_RIG_SLOTS) options.model = models.rig;
-  options.category = job.category;
-  options.axes_known = character->gltf != nullptr;  // y up, +z front
-  options.up_axis = job.up == UpChoice::kZ ? 1 : 0;
-  const bool published = job.method == RigMethod::kSlots || job.method == RigMethod::kRegions;
-  if (!published && models.front != nullptr) {
-    options.front_model = models.front;
-    options.find_up = job.up == UpChoice::kFound;
-  }
-  options.front = job.front;
-  options.mirror = job.mirror;
-  options.spine_count = job.spine_count;
-  options.toes = job.toes;
-  options.ends = job.ends;
-  PredictedSkeleton skeleton = predict_skeleton(*character, options);
-  const float spread = skeleton.spread;
-  const std::optional<float> usable = skeleton.usable;
-  if (job.method == RigMethod::kAuto && job.category == SINEW_CATEGORY_ANY && spread > kUnknownSpread) {
-    options.method = SINEW_RIG_SHAPE;
-    skeleton = predict_skeleton(*character, options);
-    skeleton.spread = spread;
-    skeleton.usable = usable;
-    character->notes.push_back(
-        "warning: this mesh resembles nothing that the model knows, so the joints follow its middle line and have no "
-        "names; --method votes gives the model's guess");
-  } else if (job.method == RigMethod::kSlots && spread > kDoubtfulSlots) {
-    character->notes.push_back(
-        "warning: this mesh resembles little that the model knows; look at the joints before using them, or try "
-        "--method shape");
-  } else if (usable && *usable < kDoubtfulUsable) {
-    character->notes.push_back(
-        "warning: this mesh resembles little that the model knows: the skeleton can be used with a probability of " +
-        std::to_string(std::lround(100 * *usable)) + " %; look at the joints before using them, or try --method shape");
-  } else if (options.method == SINEW_RIG_VOTES && weak_parents(skeleton) > kMostGuessed) {
-    character->notes.push_back("warning: most joints guess what they hang on; look at the hierarchy before using it");
-  }
-  say_direction(job, skeleton, &character->notes);
-  return skeleton;
-}
-
 // What the skeleton has besides a body: fingers, and a face.
 LabelledSkeleton add_details(const RigJobOptions& job, const sinew_model& hands, RiggedCharacter* rigged) {
   SkeletonOptions options;
@@ -154,6 +111,49 @@ void measure_gate(const RigJobOptions& job, RiggedCharacter* rigged) {
 
 }  // namespace
 
+PredictedSkeleton predict_for_job(const RigJobOptions& job, const RigModels& models, Character* character) {
+  SkeletonOptions options;
+  options.method = engine_method(job.method);
+  if (options.method == SINEW_RIG_VOTES || options.method == SINEW_RIG_SLOTS) options.model = models.rig;
+  options.category = job.category;
+  options.axes_known = character->gltf != nullptr;  // y up, +z front
+  options.up_axis = job.up == UpChoice::kZ ? 1 : 0;
+  const bool published = job.method == RigMethod::kSlots || job.method == RigMethod::kRegions;
+  if (!published && models.front != nullptr) {
+    options.front_model = models.front;
+    options.find_up = job.up == UpChoice::kFound;
+  }
+  options.front = job.front;
+  options.mirror = job.mirror;
+  options.spine_count = job.spine_count;
+  options.toes = job.toes;
+  options.ends = job.ends;
+  PredictedSkeleton skeleton = predict_skeleton(*character, options);
+  const float spread = skeleton.spread;
+  const std::optional<float> usable = skeleton.usable;
+  if (job.method == RigMethod::kAuto && job.category == SINEW_CATEGORY_ANY && spread > kUnknownSpread) {
+    options.method = SINEW_RIG_SHAPE;
+    skeleton = predict_skeleton(*character, options);
+    skeleton.spread = spread;
+    skeleton.usable = usable;
+    character->notes.push_back(
+        "warning: this mesh resembles nothing that the model knows, so the joints follow its middle line and have no "
+        "names; --method votes gives the model's guess");
+  } else if (job.method == RigMethod::kSlots && spread > kDoubtfulSlots) {
+    character->notes.push_back(
+        "warning: this mesh resembles little that the model knows; look at the joints before using them, or try "
+        "--method shape");
+  } else if (usable && *usable < kDoubtfulUsable) {
+    character->notes.push_back(
+        "warning: this mesh resembles little that the model knows: the skeleton can be used with a probability of " +
+        std::to_string(std::lround(100 * *usable)) + " %; look at the joints before using them, or try --method shape");
+  } else if (options.method == SINEW_RIG_VOTES && weak_parents(skeleton) > kMostGuessed) {
+    character->notes.push_back("warning: most joints guess what they hang on; look at the hierarchy before using it");
+  }
+  say_direction(job, skeleton, &character->notes);
+  return skeleton;
+}
+
 RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool by_names, const RigJobOptions& job,
                               const RigModels& models) {
   if (!job.to_pose.empty() && !job.bind) throw Error("another rest pose needs weights: bind the mesh as well");
@@ -183,7 +183,7 @@ RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool 
 }
 
 RiggedCharacter rig_character(Character mesh, const RigJobOptions& job, const RigModels& models) {
-  PredictedSkeleton predicted = predict(job, models, &mesh);
+  PredictedSkeleton predicted = predict_for_job(job, models, &mesh);
   return rig_character(std::move(mesh), std::move(predicted), false, job, models);
 }
 

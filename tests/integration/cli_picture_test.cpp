@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// The sinew command on pictures: a character, its mask, motion in the picture's plane, and what is refused.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli_fixture.hpp"
+#include "sinew_formats/motion.hpp"
+
+namespace sinew {
+namespace {
+
+const std::string kChild = kData + "/drawing__child.png", kCat = kData + "/drawing__cat.png",
+                  kSketch = kData + "/drawing__sketch.png";
+
+class CliPicture : public Cli {};
+
+TEST_F(CliPicture, ADrawingBecomesACharacterInItsOwnPlace) {
+  const auto said =
+      nlohmann::json::parse(good("rig " + kChild + " --units pixels --mask-out mask.png --json -o child.glb").out);
+  EXPECT_EQ(said["picture"]["class"], "biped");
+  EXPECT_EQ(said["picture"]["view"], "from the front");
+  EXPECT_TRUE(fs::exists(in("mask.png")));
+  const Character made = read_character(in("child.glb"));
+  EXPECT_GT(made.vertices.size(), 500u);
+  EXPECT_LT(made.vertices.size(), 4000u);
+  EXPECT_EQ(made.influences.size(), made.vertices.size());
+  bool head = false;
+  for (const Joint& joint : made.joints) {
+    EXPECT_LT(std::abs(joint.position.z), 5) << joint.name;
+    EXPECT_GT(joint.position.x, 0) << joint.name;
+    EXPECT_LT(joint.position.x, 360) << joint.name;
+    if (joint.name == "Head") head = std::abs(joint.position.x - 180) < 12 && joint.position.y > 300;
+  }
+  EXPECT_TRUE(head);
+  const std::string glb = slurp(in("child.glb"));
+  EXPECT_NE(glb.find("KHR_materials_unlit"), std::string::npos);
+  EXPECT_NE(glb.find(slurp(kChild)), std::string::npos) << "the picture is the texture, to the byte";
+}
+
+TEST_F(CliPicture, ClassesAndViewsAreTold) {
+  const auto cat = nlohmann::json::parse(good("rig " + kCat + " --json -o cat.rig.txt").out);
+  EXPECT_EQ(cat["picture"]["class"], "quadruped");
+  EXPECT_EQ(cat["picture"]["view"], "facing right");
+  const auto sketch = nlohmann::json::parse(good("rig " + kSketch + " --json -o sketch.rig.txt").out);
+  EXPECT_EQ(sketch["picture"]["class"], "biped");
+  const auto given = nlohmann::json::parse(good("rig " + kSketch + " --class fish --json -o fish.rig.txt").out);
+  EXPECT_EQ(given["picture"]["class"], "fish");
+}
+
+// No bone changes its length as it is seen, and none leaves the plane.
+TEST_F(CliPicture, MotionStaysInThePlane) {
+  const Outcome told = good("animate " + kChild + " --units pixels -o child.glb --sheet child.png");
+  EXPECT_NE(told.out.find("builtin:person/wave"), std::string::npos) << told.out;
+  EXPECT_TRUE(fs::exists(in("child.png")));
+  const Motion motion = read_motion(in("child.glb"));
+  ASSERT_EQ(motion.clips.size(), 1u);
+  double most = 0, moved = 0;
+  for (const MotionFrame& frame : motion.clips[0].frames) {
+    const WorldPose pose = world_pose(motion, frame);
+    for (size_t j = 0; j < motion.joints.size(); ++j) {
+      if (motion.joints[j].parent < 0) continue;
+      const Point3 &a = pose.positions[j], &b = pose.positions[static_cast<size_t>(motion.joints[j].parent)],
+                   &rest = motion.joints[j].offset;
+      const double before = std::hypot(rest[0], rest[1]);
+      if (before > 1) most = std::max(most, std::abs(std::hypot(a[0] - b[0], a[1] - b[1]) / before - 1));
+      moved = std::max(moved, std::hypot(a[0] - b[0] - rest[0], a[1] - b[1] - rest[1]));
+    }
+  }
+  EXPECT_LT(most, 0.01);
+  EXPECT_GT(moved, 20);
+}
+
+TEST_F(CliPicture, WhatIsNoPictureOfACharacterIsALine) {
+  put(in("empty.png"), "");
+  EXPECT_NE(
+      bad(1, "rig empty.png -o a.glb").error.find("empty.png: expected a PNG or JPEG picture, found an empty file"),
+      std::string::npos);
+  put(in("cut.png"), slurp(kChild).substr(0, 3000));
+  EXPECT_NE(bad(1, "rig cut.png -o a.glb").error.find("cut.png: cannot read this PNG"), std::string::npos);
+  EXPECT_FALSE(fs::exists(in("a.glb")));
+  EXPECT_NE(bad(1, "rig " + kChild + " --figure 2 -o a.glb").error.find("there is no figure 2, found 1"),
+            std::string::npos);
+  EXPECT_NE(bad(2, "rig " + kSnake + " --flat -o a.glb").error.find("--flat is for pictures"), std::string::npos);
+  EXPECT_NE(bad(2, "animate " + kCaped + " -o a.glb").error.find("--motion is required"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sinew
