@@ -18,12 +18,14 @@ typedef enum sinew_limit_kind {
  * them. Degrees. */
 typedef struct sinew_joint_limit {
   uint32_t joint;
-  uint32_t kind;  /* sinew_limit_kind */
-  float zero[4];  /* local rotation, x y z w, from which angles count; of length 0: none */
-  float axis[3];  /* of any length but 0 */
-  float side[3];  /* of a ball, not along `axis`: what swings count about, with axis x side; a part along `axis` is taken out */
-  float least[3]; /* about axis, side, axis x side; of a hinge the first alone. -180 to `most`, of a swing no more than 0 */
-  float most[3];  /* `least` to 180, of a swing no less than 0. Both swings at once: within the ellipse of their ends */
+  uint32_t kind; /* sinew_limit_kind */
+  float zero[4]; /* local rotation, x y z w, from which angles count; of length 0: none */
+  float axis[3]; /* of any length but 0 */
+  float side
+      [3]; /* of a ball, not along `axis`: what swings count about, with axis x side; a part along `axis` is taken out */
+  float least
+      [3]; /* about axis, side, axis x side; of a hinge the first alone. -180 to `most`, of a swing no more than 0 */
+  float most[3]; /* `least` to 180, of a swing no less than 0. Both swings at once: within the ellipse of their ends */
 } sinew_joint_limit;
 
 /* Holds joints within their limits, whatever made the pose: after contacts, where a limit wins over them, or frame by frame behind a

@@ -29,9 +29,8 @@ AnimatedCharacter animated(const std::string& target, const std::string& path) {
   AnimateOptions options;
   options.character = target;
   options.force = true;
-  add_motion(options,
-             {path, "", &file.motion, [&] { return file.whole ? body_of_motion(path) : std::nullopt; }},
-             go_on, &out);
+  add_motion(options, {path, "", &file.motion, [&] { return file.whole ? body_of_motion(path) : std::nullopt; }}, go_on,
+             &out);
   return out;
 }
 
