@@ -6,8 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include "kernels/select.hpp"
-#include "rig/facing.hpp"
 #include "rig_scene.hpp"
 #include "sample_mesh.hpp"
 
@@ -117,45 +115,6 @@ TEST(RigFront, IsFoundAtAnyAngleAndWithZUp) {
     float front[3];
     stand.to(plain.outputs.front, front);
     for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(other.outputs.front[axis], front[axis], 0.01) << stand.degrees;
-  }
-}
-
-// A front that is 30 degrees off, as of a mesh that no plane mirrors, in the memory of a whole rig.
-TEST(RigFront, IsTurnedToWhereTheVotesAreSurest) {
-  using namespace sinew;
-  const MeshScene scene = from_file("biped__robot.obj");
-  const sinew_mesh input = scene.mesh_view();
-  sinew_rig_options options = sinew_rig_options_init();
-  options.front_model = bundled_front_model();
-  options.mirror = SINEW_MIRROR_NEVER;
-  rigging::RigPlan plan;
-  ASSERT_EQ(
-      rigging::plan_rig(bundled_rig_model(), input.vertex_count, input.face_count, input.corner_count, &options, &plan),
-      SINEW_OK);
-  size_t bytes = 0;
-  ASSERT_EQ(sinew_rig_workspace_size(bundled_rig_model(), input.vertex_count, input.face_count, input.corner_count,
-                                     &options, &bytes),
-            SINEW_OK);
-  const Workspace block(bytes);
-  for (const bool known : {true, false}) {
-    Arena arena(block.data(), bytes);
-    Mesh mesh;
-    rigging::UprightMesh upright;
-    rigging::MirrorFrame frame;
-    const Kernels kernels = fastest_kernels();
-    ASSERT_TRUE(mesh.allocate(arena, plan.counts));
-    ASSERT_EQ(rigging::stand_upright(plan.front, input, plan.counts, kernels, arena, &mesh, &upright), SINEW_OK);
-    upright.front.turn.sine = 0.5f;
-    upright.front.turn.cosine = 0.8660254f;
-    upright.known = known;
-    ASSERT_EQ(rigging::stand_again(input, plan.counts, arena, &mesh, &upright), SINEW_OK);
-    ASSERT_TRUE(rigging::place_frame(plan, upright, arena, &mesh, &frame));
-    ASSERT_EQ(rigging::refine_front(plan, input, kernels, arena, &mesh, &upright, &frame), SINEW_OK);
-    if (known) {
-      EXPECT_NEAR(upright.front.turn.sine, 0, 0.27);
-    } else {
-      EXPECT_EQ(upright.front.turn.sine, 0.5f) << "a coin toss is left to the votes of four sides";
-    }
   }
 }
 

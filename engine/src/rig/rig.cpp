@@ -11,7 +11,6 @@
 #include "kernels/select.hpp"
 #include "model/task.hpp"
 #include "rig/curve.hpp"
-#include "rig/facing.hpp"
 #include "rig/joint_names.hpp"
 #include "rig/read_votes.hpp"
 #include "rig/regions.hpp"
@@ -52,6 +51,46 @@ struct Placer {
     out[2] = to_float(up_axis == 0 ? z : y);
   }
 };
+
+// How far off the votes of a set think they are: mean of log2, Q10. Small is good.
+int64_t doubt_of(const int16_t* outputs) {
+  int64_t sum = 0;
+  for (uint32_t i = 0; i < kSetPoints; ++i) {
+    const int16_t* const row = outputs + size_t{i} * kRigOutputs;
+    sum += int64_t{row[kRigStartSpread]} + row[kRigEndSpread];
+  }
+  return sum / (2 * kSetPoints);
+}
+
+// Turns the mesh to where the votes are surest: front and back of a mirrored mesh, all four sides of another. Other ways than
+// the one that it has must be better by kRotationGain. The voter keeps the interior of the way that was chosen, and where that
+// is the way that the mesh had, what set 0 said there.
+constexpr int64_t kRotationGain = 60;  // Q10 of log2
+
+sinew_status choose_facing(const RigPlan& plan, const Kernels& kernels, Arena& arena, PointVoter* voter,
+                           MirrorFrame* frame, Mesh* mesh, bool* turned) {
+  const uint32_t step = frame->folded ? 2 : 1;
+  int64_t least = INT64_MAX;
+  uint32_t best = 0, at = 0;
+  for (uint32_t tried = step; tried <= 4; tried += step) {  // the way that it has comes last: mostly it stays so
+    const uint32_t quarters = tried % 4;
+    if (!arena.measuring()) turn_frame(quarters + 4 - at, frame, mesh);
+    at = quarters;
+    if (!build_interior(*mesh, arena, &voter->interior)) return SINEW_ERROR_WORKSPACE;
+    const sinew_status status = voter->run(plan.model, plan.network, kernels, *mesh, 0, {}, arena);
+    if (status != SINEW_OK) return status;
+    if (arena.measuring()) return SINEW_OK;
+    const int64_t doubt = doubt_of(voter->outputs) + (quarters == 0 ? 0 : kRotationGain);
+    if (doubt < least || (quarters == 0 && doubt == least)) {
+      least = doubt;
+      best = quarters;
+    }
+  }
+  *turned = best != at;
+  if (!*turned) return SINEW_OK;
+  turn_frame(best + 4 - at, frame, mesh);
+  return build_interior(*mesh, arena, &voter->interior) ? SINEW_OK : SINEW_ERROR_WORKSPACE;
+}
 
 sinew_status vote(const RigPlan& plan, const Kernels& kernels, Arena& arena, bool front_known, MirrorFrame* frame,
                   Mesh* mesh, VoteStore* store, bool* sheet) {
@@ -157,7 +196,8 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
   if (front != SINEW_OK) return front;
   if (o.mirror > SINEW_MIRROR_NEVER || o.spine_count > kMaxSpine || o.no_toes > 1 || o.no_ends > 1 ||
       o.weights_in_place > 1 || kernel_name(o.kernel) == nullptr || o.method > SINEW_RIG_SLOTS ||
-      o.category >= kBodyKinds || (o.category != 0 && o.method != SINEW_RIG_VOTES && o.method != SINEW_RIG_SLOTS)) {
+      o.category >= kBodyKinds ||
+      (o.category != 0 && o.method != SINEW_RIG_VOTES && o.method != SINEW_RIG_SLOTS)) {
     return SINEW_ERROR_ARGUMENT;
   }
   const bool published = o.method == SINEW_RIG_REGIONS || o.method == SINEW_RIG_SLOTS;
@@ -211,11 +251,18 @@ sinew_status run_rig(const RigPlan& plan, const sinew_mesh& mesh_input, const Ke
   if (!rig.allocate(arena)) return SINEW_ERROR_WORKSPACE;
   sinew_status status = stand_upright(plan.front, mesh_input, plan.counts, kernels, arena, &mesh, &upright);
   if (status != SINEW_OK) return status;
-  if (!place_frame(plan, upright, arena, &mesh, &frame)) return SINEW_ERROR_WORKSPACE;
-  if (!arena.measuring() && !plan.progress.report(kMeshEnds)) return SINEW_ERROR_CANCELLED;
-  if (votes_wanted && plan.front.asks() && plan.front.given == SINEW_FRONT_AUTO) {
-    status = refine_front(plan, mesh_input, kernels, arena, &mesh, &upright, &frame);
-    if (status != SINEW_OK) return status;
+  int32_t middles[2] = {0, 0};
+  if (!arena.measuring()) {
+    const float zero[3] = {0, 0, 0};
+    const Vec3i middle = quantize_point(upright.quantizer, zero);
+    middles[0] = middle.x;
+    middles[1] = middle.z;
+  }
+  if (!find_mirror_frame(mesh, plan.mirroring, middles, plan.front.may_turn(), arena, &frame))
+    return SINEW_ERROR_WORKSPACE;
+  if (!arena.measuring()) {
+    apply_mirror_frame(frame, &mesh);
+    if (!plan.progress.report(kMeshEnds)) return SINEW_ERROR_CANCELLED;
   }
   if (votes_wanted) {
     status = vote(plan, kernels, arena, upright.known, &frame, &mesh, &store, &sheet);

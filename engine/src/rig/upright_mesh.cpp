@@ -72,24 +72,15 @@ sinew_status stand_upright(const FrontPlan& plan, const sinew_mesh& input, const
     front.confidence = 1;
   }
   upright->known = front.confidence >= kCoinToss;
-  upright->turned = plan.may_turn() ? arena.alloc<float>(size_t{3} * counts.vertices) : nullptr;
-  if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
-  const bool seen = plan.asks() && front.turn.nothing() && front.turn.up_axis == seen_up && !arena.measuring();
-  if (!seen) return stand_again(input, counts, arena, mesh, upright);
   upright->up_axis = front.turn.up_axis;
-  return SINEW_OK;
-}
-
-sinew_status stand_again(const sinew_mesh& input, const Counts& counts, Arena& arena, Mesh* mesh,
-                         UprightMesh* upright) {
-  const Turn& turn = upright->front.turn;
-  upright->mesh = input;
-  upright->up_axis = turn.up_axis;
-  if (upright->turned != nullptr && !turn.nothing()) {
-    upright->mesh = turn_mesh(input, turn, upright->turned);
+  float* const turned = plan.may_turn() ? arena.alloc<float>(size_t{3} * counts.vertices) : nullptr;
+  if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
+  if (turned != nullptr && !front.turn.nothing()) {
+    upright->mesh = turn_mesh(input, front.turn, turned);
     upright->up_axis = 0;
   }
-  return build(upright->mesh, upright->up_axis, counts, arena, &upright->quantizer, mesh);
+  const bool seen = plan.asks() && front.turn.nothing() && front.turn.up_axis == seen_up && !arena.measuring();
+  return seen ? SINEW_OK : build(upright->mesh, upright->up_axis, counts, arena, &upright->quantizer, mesh);
 }
 
 void write_front(const UprightMesh& upright, uint32_t quarters, double plane, sinew_rig_outputs* outputs) {

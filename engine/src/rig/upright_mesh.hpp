@@ -27,17 +27,13 @@ struct UprightMesh {
   uint32_t up_axis = 0;  // of `mesh`
   GridQuantizer quantizer;
   Front front;
-  bool known = false;       // the front was given, or found and no coin toss
-  float* turned = nullptr;  // [V x 3] room for positions, where a front may be turned to
+  bool known = false;  // the front was given, or found and no coin toss
 };
 
 // Builds the mesh in the grid, allocated beforehand. The turned positions stay in the arena. Returns what build_mesh() and
 // find_front() do, and SINEW_ERROR_NOT_FINITE.
 sinew_status stand_upright(const FrontPlan& plan, const sinew_mesh& input, const Counts& counts, const Kernels& kernels,
                            Arena& arena, Mesh* mesh, UprightMesh* upright);
-
-// The same mesh again after `upright->front.turn` was changed. Returns what build_mesh() does.
-sinew_status stand_again(const sinew_mesh& input, const Counts& counts, Arena& arena, Mesh* mesh, UprightMesh* upright);
 
 // What sinew_rig_outputs says of it, the skeleton facing along `quarters` of the upright mesh (MirrorFrame) with its plane at
 // `plane` across that.
