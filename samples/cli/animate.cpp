@@ -104,7 +104,7 @@ AnimateOptions animate_options(const Settings& s) {
   options.in_place = s.in_place;
   options.range = s.range;
   options.report = s.report;
-  options.force = s.force;
+  options.force = s.force || s.motions.empty();  // of a picture, whose clip nobody asked for: a warning will do
   options.translations = s.translations;
   options.fps = s.fps;
   options.from = s.from;

@@ -196,8 +196,7 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
   if (front != SINEW_OK) return front;
   if (o.mirror > SINEW_MIRROR_NEVER || o.spine_count > kMaxSpine || o.no_toes > 1 || o.no_ends > 1 ||
       o.weights_in_place > 1 || kernel_name(o.kernel) == nullptr || o.method > SINEW_RIG_SLOTS ||
-      o.category >= kBodyKinds ||
-      (o.category != 0 && o.method != SINEW_RIG_VOTES && o.method != SINEW_RIG_SLOTS)) {
+      o.category >= kBodyKinds || (o.category != 0 && o.method != SINEW_RIG_VOTES && o.method != SINEW_RIG_SLOTS)) {
     return SINEW_ERROR_ARGUMENT;
   }
   const bool published = o.method == SINEW_RIG_REGIONS || o.method == SINEW_RIG_SLOTS;
