@@ -13,7 +13,10 @@ constexpr double kPi = 3.14159265358979323846;
 
 // A pelvis with one leg, hanging down.
 Motion leg() {
-  return motion_of({{"Hips", {0, 1, 0}, -1, {}}, {"Thigh", {0.1f, 0.9f, 0}, 0, {}}, {"Calf", {0.1f, 0.5f, 0}, 1, {}}, {"Foot", {0.1f, 0, 0}, 2, {}}});
+  return motion_of({{"Hips", {0, 1, 0}, -1, {}},
+                    {"Thigh", {0.1f, 0.9f, 0}, 0, {}},
+                    {"Calf", {0.1f, 0.5f, 0}, 1, {}},
+                    {"Foot", {0.1f, 0, 0}, 2, {}}});
 }
 const std::vector<uint8_t> kClasses = {SINEW_CLASS_PELVIS, SINEW_CLASS_THIGH, SINEW_CLASS_CALF, SINEW_CLASS_FOOT};
 
@@ -43,7 +46,8 @@ TEST(PlaneBones, ASwingToTheViewerIsShownSideways) {
   double widest = 0;
   for (const MotionFrame& frame : flat.frames) {
     const WorldPose pose = world_pose(motion, frame);
-    EXPECT_NEAR(std::hypot(pose.positions[3][0] - pose.positions[1][0], pose.positions[3][1] - pose.positions[1][1]), 0.9, 1e-6);
+    EXPECT_NEAR(std::hypot(pose.positions[3][0] - pose.positions[1][0], pose.positions[3][1] - pose.positions[1][1]),
+                0.9, 1e-6);
     EXPECT_NEAR(pose.positions[3][2], 0, 1e-9);
     widest = std::max(widest, pose.positions[3][0] - 0.1);
   }
@@ -69,7 +73,8 @@ TEST(PlaneBones, TheLowestFootIsAsHighAsTheBodys) {
   const Clip flat = clip_in_plane(motion, clip, kClasses, PictureView::kFront, motion);
   for (size_t f = 0; f < clip.frames.size(); ++f) {
     const WorldPose body = world_pose(motion, clip.frames[f]), plane = world_pose(motion, flat.frames[f]);
-    EXPECT_NEAR(std::min(plane.positions[3][1], plane.positions[2][1]), std::min(body.positions[3][1], body.positions[2][1]), 1e-6);
+    EXPECT_NEAR(std::min(plane.positions[3][1], plane.positions[2][1]),
+                std::min(body.positions[3][1], body.positions[2][1]), 1e-6);
   }
 }
 

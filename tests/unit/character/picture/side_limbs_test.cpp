@@ -17,7 +17,8 @@ Character cards(const std::vector<std::array<float, 4>>& rectangles) {
   for (const auto& [left, bottom, right, top] : rectangles) {
     const auto first = static_cast<uint32_t>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), {{left, bottom, 0}, {right, bottom, 0}, {right, top, 0}, {left, top, 0}});
-    for (const std::array<uint32_t, 4>& face : {std::array<uint32_t, 4>{0, 1, 2, 3}, std::array<uint32_t, 4>{3, 2, 1, 0}}) {
+    for (const std::array<uint32_t, 4>& face :
+         {std::array<uint32_t, 4>{0, 1, 2, 3}, std::array<uint32_t, 4>{3, 2, 1, 0}}) {
       for (const uint32_t corner : face) mesh.face_vertices.push_back(first + corner);
       mesh.face_offsets.push_back(static_cast<uint32_t>(mesh.face_vertices.size()));
     }
@@ -34,7 +35,8 @@ PredictedSkeleton feet(float x) {
 }
 
 TEST(SideLimbs, EachLegHasItsJoint) {
-  const Character mesh = cards({{0, 0.5f, 1, 1}, {0.1f, 0, 0.15f, 0.4f}, {0.2f, 0, 0.25f, 0.4f}, {0.8f, 0, 0.85f, 0.4f}});
+  const Character mesh =
+      cards({{0, 0.5f, 1, 1}, {0.1f, 0, 0.15f, 0.4f}, {0.2f, 0, 0.25f, 0.4f}, {0.8f, 0, 0.85f, 0.4f}});
   PredictedSkeleton two = feet(0.17f);
   part_side_limbs(mesh, &two);
   EXPECT_FLOAT_EQ(two.joints[0].position.x, 0.125f);
@@ -47,8 +49,11 @@ TEST(SideLimbs, EachLegHasItsJoint) {
 
 TEST(SideLimbs, ALegDoesNotFork) {
   PredictedSkeleton forked;
-  forked.joints = {{"Hips", {}, -1, {}}, {"LeftUpLeg", {}, 0, {}}, {"LeftLeg", {}, 1, {}}, {"LeftFoot", {}, 2, {}}, {"LeftFoot_end", {}, 3, {}}, {"LeftLeg1", {}, 2, {}}, {"Tail", {}, 0, {}}};
-  forked.classes = {SINEW_CLASS_PELVIS, SINEW_CLASS_THIGH, SINEW_CLASS_CALF, SINEW_CLASS_FOOT, SINEW_CLASS_FOOT, SINEW_CLASS_CALF, SINEW_CLASS_TAIL};
+  forked.joints = {{"Hips", {}, -1, {}},    {"LeftUpLeg", {}, 0, {}},    {"LeftLeg", {}, 1, {}},
+                   {"LeftFoot", {}, 2, {}}, {"LeftFoot_end", {}, 3, {}}, {"LeftLeg1", {}, 2, {}},
+                   {"Tail", {}, 0, {}}};
+  forked.classes = {SINEW_CLASS_PELVIS, SINEW_CLASS_THIGH, SINEW_CLASS_CALF, SINEW_CLASS_FOOT,
+                    SINEW_CLASS_FOOT,   SINEW_CLASS_CALF,  SINEW_CLASS_TAIL};
   forked.ends = {0, 0, 0, 0, 1, 0, 0};
   forked.partners = {0, -1, -1, -1, -1, -1, 6};
   forked.confidence = forked.parent_confidence = std::vector<float>(7, 1.0f);
