@@ -16,6 +16,8 @@ set(sinew_character_sources
   bind/mesh_neighbours
   bind/round_influences
   bind/transfer
+  check/bone_distance
+  check/label_check
   clips/builtin_motion
   clips/gait
   clips/others
