@@ -22,6 +22,7 @@ set(sinew_formats_sources
   gltf/gltf_motion_read
   gltf/gltf_motion_write
   gltf/gltf_read
+  gltf/gltf_rest
   gltf/gltf_skin
   gltf/move_joints
   gltf/move_vertices

@@ -17,7 +17,24 @@ set(sinew_character_sources
   bind/round_influences
   bind/transfer
   check/bone_distance
+  check/check
+  check/check_gate
+  check/check_output
+  check/clips
+  check/findings
+  check/joints
   check/label_check
+  check/layer_crossings
+  check/matrices
+  check/names
+  check/places
+  check/poses
+  check/rig_facts
+  check/rows
+  check/rules
+  check/symmetry
+  check/test_poses
+  check/torn_edges
   clips/builtin_motion
   clips/gait
   clips/others
@@ -75,6 +92,7 @@ set(sinew_job_sources
   src/jobs/bake_job
   src/jobs/bind_job
   src/jobs/character_file
+  src/jobs/check_job
   src/jobs/find_joint_map
   src/jobs/own_skeleton
   src/jobs/pose_job
@@ -88,6 +106,7 @@ set(sinew_job_sources
   capi/arrays
   capi/bake
   capi/bind
+  capi/check
   capi/clips
   capi/map
   capi/open

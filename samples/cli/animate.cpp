@@ -15,6 +15,7 @@
 #include "options.hpp"
 #include "progress.hpp"
 #include "sinew_character/animate_job.hpp"
+#include "sinew_character/checked_note.hpp"
 #include "sinew_character/motion_file.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -232,6 +233,8 @@ void run(const Settings& s) {
                      std::to_string(animated.motion.clips.size()) +
                      "; say which with --motion FILE#CLIP, or write a .glb");
   if (deform && !as_bvh) bake_clips(*deform, s.shapes, counted("corrected poses", stop), &animated);
+  if (std::string note = checked_note(animated.character, &animated.motion); !note.empty())
+    animated.motion.notes.push_back(std::move(note));
   std::vector<uint8_t> sheet;
   if (!s.sheet.empty()) {
     std::optional<CharacterDeformer> deformer;

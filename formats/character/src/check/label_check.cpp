@@ -11,8 +11,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "sinew_character/joint_verdicts.hpp"
 #include "sinew_character/bone_distance.hpp"
+#include "sinew_character/joint_verdicts.hpp"
 #include "sinew_formats/median.hpp"
 #include "sinew_formats/print.hpp"
 
