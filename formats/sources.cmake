@@ -32,6 +32,7 @@ set(sinew_formats_sources
   gltf/gltf_write
   gltf/tinygltf
   gltf/vrm_animation
+  gltf/vrm_write
   motion/actors
   motion/affine
   motion/bvh_read

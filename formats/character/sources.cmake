@@ -69,6 +69,8 @@ set(sinew_character_sources
   predict/skeleton_arrays
   predict/skeleton_template
   predict/turn
+  profile/profiles
+  profile/vrm_humanoid
   rig/cut_seams
   rig/infer_parents
   rig/joint_mirror

@@ -13,6 +13,7 @@
 #include "deform_options.hpp"
 #include "motion_sheet.hpp"
 #include "options.hpp"
+#include "profile_options.hpp"
 #include "progress.hpp"
 #include "sinew_character/animate_job.hpp"
 #include "sinew_character/checked_note.hpp"
@@ -32,6 +33,7 @@ struct Settings {
   std::string character, output, map, method = "auto", up = "auto", motion_up = "auto", sheet, layout, actor;
   std::vector<std::string> motions;
   DeformSettings deform;
+  ProfileSettings profile;
   size_t shapes = 16;
   double fps = 0, from = 0, to = 1e9;
   uint32_t area_power = 3;
@@ -218,6 +220,7 @@ void tell(const Settings& s, const Animated& animated) {
 }
 
 void run(const Settings& s) {
+  settle_profile(s.profile, nullptr);
   check_output(s.output, {".glb", ".gltf", ".vrm", ".bvh"});
   if (!s.sheet.empty()) check_output(s.sheet, {".png"});
   if (!(s.from <= s.to)) throw UsageError(print("--start %g is behind --end %g", s.from, s.to));
@@ -248,7 +251,7 @@ void run(const Settings& s) {
     GlbOptions options;
     options.keep_skin = !animated.rigged;
     options.motion = &animated.motion;
-    write_gltf_morphs(s.output, animated.character, options, animated.morphs);
+    write_as(s.profile, s.output, animated.character, options, animated.morphs);
   }
   if (!s.sheet.empty()) write_file(s.sheet, sheet);
   tell(s, animated);
@@ -355,6 +358,7 @@ void add_animate(CLI::App& app) {
   add_clip_options(sub, s.get());
   add_corrections(sub, s.get());
   const std::vector<CLI::Option*> of_reference = add_reference_options(sub, s.get());
+  add_profile_options(sub, &s->profile);
   sub->footer(
       "Examples:\n  sinew animate hero.glb --motion walk.bvh -o walking.glb --sheet walking.png\n"
       "  sinew animate hero.glb --motion walk.bvh --motion moves.glb#jump --map map.txt -o moves.glb\n"
