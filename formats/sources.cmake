@@ -23,6 +23,7 @@ set(sinew_formats_sources
   gltf/gltf_motion_read
   gltf/gltf_motion_write
   gltf/gltf_read
+  gltf/gltf_rest
   gltf/gltf_skin
   gltf/move_joints
   gltf/move_vertices
@@ -32,6 +33,7 @@ set(sinew_formats_sources
   gltf/gltf_write
   gltf/tinygltf
   gltf/vrm_animation
+  gltf/vrm_write
   motion/actors
   motion/affine
   motion/bvh_read

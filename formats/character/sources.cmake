@@ -16,6 +16,25 @@ set(sinew_character_sources
   bind/mesh_neighbours
   bind/round_influences
   bind/transfer
+  check/bone_distance
+  check/check
+  check/check_gate
+  check/check_output
+  check/clips
+  check/findings
+  check/joints
+  check/label_check
+  check/layer_crossings
+  check/matrices
+  check/names
+  check/places
+  check/poses
+  check/rig_facts
+  check/rows
+  check/rules
+  check/symmetry
+  check/test_poses
+  check/torn_edges
   clips/builtin_motion
   clips/gait
   clips/others
@@ -60,6 +79,8 @@ set(sinew_character_sources
   predict/skeleton_arrays
   predict/skeleton_template
   predict/turn
+  profile/profiles
+  profile/vrm_humanoid
   rig/cut_seams
   rig/infer_parents
   rig/joint_mirror
@@ -84,6 +105,7 @@ set(sinew_job_sources
   src/jobs/bake_job
   src/jobs/bind_job
   src/jobs/character_file
+  src/jobs/check_job
   src/jobs/find_joint_map
   src/jobs/own_skeleton
   src/jobs/picture_job
@@ -98,6 +120,7 @@ set(sinew_job_sources
   capi/arrays
   capi/bake
   capi/bind
+  capi/check
   capi/clips
   capi/map
   capi/open

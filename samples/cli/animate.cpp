@@ -15,8 +15,10 @@
 #include "motion_sheet.hpp"
 #include "options.hpp"
 #include "picture_options.hpp"
+#include "profile_options.hpp"
 #include "progress.hpp"
 #include "sinew_character/animate_job.hpp"
+#include "sinew_character/checked_note.hpp"
 #include "sinew_character/motion_file.hpp"
 #include "sinew_character/plane_motion.hpp"
 #include "sinew_datasets/image.hpp"
@@ -36,6 +38,7 @@ struct Settings {
   std::vector<std::string> motions;
   DeformSettings deform;
   PictureOptions picture;
+  ProfileSettings profile;
   size_t shapes = 16;
   double fps = 0, from = 0, to = 1e9;
   uint32_t area_power = 3;
@@ -246,6 +249,7 @@ void tell(const Settings& s, const Animated& animated) {
 }
 
 void run(const Settings& s) {
+  settle_profile(s.profile, nullptr);
   if (s.motions.empty() && !is_picture(s.character)) throw UsageError("--motion is required");
   if (s.depth && !is_picture(s.character)) throw UsageError("--depth is for pictures, and " + s.character + " is none");
   check_output(s.output, kWritesMotion);
@@ -263,6 +267,8 @@ void run(const Settings& s) {
                      std::to_string(animated.motion.clips.size()) +
                      "; say which with --motion FILE#CLIP, or write a .glb");
   if (deform && !as_bvh) bake_clips(*deform, s.shapes, counted("corrected poses", stop), &animated);
+  if (std::string note = checked_note(animated.character, &animated.motion); !note.empty())
+    animated.motion.notes.push_back(std::move(note));
   std::vector<uint8_t> sheet;
   if (!s.sheet.empty()) {
     std::optional<CharacterDeformer> deformer;
@@ -277,7 +283,7 @@ void run(const Settings& s) {
     GlbOptions options;
     options.keep_skin = !animated.rigged;
     options.motion = &animated.motion;
-    write_gltf_morphs(s.output, animated.character, options, animated.morphs);
+    write_as(s.profile, s.output, animated.character, options, animated.morphs);
   }
   if (!s.sheet.empty()) write_file(s.sheet, sheet);
   if (animated.picture) write_mask(s.picture, *animated.picture);
@@ -388,6 +394,7 @@ void add_animate(CLI::App& app) {
   sub->add_flag("--depth", s->depth, "Bones of a picture's character leave its plane as the motion's do");
   add_corrections(sub, s.get());
   const std::vector<CLI::Option*> of_reference = add_reference_options(sub, s.get());
+  add_profile_options(sub, &s->profile);
   sub->footer(
       "Examples:\n  sinew animate hero.glb --motion walk.bvh -o walking.glb --sheet walking.png\n"
       "  sinew animate hero.glb --motion walk.bvh --motion moves.glb#jump --map map.txt -o moves.glb\n"

@@ -117,6 +117,7 @@ void run_folder(const Settings& s) {
 
 void run(Settings s) {
   settle_joints(&s.one);
+  settle_profile(s.one.profile, &s.one.to_pose);
   constexpr unsigned kQuestions = 3;
   if (s.one.ask && s.one.questions == 0) s.one.questions = kQuestions;
   if (needs_no_model(s) && !s.model.empty())
@@ -253,6 +254,7 @@ void add_bind(CLI::App& app) {
   add_artists_words(sub, s.get());
   add_mesh_changes(sub, s.get());
   add_rest(sub, s.get());
+  add_profile_options(sub, &s->one.profile);
   sub->footer(
       "Examples:\n  sinew bind hero.obj --skeleton hero.rig.txt -o hero.glb --png hero.png\n"
       "  sinew bind hero.glb --ask -o hero.bound.glb\n"

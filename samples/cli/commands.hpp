@@ -23,6 +23,7 @@ void add_map(CLI::App& app);
 void add_animate(CLI::App& app);
 void add_bake(CLI::App& app);
 void add_transfer(CLI::App& app);
+void add_check(CLI::App& app);
 
 }  // namespace sinew::cli
 #endif

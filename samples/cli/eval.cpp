@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "commands.hpp"
+#include "eval_check.hpp"
 #include "eval_hands.hpp"
 #include "eval_rig.hpp"
 #include "eval_studies.hpp"
@@ -234,6 +235,21 @@ void add_studies(CLI::App* parent) {
       "It is moved, scaled, rotated, mirrored, renumbered, unwelded, its faces split or merged, decimated,\n"
       "subdivided.");
   sub->callback([robustness] { run_study(*robustness, study_robustness); });
+
+  sub = parent->add_subcommand("check", "How much damage sinew check finds, and how often it is wrong");
+  struct CheckSettings {
+    std::string folder;
+    unsigned jobs = 1;
+    bool names = false;
+  };
+  auto check = std::make_shared<CheckSettings>();
+  add_folder(sub, &check->folder, &check->jobs);
+  sub->add_flag("--names", check->names, "Also every miss and every alarm, by the character's name");
+  sub->footer(
+      "Example:\n  sinew eval check characters/val\n\n"
+      "Every character is damaged in some thirty ways, one at a time; a damage is found where a rule that tells\n"
+      "it has a finding that the untouched rig has not.");
+  sub->callback([check] { study_check(check->folder, check->jobs, check->names); });
 
   sub = parent->add_subcommand("seams", "How much weight crosses where parts of the body have grown together");
   const auto seams = add_study(sub, "seams");

@@ -19,6 +19,7 @@
 #include "folder_files.hpp"
 #include "options.hpp"
 #include "picture_options.hpp"
+#include "profile_options.hpp"
 #include "progress.hpp"
 #include "rig_skeleton.hpp"
 #include "rig_slots.hpp"
@@ -45,6 +46,7 @@ struct Settings {
   std::vector<SkeletonEdit> edits;
   unsigned spine = 0, influences = 4;
   StyleOptions style;
+  ProfileSettings profile;
   bool mirror = false, no_mirror = false, no_toes = false, no_ends = false, no_bind = false, json = false,
        keep_lengths = false, gate = false, cut = false;
 };
@@ -209,7 +211,7 @@ std::vector<uint8_t> doubtful_joints(const Rigged& rigged) {
 }
 
 void write_rigged(const Settings& s, const Rigged& rigged, const std::string& output) {
-  write_character(output, rigged.character);
+  write_as(s.profile, output, rigged.character);
   if (rigged.picture) write_mask(s.picture, *rigged.picture);
   if (s.png.empty()) return;
   RenderOptions view;
@@ -255,6 +257,7 @@ void run_folder(const Settings& s) {
 }
 
 void run(Settings s) {
+  settle_profile(s.profile, &s.to_pose);
   if (s.mirror && s.no_mirror) throw UsageError("--mirror and --no-mirror: give one of the two");
   if (s.keep_lengths && s.skeleton.empty())
     throw UsageError("--keep-lengths is for a skeleton of your own: give --skeleton");
@@ -377,6 +380,7 @@ void add_rig(CLI::App& app) {
   add_shape_options(sub, s.get());
   add_style_options(sub, &s->style);
   add_models(sub, s.get());
+  add_profile_options(sub, &s->profile);
   sub->footer(
       "Examples:\n  sinew rig hero.obj -o hero.glb --png hero.png\n"
       "  sinew rig hero.obj --skeleton template:mixamo -o hero.glb\n"
@@ -385,6 +389,7 @@ void add_rig(CLI::App& app) {
       "  sinew rig hero.obj --no-bind -o hero.rig.txt && sinew bind hero.obj --skeleton hero.rig.txt\n"
       "  sinew rig hero.obj --move LeftHand=0.7,1.4,0 --add Tail=Hips:0,0.9,-0.2 --remove Spine2\n"
       "  sinew rig machine.obj --method shape -o machine.glb\n"
+      "  sinew rig hero.obj --detail hands --for vrm --author \"Ann Artist\" -o hero.vrm\n"
       "Edits apply in their order, to both sides alike where the skeleton is symmetric (--no-mirror: to one),\n"
       "before the mesh is bound.");
   sub->callback([s, edits, sub] {

@@ -15,6 +15,7 @@
 #include "folder_files.hpp"
 #include "options.hpp"
 #include "sinew/published.h"
+#include "sinew_character/checked_note.hpp"
 #include "sinew_character/thread_pool.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -122,6 +123,7 @@ Transferred transfer_one(const Settings& s, const Character& source, const Loade
   options.parallel_user = &pool;
   done.result = transfer(source, character, done.target.mapping, options);
   character.influences = done.result.influences;
+  add_checked_note(&character);
   return done;
 }
 

@@ -41,6 +41,7 @@ namespace Sinew
     public enum EditKind { Move = 0, Add = 1, Remove = 2, Parent = 3, Rename = 4, At = 5 }
     public enum AnimateMethod { Auto = 0, Copy = 1, Contacts = 2, ReferencePoints = 3 }
     public enum PoseDeform { Linear = 0, DualQuaternion = 1, Volume = 2, Xpbd = 3, DeltaMush = 4 }
+    public enum CheckSeverity { Note = 0, Warning = 1, Error = 2 }
 
     /// <summary>The C interface as it is. Structs have the names and the layout of C.</summary>
     public static class Native
@@ -592,6 +593,32 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_finding
+        {
+            public IntPtr rule, what, cure, pose, clip;
+            public double seconds, value, bound;
+            public IntPtr vertices;
+            public uint vertex_count, severity;
+            public int joint, other, mesh;
+            public float position_0, position_1, position_2, radius;
+            public uint reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_check_options
+        {
+            public uint struct_size, no_poses, no_clips, bound_count;
+            public IntPtr bound_rules, bounds;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_check_result
+        {
+            public uint struct_size, finding_count, errors, warnings, notes, reserved;
+            public IntPtr findings, line;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
         public struct sinew_character_bake_options
         {
             public uint struct_size, reserved;
@@ -889,6 +916,12 @@ namespace Sinew
         public static extern int sinew_character_simplify(IntPtr character, IntPtr options, IntPtr into);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_check(IntPtr character, IntPtr options, IntPtr result);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern IntPtr sinew_character_check_rules();
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_bake(IntPtr character, IntPtr options, IntPtr result);
 
         internal static readonly StructSize[] Structs =
@@ -950,6 +983,9 @@ namespace Sinew
             new StructSize("sinew_character_transfer_options", Marshal.SizeOf(typeof(sinew_character_transfer_options)), true),
             new StructSize("sinew_character_transfer_result", Marshal.SizeOf(typeof(sinew_character_transfer_result)), true),
             new StructSize("sinew_character_simplify_options", Marshal.SizeOf(typeof(sinew_character_simplify_options)), true),
+            new StructSize("sinew_character_finding", Marshal.SizeOf(typeof(sinew_character_finding)), false),
+            new StructSize("sinew_character_check_options", Marshal.SizeOf(typeof(sinew_character_check_options)), true),
+            new StructSize("sinew_character_check_result", Marshal.SizeOf(typeof(sinew_character_check_result)), true),
             new StructSize("sinew_character_bake_options", Marshal.SizeOf(typeof(sinew_character_bake_options)), true),
             new StructSize("sinew_character_bake_result", Marshal.SizeOf(typeof(sinew_character_bake_result)), true),
         };

@@ -8,4 +8,8 @@ if(SINEW_BUILD_FORMATS)
     sinew_test(unit_character_${room} SOURCES ${sources} LIBS sinew::character Eigen3::Eigen nlohmann_json::nlohmann_json LABELS unit)
     target_include_directories(unit_character_${room} PRIVATE ${CMAKE_SOURCE_DIR}/formats/character/src ${CMAKE_SOURCE_DIR}/formats/src)
   endforeach()
+  # Its characters are made by datasets.
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/character/check/*_test.cpp)
+  sinew_test(unit_character_check SOURCES ${sources} LIBS sinew::datasets nlohmann_json::nlohmann_json LABELS unit)
+  target_include_directories(unit_character_check PRIVATE ${CMAKE_SOURCE_DIR}/formats/character/src ${CMAKE_SOURCE_DIR}/formats/src)
 endif()

@@ -7,6 +7,8 @@
 #include "motion_of.hpp"
 #include "rig_of.hpp"
 #include "sinew_character/animate_job.hpp"
+#include "sinew_character/checked_note.hpp"
+#include "sinew_character/motion_file.hpp"
 
 namespace sinew {
 namespace {
@@ -121,6 +123,8 @@ void animate(const sinew_character_animate_options& options, ProgressOfCaller* p
   if (deform && !target->morphs.shapes.empty())
     throw Error(made.character.name + ": has corrective shapes already; animate it before they are baked");
   for (const std::string& note : made.motion.notes) made.character.notes.push_back(note);
+  if (const std::string note = checked_note(made.character, &made.motion); !note.empty())
+    made.character.notes.push_back(note);
   if (made.rigged) {
     target->own_skeleton = true;
     changed(target);

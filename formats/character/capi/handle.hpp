@@ -16,6 +16,7 @@
 
 #include "sinew/character.h"
 #include "sinew_character/character_file.hpp"
+#include "sinew_character/check.hpp"
 #include "sinew_character/models.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/memory_files.hpp"
@@ -54,6 +55,8 @@ struct ResultViews {
   std::vector<sinew_character_seam> seams;
   std::vector<sinew_character_doubt> doubtful;
   std::string text;
+  RigCheck check;
+  std::vector<sinew_character_finding> findings;
 };
 
 }  // namespace sinew

@@ -29,6 +29,9 @@ constexpr StructSize kStructSizes[] = {
     {"sinew_character_transfer_options", sizeof(sinew_character_transfer_options)},
     {"sinew_character_transfer_result", sizeof(sinew_character_transfer_result)},
     {"sinew_character_simplify_options", sizeof(sinew_character_simplify_options)},
+    {"sinew_character_finding", sizeof(sinew_character_finding)},
+    {"sinew_character_check_options", sizeof(sinew_character_check_options)},
+    {"sinew_character_check_result", sizeof(sinew_character_check_result)},
     {"sinew_character_bake_options", sizeof(sinew_character_bake_options)},
     {"sinew_character_bake_result", sizeof(sinew_character_bake_result)},
 };

@@ -2,6 +2,7 @@
 // sinew_character_transfer(): the job of `sinew transfer`.
 #include "corrections_of.hpp"
 #include "handle.hpp"
+#include "sinew_character/checked_note.hpp"
 #include "sinew_character/thread_pool.hpp"
 #include "sinew_character/transfer_job.hpp"
 
@@ -102,6 +103,7 @@ void carry(const sinew_character_transfer_options& options, ProgressOfCaller* pr
   target.character.influences = done.influences;
   target.character.confidence = done.confidence;
   to->character = std::move(target.character);
+  add_checked_note(&to->character);
   to->keep_confidence = false;
   if (other_skeleton) {
     to->own_skeleton = false;

@@ -10,6 +10,7 @@
 #include "gltf/gltf_morphs.hpp"
 #include "gltf/gltf_source.hpp"
 #include "gltf/gltf_uri.hpp"
+#include "gltf/vrm_write.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
@@ -196,8 +197,9 @@ GltfJoints own_joints(const GltfSource& source) {
 }
 
 // The document with the character's skin, motion and shapes; pictures are not yet in it.
+//   vrm  or null
 GltfSource skinned_document(const std::string& path, const Character& character, const GlbOptions& options,
-                            const Morphs* morphs) {
+                            const Morphs* morphs, const VrmData* vrm) {
   const bool has_document = character.gltf && character.gltf->vertex_count == character.vertices.size();
   GltfSource source = has_document ? *character.gltf : gltf_from_mesh(path, character);
   GltfJoints joints;
@@ -225,6 +227,7 @@ GltfSource skinned_document(const std::string& path, const Character& character,
   if (morphs != nullptr && !morphs->shapes.empty())
     add_gltf_morphs(path, character, *morphs, joints, options.motion != nullptr ? options.motion->clips.size() : 0,
                     &source);
+  if (vrm != nullptr) add_vrm(path, *vrm, joints.nodes, &source);
   Json& asset = source.document["asset"];
   if (!asset.contains("generator")) asset["generator"] = "sinew";
   return source;
@@ -251,12 +254,12 @@ bool is_vrm(const GltfSource& source) {
 }
 
 void write_document(const std::string& path, const Character& character, const GlbOptions& options,
-                    const Morphs* morphs) {
+                    const Morphs* morphs, const VrmData* vrm = nullptr) {
   const bool as_text = has_extension(path, ".gltf");
-  GltfSource source = skinned_document(path, character, options, morphs);
+  GltfSource source = skinned_document(path, character, options, morphs, vrm);
   if (has_extension(path, ".vrm") && !is_vrm(source))
     throw Error(path + ": cannot write a VRM, " + character.name +
-                " has none of its data (extension VRM or VRMC_vrm); write a .glb");
+                " has none of its data (extension VRM or VRMC_vrm); --for vrm makes them, or write a .glb");
   try {
     const bool in_memory = source.in_memory || memory_outputs() != nullptr;  // no folder to share
     embed_images(path, !as_text || source.path.empty() || in_memory || !same_folder(path, source.path), &source);
@@ -301,6 +304,11 @@ void write_gltf(const std::string& path, const Character& character, const GlbOp
 void write_gltf_morphs(const std::string& path, const Character& character, const GlbOptions& options,
                        const Morphs& morphs) {
   write_document(path, character, options, &morphs);
+}
+
+void write_vrm(const std::string& path, const Character& character, const GlbOptions& options, const Morphs& morphs,
+               const VrmData& vrm) {
+  write_document(path, character, options, &morphs, &vrm);
 }
 
 }  // namespace sinew

@@ -162,6 +162,13 @@ export const LAYOUTS = {
     "struct_size@0:u32 mapped_joints@4:u32 fitted@8:u32 bound@12:u32 bound_by@16:u32 part_count@20:u32 carried@24:f64 " +
     "style@32:f64 mismatch@40:f64 seconds@48:f64 mapped_by@56:u32 parts@60:u32"),
   characterSimplifyOptions: layout(20, "struct_size@0:u32 low@4:u32 joint_count@8:u32 keep_count@12:u32 keep@16:u32"),
+  characterFinding: layout(96,
+    "rule@0:u32 what@4:u32 cure@8:u32 pose@12:u32 clip@16:u32 seconds@24:f64 value@32:f64 bound@40:f64 vertices@48:u32 " +
+    "vertex_count@52:u32 severity@56:u32 joint@60:i32 other@64:i32 mesh@68:i32 position@72:f32x3 radius@84:f32 reserved@88:u32"),
+  characterCheckOptions: layout(24, "struct_size@0:u32 no_poses@4:u32 no_clips@8:u32 bound_count@12:u32 bound_rules@16:u32 bounds@20:u32"),
+  characterCheckResult: layout(32,
+    "struct_size@0:u32 finding_count@4:u32 errors@8:u32 warnings@12:u32 notes@16:u32 reserved@20:u32 findings@24:u32 " +
+    "line@28:u32"),
   characterBakeOptions: layout(80,
     "struct_size@0:u32 reserved@4:u32 progress@8:u32 progress_user@12:u32 deform@16:u32 cells@20:u32 rounds@24:u32 " +
     "body_contact@28:u32 poses@32:u32 shapes@36:u32 seed@40:u64 limit@48:f64 clip@56:u32 stiffness@64:f64 tet_weights@72:u32 " +
@@ -248,4 +255,5 @@ export const WORDS = {
   editKind: ["move", "add", "remove", "parent", "rename", "at"],
   animateMethod: ["auto", "copy", "contacts", "reference-points"],
   poseDeform: ["linear", "dual-quaternion", "volume", "xpbd", "delta-mush"],
+  checkSeverity: ["note", "warning", "error"],
 };

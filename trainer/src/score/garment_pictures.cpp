@@ -4,8 +4,8 @@
 
 #include "bends.hpp"
 #include "dressed.hpp"
-#include "layer_crossings.hpp"
 #include "sinew_character/deform.hpp"
+#include "sinew_character/layer_crossings.hpp"
 #include "sinew_character/pose.hpp"
 #include "sinew_character/transfer.hpp"
 #include "sinew_datasets/html.hpp"

@@ -4,7 +4,7 @@
  *
  *   open, create, copy, close         a character from a file, from files in memory, from arrays
  *   view, clip, notes                 its arrays, its motion, what the reader has to say
- *   bind, rig, map, animate, pose, transfer, simplify, bake   one call for each command of that name
+ *   bind, rig, map, animate, pose, transfer, simplify, check, bake   one call for each command of that name
  *   save, write                       to a file, to memory
  *
  * Errors: a call that can fail returns a sinew_status; 0 is success. sinew_character_error() has one line of English then: what is
@@ -668,6 +668,71 @@ static inline sinew_character_simplify_options sinew_character_simplify_options_
  *   into  out [J before] the joint, of those before, that each is part of now; or null */
 SINEW_API sinew_status sinew_character_simplify(sinew_character* character,
                                                 const sinew_character_simplify_options* options, uint32_t* into);
+
+/* `sinew check` */
+typedef enum sinew_check_severity {
+  SINEW_CHECK_NOTE = 0,
+  SINEW_CHECK_WARNING = 1,
+  SINEW_CHECK_ERROR = 2
+} sinew_check_severity;
+
+/* Something that is wrong with a rig. */
+typedef struct sinew_character_finding {
+  const char* rule;         /* "left-right"; sinew_character_check_rules() lists them */
+  const char* what;         /* one line of English */
+  const char* cure;         /* what to do, one line */
+  const char* pose;         /* test pose in which it shows; "": none */
+  const char* clip;         /* animation in which it shows; "": none */
+  double seconds;           /* in the clip */
+  double value, bound;      /* what was measured, and above which it is a finding */
+  const uint32_t* vertices; /* [vertex_count] ascending; null where it is about joints or clips */
+  uint32_t vertex_count;
+  uint32_t severity;    /* sinew_check_severity */
+  int32_t joint, other; /* that it is about, and that it is compared with; -1: none */
+  int32_t mesh;         /* where all its vertices lie in one; -1: none */
+  float position[3];    /* where to look, and how far around it, the mesh's units */
+  float radius;
+  uint32_t reserved; /* 0 */
+} sinew_character_finding;
+
+typedef struct sinew_character_check_options {
+  uint32_t struct_size; /* sizeof(sinew_character_check_options) */
+  uint32_t no_poses;    /* 1: the mesh is not posed: no tears, lost volume, flips, crossings */
+  uint32_t no_clips;    /* 1: animations are not looked at */
+  uint32_t bound_count;
+  const char* const* bound_rules; /* [bound_count] rules that get other bounds; or null */
+  const double* bounds;           /* [bound_count] */
+} sinew_character_check_options;
+
+static inline sinew_character_check_options sinew_character_check_options_init(void) {
+  sinew_character_check_options options;
+  memset(&options, 0, sizeof options);
+  options.struct_size = sizeof options;
+  return options;
+}
+
+typedef struct sinew_character_check_result {
+  uint32_t struct_size; /* sizeof(sinew_character_check_result) */
+  uint32_t finding_count;
+  uint32_t errors, warnings, notes;
+  uint32_t reserved;                       /* 0 */
+  const sinew_character_finding* findings; /* [finding_count] errors first */
+  const char* line;                        /* "checked: 0 findings" */
+} sinew_character_check_result;
+
+static inline sinew_character_check_result sinew_character_check_result_init(void) {
+  sinew_character_check_result result;
+  memset(&result, 0, sizeof result);
+  result.struct_size = sizeof result;
+  return result;
+}
+
+/* Looks for what is wrong with the skeleton, the weights, the matrices and the animations; changes nothing. A character without joints is
+ * SINEW_ERROR_INPUT. */
+SINEW_API sinew_status sinew_character_check(sinew_character* character, const sinew_character_check_options* options,
+                                             sinew_character_check_result* result);
+/* Names of the rules, a space between two. Static. */
+SINEW_API const char* sinew_character_check_rules(void);
 
 /* `sinew bake` */
 typedef struct sinew_character_bake_options {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "sinew_character/checked_note.hpp"
 #include "sinew_character/engine_views.hpp"
 #include "sinew_character/find_joint_map.hpp"
 #include "sinew_character/rest_pose.hpp"
@@ -195,6 +196,7 @@ void BindJob::apply(CharacterBind* bound) {
   bound->confidence = std::exchange(bare.confidence, {});
   if (!job_.to_pose.empty()) bare = in_rest_pose(bare, read_rest_pose(job_.to_pose), job_.up_axis == 1 ? 2 : 1);
   *character_ = std::move(bare);
+  add_checked_note(character_);
 }
 
 const CharacterBind& BindJob::proposed() {

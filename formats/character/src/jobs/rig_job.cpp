@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "sinew/published.h"
+#include "sinew_character/checked_note.hpp"
 #include "sinew_character/own_skeleton.hpp"
 #include "sinew_character/predict_face.hpp"
 #include "sinew_character/predict_hands.hpp"
@@ -179,6 +180,7 @@ RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool 
   if (job.bind) bind_rigged(job, models, &rigged);
   if (pose) put_into_pose(*pose, &rigged);
   if (job.gate) measure_gate(job, &rigged);
+  if (job.bind) add_checked_note(&character);
   return rigged;
 }
 

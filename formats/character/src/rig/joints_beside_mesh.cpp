@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Joints that stand in the air beside the mesh: poles and targets whose names do not tell.
+#include "rig/joints_beside_mesh.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +14,6 @@ namespace sinew {
 namespace {
 
 constexpr float kFar = 0.06f;  // of the mesh's diagonal, to the nearest vertex
-constexpr int kMostHits = 2;   // of the six axis directions in which a joint outside may see the mesh
 
 bool deforms(uint8_t role) { return role == SINEW_ROLE_DEFORMS || role > SINEW_ROLE_END; }
 
@@ -27,7 +28,8 @@ float square_to_mesh(const Character& character, const Vec3& p) {
 
 float coordinate(const Vec3& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
-// In how many of the six directions along the axes a ray from `p` meets a face (as a fan of triangles).
+}  // namespace
+
 int directions_with_mesh(const Character& character, const Vec3& p) {
   std::array<bool, 6> hit{};
   for (size_t f = 0; f < character.face_count(); ++f) {
@@ -58,8 +60,6 @@ int directions_with_mesh(const Character& character, const Vec3& p) {
   return static_cast<int>(std::count(hit.begin(), hit.end(), true));
 }
 
-}  // namespace
-
 void find_joints_beside_mesh(const Character& character, std::vector<uint8_t>* roles) {
   if (character.vertices.empty()) return;
   const float size = box_of(character.vertices).diagonal();
@@ -68,7 +68,7 @@ void find_joints_beside_mesh(const Character& character, std::vector<uint8_t>* r
   for (size_t j = 0; j < count; ++j) {
     const Vec3& p = character.joints[j].position;
     const float nearest = square_to_mesh(character, p);
-    beside[j] = nearest > kFar * kFar * size * size && directions_with_mesh(character, p) <= kMostHits ? 1 : 0;
+    beside[j] = nearest > kFar * kFar * size * size && directions_with_mesh(character, p) <= kMostHitsOutside ? 1 : 0;
   }
   // Parents may come later: a joint stays where any joint below it does.
   for (size_t j = 0; j < count; ++j) {

@@ -3,25 +3,20 @@
 #include "sinew_character/rig_gate.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <random>
 
+#include "check/torn_edges.hpp"
 #include "sinew_character/pose.hpp"
-#include "sinew_formats/box.hpp"
 #include "sinew_formats/print.hpp"
 
 namespace sinew {
 namespace {
 
 constexpr uint32_t kTestPoses = 3;
-constexpr double kTestDegrees = 30, kTornRatio = 4, kTornLength = 0.02;
+constexpr double kTestDegrees = 30;
 constexpr float kWeakParent = 0.02f;
-
-double length_between(const Vec3& a, const Vec3& b) {
-  return std::hypot(static_cast<double>(a.x - b.x), static_cast<double>(a.y - b.y), static_cast<double>(a.z - b.z));
-}
 
 std::vector<JointRotation> test_pose(const Character& character, std::minstd_rand* draws) {
   const auto degrees = [draws] {
@@ -31,31 +26,17 @@ std::vector<JointRotation> test_pose(const Character& character, std::minstd_ran
   return rotate_joints(character, degrees);
 }
 
-double torn_share(const Character& rest, const Character& posed, double side) {
-  size_t edges = 0, torn = 0;
-  for (size_t f = 0; f < rest.face_count(); ++f) {
-    const uint32_t first = rest.face_offsets[f], last = rest.face_offsets[f + 1];
-    for (uint32_t c = first; c < last; ++c) {
-      const uint32_t a = rest.face_vertices[c], b = rest.face_vertices[c + 1 < last ? c + 1 : first];
-      const double before = length_between(rest.vertices[a], rest.vertices[b]);
-      const double after = length_between(posed.vertices[a], posed.vertices[b]);
-      torn += after > kTornRatio * before && after - before > kTornLength * side ? 1 : 0;
-      ++edges;
-    }
-  }
-  return edges == 0 ? 0 : static_cast<double>(torn) / static_cast<double>(edges);
-}
-
 }  // namespace
 
 double exploded_share(const Character& character) {
   if (character.influences.size() != character.vertices.size() || character.vertices.empty()) return 0;
-  const double side = static_cast<double>(box_of(character.vertices).longest_side());
+  if (character.face_vertices.empty()) return 0;
   std::minstd_rand draws(1);
   double worst = 0;
   for (uint32_t k = 0; k < kTestPoses; ++k) {
     const std::vector<Affine> palette = pose_palette(character, test_pose(character, &draws));
-    worst = std::max(worst, torn_share(character, apply_pose(character, palette), side));
+    const size_t torn = torn_edges(character, apply_pose(character, palette)).size();
+    worst = std::max(worst, static_cast<double>(torn) / static_cast<double>(character.face_vertices.size()));
   }
   return worst;
 }

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "dataset/half_edge_mesh.hpp"
+#include "sinew_character/label_check.hpp"
 #include "sinew_datasets/dataset.hpp"
-#include "sinew_datasets/label_check.hpp"
 
 namespace sinew {
 namespace {

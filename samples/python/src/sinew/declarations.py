@@ -119,6 +119,8 @@ AnimateMethod = Literal["auto", "copy", "contacts", "reference-points"]
 ANIMATE_METHOD: Tuple[str, ...] = ("auto", "copy", "contacts", "reference-points")
 PoseDeform = Literal["linear", "dual-quaternion", "volume", "xpbd", "delta-mush"]
 POSE_DEFORM: Tuple[str, ...] = ("linear", "dual-quaternion", "volume", "xpbd", "delta-mush")
+CheckSeverity = Literal["note", "warning", "error"]
+CHECK_SEVERITY: Tuple[str, ...] = ("note", "warning", "error")
 
 # Callbacks.
 sinew_progress = CFUNCTYPE(c_int, c_void_p, c_uint32)
@@ -433,6 +435,22 @@ class sinew_character_simplify_options(Structure):
         ("keep", POINTER(c_char_p))]
 
 
+class sinew_character_finding(Structure):
+    _fields_ = [("rule", c_char_p), ("what", c_char_p), ("cure", c_char_p), ("pose", c_char_p), ("clip", c_char_p), ("seconds", c_double),
+        ("value", c_double), ("bound", c_double), ("vertices", c_void_p), ("vertex_count", c_uint32), ("severity", c_uint32),
+        ("joint", c_int32), ("other", c_int32), ("mesh", c_int32), ("position", c_float * 3), ("radius", c_float), ("reserved", c_uint32)]
+
+
+class sinew_character_check_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("no_poses", c_uint32), ("no_clips", c_uint32), ("bound_count", c_uint32),
+        ("bound_rules", POINTER(c_char_p)), ("bounds", c_void_p)]
+
+
+class sinew_character_check_result(Structure):
+    _fields_ = [("struct_size", c_uint32), ("finding_count", c_uint32), ("errors", c_uint32), ("warnings", c_uint32), ("notes", c_uint32),
+        ("reserved", c_uint32), ("findings", POINTER(sinew_character_finding)), ("line", c_char_p)]
+
+
 class sinew_character_bake_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("progress", sinew_progress), ("progress_user", c_void_p),
         ("deform", c_uint32), ("cells", c_uint32), ("rounds", c_uint32), ("body_contact", c_uint32), ("poses", c_uint32),
@@ -459,7 +477,8 @@ CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_arrays, sinew_
     sinew_character_bind_options, sinew_character_seam, sinew_character_bind_result, sinew_skeleton_edit, sinew_character_rig_options,
     sinew_character_doubt, sinew_character_rig_result, sinew_character_map_options, sinew_character_map_result,
     sinew_character_animate_options, sinew_character_animate_result, sinew_character_pose_options, sinew_character_transfer_options,
-    sinew_character_transfer_result, sinew_character_simplify_options, sinew_character_bake_options, sinew_character_bake_result)
+    sinew_character_transfer_result, sinew_character_simplify_options, sinew_character_finding, sinew_character_check_options,
+    sinew_character_check_result, sinew_character_bake_options, sinew_character_bake_result)
 
 
 # Result and arguments.
@@ -573,5 +592,7 @@ CHARACTER_FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_character_transfer": (c_int, [c_void_p, c_void_p, POINTER(sinew_character_transfer_options),
         POINTER(sinew_character_transfer_result)]),
     "sinew_character_simplify": (c_int, [c_void_p, POINTER(sinew_character_simplify_options), c_void_p]),
+    "sinew_character_check": (c_int, [c_void_p, POINTER(sinew_character_check_options), POINTER(sinew_character_check_result)]),
+    "sinew_character_check_rules": (c_char_p, []),
     "sinew_character_bake": (c_int, [c_void_p, POINTER(sinew_character_bake_options), POINTER(sinew_character_bake_result)]),
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pairs of triangles of two layers that cross: boxes first, swept along x, then edges.
-#include "layer_crossings.hpp"
+#include "sinew_character/layer_crossings.hpp"
 
 #include <algorithm>
 #include <array>

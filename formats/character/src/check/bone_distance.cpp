@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Point to segment distances.
-#include "sinew_datasets/bone_distance.hpp"
+#include "sinew_character/bone_distance.hpp"
 
 #include <algorithm>
 #include <cmath>

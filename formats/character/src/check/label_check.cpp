@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Suspicious weights: each rule asks for several independent signs at once, because artists do unusual things on
 // purpose and a list full of false alarms is not read.
-#include "sinew_datasets/label_check.hpp"
+#include "sinew_character/label_check.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "sinew_character/bone_distance.hpp"
 #include "sinew_character/joint_verdicts.hpp"
-#include "sinew_datasets/bone_distance.hpp"
 #include "sinew_formats/median.hpp"
 #include "sinew_formats/print.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Suspicious weights: sound characters have none, and every kind of mistake put into one is found where it was put.
-#include "sinew_datasets/label_check.hpp"
+#include "sinew_character/label_check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Distances from points to the bones of a skeleton, in longest sides of the mesh: for label checks and nearest bones.
-#ifndef SINEW_DATASETS_BONE_DISTANCE_HPP
-#define SINEW_DATASETS_BONE_DISTANCE_HPP
+#ifndef SINEW_CHARACTER_BONE_DISTANCE_HPP
+#define SINEW_CHARACTER_BONE_DISTANCE_HPP
 
 #include <array>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where two layers come through each other: the skin through the cloth.
-#ifndef SINEW_SCORE_LAYER_CROSSINGS_HPP
-#define SINEW_SCORE_LAYER_CROSSINGS_HPP
+#ifndef SINEW_CHARACTER_LAYER_CROSSINGS_HPP
+#define SINEW_CHARACTER_LAYER_CROSSINGS_HPP
 
 #include <cstdint>
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Weights that look like an artist's or an exporter's mistake: what a training set should not teach.
-#ifndef SINEW_DATASETS_LABEL_CHECK_HPP
-#define SINEW_DATASETS_LABEL_CHECK_HPP
+#ifndef SINEW_CHARACTER_LABEL_CHECK_HPP
+#define SINEW_CHARACTER_LABEL_CHECK_HPP
 
 #include <array>
 #include <string>

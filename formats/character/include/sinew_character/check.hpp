@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Whether a rig holds: findings about weights, joints, names, matrices, test poses and clips of one character, without a reference.
+#ifndef SINEW_CHARACTER_CHECK_HPP
+#define SINEW_CHARACTER_CHECK_HPP
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sinew_formats/character.hpp"
+#include "sinew_formats/motion.hpp"
+
+namespace sinew {
+
+enum class CheckSeverity : uint8_t { kNote, kWarning, kError };
+const char* severity_text(CheckSeverity severity);  // "note", "warning", "error"
+
+// What is looked for. The table in check/rules.cpp has a row for each.
+struct CheckRule {
+  const char* name;        // "left-right"
+  CheckSeverity severity;  // of its findings
+  bool cheap;              // looked for after every job; others pose the mesh
+  double bound;            // findings have values above it
+  const char* value;       // what the value is
+  const char* title;       // one line
+  const char* cure;        // one line: what to do
+};
+const std::vector<CheckRule>& check_rules();
+// Throws Error that lists the rules.
+const CheckRule& check_rule(const std::string& name);
+
+// One thing that is wrong.
+struct RigFinding {
+  const CheckRule* rule = nullptr;
+  CheckSeverity severity = CheckSeverity::kNote;
+  int joint = -1, other = -1;      // that it is about, and that it is compared with; -1: none
+  std::vector<uint32_t> vertices;  // ascending; empty where it is about joints or clips
+  int mesh = -1;                   // index into Character::meshes where all of them lie in one
+  Vec3 position;                   // where to look, the mesh's units
+  double radius = 0;               // and how far around it
+  double value = 0, bound = 0;     // as CheckRule has them
+  std::string pose;                // test pose in which it shows; empty: at rest
+  std::string clip;                // animation in which it shows; empty: none
+  double seconds = 0;              // in the clip
+  std::string what;                // one line, without the character's name
+};
+
+struct CheckOptions {
+  bool poses = true;                     // the mesh is posed, too: 50 times the time of the rest
+  std::map<std::string, double> bounds;  // by rule, in place of the table's
+};
+
+struct RigCheck {
+  std::vector<RigFinding> findings;  // errors first, then warnings, then notes; within them in the rules' order
+  size_t errors = 0, warnings = 0, notes = 0;
+};
+
+// Checks a character that has joints; without weights, what can be seen of the skeleton. Findings are the same on every machine.
+//   motion  its clips, whose first joints are the character's; or null
+// Throws Error for a character without joints, with a hierarchy that has a cycle, or with places or weights that are not finite.
+RigCheck check_rig(const Character& character, const Motion* motion, const CheckOptions& options = {});
+
+// Only what is cheap, for the end of a job: "checked: 0 findings", or how many there are and of which rules.
+std::string checked_line(const RigCheck& check);
+
+// What the second version has that the first has not, and the other way round. Findings are the same when rule, joints (by name), pose
+// and clip are.
+struct CheckChange {
+  std::vector<size_t> added;  // of `now`
+  std::vector<size_t> gone;   // of `before`
+};
+CheckChange check_change(const RigCheck& before, const std::vector<Joint>& joints_before, const RigCheck& now,
+                         const std::vector<Joint>& joints_now);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Humanoid and meta of VRMC_vrm (github.com/vrm-c/vrm-specification, VRMC_vrm-1.0).
+#include "gltf/vrm_write.hpp"
+
+#include <algorithm>
+
+#include "sinew_formats/error.hpp"
+#include "text/text_lines.hpp"
+
+namespace sinew {
+namespace {
+
+// A member of meta and its words; none: a text.
+struct LicenceWord {
+  const char* key;
+  std::vector<std::string> values;
+};
+
+const std::vector<LicenceWord>& licence_words() {
+  static const std::vector<std::string> kYesNo = {"true", "false"};
+  static const std::vector<LicenceWord> kWords = {
+      {"avatarPermission", {"onlyAuthor", "onlySeparatelyLicensedPerson", "everyone"}},
+      {"commercialUsage", {"personalNonProfit", "personalProfit", "corporation"}},
+      {"creditNotation", {"required", "unnecessary"}},
+      {"modification", {"prohibited", "allowModification", "allowModificationRedistribution"}},
+      {"allowRedistribution", kYesNo},
+      {"allowExcessivelyViolentUsage", kYesNo},
+      {"allowExcessivelySexualUsage", kYesNo},
+      {"allowPoliticalOrReligiousUsage", kYesNo},
+      {"allowAntisocialOrHateUsage", kYesNo},
+      {"copyrightInformation", {}},
+      {"otherLicenseUrl", {}}};
+  return kWords;
+}
+
+std::string joined(const std::vector<std::string>& list, const char* between) {
+  std::string out;
+  for (const std::string& one : list) out += (out.empty() ? "" : between) + one;
+  return out;
+}
+
+Json meta_of(const VrmData& vrm) {
+  Json meta = {{"name", vrm.title}, {"authors", vrm.authors}, {"licenseUrl", "https://vrm.dev/licenses/1.0/"}};
+  for (const auto& [key, value] : vrm.licence) {
+    if (key.rfind("allow", 0) == 0)
+      meta[key] = value == "true";
+    else
+      meta[key] = value;
+  }
+  return meta;
+}
+
+Json humanoid_of(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes) {
+  Json bones = Json::object();
+  for (size_t j = 0; j < vrm.bones.size() && j < joint_nodes.size(); ++j) {
+    if (vrm.bones[j].empty()) continue;
+    if (bones.contains(vrm.bones[j])) throw Error(path + ": cannot write a VRM, two joints are its " + vrm.bones[j]);
+    bones[vrm.bones[j]] = {{"node", joint_nodes[j]}};
+  }
+  std::vector<std::string> missing;
+  for (const std::string& bone : vrm_required_bones())
+    if (!bones.contains(bone)) missing.push_back(bone);
+  if (!missing.empty()) throw Error(path + ": cannot write a VRM, it has no " + joined(missing, ", "));
+  return {{"humanBones", bones}};
+}
+
+}  // namespace
+
+const std::vector<std::string>& vrm_required_bones() {
+  static const std::vector<std::string> kBones = {"hips",          "spine",         "head",          "leftUpperLeg",
+                                                  "leftLowerLeg",  "leftFoot",      "rightUpperLeg", "rightLowerLeg",
+                                                  "rightFoot",     "leftUpperArm",  "leftLowerArm",  "leftHand",
+                                                  "rightUpperArm", "rightLowerArm", "rightHand"};
+  return kBones;
+}
+
+std::map<std::string, std::string> parse_vrm_licence(const std::string& text) {
+  std::map<std::string, std::string> out;
+  if (text.rfind("http://", 0) == 0 || text.rfind("https://", 0) == 0) return {{"otherLicenseUrl", text}};
+  for (size_t from = 0; from < text.size();) {
+    const size_t end = std::min(text.find(',', from), text.size()), equals = text.find('=', from);
+    const std::string key = text.substr(from, std::min(equals, end) - from),
+                      value = equals < end ? text.substr(equals + 1, end - equals - 1) : "";
+    std::vector<std::string> keys;
+    const LicenceWord* word = nullptr;
+    for (const LicenceWord& one : licence_words()) {
+      keys.emplace_back(one.key);
+      if (key == one.key) word = &one;
+    }
+    if (word == nullptr)
+      throw Error("licence " + in_quotes(key) + ": expected a web address, or KEY=VALUE with one of " +
+                  joined(keys, ", "));
+    const bool known = word->values.empty()
+                           ? !value.empty()
+                           : std::find(word->values.begin(), word->values.end(), value) != word->values.end();
+    if (!known)
+      throw Error("licence " + key + "=" + value + ": expected " +
+                  (word->values.empty() ? "a text" : joined(word->values, ", ")));
+    out[key] = value;
+    from = end + 1;
+  }
+  return out;
+}
+
+void add_vrm(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes, GltfSource* source) {
+  if (vrm.authors.empty()) throw Error(path + ": cannot write a VRM without an author");
+  Json& document = source->document;
+  Json& extensions = document["extensions"];
+  if (!extensions.is_object()) extensions = Json::object();
+  extensions.erase("VRM");
+  Json& own = extensions["VRMC_vrm"];
+  if (!own.is_object()) own = Json::object();
+  own["specVersion"] = "1.0";
+  own["meta"] = meta_of(vrm);
+  own["humanoid"] = humanoid_of(path, vrm, joint_nodes);
+  Json used = Json::array();
+  if (document.contains("extensionsUsed"))
+    for (const Json& name : document["extensionsUsed"])
+      if (name != "VRM" && name != "VRMC_vrm") used.push_back(name);
+  used.push_back("VRMC_vrm");
+  document["extensionsUsed"] = used;
+}
+
+}  // namespace sinew

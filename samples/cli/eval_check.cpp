@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// sinew eval check: how much of the damage seeded into rigs is found, and how often untouched ones are called damaged.
+#include "eval_check.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "progress.hpp"
+#include "sinew_character/check.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_formats/print.hpp"
+#include "sinew_trainer/parallel.hpp"
+#include "sinew_trainer/rig_damage.hpp"
+#include "support.hpp"
+
+namespace sinew::cli {
+namespace {
+
+// Of one character.
+struct CheckFigures {
+  std::map<std::string, std::pair<size_t, size_t>> damages;  // by kind: seeded, found
+  std::map<std::string, size_t> alarms;                      // rules with findings on the untouched rig
+  std::vector<std::string> missed;
+  bool alarmed = false, broken = false;  // an error or a warning; an error
+  double seconds = 0;
+};
+
+//   poses  whether the mesh is posed, too
+RigCheck check_of(const DamagedRig& rig, bool poses) {
+  return check_rig(rig.character, rig.motion ? &*rig.motion : nullptr, {poses, {}});
+}
+
+bool needs_poses(const DamageKind& kind) {
+  return std::any_of(kind.rules.begin(), kind.rules.end(), [](const char* rule) { return !check_rule(rule).cheap; });
+}
+
+void count_alarms(const RigCheck& check, CheckFigures* f) {
+  for (const RigFinding& finding : check.findings) ++f->alarms[finding.rule->name];
+  f->alarmed = f->alarmed || check.errors + check.warnings > 0;
+  f->broken = f->broken || check.errors > 0;
+}
+
+// The walk is ours: what is found in it is told apart from the artist's file.
+void count_clip_alarms(const RigCheck& check, CheckFigures* f) {
+  for (const RigFinding& finding : check.findings)
+    if (!finding.clip.empty()) ++f->alarms[finding.rule->name];
+}
+
+bool found(const DamageKind& kind, const RigCheck& before, const DamagedRig& from, const RigCheck& now,
+           const DamagedRig& to) {
+  const CheckChange change = check_change(before, from.character.joints, now, to.character.joints);
+  return std::any_of(change.added.begin(), change.added.end(), [&](size_t i) {
+    return std::any_of(kind.rules.begin(), kind.rules.end(),
+                       [&](const char* rule) { return std::string(rule) == now.findings[i].rule->name; });
+  });
+}
+
+CheckFigures figures_of(const Character& c, uint32_t seed) {
+  CheckFigures f;
+  std::map<DamageNeeds, std::optional<DamagedRig>> wholes;
+  std::map<std::pair<DamageNeeds, bool>, RigCheck> checks;
+  const auto whole_check = [&](DamageNeeds needs, bool poses) -> const RigCheck& {
+    const auto [at, is_new] = checks.try_emplace({needs, poses});
+    if (is_new) at->second = check_of(*wholes[needs], poses);
+    return at->second;
+  };
+  const DamageNeeds plain = DamageNeeds::kCharacter;
+  wholes[plain] = DamagedRig{c, std::nullopt};
+  const auto start = std::chrono::steady_clock::now();
+  count_alarms(whole_check(plain, true), &f);
+  f.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  for (const DamageKind& kind : damage_kinds()) {
+    const DamageNeeds needs = needs_of(kind);
+    if (wholes.count(needs) == 0) {
+      wholes[needs] = undamaged(c, needs);
+      if (wholes[needs] && needs == DamageNeeds::kWalk) count_clip_alarms(whole_check(needs, false), &f);
+    }
+    if (!wholes[needs]) continue;
+    const std::optional<DamagedRig> broken = damaged(*wholes[needs], kind, seed);
+    if (!broken) continue;
+    const bool poses = needs_poses(kind);
+    const bool told = found(kind, whole_check(needs, poses), *wholes[needs], check_of(*broken, poses), *broken);
+    ++f.damages[kind.name].first;
+    f.damages[kind.name].second += told ? 1 : 0;
+    if (!told) f.missed.push_back(kind.name);
+  }
+  return f;
+}
+
+}  // namespace
+
+void study_check(const std::string& folder, unsigned jobs, bool names) {
+  const std::vector<FoundCharacter> list = characters_in(folder);
+  std::vector<CheckFigures> figures(list.size());
+  {
+    Progress progress(list.size(), "characters");
+    parallel_for(list.size(), jobs, [&](size_t i, unsigned) {
+      figures[i] = figures_of(read_found(list[i]), static_cast<uint32_t>(i + 1));
+      progress.step();
+    });
+  }
+  std::map<std::string, std::pair<size_t, size_t>> damages;
+  std::map<std::string, size_t> alarms;
+  size_t seeded = 0, told = 0, alarmed = 0, broken = 0;
+  for (size_t i = 0; i < list.size(); ++i) {
+    const CheckFigures& f = figures[i];
+    for (const auto& [kind, count] : f.damages) {
+      damages[kind].first += count.first;
+      damages[kind].second += count.second;
+      seeded += count.first;
+      told += count.second;
+    }
+    for (const auto& [rule, count] : f.alarms) alarms[rule] += count > 0 ? 1 : 0;
+    alarmed += f.alarmed ? 1 : 0;
+    broken += f.broken ? 1 : 0;
+    if (!names) continue;
+    for (const auto& [rule, count] : f.alarms)
+      std::printf("alarm %s %s %zu\n", list[i].name.c_str(), rule.c_str(), count);
+    for (const std::string& kind : f.missed) std::printf("missed %s %s\n", list[i].name.c_str(), kind.c_str());
+  }
+  std::printf("| damage | seeded | found |\n|---|---|---|\n");
+  for (const DamageKind& kind : damage_kinds()) {
+    const auto& [all, hits] = damages[kind.name];
+    std::printf("| %s: %s | %zu | %.1f %% |\n", kind.name, kind.what, all,
+                all == 0 ? 0 : 100.0 * static_cast<double>(hits) / static_cast<double>(all));
+  }
+  const double count = static_cast<double>(list.size());
+  std::printf("| all | %zu | %.1f %% |\n\n| untouched, findings of | characters | share |\n|---|---|---|\n", seeded,
+              seeded == 0 ? 0 : 100.0 * static_cast<double>(told) / static_cast<double>(seeded));
+  for (const CheckRule& rule : check_rules())
+    if (alarms[rule.name] > 0)
+      std::printf("| %s (%s) | %zu | %.1f %% |\n", rule.name, severity_text(rule.severity), alarms[rule.name],
+                  100.0 * static_cast<double>(alarms[rule.name]) / count);
+  double pairs = 0, seconds = 0;
+  for (const auto& [rule, number] : alarms) pairs += static_cast<double>(number);
+  for (const CheckFigures& f : figures) seconds = std::max(seconds, f.seconds);
+  std::printf(
+      "| any error | %zu | %.1f %% |\n| any error or warning | %zu | %.1f %% |\n| mean of rules | | %.2f %% |\n",
+      broken, 100.0 * static_cast<double>(broken) / count, alarmed, 100.0 * static_cast<double>(alarmed) / count,
+      100.0 * pairs / count / static_cast<double>(check_rules().size()));
+  std::fprintf(stderr, "%zu characters, at most %.2f s each\n", list.size(), seconds);
+}
+
+}  // namespace sinew::cli

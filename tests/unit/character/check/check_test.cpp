@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// A sound rig has no errors; what is broken is found where it was broken, told once, and held against a profile.
+#include "sinew_character/check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "sinew_character/check_output.hpp"
+#include "sinew_datasets/synthesize.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/memory_files.hpp"
+
+namespace sinew {
+namespace {
+
+Character biped() {
+  SynthesizeOptions options;
+  options.plan = BodyPlan::kBiped;
+  options.seed = 3;
+  options.resolution = 32;
+  options.clothing = false;
+  return synthesize(options);
+}
+
+const RigFinding* finding_of(const RigCheck& check, const std::string& rule) {
+  for (const RigFinding& f : check.findings)
+    if (rule == f.rule->name) return &f;
+  return nullptr;
+}
+
+TEST(Check, RulesAreToldApart) {
+  std::vector<std::string> names;
+  for (const CheckRule& rule : check_rules()) {
+    EXPECT_EQ(&check_rule(rule.name), &rule);
+    EXPECT_GT(std::string(rule.cure).size(), 5U) << rule.name;
+    names.emplace_back(rule.name);
+  }
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(std::unique(names.begin(), names.end()), names.end());
+  EXPECT_THROW(check_rule("no-such-rule"), Error);
+}
+
+TEST(Check, ASoundRigHasNoErrors) {
+  const RigCheck check = check_rig(biped(), nullptr);
+  EXPECT_EQ(check.errors, 0U) << checked_line(check);
+}
+
+TEST(Check, FindsVerticesWithoutWeightAndSaysWhere) {
+  Character c = biped();
+  const Vec3 at = c.vertices[7];
+  c.influences[7].clear();
+  const RigCheck check = check_rig(c, nullptr, {false, {}});
+  const RigFinding* const finding = finding_of(check, "unweighted");
+  ASSERT_NE(finding, nullptr);
+  EXPECT_EQ(finding->severity, CheckSeverity::kError);
+  EXPECT_EQ(finding->vertices, std::vector<uint32_t>{7});
+  EXPECT_EQ(finding->position.x, at.x);
+  EXPECT_EQ(finding->position.y, at.y);
+  EXPECT_GT(finding->radius, 0);
+  EXPECT_EQ(check.findings[0].severity, CheckSeverity::kError) << "errors come first";
+}
+
+TEST(Check, FindsSums) {
+  Character c = biped();
+  for (Influence& i : c.influences[3]) i.weight *= 1.5F;
+  const RigCheck check = check_rig(c, nullptr, {false, {}});
+  const RigFinding* const finding = finding_of(check, "weight-sum");
+  ASSERT_NE(finding, nullptr);
+  EXPECT_NEAR(finding->value, 0.5, 1e-3);
+}
+
+TEST(Check, BoundsAreTheCallers) {
+  Character c = biped();
+  for (Influence& i : c.influences[3]) i.weight *= 1.5F;
+  EXPECT_EQ(finding_of(check_rig(c, nullptr, {false, {{"weight-sum", 0.6}}}), "weight-sum"), nullptr);
+  EXPECT_NE(finding_of(check_rig(c, nullptr, {false, {{"weight-sum", 0.4}}}), "weight-sum"), nullptr);
+  EXPECT_THROW(check_rig(c, nullptr, {false, {{"sums", 0.6}}}), Error);
+}
+
+TEST(Check, RefusesWhatIsNoRig) {
+  Character bare = biped();
+  bare.joints.clear();
+  bare.influences.clear();
+  EXPECT_THROW(check_rig(bare, nullptr), Error);
+  Character broken = biped();
+  broken.vertices[2].x = NAN;
+  EXPECT_THROW(check_rig(broken, nullptr), Error);
+  Character wrong = biped();
+  wrong.influences[0] = {{static_cast<uint32_t>(wrong.joints.size()), 1.0F}};
+  EXPECT_THROW(check_rig(wrong, nullptr), Error);
+}
+
+TEST(Check, ASkeletonAloneIsChecked) {
+  Character c = biped();
+  c.vertices.clear();
+  c.influences.clear();
+  c.face_offsets = {0};
+  c.face_vertices.clear();
+  EXPECT_EQ(check_rig(c, nullptr).errors, 0U);
+}
+
+TEST(Check, TheSameEveryTime) {
+  Character c = biped();
+  std::rotate(c.influences.begin(), c.influences.begin() + static_cast<std::ptrdiff_t>(c.influences.size() / 3),
+              c.influences.end());
+  CheckedFile file;
+  file.file = "a.glb";
+  file.character = c;
+  file.check = check_rig(c, nullptr);
+  const std::string first = check_json(file);
+  EXPECT_GT(file.check.findings.size(), 3U);
+  file.check = check_rig(c, nullptr);
+  EXPECT_EQ(check_json(file), first);
+}
+
+TEST(Check, LineOfAJob) {
+  Character c = biped();
+  RigCheck none;
+  EXPECT_EQ(checked_line(none), "checked: 0 findings");
+  c.influences[7].clear();
+  EXPECT_NE(checked_line(check_rig(c, nullptr, {false, {}})).find("1 unweighted"), std::string::npos);
+}
+
+TEST(Check, TellsWhatIsNewAndWhatIsGone) {
+  Character before = biped(), now = before;
+  for (Influence& i : before.influences[3]) i.weight *= 1.5F;
+  now.influences[7].clear();
+  const CheckOptions cheap = {false, {}};
+  const RigCheck old_check = check_rig(before, nullptr, cheap), new_check = check_rig(now, nullptr, cheap);
+  const CheckChange change = check_change(old_check, before.joints, new_check, now.joints);
+  ASSERT_EQ(change.added.size(), 1U);
+  EXPECT_STREQ(new_check.findings[change.added[0]].rule->name, "unweighted");
+  ASSERT_EQ(change.gone.size(), 1U);
+  EXPECT_STREQ(old_check.findings[change.gone[0]].rule->name, "weight-sum");
+}
+
+CheckedFile broken_file() {
+  CheckedFile file;
+  file.file = "some folder/hero.glb";
+  file.character = biped();
+  file.character.influences[7].clear();
+  for (Influence& i : file.character.influences[3]) i.weight *= 1.5F;
+  file.check = check_rig(file.character, nullptr, {false, {}});
+  return file;
+}
+
+TEST(CheckOutput, Json) {
+  const auto json = nlohmann::json::parse(check_json(broken_file()));
+  EXPECT_EQ(json["sinew_check"], 1);
+  EXPECT_EQ(json["errors"], 1);
+  EXPECT_EQ(json["findings"][0]["rule"], "unweighted");
+  EXPECT_EQ(json["findings"][0]["vertices"], nlohmann::json::array({7}));
+  EXPECT_EQ(json["findings"][0]["position"].size(), 3U);
+  EXPECT_TRUE(json["failures"].empty());
+  EXPECT_FALSE(json.contains("added"));
+}
+
+TEST(CheckOutput, Sarif) {
+  const auto json = nlohmann::json::parse(check_sarif({broken_file()}));
+  EXPECT_EQ(json["version"], "2.1.0");
+  const auto& run = json["runs"][0];
+  EXPECT_EQ(run["tool"]["driver"]["rules"].size(), check_rules().size());
+  const auto& result = run["results"][0];
+  EXPECT_EQ(result["ruleId"], "unweighted");
+  EXPECT_EQ(result["level"], "error");
+  EXPECT_EQ(run["tool"]["driver"]["rules"][result["ruleIndex"].get<size_t>()]["id"], "unweighted");
+  EXPECT_EQ(result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"], "some%20folder/hero.glb");
+}
+
+CheckGate gate_from(const std::string& text) {
+  const FileBytes files = {{"gate.json", {text.begin(), text.end()}}};
+  const MemoryFiles scope(&files, nullptr);
+  return read_check_gate("gate.json");
+}
+
+TEST(CheckGate, CountsWhatIsNotIgnored) {
+  const CheckedFile file = broken_file();
+  EXPECT_EQ(check_failures(gate_from(R"({"sinew_check": 1})"), file).size(), 2U);
+  EXPECT_EQ(check_failures(gate_from(R"({"sinew_check": 1, "most": {"error": 1}})"), file).size(), 1U);
+  EXPECT_TRUE(
+      check_failures(gate_from(R"({"sinew_check": 1, "most": {"error": 1}, "ignore": ["weight-sum"]})"), file).empty());
+  EXPECT_EQ(gate_from(R"({"sinew_check": 1, "bounds": {"tear": 0.5}})").bounds.at("tear"), 0.5);
+}
+
+TEST(CheckGate, OldFindingsDoNotCount) {
+  CheckedFile file = broken_file();
+  file.before = file.check;
+  file.joints_before = file.character.joints;
+  file.change = check_change(*file.before, file.joints_before, file.check, file.character.joints);
+  EXPECT_TRUE(check_failures(gate_from(R"({"sinew_check": 1})"), file).empty());
+}
+
+TEST(CheckGate, RefusesWhatItDoesNotKnow) {
+  for (const char* const text :
+       {"", "[]", "{}", R"({"sinew_check": 2})", R"({"sinew_check": 1, "moist": {}})",
+        R"({"sinew_check": 1, "most": {"fatal": 0}})", R"({"sinew_check": 1, "most": {"error": -1}})",
+        R"({"sinew_check": 1, "ignore": ["tears"]})", R"({"sinew_check": 1, "bounds": {"tear": "much"}})"}) {
+    try {
+      gate_from(text);
+      ADD_FAILURE() << text;
+    } catch (const Error& error) {
+      EXPECT_EQ(std::string(error.what()).rfind("gate.json: ", 0), 0U) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sinew
