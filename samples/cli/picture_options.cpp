@@ -27,8 +27,8 @@ void add_picture_options(CLI::App* sub, PictureOptions* options) {
 }
 
 void add_picture_class(CLI::App* sub, PictureOptions* options) {
-  sub->add_option("--class", options->body, "What body the picture shows. Found unless given")
-      ->type_name("WORD")
+  sub->add_option("--class", options->body, std::string(kClassMeaning) + ". Found unless given")
+      ->type_name("KIND")
       ->check(CLI::IsMember(body_class_words()));
 }
 

@@ -14,6 +14,9 @@ class App;
 
 namespace sinew::cli {
 
+constexpr const char* kClassMeaning =
+    "What kind of body it is, where it is taken for another: which limbs are arms, legs, wings";
+
 struct PictureOptions {
   std::string mask, mask_out, units = "figure", body;
   uint32_t figure = 0;

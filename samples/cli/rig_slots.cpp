@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "options.hpp"
+#include "picture_options.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
@@ -28,8 +29,7 @@ void add_method_options(CLI::App* sub, MethodOptions* options) {
       "the surface, whose contacts are collapsed to a tree")
       ->check(CLI::IsMember({"auto", "votes", "shape", "slots", "regions"}))
       ->capture_default_str();
-  sub->add_option("--class", options->category,
-                  "What kind of body it is, where the model takes it for another: which limbs are arms, legs, wings")
+  sub->add_option("--class", options->category, kClassMeaning)
       ->type_name("KIND")
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(kCategories), std::end(kCategories))))
       ->capture_default_str();

@@ -9,6 +9,7 @@
 #include "gltf/gltf_container.hpp"
 #include "score/rig_damage.hpp"
 #include "sinew_character/animate_job.hpp"
+#include "sinew_character/map_skeleton.hpp"
 #include "sinew_character/motion_file.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
@@ -120,7 +121,7 @@ std::optional<Motion> walk_of(const Character& character) {
     AnimatedCharacter out = animated_character(character, character.name);
     MotionRequest request;
     request.path = "builtin:walk";
-    const MotionFile file = read_motion_for(request, character);
+    const MotionFile file = read_motion_for(request, map_rig_of(character));
     AnimateOptions options;
     options.character = character.name;
     MotionInput input;

@@ -33,8 +33,8 @@ void check_profile(const Profile& profile, const ProfileOptions& options) {
 void write_for_profile(const Profile& profile, const ProfileOptions& options, const std::string& path,
                        const Character& character, const GlbOptions& glb, const Morphs& morphs) {
   if (!profile.vrm) return write_gltf_morphs(path, character, glb, morphs);
-  if (has_extension(path, ".gltf") || !(has_extension(path, ".vrm") || has_extension(path, ".glb")))
-    throw Error(path + ": a VRM is one file: write a .vrm or a .glb");
+  const bool as_vrm = has_extension(path, ".vrm");
+  if (!as_vrm && !has_extension(path, ".glb")) throw Error(path + ": a VRM is one file: write a .vrm or a .glb");
   VrmData vrm;
   vrm.title = options.title.empty() ? character.name : options.title;
   vrm.authors = options.authors;
