@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-double sum_of(const std::vector<Influence>& row) {
+double signed_sum(const std::vector<Influence>& row) {
   double sum = 0;
   for (const Influence& i : row) sum += static_cast<double>(i.weight);
   return sum;
@@ -44,7 +44,7 @@ void sums(const RigFacts& facts, Findings* findings) {
   const double bound = findings->bound("weight-sum");
   for (uint32_t v = 0; v < facts.strongest.size(); ++v) {
     if (facts.strongest[v] == kNoJoint) continue;
-    const double sum = sum_of(facts.character.influences[v]), off = std::abs(sum - 1);
+    const double sum = signed_sum(facts.character.influences[v]), off = std::abs(sum - 1);
     if (off > bound) finding.vertices.push_back(v);
     if (off > finding.value) finding.value = off, worst_sum = sum;
   }

@@ -22,7 +22,7 @@ struct Ball {
 
 constexpr Ball kSpine = {{-45, 45}, {-50, 50}, {-45, 45}};
 constexpr Ball kNeck = {{-65, 65}, {-55, 55}, {-50, 50}};
-constexpr Ball kHead = {{-80, 80}, {-65, 65}, {-55, 55}};
+constexpr Ball kHeadBall = {{-80, 80}, {-65, 65}, {-55, 55}};
 constexpr Ball kClavicle = {{-45, 45}, {-45, 45}, {-45, 45}};
 constexpr Ball kHand = {{-110, 110}, {-90, 90}, {-90, 90}};
 constexpr Ball kFoot = {{-50, 50}, {-65, 65}, {-50, 50}};
@@ -119,7 +119,7 @@ class HumanLimits {
       case SINEW_CLASS_NECK:
         return ball(j, kNeck, bone(j), left_);
       case SINEW_CLASS_HEAD:
-        if (!goes_on) ball(j, kHead, up_, left_);
+        if (!goes_on) ball(j, kHeadBall, up_, left_);
         return;
       case SINEW_CLASS_CLAVICLE:
         return ball(j, kClavicle, bone(j), up_);

@@ -12,7 +12,7 @@
 namespace sinew {
 namespace {
 
-Character biped() {
+Character labelled_biped() {
   SynthesizeOptions options;
   options.plan = BodyPlan::kBiped;
   options.seed = 3;
@@ -64,7 +64,7 @@ TEST(LabelCheck, SoundCharactersHaveNoFindings) {
 }
 
 TEST(LabelCheck, FindsTwinsByNameAndByPlace) {
-  Character c = biped();
+  Character c = labelled_biped();
   const uint32_t left = joint_named(c, "upper_arm.L"), right = joint_named(c, "upper_arm.R");
   std::vector<uint32_t> twins = mirror_twins(c);
   EXPECT_EQ(twins[left], right);
@@ -79,7 +79,7 @@ TEST(LabelCheck, FindsTwinsByNameAndByPlace) {
 }
 
 TEST(LabelCheck, FindsALimbBoundToTheOtherSide) {
-  Character c = biped();
+  Character c = labelled_biped();
   const uint32_t left = joint_named(c, "forearm.L"), right = joint_named(c, "forearm.R");
   const std::vector<uint32_t> some = of(c, right);
   ASSERT_GT(some.size(), 8u);
@@ -89,7 +89,7 @@ TEST(LabelCheck, FindsALimbBoundToTheOtherSide) {
 }
 
 TEST(LabelCheck, FindsAnIslandAndAFarWeight) {
-  Character c = biped();
+  Character c = labelled_biped();
   const uint32_t head = joint_named(c, "head"), foot = joint_named(c, "foot.L");
   const std::vector<uint32_t> feet = of(c, foot);
   ASSERT_GT(feet.size(), 5u);
@@ -101,7 +101,7 @@ TEST(LabelCheck, FindsAnIslandAndAFarWeight) {
   EXPECT_GT(found.size(), feet.size() * 8 / 10) << "of " << feet.size();
   for (const uint32_t v : found) EXPECT_TRUE(std::binary_search(feet.begin(), feet.end(), v)) << v;
 
-  Character blurred = biped();
+  Character blurred = labelled_biped();
   const uint32_t v = of(blurred, foot)[2];
   blurred.influences[v] = {{foot, 0.7f}, {head, 0.3f}};
   EXPECT_EQ(flagged(check_labels(blurred), "far-weight"), std::vector<uint32_t>{v});
@@ -110,7 +110,7 @@ TEST(LabelCheck, FindsAnIslandAndAFarWeight) {
 }
 
 TEST(LabelCheck, FindsAVertexUnlikeAllItsNeighbours) {
-  Character c = biped();
+  Character c = labelled_biped();
   // Near enough not to be "across the body": the next joint but one.
   const uint32_t hips = joint_named(c, "hips"), shin = joint_named(c, "shin.L");
   std::vector<uint32_t> rigid;
@@ -127,7 +127,7 @@ TEST(LabelCheck, FindsAVertexUnlikeAllItsNeighbours) {
 }
 
 TEST(LabelCheck, FindsAnIdleTwin) {
-  Character c = biped();
+  Character c = labelled_biped();
   const uint32_t left = joint_named(c, "hand.L"), right = joint_named(c, "hand.R");
   const auto parent = static_cast<uint32_t>(c.joints[left].parent);
   for (auto& row : c.influences)
@@ -142,19 +142,19 @@ TEST(LabelCheck, FindsAnIdleTwin) {
 
 TEST(LabelCheck, BrokenCharactersHaveNoFindingsAndDoNoHarm) {
   EXPECT_TRUE(check_labels({}).empty());
-  Character c = biped();
+  Character c = labelled_biped();
   c.influences[0] = {{999999, 1.0f}};
   EXPECT_TRUE(check_labels(c).empty());
-  c = biped();
+  c = labelled_biped();
   c.joints[1].parent = 1;
   EXPECT_TRUE(check_labels(c).empty());
-  c = biped();
+  c = labelled_biped();
   c.influences.resize(3);
   EXPECT_TRUE(check_labels(c).empty());
 }
 
 TEST(LabelCheck, FindingsAreWarningsOfTheCheckWithTheirVertices) {
-  Character c = biped();
+  Character c = labelled_biped();
   const uint32_t left = joint_named(c, "forearm.L"), right = joint_named(c, "forearm.R");
   const uint32_t v = of(c, right)[0];
   c.influences[v] = {{left, 1.0f}};
