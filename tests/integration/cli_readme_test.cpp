@@ -43,6 +43,7 @@ class CliReadme : public Cli {
     sample("snake__long.obj", "mesh.obj");
     sample("snake__long.rig.txt", "skeleton.rig.txt");
     sample("biped__robed.obj", "jacket.obj");
+    sample("drawing__child.png", "drawing.png");
     const Motion walk = walking_person();
     write_bvh(in("walk.bvh"), walk, walk.clips[0]);
     good("bind " + kCaped + " -o character.glb");
