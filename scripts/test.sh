@@ -39,7 +39,7 @@ build() {  # PRESET ARGUMENT_OF_CMAKE...
 }
 
 phase format scripts/format.sh --check
-phase "release build" build ci
+phase "release build" build ci -DSINEW_UNITY=OFF  # which the demo may have left on
 phase "release tests" ctest --test-dir build/release --output-on-failure -j "$jobs"
 if [ "${1:-}" != quick ]; then
   # Native targets were tests above.
