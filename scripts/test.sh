@@ -47,7 +47,7 @@ if [ "${1:-}" != quick ]; then
   phase "conformance, linked only" scripts/conformance.sh --link ci-links
   phase "conformance of kernels" scripts/conformance.sh --kernels aarch64 cortex-m7
   # Engine, formats and quant: what reads files from strangers. The trainer under sanitizers is `cmake --preset dev` by hand.
-  phase "sanitizer build" build sanitize -DSINEW_UNITY=ON -DSINEW_UNITY_TESTS=ON
+  phase "sanitizer build" build sanitize -DSINEW_UNITY=ON
   # Without the data folder, which is large: those cases ran above.
   phase "sanitizer tests" env SINEW_SHARED_DIR=none ctest --test-dir build/sanitize --output-on-failure -j "$jobs" -LE 'slow|tools'
 fi
