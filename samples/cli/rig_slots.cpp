@@ -3,20 +3,25 @@
 #include "rig_slots.hpp"
 
 #include <CLI/CLI.hpp>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "options.hpp"
 #include "picture_options.hpp"
+#include "sinew_character/body_class.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
 
 namespace {
 
-// In the order of SINEW_CATEGORY_*.
-constexpr const char* kCategories[] = {"any", "biped", "quadruped", "bird", "fish", "snake", "many-legged"};
+// In the order of SINEW_CATEGORY_*, which is that of BodyClass without its last.
+std::vector<std::string> categories() {
+  std::vector<std::string> words = {"any"};
+  for (const std::string& word : body_class_words())
+    if (word != body_class_word(BodyClass::kOther)) words.push_back(word);
+  return words;
+}
 
 }  // namespace
 
@@ -31,7 +36,7 @@ void add_method_options(CLI::App* sub, MethodOptions* options) {
       ->capture_default_str();
   sub->add_option("--class", options->category, kClassMeaning)
       ->type_name("KIND")
-      ->check(CLI::IsMember(std::vector<std::string>(std::begin(kCategories), std::end(kCategories))))
+      ->check(CLI::IsMember(categories()))
       ->capture_default_str();
 }
 
@@ -47,8 +52,9 @@ void check_method(const CLI::App& sub, const MethodOptions& options) {
 }
 
 uint32_t category_number(const std::string& name) {
-  for (uint32_t i = 0; i < std::size(kCategories); ++i)
-    if (name == kCategories[i]) return i;
+  const std::vector<std::string> words = categories();
+  for (uint32_t i = 0; i < words.size(); ++i)
+    if (name == words[i]) return i;
   throw UsageError("--class " + name + ": there is none of that name");
 }
 
