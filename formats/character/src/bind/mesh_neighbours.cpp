@@ -2,6 +2,7 @@
 // Neighbours by places and edges.
 #include "sinew_character/mesh_neighbours.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -16,6 +17,24 @@ std::vector<uint32_t> first_at_position(const Character& character) {
     positions.push_back(first.emplace(std::array<float, 3>{p.x, p.y, p.z}, v).first->second);
   }
   return positions;
+}
+
+std::vector<std::vector<uint32_t>> welded_rings(const Character& c, const std::vector<uint32_t>& first) {
+  std::vector<std::vector<uint32_t>> rings(c.vertices.size());
+  for (size_t f = 0; f < c.face_count(); ++f) {
+    const uint32_t begin = c.face_offsets[f], end = c.face_offsets[f + 1];
+    for (uint32_t k = begin; k < end; ++k) {
+      const uint32_t a = first[c.face_vertices[k]], b = first[c.face_vertices[k + 1 < end ? k + 1 : begin]];
+      if (a == b) continue;
+      rings[a].push_back(b);
+      rings[b].push_back(a);
+    }
+  }
+  for (auto& ring : rings) {
+    std::sort(ring.begin(), ring.end());
+    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  }
+  return rings;
 }
 
 std::vector<std::vector<uint32_t>> neighbours_of(const Character& character) {

@@ -13,6 +13,7 @@
 
 #include "sinew_character/bone_distance.hpp"
 #include "sinew_character/joint_verdicts.hpp"
+#include "sinew_character/mesh_neighbours.hpp"
 #include "sinew_formats/median.hpp"
 #include "sinew_formats/print.hpp"
 
@@ -69,7 +70,8 @@ class Labels {
         if (weight > 0.5) ++strong_vertices_[joint];
       }
     }
-    find_neighbours();
+    welded_ = first_at_position(c_);
+    neighbours_ = welded_rings(c_, welded_);
     give_leaves_length();
     find_distances();
   }
@@ -99,30 +101,6 @@ class Labels {
   }
 
  private:
-  // One-rings over vertices with the same position, so that seams and split vertices do not cut the surface.
-  void find_neighbours() {
-    std::map<std::array<float, 3>, uint32_t> at;
-    welded_.resize(c_.vertices.size());
-    for (uint32_t v = 0; v < c_.vertices.size(); ++v) {
-      const Vec3& p = c_.vertices[v];
-      welded_[v] = at.emplace(std::array<float, 3>{p.x, p.y, p.z}, v).first->second;
-    }
-    neighbours_.resize(c_.vertices.size());
-    for (size_t f = 0; f < c_.face_count(); ++f) {
-      const uint32_t begin = c_.face_offsets[f], end = c_.face_offsets[f + 1];
-      for (uint32_t k = begin; k < end; ++k) {
-        const uint32_t a = welded_[c_.face_vertices[k]], b = welded_[c_.face_vertices[k + 1 < end ? k + 1 : begin]];
-        if (a == b) continue;
-        neighbours_[a].push_back(b);
-        neighbours_[b].push_back(a);
-      }
-    }
-    for (auto& ring : neighbours_) {
-      std::sort(ring.begin(), ring.end());
-      ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
-    }
-  }
-
   // A leaf's bone ends where its vertices do: as far behind their middle as the joint is before it.
   void give_leaves_length() {
     std::vector<std::array<double, 3>> sums(c_.joints.size(), {0, 0, 0});

@@ -39,24 +39,6 @@ double sum_of(const std::vector<Influence>& row) {
   return sum;
 }
 
-std::vector<std::vector<uint32_t>> rings_of(const Character& c, const std::vector<uint32_t>& first) {
-  std::vector<std::vector<uint32_t>> rings(c.vertices.size());
-  for (size_t f = 0; f < c.face_count(); ++f) {
-    const uint32_t begin = c.face_offsets[f], end = c.face_offsets[f + 1];
-    for (uint32_t k = begin; k < end; ++k) {
-      const uint32_t a = first[c.face_vertices[k]], b = first[c.face_vertices[k + 1 < end ? k + 1 : begin]];
-      if (a == b) continue;
-      rings[a].push_back(b);
-      rings[b].push_back(a);
-    }
-  }
-  for (auto& ring : rings) {
-    std::sort(ring.begin(), ring.end());
-    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
-  }
-  return rings;
-}
-
 std::vector<uint32_t> parts_of(const std::vector<uint32_t>& first, const std::vector<std::vector<uint32_t>>& rings) {
   std::vector<uint32_t> parts(first.size(), UINT32_MAX);
   uint32_t count = 0;
@@ -89,7 +71,7 @@ RigFacts::RigFacts(const Character& c) : character(c) {
   for (size_t j = 0; j < c.joints.size(); ++j)
     if (c.joints[j].parent >= 0) children[static_cast<size_t>(c.joints[j].parent)].push_back(static_cast<uint32_t>(j));
   first = first_at_position(c);
-  rings = rings_of(c, first);
+  rings = welded_rings(c, first);
   parts = parts_of(first, rings);
   strongest.assign(c.vertices.size(), kNoJoint);
   moves.resize(c.joints.size());
