@@ -8,21 +8,14 @@
 #include <nlohmann/json.hpp>
 
 #include "sinew_character/check_output.hpp"
-#include "sinew_datasets/synthesize.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/memory_files.hpp"
+#include "small_biped.hpp"
 
 namespace sinew {
 namespace {
 
-Character biped() {
-  SynthesizeOptions options;
-  options.plan = BodyPlan::kBiped;
-  options.seed = 3;
-  options.resolution = 32;
-  options.clothing = false;
-  return synthesize(options);
-}
+using sinew_test::small_biped;
 
 const RigFinding* finding_of(const RigCheck& check, const std::string& rule) {
   for (const RigFinding& f : check.findings)
@@ -43,12 +36,12 @@ TEST(Check, RulesAreToldApart) {
 }
 
 TEST(Check, ASoundRigHasNoErrors) {
-  const RigCheck check = check_rig(biped(), nullptr);
+  const RigCheck check = check_rig(small_biped(), nullptr);
   EXPECT_EQ(check.errors, 0U) << checked_line(check);
 }
 
 TEST(Check, FindsVerticesWithoutWeightAndSaysWhere) {
-  Character c = biped();
+  Character c = small_biped();
   const Vec3 at = c.vertices[7];
   c.influences[7].clear();
   const RigCheck check = check_rig(c, nullptr, {false, {}});
@@ -63,7 +56,7 @@ TEST(Check, FindsVerticesWithoutWeightAndSaysWhere) {
 }
 
 TEST(Check, FindsSums) {
-  Character c = biped();
+  Character c = small_biped();
   for (Influence& i : c.influences[3]) i.weight *= 1.5F;
   const RigCheck check = check_rig(c, nullptr, {false, {}});
   const RigFinding* const finding = finding_of(check, "weight-sum");
@@ -72,7 +65,7 @@ TEST(Check, FindsSums) {
 }
 
 TEST(Check, BoundsAreTheCallers) {
-  Character c = biped();
+  Character c = small_biped();
   for (Influence& i : c.influences[3]) i.weight *= 1.5F;
   EXPECT_EQ(finding_of(check_rig(c, nullptr, {false, {{"weight-sum", 0.6}}}), "weight-sum"), nullptr);
   EXPECT_NE(finding_of(check_rig(c, nullptr, {false, {{"weight-sum", 0.4}}}), "weight-sum"), nullptr);
@@ -80,20 +73,20 @@ TEST(Check, BoundsAreTheCallers) {
 }
 
 TEST(Check, RefusesWhatIsNoRig) {
-  Character bare = biped();
+  Character bare = small_biped();
   bare.joints.clear();
   bare.influences.clear();
   EXPECT_THROW(check_rig(bare, nullptr), Error);
-  Character broken = biped();
+  Character broken = small_biped();
   broken.vertices[2].x = NAN;
   EXPECT_THROW(check_rig(broken, nullptr), Error);
-  Character wrong = biped();
+  Character wrong = small_biped();
   wrong.influences[0] = {{static_cast<uint32_t>(wrong.joints.size()), 1.0F}};
   EXPECT_THROW(check_rig(wrong, nullptr), Error);
 }
 
 TEST(Check, ASkeletonAloneIsChecked) {
-  Character c = biped();
+  Character c = small_biped();
   c.vertices.clear();
   c.influences.clear();
   c.face_offsets = {0};
@@ -102,7 +95,7 @@ TEST(Check, ASkeletonAloneIsChecked) {
 }
 
 TEST(Check, TheSameEveryTime) {
-  Character c = biped();
+  Character c = small_biped();
   std::rotate(c.influences.begin(), c.influences.begin() + static_cast<std::ptrdiff_t>(c.influences.size() / 3),
               c.influences.end());
   CheckedFile file;
@@ -116,7 +109,7 @@ TEST(Check, TheSameEveryTime) {
 }
 
 TEST(Check, LineOfAJob) {
-  Character c = biped();
+  Character c = small_biped();
   RigCheck none;
   EXPECT_EQ(checked_line(none), "checked: 0 findings");
   c.influences[7].clear();
@@ -124,7 +117,7 @@ TEST(Check, LineOfAJob) {
 }
 
 TEST(Check, TellsWhatIsNewAndWhatIsGone) {
-  Character before = biped(), now = before;
+  Character before = small_biped(), now = before;
   for (Influence& i : before.influences[3]) i.weight *= 1.5F;
   now.influences[7].clear();
   const CheckOptions cheap = {false, {}};
@@ -139,7 +132,7 @@ TEST(Check, TellsWhatIsNewAndWhatIsGone) {
 CheckedFile broken_file() {
   CheckedFile file;
   file.file = "some folder/hero.glb";
-  file.character = biped();
+  file.character = small_biped();
   file.character.influences[7].clear();
   for (Influence& i : file.character.influences[3]) i.weight *= 1.5F;
   file.check = check_rig(file.character, nullptr, {false, {}});

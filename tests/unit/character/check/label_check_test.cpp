@@ -7,19 +7,12 @@
 #include <algorithm>
 
 #include "sinew_datasets/dataset.hpp"
-#include "sinew_datasets/synthesize.hpp"
+#include "small_biped.hpp"
 
 namespace sinew {
 namespace {
 
-Character labelled_biped() {
-  SynthesizeOptions options;
-  options.plan = BodyPlan::kBiped;
-  options.seed = 3;
-  options.resolution = 32;
-  options.clothing = false;
-  return synthesize(options);
-}
+using sinew_test::small_biped;
 
 uint32_t joint_named(const Character& c, const std::string& name) {
   for (uint32_t j = 0; j < c.joints.size(); ++j)
@@ -64,7 +57,7 @@ TEST(LabelCheck, SoundCharactersHaveNoFindings) {
 }
 
 TEST(LabelCheck, FindsTwinsByNameAndByPlace) {
-  Character c = labelled_biped();
+  Character c = small_biped();
   const uint32_t left = joint_named(c, "upper_arm.L"), right = joint_named(c, "upper_arm.R");
   std::vector<uint32_t> twins = mirror_twins(c);
   EXPECT_EQ(twins[left], right);
@@ -79,7 +72,7 @@ TEST(LabelCheck, FindsTwinsByNameAndByPlace) {
 }
 
 TEST(LabelCheck, FindsALimbBoundToTheOtherSide) {
-  Character c = labelled_biped();
+  Character c = small_biped();
   const uint32_t left = joint_named(c, "forearm.L"), right = joint_named(c, "forearm.R");
   const std::vector<uint32_t> some = of(c, right);
   ASSERT_GT(some.size(), 8u);
@@ -89,7 +82,7 @@ TEST(LabelCheck, FindsALimbBoundToTheOtherSide) {
 }
 
 TEST(LabelCheck, FindsAnIslandAndAFarWeight) {
-  Character c = labelled_biped();
+  Character c = small_biped();
   const uint32_t head = joint_named(c, "head"), foot = joint_named(c, "foot.L");
   const std::vector<uint32_t> feet = of(c, foot);
   ASSERT_GT(feet.size(), 5u);
@@ -101,7 +94,7 @@ TEST(LabelCheck, FindsAnIslandAndAFarWeight) {
   EXPECT_GT(found.size(), feet.size() * 8 / 10) << "of " << feet.size();
   for (const uint32_t v : found) EXPECT_TRUE(std::binary_search(feet.begin(), feet.end(), v)) << v;
 
-  Character blurred = labelled_biped();
+  Character blurred = small_biped();
   const uint32_t v = of(blurred, foot)[2];
   blurred.influences[v] = {{foot, 0.7f}, {head, 0.3f}};
   EXPECT_EQ(flagged(check_labels(blurred), "far-weight"), std::vector<uint32_t>{v});
@@ -110,7 +103,7 @@ TEST(LabelCheck, FindsAnIslandAndAFarWeight) {
 }
 
 TEST(LabelCheck, FindsAVertexUnlikeAllItsNeighbours) {
-  Character c = labelled_biped();
+  Character c = small_biped();
   // Near enough not to be "across the body": the next joint but one.
   const uint32_t hips = joint_named(c, "hips"), shin = joint_named(c, "shin.L");
   std::vector<uint32_t> rigid;
@@ -127,7 +120,7 @@ TEST(LabelCheck, FindsAVertexUnlikeAllItsNeighbours) {
 }
 
 TEST(LabelCheck, FindsAnIdleTwin) {
-  Character c = labelled_biped();
+  Character c = small_biped();
   const uint32_t left = joint_named(c, "hand.L"), right = joint_named(c, "hand.R");
   const auto parent = static_cast<uint32_t>(c.joints[left].parent);
   for (auto& row : c.influences)
@@ -142,19 +135,19 @@ TEST(LabelCheck, FindsAnIdleTwin) {
 
 TEST(LabelCheck, BrokenCharactersHaveNoFindingsAndDoNoHarm) {
   EXPECT_TRUE(check_labels({}).empty());
-  Character c = labelled_biped();
+  Character c = small_biped();
   c.influences[0] = {{999999, 1.0f}};
   EXPECT_TRUE(check_labels(c).empty());
-  c = labelled_biped();
+  c = small_biped();
   c.joints[1].parent = 1;
   EXPECT_TRUE(check_labels(c).empty());
-  c = labelled_biped();
+  c = small_biped();
   c.influences.resize(3);
   EXPECT_TRUE(check_labels(c).empty());
 }
 
 TEST(LabelCheck, FindingsAreWarningsOfTheCheckWithTheirVertices) {
-  Character c = labelled_biped();
+  Character c = small_biped();
   const uint32_t left = joint_named(c, "forearm.L"), right = joint_named(c, "forearm.R");
   const uint32_t v = of(c, right)[0];
   c.influences[v] = {{left, 1.0f}};

@@ -7,20 +7,13 @@
 #include <algorithm>
 
 #include "sinew_character/check.hpp"
-#include "sinew_datasets/synthesize.hpp"
+#include "small_biped.hpp"
 
 namespace sinew {
 namespace {
 
 const Character& biped() {
-  static const Character kBiped = [] {
-    SynthesizeOptions options;
-    options.plan = BodyPlan::kBiped;
-    options.seed = 3;
-    options.resolution = 40;
-    options.clothing = false;
-    return synthesize(options);
-  }();
+  static const Character kBiped = sinew_test::small_biped(40);
   return kBiped;
 }
 
