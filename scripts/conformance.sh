@@ -190,7 +190,8 @@ check() {  # TARGET: builds it, then a line for each kernel it runs
     compare "$label" conformance.txt "$out" || fails=1
     if [[ " ${native[*]} ${windows[*]} " == *" $target "* ]]; then
       # Larger ones, on the grid that the command uses: more memory than a microcontroller has.
-      run "$target" hash_stages --kernel "$kernel" --model "$root/samples/data/sinew_default.sinew" "$root"/samples/data/*.obj >"$out.samples"
+      run "$target" hash_stages --kernel "$kernel" --model "$root/samples/data/sinew_default.sinew" "$root"/samples/data/*.obj >"$out.samples" 2>>"$log" ||
+        { tail -n 2 "$log" >&2; echo "$label FAILED behind $(tail -n 1 "$out.samples")" >&2; fails=1; continue; }
       if [ "$update" = yes ]; then cp "$out.samples" "$golden/samples.txt"; fi
       compare "$label" samples.txt "$out.samples" || fails=1
     fi
