@@ -60,6 +60,7 @@ func get_import_options(preset: int) -> Array:
 		{ "name": "motion/file", "default_value": "", "property_hint": PROPERTY_HINT_FILE, "hint_string": FileKinds.MOTIONS },
 		{ "name": "motion/map", "default_value": "", "property_hint": PROPERTY_HINT_FILE, "hint_string": "*.txt" },
 		{ "name": "motion/in_place", "default_value": false },
+		{ "name": "motion/force", "default_value": false },
 	]
 
 
@@ -71,7 +72,7 @@ func get_option_visibility(option: String, options: Dictionary) -> bool:
 			return options.weights == RIG
 		"symmetric":
 			return options.weights != KEEP
-		"motion/map", "motion/in_place":
+		"motion/map", "motion/in_place", "motion/force":
 			return options["motion/file"] != ""
 	return true
 
@@ -97,6 +98,8 @@ static func runs(source: String, output: String, options: Dictionary) -> Array:
 			run += ["--map", ProjectSettings.globalize_path(options["motion/map"])]
 		if options["motion/in_place"]:
 			run.append("--in-place")
+		if options["motion/force"]:
+			run.append("--force")
 		made.append(run)
 	return made
 
