@@ -9,6 +9,7 @@
 #include "core/struct_size.hpp"
 #include "mapping/branches.hpp"
 #include "mapping/matcher.hpp"
+#include "mapping/plain_names.hpp"
 #include "mapping/same_rig.hpp"
 #include "sinew/published.h"
 
@@ -257,7 +258,10 @@ class MapRun {
       best_target = target_ends;
       best_source = source_ends;
     }
-    return match(best_target, best_source, &matcher);
+    if (!match(best_target, best_source, &matcher)) return false;
+    if (arena_.measuring() || !target_.rig.has_names) return true;
+    named_ = pin_plain_names(target_.rig, source_.rig, own_.sources, &pins_);
+    return !named_ || match(best_target, best_source, &matcher);
   }
 
   // As branches, where that is asked for or limbs say too little; nearly the same rigs as what they are.
@@ -292,6 +296,11 @@ class MapRun {
     const Result& result = same_ || method_ == SINEW_MAP_BRANCHES ? published_ : own_;
     for (uint32_t i = 0; i < n_ && same_; ++i) published_.costs[i] = 0;
     Cleaner(target_.rig, source_.rig, pins_, result.sources, reasons_, owner_).run(method_ == SINEW_MAP_SINEW);
+    if (named_) {  // the caller's pins alone are told as such
+      read_pins(plan_, &pins_);
+      for (uint32_t i = 0; i < n_; ++i)
+        if (pins_.source_of[i] == Pins::kFree && reasons_[i] == SINEW_MAP_PINNED) reasons_[i] = SINEW_MAP_FOUND;
+    }
     explain(target_.anatomy, result.sources, reasons_);
 
     const double sure = same_ ? 1 : lesser(certainty(target_.anatomy), certainty(source_.anatomy));
@@ -331,7 +340,7 @@ class MapRun {
   Pins pins_;
   int32_t* owner_ = nullptr;    // [m] scratch
   uint8_t* reasons_ = nullptr;  // [n]
-  bool same_ = false;
+  bool same_ = false, named_ = false;
   uint32_t method_ = SINEW_MAP_SINEW;
 };
 

@@ -227,6 +227,7 @@ constexpr Word kWords[] = {
     {"fk", P::kNone, kFk | kRigify},
     {"parent", P::kNone, kRigify},
     {"mixamorig", P::kNone, kNoise},
+    {"character", P::kNone, kNoise | kFiller},
     {"bip", P::kNone, kNoise},
     {"j", P::kNone, kNoise},
     {"jnt", P::kNone, kNoise | kFiller},

@@ -170,6 +170,44 @@ TEST(Map, NamesOnlyHelp) {
   EXPECT_EQ(named.sources, bare.sources);
 }
 
+// Bones of which an exporter wrote copies, those of one arm far away and the hand's end with them.
+TEST(Map, PlainNamesWinOverOddCopiesOfBones) {
+  const TestRig a = humanoid(2, true);
+  TestRig b = humanoid(2, true, "Character1_");
+  const auto copy = [&](const std::string& of, const std::string& name, float x, float y, float z) {
+    const int32_t joint = b.find("Character1_" + of);
+    const float* const at = &b.places[3 * static_cast<size_t>(joint)];
+    const float place[3] = {at[0] + x, at[1] + y, at[2] + z};
+    const int32_t made = b.add(name + "_RIGMESH", joint, place[0], place[1], place[2]);
+    b.add(name + "_RIGMESH_end", made, place[0], place[1], place[2], true);
+  };
+  for (const char* trunk : {"Hips", "Spine1", "Spine2", "Neck"}) copy(trunk, trunk, 0, 0, 0);
+  for (const char* const side : {"Left", "Right"}) {
+    const bool far = std::string(side) == "Right";
+    const std::string letter(side, 1);
+    copy(std::string(side) + "Shoulder", letter + "_Shoulder", 0, 0, 0);
+    copy(std::string(side) + "Arm", letter + "_Humerus", far ? 0.3f : 0, far ? -0.2f : 0, 0);
+    copy(std::string(side) + "ForeArm", letter + "_Radius", far ? 0.7f : 0, far ? -0.5f : 0, far ? 0.6f : 0);
+    copy(std::string(side) + "UpLeg", letter + "_Femur", 0, 0, 0);
+    copy(std::string(side) + "Leg", letter + "_Tibia", 0, 0, 0);
+    copy(std::string(side) + "Foot", letter + "_Talus", 0.05f, -0.03f, 0.02f);
+  }
+  float* const end = &b.places[3 * static_cast<size_t>(b.find("Character1_RightHandEnd"))];
+  end[0] += 1.1f;
+  end[2] += 1.2f;
+  MapCall call;
+  call.names = true;
+  ASSERT_EQ(call.run(a, b).status, SINEW_OK);
+  for (const char* const side : {"Left", "Right"}) {
+    for (const char* const part : {"Arm", "ForeArm", "Hand", "UpLeg", "Leg", "Foot"}) {
+      const std::string name = std::string(side) + part;
+      EXPECT_EQ(call.source_of(a, b, name), "Character1_" + name);
+      EXPECT_EQ(call.reasons[static_cast<size_t>(a.find(name))], SINEW_MAP_FOUND);
+    }
+  }
+  EXPECT_EQ(call.source_of(a, b, "Head"), "Character1_Head");
+}
+
 TEST(Map, OrderOfJointsDoesNotMatter) {
   const TestRig a = humanoid(3, true), b = humanoid(2, false);
   TestRig turned;

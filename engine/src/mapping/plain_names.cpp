@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// A copy of every bone beside it, or another odd hierarchy, hides a body from anatomy whose joints are all called by their names.
+#include "mapping/plain_names.hpp"
+
+namespace sinew::mapping {
+namespace {
+
+constexpr Part kLimbs[] = {Part::kUpperArm, Part::kLowerArm, Part::kHand, Part::kUpLeg, Part::kLowLeg, Part::kFoot};
+constexpr int32_t kFewest = 6;  // pairs of names
+constexpr int32_t kMostWrong = 3;  // of them, one in so many
+
+// The one joint that is called that and nothing else, -1 = none or several.
+int32_t only_joint(const Hierarchy& rig, Part part, int8_t side) {
+  int32_t found = -1;
+  for (int32_t i = 0; i < rig.n; ++i) {
+    const JointName& name = rig.names[i];
+    if (rig.end[i] != 0 || !name.exact || name.plain != part || name.side != side) continue;
+    if (found >= 0) return -1;
+    found = i;
+  }
+  return found;
+}
+
+}  // namespace
+
+bool pin_plain_names(const Hierarchy& target, const Hierarchy& source, const int32_t* sources, Pins* pins) {
+  int32_t pairs[2 * (sizeof kLimbs / sizeof kLimbs[0]) + 1][2], count = 0, wrong = 0;
+  const auto look_for = [&](Part part, int8_t side) {
+    const int32_t a = only_joint(target, part, side), b = only_joint(source, part, side);
+    if (a < 0 || b < 0 || pins->source_of[a] != Pins::kFree || pins->target_of[b] != Pins::kFree) return;
+    wrong += sources[a] == b ? 0 : 1;
+    pairs[count][0] = a;
+    pairs[count++][1] = b;
+  };
+  for (const Part part : kLimbs) {
+    look_for(part, 1);
+    look_for(part, -1);
+  }
+  look_for(Part::kHead, 0);
+  if (count < kFewest || kMostWrong * wrong <= count) return false;
+  for (int32_t k = 0; k < count; ++k) {
+    pins->source_of[pairs[k][0]] = pairs[k][1];
+    pins->target_of[pairs[k][1]] = pairs[k][0];
+  }
+  pins->any = true;
+  return true;
+}
+
+}  // namespace sinew::mapping
