@@ -6,7 +6,7 @@ namespace sinew::mapping {
 namespace {
 
 constexpr Part kLimbs[] = {Part::kUpperArm, Part::kLowerArm, Part::kHand, Part::kUpLeg, Part::kLowLeg, Part::kFoot};
-constexpr int32_t kFewest = 6;  // pairs of names
+constexpr int32_t kFewest = 6;     // pairs of names
 constexpr int32_t kMostWrong = 3;  // of them, one in so many
 
 // The one joint that is called that and nothing else, -1 = none or several.

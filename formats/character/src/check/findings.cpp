@@ -31,9 +31,9 @@ double Findings::bound(const char* rule) const {
   return own == options_.bounds.end() ? check_rule(rule).bound : own->second;
 }
 
-void Findings::add(const char* rule, RigFinding finding) {
+void Findings::add(const char* rule, RigFinding finding, bool meant) {
   finding.rule = &check_rule(rule);
-  finding.severity = finding.rule->severity;
+  finding.severity = meant ? CheckSeverity::kNote : finding.rule->severity;
   finding.bound = bound(rule);
   if (!(finding.value > finding.bound)) return;
   std::sort(finding.vertices.begin(), finding.vertices.end());

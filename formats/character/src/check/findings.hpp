@@ -20,7 +20,8 @@ class Findings {
 
   // `finding.value` and what else it has is set; the rule's name, bound and severity are set here, as is where to look: around its
   // vertices, or at its joint.
-  void add(const char* rule, RigFinding finding);
+  //   meant  artists do so on purpose, too: a note
+  void add(const char* rule, RigFinding finding, bool meant = false);
   // Errors first.
   RigCheck take();
 

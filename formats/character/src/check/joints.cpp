@@ -90,7 +90,9 @@ void dead(const RigFacts& facts, Findings* findings) {
     finding.joint = static_cast<int>(j);
     finding.value = 1;
     finding.what = findings->quoted(finding.joint) + " moves nothing, but its parent and what hangs on it do";
-    findings->add("dead-joint", std::move(finding));
+    // Both sides alike, as in creatures whose arms are two bones of a person's three.
+    const int32_t twin = facts.verdicts.partners[j];
+    findings->add("dead-joint", std::move(finding), twin >= 0 && facts.weight[static_cast<size_t>(twin)] <= 0);
   }
 }
 

@@ -76,8 +76,10 @@ void order(const RigFacts& facts, Findings* findings) {
     if (!facts.is_single(j) || !facts.is_single(static_cast<size_t>(above))) continue;
     const OnLimb up = on_limb(facts.verdicts.classes[static_cast<size_t>(above)]);
     const int side = facts.verdicts.sides[j], their_side = facts.verdicts.sides[static_cast<size_t>(above)];
+    // A foreleg hangs on a shoulder. What ends a chain may be called after all of it: IKBackLeg under BackLowerLeg.
+    if (own.limb == Limb::kLeg && facts.verdicts.classes[static_cast<size_t>(above)] == SINEW_CLASS_CLAVICLE) continue;
     std::string why;
-    if (own.limb == up.limb && own.rank < up.rank)
+    if (own.limb == up.limb && own.rank < up.rank && !facts.children[j].empty())
       why = "which such a joint carries";
     else if (own.limb != up.limb && (up.limb == Limb::kArm || up.limb == Limb::kLeg) && own.limb != Limb::kNone)
       why = "which is another limb";

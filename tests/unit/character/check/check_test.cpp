@@ -72,6 +72,50 @@ TEST(Check, BoundsAreTheCallers) {
   EXPECT_THROW(check_rig(c, nullptr, {false, {{"sums", 0.6}}}), Error);
 }
 
+uint32_t joint_of(const Character& c, const std::string& name) {
+  for (uint32_t j = 0; j < c.joints.size(); ++j)
+    if (c.joints[j].name == name) return j;
+  ADD_FAILURE() << "no joint " << name;
+  return 0;
+}
+
+// Gives all of a joint's weight to its parent.
+void kill_joint(const std::string& name, Character* c) {
+  const uint32_t joint = joint_of(*c, name), parent = static_cast<uint32_t>(c->joints[joint].parent);
+  for (auto& row : c->influences)
+    for (Influence& i : row)
+      if (i.joint == joint) i.joint = parent;
+}
+
+TEST(Check, JointsThatAreDeadOnBothSidesAreMeant) {
+  Character c = small_biped();
+  kill_joint("forearm.L", &c);
+  const RigCheck one = check_rig(c, nullptr, {false, {}});
+  ASSERT_NE(finding_of(one, "dead-joint"), nullptr);
+  EXPECT_EQ(finding_of(one, "dead-joint")->severity, CheckSeverity::kWarning);
+  kill_joint("forearm.R", &c);
+  const RigCheck both = check_rig(c, nullptr, {false, {}});
+  ASSERT_NE(finding_of(both, "dead-joint"), nullptr);
+  EXPECT_EQ(finding_of(both, "dead-joint")->severity, CheckSeverity::kNote);
+}
+
+TEST(Check, AForelegMayHangOnAShoulder) {
+  Character c = small_biped();
+  const uint32_t arm = joint_of(c, "upper_arm.L");
+  const auto about = [&](const RigCheck& check, uint32_t joint) {
+    return std::any_of(check.findings.begin(), check.findings.end(), [&](const RigFinding& f) {
+      return std::string(f.rule->name) == "name-order" && f.joint == static_cast<int>(joint);
+    });
+  };
+  ASSERT_EQ(c.joints[static_cast<size_t>(c.joints[arm].parent)].name, "shoulder.L");
+  c.joints[arm].name = "upper_leg.L";
+  EXPECT_FALSE(about(check_rig(c, nullptr, {false, {}}), arm));
+  const uint32_t forearm = joint_of(c, "forearm.L");
+  c.joints[arm].name = "upper_arm.L";
+  c.joints[forearm].name = "upper_leg.L";
+  EXPECT_TRUE(about(check_rig(c, nullptr, {false, {}}), forearm)) << "a leg on an upper arm";
+}
+
 TEST(Check, RefusesWhatIsNoRig) {
   Character bare = small_biped();
   bare.joints.clear();
