@@ -24,6 +24,7 @@ void add_animate(CLI::App& app);
 void add_bake(CLI::App& app);
 void add_transfer(CLI::App& app);
 void add_check(CLI::App& app);
+void add_serve(CLI::App& app);
 
 }  // namespace sinew::cli
 #endif

@@ -99,6 +99,7 @@ int main(int argc, char** argv) {
   sinew::cli::add_animate(app);
   sinew::cli::add_bake(app);
   sinew::cli::add_check(app);
+  sinew::cli::add_serve(app);
   const std::vector<std::string> words = whole_words(app, argc, argv);
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // runs the chosen subcommand's callback

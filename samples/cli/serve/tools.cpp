@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include "serve/tools.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "options.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/print.hpp"
+#include "support.hpp"
+
+namespace sinew::cli {
+namespace {
+
+enum class Value { kInput, kOutput, kText, kNumber, kFlag, kRotations };
+
+struct Argument {
+  std::string name;    // as callers give it
+  std::string option;  // "" where it stands by itself
+  Value value = Value::kText;
+  std::string meaning;
+  bool required = false;
+  std::vector<std::string> choices = {};  // of a text
+};
+
+struct Tool {
+  std::string name, title, meaning;
+  bool json = true;
+  std::vector<Argument> arguments;
+};
+
+Argument output_argument(const std::string& kinds) {
+  return {"output", "-o", Value::kOutput, "File to write, below the served folder: " + kinds, true};
+}
+
+Argument class_argument() {
+  return {"class", "--class", Value::kText, "What kind of body it is, where it is taken for another", false,
+          {"biped", "quadruped", "bird", "fish", "snake", "many-legged", "other"}};
+}
+
+Tool rig_tool() {
+  return {"rig",
+          "Make a skeleton",
+          "Makes a skeleton for a bare mesh or a picture of a character and binds it. Answers joints with confidences and what is doubtful.",
+          true,
+          {{"mesh", "", Value::kInput, "Mesh (" + mesh_files() + ") or picture (.png, .jpg)", true},
+           output_argument(".glb, .gltf, .vrm or .rig.txt"),
+           {"skeleton", "--skeleton", Value::kInput, "Put this file's skeleton into the mesh"},
+           {"detail", "--detail", Value::kText, "How much of the body has joints", false, {"body", "hands", "full"}},
+           class_argument(),
+           {"up", "--up", Value::kText, "Axis that points up", false, {"auto", "y", "z"}},
+           {"to_pose", "--to-pose", Value::kText, "Put into a rest pose", false, {"t", "a"}},
+           {"cut", "--cut", Value::kFlag, "Open what has grown together"},
+           {"picture", "--png", Value::kOutput, "Also draw the mesh with its joints: .png"}}};
+}
+
+Tool bind_tool() {
+  return {"bind",
+          "Predict weights",
+          "Predicts the skin weights of a mesh for a skeleton. Answers how sure they are.",
+          true,
+          {{"mesh", "", Value::kInput, "Mesh (" + mesh_files() + ")", true},
+           output_argument(".glb, .gltf, .vrm or .rig.txt"),
+           {"skeleton", "--skeleton", Value::kInput, "Skeleton of another file (" + skeleton_files() + ")"},
+           {"influences", "--influences", Value::kNumber, "Most joints a vertex, 4 unless given"},
+           {"symmetric", "--symmetric", Value::kFlag, "Mirror images get mirrored weights"},
+           {"fit", "--fit", Value::kFlag, "Move a skeleton that stands beside the mesh or in other units"},
+           {"picture", "--png", Value::kOutput, "Also draw the mesh coloured by weight: .png"}}};
+}
+
+Tool animate_tool() {
+  return {"animate",
+          "Play a motion",
+          "Plays motion of any skeleton on a character. Answers which joints move and how sure the map is.",
+          true,
+          {{"character", "", Value::kInput, "Skinned file, bare mesh or picture", true},
+           {"motion", "--motion", Value::kInput, "Motion (" + motion_files() + ")"},
+           {"clip", "--motion", Value::kText, "A clip that ships, in place of a file: builtin:walk"},
+           output_argument(".glb, .gltf, .vrm or .bvh"),
+           {"map", "--map", Value::kInput, "Which joint is which: lines TARGET_JOINT SOURCE_JOINT"},
+           {"in_place", "--in-place", Value::kFlag, "Stay where the character stands"},
+           {"force", "--force", Value::kFlag, "Also a motion that does not fit"},
+           {"sheet", "--sheet", Value::kOutput, "Also draw frames side by side: .png"}}};
+}
+
+Tool check_tool() {
+  return {"check",
+          "Check a rig",
+          "Says whether a rig holds: weights, joints, names, matrices, test poses, animations. Changes nothing.",
+          true,
+          {{"file", "", Value::kInput, "Character (" + mesh_files() + ")", true},
+           {"against", "--against", Value::kInput, "An older version of it: what is new"},
+           {"report", "--report", Value::kOutput, "Also write a page with a picture of every finding: .html"},
+           {"no_poses", "--no-poses", Value::kFlag, "Leave out the test poses"}}};
+}
+
+Tool pose_tool() {
+  return {"pose",
+          "Draw a pose",
+          "Draws a bound character in a pose. The picture comes back with the answer.",
+          false,
+          {{"character", "", Value::kInput, "Skinned file, or NAME.obj with NAME.rig.txt beside it", true},
+           output_argument(".png or .obj"),
+           {"joints", "--joint", Value::kRotations, "Degrees about x, then y, then z, by joint: {\"head\": [0, 30, 0]}"},
+           {"animation", "--animation", Value::kText, "One of the file's own animations"},
+           {"time", "--time", Value::kNumber, "Second of the animation"},
+           {"random", "--random", Value::kNumber, "Rotate every joint at random; a seed"}}};
+}
+
+Tool inspect_tool() {
+  return {"inspect", "Look into a file", "Says what is in a mesh, character or model. Changes nothing.", true,
+          {{"file", "", Value::kInput, "File", true}}};
+}
+
+const std::vector<Tool>& tools() {
+  static const std::vector<Tool> all = {rig_tool(), bind_tool(), animate_tool(), check_tool(), pose_tool(), inspect_tool()};
+  return all;
+}
+
+OrderedJson schema_of(const Argument& argument) {
+  OrderedJson schema;
+  switch (argument.value) {
+    case Value::kNumber:
+      schema["type"] = "number";
+      break;
+    case Value::kFlag:
+      schema["type"] = "boolean";
+      break;
+    case Value::kRotations:
+      schema = {{"type", "object"},
+                {"additionalProperties", {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}}}};
+      break;
+    default:
+      schema["type"] = "string";
+  }
+  if (!argument.choices.empty()) schema["enum"] = argument.choices;
+  schema["description"] = argument.meaning;
+  return schema;
+}
+
+class CommandLine {
+ public:
+  CommandLine(const Tool& tool, const ServedFolder& folder) : tool_(tool), folder_(folder) {
+    run_.words = {tool.name};
+    run_.json = tool.json;
+  }
+
+  ToolRun of(const OrderedJson& arguments) {
+    if (!arguments.is_object()) fail("arguments", "an object");
+    for (const auto& [name, value] : arguments.items()) {
+      const auto known = std::find_if(tool_.arguments.begin(), tool_.arguments.end(),
+                                      [&name = name](const Argument& a) { return a.name == name; });
+      if (known == tool_.arguments.end()) throw Error(tool_.name + ": there is no argument '" + printable(name) + "'");
+    }
+    for (const Argument& argument : tool_.arguments) {
+      const auto value = arguments.find(argument.name);
+      if (value != arguments.end() && !value->is_null())
+        add(argument, *value);
+      else if (argument.required)
+        throw Error(tool_.name + ": expected an argument '" + argument.name + "': " + argument.meaning);
+    }
+    if (run_.json) run_.words.push_back("--json");
+    return std::move(run_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& name, const std::string& expected) const {
+    throw Error(tool_.name + ": argument '" + name + "': expected " + expected);
+  }
+
+  std::string number(const Argument& argument, const OrderedJson& value) const {
+    if (!value.is_number() || !std::isfinite(value.get<double>())) fail(argument.name, "a number");
+    return print("%.9g", value.get<double>());
+  }
+
+  std::string text(const Argument& argument, const OrderedJson& value) const {
+    if (!value.is_string()) fail(argument.name, "a text");
+    std::string text = value.get<std::string>();
+    if (text.size() > 1000 || text.find('\0') != std::string::npos) fail(argument.name, "a text of at most 1,000 characters");
+    if (!argument.choices.empty() && std::find(argument.choices.begin(), argument.choices.end(), text) == argument.choices.end())
+      fail(argument.name, "one of " + joined(argument.choices));
+    if (argument.option == "--motion" && text.rfind("builtin:", 0) != 0) fail(argument.name, "builtin:NAME");
+    return text;
+  }
+
+  static std::string joined(const std::vector<std::string>& words) {
+    std::string all;
+    for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+    return all;
+  }
+
+  void put(const Argument& argument, const std::string& value) {
+    // In one word with the option, so that no value passes for another option.
+    if (argument.option.empty())
+      run_.words.push_back(value);
+    else if (argument.option.size() == 2)
+      run_.words.insert(run_.words.end(), {argument.option, value});  // of files alone, which begin with ./
+    else
+      run_.words.push_back(argument.option + "=" + value);
+  }
+
+  void add(const Argument& argument, const OrderedJson& value) {
+    switch (argument.value) {
+      case Value::kInput:
+        return put(argument, folder_.input(text(argument, value)));
+      case Value::kOutput: {
+        const std::string path = folder_.output(text(argument, value));
+        run_.outputs.push_back(path.substr(2));
+        return put(argument, path);
+      }
+      case Value::kText:
+        return put(argument, text(argument, value));
+      case Value::kNumber:
+        return put(argument, number(argument, value));
+      case Value::kFlag:
+        if (!value.is_boolean()) fail(argument.name, "true or false");
+        if (value.get<bool>()) run_.words.push_back(argument.option);
+        return;
+      case Value::kRotations:
+        return rotations(argument, value);
+    }
+  }
+
+  void rotations(const Argument& argument, const OrderedJson& value) {
+    constexpr const char* kExpected = "three degrees for every joint";
+    if (!value.is_object()) fail(argument.name, kExpected);
+    for (const auto& [joint, turn] : value.items()) {
+      if (!turn.is_array() || turn.size() != 3 || joint.empty() || joint.size() > 1000 || joint.find('\0') != std::string::npos)
+        fail(argument.name, kExpected);
+      put(argument, joint + "=" + number(argument, turn[0]) + "," + number(argument, turn[1]) + "," + number(argument, turn[2]));
+    }
+  }
+
+  const Tool& tool_;
+  const ServedFolder& folder_;
+  ToolRun run_;
+};
+
+}  // namespace
+
+OrderedJson tools_json() {
+  OrderedJson list = OrderedJson::array();
+  for (const Tool& tool : tools()) {
+    OrderedJson properties = OrderedJson::object(), required = OrderedJson::array();
+    bool writes = false;
+    for (const Argument& argument : tool.arguments) {
+      properties[argument.name] = schema_of(argument);
+      if (argument.required) required.push_back(argument.name);
+      writes = writes || argument.value == Value::kOutput;
+    }
+    list.push_back({{"name", tool.name},
+                    {"title", tool.title},
+                    {"description", tool.meaning},
+                    {"inputSchema", {{"type", "object"}, {"properties", properties}, {"required", required}, {"additionalProperties", false}}},
+                    {"annotations", {{"readOnlyHint", !writes}, {"openWorldHint", false}}}});
+  }
+  return list;
+}
+
+ToolRun tool_run(const std::string& tool, const OrderedJson& arguments, const ServedFolder& folder) {
+  const auto known = std::find_if(tools().begin(), tools().end(), [&](const Tool& t) { return t.name == tool; });
+  if (known == tools().end()) throw Error("there is no tool '" + printable(tool) + "'");
+  return CommandLine(*known, folder).of(arguments);
+}
+
+}  // namespace sinew::cli
