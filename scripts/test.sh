@@ -7,6 +7,8 @@ cd "$(dirname "$0")/.."
 # shellcheck disable=SC2046  # several packages
 scripts/setup.sh ccache $(scripts/conformance.sh --packages ci) $(samples/web/build.sh --packages) $(samples/python/build.sh --packages) \
   $(tests/integration/csharp_test.sh --packages) $(scripts/declarations.py --packages)
+# The client of the Model Context Protocol, pinned by its package-lock.json.
+[ -d tests/support/mcp/node_modules/@modelcontextprotocol ] || npm ci --silent --no-audit --no-fund --prefix tests/support/mcp
 jobs=$(nproc)
 
 # The engine is compiled some twenty times, for targets and for those who install it, and often with the same options. Warnings are no part of an object
@@ -39,7 +41,7 @@ build() {  # PRESET ARGUMENT_OF_CMAKE...
 }
 
 phase format scripts/format.sh --check
-phase "release build" build ci -DSINEW_UNITY=OFF  # which the demo may have left on
+phase "release build" build ci -DSINEW_UNITY=TESTS  # each other source by itself, as a user compiles it
 phase "release tests" ctest --test-dir build/release --output-on-failure -j "$jobs"
 if [ "${1:-}" != quick ]; then
   # Native targets were tests above.
