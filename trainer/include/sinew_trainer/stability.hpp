@@ -15,7 +15,8 @@ namespace sinew {
 
 // Of one character, means over its poses.
 struct StabilityFigures {
-  double spread = 0;        // J2J between the joints found in a pose, carried back to rest, and those found at rest; longest sides
+  double spread =
+      0;  // J2J between the joints found in a pose, carried back to rest, and those found at rest; longest sides
   double worst_spread = 0;  // of one pose
   // Shares of the vertices whose strongest joint in a pose is not the one at rest:
   double flips = 0;      // both found anew; joints of two skeletons are the same where pair_joints() pairs them

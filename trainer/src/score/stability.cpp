@@ -72,9 +72,9 @@ class PosedCharacter {
 
 int strongest(const std::vector<Influence>& row) {
   if (row.empty()) return -1;
-  return static_cast<int>(
-      std::max_element(row.begin(), row.end(), [](const Influence& a, const Influence& b) { return a.weight < b.weight; })
-          ->joint);
+  return static_cast<int>(std::max_element(row.begin(), row.end(), [](const Influence& a, const Influence& b) {
+                            return a.weight < b.weight;
+                          })->joint);
 }
 
 // Places at rest; `bones` are those of joints that deform.
@@ -143,7 +143,8 @@ StabilityFigures average(const std::vector<StabilityFigures>& rows, Average how)
     double sum = 0;
     for (const double value : values) sum += value;
     if (n > 0)
-      out.*column.value = how == Average::kMean ? sum / static_cast<double>(n) : 0.5 * (values[n / 2] + values[(n - 1) / 2]);
+      out.*column.value =
+          how == Average::kMean ? sum / static_cast<double>(n) : 0.5 * (values[n / 2] + values[(n - 1) / 2]);
   }
   return out;
 }
@@ -180,7 +181,8 @@ nlohmann::ordered_json figures_json(const StabilityFigures& figures) {
 
 }  // namespace
 
-StabilityFigures measure_stability(const Character& character, unsigned poses, const FindRig& find, const BindOwn& own) {
+StabilityFigures measure_stability(const Character& character, unsigned poses, const FindRig& find,
+                                   const BindOwn& own) {
   const RigSource source(character);
   const PosedCharacter standing(character, source, source.rest_pose());
   const RestRig rest = rest_rig(standing, find);
@@ -217,7 +219,8 @@ std::string stability_markdown(const StabilityRows& rows) {
   for (const auto& one : rows) ++sizes[family_of(one.first)];
   const Averages means = averages(rows);
   for (const auto& [family, figures] : means.families) row(family, sizes[family], figures);
-  for (const auto& [name, figures] : means.rows) row(name, rows.size(), figures);
+  for (const auto& [name, figures] : means.rows)
+    row(name, name.find("families") == std::string::npos ? rows.size() : sizes.size(), figures);
   return text;
 }
 
