@@ -11,6 +11,7 @@
 #include "eval_check.hpp"
 #include "eval_hands.hpp"
 #include "eval_rig.hpp"
+#include "eval_stability.hpp"
 #include "eval_studies.hpp"
 #include "eval_weights.hpp"
 #include "options.hpp"
@@ -261,6 +262,27 @@ void add_studies(CLI::App* parent) {
   sub->callback([seams] { run_study(*seams, study_seams); });
 }
 
+void add_stability(CLI::App* parent) {
+  CLI::App* sub = parent->add_subcommand("stability", "How far skeletons and weights move when a character is posed");
+  const auto s = add_study(sub, "stability");
+  auto own = std::make_shared<StabilitySettings>();
+  sub->add_option("--poses", own->poses, "Random poses of every character")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N")
+      ->capture_default_str();
+  add_figures(sub, &own->output, &own->json);
+  sub->footer(
+      "Example:\n  sinew eval stability characters/val\n\n"
+      "The reference's weights pose it; every pose is rigged with the bundled model of skeletons and bound.\n"
+      "Spread: J2J between joints carried back to rest and those of the mesh at rest, in shares of its longest\n"
+      "side. Flips: vertices whose strongest joint is another one, of skeletons found anew and of the\n"
+      "reference's own, which moves along.");
+  sub->callback([s, own] {
+    if (!own->output.empty()) check_output(own->output, {".json"});
+    run_study(*s, [&](const Study& study) { study_stability(study, *own); });
+  });
+}
+
 }  // namespace
 
 void add_eval(CLI::App& app) {
@@ -270,6 +292,7 @@ void add_eval(CLI::App& app) {
   add_rig_study(sub);
   add_hands_study(sub);
   add_studies(sub);
+  add_stability(sub);
   sub->footer(
       "Example:\n  sinew eval characters/val\n"
       "sinew eval DIR is sinew eval weights DIR; a folder that is called like a subcommand is ./rig.");

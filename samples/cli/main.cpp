@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The sinew command: reads the command line, runs one subcommand, turns every failure into one line and an exit status.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <iterator>
 #include <memory>
 #include <new>
 #include <optional>
@@ -37,10 +39,10 @@ std::string see_help(const CLI::App& app) { return "; see " + chosen_command(app
 
 // Wrong usage and a failure that the ranks of mpirun share are the same on all of them: only the first says it. The
 // others end without complaint, or mpirun might kill the first before it has spoken.
-bool repeated(const CLI::App& app) {
+bool repeated(const std::vector<std::string>& words) {
   const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
   if (rank == nullptr) rank = std::getenv("PMI_RANK");
-  return app.got_subcommand("train") && rank != nullptr && std::string(rank) != "0";
+  return !words.empty() && words[0] == "train" && rank != nullptr && std::string(rank) != "0";
 }
 
 // CLI11 says of a wrong first word only that a subcommand is missing.
@@ -69,6 +71,26 @@ std::vector<std::string> whole_words(const CLI::App& app, int argc, char** argv)
   return words;
 }
 
+// The options of all commands are a millisecond of the program's start, so only the one that is asked for declares its own; all do for
+// the list of them, and to say that a word is none.
+void add_commands(const std::string& first_word, CLI::App& app) {
+  using namespace sinew::cli;
+  struct Command {
+    const char* name;
+    void (*add)(CLI::App&);
+  };
+  constexpr Command kCommands[] = {{"rig", add_rig},           {"bind", add_bind},         {"transfer", add_transfer},
+                                   {"eval", add_eval},         {"train", add_train},       {"crossval", add_crossval},
+                                   {"quantize", add_quantize}, {"dataset", add_dataset},   {"inspect", add_inspect},
+                                   {"pose", add_pose},         {"simplify", add_simplify}, {"map", add_map},
+                                   {"animate", add_animate},   {"bake", add_bake},         {"check", add_check},
+                                   {"serve", add_serve}};
+  const auto asked = [&](const Command& command) { return command.name == first_word; };
+  const bool all = first_word != "--version" && std::none_of(std::begin(kCommands), std::end(kCommands), asked);
+  for (const Command& command : kCommands)
+    if (all || asked(command)) command.add(app);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -84,35 +106,20 @@ int main(int argc, char** argv) {
       "3 done, but --gate found it wanting.\n"
       "SINEW_KERNEL=ref|avx2|avxvnni|vnni in the environment chooses the instructions; results never\n"
       "depend on it.");
-  sinew::cli::add_rig(app);
-  sinew::cli::add_bind(app);
-  sinew::cli::add_transfer(app);
-  sinew::cli::add_eval(app);
-  sinew::cli::add_train(app);
-  sinew::cli::add_crossval(app);
-  sinew::cli::add_quantize(app);
-  sinew::cli::add_dataset(app);
-  sinew::cli::add_inspect(app);
-  sinew::cli::add_pose(app);
-  sinew::cli::add_simplify(app);
-  sinew::cli::add_map(app);
-  sinew::cli::add_animate(app);
-  sinew::cli::add_bake(app);
-  sinew::cli::add_check(app);
-  sinew::cli::add_serve(app);
+  add_commands(argc > 1 ? argv[1] : "", app);
   const std::vector<std::string> words = whole_words(app, argc, argv);
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // runs the chosen subcommand's callback
   } catch (const CLI::Success& done) {
     return app.exit(done);  // --help, --version
   } catch (const CLI::ParseError& error) {
-    return repeated(app) ? 0 : fail(complaint(app, words, error.what()), 2);
+    return repeated(words) ? 0 : fail(complaint(app, words, error.what()), 2);
   } catch (const sinew::cli::UsageError& error) {
-    return repeated(app) ? 0 : fail(error.what() + see_help(app), 2);
+    return repeated(words) ? 0 : fail(error.what() + see_help(app), 2);
   } catch (const sinew::cli::GateError& error) {
     return fail(error.what(), 3);
   } catch (const sinew::RanksError& error) {
-    return repeated(app) ? 0 : fail(error.what(), 1);
+    return repeated(words) ? 0 : fail(error.what(), 1);
   } catch (const sinew::Error& error) {
     return fail(error.what(), 1);
   } catch (const std::bad_alloc&) {

@@ -11,7 +11,7 @@ build=$1 folder=$2
 library=${SINEW_LIBRARY:-}
 if [ -z "$library" ] && [ -z "${SINEW_TOOLCHAIN:-}" ]; then
   if cmake -S "$root" -B "$build/character" -DCMAKE_BUILD_TYPE=Release -DSINEW_BUILD_TRAINER=OFF -DSINEW_BUILD_QUANT=OFF -DSINEW_BUILD_SAMPLES=OFF \
-    -DSINEW_BUILD_TESTS=OFF >"$build/cmake.log" 2>&1; then
+    -DSINEW_BUILD_TESTS=OFF -DSINEW_LATE_LIBRARIES=OFF >"$build/cmake.log" 2>&1; then
     cmake --build "$build/character" --target sinew_character_shared --parallel 2 >>"$build/cmake.log" || { tail -20 "$build/cmake.log" >&2; exit 1; }
     library=$(find "$build/character" -name 'libsinew_character.so' -o -name 'libsinew_character.dylib' | head -1)
   else

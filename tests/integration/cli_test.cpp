@@ -47,6 +47,8 @@ TEST_F(Cli, HelpHasAnExampleEverywhere) {
 
 TEST_F(Cli, AnUnknownCommandIsNamed) {
   EXPECT_NE(bad(2, "frob").error.find("no such command: frob; see sinew --help"), std::string::npos);
+  EXPECT_NE(bad(1, "inspect bind").error.find("bind: "), std::string::npos)
+      << "behind a command, another one's name is a file's";
   EXPECT_NE(bad(2, "dataset frob").error.find("no such command: dataset frob; see sinew dataset --help"),
             std::string::npos);
 }
@@ -373,7 +375,11 @@ TEST_F(Cli, EvalStudies) {
   const Outcome confidence = good("eval confidence " + kData + " --method heat");
   EXPECT_NE(confidence.out.find("calibration error"), std::string::npos) << confidence.out;
   fs::create_directories(in("empty"));
-  for (const char* study : {"weights", "hints", "confidence", "robustness", "questions", "style"})
+  const Outcome poses = good("eval stability " + kData + " --method heat --poses 1 --json -o poses.json");
+  EXPECT_NE(poses.out.find("\"mean_of_families\""), std::string::npos) << poses.out;
+  EXPECT_EQ(slurp(in("poses.json")), poses.out);
+  bad(2, "eval stability " + kData + " --poses 0");
+  for (const char* study : {"weights", "hints", "confidence", "robustness", "questions", "style", "stability"})
     bad(1, std::string("eval ") + study + " empty --method heat");
 }
 

@@ -59,6 +59,12 @@ for library in $(objdump -p "$sinew" | awk '$1 == "NEEDED" { print $2 }'); do
   [[ ", $(field "$deb" Depends)," == *", $owner"[\ ,]* ]] || fail "Depends has no '$owner', which $library belongs to: $(field "$deb" Depends)"
 done
 
+# And of those that it loads when a file needs them.
+for library in $(grep -aoE 'lib(assimp|draco)\.so\.[0-9]+' "$sinew" | sort -u); do
+  owner=$(dpkg -S "*/$library" 2>/dev/null | sed -n '1s/:.*//p')
+  [[ ", $(field "$deb" Depends)," == *", $owner"[\ ,]* ]] || fail "Depends has no '$owner', which $library belongs to: $(field "$deb" Depends)"
+done
+
 copyright=$root/usr/share/doc/sinew/copyright
 grep -F "$(sed -n 's/^Copyright (c) //p' "$source_dir/LICENSE")" "$copyright" >/dev/null || fail "$copyright lacks the line of LICENSE"
 # What the command's code is built of; MPI and threads are the system's.

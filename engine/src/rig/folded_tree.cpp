@@ -28,19 +28,28 @@ constexpr uint32_t kEndSeeds = 12;
 constexpr int64_t kThroughAir = 10 << 16;
 constexpr int32_t kAirPlaces = 7, kAirLength = side_share(600), kAirMargin = side_share(150);
 
+// Around a place in the body, folded.
+struct Ball {
+  Vec3i at;
+  int64_t reach_2;  // squared
+};
+
 class Grower {
  public:
-  Grower(const VotePool& pool, Cloud cloud, uint8_t* starts, uint8_t* ends, int32_t* between, FoldedTree* tree)
+  Grower(const VotePool& pool, Cloud cloud, uint8_t* starts, uint8_t* ends, int32_t* between, Ball* balls,
+         FoldedTree* tree)
       : pool_(pool),
         votes_(*pool.votes),
         cloud_(cloud),
         starts_(starts),
         ends_(ends),
         between_(between),
+        balls_(balls),
         tree_(*tree) {}
 
   void run(BodyKind kind) {
     const uint32_t n = votes_.points;
+    fold_body();
     for (uint32_t p = 0; p < n; ++p) {
       starts_[p] = owner(votes_.start[p], votes_.start_class + size_t{p} * kJointClasses);
       ends_[p] = owner(votes_.end[p], votes_.end_class + size_t{p} * kEndClasses);
@@ -58,6 +67,14 @@ class Grower {
   }
 
  private:
+  SINEW_RARE void fold_body() {
+    if (votes_.inside == nullptr) return;
+    for (uint32_t p = 0; p < votes_.points; ++p) {
+      const int64_t reach = int64_t{votes_.inside_radius[p]} * 5 / 4 + kAirMargin;
+      balls_[p] = {folded_position(votes_.inside[p], tree_.mirrored), square(reach)};
+    }
+  }
+
   void grow() {
     count_votes();
     choose_root();
@@ -146,10 +163,8 @@ class Grower {
       const Vec3i at = a + Vec3i{(b.x - a.x) / (kAirPlaces + 1) * k, (b.y - a.y) / (kAirPlaces + 1) * k,
                                  (b.z - a.z) / (kAirPlaces + 1) * k};
       bool in_body = false;
-      for (uint32_t p = 0; p < votes_.points && !in_body; ++p) {
-        const int64_t reach = int64_t{votes_.inside_radius[p]} * 5 / 4 + kAirMargin;
-        in_body = square_distance(folded_position(votes_.inside[p], tree_.mirrored), at) < square(reach);
-      }
+      for (uint32_t p = 0; p < votes_.points && !in_body; ++p)
+        in_body = square_distance(balls_[p].at, at) < balls_[p].reach_2;
       air += in_body ? 0 : 1;
     }
     return air;
@@ -300,6 +315,7 @@ class Grower {
   uint8_t* const starts_;   // [N] joint of the start vote, or kNoJoint
   uint8_t* const ends_;     // [N]
   int32_t* const between_;  // [joints x joints] from, to: votes in Q15, then costs
+  Ball* const balls_;       // [N] of the body, where the votes say which places are inside
   FoldedTree& tree_;
   int64_t points_[kMaxFoldedJoints] = {};  // that start at the joint
   int64_t tips_[kMaxFoldedJoints] = {};    // Q15: their chances of a tip, summed
@@ -315,6 +331,7 @@ sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t
   uint8_t* const starts = arena.alloc<uint8_t>(pool.count / 2);
   uint8_t* const ends = arena.alloc<uint8_t>(pool.count / 2);
   int32_t* const between = arena.alloc<int32_t>(size_t{kMaxFoldedJoints} * kMaxFoldedJoints);
+  Ball* const balls = arena.alloc<Ball>(pool.count / 2);
   if (!fits || !arena.ok()) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) return SINEW_OK;
   *tree = {};
@@ -324,7 +341,7 @@ sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t
     tree->nodes[j].at = joints[j].at;
     tree->nodes[j].joint_class = joints[j].joint_class;
   }
-  Grower(pool, cloud, starts, ends, between, tree).run(kind);
+  Grower(pool, cloud, starts, ends, between, balls, tree).run(kind);
   return SINEW_OK;
 }
 

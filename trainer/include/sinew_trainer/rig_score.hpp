@@ -40,6 +40,8 @@ struct RigScore {
   double classes = 0;    // share of pairs without bone ends whose classes agree
   double symmetric = 0;  // 1 where every predicted joint has a mirror image, within 2e-6, about the middle of them all
 };
+// Of every predicted joint the reference joint that it is paired with, -1 = none.
+std::vector<int> pair_joints(const ScoredSkeleton& predicted, const ScoredSkeleton& reference);
 // Same figures as rig_eval.py. Throws Error where either has no joints.
 RigScore score_rig(const ScoredSkeleton& predicted, const ScoredSkeleton& reference);
 

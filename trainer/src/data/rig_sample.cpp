@@ -164,6 +164,38 @@ RigSource::Palette RigSource::palette(const RigPose& pose) const {
   return palette;
 }
 
+RigSource::Palette RigSource::stiff_pose(uint64_t seed) const {
+  Random random(seed);
+  RigPose pose = wide_pose(body_, 1, &random);
+  pose.stretch.assign(body_.bones(), {0, 0});
+  return palette(pose);
+}
+
+RigSource::Palette RigSource::rest_pose() const {
+  Palette rest;
+  for (const Point& p : joints_) rest.origin.push_back(vec(p));
+  rest.linear.assign(joints_.size(), Matrix3d::Identity());
+  return rest;
+}
+
+Vector3d RigSource::follow(const Palette& palette, uint32_t j, const Point& p) const {
+  return palette.origin[j] + palette.linear[j] * (vec(p) - vec(joints_[j]));
+}
+
+std::vector<RigSource::Point> RigSource::skin(const Palette& palette) const {
+  std::vector<Point> vertices = vertices_;
+  for (size_t v = 0; v < vertices.size(); ++v) {
+    Vector3d sum = Vector3d::Zero();
+    double weights = 0;
+    for (const Influence& i : influences_[v]) {
+      sum += i.weight * follow(palette, i.joint, vertices_[v]);
+      weights += i.weight;
+    }
+    if (weights > 1e-6) vertices[v] = arr(sum / weights);
+  }
+  return vertices;
+}
+
 // Small parts vanish, as hats and belts do; never more than half of what a joint moves.
 std::vector<uint8_t> RigSource::vanish(Random* random) const {
   const size_t bones = body_.bones();
@@ -228,20 +260,10 @@ RigSource::Posed RigSource::pose(uint64_t seed, const RigVariant& variant) const
     Matrix3d whole = Vector3d(width, height, depth).asDiagonal();
     if (variant.wide && !pose.symmetric)  // no plane tells exactly where such a mesh faces
       whole = Eigen::AngleAxisd(std::clamp(kYaw * random.normal(), -2 * kYaw, 2 * kYaw), Vector3d::UnitY()) * whole;
-    const auto follow = [&](uint32_t j, const Point& p) -> Vector3d {
-      return moved.origin[j] + moved.linear[j] * (vec(p) - vec(joints_[j]));
-    };
-    for (size_t v = 0; v < vertices.size(); ++v) {
-      Vector3d sum = Vector3d::Zero();
-      double weights = 0;
-      for (const Influence& i : influences_[v]) {
-        sum += i.weight * follow(i.joint, vertices_[v]);
-        weights += i.weight;
-      }
-      vertices[v] = arr(whole * (weights > 1e-6 ? Vector3d(sum / weights) : vec(vertices_[v])));
-    }
+    vertices = skin(moved);
+    for (Point& p : vertices) p = arr(whole * vec(p));
     for (size_t i = 0; i < posed.joints.size(); ++i)
-      posed.joints[i] = arr(whole * follow(body_.target.joints[i].source, body_.joints[i]));
+      posed.joints[i] = arr(whole * follow(moved, body_.target.joints[i].source, body_.joints[i]));
     if (random.uniform() < 0.4 && parts_ > 1) gone = vanish(&random);
   }
   posed.surface = surface(vertices, gone);

@@ -76,22 +76,6 @@ std::vector<Point> bone_points(const ScoredSkeleton& skeleton) {
   return points;
 }
 
-// For every predicted joint its reference joint, -1 = none.
-std::vector<int> pair_joints(const ScoredSkeleton& predicted, const ScoredSkeleton& reference) {
-  const size_t rows = predicted.positions.size(), columns = reference.positions.size();
-  std::vector<double> cost(rows * columns);
-  for (size_t i = 0; i < rows; ++i) {
-    for (size_t j = 0; j < columns; ++j) {
-      const double d = distance(predicted.positions[i], reference.positions[j]);
-      cost[i * columns + j] = d <= kPairDistance ? d : kUnpairedCost;
-    }
-  }
-  std::vector<int> pairs = cheapest_pairs(cost, rows, columns);
-  for (size_t i = 0; i < rows; ++i)
-    if (pairs[i] >= 0 && cost[i * columns + static_cast<size_t>(pairs[i])] > kPairDistance) pairs[i] = -1;
-  return pairs;
-}
-
 std::vector<std::vector<size_t>> neighbours(const ScoredSkeleton& skeleton) {
   std::vector<std::vector<size_t>> found(skeleton.parents.size());
   for (size_t j = 0; j < found.size(); ++j) {
@@ -239,6 +223,21 @@ ScoredSkeleton scored_skeleton(const std::vector<Joint>& joints, double side) {
     out.tips.push_back(leaf[j] && names_bone_end(joints[j].name) ? 1 : 0);
   }
   return out;
+}
+
+std::vector<int> pair_joints(const ScoredSkeleton& predicted, const ScoredSkeleton& reference) {
+  const size_t rows = predicted.positions.size(), columns = reference.positions.size();
+  std::vector<double> cost(rows * columns);
+  for (size_t i = 0; i < rows; ++i) {
+    for (size_t j = 0; j < columns; ++j) {
+      const double d = distance(predicted.positions[i], reference.positions[j]);
+      cost[i * columns + j] = d <= kPairDistance ? d : kUnpairedCost;
+    }
+  }
+  std::vector<int> pairs = cheapest_pairs(cost, rows, columns);
+  for (size_t i = 0; i < rows; ++i)
+    if (pairs[i] >= 0 && cost[i * columns + static_cast<size_t>(pairs[i])] > kPairDistance) pairs[i] = -1;
+  return pairs;
 }
 
 RigScore score_rig(const ScoredSkeleton& predicted, const ScoredSkeleton& reference) {
