@@ -58,6 +58,7 @@ set(sinew_character_sources
   motion/upright_body
   motion/urdf_limits
   picture/body_class
+  picture/picture_frames
   picture/picture_view
   picture/plane_bones
   picture/plane_motion

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
 # What picture is compiled from, once for every build of it: this folder's and the WebAssembly modules'.
 set(sinew_picture_sources
+  draw/animated_png
+  draw/draw_in_plane
+  draw/sprite_sheet
   mesh/contour
   mesh/delaunay
   mesh/inflation

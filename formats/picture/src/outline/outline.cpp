@@ -19,8 +19,8 @@ constexpr double kTolerance = 0.6;  // of the mesh's outline as well
 void check_lines(const PictureFile& picture, const Outline& outline) {
   for (size_t l = 0; l < outline.size(); ++l) {
     if (outline[l].size() < 3)
-      throw Error(picture.name + ": line " + std::to_string(l) + " of the outline: expected three places or more, found " +
-                  std::to_string(outline[l].size()));
+      throw Error(picture.name + ": line " + std::to_string(l) +
+                  " of the outline: expected three places or more, found " + std::to_string(outline[l].size()));
     for (const auto& place : outline[l])
       if (!std::isfinite(place[0]) || !std::isfinite(place[1]))
         throw Error(picture.name + ": line " + std::to_string(l) + " of the outline: a place is not finite");
@@ -33,7 +33,8 @@ std::vector<double> crossings_of(const Outline& outline, double y, double step) 
   for (const auto& line : outline)
     for (size_t i = 0; i < line.size(); ++i) {
       const auto &a = line[i], &b = line[(i + 1) % line.size()];
-      const double ax = double{a[0]} / step, ay = double{a[1]} / step, bx = double{b[0]} / step, by = double{b[1]} / step;
+      const double ax = double{a[0]} / step, ay = double{a[1]} / step, bx = double{b[0]} / step,
+                   by = double{b[1]} / step;
       if ((ay > y) != (by > y)) crossings.push_back(ax + (bx - ax) * (y - ay) / (by - ay));
     }
   std::sort(crossings.begin(), crossings.end());
