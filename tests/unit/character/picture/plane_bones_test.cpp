@@ -144,6 +144,11 @@ TEST(PlaneBones, WhatPointsToTheViewerKeepsItsDirection) {
   EXPECT_NEAR(turn_of(motion, clip.frames[0], 1, 2), 45, 1e-6);
   EXPECT_NEAR(turn_of(motion, clip.frames[1], 1, 2), 45, 1e-6);
   EXPECT_NEAR(turn_of(motion, clip.frames[2], 1, 2), 45 * 0.75, 1e-3) << "a quarter of the way back";
+  // Over the half turn the short way is taken.
+  const Quaternion behind = about(2, 170 * kPi / 180);
+  const Clip over = turned(motion, 1, {behind, about(1, kPi - nearly)});  // a fifth of it, to the other side
+  const Clip flat = clip_in_plane(motion, over, kArmClasses, PictureView::kFront, motion);
+  EXPECT_NEAR(turn_of(motion, flat.frames[1], 1, 2), 172.5, 1e-3);
 }
 
 // The calf swings little by itself, but is of the leg that is shown from its side: the knee bends where it is seen.
@@ -165,9 +170,11 @@ TEST(PlaneBones, HipsTurnAsTheSpineDoes) {
                                    {"Head", {0, 1.5f, 0}, 3, {}}});
   const std::vector<uint8_t> classes = {SINEW_CLASS_PELVIS, SINEW_CLASS_THIGH, SINEW_CLASS_FOOT, SINEW_CLASS_SPINE,
                                         SINEW_CLASS_HEAD};
-  const Clip clip = clip_in_plane(motion, turned(motion, 0, {about(2, 0.3)}), classes, PictureView::kFront, motion);
-  EXPECT_NEAR(turn_of(motion, clip.frames[0], 0, 3), 0.3 * 180 / kPi, 1e-6);
-  EXPECT_NEAR(turn_of(motion, clip.frames[0], 3, 4), 0.3 * 180 / kPi, 1e-6);
+  // From the side the thigh's bone, across the picture, says nothing.
+  const Clip clip =
+      clip_in_plane(motion, turned(motion, 0, {about(0, 0.3)}), classes, PictureView::kFacesRight, motion);
+  EXPECT_NEAR(turn_of(motion, clip.frames[0], 0, 3), -0.3 * 180 / kPi, 1e-4);
+  EXPECT_NEAR(turn_of(motion, clip.frames[0], 3, 4), -0.3 * 180 / kPi, 1e-4);
 }
 
 // The root goes where the picture shows it going; what has no legs is not put on the floor.
@@ -182,6 +189,12 @@ TEST(PlaneBones, TheRootGoesAsItIsSeen) {
     EXPECT_NEAR(flat.frames[0].translations[0][1], 1.5, 1e-6);
     EXPECT_NEAR(flat.frames[0].translations[0][2], 0, 1e-6);
   }
+  const Motion hanging =
+      motion_of({{"Hips", {0, 1, 0}, -1, {}}, {"Arm", {0.2f, 1, 0}, 0, {}}, {"Hand", {0.2f, 0.4f, 0}, 1, {}}});
+  const Clip raised =
+      clip_in_plane(hanging, turned(hanging, 1, {about(0, -kPi / 2)}),
+                    {SINEW_CLASS_PELVIS, SINEW_CLASS_UPPER_ARM, SINEW_CLASS_HAND}, PictureView::kFront, hanging);
+  EXPECT_NEAR(raised.frames[0].translations[0][1], 1, 1e-6) << "a hand at the viewer is no foot";
   const Clip deep = clip_with_depth(motion, clip, PictureView::kFacesLeft, motion);
   EXPECT_NEAR(deep.frames[0].translations[0][0], -0.7, 1e-6);
   EXPECT_NEAR(deep.frames[0].translations[0][2], 0.3, 1e-6);
