@@ -45,7 +45,7 @@ Figure figure_on(const std::string& name, const Grid<Lab>& colours, const Mask& 
                  uint32_t step) {
   const Foreground found = find_foreground(colours, domain);
   Figure out = figure_from(name, found.mask, options, step, FigureSource::kBackground);
-  if (!found.drawn) open_holes(found.likeness, &out.mask);
+  if (!found.drawn && !fill_outline(found, domain, &out.mask)) open_holes(found.likeness, &out.mask);
   return out;
 }
 

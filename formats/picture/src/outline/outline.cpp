@@ -14,7 +14,7 @@
 namespace sinew {
 namespace {
 
-constexpr double kTolerance = 0.6;  // of the mesh's outline as well
+constexpr double kOutlineTolerance = 0.6;  // of the mesh's outline as well
 
 void check_lines(const PictureFile& picture, const Outline& outline) {
   for (size_t l = 0; l < outline.size(); ++l) {
@@ -50,7 +50,7 @@ Outline outline_of(const Figure& figure) {
   Outline out;
   for (const picture::Loop& loop : loops) {
     std::vector<std::array<float, 2>> line;
-    for (const size_t i : picture::simplified(loop, kTolerance, 1e9))
+    for (const size_t i : picture::simplified(loop, kOutlineTolerance, 1e9))
       line.push_back({static_cast<float>(loop[i][0] * figure.step), static_cast<float>(loop[i][1] * figure.step)});
     if (line.size() >= 3) out.push_back(std::move(line));
   }
