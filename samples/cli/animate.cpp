@@ -299,9 +299,8 @@ void run(const Settings& s) {
 
 void add_inputs(CLI::App* sub, Settings* s) {
   sub->add_option("character", s->character,
-                  "Skinned file, NAME.obj with NAME.rig.txt beside it, a bare mesh, or a picture of a character (.png, "
-                  ".jpg). What has no skeleton gets one first; " +
-                      mesh_files())
+                  "Skinned file, NAME.obj with NAME.rig.txt beside it, a bare mesh, or a picture of a character (" +
+                      picture_files() + "). What has no skeleton gets one first; " + mesh_files())
       ->required()
       ->type_name("CHARACTER");
   sub->add_option(
@@ -413,7 +412,7 @@ void add_animate(CLI::App& app) {
   sub->callback([s, of_reference, sub] {
     check_picture_options(*sub, s->character);
     if (!s->picture.body.empty() && !is_picture(s->character))
-      throw UsageError("--class is for pictures (.png, .jpg), and " + s->character + " is none");
+      throw UsageError("--class is for pictures (" + picture_files() + "), and " + s->character + " is none");
     for (const CLI::Option* option : of_reference)
       if (option->count() > 0 && s->method != "reference-points")
         throw UsageError(option->get_name() + " goes with --method reference-points");

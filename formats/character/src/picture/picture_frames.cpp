@@ -12,7 +12,7 @@
 namespace sinew {
 namespace {
 
-constexpr size_t kMostFrames = 4096;
+constexpr size_t kMostShots = 4096;
 constexpr double kFramesASecond = 15;
 constexpr float kMargin = 2;  // pixels
 
@@ -41,7 +41,8 @@ std::vector<double> seconds_of(const Clip& clip, size_t wanted) {
   if (wanted == 0 && !loops) ++count;
   std::vector<double> times;
   for (size_t i = 0; i < count; ++i)
-    times.push_back(last * static_cast<double>(i) / static_cast<double>(std::max<size_t>(1, loops ? count : count - 1)));
+    times.push_back(last * static_cast<double>(i) /
+                    static_cast<double>(std::max<size_t>(1, loops ? count : count - 1)));
   return times;
 }
 
@@ -59,8 +60,7 @@ void add_shots(const Character& character, const Motion& motion, const Clip& cli
   const double last = static_cast<double>(clip.frames.size() - 1) * clip.frame_time, way = way_of(motion, clip);
   const double between = times.size() > 1 ? times[1] : std::max(last, 0.1);
   for (size_t i = 0; i < times.size(); ++i) {
-    const std::vector<Affine> palette =
-        motion_palette(motion, frame_at(clip, times[i]), character.joints.size());
+    const std::vector<Affine> palette = motion_palette(motion, frame_at(clip, times[i]), character.joints.size());
     Shot shot;
     shot.name = clip.name + " " + std::to_string(i);
     shot.milliseconds = static_cast<uint32_t>(std::lround(1000 * between));
@@ -92,8 +92,8 @@ std::vector<SpriteFrame> picture_frames(const PictureFile& picture, const Charac
   std::vector<Shot> shots;
   for (const Clip& clip : motion.clips) {
     const size_t more = seconds_of(clip, options.count).size();
-    if (shots.size() + more > kMostFrames)
-      throw Error(picture.name + ": expected " + std::to_string(kMostFrames) + " frames at most, found " +
+    if (shots.size() + more > kMostShots)
+      throw Error(picture.name + ": expected " + std::to_string(kMostShots) + " frames at most, found " +
                   std::to_string(shots.size() + more) + "; take fewer clips or frames");
     add_shots(character, motion, clip, deformer, options.count, &shots);
   }

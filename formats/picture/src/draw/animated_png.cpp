@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Frames to PNG by libpng, and to an animated one out of the chunks of several.
-#include "sinew_picture/sprites.hpp"
-
 #include <algorithm>
 #include <array>
 #include <string>
 
 #include "draw/check_frames.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_picture/sprites.hpp"
 
 #ifdef SINEW_HAS_PNG
 #include <png.h>

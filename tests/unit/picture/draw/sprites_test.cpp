@@ -118,13 +118,15 @@ TEST(Sprites, ASheetSaysWhereItsFramesLie) {
   const PictureFile picture = body();
   std::vector<SpriteFrame> frames;
   for (int f = 0; f < 5; ++f)
-    frames.push_back({(f < 3 ? "walk " : "wave ") + std::to_string(f % 3), drawn(picture, 3.0f * static_cast<float>(f)), 80});
+    frames.push_back(
+        {(f < 3 ? "walk " : "wave ") + std::to_string(f % 3), drawn(picture, 3.0f * static_cast<float>(f)), 80});
   const SpriteSheet sheet = sprite_sheet(frames, "hero.png");
   EXPECT_EQ(sheet.pixels.width, 240u);
   EXPECT_EQ(sheet.pixels.height, 300u);
   const uint8_t* row = &sheet.pixels.rgba[(size_t{100 + 50} * 240 + 120) * 4];  // the fourth frame
   EXPECT_TRUE(std::equal(row, row + 120 * 4, &frames[3].pixels.rgba[size_t{50} * 120 * 4]));
-  for (const char* part : {"\"wave 0\"", "\"image\": \"hero.png\"", "\"duration\": 80", "\"name\": \"walk\"", "\"to\": 4"})
+  for (const char* part :
+       {"\"wave 0\"", "\"image\": \"hero.png\"", "\"duration\": 80", "\"name\": \"walk\"", "\"to\": 4"})
     EXPECT_NE(sheet.json.find(part), std::string::npos) << part;
   EXPECT_ERROR(sprite_sheet({}, "hero.png"), "expected frames, found none");
   frames[1].pixels.width = 60;
