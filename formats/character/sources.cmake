@@ -58,10 +58,13 @@ set(sinew_character_sources
   motion/upright_body
   motion/urdf_limits
   picture/body_class
+  picture/joints_inside
+  picture/picture_frames
   picture/picture_view
   picture/plane_bones
   picture/plane_motion
   picture/side_limbs
+  picture/silhouette
   pose/bend_volume
   pose/deform
   pose/pose
@@ -124,6 +127,7 @@ set(sinew_job_sources
   capi/clips
   capi/map
   capi/open
+  capi/picture
   capi/pose
   capi/rig
   capi/save

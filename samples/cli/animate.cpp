@@ -26,6 +26,7 @@
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion_layout.hpp"
 #include "sinew_formats/print.hpp"
+#include "sprite_options.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
@@ -38,6 +39,7 @@ struct Settings {
   std::vector<std::string> motions;
   DeformSettings deform;
   PictureOptions picture;
+  SpriteSettings sprites;
   ProfileSettings profile;
   size_t shapes = 16;
   double fps = 0, from = 0, to = 1e9;
@@ -253,6 +255,7 @@ void run(const Settings& s) {
   if (s.motions.empty() && !is_picture(s.character)) throw UsageError("--motion is required");
   if (s.depth && !is_picture(s.character)) throw UsageError("--depth is for pictures, and " + s.character + " is none");
   check_output(s.output, kWritesMotion);
+  check_sprite_options(s.sprites, s.character);
   if (!s.sheet.empty()) check_output(s.sheet, {".png"});
   if (!(s.from <= s.to)) throw UsageError(print("--start %g is behind --end %g", s.from, s.to));
   const bool as_bvh = has_extension(s.output, ".bvh");
@@ -270,12 +273,15 @@ void run(const Settings& s) {
   if (std::string note = checked_note(animated.character, &animated.motion); !note.empty())
     animated.motion.notes.push_back(std::move(note));
   std::vector<uint8_t> sheet;
-  if (!s.sheet.empty()) {
-    std::optional<CharacterDeformer> deformer;
-    if (deform) deformer.emplace(animated.character, *deform);
+  std::optional<CharacterDeformer> deformer;
+  if (deform && (!s.sheet.empty() || wants_sprites(s.sprites))) deformer.emplace(animated.character, *deform);
+  if (!s.sheet.empty())
     sheet = encode_png(motion_sheet(animated.character, animated.motion, s.up == "z", deformer ? &*deformer : nullptr,
-                                    animated.picture ? &animated.picture->picture : nullptr));
-  }
+                                    animated.picture ? animated.picture->picture.get() : nullptr));
+  std::vector<NamedBytes> sprites;
+  if (animated.picture)
+    sprites = sprite_files(s.sprites, s.output, *animated.picture->picture, animated.character, animated.motion,
+                           deformer ? &*deformer : nullptr);
   if (stop) throw Error(s.output + ": cannot write, the work was interrupted");
   if (as_bvh) {
     write_bvh(s.output, animated.motion, animated.motion.clips[0]);
@@ -287,14 +293,14 @@ void run(const Settings& s) {
   }
   if (!s.sheet.empty()) write_file(s.sheet, sheet);
   if (animated.picture) write_mask(s.picture, *animated.picture);
+  if (!sprites.empty()) write_files(sprites);
   tell(s, animated);
 }
 
 void add_inputs(CLI::App* sub, Settings* s) {
   sub->add_option("character", s->character,
-                  "Skinned file, NAME.obj with NAME.rig.txt beside it, a bare mesh, or a picture of a character (.png, "
-                  ".jpg). What has no skeleton gets one first; " +
-                      mesh_files())
+                  "Skinned file, NAME.obj with NAME.rig.txt beside it, a bare mesh, or a picture of a character (" +
+                      picture_files() + "). What has no skeleton gets one first; " + mesh_files())
       ->required()
       ->type_name("CHARACTER");
   sub->add_option(
@@ -392,6 +398,7 @@ void add_animate(CLI::App& app) {
   add_picture_options(sub, &s->picture);
   add_picture_class(sub, &s->picture);
   sub->add_flag("--depth", s->depth, "Bones of a picture's character leave its plane as the motion's do");
+  add_sprite_options(sub, &s->sprites);
   add_corrections(sub, s.get());
   const std::vector<CLI::Option*> of_reference = add_reference_options(sub, s.get());
   add_profile_options(sub, &s->profile);
@@ -405,7 +412,7 @@ void add_animate(CLI::App& app) {
   sub->callback([s, of_reference, sub] {
     check_picture_options(*sub, s->character);
     if (!s->picture.body.empty() && !is_picture(s->character))
-      throw UsageError("--class is for pictures (.png, .jpg), and " + s->character + " is none");
+      throw UsageError("--class is for pictures (" + picture_files() + "), and " + s->character + " is none");
     for (const CLI::Option* option : of_reference)
       if (option->count() > 0 && s->method != "reference-points")
         throw UsageError(option->get_name() + " goes with --method reference-points");

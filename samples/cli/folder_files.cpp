@@ -9,6 +9,7 @@
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/list_files.hpp"
 #include "support.hpp"
 
 namespace fs = std::filesystem;
@@ -34,10 +35,13 @@ void refuse_folder_inside(const std::string& folder, const std::string& output_f
 }  // namespace
 
 std::vector<FolderFile> folder_files(const std::string& folder, const std::string& output_folder,
-                                     const std::string& extension) {
+                                     const std::string& extension, bool or_pictures) {
   refuse_folder_inside(folder, output_folder);
-  const std::vector<std::string> meshes = list_meshes(folder);
-  if (meshes.empty()) throw Error(folder + ": no mesh in it nor below it; expected " + extensions_text(kReadsMesh));
+  std::vector<std::string> meshes = list_meshes(folder);
+  if (meshes.empty() && or_pictures) meshes = list_files(folder, kReadsPicture);
+  if (meshes.empty())
+    throw Error(folder + ": no mesh " + (or_pictures ? "and no picture " : "") + "in it nor below it; expected " +
+                extensions_text(kReadsMesh) + (or_pictures ? ", " + extensions_text(kReadsPicture) : ""));
   std::set<std::string> inputs;
   for (const std::string& mesh : meshes) inputs.insert(real_path(mesh));
   std::map<std::string, std::string> taken;  // output -> mesh

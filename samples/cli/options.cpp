@@ -6,6 +6,7 @@
 
 namespace sinew::cli {
 
+std::string picture_files() { return extensions_text(kReadsPicture); }
 std::string mesh_files() { return extensions_text(kReadsMesh); }
 std::string skeleton_files() { return extensions_text(kReadsSkeleton); }
 std::string motion_files() { return extensions_text(kReadsMotion); }

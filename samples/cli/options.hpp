@@ -15,6 +15,7 @@ namespace sinew::cli {
 
 // ".obj, .glb, ...": what is read, for help texts and errors.
 std::string mesh_files();
+std::string picture_files();
 std::string skeleton_files();
 std::string motion_files();
 // Of what is written: uses of files, for check_output() and extensions_text().

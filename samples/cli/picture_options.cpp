@@ -3,6 +3,7 @@
 #include "picture_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 
 #include "options.hpp"
 #include "sinew_datasets/image.hpp"
@@ -34,9 +35,16 @@ void add_picture_class(CLI::App* sub, PictureOptions* options) {
 
 void check_picture_options(const CLI::App& sub, const std::string& path) {
   if (is_picture(path)) return;
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    for (const char* option : {"--mask", "--mask-out", "--figure"})
+      if (sub.get_option(option)->count() > 0)
+        throw UsageError(std::string(option) + " is for one picture, and " + path + " is a folder");
+    return;
+  }
   for (const char* option : {"--mask", "--mask-out", "--figure", "--units", "--flat"})
     if (sub.get_option(option)->count() > 0)
-      throw UsageError(std::string(option) + " is for pictures (.png, .jpg), and " + path + " is none");
+      throw UsageError(std::string(option) + " is for pictures (" + picture_files() + "), and " + path + " is none");
 }
 
 PictureJobOptions picture_job(const PictureOptions& options) {
@@ -52,7 +60,7 @@ PictureJobOptions picture_job(const PictureOptions& options) {
 
 void write_mask(const PictureOptions& options, const PictureCharacter& found) {
   if (options.mask_out.empty()) return;
-  const Mask mask = full_mask(found.picture, found.figure);
+  const Mask mask = full_mask(*found.picture, found.figure);
   Image image;
   image.width = static_cast<int>(mask.width);
   image.height = static_cast<int>(mask.height);

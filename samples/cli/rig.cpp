@@ -229,7 +229,7 @@ void run_folder(const Settings& s) {
   if (!s.png.empty()) throw UsageError("--png is for one mesh, and " + s.mesh + " is a folder");
   if (!s.prediction.empty()) throw UsageError("--prediction is for one mesh, and " + s.mesh + " is a folder");
   check_skeleton_source(s.skeleton);
-  const std::vector<FolderFile> files = folder_files(s.mesh, s.output, "." + s.format);
+  const std::vector<FolderFile> files = folder_files(s.mesh, s.output, "." + s.format, true);
   const Models models = load_models(s);
   size_t failed = 0, wanting = 0;
   Progress progress(files.size(), "meshes");
@@ -293,7 +293,8 @@ void run(Settings s) {
 // What most meshes need.
 void add_inputs(CLI::App* sub, Settings* s) {
   sub->add_option("mesh", s->mesh,
-                  "Mesh, a picture of a character (.png, .jpg), or a folder: every mesh in it and below it. " +
+                  "Mesh, a picture of a character (" + picture_files() +
+                      "), or a folder: every mesh in it and below it, or every picture where it has no mesh. " +
                       mesh_files() + ", or - for an OBJ on standard input")
       ->required()
       ->type_name("MESH|PICTURE|DIR");
@@ -395,7 +396,6 @@ void add_rig(CLI::App& app) {
   sub->callback([s, edits, sub] {
     check_method(*sub, s->method);
     check_picture_options(*sub, s->mesh);
-    if (is_picture(s->mesh) && s->method.category != "any") s->picture.body = s->method.category;
     s->edits = edits->in_order();
     run(*s);
   });

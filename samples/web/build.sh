@@ -7,6 +7,7 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd) root=$(cd "$(dirname "$0")/../.." && pwd)
 if [ "${1:-}" = --packages ]; then
   command -v emcc >/dev/null || echo emscripten
+  [ -f /usr/include/stb/stb_image.h ] || echo libstb-dev # PNG and JPEG in WebAssembly
   [ -f /usr/include/utf8.h ] || echo libutfcpp-dev # Assimp's, whose sources samples/npm/wasm/scenes/assimp.sh fetches
   command -v chromium google-chrome google-chrome-stable chromium-browser >/dev/null || echo chromium
   exit 0

@@ -73,6 +73,31 @@ TEST_F(CliPicture, MotionStaysInThePlane) {
   EXPECT_GT(moved, 20);
 }
 
+TEST_F(CliPicture, FramesForOtherPrograms) {
+  good("animate " + kChild + " -o out.glb --sprites 4 --loop loop.png");
+  const auto json = nlohmann::json::parse(slurp(in("out.sprites.json")));
+  ASSERT_EQ(json["frames"].size(), 4u);
+  EXPECT_EQ(json["meta"]["image"], "out.sprites.png");
+  EXPECT_EQ(json["meta"]["frameTags"][0]["name"], "wave");
+  const auto& last = json["frames"]["wave 3"]["frame"];
+  EXPECT_EQ(last["x"].get<int>() + last["w"].get<int>(), json["meta"]["size"]["w"].get<int>());
+  EXPECT_NE(slurp(in("loop.png")).find("acTL"), std::string::npos);
+  good("rig loop.png -o again.rig.txt");  // its first frame is a cut out picture
+  EXPECT_NE(bad(2, "animate " + kCaped + " --motion builtin:walk -o a.glb --sprites 4")
+                .error.find("--sprites is for pictures"),
+            std::string::npos);
+}
+
+TEST_F(CliPicture, AFolderOfPictures) {
+  fs::create_directory(in("drawings"));
+  put(in("drawings/child.png"), slurp(kChild));
+  put(in("drawings/cat.png"), slurp(kCat));
+  good("rig drawings -o rigged");
+  EXPECT_TRUE(fs::exists(in("rigged/child.glb")));
+  EXPECT_TRUE(fs::exists(in("rigged/cat.glb")));
+  EXPECT_NE(bad(2, "rig drawings -o rigged --figure 1").error.find("--figure is for one picture"), std::string::npos);
+}
+
 TEST_F(CliPicture, WhatIsNoPictureOfACharacterIsALine) {
   put(in("empty.png"), "");
   EXPECT_NE(

@@ -17,6 +17,7 @@
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/list_files.hpp"
 #include "sinew_formats/memory_files.hpp"
 
 namespace fs = std::filesystem;
@@ -102,13 +103,6 @@ void write_bytes(const std::string& path, const void* bytes, size_t size) {
   PendingFile(path, bytes, size).replace();
 }
 
-std::vector<std::string> list_files(const std::string& folder, uint32_t use) {
-  std::vector<std::string> paths;
-  for (const std::string& path : files_below(folder))
-    if (has_use(path, use)) paths.push_back(path);
-  return paths;
-}
-
 std::string lower(std::string text) {
   for (char& c : text)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -189,6 +183,13 @@ std::vector<std::string> list_characters(const std::string& folder) {
   std::sort(found.begin(), found.end());
   std::vector<std::string> paths;
   for (auto& [name, path] : found) paths.push_back(std::move(path));
+  return paths;
+}
+
+std::vector<std::string> list_files(const std::string& folder, uint32_t use) {
+  std::vector<std::string> paths;
+  for (const std::string& path : files_below(folder))
+    if (has_use(path, use)) paths.push_back(path);
   return paths;
 }
 

@@ -32,6 +32,7 @@ std::string remedy(const std::string& path) {
   if (is_motion_alone(path))
     return "; a " + std::string(file_kind(path)->name) +
            " has a skeleton and motion: take it with --skeleton, or with sinew animate --motion";
+  if (has_use(path, kReadsPicture)) return "; sinew rig and sinew animate make a character of a picture";
   if (has_extension(path, ".max")) return "; in 3ds Max: File > Export > FBX or glTF";
   if (has_extension(path, ".ma") || has_extension(path, ".mb"))
     return "; in Maya: File > Export All > FBX export (load the plug-in fbxmaya)";

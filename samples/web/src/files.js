@@ -13,7 +13,7 @@ export const isMotion = (name) => isOffered(name, "readsMotion") && !isMesh(name
 export const isBeside = (name) => /\.(bin|png|jpe?g|webp|ktx2|mtl|tga|bmp|tiff?|gif|psd|dds)$/.test(lower(name)); // parts of a .gltf, .obj, .fbx or .dae
 
 // What the page's file dialogs offer.
-export const allFiles = [...extensionsOf("offered"), ".txt", ".bin", ".png", ".jpg", ".jpeg", ".tga", ".sinew", ".style"].join(",");
+export const allFiles = [...extensionsOf("offered"), ".txt", ".bin", ".tga", ".sinew", ".style"].join(",");
 export const motionFiles = extensionsOf("readsMotion", "offered").join(",");
 
 export function stem(name) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sinew_character/motion_file.hpp"
+#include "sinew_character/plane_motion.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew::web {
@@ -49,14 +50,18 @@ void Player::make(MotionMethod method, Opened* opened) {
   options.pins = opened->pins;
   options.method = method == MotionMethod::kCopy              ? AnimateMethod::kCopy
                    : method == MotionMethod::kReferencePoints ? AnimateMethod::kReferencePoints
+                   : opened->picture != nullptr               ? AnimateMethod::kAuto
                                                               : AnimateMethod::kContacts;
   options.report = options.force = true;  // what does not fit is told beside the map, where it can be mended
   AnimatedCharacter& work = opened->work;
   work.motion = motion_of(work.character.joints);
   work.made.clear();
-  add_motion(
-      options, {opened->file, "", &opened->source, [opened] { return opened->body; }},
-      [](size_t) { return [] { return true; }; }, &work);
+  const MotionInput input = {opened->file, "", &opened->source, [opened] { return opened->body; }};
+  const StepsOf steps = [](size_t) { return [] { return true; }; };
+  if (opened->picture != nullptr)
+    add_picture_motion(*opened->picture, false, options, input, steps, &work);
+  else
+    add_motion(options, input, steps, &work);
   opened->now = &opened->made.emplace(method, Made{std::move(work.motion), std::move(work.made)}).first->second;
 }
 
@@ -79,8 +84,8 @@ Json Player::clips_json(const Opened& opened) {
   return list;
 }
 
-Json Player::open(const std::string& file, const Character& character, uint32_t up, bool own, MotionMethod method,
-                  const std::vector<sinew_map_pin>& pins) {
+Json Player::open(const std::string& file, const Character& character, std::shared_ptr<const PictureCharacter> picture,
+                  uint32_t up, bool own, MotionMethod method, const std::vector<sinew_map_pin>& pins) {
   auto opened = std::make_unique<Opened>();
   MotionFile read = read_motion_for({file, 0, "", "", up == 1 ? "z" : "auto"}, map_rig_of(character));
   opened->source = std::move(read.motion);
@@ -90,6 +95,7 @@ Json Player::open(const std::string& file, const Character& character, uint32_t 
   if (clips.empty()) throw Error(file + ": expected a motion, found a skeleton without frames");
   opened->file = file;
   opened->work.character = character;
+  opened->picture = std::move(picture);
   if (read.whole) opened->body = body_of_motion(file);
   opened->pins = pins;
   opened->up = up;

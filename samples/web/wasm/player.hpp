@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sinew_character/animate_job.hpp"
+#include "sinew_character/picture_job.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew::web {
@@ -20,12 +21,14 @@ enum class MotionMethod : uint32_t { kContacts = 0, kCopy, kReferencePoints };
 class Player {
  public:
   // Retargets every clip of the file to the character; a motion that is there already stays when that fails. Throws Error.
+  //   picture  that the character is of, which moves in its plane; null: of none
   //   up    the character's: 0 = Y, 1 = Z, 2 = found
   //   own   the file is the character's own
   //   pins  of the map, which the rest follows
   // Returns {clips: [{name, frames, seconds, limbs}], joints, mapped, how, sourceJoints: [{name, parent}], map: [{source,
   // why}], notes: [one line each]}.
-  nlohmann::ordered_json open(const std::string& file, const Character& character, uint32_t up, bool own,
+  nlohmann::ordered_json open(const std::string& file, const Character& character,
+                              std::shared_ptr<const PictureCharacter> picture, uint32_t up, bool own,
                               MotionMethod method, const std::vector<sinew_map_pin>& pins);
   // The same motion by another method; made when it is first asked for. Returns {clips}.
   nlohmann::ordered_json use(MotionMethod method);
@@ -48,6 +51,7 @@ class Player {
     std::string file;
     Motion source;
     AnimatedCharacter work;  // the character, and the method that is being made
+    std::shared_ptr<const PictureCharacter> picture;
     std::optional<Character> body;
     std::vector<sinew_map_pin> pins;
     uint32_t up = 0;

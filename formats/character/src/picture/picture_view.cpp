@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "picture/joints_inside.hpp"
 #include "picture/side_limbs.hpp"
 #include "sinew_formats/box.hpp"
 #include "sinew_formats/print.hpp"
@@ -53,8 +54,9 @@ void lay_into_plane(const Character& mesh, PictureView view, PredictedSkeleton* 
     place = to_picture(view, place);
     place.z = kLayer * size * layer_of(view, *skeleton, j);
   }
+  if (view != PictureView::kFront) part_side_limbs(mesh, skeleton);
+  move_joints_inside(mesh, skeleton);
   if (view == PictureView::kFront) return;
-  part_side_limbs(mesh, skeleton);
   skeleton->mirrored = false;  // about the picture plane, in which both sides now lie
   skeleton->partners.assign(skeleton->joints.size(), -1);
 }

@@ -8,42 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "picture/silhouette.hpp"
 #include "sinew/rig.h"
 #include "sinew_formats/box.hpp"
 
 namespace sinew {
 namespace {
-
-using Run = std::pair<float, float>;  // from x to x
-
-// Where a level line is inside of the silhouette: crossings of the outline, the edges between the mesh's two sides.
-class Silhouette {
- public:
-  explicit Silhouette(const Character& mesh) : mesh_(mesh) {}
-  std::vector<Run> at(float y) const {
-    std::vector<float> crossings;
-    for (size_t f = 0; f < mesh_.face_count(); ++f)
-      for (size_t c = mesh_.face_offsets[f]; c < mesh_.face_offsets[f + 1]; ++c) {
-        const size_t next = c + 1 < mesh_.face_offsets[f + 1] ? c + 1 : mesh_.face_offsets[f];
-        const Vec3 &a = mesh_.vertices[mesh_.face_vertices[c]], &b = mesh_.vertices[mesh_.face_vertices[next]];
-        if (a.z != 0 || b.z != 0 || (a.y > y) == (b.y > y)) continue;
-        crossings.push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
-      }
-    std::sort(crossings.begin(), crossings.end());
-    // Every edge of the outline is of a triangle in front and of one behind; chords across the figure are of two each, and part a run in two that touch.
-    std::vector<Run> runs;
-    for (size_t k = 0; k + 3 < crossings.size(); k += 4) {
-      if (!runs.empty() && crossings[k] <= runs.back().second)
-        runs.back().second = crossings[k + 2];
-      else
-        runs.push_back({crossings[k], crossings[k + 2]});
-    }
-    return runs;
-  }
-
- private:
-  const Character& mesh_;
-};
 
 // The two runs on both sides of `x`, or one of them around it and the nearest other one, no farther than `reach`.
 std::optional<std::pair<Run, Run>> two_beside(const std::vector<Run>& runs, float x, float reach) {

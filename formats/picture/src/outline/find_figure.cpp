@@ -14,11 +14,7 @@ namespace sinew {
 namespace picture {
 namespace {
 
-// Outlines are found at up to so many pixels a side.
-constexpr uint32_t kWorkSide = 1280;
 constexpr uint8_t kOpaque = 128;
-
-uint32_t step_of(const Pixels& pixels) { return (std::max(pixels.width, pixels.height) + kWorkSide - 1) / kWorkSide; }
 
 Mask empty_mask(uint32_t width, uint32_t height, uint8_t value = 0) {
   return {width, height, std::vector<uint8_t>(size_t{width} * height, value)};
@@ -49,7 +45,7 @@ Figure figure_on(const std::string& name, const Grid<Lab>& colours, const Mask& 
                  uint32_t step) {
   const Foreground found = find_foreground(colours, domain);
   Figure out = figure_from(name, found.mask, options, step, FigureSource::kBackground);
-  if (!found.drawn) open_holes(found.likeness, &out.mask);
+  if (!found.drawn && !fill_outline(found, domain, &out.mask)) open_holes(found.likeness, &out.mask);
   return out;
 }
 

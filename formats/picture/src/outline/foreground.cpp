@@ -14,6 +14,11 @@ namespace {
 constexpr float kDarkestShadow = 30, kShadowStep = 0.8f;
 // A shadow's blurred light cannot be told within so many pixels of what throws it.
 constexpr uint32_t kShadowGap = 4;
+// A part that only a wider gap's closing encloses is one, where the figure grows by so much. Less is what lies between legs.
+constexpr float kNewPart = 1.35f;
+// Of the longest side, where nothing was closed before.
+constexpr float kWidestGap = 0.014f;
+constexpr float kSeam = 2;  // pixels between what a gap lets in and its strokes
 
 std::vector<uint32_t> border_of(const Mask& domain, float width) {
   const Grid<float> deep = squared_distance(domain, true);
@@ -114,37 +119,52 @@ size_t count_of(const std::vector<uint8_t>& bits) {
 }
 
 // What the strokes enclose once gaps of up to 2 * radius are closed.
-Mask enclosed(const Mask& strokes, const Mask& domain, float radius) {
-  const Mask barrier = closed(strokes, radius);
-  const Parts outside = parts_of(barrier, false);
+struct Enclosed {
+  Mask barrier;  // the strokes, closed
+  Mask inner;    // what lies in them
+};
+Enclosed enclosed(const Mask& strokes, const Mask& domain, float radius) {
+  Enclosed out = {closed(strokes, radius), strokes};
+  const Parts outside = parts_of(out.barrier, false);
   std::vector<uint8_t> open(outside.sizes.size(), 0);
-  const uint32_t width = barrier.width, height = barrier.height;
-  for (uint32_t i = 0; i < barrier.inside.size(); ++i) {
+  const uint32_t width = strokes.width, height = strokes.height;
+  for (uint32_t i = 0; i < strokes.inside.size(); ++i) {
     const int32_t part = outside.numbers.values[i];
     if (part < 0) continue;
     const uint32_t x = i % width, y = i / width;
     if (x == 0 || y == 0 || x + 1 == width || y + 1 == height || domain.inside[i] == 0)
       open[static_cast<size_t>(part)] = 1;
   }
-  Mask out = barrier;
-  for (size_t i = 0; i < out.inside.size(); ++i) {
+  for (size_t i = 0; i < out.inner.inside.size(); ++i) {
     const int32_t part = outside.numbers.values[i];
-    out.inside[i] = part < 0 || open[static_cast<size_t>(part)] == 0 ? 1 : 0;
+    out.inner.inside[i] = part >= 0 && open[static_cast<size_t>(part)] == 0 ? 1 : 0;
   }
   return out;
 }
 
-// Outlines whose ends do not meet: the least gap whose closing makes a figure of strokes twice as large.
+Mask either(Mask a, const Mask& b) {
+  for (size_t i = 0; i < a.inside.size(); ++i) a.inside[i] |= b.inside[i];
+  return a;
+}
+
+// Outlines whose ends do not meet: the least gap whose closing makes a figure of strokes twice as large. A wider one that lets in as much as a trunk beside a head
+// adds what it encloses, and leaves the rest as it was.
 void close_strokes(const Mask& domain, Foreground* out) {
   const size_t ink = count_of(out->mask.inside) - count_of(out->likeness.values);
   if (ink == 0) return;
   const auto largest = static_cast<float>(std::max(domain.width, domain.height));
-  for (const float share : {0.0f, 0.004f, 0.008f, 0.014f}) {
-    const Mask filled = enclosed(out->mask, domain, share * largest);
-    if (count_of(filled.inside) < 2 * ink) continue;
+  const Mask strokes = out->mask;
+  size_t pixels = 0;
+  for (const float share : {0.0f, 0.004f, 0.008f, 0.014f, 0.022f, 0.03f}) {
+    if (!out->drawn && share > kWidestGap) return;
+    const float radius = share * largest;
+    const Enclosed found = enclosed(strokes, domain, radius);
+    const Mask filled = out->drawn ? closed(either(out->mask, found.inner), kSeam) : either(found.barrier, found.inner);
+    const size_t count = count_of(filled.inside);
+    if (out->drawn ? static_cast<float>(count) < kNewPart * static_cast<float>(pixels) : count < 2 * ink) continue;
     out->drawn = true;
     out->mask = filled;
-    return;
+    pixels = count;
   }
 }
 
@@ -178,6 +198,15 @@ Foreground find_foreground(const Grid<Lab>& colours, const Mask& domain) {
   }
   close_strokes(domain, &out);
   return out;
+}
+
+bool fill_outline(const Foreground& found, const Mask& domain, Mask* part) {
+  Foreground alone = {*part, found.likeness, false};
+  for (size_t i = 0; i < part->inside.size(); ++i)
+    if (part->inside[i] == 0) alone.likeness.values[i] = kUnlike;
+  close_strokes(domain, &alone);
+  if (alone.drawn) *part = std::move(alone.mask);
+  return alone.drawn;
 }
 
 }  // namespace sinew::picture

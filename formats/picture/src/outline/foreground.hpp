@@ -20,5 +20,8 @@ struct Foreground {
 // `domain` says which pixels there are; the others are neither.
 Foreground find_foreground(const Grid<Lab>& colours, const Mask& domain);
 
+// The same for one part of what was found, beside strokes of other things: an outline drawing is filled. False where it is none, unchanged then.
+bool fill_outline(const Foreground& found, const Mask& domain, Mask* part);
+
 }  // namespace sinew::picture
 #endif

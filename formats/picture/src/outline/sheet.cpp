@@ -8,6 +8,7 @@ namespace sinew::picture {
 
 std::optional<Mask> sheet_of(const Mask& part) {
   constexpr double kLeastShare = 0.25, kLeastOverlap = 0.93;
+  constexpr double kNoFigure = 0.6;  // of the picture: more than a figure fills, whatever its shape
   // Corners: farthest along the diagonals.
   std::array<std::array<int64_t, 2>, 4> corners{};
   std::array<int64_t, 4> best;
@@ -47,8 +48,9 @@ std::optional<Mask> sheet_of(const Mask& part) {
     }
   const double all = double{1} * part.width * part.height;
   const auto either = static_cast<double>(pixels + quadrilateral - both);
-  if (static_cast<double>(pixels) < kLeastShare * all || static_cast<double>(both) < kLeastOverlap * either)
-    return std::nullopt;
+  const bool is_paper =
+      static_cast<double>(both) >= kLeastOverlap * either || static_cast<double>(pixels) >= kNoFigure * all;
+  if (static_cast<double>(pixels) < kLeastShare * all || !is_paper) return std::nullopt;
   const Grid<float> deep = squared_distance(filled, true);
   const float rim = std::max(3.0f, 0.012f * static_cast<float>(std::max(part.width, part.height)));
   for (size_t i = 0; i < filled.inside.size(); ++i) filled.inside[i] = deep.values[i] > rim * rim ? 1 : 0;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace sinew {
 namespace {
@@ -76,6 +77,127 @@ TEST(PlaneBones, TheLowestFootIsAsHighAsTheBodys) {
     EXPECT_NEAR(std::min(plane.positions[3][1], plane.positions[2][1]),
                 std::min(body.positions[3][1], body.positions[2][1]), 1e-6);
   }
+}
+
+// An arm of two bones that points to the side, without legs.
+Motion arm() {
+  return motion_of({{"Hips", {0, 1, 0}, -1, {}},
+                    {"Arm", {0.2f, 1, 0}, 0, {}},
+                    {"Fore", {0.5f, 1, 0}, 1, {}},
+                    {"Hand", {0.8f, 1, 0}, 2, {}}});
+}
+const std::vector<uint8_t> kArmClasses = {SINEW_CLASS_PELVIS, SINEW_CLASS_UPPER_ARM, SINEW_CLASS_FOREARM,
+                                          SINEW_CLASS_HAND};
+
+Quaternion about(size_t axis, double angle) {
+  Quaternion q = {0, 0, 0, std::cos(0.5 * angle)};
+  q[axis] = std::sin(0.5 * angle);
+  return q;
+}
+
+// Frames in which one joint has these rotations.
+Clip turned(const Motion& motion, size_t joint, const std::vector<Quaternion>& rotations) {
+  Clip clip;
+  for (const Quaternion& q : rotations) {
+    clip.frames.push_back(rest_of(motion));
+    clip.frames.back().rotations[joint] = q;
+  }
+  return clip;
+}
+
+// Where a joint's bone points in the plane against its rest, in degrees.
+double turn_of(const Motion& motion, const MotionFrame& frame, size_t from, size_t to) {
+  MotionFrame rest = rest_of(motion);
+  const WorldPose pose = world_pose(motion, frame), before = world_pose(motion, rest);
+  const auto angle = [&](const WorldPose& w) {
+    return std::atan2(w.positions[to][1] - w.positions[from][1], w.positions[to][0] - w.positions[from][0]);
+  };
+  const double turn = angle(pose) - angle(before);
+  return (turn - 2 * kPi * std::round(turn / (2 * kPi))) * 180 / kPi;
+}
+
+TEST(PlaneBones, WhatTurnsInThePlaneTurnsAlike) {
+  const Motion motion = arm();
+  std::vector<Quaternion> round;
+  for (int f = 0; f <= 24; ++f) round.push_back(about(2, f * kPi / 12));  // once round, over the half turn
+  const Clip clip = clip_in_plane(motion, turned(motion, 1, round), kArmClasses, PictureView::kFront, motion);
+  for (int f = 0; f <= 24; ++f) {
+    const double expected = f * 15 - 360 * std::round(f * 15 / 360.0);
+    EXPECT_NEAR(std::cos((turn_of(motion, clip.frames[static_cast<size_t>(f)], 1, 3) - expected) * kPi / 180), 1, 1e-9)
+        << f;
+  }
+  // Seen from its left side the same turn of the body's own, about x, goes the other way round than from its right.
+  const Motion swinging = leg();
+  const Clip forwards = turned(swinging, 1, {about(0, -kPi / 6)});
+  const Clip right = clip_in_plane(swinging, forwards, kClasses, PictureView::kFacesRight, swinging),
+             left = clip_in_plane(swinging, forwards, kClasses, PictureView::kFacesLeft, swinging);
+  EXPECT_NEAR(turn_of(swinging, right.frames[0], 1, 3), 30, 1e-4);
+  EXPECT_NEAR(turn_of(swinging, left.frames[0], 1, 3), -30, 1e-4);
+}
+
+// A bone that points to the viewer says nothing of where it points in the plane; one that nearly does, little.
+TEST(PlaneBones, WhatPointsToTheViewerKeepsItsDirection) {
+  const Motion motion = arm();
+  const double nearly = std::acos(0.2);  // a fifth of its length is seen, half of what tells
+  const Clip clip = clip_in_plane(motion, turned(motion, 1, {about(2, kPi / 4), about(1, -kPi / 2), about(1, -nearly)}),
+                                  kArmClasses, PictureView::kFront, motion);
+  EXPECT_NEAR(turn_of(motion, clip.frames[0], 1, 2), 45, 1e-6);
+  EXPECT_NEAR(turn_of(motion, clip.frames[1], 1, 2), 45, 1e-6);
+  EXPECT_NEAR(turn_of(motion, clip.frames[2], 1, 2), 45 * 0.75, 1e-3) << "a quarter of the way back";
+  // Over the half turn the short way is taken.
+  const Quaternion behind = about(2, 170 * kPi / 180);
+  const Clip over = turned(motion, 1, {behind, about(1, kPi - nearly)});  // a fifth of it, to the other side
+  const Clip flat = clip_in_plane(motion, over, kArmClasses, PictureView::kFront, motion);
+  EXPECT_NEAR(turn_of(motion, flat.frames[1], 1, 2), 172.5, 1e-3);
+}
+
+// The calf swings little by itself, but is of the leg that is shown from its side: the knee bends where it is seen.
+TEST(PlaneBones, ALimbIsShownAsAWhole) {
+  const Motion motion = leg();
+  Clip clip = swing(motion);
+  for (MotionFrame& frame : clip.frames) frame.rotations[2] = about(0, 0.6);
+  const Clip flat = clip_in_plane(motion, clip, kClasses, PictureView::kFront, motion);
+  for (const MotionFrame& frame : flat.frames)
+    EXPECT_NEAR(turn_of(motion, frame, 2, 3) - turn_of(motion, frame, 1, 2), -0.6 * 180 / kPi, 1e-3);
+}
+
+// Of several bones at a joint, the one along the trunk says how it turns.
+TEST(PlaneBones, HipsTurnAsTheSpineDoes) {
+  const Motion motion = motion_of({{"Hips", {0, 1, 0}, -1, {}},
+                                   {"LeftUpLeg", {0.1f, 1, 0}, 0, {}},
+                                   {"LeftFoot", {0.1f, 0, 0}, 1, {}},
+                                   {"Spine", {0, 1.05f, 0}, 0, {}},
+                                   {"Head", {0, 1.5f, 0}, 3, {}}});
+  const std::vector<uint8_t> classes = {SINEW_CLASS_PELVIS, SINEW_CLASS_THIGH, SINEW_CLASS_FOOT, SINEW_CLASS_SPINE,
+                                        SINEW_CLASS_HEAD};
+  // From the side the thigh's bone, across the picture, says nothing.
+  const Clip clip =
+      clip_in_plane(motion, turned(motion, 0, {about(0, 0.3)}), classes, PictureView::kFacesRight, motion);
+  EXPECT_NEAR(turn_of(motion, clip.frames[0], 0, 3), -0.3 * 180 / kPi, 1e-4);
+  EXPECT_NEAR(turn_of(motion, clip.frames[0], 3, 4), -0.3 * 180 / kPi, 1e-4);
+}
+
+// The root goes where the picture shows it going; what has no legs is not put on the floor.
+TEST(PlaneBones, TheRootGoesAsItIsSeen) {
+  const Motion motion = arm();
+  Clip clip = turned(motion, 1, {kNoRotation4});
+  clip.frames[0].translations[0] = {0.3, 1.5, 0.7};
+  for (const auto& [view, x] :
+       {std::pair{PictureView::kFront, 0.3}, {PictureView::kFacesRight, 0.7}, {PictureView::kFacesLeft, -0.7}}) {
+    const Clip flat = clip_in_plane(motion, clip, kArmClasses, view, motion);
+    EXPECT_NEAR(flat.frames[0].translations[0][0], x, 1e-6);
+    EXPECT_NEAR(flat.frames[0].translations[0][1], 1.5, 1e-6);
+    EXPECT_NEAR(flat.frames[0].translations[0][2], 0, 1e-6);
+  }
+  const Motion hanging =
+      motion_of({{"Hips", {0, 1, 0}, -1, {}}, {"Arm", {0.2f, 1, 0}, 0, {}}, {"Hand", {0.2f, 0.4f, 0}, 1, {}}});
+  const Clip raised =
+      clip_in_plane(hanging, turned(hanging, 1, {about(0, -kPi / 2)}),
+                    {SINEW_CLASS_PELVIS, SINEW_CLASS_UPPER_ARM, SINEW_CLASS_HAND}, PictureView::kFront, hanging);
+  EXPECT_NEAR(raised.frames[0].translations[0][1], 1, 1e-6) << "a hand at the viewer is no foot";
+  const Clip deep = clip_with_depth(motion, clip, PictureView::kFacesLeft, motion);
+  EXPECT_NEAR(deep.frames[0].translations[0][0], -0.7, 1e-6);
+  EXPECT_NEAR(deep.frames[0].translations[0][2], 0.3, 1e-6);
 }
 
 TEST(PlaneBones, DepthKeepsTheWholeMotion) {

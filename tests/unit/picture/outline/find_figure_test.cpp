@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "expect_error.hpp"
+#include "outline/sheet.hpp"
 #include "small_pictures.hpp"
 
 namespace sinew::test {
@@ -92,6 +93,42 @@ TEST(FindFigure, OnASheetOnATable) {
   EXPECT_GT(overlap(figure.mask, in_body), 0.99);
   ASSERT_FALSE(figure.notes.empty());
   EXPECT_NE(figure.notes[0].find("sheet"), std::string::npos);
+}
+
+// An outline drawing beside other strokes, whose ink is more than it encloses.
+TEST(FindFigure, OutlinesAreFilledBesideScribbles) {
+  const auto ring = [](int x, int y) { return in_disc(x, y, 60, 100, 40) && !in_disc(x, y, 60, 100, 37); };
+  const auto colour = [&](int x, int y) {
+    return ring(x, y) || (x > 110 && x < 195 && y > 20 && y < 180 && y % 10 < 5) ? kInk : kWhite;
+  };
+  EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, colour)).mask,
+                    [](int x, int y) { return in_disc(x, y, 60, 100, 40); }),
+            0.97);
+}
+
+// Its edges torn: what fills so much of a picture is no figure.
+TEST(FindFigure, ATornSheetIsOne) {
+  const auto torn = [](uint32_t right) {
+    Mask mask = {200, 200, std::vector<uint8_t>(200 * 200, 0)};
+    for (uint32_t y = 5; y < 195; ++y)
+      for (uint32_t x = 8 + y * 37 % 61; x < right; ++x) mask.inside[y * 200 + x] = 1;
+    return mask;
+  };
+  EXPECT_TRUE(picture::sheet_of(torn(190)));
+  EXPECT_FALSE(picture::sheet_of(torn(120)));
+}
+
+// A closed head, and a trunk whose line has a wider gap.
+TEST(FindFigure, AnOutlineIsClosedPartByPart) {
+  const auto ring = [](int x, int y, int cy, int r) {
+    return in_disc(x, y, 200, cy, r) && !in_disc(x, y, 200, cy, r - 3);
+  };
+  const auto colour = [&](int x, int y) {
+    const bool gap = x > 250 && std::abs(y - 260) < 3;
+    return ring(x, y, 90, 50) || (ring(x, y, 250, 112) && !gap) ? kInk : kWhite;
+  };
+  const auto body = [](int x, int y) { return in_disc(x, y, 200, 90, 50) || in_disc(x, y, 200, 250, 112); };
+  EXPECT_GT(overlap(find_figure(picture_of(400, 400, colour)).mask, body), 0.97);
 }
 
 TEST(FindFigure, OneOfTwo) {
