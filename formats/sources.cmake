@@ -10,6 +10,7 @@ set(sinew_formats_sources
   gltf/add_accessor
   gltf/bind_pose
   gltf/cut_vertices
+  gltf/document_form
   gltf/gltf_container
   gltf/gltf_decompress
   gltf/gltf_document
@@ -34,6 +35,7 @@ set(sinew_formats_sources
   gltf/tinygltf
   gltf/vrm_animation
   gltf/vrm_write
+  gltf/vrm_zero
   motion/actors
   motion/affine
   motion/bvh_read

@@ -11,6 +11,7 @@ struct StructSize {
 
 constexpr StructSize kStructSizes[] = {
     {"sinew_file", sizeof(sinew_file)},
+    {"sinew_character_profile_options", sizeof(sinew_character_profile_options)},
     {"sinew_character_arrays", sizeof(sinew_character_arrays)},
     {"sinew_character_clip", sizeof(sinew_character_clip)},
     {"sinew_character_models", sizeof(sinew_character_models)},

@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 
+#include "gltf/document_form.hpp"
 #include "gltf/gltf_container.hpp"
 #include "gltf/gltf_morphs.hpp"
 #include "gltf/gltf_source.hpp"
@@ -197,9 +198,10 @@ GltfJoints own_joints(const GltfSource& source) {
 }
 
 // The document with the character's skin, motion and shapes; pictures are not yet in it.
-//   vrm  or null
+//   form  or null
+//   notes  gets what the form says; with a form
 GltfSource skinned_document(const std::string& path, const Character& character, const GlbOptions& options,
-                            const Morphs* morphs, const VrmData* vrm) {
+                            const Morphs* morphs, const DocumentForm* form, std::vector<std::string>* notes) {
   const bool has_document = character.gltf && character.gltf->vertex_count == character.vertices.size();
   GltfSource source = has_document ? *character.gltf : gltf_from_mesh(path, character);
   GltfJoints joints;
@@ -227,7 +229,10 @@ GltfSource skinned_document(const std::string& path, const Character& character,
   if (morphs != nullptr && !morphs->shapes.empty())
     add_gltf_morphs(path, character, *morphs, joints, options.motion != nullptr ? options.motion->clips.size() : 0,
                     &source);
-  if (vrm != nullptr) add_vrm(path, *vrm, joints.nodes, &source);
+  if (form != nullptr) {
+    *notes = put_into_form(path, *form, joints, &source);
+    if (form->vrm != nullptr) add_vrm(path, *form->vrm, joints.nodes, &source);
+  }
   Json& asset = source.document["asset"];
   if (!asset.contains("generator")) asset["generator"] = "sinew";
   return source;
@@ -254,9 +259,10 @@ bool is_vrm(const GltfSource& source) {
 }
 
 void write_document(const std::string& path, const Character& character, const GlbOptions& options,
-                    const Morphs* morphs, const VrmData* vrm = nullptr) {
+                    const Morphs* morphs, const DocumentForm* form = nullptr,
+                    std::vector<std::string>* notes = nullptr) {
   const bool as_text = has_extension(path, ".gltf");
-  GltfSource source = skinned_document(path, character, options, morphs, vrm);
+  GltfSource source = skinned_document(path, character, options, morphs, form, notes);
   if (has_extension(path, ".vrm") && !is_vrm(source))
     throw Error(path + ": cannot write a VRM, " + character.name +
                 " has none of its data (extension VRM or VRMC_vrm); --for vrm makes them, or write a .glb");
@@ -306,9 +312,11 @@ void write_gltf_morphs(const std::string& path, const Character& character, cons
   write_document(path, character, options, &morphs);
 }
 
-void write_vrm(const std::string& path, const Character& character, const GlbOptions& options, const Morphs& morphs,
-               const VrmData& vrm) {
-  write_document(path, character, options, &morphs, &vrm);
+std::vector<std::string> write_gltf_form(const std::string& path, const Character& character, const GlbOptions& options,
+                                         const Morphs& morphs, const DocumentForm& form) {
+  std::vector<std::string> notes;
+  write_document(path, character, options, &morphs, &form, &notes);
+  return notes;
 }
 
 }  // namespace sinew

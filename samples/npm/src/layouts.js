@@ -101,6 +101,9 @@ export const LAYOUTS = {
     "progress_user@28:u32 own_limb@32:u32 head@36:u32 torso@40:u32 source_points@44:u32"),
   simplifyOptions: layout(20, "struct_size@0:u32 level@4:u32 joint_count@8:u32 reserved@12:u32 centroids@16:u32"),
   file: layout(12, "name@0:u32 bytes@4:u32 size_bytes@8:u32"),
+  characterProfileOptions: layout(32,
+    "struct_size@0:u32 keep_axes@4:u32 profile@8:u32 licence@12:u32 title@16:u32 authors@20:u32 author_count@24:u32 " +
+    "reserved@28:u32"),
   characterArrays: layout(92,
     "struct_size@0:u32 vertex_count@4:u32 face_count@8:u32 corner_count@12:u32 joint_count@16:u32 mesh_count@20:u32 " +
     "influence_count@24:u32 reserved@28:u32 name@32:u32 positions@36:u32 face_offsets@40:u32 face_vertices@44:u32 " +
