@@ -15,8 +15,9 @@
 namespace sinew {
 
 struct DocumentForm {
-  Rotation turn = kNoRotation;     // of the whole character, world space
-  std::vector<Rotation> axes;      // [J] the joints' axes in the rest pose, as columns, in the turned world; empty: they stay
+  Rotation turn = kNoRotation;  // of the whole character, world space
+  std::vector<Rotation>
+      axes;  // [J] the joints' axes in the rest pose, as columns, in the turned world; empty: they stay
   std::vector<std::string> names;  // [J] new names; empty: they stay
   std::string root;                // name of a joint at the origin that carries all others; empty: none is added
   const VrmData* vrm = nullptr;    // what a VRM says; null: nothing

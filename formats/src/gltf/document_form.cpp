@@ -50,7 +50,8 @@ class Former {
       drop_unused_accessors(orphans_, &source_);
     }
     write_correctives();
-    for (size_t j = 0; j < form_.names.size(); ++j) node_json(static_cast<size_t>(joints_.nodes[j]))["name"] = form_.names[j];
+    for (size_t j = 0; j < form_.names.size(); ++j)
+      node_json(static_cast<size_t>(joints_.nodes[j]))["name"] = form_.names[j];
     if (!form_.root.empty()) add_root();
     return std::move(notes_);
   }
@@ -61,7 +62,8 @@ class Former {
   bool moves() const { return form_.turn != kNoRotation || !form_.axes.empty(); }
 
   bool uses(const char* extension) const {
-    return std::find(model_.extensionsUsed.begin(), model_.extensionsUsed.end(), extension) != model_.extensionsUsed.end();
+    return std::find(model_.extensionsUsed.begin(), model_.extensionsUsed.end(), extension) !=
+           model_.extensionsUsed.end();
   }
 
   // [nodes] 1: scaled unevenly, at rest or by an animation, or mirrored.
@@ -77,7 +79,8 @@ class Former {
         const std::vector<float> scales =
             accessor_floats(path_, model_, animation.samplers[static_cast<size_t>(channel.sampler)].output, 3);
         for (size_t i = 0; i + 2 < scales.size(); i += 3)
-          if (!is_even(static_cast<double>(scales[i]), static_cast<double>(scales[i + 1]), static_cast<double>(scales[i + 2])))
+          if (!is_even(static_cast<double>(scales[i]), static_cast<double>(scales[i + 1]),
+                       static_cast<double>(scales[i + 2])))
             uneven[static_cast<size_t>(channel.target_node)] = 1;
       }
     return uneven;
@@ -132,7 +135,8 @@ class Former {
     }
     const NodeParts parts = parts_of(from);
     write_rotation(
-        normalised(multiply(multiply(quaternion_of(before(node)), parts.rotation), quaternion_of(after_[node]))), &json);
+        normalised(multiply(multiply(quaternion_of(before(node)), parts.rotation), quaternion_of(after_[node]))),
+        &json);
     if (from.translation.size() == 3) json["translation"] = turned(before(node), parts.translation);
   }
 
@@ -245,7 +249,8 @@ class Former {
     if (!extensions.contains("VRMC_vrm")) return;
     Json& vrm = extensions["VRMC_vrm"];
     const Json::json_pointer head("/humanoid/humanBones/head/node");
-    if (vrm.contains("lookAt") && vrm.contains(head)) turn_offset(vrm[head].get<size_t>(), "offsetFromHeadBone", &vrm["lookAt"]);
+    if (vrm.contains("lookAt") && vrm.contains(head))
+      turn_offset(vrm[head].get<size_t>(), "offsetFromHeadBone", &vrm["lookAt"]);
   }
 
   // A turn is axes q rest^-1 axes^-1 (spec/correctives.md): with q and rest both A q C it stays where axes become axes A^-1.
@@ -286,7 +291,8 @@ class Former {
     if (tops.empty()) return;
     const int above = nodes_.parents[tops[0]];
     if (std::any_of(tops.begin(), tops.end(), [&](size_t top) { return nodes_.parents[top] != above; })) {
-      notes_.push_back("no joint " + in_quotes(form_.root) + " was added: the skeleton's roots have different nodes above them");
+      notes_.push_back("no joint " + in_quotes(form_.root) +
+                       " was added: the skeleton's roots have different nodes above them");
       return;
     }
     const size_t root = document_["nodes"].size();
@@ -310,7 +316,8 @@ class Former {
   void add_to_skins(size_t root, int above) {
     if (!document_.contains("skins")) return;
     const GltfSource whole = load_gltf(path_, pack_glb(path_, &document_, source_.bytes));
-    const Affine world = multiply(affine(form_.turn), above < 0 ? kIdentity : nodes_.worlds[static_cast<size_t>(above)]);
+    const Affine world =
+        multiply(affine(form_.turn), above < 0 ? kIdentity : nodes_.worlds[static_cast<size_t>(above)]);
     std::vector<int> orphans;
     for (size_t s = 0; s < whole.model.skins.size(); ++s) {
       const tinygltf::Skin& skin = whole.model.skins[s];
@@ -321,8 +328,10 @@ class Former {
       const std::optional<Affine> back = inverse(world);
       if (first == skin.joints.end() || !back) continue;
       const size_t k = static_cast<size_t>(first - skin.joints.begin());
-      const size_t joint = static_cast<size_t>(std::find(joints_.nodes.begin(), joints_.nodes.end(), *first) - joints_.nodes.begin());
-      const Affine bound = multiply(affine(form_.turn), multiply(joints_.worlds[joint], affine(after_[static_cast<size_t>(*first)])));
+      const size_t joint =
+          static_cast<size_t>(std::find(joints_.nodes.begin(), joints_.nodes.end(), *first) - joints_.nodes.begin());
+      const Affine bound =
+          multiply(affine(form_.turn), multiply(joints_.worlds[joint], affine(after_[static_cast<size_t>(*first)])));
       binds.push_back(multiply(*back, multiply(bound, binds[k])));
       std::vector<float> values;
       for (const Affine& bind : binds) append_matrix(bind, &values);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Character to a skinned GLB, VRM or .gltf with .bin: the input's own document or a new one, with the skin put in.
+// Character to a skinned GLB, VRM, .gltf with .bin or FBX: the input's own document or a new one, with the skin put in.
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <functional>
 #include <set>
 
+#include "fbx/fbx_write.hpp"
 #include "gltf/document_form.hpp"
 #include "gltf/gltf_container.hpp"
 #include "gltf/gltf_morphs.hpp"
@@ -270,6 +271,8 @@ void write_document(const std::string& path, const Character& character, const G
     const bool in_memory = source.in_memory || memory_outputs() != nullptr;  // no folder to share
     embed_images(path, !as_text || source.path.empty() || in_memory || !same_folder(path, source.path), &source);
     if (as_text) return write_text_form(path, &source);
+    if (has_extension(path, ".fbx"))
+      return write_file(path, fbx_of(path, load_gltf(path, pack_glb(path, &source.document, std::move(source.bytes)))));
     write_file(path, pack_glb(path, &source.document, std::move(source.bytes)));
   } catch (const nlohmann::json::exception& error) {
     throw Error(path + ": cannot write, a name is not UTF-8 text: " + one_line(error.what()));

@@ -29,21 +29,24 @@ Json meta_of(const VrmData& vrm) {
     return at == vrm.licence.end() ? std::string() : at->second;
   };
   const std::string url = text("otherLicenseUrl"), name = text("licenseName");
-  return {{"title", vrm.title},
-          {"version", ""},
-          {"author", authors},
-          {"contactInformation", ""},
-          {"reference", text("copyrightInformation")},
-          {"allowedUserName", word_of(vrm.licence, "avatarPermission",
-                                      {{"onlySeparatelyLicensedPerson", "ExplicitlyLicensedPerson"}, {"everyone", "Everyone"}},
-                                      "OnlyAuthor")},
-          {"violentUssageName", word_of(vrm.licence, "allowExcessivelyViolentUsage", allow, "Disallow")},
-          {"sexualUssageName", word_of(vrm.licence, "allowExcessivelySexualUsage", allow, "Disallow")},
-          {"commercialUssageName",
-           word_of(vrm.licence, "commercialUsage", {{"personalProfit", "Allow"}, {"corporation", "Allow"}}, "Disallow")},
-          {"otherPermissionUrl", ""},
-          {"licenseName", !name.empty() ? name : url.empty() ? "Redistribution_Prohibited" : "Other"},
-          {"otherLicenseUrl", url}};
+  return {
+      {"title", vrm.title},
+      {"version", ""},
+      {"author", authors},
+      {"contactInformation", ""},
+      {"reference", text("copyrightInformation")},
+      {"allowedUserName",
+       word_of(vrm.licence, "avatarPermission",
+               {{"onlySeparatelyLicensedPerson", "ExplicitlyLicensedPerson"}, {"everyone", "Everyone"}}, "OnlyAuthor")},
+      {"violentUssageName", word_of(vrm.licence, "allowExcessivelyViolentUsage", allow, "Disallow")},
+      {"sexualUssageName", word_of(vrm.licence, "allowExcessivelySexualUsage", allow, "Disallow")},
+      {"commercialUssageName",
+       word_of(vrm.licence, "commercialUsage", {{"personalProfit", "Allow"}, {"corporation", "Allow"}}, "Disallow")},
+      {"otherPermissionUrl", ""},
+      {"licenseName", !name.empty() ? name
+                      : url.empty() ? "Redistribution_Prohibited"
+                                    : "Other"},
+      {"otherLicenseUrl", url}};
 }
 
 // A thumb's parts are named from the proximal one in 0.x.
@@ -69,14 +72,10 @@ Json first_person(const VrmData& vrm, const std::vector<int>& joint_nodes) {
   for (size_t j = 0; j < vrm.bones.size(); ++j)
     if (vrm.bones[j] == "head") head = joint_nodes[j];
   const Json range = {{"curve", {0, 0, 0, 1, 1, 1, 1, 0}}, {"xRange", 90}, {"yRange", 10}};
-  return {{"firstPersonBone", head},
-          {"firstPersonBoneOffset", {{"x", 0}, {"y", 0}, {"z", 0}}},
-          {"meshAnnotations", Json::array()},
-          {"lookAtTypeName", "Bone"},
-          {"lookAtHorizontalInner", range},
-          {"lookAtHorizontalOuter", range},
-          {"lookAtVerticalDown", range},
-          {"lookAtVerticalUp", range}};
+  return {{"firstPersonBone", head},          {"firstPersonBoneOffset", {{"x", 0}, {"y", 0}, {"z", 0}}},
+          {"meshAnnotations", Json::array()}, {"lookAtTypeName", "Bone"},
+          {"lookAtHorizontalInner", range},   {"lookAtHorizontalOuter", range},
+          {"lookAtVerticalDown", range},      {"lookAtVerticalUp", range}};
 }
 
 // Expressions of VRMC_vrm as blend shape groups.
@@ -111,7 +110,8 @@ Json blend_shapes(const Json& document) {
       for (const Json& bind : expression.value("morphTargetBinds", Json::array())) {
         const Json& node = document["nodes"].at(bind.at("node").get<size_t>());
         if (node.contains("mesh"))
-          binds.push_back({{"mesh", node["mesh"]}, {"index", bind.at("index")}, {"weight", 100 * bind.value("weight", 1.0)}});
+          binds.push_back(
+              {{"mesh", node["mesh"]}, {"index", bind.at("index")}, {"weight", 100 * bind.value("weight", 1.0)}});
       }
       groups.push_back({{"name", name},
                         {"presetName", preset},

@@ -114,8 +114,9 @@ Rotation turn_between(const Point& from, const Point& to) {
   const Point across = cross(from, to);
   const double sine = length(across), cosine = dot(from, to);
   if (sine < 1e-6)
-    return cosine > 0 ? kNoRotation
-                      : axis_rotation(std::abs(from[2]) < 0.9 ? Point{0, 0, 1} : Point{0, 1, 0}, 3.14159265358979323846);
+    return cosine > 0
+               ? kNoRotation
+               : axis_rotation(std::abs(from[2]) < 0.9 ? Point{0, 0, 1} : Point{0, 1, 0}, 3.14159265358979323846);
   return axis_rotation((1 / sine) * across, std::atan2(sine, cosine));
 }
 
@@ -128,7 +129,8 @@ class Bones {
     Vec3 low = joints.empty() ? Vec3{} : joints[0].position, high = low;
     for (const Joint& joint : joints) {
       low = {std::min(low.x, joint.position.x), std::min(low.y, joint.position.y), std::min(low.z, joint.position.z)};
-      high = {std::max(high.x, joint.position.x), std::max(high.y, joint.position.y), std::max(high.z, joint.position.z)};
+      high = {std::max(high.x, joint.position.x), std::max(high.y, joint.position.y),
+              std::max(high.z, joint.position.z)};
     }
     least_ = 1e-5 * length(point(high) - point(low));
   }
@@ -165,7 +167,8 @@ class Bones {
 
   bool is_part(size_t j) const {
     const uint8_t role = verdicts_.roles[j];
-    return role == SINEW_ROLE_DEFORMS || role == SINEW_ROLE_FINGER || role == SINEW_ROLE_FACE || role == SINEW_ROLE_ROOT;
+    return role == SINEW_ROLE_DEFORMS || role == SINEW_ROLE_FINGER || role == SINEW_ROLE_FACE ||
+           role == SINEW_ROLE_ROOT;
   }
 
   // The nearest joint below of the same class or one that follows it, with twists and helpers passed over. SIZE_MAX: none.
@@ -178,8 +181,8 @@ class Bones {
         for (const size_t one : level) {
           const uint8_t other = verdicts_.classes[one];
           if (!is_part(one) || verdicts_.is_end(one)) continue;
-          const bool wanted = same ? other == own && part_or_tail(own)
-                                   : std::find(next.begin(), next.end(), other) != next.end();
+          const bool wanted =
+              same ? other == own && part_or_tail(own) : std::find(next.begin(), next.end(), other) != next.end();
           if (wanted && (verdicts_.sides[one] == verdicts_.sides[j] || verdicts_.sides[j] == 0)) return one;
         }
       for (const size_t one : level) below.insert(below.end(), children_[one].begin(), children_[one].end());
@@ -228,7 +231,9 @@ std::vector<Rotation> joint_axes(const std::vector<Joint>& joints, const AxesTab
     const int parent = joints[j].parent;
     const uint8_t own = verdicts.classes[j];
     if (parent >= 0) axes[j] = axes[at(parent)], directions[j] = directions[at(parent)];
-    if ((parent >= 0 && verdicts.is_end(j)) || own == SINEW_CLASS_EYE || own == SINEW_CLASS_JAW || own == SINEW_CLASS_PROP) continue;
+    if ((parent >= 0 && verdicts.is_end(j)) || own == SINEW_CLASS_EYE || own == SINEW_CLASS_JAW ||
+        own == SINEW_CLASS_PROP)
+      continue;
     if (verdicts.roles[j] == SINEW_ROLE_ROOT) {  // has no bone: it lies below a body, or within
       axes[j] = of_letters(table[0].left);
       directions[j] = {0, 1, 0};

@@ -55,7 +55,7 @@ const std::vector<Profile>& profiles() {
       // Names and axes as above; helpx.adobe.com, Mixamo FAQ: T pose. FBX in centimetres.
       {"mixamo",
        "Mixamo: mixamorig: names, bones along +y, T pose",
-       ".glb",
+       ".fbx",
        "t",
        4,
        {SINEW_NAMING_MIXAMO},
@@ -66,7 +66,7 @@ const std::vector<Profile>& profiles() {
       // dev.epicgames.com, Epic skeleton: names, root at the origin, A pose; eight influences unless a project allows more.
       {"unreal",
        "Unreal: the mannequin's names, root bone and +x axes, A pose",
-       ".glb",
+       ".fbx",
        "a",
        8,
        {SINEW_NAMING_UNREAL},
@@ -77,7 +77,7 @@ const std::vector<Profile>& profiles() {
       // docs.unity3d.com, HumanBodyBones: names; Mecanim reads any axes, wants a T pose and has four influences by default.
       {"unity",
        "Unity: HumanBodyBones names, axes of the world, T pose",
-       ".glb",
+       ".fbx",
        "t",
        4,
        {SINEW_NAMING_VRM, "", true, true},
@@ -143,7 +143,7 @@ const std::vector<Profile>& profiles() {
       // help.autodesk.com, HumanIK character structure: names, T stance along x; joints point along x. Axes are the mannequin's, HumanIK reads any.
       {"maya",
        "Maya: HumanIK's names, joints along x, T pose",
-       ".glb",
+       ".fbx",
        "t",
        0,
        {SINEW_NAMING_MIXAMO, "mixamorig:"},

@@ -67,7 +67,8 @@ DocumentForm form_of(const Profile& profile, const ProfileOptions& options, cons
   if (joints.empty()) return form;
   form.turn = turn_of(profile, body_axes(joints));
   const Rotation usual = profile.faces_back ? Rotation{-1, 0, 0, 0, 1, 0, 0, 0, -1} : kNoRotation;
-  if (form.turn != usual) notes->push_back(std::string("turned to stand with y up and face ") + (profile.faces_back ? "-z" : "+z"));
+  if (form.turn != usual)
+    notes->push_back(std::string("turned to stand with y up and face ") + (profile.faces_back ? "-z" : "+z"));
   if (options.keep_axes) return form;
   form.names = profile_names(joints, profile.names);
   const int root = *profile.root == 0 ? -1 : root_of(joints);
@@ -95,8 +96,8 @@ void tell_names(const Profile& profile, const std::vector<Joint>& joints, const 
   size_t own = 0;
   for (size_t j = 0; j < joints.size(); ++j) own += joints[j].name == form.names[j] ? 1 : 0;
   if (2 * own > joints.size() && own < joints.size())
-    notes->push_back(std::to_string(own) + " of " + std::to_string(joints.size()) + " joints keep their names: " +
-                     profile.name + " has none for them, or the same");
+    notes->push_back(std::to_string(own) + " of " + std::to_string(joints.size()) +
+                     " joints keep their names: " + profile.name + " has none for them, or the same");
 }
 
 }  // namespace
@@ -113,8 +114,9 @@ void check_profile(const Profile& profile, const ProfileOptions& options) {
     throw Error("licence licenseName: a word of VRM 0.x; 1.0 has no names of licences, say what is allowed");
 }
 
-std::vector<std::string> write_for_profile(const Profile& profile, const ProfileOptions& options, const std::string& path,
-                                           const Character& character, const GlbOptions& glb, const Morphs& morphs) {
+std::vector<std::string> write_for_profile(const Profile& profile, const ProfileOptions& options,
+                                           const std::string& path, const Character& character, const GlbOptions& glb,
+                                           const Morphs& morphs) {
   std::vector<std::string> notes;
   Character written = character;
   GlbOptions how = glb;

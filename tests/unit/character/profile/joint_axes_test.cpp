@@ -27,8 +27,8 @@ Point column(const Rotation& r, size_t c) { return {r[c], r[3 + c], r[6 + c]}; }
 
 struct Posed {
   const char *name, *parent;
-  double length;    // to the joint that comes next
-  double x, y, z;   // Euler angles against the parent, degrees, x first: as Mixamo's characters stand in an FBX
+  double length;   // to the joint that comes next
+  double x, y, z;  // Euler angles against the parent, degrees, x first: as Mixamo's characters stand in an FBX
 };
 
 // Rest rotations of a Mixamo character (github.com/DaveDubUK/walkTools). A joint stands at the end of its parent's y axis.
@@ -62,8 +62,9 @@ TEST(JointAxes, AreThoseOfMixamosOwnCharacters) {
     int parent = -1;
     for (size_t j = 0; j < joints.size(); ++j)
       if (joints[j].name == std::string("mixamorig:") + one.parent) parent = static_cast<int>(j);
-    const Rotation local = multiply(axis_rotation({0, 0, 1}, one.z * kDegree),
-                                    multiply(axis_rotation({0, 1, 0}, one.y * kDegree), axis_rotation({1, 0, 0}, one.x * kDegree)));
+    const Rotation local =
+        multiply(axis_rotation({0, 0, 1}, one.z * kDegree),
+                 multiply(axis_rotation({0, 1, 0}, one.y * kDegree), axis_rotation({1, 0, 0}, one.x * kDegree)));
     Point at = {0, 1, 0};
     if (parent >= 0) {
       const size_t p = static_cast<size_t>(parent);
@@ -72,13 +73,15 @@ TEST(JointAxes, AreThoseOfMixamosOwnCharacters) {
       const std::string name = one.name;
       const bool limb = name.find("Shoulder") != std::string::npos || name.find("UpLeg") != std::string::npos;
       const double side = name.rfind("Left", 0) == 0 ? 1 : -1;
-      at = point(joints[p].position) + (limb ? Point{side * 0.08, name.find("UpLeg") != std::string::npos ? -0.05 : 0.1, 0}
-                                             : kMixamo[p].length * column(real[p], 1));
+      at = point(joints[p].position) +
+           (limb ? Point{side * 0.08, name.find("UpLeg") != std::string::npos ? -0.05 : 0.1, 0}
+                 : kMixamo[p].length * column(real[p], 1));
     } else {
       real.push_back(local);
     }
     joints.push_back({std::string("mixamorig:") + one.name,
-                      {static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2])}, parent});
+                      {static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2])},
+                      parent});
   }
   // Ends, as Mixamo has them, tell where the last bones point.
   for (const char* name : {"Head", "LeftHand", "RightHand", "LeftToeBase", "RightToeBase"})
@@ -90,8 +93,7 @@ TEST(JointAxes, AreThoseOfMixamosOwnCharacters) {
                           static_cast<int>(j)});
       }
   const std::vector<Rotation> ours = joint_axes(joints, *profile_named("mixamo").axes);
-  for (size_t j = 0; j < kMixamo.size(); ++j)
-    EXPECT_LT(angle_between(ours[j], real[j]), 15) << joints[j].name;
+  for (size_t j = 0; j < kMixamo.size(); ++j) EXPECT_LT(angle_between(ours[j], real[j]), 15) << joints[j].name;
 }
 
 TEST(JointAxes, OfEveryTableAreRightHandedAndHaveTheBoneAlongOne) {
@@ -108,19 +110,20 @@ TEST(JointAxes, OfEveryTableAreRightHandedAndHaveTheBoneAlongOne) {
       if (joints[j].name == name) return column(joint_axes(joints, *profile_named(profile).axes)[j], c);
     return Point{};
   };
-  EXPECT_NEAR(axis_of("mixamo", "LeftForeArm", 1)[0], 1, 1e-6);    // +y to the hand
+  EXPECT_NEAR(axis_of("mixamo", "LeftForeArm", 1)[0], 1, 1e-6);  // +y to the hand
   EXPECT_NEAR(axis_of("mixamo", "RightForeArm", 1)[0], -1, 1e-6);
-  EXPECT_NEAR(axis_of("unreal", "LeftForeArm", 0)[0], 1, 1e-6);    // +x to the hand
-  EXPECT_NEAR(axis_of("unreal", "RightForeArm", 0)[0], 1, 1e-6);   // mirrored: from the hand
-  EXPECT_GT(axis_of("unreal", "LeftLeg", 0)[1], 0.99);             // mirrored the other way round on legs
+  EXPECT_NEAR(axis_of("unreal", "LeftForeArm", 0)[0], 1, 1e-6);   // +x to the hand
+  EXPECT_NEAR(axis_of("unreal", "RightForeArm", 0)[0], 1, 1e-6);  // mirrored: from the hand
+  EXPECT_GT(axis_of("unreal", "LeftLeg", 0)[1], 0.99);            // mirrored the other way round on legs
   EXPECT_LT(axis_of("unreal", "RightLeg", 0)[1], -0.99);
-  EXPECT_GT(axis_of("godot", "LeftUpLeg", 2)[2], 0.99);            // knees to the front
+  EXPECT_GT(axis_of("godot", "LeftUpLeg", 2)[2], 0.99);  // knees to the front
 }
 
 TEST(JointAxes, AreTheBodysWhereverItLies) {
   std::vector<Joint> joints = walking_figure().joints;
   EXPECT_EQ(body_axes(joints), kNoRotation);
-  for (Joint& joint : joints) joint.position = {joint.position.x, -joint.position.z, joint.position.y};  // z up, front -y
+  for (Joint& joint : joints)
+    joint.position = {joint.position.x, -joint.position.z, joint.position.y};  // z up, front -y
   EXPECT_EQ(body_axes(joints), (Rotation{1, 0, 0, 0, 0, -1, 0, 1, 0}));
   for (Joint& joint : joints) joint.name = "bone";
   EXPECT_EQ(body_axes(joints), kNoRotation);  // nobody tells

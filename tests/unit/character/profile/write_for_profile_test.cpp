@@ -58,7 +58,8 @@ std::vector<std::vector<Point>> shown(const std::string& path) {
   return frames;
 }
 
-double largest_distance(const std::vector<std::vector<Point>>& a, const std::vector<std::vector<Point>>& b, double side) {
+double largest_distance(const std::vector<std::vector<Point>>& a, const std::vector<std::vector<Point>>& b,
+                        double side) {
   EXPECT_EQ(a.size(), b.size());
   double largest = 0;
   for (size_t f = 0; f < std::min(a.size(), b.size()); ++f) {
@@ -80,8 +81,8 @@ TEST_P(EachProfile, ShowsTheSamePictureInEveryFrame) {
   const Profile& profile = profile_named(GetParam());
   const double side = profile.faces_back ? -1 : 1;
   const Motion walk = walking_person(20);
-  const std::string plain = folder_.file("plain.glb"), foreign = folder_.file("foreign.glb"), once = folder_.file("once.glb"),
-                    twice = folder_.file("twice.glb");
+  const std::string plain = folder_.file("plain.glb"), foreign = folder_.file("foreign.glb"),
+                    once = folder_.file("once.glb"), twice = folder_.file("twice.glb");
   GlbOptions glb;
   glb.motion = &walk;
   write_character(plain, walking_figure(), glb);
@@ -128,7 +129,8 @@ INSTANTIATE_TEST_SUITE_P(Profiles, EachProfile, ::testing::ValuesIn(profile_list
 
 // Places of joints by name, frame by frame, where the clip's rotation keys are copied onto the nodes of `onto` that have the same name; the
 // places are against the hips'.
-std::vector<std::map<std::string, Point>> by_name(const std::string& clip, const std::string& onto, const std::string& hips) {
+std::vector<std::map<std::string, Point>> by_name(const std::string& clip, const std::string& onto,
+                                                  const std::string& hips) {
   const GltfSource from = *read_character(clip).gltf, to = *read_character(onto).gltf;
   const tinygltf::Animation& animation = from.model.animations.at(0);
   std::vector<std::map<std::string, Point>> frames;
@@ -165,7 +167,8 @@ TEST_P(ReadyClips, LookAlikeByNameAlone) {
   const Motion walk = walking_person(20);
   const Character figure = walking_figure();
   const std::vector<std::string> names = profile_names(figure.joints, profile_named(GetParam()).names);
-  const std::string original = folder_.file("original.glb"), other = folder_.file("other.glb"), foreign = folder_.file("foreign.glb");
+  const std::string original = folder_.file("original.glb"), other = folder_.file("other.glb"),
+                    foreign = folder_.file("foreign.glb");
   write(GetParam(), original, figure, &walk);
   // The same body with another program's names and axes, and standing otherwise, which axes along bones make up for.
   Character standing = figure;
