@@ -1,6 +1,12 @@
 # SPDX-License-Identifier: MIT
 # What formats is compiled from, once for every build of it: this folder's and the WebAssembly modules'.
 set(sinew_formats_sources
+  fbx/fbx_animations
+  fbx/fbx_binary
+  fbx/fbx_geometry
+  fbx/fbx_materials
+  fbx/fbx_models
+  fbx/fbx_write
   files/file_kinds
   files/files
   files/folders
@@ -8,8 +14,10 @@ set(sinew_formats_sources
   files/picture_files
   files/read_mesh
   gltf/add_accessor
+  gltf/animation_track
   gltf/bind_pose
   gltf/cut_vertices
+  gltf/document_form
   gltf/gltf_container
   gltf/gltf_decompress
   gltf/gltf_document
@@ -34,6 +42,7 @@ set(sinew_formats_sources
   gltf/tinygltf
   gltf/vrm_animation
   gltf/vrm_write
+  gltf/vrm_zero
   motion/actors
   motion/affine
   motion/bvh_read

@@ -82,8 +82,11 @@ set(sinew_character_sources
   predict/skeleton_arrays
   predict/skeleton_template
   predict/turn
+  profile/joint_axes
+  profile/profile_names
   profile/profiles
-  profile/vrm_humanoid
+  profile/standard_bones
+  profile/write_for_profile
   rig/cut_seams
   rig/infer_parents
   rig/joint_mirror

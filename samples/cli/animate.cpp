@@ -289,7 +289,7 @@ void run(const Settings& s) {
     GlbOptions options;
     options.keep_skin = !animated.rigged;
     options.motion = &animated.motion;
-    write_as(s.profile, s.output, animated.character, options, animated.morphs);
+    write_as(s.profile, s.output, animated.character, &animated.motion.notes, options, animated.morphs);
   }
   if (!s.sheet.empty()) write_file(s.sheet, sheet);
   if (animated.picture) write_mask(s.picture, *animated.picture);

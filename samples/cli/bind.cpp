@@ -125,7 +125,7 @@ void run(Settings s) {
   std::error_code ignored;
   if (std::filesystem::is_directory(s.one.mesh, ignored)) return run_folder(s);
   refuse_folder_options(s);
-  if (s.one.output.empty()) s.one.output = stem_of(s.one.mesh) + ".bound.glb";
+  if (s.one.output.empty()) s.one.output = stem_of(s.one.mesh) + ".bound" + container_of(s.one.profile);
   check(s);
   const LoadedBinder loaded = load_binder(s);
   const BindSummary summary = bind_one(s.one, loaded.binder, stderr_is_terminal()).summary;

@@ -216,7 +216,7 @@ BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool prog
   const WeightsReplaced replaced = compare_weights(character.joints, before.rows, result.influences, before.kept);
   job.apply(&result);
   if (settings.confidence) character.confidence = result.confidence;
-  write_as(settings.profile, settings.output, character);
+  write_as(settings.profile, settings.output, character, &character.notes);
   draw(settings, character, result.confidence);
   BindSummary summary = summarise(settings, binder, character, result);
   summary.answers = answers.given.size();

@@ -67,7 +67,8 @@ constexpr OptionWord kWords[] = {
     {"--stiffness", "K", "Of the springs in the lattice's tetrahedra, for xpbd"},
     {"--tet-weights", "SOURCE", "Where the lattice's tetrahedra have their weights from, for xpbd: skin, distance"},
     {"--threads", "N", "Threads at work"},
-    {"--to-pose", "POSE", "Put into a rest pose: t, a, or a file whose skeleton stands so"},
+    {"--to-pose", "POSE",
+     "Put into a rest pose: t, a, or a file whose skeleton stands so; none: as it stands, also where --for has a pose"},
     {"--up", "AXIS", "Axis that points up"},
     {"--val", "DIR", "Characters for validation"},
 };

@@ -15,40 +15,48 @@ void add_profile_options(CLI::App* sub, ProfileSettings* settings) {
   }
   section(sub, "For another program");
   sub->add_option("--for", settings->profile, "Write what a program or format wants. " + about)->type_name(names);
-  sub->add_option("--author", settings->options.authors, "With --for vrm: who made it; may be repeated")
+  sub->add_flag("--keep-axes", settings->options.keep_axes,
+                "With --for: axes, names and roots of the skeleton stay as they are, as they do without --for");
+  sub->add_option("--author", settings->options.authors, "With --for vrm, vrm0: who made it; may be repeated")
       ->type_name("NAME")
       ->allow_extra_args(false);
   sub->add_option("--licence,--license", settings->options.licence,
-                  "With --for vrm: what others may do. In the format's words, "
+                  "With --for vrm, vrm0: what others may do. In the format's words, "
                   "creditNotation=required,commercialUsage=corporation, or a web address; "
                   "what is not said is not allowed")
       ->type_name("KEY=VALUE,...");
-  sub->add_option("--title", settings->options.title, "With --for vrm: the character's name. The file's unless given")
+  sub->add_option("--title", settings->options.title,
+                  "With --for vrm, vrm0: the character's name. The file's unless given")
       ->type_name("NAME");
 }
 
 void settle_profile(const ProfileSettings& settings, std::string* to_pose) {
-  const bool said =
-      !settings.options.authors.empty() || !settings.options.licence.empty() || !settings.options.title.empty();
+  const ProfileOptions& said = settings.options;
   if (settings.profile.empty()) {
-    if (said) throw UsageError("--author, --licence and --title are for --for vrm");
-    return;
+    if (!said.authors.empty() || !said.licence.empty() || !said.title.empty() || said.keep_axes)
+      throw UsageError("--author, --licence, --title and --keep-axes go with --for");
+  } else {
+    try {
+      const Profile& profile = profile_named(settings.profile);
+      check_profile(profile, said);
+      if (to_pose != nullptr && to_pose->empty()) *to_pose = profile.pose;
+    } catch (const Error& error) {
+      throw UsageError(std::string("--for ") + settings.profile + ": " + error.what());
+    }
   }
-  try {
-    const Profile& profile = profile_named(settings.profile);
-    check_profile(profile, settings.options);
-    if (to_pose != nullptr && to_pose->empty()) *to_pose = profile.pose;
-  } catch (const Error& error) {
-    throw UsageError(std::string("--for ") + settings.profile + ": " + error.what());
-  }
+  if (to_pose != nullptr && *to_pose == "none") to_pose->clear();
+}
+
+std::string container_of(const ProfileSettings& settings) {
+  return settings.profile.empty() ? ".glb" : profile_named(settings.profile).container;
 }
 
 void write_as(const ProfileSettings& settings, const std::string& path, const Character& character,
-              const GlbOptions& glb, const Morphs& morphs) {
-  if (settings.profile.empty())
-    write_character(path, character, glb, morphs);
-  else
-    write_for_profile(profile_named(settings.profile), settings.options, path, character, glb, morphs);
+              std::vector<std::string>* notes, const GlbOptions& glb, const Morphs& morphs) {
+  if (settings.profile.empty()) return write_character(path, character, glb, morphs);
+  for (std::string& note :
+       write_for_profile(profile_named(settings.profile), settings.options, path, character, glb, morphs))
+    notes->push_back(std::move(note));
 }
 
 }  // namespace sinew::cli

@@ -210,8 +210,9 @@ std::vector<uint8_t> doubtful_joints(const Rigged& rigged) {
   return doubtful;
 }
 
-void write_rigged(const Settings& s, const Rigged& rigged, const std::string& output) {
-  write_as(s.profile, output, rigged.character);
+void write_rigged(const Settings& s, const std::string& output, Rigged* made) {
+  Rigged& rigged = *made;
+  write_as(s.profile, output, rigged.character, &rigged.character.notes);
   if (rigged.picture) write_mask(s.picture, *rigged.picture);
   if (s.png.empty()) return;
   RenderOptions view;
@@ -235,9 +236,9 @@ void run_folder(const Settings& s) {
   Progress progress(files.size(), "meshes");
   for (const FolderFile& file : files) {
     try {
-      const Rigged rigged = rig_one(s, models, file.mesh);
+      Rigged rigged = rig_one(s, models, file.mesh);
       make_folder(std::filesystem::path(file.output).parent_path().string());
-      write_rigged(s, rigged, file.output);
+      write_rigged(s, file.output, &rigged);
       if (s.json) progress.say(stdout, json_line(summary_json(s, rigged, file.mesh, file.output)));
       wanting += rigged.gate.empty() ? 0 : 1;
       for (const std::string& line : rigged.gate)
@@ -275,7 +276,7 @@ void run(Settings s) {
     throw UsageError("--prediction and --model: a skeleton that is given is not predicted");
   std::error_code ignored;
   if (std::filesystem::is_directory(s.mesh, ignored)) return run_folder(s);
-  if (s.output.empty()) s.output = stem_of(s.mesh) + ".rigged.glb";
+  if (s.output.empty()) s.output = stem_of(s.mesh) + ".rigged" + container_of(s.profile);
   check_output(s.output, kSkinOutputs, true);
   if (!s.png.empty()) check_output(s.png, {".png"});
   if (s.output == "-" && s.json)
@@ -283,8 +284,8 @@ void run(Settings s) {
   if (s.cut && !has_use(s.output, kReadsMesh))
     throw UsageError("--cut changes the mesh, and rig.txt has none: write a .glb");
   check_skeleton_source(s.skeleton);
-  const Rigged rigged = rig_one(s, load_models(s), s.mesh);
-  write_rigged(s, rigged, s.output);
+  Rigged rigged = rig_one(s, load_models(s), s.mesh);
+  write_rigged(s, s.output, &rigged);
   tell(s, rigged, s.mesh, s.output, s.output == "-" ? stderr : stdout);
   if (!rigged.gate.empty())
     throw GateError(s.mesh + ": does not pass the gate: " + rigged.gate.front() + "; what is written needs a look");

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "options.hpp"
+#include "profile_options.hpp"
 #include "sinew_character/simplify_job.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/gltf_summary.hpp"
@@ -23,6 +24,7 @@ using Json = nlohmann::ordered_json;
 struct Settings {
   std::string rig, mesh, level = "high", output;
   std::vector<std::string> keep;
+  ProfileSettings profile;
   bool json = false;
 };
 
@@ -67,6 +69,7 @@ std::optional<Motion> own_animations(const Settings& s) {
 
 void run(const Settings& s) {
   const SimplifyOptions options = parse_level(s);
+  settle_profile(s.profile, nullptr);
   check_output(s.output, kWritesCharacter, true);
   if (s.output == "-" && s.json)
     throw UsageError("-o - and --json both want standard output: give the skeleton a file name");
@@ -82,7 +85,8 @@ void run(const Settings& s) {
   GlbOptions glb;
   glb.drop_animations = true;
   glb.motion = &left.motion;
-  write_character(s.output, character, glb);
+  std::vector<std::string> notes;
+  write_as(s.profile, s.output, character, &notes, glb);
   if (s.json) {
     Json json;
     json["rig"] = s.rig;
@@ -91,6 +95,7 @@ void run(const Settings& s) {
     json["joints"] = character.joints.size();
     for (size_t j = 0; j < before.size(); ++j)
       if (simplified.into[j] != j) json["into"][before[j].name] = before[simplified.into[j]].name;
+    if (!notes.empty()) json["notes"] = notes;
     std::printf("%s\n", json_line(json).c_str());
     return;
   }
@@ -99,6 +104,7 @@ void run(const Settings& s) {
                before.size());
   if (options.joints > 0 && character.joints.size() > options.joints)
     std::fprintf(out, "  roots and joints that are kept are more than %u\n", options.joints);
+  for (const std::string& note : notes) std::fprintf(out, "  %s\n", printable(note).c_str());
   if (s.output != "-") std::fprintf(out, "wrote %s\n", printable(s.output).c_str());
 }
 
@@ -126,6 +132,7 @@ void add_simplify(CLI::App& app) {
       ->allow_extra_args(false);
   sub->add_option("--mesh", s->mesh, "The mesh that a .rig.txt alone has weights for")->type_name("MESH");
   shared_flag(sub, "--json", s->json, "One line: which joint became part of which");
+  add_profile_options(sub, &s->profile);
   sub->footer(
       "Examples:\n  sinew simplify hero.glb --level low -o hero.far.glb\n"
       "  sinew simplify hero.rig.txt --level 20 --keep head -o hero20.rig.txt");

@@ -14,6 +14,7 @@
 #include "commands.hpp"
 #include "folder_files.hpp"
 #include "options.hpp"
+#include "profile_options.hpp"
 #include "sinew/published.h"
 #include "sinew_character/checked_note.hpp"
 #include "sinew_character/thread_pool.hpp"
@@ -34,6 +35,7 @@ struct Settings {
   std::string method = "auto", up = "y", source_up, format = "glb";
   std::vector<std::string> targets, pairs;
   TargetSource from;
+  ProfileSettings profile;
   unsigned influences = 4, threads = 1;
   bool as_drawn = false, heat = false, json = false;
 };
@@ -195,22 +197,23 @@ void tell(const Settings& s, const Character& source, const Transferred& done, c
   std::fprintf(out, "\n");
 }
 
-void write_one(const Settings& s, const Transferred& done, const std::string& output) {
-  const Character& character = done.target.character;
-  write_character(output, character);
+void write_one(const Settings& s, const std::string& output, Transferred* done) {
+  Character& character = done->target.character;
+  write_as(s.profile, output, character, &character.notes);
   RenderOptions view;
   view.up_z = s.up == "z";
   if (!s.png.empty()) write_file(s.png, encode_png(render(character, weight_colours(character), view)));
   if (s.png_confidence.empty()) return;
   std::vector<float> doubt;
-  for (const uint8_t c : done.result.confidence) doubt.push_back(1.0f - static_cast<float>(c) / 255.0f);
+  for (const uint8_t c : done->result.confidence) doubt.push_back(1.0f - static_cast<float>(c) / 255.0f);
   write_file(s.png_confidence, encode_png(render(character, heat_colours(doubt, 0.5f), view)));
 }
 
 // What goes where: one file for one target, a folder for several.
 std::vector<std::string> outputs_of(const Settings& s) {
   if (s.targets.size() == 1) {
-    const std::string output = s.output.empty() ? stem_of(s.targets[0]) + ".transferred.glb" : s.output;
+    const std::string output =
+        s.output.empty() ? stem_of(s.targets[0]) + ".transferred" + container_of(s.profile) : s.output;
     check_output(output, kSkinOutputs, true);
     return {output};
   }
@@ -267,6 +270,7 @@ void check(const Settings& s) {
 
 void run(const Settings& s) {
   check(s);
+  settle_profile(s.profile, nullptr);
   const std::vector<std::string> outputs = outputs_of(s);
   check_inputs_stay(s, outputs);
   if (outputs[0] == "-" && s.json)
@@ -283,8 +287,8 @@ void run(const Settings& s) {
   size_t failed = 0;
   for (size_t i = 0; i < s.targets.size(); ++i) {
     try {
-      const Transferred done = transfer_one(s, source, model.get(), s.targets[i], &reader);
-      write_one(s, done, outputs[i]);
+      Transferred done = transfer_one(s, source, model.get(), s.targets[i], &reader);
+      write_one(s, outputs[i], &done);
       tell(s, source, done, s.targets[i], outputs[i], outputs[i] == "-" ? stderr : stdout);
     } catch (const UsageError&) {
       throw;
@@ -349,6 +353,7 @@ void add_rest(CLI::App* sub, Settings* s) {
       ->check(CLI::Range(1, static_cast<int>(SINEW_MAX_THREADS)))
       ->capture_default_str();
   shared_option(sub, "--png-confidence", s->png_confidence);
+  add_profile_options(sub, &s->profile);
 }
 
 }  // namespace

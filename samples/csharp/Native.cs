@@ -432,6 +432,14 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_profile_options
+        {
+            public uint struct_size, keep_axes;
+            public IntPtr profile, licence, title, authors;
+            public uint author_count, reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
         public struct sinew_character_arrays
         {
             public uint struct_size, vertex_count, face_count, corner_count, joint_count, mesh_count, influence_count, reserved;
@@ -888,6 +896,12 @@ namespace Sinew
         public static extern int sinew_character_write(IntPtr character, IntPtr name, IntPtr files, IntPtr file_count);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_set_profile(IntPtr character, IntPtr options);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern IntPtr sinew_character_profiles();
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_view(IntPtr character, IntPtr arrays);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
@@ -996,6 +1010,7 @@ namespace Sinew
             new StructSize("sinew_file", Marshal.SizeOf(typeof(sinew_file)), false),
             new StructSize("sinew_character_picture_options", Marshal.SizeOf(typeof(sinew_character_picture_options)), true),
             new StructSize("sinew_character_picture_info", Marshal.SizeOf(typeof(sinew_character_picture_info)), true),
+            new StructSize("sinew_character_profile_options", Marshal.SizeOf(typeof(sinew_character_profile_options)), true),
             new StructSize("sinew_character_arrays", Marshal.SizeOf(typeof(sinew_character_arrays)), true),
             new StructSize("sinew_character_clip", Marshal.SizeOf(typeof(sinew_character_clip)), true),
             new StructSize("sinew_character_models", Marshal.SizeOf(typeof(sinew_character_models)), true),

@@ -485,7 +485,7 @@ TEST_F(CharacterC, WhatIsWrongIsSaidInOneLineAndChangesNothing) {
   const Handle snake = open(kSnake);
   const std::string before = written(snake, "snake.glb");
   refused(SINEW_ERROR_INPUT, sinew_character_save(snake.get(), in("none/x.glb").c_str()), snake.get(), "none");
-  refused(SINEW_ERROR_INPUT, sinew_character_save(snake.get(), in("x.fbx").c_str()), snake.get(), "cannot write");
+  refused(SINEW_ERROR_INPUT, sinew_character_save(snake.get(), in("x.dae").c_str()), snake.get(), "cannot write");
   refused(SINEW_ERROR_INPUT, sinew_character_save(snake.get(), in("x.bvh").c_str()), snake.get(), "one clip");
   sinew_character_bind_options options = {};
   refused(SINEW_ERROR_ARGUMENT, sinew_character_bind(snake.get(), &options, nullptr), snake.get(), "struct_size");
@@ -518,13 +518,36 @@ TEST_F(CharacterC, WhatIsWrongIsSaidInOneLineAndChangesNothing) {
   EXPECT_EQ(none, nullptr);
 }
 
+TEST_F(CharacterC, WritesForAProgramAsTheCommand) {
+  good("bind " + kRobed + " --for mixamo --to-pose none -o command.glb");
+  const Handle robed = open(kRobed);
+  bind(robed);
+  sinew_character_profile_options options = sinew_character_profile_options_init();
+  options.profile = "mixamo";
+  good_call(sinew_character_set_profile(robed.get(), &options), robed);
+  good_call(sinew_character_save(robed.get(), in("ours.glb").c_str()), robed);
+  expect_same("ours.glb", "command.glb");
+  options.profile = "vrm";
+  refused(SINEW_ERROR_INPUT, sinew_character_set_profile(robed.get(), &options), robed.get(), "author");
+  const char* author = "Ann";
+  options.authors = &author;
+  options.author_count = 1;
+  good_call(sinew_character_set_profile(robed.get(), &options), robed);
+  EXPECT_NE(written(robed, "ours.vrm").find("VRMC_vrm"), std::string::npos);
+  good_call(sinew_character_set_profile(robed.get(), nullptr), robed);
+  EXPECT_EQ(written(robed, "plain.glb").find("mixamorig"), std::string::npos);
+  options.profile = "softimage";
+  refused(SINEW_ERROR_INPUT, sinew_character_set_profile(robed.get(), &options), robed.get(), "mixamo");
+  EXPECT_NE(std::string(sinew_character_profiles()).find("mixamo unreal"), std::string::npos);
+}
+
 TEST_F(CharacterC, ExtensionsComeFromOneTable) {
   EXPECT_STREQ(sinew_character_extensions(SINEW_READ_MESH),
                ".obj .gltf .glb .vrm .fbx .dae .b3d .x .mesh.xml .mesh .md5mesh .ms3d .smd");
   EXPECT_STREQ(sinew_character_extensions(SINEW_READ_MOTION),
                ".gltf .glb .vrm .fbx .dae .b3d .x .mesh.xml .mesh .md5mesh .ms3d .smd .bvh .vrma .npz .npy .vmd");
-  EXPECT_STREQ(sinew_character_extensions(SINEW_WRITE_CHARACTER), ".obj .rig.txt .gltf .glb .vrm");
-  EXPECT_STREQ(sinew_character_extensions(SINEW_READ_MOTION | SINEW_WRITE_MOTION), ".gltf .glb .vrm .bvh");
+  EXPECT_STREQ(sinew_character_extensions(SINEW_WRITE_CHARACTER), ".obj .rig.txt .gltf .glb .vrm .fbx");
+  EXPECT_STREQ(sinew_character_extensions(SINEW_READ_MOTION | SINEW_WRITE_MOTION), ".gltf .glb .vrm .fbx .bvh");
   EXPECT_STREQ(sinew_character_extensions(1u << 20), "");
   EXPECT_NE(std::string(sinew_character_templates()).find("mixamo"), std::string::npos);
 }

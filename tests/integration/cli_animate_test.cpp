@@ -286,7 +286,7 @@ TEST_F(CliAnimate, WhatIsWrongIsOneLineAndLeavesFilesAsTheyWere) {
     EXPECT_TRUE(slurp(in("out.glb")) == "old") << arguments;
   };
   expect(1, hero + " --motion none.bvh -o out.glb", "none.bvh: no such file");
-  expect(2, hero + " --motion swing.bvh -o out.fbx", "does not write it");
+  expect(2, hero + " --motion swing.bvh -o out.dae", "does not write it");
   expect(2, hero + " --motion swing.bvh -o out.glb --method magic", "magic");
   expect(2, hero + " --motion swing.bvh -o out.glb --area-power 4", "--area-power goes with --method reference-points");
   expect(2, hero + " --motion swing.bvh -o out.glb --legs", "--legs goes with --method reference-points");

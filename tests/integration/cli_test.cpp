@@ -82,7 +82,7 @@ TEST_F(Cli, WrongUsageExitsTwoAndWritesNothing) {
                                           "bind " + pair + "--influences 13",
                                           "bind " + pair + "--influences many",
                                           "bind " + pair + "--up x",
-                                          "bind " + pair + "-o out.fbx",
+                                          "bind " + pair + "-o out.dae",
                                           "bind " + pair + "-o out",
                                           "bind " + pair + "--png out.jpg",
                                           "bind " + pair + "--png -",
@@ -184,7 +184,7 @@ TEST_F(Cli, BindWritesWhatIsAsked) {
   EXPECT_TRUE(fs::exists(in("text.bin")));
   expect_bound(read_character(in("text.gltf")), 4);
   EXPECT_NE(bad(1, pair + "-o out.vrm").error.find("VRM"), std::string::npos);
-  EXPECT_NE(bad(2, pair + "-o out.fbx").error.find("write .glb"), std::string::npos);
+  EXPECT_NE(bad(2, pair + "-o out.dae").error.find("write .glb"), std::string::npos);
   EXPECT_FALSE(fs::exists(in("out.vrm")));
 }
 

@@ -19,6 +19,7 @@
 #include "sinew_character/check.hpp"
 #include "sinew_character/models.hpp"
 #include "sinew_character/picture_job.hpp"
+#include "sinew_character/profile.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/memory_files.hpp"
 #include "sinew_formats/morphs.hpp"
@@ -78,6 +79,8 @@ struct sinew_character {
   bool drop_animations = false;                            // the file's animations are not written
   bool posed = false;                                      // a mesh in a pose: an .obj of it has no skeleton
   bool keep_confidence = false;
+  std::string profile;  // what is written for another program; empty: none
+  sinew::ProfileOptions profile_options;
   std::optional<sinew::Motion> own_motion;  // of the file, once it was asked for
   std::vector<sinew::Clip> clips;           // added ones, of the character's joints
   sinew::Morphs morphs;

@@ -207,6 +207,8 @@ sinew_status sinew_character_copy(const sinew_character* from, sinew_character**
     copy->same_skin = from->same_skin;
     copy->drop_animations = from->drop_animations;
     copy->keep_confidence = from->keep_confidence;
+    copy->profile = from->profile;
+    copy->profile_options = from->profile_options;
     copy->own_motion = from->own_motion;
     copy->clips = from->clips;
     copy->morphs = from->morphs;

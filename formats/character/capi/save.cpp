@@ -39,7 +39,38 @@ void save(sinew_character* from, const std::string& path) {
   options.keep_skin = from->same_skin;
   options.drop_animations = from->drop_animations;
   options.motion = &motion;
-  write_character(path, leave_out ? plain : character, options, from->morphs);
+  const Character& written = leave_out ? plain : character;
+  if (from->profile.empty()) return write_character(path, written, options, from->morphs);
+  std::vector<std::string> notes =
+      write_for_profile(profile_named(from->profile), from->profile_options, path, written, options, from->morphs);
+  std::vector<std::string>& told = from->character.notes;
+  for (std::string& note : notes)
+    if (std::find(told.begin(), told.end(), note) == told.end()) told.push_back(std::move(note));
+}
+
+std::string text_of(const char* text) { return text == nullptr ? std::string() : std::string(text); }
+
+void set_profile(sinew_character* character, const sinew_character_profile_options& given) {
+  need(given.author_count == 0 || given.authors != nullptr, "authors");
+  check_at_most("keep_axes", given.keep_axes, 1);
+  ProfileOptions options;
+  options.keep_axes = given.keep_axes != 0;
+  options.licence = text_of(given.licence);
+  options.title = text_of(given.title);
+  for (uint32_t a = 0; a < given.author_count; ++a) {
+    need(given.authors[a] != nullptr, "authors");
+    options.authors.emplace_back(given.authors[a]);
+  }
+  const std::string profile = text_of(given.profile);
+  if (!profile.empty()) check_profile(profile_named(profile), options);
+  character->profile = profile;
+  character->profile_options = std::move(options);
+}
+
+std::string all_profiles() {
+  std::string names;
+  for (const Profile& profile : profiles()) names += (names.empty() ? "" : " ") + std::string(profile.name);
+  return names;
 }
 
 }  // namespace
@@ -56,6 +87,18 @@ sinew_status sinew_character_save(sinew_character* character, const char* path) 
     const FilesOf scope(*character);
     save(character, path);
   });
+}
+
+sinew_status sinew_character_set_profile(sinew_character* character, const sinew_character_profile_options* options) {
+  return guarded(character, [&] {
+    need(character != nullptr, "character");
+    set_profile(character, options_of(options));
+  });
+}
+
+const char* sinew_character_profiles(void) {
+  static const std::string names = all_profiles();
+  return names.c_str();
 }
 
 sinew_status sinew_character_write(sinew_character* character, const char* name, const sinew_file** files,

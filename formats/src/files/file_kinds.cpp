@@ -21,7 +21,7 @@ const std::vector<FileKind>& file_kinds() {
       {".gltf", "glTF", kGltfUses, FileReader::kGltf},
       {".glb", "GLB", kGltfUses, FileReader::kGltf},
       {".vrm", "VRM", kGltfUses, FileReader::kGltf},
-      {".fbx", "FBX", kWhole | kOffered, FileReader::kScene},
+      {".fbx", "FBX", kWhole | kWritesCharacter | kWritesMotion | kOffered, FileReader::kScene},
       {".dae", "COLLADA", kWhole | kOffered, FileReader::kScene},
       {".b3d", "Blitz3D", kWhole, FileReader::kScene},
       {".x", "DirectX", kWhole, FileReader::kScene},

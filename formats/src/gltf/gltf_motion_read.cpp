@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "gltf/animation_track.hpp"
 #include "gltf/gltf_read.hpp"
 #include "gltf/gltf_source.hpp"
 #include "gltf/node_parts.hpp"
@@ -20,49 +21,6 @@ namespace sinew {
 namespace {
 
 constexpr double kFewestFps = 24, kMostFps = 240, kPlainFps = 30;
-
-enum class Blend { kLinear, kStep, kCubic };
-
-// One sampler of an animation: keys and values of 3 or 4 numbers, with tangents where it is cubic.
-struct Track {
-  Blend blend = Blend::kLinear;
-  size_t width = 3;
-  std::vector<float> times, values;
-
-  // The value of key k; of a cubic track the tangent before it (part 0), the value (1), the tangent behind it (2).
-  double at(size_t k, size_t part, size_t i) const {
-    const size_t row = blend == Blend::kCubic ? 3 * k + part : k;
-    return static_cast<double>(values[row * width + i]);
-  }
-
-  std::array<double, 4> sample(double seconds) const {
-    const auto above = std::upper_bound(times.begin(), times.end(), seconds,
-                                        [](double t, float key) { return t < static_cast<double>(key); });
-    const size_t next = static_cast<size_t>(above - times.begin());
-    if (next == 0) return key(0);
-    if (next == times.size() || blend == Blend::kStep) return key(next - 1);
-    const size_t k = next - 1;
-    const double from = static_cast<double>(times[k]), span = static_cast<double>(times[next]) - from;
-    const double t = (seconds - from) / span;
-    if (blend == Blend::kLinear && width == 4) return slerp(normalised(key(k)), normalised(key(next)), t);
-    std::array<double, 4> out{};
-    for (size_t i = 0; i < width; ++i) {
-      if (blend == Blend::kLinear) {
-        out[i] = at(k, 1, i) + t * (at(next, 1, i) - at(k, 1, i));
-        continue;
-      }
-      const double t2 = t * t, t3 = t2 * t;  // Hermite, as the specification's appendix C has it
-      out[i] = (2 * t3 - 3 * t2 + 1) * at(k, 1, i) + span * (t3 - 2 * t2 + t) * at(k, 2, i) +
-               (3 * t2 - 2 * t3) * at(next, 1, i) + span * (t3 - t2) * at(next, 0, i);
-    }
-    return out;
-  }
-  std::array<double, 4> key(size_t k) const {
-    std::array<double, 4> out{};
-    for (size_t i = 0; i < width; ++i) out[i] = at(k, 1, i);
-    return out;
-  }
-};
 
 // What an animation does to one node.
 struct NodeTracks {
@@ -136,7 +94,7 @@ class GltfMotionReader {
       const size_t sampler = static_cast<size_t>(channel.sampler);
       Track& track = tracks[sampler];
       const size_t width = turns ? 4 : 3;
-      if (known[sampler] == 0) fill_track(name, animation.samplers[sampler], width, &track);
+      if (known[sampler] == 0) track = read_track(name, model(), animation.samplers[sampler], width);
       known[sampler] = 1;
       if (track.width != width)
         throw Error(name + ": expected a sampler of " + std::to_string(width) + " numbers a key, found one of " +
@@ -144,26 +102,6 @@ class GltfMotionReader {
       NodeTracks& node = animated_.back()[static_cast<size_t>(channel.target_node)];
       (turns ? node.rotation : channel.target_path == "scale" ? node.scale : node.translation) = &track;
     }
-  }
-
-  void fill_track(const std::string& where, const tinygltf::AnimationSampler& sampler, size_t width, Track* track) {
-    track->width = width;
-    if (sampler.interpolation == "STEP")
-      track->blend = Blend::kStep;
-    else if (sampler.interpolation == "CUBICSPLINE")
-      track->blend = Blend::kCubic;
-    else if (!sampler.interpolation.empty() && sampler.interpolation != "LINEAR")
-      throw Error(where + ": expected LINEAR, STEP or CUBICSPLINE, found " + in_quotes(sampler.interpolation));
-    track->times = accessor_floats(where + ", times", model(), sampler.input, 1);
-    track->values = accessor_floats(where + ", values", model(), sampler.output, static_cast<int>(width));
-    const size_t rows = track->times.size() * (track->blend == Blend::kCubic ? 3 : 1);
-    if (track->times.empty() || track->values.size() != rows * width)
-      throw Error(where + ": expected " + std::to_string(rows) + " values for " + std::to_string(track->times.size()) +
-                  " keys, found " + std::to_string(track->values.size() / width));
-    for (size_t k = 0; k < track->times.size(); ++k)
-      if (track->times[k] < 0 || (k > 0 && !(track->times[k] >= track->times[k - 1])))
-        throw Error(where + ": expected times from 0 that do not fall, found another order at key " +
-                    std::to_string(k));
   }
 
   // The skin's joints first; then animated nodes above or below them. Without a skin all animated nodes and what hangs on

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Character to a skinned GLB, VRM or .gltf with .bin: the input's own document or a new one, with the skin put in.
+// Character to a skinned GLB, VRM, .gltf with .bin or FBX: the input's own document or a new one, with the skin put in.
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <functional>
 #include <set>
 
+#include "fbx/fbx_write.hpp"
+#include "gltf/document_form.hpp"
 #include "gltf/gltf_container.hpp"
 #include "gltf/gltf_morphs.hpp"
 #include "gltf/gltf_source.hpp"
@@ -197,9 +199,10 @@ GltfJoints own_joints(const GltfSource& source) {
 }
 
 // The document with the character's skin, motion and shapes; pictures are not yet in it.
-//   vrm  or null
+//   form  or null
+//   notes  gets what the form says; with a form
 GltfSource skinned_document(const std::string& path, const Character& character, const GlbOptions& options,
-                            const Morphs* morphs, const VrmData* vrm) {
+                            const Morphs* morphs, const DocumentForm* form, std::vector<std::string>* notes) {
   const bool has_document = character.gltf && character.gltf->vertex_count == character.vertices.size();
   GltfSource source = has_document ? *character.gltf : gltf_from_mesh(path, character);
   GltfJoints joints;
@@ -227,7 +230,10 @@ GltfSource skinned_document(const std::string& path, const Character& character,
   if (morphs != nullptr && !morphs->shapes.empty())
     add_gltf_morphs(path, character, *morphs, joints, options.motion != nullptr ? options.motion->clips.size() : 0,
                     &source);
-  if (vrm != nullptr) add_vrm(path, *vrm, joints.nodes, &source);
+  if (form != nullptr) {
+    *notes = put_into_form(path, *form, joints, &source);
+    if (form->vrm != nullptr) add_vrm(path, *form->vrm, joints.nodes, &source);
+  }
   Json& asset = source.document["asset"];
   if (!asset.contains("generator")) asset["generator"] = "sinew";
   return source;
@@ -254,9 +260,10 @@ bool is_vrm(const GltfSource& source) {
 }
 
 void write_document(const std::string& path, const Character& character, const GlbOptions& options,
-                    const Morphs* morphs, const VrmData* vrm = nullptr) {
+                    const Morphs* morphs, const DocumentForm* form = nullptr,
+                    std::vector<std::string>* notes = nullptr) {
   const bool as_text = has_extension(path, ".gltf");
-  GltfSource source = skinned_document(path, character, options, morphs, vrm);
+  GltfSource source = skinned_document(path, character, options, morphs, form, notes);
   if (has_extension(path, ".vrm") && !is_vrm(source))
     throw Error(path + ": cannot write a VRM, " + character.name +
                 " has none of its data (extension VRM or VRMC_vrm); --for vrm makes them, or write a .glb");
@@ -264,6 +271,8 @@ void write_document(const std::string& path, const Character& character, const G
     const bool in_memory = source.in_memory || memory_outputs() != nullptr;  // no folder to share
     embed_images(path, !as_text || source.path.empty() || in_memory || !same_folder(path, source.path), &source);
     if (as_text) return write_text_form(path, &source);
+    if (has_extension(path, ".fbx"))
+      return write_file(path, fbx_of(path, load_gltf(path, pack_glb(path, &source.document, std::move(source.bytes)))));
     write_file(path, pack_glb(path, &source.document, std::move(source.bytes)));
   } catch (const nlohmann::json::exception& error) {
     throw Error(path + ": cannot write, a name is not UTF-8 text: " + one_line(error.what()));
@@ -306,9 +315,11 @@ void write_gltf_morphs(const std::string& path, const Character& character, cons
   write_document(path, character, options, &morphs);
 }
 
-void write_vrm(const std::string& path, const Character& character, const GlbOptions& options, const Morphs& morphs,
-               const VrmData& vrm) {
-  write_document(path, character, options, &morphs, &vrm);
+std::vector<std::string> write_gltf_form(const std::string& path, const Character& character, const GlbOptions& options,
+                                         const Morphs& morphs, const DocumentForm& form) {
+  std::vector<std::string> notes;
+  write_document(path, character, options, &morphs, &form, &notes);
+  return notes;
 }
 
 }  // namespace sinew

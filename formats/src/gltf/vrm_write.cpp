@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Humanoid and meta of VRMC_vrm (github.com/vrm-c/vrm-specification, VRMC_vrm-1.0).
+// Humanoid and meta of VRMC_vrm (github.com/vrm-c/vrm-specification, VRMC_vrm-1.0), and which extension a document gets.
 #include "gltf/vrm_write.hpp"
 
 #include <algorithm>
@@ -28,6 +28,9 @@ const std::vector<LicenceWord>& licence_words() {
       {"allowExcessivelySexualUsage", kYesNo},
       {"allowPoliticalOrReligiousUsage", kYesNo},
       {"allowAntisocialOrHateUsage", kYesNo},
+      {"licenseName",
+       {"Redistribution_Prohibited", "CC0", "CC_BY", "CC_BY_NC", "CC_BY_SA", "CC_BY_NC_SA", "CC_BY_ND", "CC_BY_NC_ND",
+        "Other"}},
       {"copyrightInformation", {}},
       {"otherLicenseUrl", {}}};
   return kWords;
@@ -42,6 +45,8 @@ std::string joined(const std::vector<std::string>& list, const char* between) {
 Json meta_of(const VrmData& vrm) {
   Json meta = {{"name", vrm.title}, {"authors", vrm.authors}, {"licenseUrl", "https://vrm.dev/licenses/1.0/"}};
   for (const auto& [key, value] : vrm.licence) {
+    if (key == "licenseName")
+      throw Error("licence licenseName: a word of VRM 0.x; 1.0 has no names of licences, say what is allowed");
     if (key.rfind("allow", 0) == 0)
       meta[key] = value == "true";
     else
@@ -50,28 +55,34 @@ Json meta_of(const VrmData& vrm) {
   return meta;
 }
 
-Json humanoid_of(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes) {
-  Json bones = Json::object();
-  for (size_t j = 0; j < vrm.bones.size() && j < joint_nodes.size(); ++j) {
-    if (vrm.bones[j].empty()) continue;
-    if (bones.contains(vrm.bones[j])) throw Error(path + ": cannot write a VRM, two joints are its " + vrm.bones[j]);
-    bones[vrm.bones[j]] = {{"node", joint_nodes[j]}};
-  }
-  std::vector<std::string> missing;
-  for (const std::string& bone : vrm_required_bones())
-    if (!bones.contains(bone)) missing.push_back(bone);
-  if (!missing.empty()) throw Error(path + ": cannot write a VRM, it has no " + joined(missing, ", "));
-  return {{"humanBones", bones}};
-}
-
 }  // namespace
 
-const std::vector<std::string>& vrm_required_bones() {
+const std::vector<std::string>& vrm_required_bones(bool zero) {
   static const std::vector<std::string> kBones = {"hips",          "spine",         "head",          "leftUpperLeg",
                                                   "leftLowerLeg",  "leftFoot",      "rightUpperLeg", "rightLowerLeg",
                                                   "rightFoot",     "leftUpperArm",  "leftLowerArm",  "leftHand",
                                                   "rightUpperArm", "rightLowerArm", "rightHand"};
-  return kBones;
+  static const std::vector<std::string> kZero = [] {
+    std::vector<std::string> bones = kBones;
+    bones.insert(bones.begin() + 2, {"chest", "neck"});
+    return bones;
+  }();
+  return zero ? kZero : kBones;
+}
+
+std::map<std::string, int> humanoid_nodes(const std::string& path, const VrmData& vrm,
+                                          const std::vector<int>& joint_nodes) {
+  std::map<std::string, int> bones;
+  for (size_t j = 0; j < vrm.bones.size() && j < joint_nodes.size(); ++j) {
+    if (vrm.bones[j].empty()) continue;
+    if (!bones.emplace(vrm.bones[j], joint_nodes[j]).second)
+      throw Error(path + ": cannot write a VRM, two joints are its " + vrm.bones[j]);
+  }
+  std::vector<std::string> missing;
+  for (const std::string& bone : vrm_required_bones(vrm.zero))
+    if (bones.count(bone) == 0) missing.push_back(bone);
+  if (!missing.empty()) throw Error(path + ": cannot write a VRM, it has no " + joined(missing, ", "));
+  return bones;
 }
 
 std::map<std::string, std::string> parse_vrm_licence(const std::string& text) {
@@ -107,17 +118,25 @@ void add_vrm(const std::string& path, const VrmData& vrm, const std::vector<int>
   Json& document = source->document;
   Json& extensions = document["extensions"];
   if (!extensions.is_object()) extensions = Json::object();
-  extensions.erase("VRM");
-  Json& own = extensions["VRMC_vrm"];
-  if (!own.is_object()) own = Json::object();
-  own["specVersion"] = "1.0";
-  own["meta"] = meta_of(vrm);
-  own["humanoid"] = humanoid_of(path, vrm, joint_nodes);
+  if (vrm.zero) {
+    Json zero = vrm_zero(path, vrm, joint_nodes, document);
+    for (const char* newer : {"VRMC_vrm", "VRMC_springBone"}) extensions.erase(newer);
+    extensions["VRM"] = std::move(zero);
+  } else {
+    extensions.erase("VRM");
+    Json& own = extensions["VRMC_vrm"];
+    if (!own.is_object()) own = Json::object();
+    own["specVersion"] = "1.0";
+    own["meta"] = meta_of(vrm);
+    Json bones = Json::object();
+    for (const auto& [bone, node] : humanoid_nodes(path, vrm, joint_nodes)) bones[bone] = {{"node", node}};
+    own["humanoid"] = {{"humanBones", std::move(bones)}};
+  }
   Json used = Json::array();
   if (document.contains("extensionsUsed"))
     for (const Json& name : document["extensionsUsed"])
-      if (name != "VRM" && name != "VRMC_vrm") used.push_back(name);
-  used.push_back("VRMC_vrm");
+      if (name != "VRM" && name != "VRMC_vrm" && (!vrm.zero || name != "VRMC_springBone")) used.push_back(name);
+  used.push_back(vrm.zero ? "VRM" : "VRMC_vrm");
   document["extensionsUsed"] = used;
 }
 

@@ -8,7 +8,7 @@ export const fileKinds = [
   { extension: ".gltf", name: "glTF", reader: "gltf", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered"] },
   { extension: ".glb", name: "GLB", reader: "gltf", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered"] },
   { extension: ".vrm", name: "VRM", reader: "gltf", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered"] },
-  { extension: ".fbx", name: "FBX", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "offered"] },
+  { extension: ".fbx", name: "FBX", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered"] },
   { extension: ".dae", name: "COLLADA", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "offered"] },
   { extension: ".b3d", name: "Blitz3D", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole"] },
   { extension: ".x", name: "DirectX", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole"] },

@@ -107,6 +107,9 @@ export const LAYOUTS = {
   characterPictureInfo: layout(48,
     "struct_size@0:u32 width@4:u32 height@8:u32 figure_count@12:u32 figure@16:u32 body_class@20:u32 view@24:u32 " +
     "certainty@28:f32 line_count@32:u32 reserved@36:u32 line_offsets@40:u32 outline@44:u32"),
+  characterProfileOptions: layout(32,
+    "struct_size@0:u32 keep_axes@4:u32 profile@8:u32 licence@12:u32 title@16:u32 authors@20:u32 author_count@24:u32 " +
+    "reserved@28:u32"),
   characterArrays: layout(92,
     "struct_size@0:u32 vertex_count@4:u32 face_count@8:u32 corner_count@12:u32 joint_count@16:u32 mesh_count@20:u32 " +
     "influence_count@24:u32 reserved@28:u32 name@32:u32 positions@36:u32 face_offsets@40:u32 face_vertices@44:u32 " +

@@ -183,6 +183,34 @@ SINEW_API sinew_status sinew_character_save(sinew_character* character, const ch
 SINEW_API sinew_status sinew_character_write(sinew_character* character, const char* name, const sinew_file** files,
                                              uint32_t* file_count);
 
+/* `--for` of the command: what another program wants of a file. */
+typedef struct sinew_character_profile_options {
+  uint32_t struct_size; /* sizeof(sinew_character_profile_options) */
+  uint32_t keep_axes;   /* 1: axes, names and roots of the skeleton stay as they are */
+  const char* profile;  /* "mixamo", "vrm": one of sinew_character_profiles(); null = none, files as they were read */
+  const char* licence;  /* of a VRM, in the words of its format; null = nothing is allowed */
+  const char* title;    /* of a VRM; null = the character's name */
+  const char* const* authors; /* [author_count] of a VRM, which has at least one; or null */
+  uint32_t author_count;
+  uint32_t reserved; /* 0 */
+} sinew_character_profile_options;
+
+static inline sinew_character_profile_options sinew_character_profile_options_init(void) {
+  sinew_character_profile_options options;
+  memset(&options, 0, sizeof options);
+  options.struct_size = sizeof options;
+  return options;
+}
+
+/* What sinew_character_save() and sinew_character_write() write from now on: joint names and axes, a root, influences, facing, and what a
+ * VRM says. The picture stays, and the rest pose too: that is to_pose of a bind or rig ("t" for most, "a" for unreal). Remarks go to
+ * sinew_character_notes() as files are written. Returns SINEW_OK, SINEW_ERROR_ARGUMENT, SINEW_ERROR_INPUT for an unknown profile or a VRM
+ * without an author, SINEW_ERROR_VERSION. */
+SINEW_API sinew_status sinew_character_set_profile(sinew_character* character,
+                                                   const sinew_character_profile_options* options);
+/* Names of the profiles, a space between two. Static. */
+SINEW_API const char* sinew_character_profiles(void);
+
 /* ---- arrays ---- */
 
 /* A character's arrays, borrowed. */

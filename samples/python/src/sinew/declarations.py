@@ -330,6 +330,11 @@ class sinew_character_picture_info(Structure):
         ("line_offsets", c_void_p), ("outline", c_void_p)]
 
 
+class sinew_character_profile_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("keep_axes", c_uint32), ("profile", c_char_p), ("licence", c_char_p), ("title", c_char_p),
+        ("authors", POINTER(c_char_p)), ("author_count", c_uint32), ("reserved", c_uint32)]
+
+
 class sinew_character_arrays(Structure):
     _fields_ = [("struct_size", c_uint32), ("vertex_count", c_uint32), ("face_count", c_uint32), ("corner_count", c_uint32),
         ("joint_count", c_uint32), ("mesh_count", c_uint32), ("influence_count", c_uint32), ("reserved", c_uint32), ("name", c_char_p),
@@ -490,12 +495,13 @@ STRUCTS: Tuple[Any, ...] = (sinew_mesh, sinew_model, sinew_answer, sinew_alterna
     sinew_simplify_options)
 
 
-CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_picture_options, sinew_character_picture_info, sinew_character_arrays,
-    sinew_character_clip, sinew_character_models, sinew_character_bind_options, sinew_character_seam, sinew_character_bind_result,
-    sinew_skeleton_edit, sinew_character_rig_options, sinew_character_doubt, sinew_character_rig_result, sinew_character_map_options,
-    sinew_character_map_result, sinew_character_animate_options, sinew_character_animate_result, sinew_character_pose_options,
-    sinew_character_transfer_options, sinew_character_transfer_result, sinew_character_simplify_options, sinew_character_finding,
-    sinew_character_check_options, sinew_character_check_result, sinew_character_bake_options, sinew_character_bake_result)
+CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_picture_options, sinew_character_picture_info,
+    sinew_character_profile_options, sinew_character_arrays, sinew_character_clip, sinew_character_models, sinew_character_bind_options,
+    sinew_character_seam, sinew_character_bind_result, sinew_skeleton_edit, sinew_character_rig_options, sinew_character_doubt,
+    sinew_character_rig_result, sinew_character_map_options, sinew_character_map_result, sinew_character_animate_options,
+    sinew_character_animate_result, sinew_character_pose_options, sinew_character_transfer_options, sinew_character_transfer_result,
+    sinew_character_simplify_options, sinew_character_finding, sinew_character_check_options, sinew_character_check_result,
+    sinew_character_bake_options, sinew_character_bake_result)
 
 
 # Result and arguments.
@@ -592,6 +598,8 @@ CHARACTER_FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_character_close": (None, [c_void_p]),
     "sinew_character_save": (c_int, [c_void_p, c_char_p]),
     "sinew_character_write": (c_int, [c_void_p, c_char_p, POINTER(POINTER(sinew_file)), c_void_p]),
+    "sinew_character_set_profile": (c_int, [c_void_p, POINTER(sinew_character_profile_options)]),
+    "sinew_character_profiles": (c_char_p, []),
     "sinew_character_view": (c_int, [c_void_p, POINTER(sinew_character_arrays)]),
     "sinew_character_skin": (c_int, [c_void_p, c_uint32, c_void_p, c_void_p]),
     "sinew_character_joint_classes": (c_int, [c_void_p, c_void_p]),

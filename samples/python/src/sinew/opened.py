@@ -243,6 +243,17 @@ class OpenCharacter:
         _check(binding.character_library().sinew_character_write(self.pointer, name.encode(), ctypes.byref(files), ctypes.byref(count)), self)
         return {files[i].name.decode(): ctypes.string_at(files[i].bytes, files[i].size_bytes) for i in range(count.value)}
 
+    def set_profile(self, profile: Optional[str], *, authors: Sequence[str] = (), licence: str = "", title: str = "", keep_axes: bool = False) -> None:
+        """What save() and write() write from now on: a program or format that `sinew rig --for` lists, None for files as they were read.
+        authors, licence and title are of a VRM. The rest pose stays: that is to_pose of bind and rig."""
+        options = binding.init(declarations.sinew_character_profile_options)
+        names = [author.encode() for author in authors]
+        options.profile = profile.encode() if profile else None
+        options.licence, options.title = licence.encode() or None, title.encode() or None
+        options.authors = (ctypes.c_char_p * len(names))(*names) if names else None
+        options.author_count, options.keep_axes = len(names), int(keep_axes)
+        _check(binding.character_library().sinew_character_set_profile(self.pointer, ctypes.byref(options)), self)
+
     @property
     def notes(self) -> List[str]:
         """Remarks of the reader and of the jobs."""

@@ -16,7 +16,8 @@ TEST(FileKinds, AreFoundByTheLongestExtensionInAnyCase) {
   EXPECT_EQ(file_kind("hero.blend"), nullptr);
   EXPECT_EQ(file_kind(".glb"), nullptr) << "a name is longer than its extension";
   EXPECT_TRUE(has_use("x.vrm", kReadsMesh | kWritesMotion));
-  EXPECT_FALSE(has_use("x.fbx", kWritesCharacter));
+  EXPECT_TRUE(has_use("x.fbx", kWritesCharacter | kWritesMotion));
+  EXPECT_FALSE(has_use("x.dae", kWritesCharacter));
 }
 
 TEST(FileKinds, RowsStandOnceAndBeforeWhatTheyEndWith) {

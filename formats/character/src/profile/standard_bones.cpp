@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Joints as humanoid bones of VRM 1.0.
+// Joints as bones of a convention, VRM's humanoid among them.
+#include "profile/standard_bones.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -13,12 +15,13 @@ namespace {
 
 class Humanoid {
  public:
-  explicit Humanoid(const std::vector<Joint>& joints)
-      : joints_(joints), verdicts_(joint_verdicts(joints)), bones_(joints.size()) {}
+  Humanoid(const std::vector<Joint>& joints, uint32_t naming)
+      : joints_(joints), naming_(naming), verdicts_(joint_verdicts(joints)), bones_(joints.size()) {}
 
   std::vector<std::string> bones() {
     trunk();
-    for (const uint8_t one : {SINEW_CLASS_NECK, SINEW_CLASS_HEAD, SINEW_CLASS_JAW}) give_first(one, 0);
+    chain(SINEW_CLASS_NECK, naming_ == SINEW_NAMING_VRM ? 1 : SIZE_MAX);
+    for (const uint8_t one : {SINEW_CLASS_HEAD, SINEW_CLASS_JAW}) give_first(one, 0);
     for (const int side : {1, -1}) {
       for (const uint8_t one :
            {SINEW_CLASS_CLAVICLE, SINEW_CLASS_UPPER_ARM, SINEW_CLASS_FOREARM, SINEW_CLASS_HAND, SINEW_CLASS_THIGH,
@@ -56,7 +59,7 @@ class Humanoid {
 
   void give(size_t joint, uint8_t joint_class, int side, uint32_t index) {
     std::array<char, SINEW_JOINT_NAME_BYTES> name{};
-    if (sinew_joint_standard_name(SINEW_NAMING_VRM, joint_class, side, index, name.data()) == SINEW_OK)
+    if (sinew_joint_standard_name(naming_, joint_class, side, index, name.data()) == SINEW_OK)
       bones_[joint] = name.data();
   }
 
@@ -65,14 +68,31 @@ class Humanoid {
     if (!found.empty()) give(found[0], joint_class, side, 0);
   }
 
-  // Of a longer trunk the first is the spine, the last the upper chest, and the middle one of the others the chest.
+  // The pelvis itself rather than a root that is called so.
+  void pelvis() {
+    const std::vector<size_t> found = of_class(SINEW_CLASS_PELVIS, 0);
+    const auto best =
+        std::find_if(found.begin(), found.end(), [&](size_t j) { return verdicts_.roles[j] != SINEW_ROLE_ROOT; });
+    if (best != found.end())
+      give(*best, SINEW_CLASS_PELVIS, 0, 0);
+    else if (!found.empty())
+      give(found[0], SINEW_CLASS_PELVIS, 0, 0);
+  }
+
   void trunk() {
-    give_first(SINEW_CLASS_PELVIS, 0);
-    std::vector<size_t> spine;
-    for (const size_t j : of_class(SINEW_CLASS_SPINE, 0))
-      if (spine.empty() || is_below(j, spine.back())) spine.push_back(j);
-    if (spine.size() > 3) spine = {spine[0], spine[spine.size() / 2], spine.back()};
-    for (size_t k = 0; k < spine.size(); ++k) give(spine[k], SINEW_CLASS_SPINE, 0, static_cast<uint32_t>(k));
+    pelvis();
+    chain(SINEW_CLASS_SPINE, naming_ == SINEW_NAMING_VRM ? 3 : SIZE_MAX);
+  }
+
+  // Joints of a class below each other. Of more than `most` the first, the middle one and the last.
+  void chain(uint8_t joint_class, size_t most) {
+    std::vector<size_t> found;
+    for (const size_t j : of_class(joint_class, 0))
+      if (found.empty() || is_below(j, found.back())) found.push_back(j);
+    if (found.size() > most)
+      found = most == 1 ? std::vector<size_t>{found[0]}
+                        : std::vector<size_t>{found[0], found[found.size() / 2], found.back()};
+    for (size_t k = 0; k < found.size(); ++k) give(found[k], joint_class, 0, static_cast<uint32_t>(k));
   }
 
   bool is_below(size_t joint, size_t above) const {
@@ -89,16 +109,21 @@ class Humanoid {
   }
 
   const std::vector<Joint>& joints_;
+  const uint32_t naming_;
   JointVerdicts verdicts_;
   std::vector<std::string> bones_;
 };
 
 }  // namespace
 
-std::vector<std::string> vrm_bones(const std::vector<Joint>& joints, const std::string& name) {
-  std::vector<std::string> bones = Humanoid(joints).bones();
+std::vector<std::string> standard_bones(const std::vector<Joint>& joints, uint32_t naming) {
+  return Humanoid(joints, naming).bones();
+}
+
+std::vector<std::string> vrm_bones(const std::vector<Joint>& joints, const std::string& name, bool zero) {
+  std::vector<std::string> bones = standard_bones(joints, SINEW_NAMING_VRM);
   std::string missing;
-  for (const std::string& bone : vrm_required_bones())
+  for (const std::string& bone : vrm_required_bones(zero))
     if (std::find(bones.begin(), bones.end(), bone) == bones.end()) missing += (missing.empty() ? "" : ", ") + bone;
   if (!missing.empty())
     throw Error(name + ": cannot be a VRM, no joint is its " + missing + "; rename joints, or sinew rig a person");
