@@ -11,8 +11,6 @@ export function showBrush() {
   const kind = brushKind();
   const ready = Boolean(at.character?.result) && !at.view.editing;
   at.view.onStroke = ready && (kind === "smooth" || (kind === "add" && at.view.selected >= 0)) ? (vertex) => strokes.want(vertex).catch((error) => showError(error.message)) : null;
-  $("brush").hidden = at.view.editing;
-  if (kind !== "none") $("brush").open = true; // by its key
   $("brush-settings").hidden = kind === "none";
   for (const id of ["brush-size", "brush-strength"]) $(id).nextElementSibling.textContent = `${$(id).value} %`;
   const painted = at.character?.result?.paintedVertices ?? 0;

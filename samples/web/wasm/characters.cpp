@@ -39,10 +39,12 @@ Json show_rig(Session& s) {
                                 [](const Joint& a, const Joint& b) { return a.parent == b.parent; });
   s.character.joints = now;
   s.taken = {};
+  if (!alike) s.player.close();  // it is of the joints before
   if (!alike) {
     s.character.influences.clear();
     s.locked.clear();
     s.hints.clear();
+    s.began.clear();
     s.reference.clear();
     s.joints.clear();
     s.weights.clear();
@@ -60,6 +62,8 @@ Json predict(Session& s, const Json& wishes) {
   job.detail = static_cast<SkeletonDetail>(wishes.at("detail").get<uint8_t>());
   const uint32_t up = wishes.at("up").get<uint32_t>();
   job.up = up == 0 ? UpChoice::kY : up == 1 ? UpChoice::kZ : UpChoice::kFound;
+  job.category = wishes.at("category").get<uint32_t>();
+  job.front = wishes.at("front").get<uint32_t>();
   job.mirror = wishes.at("mirror").get<uint32_t>();
   job.spine_count = wishes.at("spine").get<uint32_t>();
   job.toes = wishes.at("toes").get<bool>();
@@ -110,6 +114,7 @@ Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint
     s.rigs_of[number].start(std::move(rig));
   }
   s.number = number;
+  s.player.close();
   character.joints = s.rigs().now().joints;
   s.surface = make_surface(character);
   s.character = std::move(character);
@@ -120,6 +125,7 @@ Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint
   s.weights.clear();
   s.locked.clear();
   s.hints.clear();
+  s.began.clear();
   s.taken = {};
   const bool is_files = !s.rigs().now().predicted && reference.size() == s.character.vertices.size();
   const bool some = std::any_of(reference.begin(), reference.end(), [](const auto& row) { return !row.empty(); });
