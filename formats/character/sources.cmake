@@ -124,6 +124,7 @@ set(sinew_job_sources
   capi/clips
   capi/map
   capi/open
+  capi/picture
   capi/pose
   capi/rig
   capi/save

@@ -12,11 +12,13 @@ set(sinew_picture_sources
   outline/foreground
   outline/holes
   outline/lab
+  outline/outline
   outline/raster
   outline/sheet
   read/exif
   read/read_jpeg
   read/read_picture
-  read/read_png)
+  read/read_png
+  read/read_stb)
 list(TRANSFORM sinew_picture_sources PREPEND ${CMAKE_CURRENT_LIST_DIR}/src/)
 list(TRANSFORM sinew_picture_sources APPEND .cpp)

@@ -264,7 +264,7 @@ void run(const Settings& s) {
     std::optional<CharacterDeformer> deformer;
     if (deform) deformer.emplace(animated.character, *deform);
     sheet = encode_png(motion_sheet(animated.character, animated.motion, s.up == "z", deformer ? &*deformer : nullptr,
-                                    animated.picture ? &animated.picture->picture : nullptr));
+                                    animated.picture ? animated.picture->picture.get() : nullptr));
   }
   if (stop) throw Error(s.output + ": cannot write, the work was interrupted");
   if (as_bvh) {

@@ -52,7 +52,7 @@ PictureJobOptions picture_job(const PictureOptions& options) {
 
 void write_mask(const PictureOptions& options, const PictureCharacter& found) {
   if (options.mask_out.empty()) return;
-  const Mask mask = full_mask(found.picture, found.figure);
+  const Mask mask = full_mask(*found.picture, found.figure);
   Image image;
   image.width = static_cast<int>(mask.width);
   image.height = static_cast<int>(mask.height);

@@ -395,7 +395,6 @@ void add_rig(CLI::App& app) {
   sub->callback([s, edits, sub] {
     check_method(*sub, s->method);
     check_picture_options(*sub, s->mesh);
-    if (is_picture(s->mesh) && s->method.category != "any") s->picture.body = s->method.category;
     s->edits = edits->in_order();
     run(*s);
   });

@@ -112,6 +112,35 @@ namespace Sinew
         public string Actor;
         /// <summary>What joints stay within: a .urdf, a file of limits, or "human"; null: nothing but the natural range.</summary>
         public string Limits;
+        /// <summary>Bones of a picture's character leave its plane as the motion's do.</summary>
+        public bool Depth;
+    }
+
+    /// <summary>How a drawing or a photograph of a character is opened.</summary>
+    public sealed class PictureSettings
+    {
+        /// <summary>What kind of body it is; Found: as the model says.</summary>
+        public BodyClass BodyClass;
+        /// <summary>Of several figures, from left to right, from 1 on; 0: the largest.</summary>
+        public int Figure;
+        /// <summary>Flat: a card. Pixels: places are the picture's, x right, y up from the bottom edge.</summary>
+        public bool Flat, Pixels;
+        /// <summary>A picture that is bright where the figure is, a path or the name of a file beside; null: found.</summary>
+        public string Mask;
+        /// <summary>Closed lines round the figure, x and y by turns, as PictureInfo has them; null: found.</summary>
+        public float[][] Outline;
+    }
+
+    /// <summary>What was found in a picture.</summary>
+    public sealed class PictureInfo
+    {
+        public int Width, Height, FigureCount, Figure;
+        /// <summary>Found, and 0, before Rig(). Certainty: 0 to 1, of class and view together.</summary>
+        public BodyClass BodyClass;
+        public PictureView View;
+        public float Certainty;
+        /// <summary>Closed lines of the figure, x and y by turns, in pixels, x right, y down from the top left corner; the border first.</summary>
+        public float[][] Outline;
     }
 
     /// <summary>`sinew pose`: one of four says the pose.</summary>
@@ -243,6 +272,64 @@ namespace Sinew
                 Check(Native.sinew_character_open_files(pins.Of(list), (uint)files.Length, out handle), IntPtr.Zero, "open");
             }
             return new Character(handle);
+        }
+
+        /// <summary>Opens a drawing or a photograph of a character, PNG or JPEG. Rig() gives it a skeleton in the picture's plane; Animate() does so
+        /// where it has none, and plays a clip of its class where no motion is given.</summary>
+        public static Character OpenPicture(string path, PictureSettings settings = null)
+        {
+            CheckLibrary();
+            IntPtr handle;
+            using (var pins = new Pins())
+                Check(Native.sinew_character_open_picture(pins.Of(path), Options(settings, pins), out handle), IntPtr.Zero, "open");
+            return new Character(handle);
+        }
+
+        static IntPtr Options(PictureSettings settings, Pins pins)
+        {
+            settings = settings ?? new PictureSettings();
+            var places = new List<float>();
+            var offsets = new List<uint> { 0 };
+            foreach (float[] line in settings.Outline ?? new float[0][])
+            {
+                places.AddRange(line);
+                offsets.Add((uint)places.Count / 2);
+            }
+            bool drawn = offsets.Count > 1;
+            return pins.Of(new Native.sinew_character_picture_options
+            {
+                struct_size = Size<Native.sinew_character_picture_options>(), body_class = (uint)settings.BodyClass, figure = (uint)settings.Figure,
+                flat = One(settings.Flat), pixels = One(settings.Pixels), mask = pins.Of(settings.Mask), line_count = (uint)offsets.Count - 1,
+                line_offsets = drawn ? pins.Of(offsets.ToArray()) : IntPtr.Zero, outline = drawn ? pins.Of(places.ToArray()) : IntPtr.Zero
+            });
+        }
+
+        /// <summary>What was found in the picture that it is of.</summary>
+        /// <exception cref="SinewException">It is of none.</exception>
+        public PictureInfo Picture
+        {
+            get
+            {
+                using (var pins = new Pins())
+                {
+                    IntPtr at = pins.Of(new Native.sinew_character_picture_info { struct_size = Size<Native.sinew_character_picture_info>() });
+                    Check(Native.sinew_character_picture(Handle, at), handle_, "picture");
+                    var info = Read<Native.sinew_character_picture_info>(at);
+                    var offsets = Ints(info.line_offsets, info.line_count + 1);
+                    var places = Floats(info.outline, 2 * (uint)offsets[info.line_count]);
+                    var outline = new float[info.line_count][];
+                    for (int l = 0; l < outline.Length; ++l)
+                    {
+                        outline[l] = new float[2 * (offsets[l + 1] - offsets[l])];
+                        Array.Copy(places, 2 * offsets[l], outline[l], 0, outline[l].Length);
+                    }
+                    return new PictureInfo
+                    {
+                        Width = (int)info.width, Height = (int)info.height, FigureCount = (int)info.figure_count, Figure = (int)info.figure,
+                        BodyClass = (BodyClass)info.body_class, View = (PictureView)info.view, Certainty = info.certainty, Outline = outline
+                    };
+                }
+            }
         }
 
         /// <summary>Of arrays, which are copied. Mesh or skeleton may be null.</summary>
@@ -529,7 +616,7 @@ namespace Sinew
             }
         }
 
-        /// <summary>Adds clips of another skeleton; a bare mesh is rigged first. Returns how many.</summary>
+        /// <summary>Adds clips of another skeleton; a bare mesh is rigged first. Null: a clip of its class, for a picture's character. Returns how many.</summary>
         public int Animate(Character motion, AnimateSettings settings = null)
         {
             settings = settings ?? new AnimateSettings();
@@ -537,7 +624,7 @@ namespace Sinew
             {
                 var watch = new Watch(settings.Progress);
                 IntPtr result = pins.Of(new Native.sinew_character_animate_result { struct_size = Size<Native.sinew_character_animate_result>() });
-                int status = Native.sinew_character_animate(Handle, motion.Handle, pins.Of(new Native.sinew_character_animate_options
+                int status = Native.sinew_character_animate(Handle, motion == null ? IntPtr.Zero : motion.Handle, pins.Of(new Native.sinew_character_animate_options
                 {
                     struct_size = Size<Native.sinew_character_animate_options>(), thread_count = (uint)settings.Threads, progress = watch.Callback,
                     method = (uint)settings.Method, in_place = One(settings.InPlace), no_range = One(settings.NoRange), force = One(settings.Force), translations = One(settings.Translations),
@@ -545,7 +632,7 @@ namespace Sinew
                     body_contact = One(settings.BodyContact), shapes = (uint)settings.Shapes, stiffness = settings.Stiffness,
                     tet_weights = (uint)settings.TetWeights, no_smoothing = One(settings.NoSmoothing), fps = settings.Fps, from = settings.From,
                     to = settings.To, clip = pins.Of(settings.Clip), map = pins.Of(settings.Map), layout = pins.Of(settings.Layout), actor = pins.Of(settings.Actor),
-                    limits = pins.Of(settings.Limits)
+                    limits = pins.Of(settings.Limits), depth = One(settings.Depth)
                 }), result);
                 Check(status, handle_, "animate", watch);
                 GC.KeepAlive(motion);

@@ -35,6 +35,8 @@ namespace Sinew
     public enum BranchesFirst { Both = 0, Target = 1, Source = 2 }
     public enum BranchesCost { Mean = 0, Sum = 1 }
     public enum SimplifyLevel { High = 0, Low = 1 }
+    public enum BodyClass { Found = 0, Biped = 1, Quadruped = 2, Bird = 3, Fish = 4, Snake = 5, ManyLegged = 6, Other = 7 }
+    public enum PictureView { Front = 0, FacesRight = 1, FacesLeft = 2 }
     public enum JointsFrom { Auto = 0, Own = 1, Names = 2, All = 3 }
     public enum CharacterRigMethod { Auto = 0, Votes = 1, Shape = 2, Regions = 3, Slots = 4 }
     public enum CharacterDetail { Body = 0, Hands = 1, Full = 2 }
@@ -86,6 +88,7 @@ namespace Sinew
         public const uint WRITE_CHARACTER = 16;
         public const uint WRITE_MOTION = 32;
         public const uint WRITE_MESH = 64;
+        public const uint READ_PICTURE = 256;
         public const int OK = 0;
         public const int ERROR_ARGUMENT = -1;
         public const int ERROR_WORKSPACE = -2;
@@ -413,6 +416,22 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_picture_options
+        {
+            public uint struct_size, body_class, figure, flat, pixels, line_count;
+            public IntPtr mask, line_offsets, outline;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_picture_info
+        {
+            public uint struct_size, width, height, figure_count, figure, body_class, view;
+            public float certainty;
+            public uint line_count, reserved;
+            public IntPtr line_offsets, outline;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
         public struct sinew_character_arrays
         {
             public uint struct_size, vertex_count, face_count, corner_count, joint_count, mesh_count, influence_count, reserved;
@@ -548,6 +567,7 @@ namespace Sinew
             public double stiffness;
             public uint tet_weights, no_smoothing;
             public IntPtr layout, actor, limits;
+            public uint depth, reserved;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -844,6 +864,15 @@ namespace Sinew
         public static extern int sinew_character_open_files(IntPtr files, uint file_count, out IntPtr character);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_open_picture(IntPtr path, IntPtr options, out IntPtr character);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_open_picture_files(IntPtr files, uint file_count, IntPtr options, out IntPtr character);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_picture(IntPtr character, IntPtr info);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_create(IntPtr mesh, IntPtr skeleton, out IntPtr character);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
@@ -965,6 +994,8 @@ namespace Sinew
         internal static readonly StructSize[] CharacterStructs =
         {
             new StructSize("sinew_file", Marshal.SizeOf(typeof(sinew_file)), false),
+            new StructSize("sinew_character_picture_options", Marshal.SizeOf(typeof(sinew_character_picture_options)), true),
+            new StructSize("sinew_character_picture_info", Marshal.SizeOf(typeof(sinew_character_picture_info)), true),
             new StructSize("sinew_character_arrays", Marshal.SizeOf(typeof(sinew_character_arrays)), true),
             new StructSize("sinew_character_clip", Marshal.SizeOf(typeof(sinew_character_clip)), true),
             new StructSize("sinew_character_models", Marshal.SizeOf(typeof(sinew_character_models)), true),

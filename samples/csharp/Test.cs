@@ -217,6 +217,25 @@ static class Test
         }
     }
 
+    // The clip of its class, then the outline that was found as a user's own, cut at the middle.
+    static int Picture(string input, string output)
+    {
+        using (Character one = Character.OpenPicture(input, new PictureSettings { Pixels = true, BodyClass = BodyClass.Biped }))
+        {
+            Require(one.Picture.BodyClass == BodyClass.Found && one.Picture.Width > 0, "not rigged yet");
+            Require(one.Animate(null) == 1, "a clip of its class");
+            Require(one.Picture.BodyClass == BodyClass.Biped && one.Picture.View == PictureView.Front, "class and view");
+            one.Save(output);
+            float[][] outline = one.Picture.Outline;
+            foreach (float[] line in outline)
+                for (int i = 0; i < line.Length; i += 2) line[i] = Math.Max(line[i], one.Picture.Width / 2);
+            using (Character half = Character.OpenPicture(input, new PictureSettings { Outline = outline }))
+                Require(half.Mesh.VertexCount > 100, "an outline of the user's own");
+        }
+        Expect<SinewException>("figure", () => Character.OpenPicture(input, new PictureSettings { Figure = 2 }));
+        return 0;
+    }
+
     static int Main(string[] args)
     {
         try
@@ -226,6 +245,7 @@ static class Test
                 Sizes();
                 return 0;
             }
+            if (args[0] == "picture") return Picture(args[1], args[2]);
             if (args[0] == "character") return Job(args[1], args[2], args[3], args.Length > 4 ? args[4] : null);
             byte[] file = File.ReadAllBytes(args[1]);
             Mesh mesh = ReadMesh(args[2]);

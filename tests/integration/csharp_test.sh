@@ -86,6 +86,9 @@ if [ -n "$character" ]; then
   run character bake "$work/strange/plain.glb" "$work/ours.glb"
   "$command" bake "$work/strange/plain.glb" --poses 60 --shapes 2 -o "$work/theirs.glb" > /dev/null
   cmp "$work/ours.glb" "$work/theirs.glb" || fail "baked shapes have other bytes than the command's"
+  run picture "$data/drawing__child.png" "$work/ours.glb"
+  "$command" animate "$data/drawing__child.png" --units pixels --class biped -o "$work/theirs.glb" > /dev/null
+  cmp "$work/ours.glb" "$work/theirs.glb" || fail "a drawing has other bytes than the command's"
   # The package's demo finds its libraries beside it.
   SINEW_LIBRARY=$character SINEW_ENGINE_LIBRARY=$library "$source/samples/csharp/build.sh" "$work/package" > /dev/null
   (unset LD_LIBRARY_PATH; cd "$work/package/sinew-csharp" && mono Demo.exe "$work/strange/plain.glb" "$work/ours.glb") > "$work/demo.txt"

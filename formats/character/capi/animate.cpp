@@ -9,6 +9,7 @@
 #include "sinew_character/animate_job.hpp"
 #include "sinew_character/checked_note.hpp"
 #include "sinew_character/motion_file.hpp"
+#include "sinew_character/plane_motion.hpp"
 
 namespace sinew {
 namespace {
@@ -64,14 +65,14 @@ MotionFile motion_of_handle(sinew_character* motion, const sinew_character_anima
 }
 
 AnimatedCharacter start(const sinew_character& from, const sinew_character_animate_options& options,
-                        ProgressOfCaller* progress) {
+                        ProgressOfCaller* progress, std::shared_ptr<const PictureCharacter>* picture) {
   Character character = from.character;
   if (character.vertices.empty()) throw Error(character.name + ": has no mesh to animate");
-  if (!character.joints.empty() || options.models == nullptr)
+  if (!character.joints.empty() || (options.models == nullptr && from.picture == nullptr))
     return animated_character(std::move(character), file_of(from));
   sinew_character_rig_options rig = sinew_character_rig_options_init();
   rig.models = options.models;
-  AnimatedCharacter out = animated_character(rig_of(from, rig, progress).character, file_of(from));
+  AnimatedCharacter out = animated_character(rig_of(from, rig, progress, picture).character, file_of(from));
   out.rigged = true;
   return out;
 }
@@ -105,8 +106,18 @@ void animate(const sinew_character_animate_options& options, ProgressOfCaller* p
              sinew_character* motion, sinew_character_animate_result* result) {
   const std::optional<sinew_deform_options> deform = corrections_of(options.deform, options);
   const uint32_t first = count32(own_clip_count(target) + target->clips.size());
-  const AnimateOptions job = job_of(options, *target);
-  AnimatedCharacter made = start(*target, options, progress);
+  AnimateOptions job = job_of(options, *target);
+  std::shared_ptr<const PictureCharacter> picture = target->picture;
+  if (options.depth != 0 && picture == nullptr)
+    throw Failure(SINEW_ERROR_ARGUMENT, "depth: is for characters of pictures, and this is none");
+  AnimatedCharacter made = start(*target, options, progress, &picture);
+  sinew_character own;  // a picture's clip, where none is given
+  if (motion == nullptr) {
+    own.path = default_clip(picture->body);
+    own.character.name = own.path;
+    job.force = true;  // nobody asked for it: a warning will do
+    motion = &own;
+  }
   const MotionFile source = motion_of_handle(motion, options, job, made.character);
   MotionInput input;
   input.file = file_of(*motion);
@@ -117,7 +128,10 @@ void animate(const sinew_character_animate_options& options, ProgressOfCaller* p
     return body != nullptr ? std::optional<Character>(*body) : std::nullopt;
   };
   const StepsOf steps = steps_of(progress);
-  add_motion(job, input, steps, &made);
+  if (picture != nullptr)
+    add_picture_motion(*picture, options.depth != 0, job, input, steps, &made);
+  else
+    add_motion(job, input, steps, &made);
   if (deform) bake_clips(*deform, options.shapes == 0 ? 16 : options.shapes, steps, &made);
   for (MorphClip& clip : made.morphs.clips) clip.animation += target->clips.size();
   if (deform && !target->morphs.shapes.empty())
@@ -129,6 +143,7 @@ void animate(const sinew_character_animate_options& options, ProgressOfCaller* p
     target->own_skeleton = true;
     changed(target);
   }
+  target->picture = picture;
   target->viewed = false;
   target->clip_views.clear();
   target->character = made.character;
@@ -150,7 +165,7 @@ extern "C" sinew_status sinew_character_animate(sinew_character* character, sine
       character,
       [&] {
         need(character != nullptr, "character");
-        need(motion != nullptr, "motion");
+        need(motion != nullptr || character->picture != nullptr, "motion");
         check_result(result);
         animate(options_of(given), &progress, character, motion, result);
       },

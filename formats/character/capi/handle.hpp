@@ -18,6 +18,7 @@
 #include "sinew_character/character_file.hpp"
 #include "sinew_character/check.hpp"
 #include "sinew_character/models.hpp"
+#include "sinew_character/picture_job.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/memory_files.hpp"
 #include "sinew_formats/morphs.hpp"
@@ -33,6 +34,12 @@ struct CharacterViews {
   std::vector<uint32_t> row_offsets, joint_indices;
   std::vector<uint8_t> mesh_skinned;
   uint32_t influence_count = 0;
+};
+
+// Of a picture's outline.
+struct OutlineViews {
+  std::vector<uint32_t> offsets;
+  std::vector<float> places;
 };
 
 struct ClipView {
@@ -63,17 +70,19 @@ struct ResultViews {
 
 struct sinew_character {
   sinew::Character character;
-  std::string path;                               // file that it is from; empty: arrays
-  std::shared_ptr<const sinew::FileBytes> files;  // where that lies; null: the disk
-  bool own_skeleton = true;                       // of the mesh's own file
-  bool same_skin = true;                          // weights and skeleton are the file's
-  bool drop_animations = false;                   // the file's animations are not written
-  bool posed = false;                             // a mesh in a pose: an .obj of it has no skeleton
+  std::string path;                                        // file that it is from; empty: arrays
+  std::shared_ptr<const sinew::FileBytes> files;           // where that lies; null: the disk
+  std::shared_ptr<const sinew::PictureCharacter> picture;  // that it is of, without its mesh; null: of none
+  bool own_skeleton = true;                                // of the mesh's own file
+  bool same_skin = true;                                   // weights and skeleton are the file's
+  bool drop_animations = false;                            // the file's animations are not written
+  bool posed = false;                                      // a mesh in a pose: an .obj of it has no skeleton
   bool keep_confidence = false;
   std::optional<sinew::Motion> own_motion;  // of the file, once it was asked for
   std::vector<sinew::Clip> clips;           // added ones, of the character's joints
   sinew::Morphs morphs;
   sinew::CharacterViews views;
+  sinew::OutlineViews outline;
   bool viewed = false;
   std::vector<sinew::ClipView> clip_views;  // by number
   sinew::ResultViews results;
@@ -204,6 +213,13 @@ inline uint32_t up_axis_of(const char* what, uint32_t up) {
 }
 
 inline uint32_t count32(size_t count) { return static_cast<uint32_t>(count); }
+
+// Copies of a caller's files.
+std::shared_ptr<FileBytes> bytes_of(const sinew_file* files, uint32_t file_count);
+// Reads the figure of the picture at `opened->path`.
+void open_picture_into(const PictureJobOptions& options, sinew_character* opened);
+// What is not the mesh, which the handle has.
+std::shared_ptr<const PictureCharacter> without_mesh(PictureCharacter picture);
 
 // Files of a character in memory are seen while this lives.
 class FilesOf {

@@ -56,7 +56,28 @@ Character mesh_of(const sinew_mesh& mesh) {
   return character;
 }
 
+void open_into(sinew_character* opened) {
+  if (is_picture(opened->path)) return open_picture_into({}, opened);
+  CharacterFile file = open_character(opened->path);
+  opened->character = std::move(file.character);
+  opened->own_skeleton = file.own_skeleton;
+}
+
 }  // namespace
+
+std::shared_ptr<FileBytes> bytes_of(const sinew_file* files, uint32_t file_count) {
+  need(files != nullptr && file_count > 0, "files");
+  auto bytes = std::make_shared<FileBytes>();
+  for (uint32_t i = 0; i < file_count; ++i) {
+    need(files[i].name != nullptr, "files: name");
+    need(files[i].bytes != nullptr || files[i].size_bytes == 0, "files: bytes");
+    const auto* first = static_cast<const uint8_t*>(files[i].bytes);
+    const std::string name = std::filesystem::path(files[i].name).lexically_normal().generic_string();
+    (*bytes)[name] =
+        first == nullptr ? std::vector<uint8_t>() : std::vector<uint8_t>(first, first + files[i].size_bytes);
+  }
+  return bytes;
+}
 
 std::vector<Joint> joints_of(const sinew_skeleton* given) {
   const sinew_skeleton skeleton = options_of(given);
@@ -125,14 +146,15 @@ const char* sinew_character_extensions(uint32_t uses) {
                 uint32_t{SINEW_READ_WHOLE} == uint32_t{kReadsWhole});
   static_assert(uint32_t{SINEW_WRITE_CHARACTER} == uint32_t{kWritesCharacter} &&
                 uint32_t{SINEW_WRITE_MOTION} == uint32_t{kWritesMotion});
-  static_assert(uint32_t{SINEW_WRITE_MESH} == uint32_t{kWritesMesh});
-  constexpr uint32_t kAll = 127;
+  static_assert(uint32_t{SINEW_WRITE_MESH} == uint32_t{kWritesMesh} &&
+                uint32_t{SINEW_READ_PICTURE} == uint32_t{kReadsPicture});
+  constexpr uint32_t kAll = 511 & ~uint32_t{kOffered};
   static const std::vector<std::string> texts = [] {
     std::vector<std::string> all;
     for (uint32_t use = 0; use <= kAll; ++use) all.push_back(extensions_text(use, " "));
     return all;
   }();
-  return uses <= kAll ? texts[uses].c_str() : "";
+  return (uses & ~kAll) == 0 ? texts[uses].c_str() : "";
 }
 
 sinew_status sinew_character_open(const char* path, sinew_character** character) {
@@ -140,34 +162,20 @@ sinew_status sinew_character_open(const char* path, sinew_character** character)
     need(path != nullptr, "path");
     need(character != nullptr, "character");
     auto opened = std::make_unique<sinew_character>();
-    CharacterFile file = open_character(path);
-    opened->character = std::move(file.character);
-    opened->own_skeleton = file.own_skeleton;
     opened->path = path;
+    open_into(opened.get());
     *character = opened.release();
   });
 }
 
 sinew_status sinew_character_open_files(const sinew_file* files, uint32_t file_count, sinew_character** character) {
   return guarded(nullptr, [&] {
-    need(files != nullptr && file_count > 0, "files");
     need(character != nullptr, "character");
-    auto bytes = std::make_shared<FileBytes>();
-    for (uint32_t i = 0; i < file_count; ++i) {
-      need(files[i].name != nullptr, "files: name");
-      need(files[i].bytes != nullptr || files[i].size_bytes == 0, "files: bytes");
-      const auto* first = static_cast<const uint8_t*>(files[i].bytes);
-      const std::string name = std::filesystem::path(files[i].name).lexically_normal().generic_string();
-      (*bytes)[name] =
-          first == nullptr ? std::vector<uint8_t>() : std::vector<uint8_t>(first, first + files[i].size_bytes);
-    }
     auto opened = std::make_unique<sinew_character>();
+    opened->files = bytes_of(files, file_count);
     opened->path = files[0].name;
-    opened->files = bytes;
     const FilesOf scope(*opened);
-    CharacterFile file = open_character(opened->path);
-    opened->character = std::move(file.character);
-    opened->own_skeleton = file.own_skeleton;
+    open_into(opened.get());
     *character = opened.release();
   });
 }
@@ -194,6 +202,7 @@ sinew_status sinew_character_copy(const sinew_character* from, sinew_character**
     copy->character = from->character;
     copy->path = from->path;
     copy->files = from->files;
+    copy->picture = from->picture;
     copy->own_skeleton = from->own_skeleton;
     copy->same_skin = from->same_skin;
     copy->drop_animations = from->drop_animations;

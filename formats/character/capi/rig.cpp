@@ -111,7 +111,7 @@ void fill_result(const RiggedCharacter& rigged, ResultViews* views, sinew_charac
 }  // namespace
 
 RiggedCharacter rig_of(const sinew_character& from, const sinew_character_rig_options& options,
-                       ProgressOfCaller* progress) {
+                       ProgressOfCaller* progress, std::shared_ptr<const PictureCharacter>* picture) {
   RigJobOptions job = job_of(options);
   job.progress = progress->callback();
   job.progress_user = progress->user();
@@ -120,15 +120,21 @@ RiggedCharacter rig_of(const sinew_character& from, const sinew_character_rig_op
   if (job.method == RigMethod::kSlots) rig = model_of(options.models, ModelUse::kSlotJoints);
   if (job.bind) bind = model_of(options.models, ModelUse::kBind);
   if (job.detail != SkeletonDetail::kBody) hands = model_of(options.models, ModelUse::kHands);
-  front = options.models != nullptr && options_of(options.models).front != nullptr
-              ? model_of(options.models, ModelUse::kFront)
-              : load_front_model();
+  if (from.picture == nullptr)
+    front = options.models != nullptr && options_of(options.models).front != nullptr
+                ? model_of(options.models, ModelUse::kFront)
+                : load_front_model();
   RigModels models;
   if (front) models.front = &front->model;
   if (rig) models.rig = &rig->model;
   if (bind) models.bind = &bind->model;
   if (hands) models.hands = &hands->model;
-  return rig_character(bare_mesh(from), job, models);
+  if (from.picture == nullptr) return rig_character(bare_mesh(from), job, models);
+  PictureCharacter made = *from.picture;
+  rig_picture(job, models, &made);
+  RiggedCharacter rigged = made.rigged;
+  *picture = without_mesh(std::move(made));
+  return rigged;
 }
 
 }  // namespace sinew
@@ -145,7 +151,9 @@ sinew_status sinew_character_rig(sinew_character* character, const sinew_charact
       [&] {
         need(character != nullptr, "character");
         check_result(result);
-        RiggedCharacter rigged = rig_of(*character, options_of(given), &progress);
+        std::shared_ptr<const PictureCharacter> picture;
+        RiggedCharacter rigged = rig_of(*character, options_of(given), &progress, &picture);
+        character->picture = picture;
         character->character = std::move(rigged.character);
         character->own_skeleton = true;
         character->clips.clear();

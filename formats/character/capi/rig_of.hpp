@@ -8,8 +8,9 @@
 
 namespace sinew {
 
+//   picture  out: what the character's picture became; unchanged where it is of none
 RiggedCharacter rig_of(const sinew_character& from, const sinew_character_rig_options& options,
-                       ProgressOfCaller* progress);
+                       ProgressOfCaller* progress, std::shared_ptr<const PictureCharacter>* picture);
 
 }  // namespace sinew
 #endif

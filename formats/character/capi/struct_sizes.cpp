@@ -11,6 +11,8 @@ struct StructSize {
 
 constexpr StructSize kStructSizes[] = {
     {"sinew_file", sizeof(sinew_file)},
+    {"sinew_character_picture_options", sizeof(sinew_character_picture_options)},
+    {"sinew_character_picture_info", sizeof(sinew_character_picture_info)},
     {"sinew_character_arrays", sizeof(sinew_character_arrays)},
     {"sinew_character_clip", sizeof(sinew_character_clip)},
     {"sinew_character_models", sizeof(sinew_character_models)},

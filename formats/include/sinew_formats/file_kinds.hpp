@@ -19,8 +19,9 @@ enum FileUse : uint32_t {
   kReadsWhole = 8,        // mesh, skeleton and weights in one file
   kWritesCharacter = 16,  // mesh, skeleton and weights
   kWritesMotion = 32,
-  kWritesMesh = 64,  // a mesh alone: poses
-  kOffered = 128     // dialogs of the page and of editors offer it, and the WebAssembly modules read it
+  kWritesMesh = 64,    // a mesh alone: poses
+  kOffered = 128,      // dialogs of the page and of editors offer it, and the WebAssembly modules read it
+  kReadsPicture = 256  // a drawing or a photograph of a character
 };
 
 // Who reads it.
@@ -31,7 +32,8 @@ enum class FileReader : uint8_t {
   kScene,  // through Assimp as a glTF document
   kBvh,
   kVmd,
-  kNumpy
+  kNumpy,
+  kPicture
 };
 
 struct FileKind {

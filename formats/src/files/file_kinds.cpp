@@ -35,6 +35,9 @@ const std::vector<FileKind>& file_kinds() {
       {".npz", "NumPy", kMotionAlone, FileReader::kNumpy},
       {".npy", "NumPy", kMotionAlone, FileReader::kNumpy},
       {".vmd", "VMD", kMotionAlone, FileReader::kVmd},
+      {".png", "PNG", kReadsPicture | kOffered, FileReader::kPicture},
+      {".jpg", "JPEG", kReadsPicture | kOffered, FileReader::kPicture},
+      {".jpeg", "JPEG", kReadsPicture | kOffered, FileReader::kPicture},
   };
   return kinds;
 }

@@ -85,7 +85,37 @@ export interface RetargetOptions {
   actor?: string | number;
   /** what joints stay within: "human", a .urdf or a file of limits; nothing but the natural range where it is missing */
   limits?: string;
+  /** bones of a picture's character leave its plane as the motion's do */
+  depth?: boolean;
   onProgress?: Progress;
+}
+export interface PictureOptions {
+  /** what kind of body it is; found where it is missing */
+  bodyClass?: BodyClass;
+  /** of several figures, from left to right, from 1 on; the largest where it is missing */
+  figure?: number;
+  /** a card instead of a body as thick as it is wide */
+  flat?: boolean;
+  /** figure: its longest side is 1; pixels: places are the picture's, x right, y up from the bottom edge */
+  units?: "figure" | "pixels";
+  /** name of a file beside it, a picture that is bright where the figure is; found where it is missing */
+  mask?: string;
+  /** closed lines round the figure in pixels, x right, y down from the top left corner, in place of what is found */
+  outline?: [number, number][][];
+}
+export type BodyClass = "found" | "biped" | "quadruped" | "bird" | "fish" | "snake" | "many-legged" | "other";
+export interface PictureInfo {
+  width: number;
+  height: number;
+  figureCount: number;
+  figure: number;
+  /** found, front and 0 before rig() */
+  bodyClass: BodyClass;
+  view: "front" | "faces-right" | "faces-left";
+  /** 0..1, of class and view together */
+  certainty: number;
+  /** closed lines of the figure, x and y by turns, as in PictureOptions: the border, then those of holes and smaller parts */
+  outline: Float32Array[];
 }
 export interface TransferOptions {
   method?: "auto" | "nearest" | "biharmonic" | "rebind";
@@ -112,6 +142,8 @@ export interface CharacterArrays {
 export class CharacterFile {
   private constructor();
   readonly notes: string[];
+  /** of a picture's character; an error for others */
+  readonly picture: PictureInfo;
   bind(options?: BindOptions): {
     hash: string; seconds: number; symmetricVertices: number; keptMeshes: number; foldedTips: number; seams: number; leftOut: { joint: number; why: string }[];
   };
@@ -119,7 +151,7 @@ export class CharacterFile {
   rig(options?: RigOptions): {
     mirrored: boolean; matched: number; spread: number; seconds: number; doubtful: { name: string; doubt: number }[];
   };
-  retarget(motion: CharacterFile, options?: RetargetOptions): {
+  retarget(motion: CharacterFile | null, options?: RetargetOptions): {
     clipCount: number; mapped: number; rigged: boolean; shapeCount: number; certainty: number; mappedBy: string;
   };
   transfer(source: CharacterFile, options?: TransferOptions): { carried: number; fitted: boolean; bound: boolean };
@@ -133,7 +165,7 @@ export class CharacterFile {
 
 export class CharacterModule {
   private constructor();
-  open(bytes: ArrayBuffer | ArrayBufferView, name: string, beside?: Record<string, ArrayBuffer | ArrayBufferView>): Promise<CharacterFile>;
+  open(bytes: ArrayBuffer | ArrayBufferView, name: string, beside?: Record<string, ArrayBuffer | ArrayBufferView>, picture?: PictureOptions): Promise<CharacterFile>;
 }
 
 /** wasm, scenes: wasm/character.wasm and, for FBX and COLLADA, wasm/scenes.wasm, where the bundler does not know new URL(). */

@@ -3,6 +3,7 @@
 import { WORDS } from "./layouts.js";
 import { compile, hasSimd } from "./loader.js";
 import { SinewError } from "./memory.js";
+import { fileKind } from "./file_kinds.js";
 import { isScene, readScenesBy } from "./scenes.js";
 import { choice } from "./shapes.js";
 
@@ -19,10 +20,11 @@ const RIG = {
 };
 const RETARGET = {
   method: WORDS.animateMethod, inPlace: "in_place", range: "!no_range", force: "force", translations: "translations", targetUp: WORDS.up, motionUp: WORDS.up, deform: WORDS.poseDeform, bodyContact: "body_contact", shapes: "shapes", fps: "fps", from: "from", to: "to",
-  clip: "clip", layout: "layout", actor: "actor", limits: "limits", stiffness: "stiffness", tetWeights: WORDS.tetWeights, smoothing: "!no_smoothing",
+  clip: "clip", layout: "layout", actor: "actor", limits: "limits", depth: "depth", stiffness: "stiffness", tetWeights: WORDS.tetWeights, smoothing: "!no_smoothing",
 };
 const TRANSFER = { method: WORDS.transferMethod, influences: "influence_count", targetUp: WORDS.up, sourceUp: WORDS.up, garment: "garment", heat: "heat" };
-const MEMBERS = { rigidParts: "rigid_parts", targetUp: "target_up", sourceUp: "source_up", motionUp: "motion_up", tetWeights: "tet_weights" };
+const PICTURE = { bodyClass: WORDS.bodyClass, figure: "figure", flat: "flat", units: ["figure", "pixels"], mask: "mask", outline: "outline" };
+const MEMBERS = { bodyClass: "body_class", units: "pixels",  rigidParts: "rigid_parts", targetUp: "target_up", sourceUp: "source_up", motionUp: "motion_up", tetWeights: "tet_weights" };
 
 function wishOf(call, known, options) {
   const wish = {};
@@ -73,10 +75,21 @@ export class CharacterFile {
     return this.#job("rig", RIG, options, (at, text) => this.#house.module._character_rig(at, text));
   }
 
-  /** `sinew animate`: adds the clips of another character or motion. @param {CharacterFile} motion */
+  /**
+   * `sinew animate`: adds the clips of another character or motion.
+   * @param {CharacterFile | null} motion null: a clip of its class that ships, for a picture's character
+   */
   retarget(motion, options = {}) {
-    if (!(motion instanceof CharacterFile)) throw new SinewError("retarget: expected what open() gave for the motion's file");
-    return this.#job("retarget", RETARGET, options, (at, text) => this.#house.module._character_animate(at, motion.#at("retarget"), text));
+    if (motion !== null && !(motion instanceof CharacterFile)) throw new SinewError("retarget: expected what open() gave for the motion's file");
+    return this.#job("retarget", RETARGET, options, (at, text) => this.#house.module._character_animate(at, motion?.#at("retarget") ?? 0, text));
+  }
+
+  /** What was found in the picture that it is of: class, view and certainty once it is rigged, the outline as lines of x, y. */
+  get picture() {
+    const { module } = this.#house;
+    const { lineOffsets, outline, bodyClass, view, ...told } = this.#house.said("picture", null, () => module._character_picture(this.#at("picture")));
+    const lines = lineOffsets.slice(1).map((to, l) => new Float32Array(module.HEAPU8.buffer, outline + 8 * lineOffsets[l], 2 * (to - lineOffsets[l])).slice());
+    return { ...told, bodyClass: WORDS.bodyClass[bodyClass], view: WORDS.pictureView[view], outline: lines };
   }
 
   /** `sinew transfer`: carries the weights of a bound character to this one. @param {CharacterFile} source */
@@ -133,13 +146,15 @@ export class CharacterModule {
   }
 
   /**
-   * Opens a file by its extension: OBJ, GLB, glTF, VRM, FBX, COLLADA, BVH, rig.txt. FBX and COLLADA fetch another module once.
+   * Opens a file by its extension: OBJ, GLB, glTF, VRM, FBX, COLLADA, BVH, rig.txt; a PNG or JPEG of a character. FBX and COLLADA fetch
+   * another module once.
    * @param {ArrayBuffer | ArrayBufferView} bytes
    * @param {string} name "hero.glb"
    * @param {Record<string, ArrayBuffer | ArrayBufferView>} beside what lies beside it: a .bin, pictures, .mtl, NAME.rig.txt
+   * @param {import("./character.js").PictureOptions} picture how a PNG or JPEG is opened
    * @returns {Promise<CharacterFile>}
    */
-  async open(bytes, name, beside = {}) {
+  async open(bytes, name, beside = {}, picture = {}) {
     const { module } = this;
     if (isScene(name)) await (this.#scenes ??= this.#scenesFrom(module));
     const files = [[name, bytes], ...Object.entries(beside)];
@@ -157,7 +172,11 @@ export class CharacterModule {
         return [put(new TextEncoder().encode(`${one}\0`)), put(view), view.length];
       });
       const at = put(new Uint8Array(Uint32Array.from(rows).buffer));
-      const { handle } = this.said("open", null, () => module._character_open(at, files.length));
+      const { handle } = this.said("open", null, () =>
+        fileKind(name)?.reader === "picture"
+          ? this.withText(wishOf("open", PICTURE, picture), (text) => module._character_open_picture(at, files.length, text))
+          : module._character_open(at, files.length),
+      );
       return new CharacterFile(this, handle);
     } finally {
       for (const at of blocks) module._free(at);

@@ -22,6 +22,9 @@ export const fileKinds = [
   { extension: ".npz", name: "NumPy", reader: "numpy", uses: ["readsSkeleton", "readsMotion", "offered"] },
   { extension: ".npy", name: "NumPy", reader: "numpy", uses: ["readsSkeleton", "readsMotion", "offered"] },
   { extension: ".vmd", name: "VMD", reader: "vmd", uses: ["readsSkeleton", "readsMotion", "offered"] },
+  { extension: ".png", name: "PNG", reader: "picture", uses: ["offered", "readsPicture"] },
+  { extension: ".jpg", name: "JPEG", reader: "picture", uses: ["offered", "readsPicture"] },
+  { extension: ".jpeg", name: "JPEG", reader: "picture", uses: ["offered", "readsPicture"] },
 ];
 
 /** The row of a file's extension, without regard to case. */

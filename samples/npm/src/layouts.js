@@ -101,6 +101,12 @@ export const LAYOUTS = {
     "progress_user@28:u32 own_limb@32:u32 head@36:u32 torso@40:u32 source_points@44:u32"),
   simplifyOptions: layout(20, "struct_size@0:u32 level@4:u32 joint_count@8:u32 reserved@12:u32 centroids@16:u32"),
   file: layout(12, "name@0:u32 bytes@4:u32 size_bytes@8:u32"),
+  characterPictureOptions: layout(36,
+    "struct_size@0:u32 body_class@4:u32 figure@8:u32 flat@12:u32 pixels@16:u32 line_count@20:u32 mask@24:u32 " +
+    "line_offsets@28:u32 outline@32:u32"),
+  characterPictureInfo: layout(48,
+    "struct_size@0:u32 width@4:u32 height@8:u32 figure_count@12:u32 figure@16:u32 body_class@20:u32 view@24:u32 " +
+    "certainty@28:f32 line_count@32:u32 reserved@36:u32 line_offsets@40:u32 outline@44:u32"),
   characterArrays: layout(92,
     "struct_size@0:u32 vertex_count@4:u32 face_count@8:u32 corner_count@12:u32 joint_count@16:u32 mesh_count@20:u32 " +
     "influence_count@24:u32 reserved@28:u32 name@32:u32 positions@36:u32 face_offsets@40:u32 face_vertices@44:u32 " +
@@ -141,13 +147,13 @@ export const LAYOUTS = {
   characterMapResult: layout(48,
     "struct_size@0:u32 method@4:u32 joint_count@8:u32 mapped@12:u32 certainty@16:f32 cover@20:f32 seconds@24:f64 " +
     "sources@32:u32 confidence@36:u32 reasons@40:u32 text@44:u32"),
-  characterAnimateOptions: layout(184,
+  characterAnimateOptions: layout(192,
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 in_place@24:u32 " +
     "no_range@28:u32 target_up@32:u32 motion_up@36:u32 deform@40:u32 cells@44:u32 rounds@48:u32 body_contact@52:u32 " +
     "shapes@56:u32 fps@64:f64 from@72:f64 to@80:f64 clip@88:u32 map@92:u32 sources@96:u32 area_power@100:u32 " +
     "no_own_limb@104:u32 legs@108:u32 report@112:u32 falloff@120:f64 own_limb@128:u32 head@132:u32 torso@136:u32 " +
     "source_points@140:u32 force@144:u32 translations@148:u32 stiffness@152:f64 tet_weights@160:u32 no_smoothing@164:u32 " +
-    "layout@168:u32 actor@172:u32 limits@176:u32"),
+    "layout@168:u32 actor@172:u32 limits@176:u32 depth@180:u32 reserved@184:u32"),
   characterAnimateResult: layout(48,
     "struct_size@0:u32 clip_count@4:u32 first_clip@8:u32 mapped@12:u32 rigged@16:u32 shape_count@20:u32 certainty@24:f32 " +
     "limb_count@28:u32 limbs_before@32:u32 limbs_after@36:u32 mapped_by@40:u32 sources@44:u32"),
@@ -220,6 +226,7 @@ export const READ_WHOLE = 8;
 export const WRITE_CHARACTER = 16;
 export const WRITE_MOTION = 32;
 export const WRITE_MESH = 64;
+export const READ_PICTURE = 256;
 
 // Words of enumerations, by number.
 export const WORDS = {
@@ -249,6 +256,8 @@ export const WORDS = {
   branchesFirst: ["both", "target", "source"],
   branchesCost: ["mean", "sum"],
   simplifyLevel: ["high", "low"],
+  bodyClass: ["found", "biped", "quadruped", "bird", "fish", "snake", "many-legged", "other"],
+  pictureView: ["front", "faces-right", "faces-left"],
   jointsFrom: ["auto", "own", "names", "all"],
   characterRigMethod: ["auto", "votes", "shape", "regions", "slots"],
   characterDetail: ["body", "hands", "full"],

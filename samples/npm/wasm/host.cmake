@@ -12,6 +12,11 @@ foreach(header tiny_gltf.h tiny_obj_loader.h nlohmann eigen3/Eigen)
   get_filename_component(name ${header} NAME)
   file(CREATE_LINK ${at_${header}} ${headers}/${name} SYMBOLIC)
 endforeach()
+# PNG and JPEG; without it they are refused (Debian: libstb-dev).
+find_file(at_stb stb_image.h PATHS /usr/include/stb /usr/include /usr/local/include/stb /opt/homebrew/include/stb NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH)
+if(at_stb)
+  file(CREATE_LINK ${at_stb} ${headers}/stb_image.h SYMBOLIC)
+endif()
 file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/libraries.cpp CONTENT  # written only when it changes
   "#define TINYOBJLOADER_IMPLEMENTATION\n#include <tiny_obj_loader.h>\n")
 add_library(libraries STATIC ${CMAKE_CURRENT_BINARY_DIR}/libraries.cpp)
@@ -33,7 +38,7 @@ if(SINEW_HOST_ARCHIVE)
 else()
   add_library(sinew_host STATIC ${sinew_formats_sources} ${sinew_picture_sources} ${sinew_character_sources} ${sinew_job_sources}
     ${sinew_root}/samples/npm/wasm/read_scene.cpp)
-  target_compile_definitions(sinew_host PRIVATE SINEW_SCENES_ELSEWHERE)
+  target_compile_definitions(sinew_host PRIVATE SINEW_SCENES_ELSEWHERE $<$<BOOL:${at_stb}>:SINEW_PICTURES_BY_STB>)
   set(sinew_host_use PUBLIC)
 endif()
 target_include_directories(sinew_host ${sinew_host_use} ${formats}/include ${formats}/src ${formats}/picture/include ${formats}/picture/src

@@ -7,6 +7,7 @@
 
 #include "rig_json.hpp"
 #include "sinew_character/bind_job.hpp"
+#include "sinew_character/plane_motion.hpp"
 #include "sinew_character/rig_job.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
@@ -22,6 +23,75 @@ std::vector<std::vector<Influence>> weights_of_file(const std::string& skeleton,
   } catch (const Error&) {
     return {};
   }
+}
+
+// What was found in the picture, and how its character would move by itself.
+Json picture_json(const PictureCharacter& picture) {
+  Json outline = Json::array();
+  for (const auto& line : outline_of(picture.figure)) {
+    outline.push_back(Json::array());
+    for (const auto& place : line) outline.back().push_back({place[0], place[1]});
+  }
+  return {{"width", picture.picture->pixels.width}, {"height", picture.picture->pixels.height},
+          {"figures", picture.figure.count},        {"figure", picture.figure.number},
+          {"class", body_class_word(picture.body)}, {"view", picture_view_text(picture.view)},
+          {"certainty", picture.certainty},         {"clip", default_clip(picture.body)},
+          {"outline", std::move(outline)}};
+}
+
+PictureJobOptions picture_options(const Json& wishes) {
+  PictureJobOptions options;
+  const std::string word = wishes.value("class", "");
+  if (!word.empty()) options.body = body_class_of(word);
+  if (!word.empty() && !options.body) throw Error("class: there is none that is called " + word);
+  options.figure.number = wishes.value("figure", 0u);
+  options.mask = wishes.value("mask", "");
+  for (const Json& line : wishes.value("outline", Json::array())) {
+    options.outline.emplace_back();
+    for (const Json& place : line)
+      options.outline.back().push_back({place.at(0).get<float>(), place.at(1).get<float>()});
+  }
+  return options;
+}
+
+Json start(Session& s, Character character, JointChoice choice, std::vector<std::vector<Influence>> reference,
+           uint32_t number) {
+  if (s.rigs_of.find(number) == s.rigs_of.end()) {
+    Rig rig = rig_of_file(character, std::move(choice));
+    s.rigs_of[number].start(std::move(rig));
+  }
+  s.number = number;
+  character.joints = s.rigs().now().joints;
+  s.surface = make_surface(character);
+  s.character = std::move(character);
+  s.rest.clear();
+  for (const Vec3& p : s.character.vertices) s.rest.insert(s.rest.end(), {p.x, p.y, p.z});
+  s.posed = s.rest;
+  s.joints.clear();
+  s.weights.clear();
+  s.locked.clear();
+  s.hints.clear();
+  s.began.clear();
+  s.player.close();
+  s.taken = {};
+  const bool is_files = !s.rigs().now().predicted && reference.size() == s.character.vertices.size();
+  const bool some = std::any_of(reference.begin(), reference.end(), [](const auto& row) { return !row.empty(); });
+  s.reference = is_files && some ? std::move(reference) : std::vector<std::vector<Influence>>();
+  show(s);
+  Json reply = rig_json(s.rigs());
+  reply["hasReference"] = !s.reference.empty();
+  reply["name"] = s.character.name;
+  reply["notes"] = s.character.notes;
+  reply["vertices"] = s.character.vertices.size();
+  reply["faces"] = s.character.face_count();
+  return reply;
+}
+
+Character bare(Character mesh) {
+  mesh.joints.clear();
+  mesh.influences.clear();
+  mesh.notes.clear();
+  return mesh;
 }
 
 }  // namespace
@@ -71,11 +141,17 @@ Json predict(Session& s, const Json& wishes) {
   if (job.detail != SkeletonDetail::kBody && s.hands_model.bytes.empty()) throw Error("no model of hands is loaded");
   const RigModels models = {&s.rig_model.model, nullptr, &s.hands_model.model,
                             s.front_model.bytes.empty() ? nullptr : &s.front_model.model};
-  Character mesh = s.character;
-  mesh.joints.clear();
-  mesh.influences.clear();
-  mesh.notes.clear();
-  RiggedCharacter rigged = rig_character(std::move(mesh), job, models);
+  RiggedCharacter rigged;
+  const std::shared_ptr<const PictureCharacter> picture = s.picture();
+  if (picture != nullptr) {
+    PictureCharacter made = *picture;
+    rig_picture(job, models, &made);
+    rigged = made.rigged;
+    made.rigged.character = {};
+    s.pictures_of[s.number] = std::make_shared<const PictureCharacter>(std::move(made));
+  } else {
+    rigged = rig_character(bare(s.character), job, models);
+  }
   const std::vector<std::string> notes = std::move(rigged.character.notes);
   Rig rig = predicted_rig(s.character, std::move(rigged.skeleton));
   if (s.character.joints.empty())
@@ -84,6 +160,7 @@ Json predict(Session& s, const Json& wishes) {
     s.rigs().put(std::move(rig), false);
   Json reply = show_rig(s);
   reply["notes"] = notes;
+  if (s.picture() != nullptr) reply["picture"] = picture_json(*s.picture());
   return reply;
 }
 
@@ -97,6 +174,7 @@ Json edit(Session& s, const Json& edits, bool mirror, bool continues) {
 }
 
 Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint32_t number) {
+  if (is_picture(mesh)) return load_picture(s, mesh, Json::object(), number);
   Character character = read_mesh(mesh);
   if (!skeleton.empty()) read_skeleton(skeleton, false, &character);
   if (character.vertices.empty()) throw Error(mesh + ": has no vertices to bind");
@@ -109,34 +187,25 @@ Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint
   std::vector<std::vector<Influence>> reference =
       skeleton.empty() ? std::move(character.influences) : weights_of_file(skeleton, read_mesh(mesh));
   character.influences.clear();
-  if (s.rigs_of.find(number) == s.rigs_of.end()) {
-    Rig rig = rig_of_file(character, std::move(choice));
-    s.rigs_of[number].start(std::move(rig));
+  Json reply = start(s, std::move(character), std::move(choice), std::move(reference), number);
+  s.pictures_of.erase(number);
+  return reply;
+}
+
+Json load_picture(Session& s, const std::string& path, const Json& wishes, uint32_t number) {
+  Character mesh;
+  const auto known = s.pictures_of.find(number);
+  if (wishes.empty() && known != s.pictures_of.end()) {  // it is looked at again
+    const PictureCharacter& picture = *known->second;
+    mesh = picture_mesh(*picture.picture, picture.figure, picture.options.mesh);
+  } else {
+    PictureCharacter picture = open_picture(path, picture_options(wishes));
+    mesh = std::move(picture.rigged.character);
+    picture.rigged.character = {};
+    s.pictures_of[number] = std::make_shared<const PictureCharacter>(std::move(picture));
   }
-  s.number = number;
-  s.player.close();
-  character.joints = s.rigs().now().joints;
-  s.surface = make_surface(character);
-  s.character = std::move(character);
-  s.rest.clear();
-  for (const Vec3& p : s.character.vertices) s.rest.insert(s.rest.end(), {p.x, p.y, p.z});
-  s.posed = s.rest;
-  s.joints.clear();
-  s.weights.clear();
-  s.locked.clear();
-  s.hints.clear();
-  s.began.clear();
-  s.taken = {};
-  const bool is_files = !s.rigs().now().predicted && reference.size() == s.character.vertices.size();
-  const bool some = std::any_of(reference.begin(), reference.end(), [](const auto& row) { return !row.empty(); });
-  s.reference = is_files && some ? std::move(reference) : std::vector<std::vector<Influence>>();
-  show(s);
-  Json reply = rig_json(s.rigs());
-  reply["hasReference"] = !s.reference.empty();
-  reply["name"] = s.character.name;
-  reply["notes"] = s.character.notes;
-  reply["vertices"] = s.character.vertices.size();
-  reply["faces"] = s.character.face_count();
+  Json reply = start(s, std::move(mesh), {}, {}, number);
+  reply["picture"] = picture_json(*s.picture());
   return reply;
 }
 

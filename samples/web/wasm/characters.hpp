@@ -14,6 +14,7 @@ using Json = nlohmann::ordered_json;
 
 // As web_load() of web.cpp: what is asked of each is said there.
 Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint32_t number);
+Json load_picture(Session& s, const std::string& path, const Json& wishes, uint32_t number);
 Json predict(Session& s, const Json& wishes);
 Json edit(Session& s, const Json& edits, bool mirror, bool continues);
 // The character has the present rig. Weights stay where joints were moved or renamed, until the next bind.

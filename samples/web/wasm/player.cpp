@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sinew_character/motion_file.hpp"
+#include "sinew_character/plane_motion.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew::web {
@@ -83,6 +84,7 @@ void Player::make(MotionMethod method, Opened* opened) {
   options.up = up_text(opened->up);
   options.method = method == MotionMethod::kCopy              ? AnimateMethod::kCopy
                    : method == MotionMethod::kReferencePoints ? AnimateMethod::kReferencePoints
+                   : opened->picture != nullptr               ? AnimateMethod::kAuto
                                                               : AnimateMethod::kContacts;
   options.report = options.force = true;  // what does not fit is told beside the map, where it can be mended
   AnimatedCharacter& work = opened->work;
@@ -95,9 +97,12 @@ void Player::make(MotionMethod method, Opened* opened) {
     const size_t notes = work.motion.notes.size();
     Motion named = source.motion;
     name_clips(source.file, false, work.motion, &named);
-    add_motion(
-        options, {source.file, "", &named, [&source] { return source.body; }},
-        [](size_t) { return [] { return true; }; }, &work);
+    const MotionInput input = {source.file, "", &named, [&source] { return source.body; }};
+    const StepsOf steps = [](size_t) { return [] { return true; }; };
+    if (opened->picture != nullptr)
+      add_picture_motion(*opened->picture, false, options, input, steps, &work);
+    else
+      add_motion(options, input, steps, &work);
     made.files.resize(work.motion.clips.size(), f);
     made.maps.push_back(work.map);
     made.notes.push_back(notes_from(work.motion, notes, source.file));
@@ -140,14 +145,16 @@ Player::Source Player::read(const std::string& file, const Character& character,
   return source;
 }
 
-Json Player::open(const std::vector<std::string>& files, const Character& character, uint32_t up, bool own,
-                  MotionMethod method, const std::vector<std::vector<sinew_map_pin>>& pins) {
+Json Player::open(const std::vector<std::string>& files, const Character& character,
+                  std::shared_ptr<const PictureCharacter> picture, uint32_t up, bool own, MotionMethod method,
+                  const std::vector<std::vector<sinew_map_pin>>& pins) {
   auto opened = std::make_unique<Opened>();
   for (size_t f = 0; f < files.size(); ++f) {
     opened->sources.push_back(read(files[f], character, up));
     opened->sources.back().pins = pins[f];
   }
   opened->work.character = character;
+  opened->picture = std::move(picture);
   opened->up = up;
   opened->own = own;
   make(method, opened.get());

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sinew_character/animate_job.hpp"
+#include "sinew_character/picture_job.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew::web {
@@ -21,13 +22,15 @@ class Player {
  public:
   // Retargets every clip of the files, one after another, to the character; motions that are there already stay when that fails. Throws Error.
   //   files  of the module, or builtin:NAME
+  //   picture  that the character is of, which moves in its plane; null: of none
   //   up     the character's: 0 = Y, 1 = Z, 2 = found
   //   own    the one file is the character's own
   //   pins   [files] of their maps, which the rest follows
   // Returns {clips: [{name, file, frames, seconds, room, limbs}], joints, files: [{file, mapped, how, sourceJoints: [{name, parent}], map: [{source,
   // why}], notes: [one line each]}]}.
-  nlohmann::ordered_json open(const std::vector<std::string>& files, const Character& character, uint32_t up, bool own,
-                              MotionMethod method, const std::vector<std::vector<sinew_map_pin>>& pins);
+  nlohmann::ordered_json open(const std::vector<std::string>& files, const Character& character,
+                              std::shared_ptr<const PictureCharacter> picture, uint32_t up, bool own, MotionMethod method,
+                              const std::vector<std::vector<sinew_map_pin>>& pins);
   // The same motion by another method; made when it is first asked for. Returns {clips}.
   nlohmann::ordered_json use(MotionMethod method);
   void close() { open_.reset(); }
@@ -57,6 +60,7 @@ class Player {
   struct Opened {
     std::vector<Source> sources;
     AnimatedCharacter work;  // the character, and the method that is being made
+    std::shared_ptr<const PictureCharacter> picture;
     uint32_t up = 0;
     bool own = false;
     std::map<MotionMethod, Made> made;

@@ -5,12 +5,14 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "player.hpp"
 #include "rigs.hpp"
 #include "sinew/sinew.h"
+#include "sinew_character/picture_job.hpp"
 #include "sinew_character/style.hpp"
 #include "skinning.hpp"
 #include "surface.hpp"
@@ -41,11 +43,17 @@ struct Session {
   OpenModel bind_model, rig_model, hands_model, front_model;
   Character character;               // with the joints of rigs().now()
   std::map<uint32_t, Rigs> rigs_of;  // of all characters that are open, by the page's numbers
-  uint32_t number = 0;               // the character's
-  std::map<uint32_t, Kept> kept;     // by the page's numbers
-  Style style;                       // for the next characters
+  // Of those that are of pictures, without their meshes.
+  std::map<uint32_t, std::shared_ptr<const PictureCharacter>> pictures_of;
+  uint32_t number = 0;            // the character's
+  std::map<uint32_t, Kept> kept;  // by the page's numbers
+  Style style;                    // for the next characters
   Player player;
   Skinning skinning;
+  std::shared_ptr<const PictureCharacter> picture() const {  // null: the character is of none
+    const auto found = pictures_of.find(number);
+    return found == pictures_of.end() ? nullptr : found->second;
+  }
   Rigs& rigs() { return rigs_of[number]; }
   const Rigs& rigs() const { return rigs_of.at(number); }
   Surface surface;

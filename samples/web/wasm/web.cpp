@@ -172,9 +172,19 @@ EMSCRIPTEN_KEEPALIVE const char* web_load(const char* mesh, const char* skeleton
   return answer([&] { return load(session(), mesh, skeleton, number); });
 }
 
+// A PNG or JPEG of a character. wishes: {class, figure, mask (a file), outline: [[[x, y], ...], ...]}, all may be missing: found; places are
+// pixels, x right, y down from the top left corner. Replies as web_load() does, for which a picture is one without wishes, with
+// {picture: {width, height, figures, figure, class, view, certainty, clip, outline}}; certainty is 0 before web_rig(), which replies with
+// it, too. `clip` is what web_motion() plays where the user has none.
+EMSCRIPTEN_KEEPALIVE const char* web_picture(const char* path, const char* wishes, uint32_t number) {
+  return answer([&] { return load_picture(session(), path, Json::parse(wishes), number); });
+}
+
 // A character that is open no more.
 EMSCRIPTEN_KEEPALIVE void web_forget(uint32_t number) {
-  if (number != session().number) session().rigs_of.erase(number);
+  if (number == session().number) return;
+  session().rigs_of.erase(number);
+  session().pictures_of.erase(number);
 }
 
 // A new skeleton for the character. wishes: {up (0 = y, 1 = z, 2 = found), category, front, mirror, spine, toes, ends} as SkeletonOptions has them, and the
@@ -329,7 +339,7 @@ EMSCRIPTEN_KEEPALIVE const char* web_motion(const char* files, const char* wish)
     std::vector<std::vector<sinew_map_pin>> pins(names.size());
     for (size_t f = 0; f < names.size() && f < json.at("pins").size(); ++f)
       for (const Json& pin : json.at("pins").at(f)) pins[f].push_back({pin.at(0).get<uint32_t>(), pin.at(1).get<int32_t>()});
-    return s.player.open(names, s.character, json.at("up").get<uint32_t>(), json.at("own").get<bool>(),
+    return s.player.open(names, s.character, s.picture(), json.at("up").get<uint32_t>(), json.at("own").get<bool>(),
                          motion_method(json.at("method").get<uint32_t>()), pins);
   });
 }

@@ -2,7 +2,7 @@
  * Characters: what the command `sinew` does with one, as calls of the shared library libsinew_character. The same defaults as the
  * command's, the same bytes in what is saved. The engine's own calls (sinew/sinew.h) are in this library too.
  *
- *   open, create, copy, close         a character from a file, from files in memory, from arrays
+ *   open, create, copy, close         a character from a file, from files in memory, from arrays, from a picture
  *   view, clip, notes                 its arrays, its motion, what the reader has to say
  *   bind, rig, map, animate, pose, transfer, simplify, check, bake   one call for each command of that name
  *   save, write                       to a file, to memory
@@ -56,7 +56,8 @@ typedef enum sinew_file_use {
   SINEW_READ_WHOLE = 8,       /* mesh, skeleton and weights in one file */
   SINEW_WRITE_CHARACTER = 16, /* mesh, skeleton and weights */
   SINEW_WRITE_MOTION = 32,    /* clips */
-  SINEW_WRITE_MESH = 64       /* a mesh alone: poses */
+  SINEW_WRITE_MESH = 64,      /* a mesh alone: poses */
+  SINEW_READ_PICTURE = 256    /* a drawing or a photograph of a character: sinew_character_open_picture() */
 } sinew_file_use;
 
 /* Extensions of all files of a use (sinew_file_use, or several: those that have them all), a space between two: ".obj .gltf .glb". For
@@ -65,7 +66,8 @@ SINEW_API const char* sinew_character_extensions(uint32_t uses);
 
 /* Opens a file by its extension. A .obj comes with the NAME.rig.txt beside it, where there is one; a .rig.txt with its NAME.obj. A
  * .bvh, .vrma, .npz, .npy or .vmd, or a .rig.txt alone, is a skeleton without a mesh. builtin:NAME is a clip that ships, for sinew_character_animate(): of several
- * kinds of body the one that fits the character it is played on.
+ * kinds of body the one that fits the character it is played on. A .png or .jpg is a drawing or a photograph of a character, opened by
+ * sinew_character_open_picture() with every default.
  *   path       the file
  *   character  out; untouched on failure. Closed by sinew_character_close()
  * Returns SINEW_OK, SINEW_ERROR_ARGUMENT (a pointer is null), SINEW_ERROR_INPUT, SINEW_ERROR_MEMORY. */
@@ -75,6 +77,86 @@ SINEW_API sinew_status sinew_character_open(const char* path, sinew_character** 
  * that it has for them. The disk is not looked at. All is copied. */
 SINEW_API sinew_status sinew_character_open_files(const sinew_file* files, uint32_t file_count,
                                                   sinew_character** character);
+
+/* ---- pictures ---- */
+
+typedef enum sinew_body_class {
+  SINEW_BODY_CLASS_FOUND =
+      0, /* as the votes of the model say. Others: the numbers of sinew_category, and what is none of them */
+  SINEW_BODY_CLASS_BIPED = 1,
+  SINEW_BODY_CLASS_QUADRUPED = 2,
+  SINEW_BODY_CLASS_BIRD = 3,
+  SINEW_BODY_CLASS_FISH = 4,
+  SINEW_BODY_CLASS_SNAKE = 5,
+  SINEW_BODY_CLASS_MANY_LEGGED = 6,
+  SINEW_BODY_CLASS_OTHER = 7
+} sinew_body_class;
+
+/* From where a picture shows its character. */
+typedef enum sinew_picture_view {
+  SINEW_PICTURE_VIEW_FRONT = 0,
+  SINEW_PICTURE_VIEW_FACES_RIGHT = 1,
+  SINEW_PICTURE_VIEW_FACES_LEFT = 2
+} sinew_picture_view;
+
+typedef struct sinew_character_picture_options {
+  uint32_t struct_size; /* sizeof(sinew_character_picture_options) */
+  uint32_t body_class;  /* sinew_body_class */
+  uint32_t figure;      /* of several figures, from left to right, from 1 on; 0: the largest */
+  uint32_t flat;        /* 1: a card instead of a body as thick as it is wide */
+  uint32_t
+      pixels; /* 1: places are the picture's pixels, x right, y up from the bottom edge; else the longest side is 1 */
+  uint32_t line_count; /* closed lines of the outline */
+  const char*
+      mask; /* a picture that is bright where the figure is, as a file or the name of one in memory; null: found */
+  const uint32_t* line_offsets; /* [line_count + 1] CSR into the outline, rising from 0 */
+  const float* outline; /* [line_offsets[line_count] x 2] the figure as sinew_character_picture_info has it, in place of
+                                 * what is found; or null */
+} sinew_character_picture_options;
+
+static inline sinew_character_picture_options sinew_character_picture_options_init(void) {
+  sinew_character_picture_options options;
+  memset(&options, 0, sizeof options);
+  options.struct_size = sizeof options;
+  return options;
+}
+
+/* Opens a drawing or a photograph of a character (PNG, JPEG): its figure as a mesh in the plane z = 0, seen from +z, with the picture as
+ * its texture. sinew_character_rig() gives it a skeleton in that plane (its category may say the class, too);
+ * sinew_character_animate() does so where it has none, and plays a clip of its class where no motion is given.
+ *   options    null = all defaults
+ *   character  out; untouched on failure */
+SINEW_API sinew_status sinew_character_open_picture(const char* path, const sinew_character_picture_options* options,
+                                                    sinew_character** character);
+/* The same from memory, as sinew_character_open_files(): the picture first, a mask beside it. */
+SINEW_API sinew_status sinew_character_open_picture_files(const sinew_file* files, uint32_t file_count,
+                                                          const sinew_character_picture_options* options,
+                                                          sinew_character** character);
+
+/* What was found in the picture. */
+typedef struct sinew_character_picture_info {
+  uint32_t struct_size;         /* sizeof(sinew_character_picture_info) */
+  uint32_t width, height;       /* pixels as the picture is seen */
+  uint32_t figure_count;        /* in the picture */
+  uint32_t figure;              /* the one that was taken, from 1 on */
+  uint32_t body_class;          /* sinew_body_class; 0 before it is rigged */
+  uint32_t view;                /* sinew_picture_view; 0 before it is rigged */
+  float certainty;              /* 0..1, of class and view together; 0 before it is rigged */
+  uint32_t line_count;          /* closed lines of the outline: the border, then those of holes and smaller parts */
+  uint32_t reserved;            /* 0 */
+  const uint32_t* line_offsets; /* [line_count + 1] */
+  const float* outline;         /* [line_offsets[line_count] x 2] pixels, x right, y down from the top left corner */
+} sinew_character_picture_info;
+
+static inline sinew_character_picture_info sinew_character_picture_info_init(void) {
+  sinew_character_picture_info info;
+  memset(&info, 0, sizeof info);
+  info.struct_size = sizeof info;
+  return info;
+}
+
+/* A character that is not of a picture is SINEW_ERROR_INPUT. */
+SINEW_API sinew_status sinew_character_picture(sinew_character* character, sinew_character_picture_info* info);
 
 /* From arrays, which are copied.
  *   mesh         null: a skeleton alone
@@ -531,6 +613,8 @@ typedef struct sinew_character_animate_options {
   const char*
       limits; /* what joints stay within, contacts or not: a .urdf, a file of formats/spec/limits.md, or "human" for what
                        * bodies can do; null: nothing but the natural range */
+  uint32_t depth;    /* 1: bones of a picture's character leave its plane as the motion's do */
+  uint32_t reserved; /* 0 */
 } sinew_character_animate_options;
 
 static inline sinew_character_animate_options sinew_character_animate_options_init(void) {
@@ -562,7 +646,8 @@ static inline sinew_character_animate_result sinew_character_animate_result_init
   return result;
 }
 
-/* Adds clips of another skeleton to a bound character, which are saved with it. A bare mesh is rigged first. */
+/* Adds clips of another skeleton to a bound character, which are saved with it. A bare mesh is rigged first.
+ *   motion  null: a clip that ships, for a character that is of a picture (sinew_character_open_picture()) alone: that of its class */
 SINEW_API sinew_status sinew_character_animate(sinew_character* character, sinew_character* motion,
                                                const sinew_character_animate_options* options,
                                                sinew_character_animate_result* result);

@@ -5,32 +5,64 @@
 #include <utility>
 
 #include "sinew_character/models.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 
 namespace sinew {
 
-bool is_picture(const std::string& path) {
-  return has_extension(path, ".png") || has_extension(path, ".jpg") || has_extension(path, ".jpeg");
+namespace {
+
+// One class for what says which limbs there are and for what knows the bodies of pictures.
+void settle_class(std::optional<BodyClass>* body, RigJobOptions* job) {
+  const bool by_model = job->method != RigMethod::kShape && job->method != RigMethod::kRegions;
+  if (job->category != SINEW_CATEGORY_ANY)
+    *body = static_cast<BodyClass>(job->category - SINEW_CATEGORY_BIPED);
+  else if (*body && *body != BodyClass::kOther && by_model)
+    job->category = static_cast<uint32_t>(**body) + SINEW_CATEGORY_BIPED;
+}
+
+PictureCharacter figure_in(const std::string& path, const PictureJobOptions& options) {
+  PictureCharacter out;
+  const auto picture = std::make_shared<const PictureFile>(read_picture(path));
+  out.figure = !options.outline.empty() ? figure_of_outline(*picture, options.outline, options.figure)
+               : !options.mask.empty()  ? figure_of_mask(*picture, read_picture(options.mask), options.figure)
+                                        : find_figure(*picture, options.figure);
+  out.picture = picture;
+  out.options = options;
+  out.body = options.body.value_or(BodyClass::kOther);
+  return out;
+}
+
+}  // namespace
+
+bool is_picture(const std::string& path) { return has_use(path, kReadsPicture); }
+
+PictureCharacter open_picture(const std::string& path, const PictureJobOptions& options) {
+  PictureCharacter out = figure_in(path, options);
+  out.rigged.character = picture_mesh(*out.picture, out.figure, options.mesh);
+  return out;
+}
+
+void rig_picture(const RigJobOptions& job, const RigModels& models, PictureCharacter* picture) {
+  PictureMeshOptions round = picture->options.mesh;
+  round.flat = false;  // skeletons are found in what is round
+  Character mesh = picture_mesh(*picture->picture, picture->figure, round);
+  RigJobOptions facing = job;
+  facing.up = UpChoice::kY;
+  facing.front = SINEW_FRONT_PLUS_Z;
+  std::optional<BodyClass> body = picture->options.body;
+  settle_class(&body, &facing);
+  SeenBody seen = see_body(mesh, body, facing, models, &mesh.notes);
+  picture->rigged = rig_character(std::move(mesh), std::move(seen.skeleton), false, facing, models);
+  picture->view = seen.view;
+  picture->body = seen.body;
+  picture->certainty = seen.certainty;
+  if (picture->options.mesh.flat) flatten(&picture->rigged.character);
 }
 
 PictureCharacter rig_picture(const std::string& path, const PictureJobOptions& options, const RigJobOptions& job,
                              const RigModels& models) {
-  PictureCharacter out;
-  out.picture = read_picture(path);
-  out.figure = options.mask.empty() ? find_figure(out.picture, options.figure)
-                                    : figure_of_mask(out.picture, read_picture(options.mask), options.figure);
-  PictureMeshOptions round = options.mesh;
-  round.flat = false;  // skeletons are found in what is round
-  Character mesh = picture_mesh(out.picture, out.figure, round);
-  SeenBody seen = see_body(mesh, options.body, job, models, &mesh.notes);
-  out.view = seen.view;
-  out.body = seen.body;
-  out.certainty = seen.certainty;
-  RigJobOptions facing = job;
-  facing.up = UpChoice::kY;
-  facing.front = SINEW_FRONT_PLUS_Z;
-  out.rigged = rig_character(std::move(mesh), std::move(seen.skeleton), false, facing, models);
-  if (options.mesh.flat) flatten(&out.rigged.character);
+  PictureCharacter out = figure_in(path, options);
+  rig_picture(job, models, &out);
   return out;
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "sinew_character/plane_motion.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "picture/plane_bones.hpp"
+#include "sinew_character/map_skeleton.hpp"
 #include "sinew_formats/box.hpp"
 
 namespace sinew {
@@ -28,10 +30,13 @@ Character standing_body(const PictureCharacter& picture, const Character& charac
   return out;
 }
 
-std::vector<uint8_t> classes_of(const PictureCharacter& picture, size_t count) {
-  std::vector<uint8_t> classes = picture.rigged.skeleton.classes;
-  classes.resize(count, SINEW_CLASS_OTHER);
-  return classes;
+// As the skeleton that was found says; of another one by what its joints are.
+std::vector<uint8_t> classes_of(const PictureCharacter& picture, const Character& body) {
+  const std::vector<Joint>&found = picture.rigged.skeleton.joints, &now = body.joints;
+  const bool is_found =
+      std::equal(found.begin(), found.end(), now.begin(), now.end(),
+                 [](const Joint& a, const Joint& b) { return a.name == b.name && a.parent == b.parent; });
+  return is_found ? picture.rigged.skeleton.classes : limb_classes(map_rig_of(body), 'y');
 }
 
 }  // namespace
@@ -46,7 +51,7 @@ void add_picture_motion(const PictureCharacter& picture, bool depth, const Anima
   if (copied.method == AnimateMethod::kAuto && !depth)
     copied.method = AnimateMethod::kCopy;  // feet are put on the floor here
   add_motion(copied, input, steps, &body);
-  const std::vector<uint8_t> classes = classes_of(picture, body.motion.joints.size());
+  const std::vector<uint8_t> classes = classes_of(picture, body.character);
   for (const Clip& clip : body.motion.clips)
     out->motion.clips.push_back(depth ? clip_with_depth(body.motion, clip, picture.view, out->motion)
                                       : clip_in_plane(body.motion, clip, classes, picture.view, out->motion));

@@ -14,11 +14,7 @@ namespace sinew {
 namespace picture {
 namespace {
 
-// Outlines are found at up to so many pixels a side.
-constexpr uint32_t kWorkSide = 1280;
 constexpr uint8_t kOpaque = 128;
-
-uint32_t step_of(const Pixels& pixels) { return (std::max(pixels.width, pixels.height) + kWorkSide - 1) / kWorkSide; }
 
 Mask empty_mask(uint32_t width, uint32_t height, uint8_t value = 0) {
   return {width, height, std::vector<uint8_t>(size_t{width} * height, value)};

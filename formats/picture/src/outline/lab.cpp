@@ -37,6 +37,11 @@ Lab lab_of(float r, float g, float b) {
 
 }  // namespace
 
+uint32_t step_of(const Pixels& pixels) {
+  constexpr uint32_t kWorkSide = 1280;
+  return (std::max(pixels.width, pixels.height) + kWorkSide - 1) / kWorkSide;
+}
+
 Reduced reduce(const Pixels& pixels, uint32_t step) {
   static const std::array<float, 256> linear = linear_table();
   const uint32_t width = (pixels.width + step - 1) / step, height = (pixels.height + step - 1) / step;

@@ -18,6 +18,8 @@ struct Reduced {
   Grid<uint8_t> alpha;  // 0..255
 };
 Reduced reduce(const Pixels& pixels, uint32_t step);
+// Outlines are found at up to 1,280 pixels a side.
+uint32_t step_of(const Pixels& pixels);
 
 }  // namespace sinew::picture
 #endif

@@ -96,7 +96,7 @@ Pixels decode_jpeg(const std::string& path, const std::vector<uint8_t>& bytes) {
   if (!read_rows(&job, pixels.rgba.data(), row.data())) throw refuse();
   return pixels;
 }
-#else
+#elif !defined(SINEW_PICTURES_BY_STB)
 Pixels decode_jpeg(const std::string& path, const std::vector<uint8_t>&) {
   throw Error(
       path +

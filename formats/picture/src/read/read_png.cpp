@@ -30,7 +30,7 @@ Pixels decode_png(const std::string& path, const std::vector<uint8_t>& bytes) {
     throw Error(path + ": cannot read this PNG: " + header.message + "; save it again");
   return pixels;
 }
-#else
+#elif !defined(SINEW_PICTURES_BY_STB)
 Pixels decode_png(const std::string& path, const std::vector<uint8_t>&) {
   throw Error(
       path + ": this sinew was built without PNG; install libpng (Debian: libpng-dev) and build again, or give a JPEG");

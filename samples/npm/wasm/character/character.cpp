@@ -58,6 +58,18 @@ class Wish {
     *out = texts_.back()->c_str();
     json_.erase(at);
   }
+  // Lists of places [[[x, y], ...], ...] as CSR.
+  void take_lines(const char* name, std::vector<uint32_t>* offsets, std::vector<float>* places) {
+    const auto at = json_.find(name);
+    if (at == json_.end()) return;
+    *offsets = {0};
+    for (const Json& line : *at) {
+      for (const Json& place : line)
+        places->insert(places->end(), {place.at(0).get<float>(), place.at(1).get<float>()});
+      offsets->push_back(static_cast<uint32_t>(places->size() / 2));
+    }
+    json_.erase(at);
+  }
   // An array that JavaScript has put into memory.
   template <class T>
   void take_array(const char* name, const T** out) {
@@ -100,6 +112,46 @@ EMSCRIPTEN_KEEPALIVE const char* character_open(const sinew_file* files, uint32_
   sinew_character* opened = nullptr;
   const sinew_status status = sinew_character_open_files(files, count, &opened);
   return status == SINEW_OK ? say({{"handle", address(opened)}}) : refuse(status, nullptr);
+}
+
+EMSCRIPTEN_KEEPALIVE const char* character_open_picture(const sinew_file* files, uint32_t count, const char* text) {
+  std::vector<uint32_t> offsets;
+  std::vector<float> places;
+  return run(
+      nullptr, text, sinew_character_picture_options_init(),
+      [&](Wish& wish, sinew_character_picture_options& o) {
+        wish.take("body_class", &o.body_class);
+        wish.take("figure", &o.figure);
+        wish.take("flat", &o.flat);
+        wish.take("pixels", &o.pixels);
+        wish.take("mask", &o.mask);
+        wish.take_lines("outline", &offsets, &places);
+        o.line_count = offsets.empty() ? 0 : static_cast<uint32_t>(offsets.size() - 1);
+        o.line_offsets = offsets.data();
+        o.outline = places.data();
+      },
+      [&](const sinew_character_picture_options& o, Json& said) {
+        sinew_character* opened = nullptr;
+        const sinew_status status = sinew_character_open_picture_files(files, count, &o, &opened);
+        if (status == SINEW_OK) said["handle"] = address(opened);
+        return status;
+      });
+}
+
+// What was found in a picture; `lines` are numbers of places, which lie at `outline`.
+EMSCRIPTEN_KEEPALIVE const char* character_picture(sinew_character* character) {
+  sinew_character_picture_info info = sinew_character_picture_info_init();
+  const sinew_status status = sinew_character_picture(character, &info);
+  if (status != SINEW_OK) return refuse(status, character);
+  return say({{"width", info.width},
+              {"height", info.height},
+              {"figureCount", info.figure_count},
+              {"figure", info.figure},
+              {"bodyClass", info.body_class},
+              {"view", info.view},
+              {"certainty", info.certainty},
+              {"lineOffsets", std::vector<uint32_t>(info.line_offsets, info.line_offsets + info.line_count + 1)},
+              {"outline", address(info.outline)}});
 }
 
 EMSCRIPTEN_KEEPALIVE void character_close(sinew_character* character) { sinew_character_close(character); }
@@ -253,6 +305,7 @@ EMSCRIPTEN_KEEPALIVE const char* character_animate(sinew_character* character, s
         wish.take("layout", &o.layout);
         wish.take("limits", &o.limits);
         wish.take("actor", &o.actor);
+        wish.take("depth", &o.depth);
         wish.take_array("sources", &o.sources);
       },
       [&](const sinew_character_animate_options& o, Json& said) {

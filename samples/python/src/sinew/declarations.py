@@ -44,6 +44,7 @@ READ_WHOLE = 8
 WRITE_CHARACTER = 16
 WRITE_MOTION = 32
 WRITE_MESH = 64
+READ_PICTURE = 256
 
 # Words of enumerations, by number.
 STATUS: Dict[str, int] = {"OK": 0, "ERROR_ARGUMENT": -1, "ERROR_WORKSPACE": -2, "ERROR_COUNT": -3, "ERROR_NOT_FINITE": -4,
@@ -106,7 +107,11 @@ BRANCHES_COST: Tuple[str, ...] = ("mean", "sum")
 SimplifyLevel = Literal["high", "low"]
 SIMPLIFY_LEVEL: Tuple[str, ...] = ("high", "low")
 FILE_USE: Dict[str, int] = {"READ_MESH": 1, "READ_SKELETON": 2, "READ_MOTION": 4, "READ_WHOLE": 8, "WRITE_CHARACTER": 16,
-    "WRITE_MOTION": 32, "WRITE_MESH": 64}
+    "WRITE_MOTION": 32, "WRITE_MESH": 64, "READ_PICTURE": 256}
+BodyClass = Literal["found", "biped", "quadruped", "bird", "fish", "snake", "many-legged", "other"]
+BODY_CLASS: Tuple[str, ...] = ("found", "biped", "quadruped", "bird", "fish", "snake", "many-legged", "other")
+PictureView = Literal["front", "faces-right", "faces-left"]
+PICTURE_VIEW: Tuple[str, ...] = ("front", "faces-right", "faces-left")
 JointsFrom = Literal["auto", "own", "names", "all"]
 JOINTS_FROM: Tuple[str, ...] = ("auto", "own", "names", "all")
 CharacterRigMethod = Literal["auto", "votes", "shape", "regions", "slots"]
@@ -314,6 +319,17 @@ class sinew_file(Structure):
     _fields_ = [("name", c_char_p), ("bytes", c_void_p), ("size_bytes", c_size_t)]
 
 
+class sinew_character_picture_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("body_class", c_uint32), ("figure", c_uint32), ("flat", c_uint32), ("pixels", c_uint32),
+        ("line_count", c_uint32), ("mask", c_char_p), ("line_offsets", c_void_p), ("outline", c_void_p)]
+
+
+class sinew_character_picture_info(Structure):
+    _fields_ = [("struct_size", c_uint32), ("width", c_uint32), ("height", c_uint32), ("figure_count", c_uint32), ("figure", c_uint32),
+        ("body_class", c_uint32), ("view", c_uint32), ("certainty", c_float), ("line_count", c_uint32), ("reserved", c_uint32),
+        ("line_offsets", c_void_p), ("outline", c_void_p)]
+
+
 class sinew_character_arrays(Structure):
     _fields_ = [("struct_size", c_uint32), ("vertex_count", c_uint32), ("face_count", c_uint32), ("corner_count", c_uint32),
         ("joint_count", c_uint32), ("mesh_count", c_uint32), ("influence_count", c_uint32), ("reserved", c_uint32), ("name", c_char_p),
@@ -402,7 +418,8 @@ class sinew_character_animate_options(Structure):
         ("map", c_char_p), ("sources", c_void_p), ("area_power", c_uint32), ("no_own_limb", c_uint32), ("legs", c_uint32),
         ("report", c_uint32), ("falloff", c_double), ("own_limb", c_uint32), ("head", c_uint32), ("torso", c_uint32),
         ("source_points", c_uint32), ("force", c_uint32), ("translations", c_uint32), ("stiffness", c_double), ("tet_weights", c_uint32),
-        ("no_smoothing", c_uint32), ("layout", c_char_p), ("actor", c_char_p), ("limits", c_char_p)]
+        ("no_smoothing", c_uint32), ("layout", c_char_p), ("actor", c_char_p), ("limits", c_char_p), ("depth", c_uint32),
+        ("reserved", c_uint32)]
 
 
 class sinew_character_animate_result(Structure):
@@ -473,12 +490,12 @@ STRUCTS: Tuple[Any, ...] = (sinew_mesh, sinew_model, sinew_answer, sinew_alterna
     sinew_simplify_options)
 
 
-CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_arrays, sinew_character_clip, sinew_character_models,
-    sinew_character_bind_options, sinew_character_seam, sinew_character_bind_result, sinew_skeleton_edit, sinew_character_rig_options,
-    sinew_character_doubt, sinew_character_rig_result, sinew_character_map_options, sinew_character_map_result,
-    sinew_character_animate_options, sinew_character_animate_result, sinew_character_pose_options, sinew_character_transfer_options,
-    sinew_character_transfer_result, sinew_character_simplify_options, sinew_character_finding, sinew_character_check_options,
-    sinew_character_check_result, sinew_character_bake_options, sinew_character_bake_result)
+CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_picture_options, sinew_character_picture_info, sinew_character_arrays,
+    sinew_character_clip, sinew_character_models, sinew_character_bind_options, sinew_character_seam, sinew_character_bind_result,
+    sinew_skeleton_edit, sinew_character_rig_options, sinew_character_doubt, sinew_character_rig_result, sinew_character_map_options,
+    sinew_character_map_result, sinew_character_animate_options, sinew_character_animate_result, sinew_character_pose_options,
+    sinew_character_transfer_options, sinew_character_transfer_result, sinew_character_simplify_options, sinew_character_finding,
+    sinew_character_check_options, sinew_character_check_result, sinew_character_bake_options, sinew_character_bake_result)
 
 
 # Result and arguments.
@@ -566,6 +583,10 @@ CHARACTER_FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_character_extensions": (c_char_p, [c_uint32]),
     "sinew_character_open": (c_int, [c_char_p, POINTER(c_void_p)]),
     "sinew_character_open_files": (c_int, [POINTER(sinew_file), c_uint32, POINTER(c_void_p)]),
+    "sinew_character_open_picture": (c_int, [c_char_p, POINTER(sinew_character_picture_options), POINTER(c_void_p)]),
+    "sinew_character_open_picture_files": (c_int, [POINTER(sinew_file), c_uint32, POINTER(sinew_character_picture_options),
+        POINTER(c_void_p)]),
+    "sinew_character_picture": (c_int, [c_void_p, POINTER(sinew_character_picture_info)]),
     "sinew_character_create": (c_int, [POINTER(sinew_mesh), POINTER(sinew_skeleton), POINTER(c_void_p)]),
     "sinew_character_copy": (c_int, [c_void_p, POINTER(c_void_p)]),
     "sinew_character_close": (None, [c_void_p]),

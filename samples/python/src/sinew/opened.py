@@ -65,6 +65,22 @@ class Rigged:
 
 
 @dataclass
+class Picture:
+    """What was found in a picture. width, height: its pixels; figure: of how many figures; body_class, view and how sure they are
+    (0..1): "found" and 0 before rig(); outline: closed lines [k, 2] of the figure in pixels, x right, y down from the top left corner,
+    the border first, then those of holes and smaller parts."""
+
+    width: int
+    height: int
+    figure_count: int
+    figure: int
+    body_class: str
+    view: str
+    certainty: float
+    outline: List[np.ndarray]
+
+
+@dataclass
 class FileMap:
     """sources: joint of the source for each of the target, -1 for none; text: the map as `sinew map -o` writes it."""
 
@@ -110,16 +126,41 @@ def open(source: Source, *, name: str = "", beside: Optional[Mapping[str, bytes]
     library = binding.character_library()
     handle = ctypes.c_void_p()
     if isinstance(source, (bytes, bytearray, memoryview)):
-        if not name:
-            raise ValueError("name: bytes need a file name, whose extension says what they are")
-        listed = [(name, bytes(source)), *((n, bytes(b)) for n, b in (beside or {}).items())]
-        files = (declarations.sinew_file * len(listed))()
-        kept = [ctypes.create_string_buffer(content, max(len(content), 1)) for _, content in listed]
-        for file, (one, content), buffer in zip(files, listed, kept):
-            file.name, file.bytes, file.size_bytes = one.encode(), ctypes.addressof(buffer), len(content)
+        files, _kept = _files_of(source, name, beside)
         _check(library.sinew_character_open_files(files, len(files), ctypes.byref(handle)), None)
     else:
         _check(library.sinew_character_open(os.fsencode(source), ctypes.byref(handle)), None)
+    return OpenCharacter(handle)
+
+
+def open_picture(source: Source, *, name: str = "", beside: Optional[Mapping[str, bytes]] = None,
+                 body_class: declarations.BodyClass = "found", figure: int = 0, flat: bool = False, units: Literal["figure", "pixels"] = "figure",
+                 mask_file: Union[None, str, os.PathLike] = None, outline: Optional[Sequence[Any]] = None) -> "OpenCharacter":
+    """Opens a drawing or a photograph of a character, PNG or JPEG: its figure as a mesh with the picture as texture. rig() gives it a
+    skeleton in the picture's plane; retarget() does so where it has none, and plays a clip of its class where no motion is given.
+
+    source, name, beside  as of open()
+    body_class  what kind of body it is; "found": as the model says
+    figure      of several figures, from left to right, from 1 on; 0: the largest
+    flat        a card instead of a body as thick as it is wide
+    units       "figure": its longest side is 1; "pixels": places are the picture's, x right, y up from the bottom edge
+    mask_file   a picture that is bright where the figure is, by path or its name in `beside`; None: found
+    outline     closed lines [k, 2] round the figure, as Picture has them, in place of what is found
+    """
+    library, handle = binding.character_library(), ctypes.c_void_p()
+    options = binding.init(declarations.sinew_character_picture_options)
+    options.body_class = chosen(body_class, declarations.BODY_CLASS, "body_class")
+    options.figure, options.flat, options.pixels = figure, int(flat), chosen(units, ("figure", "pixels"), "units")
+    options.mask = None if mask_file is None else os.fsencode(mask_file)
+    lines = [real(line, (None, 2), "outline") for line in outline or ()]
+    offsets = np.concatenate(([0], np.cumsum([len(line) for line in lines]))).astype(np.uint32)
+    places = np.concatenate(lines) if lines else None
+    options.line_count, options.line_offsets, options.outline = len(lines), offsets.ctypes.data, binding.address(places)
+    if isinstance(source, (bytes, bytearray, memoryview)):
+        files, _kept = _files_of(source, name, beside)
+        _check(library.sinew_character_open_picture_files(files, len(files), ctypes.byref(options), ctypes.byref(handle)), None)
+    else:
+        _check(library.sinew_character_open_picture(os.fsencode(source), ctypes.byref(options), ctypes.byref(handle)), None)
     return OpenCharacter(handle)
 
 
@@ -206,6 +247,16 @@ class OpenCharacter:
     def notes(self) -> List[str]:
         """Remarks of the reader and of the jobs."""
         return binding.character_library().sinew_character_notes(self.pointer).decode(errors="replace").splitlines()
+
+    @property
+    def picture(self) -> Picture:
+        """What was found in the picture that it is of. Raises Error where it is of none."""
+        info = binding.init(declarations.sinew_character_picture_info)
+        _check(binding.character_library().sinew_character_picture(self.pointer, ctypes.byref(info)), self)
+        offsets = _array(info.line_offsets, np.uint32, (info.line_count + 1,))
+        places = _array(info.outline, np.float32, (int(offsets[-1]), 2))
+        return Picture(info.width, info.height, info.figure_count, info.figure, declarations.BODY_CLASS[info.body_class],
+                       declarations.PICTURE_VIEW[info.view], info.certainty, [places[a:b] for a, b in zip(offsets[:-1], offsets[1:])])
 
     # ---- arrays
 
@@ -480,15 +531,17 @@ class OpenCharacter:
         return FileMap(_array(result.sources, np.int32, count), _array(result.confidence, np.float32, count),
                        _array(result.reasons, np.uint8, count), result.certainty, declarations.MAP_METHOD[result.method], result.text.decode())
 
-    def retarget(self, motion: "OpenCharacter", *, method: declarations.AnimateMethod = "auto", in_place: bool = False,
+    def retarget(self, motion: Optional["OpenCharacter"] = None, *, method: declarations.AnimateMethod = "auto", in_place: bool = False,
                  natural_range: bool = True, target_up: MotionUp = "auto", motion_up: MotionUp = "auto", correct: Correction = "none",
                  cells: int = 0, rounds: int = 0, body_contact: bool = False, stiffness: float = 0, tet_weights: declarations.TetWeights = "skin",
                  smoothing: bool = True, shapes: int = 0, fps: float = 0, start: float = 0, end: float = 0,
                  clip: Union[None, str, int] = None, map_file: Union[None, str, os.PathLike] = None, joint_map: Any = None,
                  force: bool = False, translations: bool = False, layout: Optional[str] = None, actor: Union[None, str, int] = None,
-                 limits: Union[None, str, os.PathLike] = None, threads: int = 1, progress: ProgressFunction = None) -> Retargeted:
+                 limits: Union[None, str, os.PathLike] = None, depth: bool = False, threads: int = 1,
+                 progress: ProgressFunction = None) -> Retargeted:
         """Adds clips of another skeleton. A bare mesh is rigged first.
 
+        motion         None: a clip of its class that ships, for a character of a picture alone
         natural_range  knees and elbows stay in theirs
         correct        every frame is corrected by morph targets, at most `shapes` a clip
         stiffness, tet_weights, smoothing  of the correction "xpbd": of its springs, 0 = 0.2; where its tetrahedra have weights from; of bends
@@ -500,6 +553,7 @@ class OpenCharacter:
         layout         which joints places alone are (.npy, .npz): "smpl24", "humanml3d22", "coco17", "mediapipe33"; None: guessed by their count
         actor          of a file of several people, by the root's name or number; None: the first where all are alike
         limits         what joints stay within: a .urdf, a file of limits (formats/spec/limits.md), or "human"; None: nothing but the natural range
+        depth          bones of a picture's character leave its plane as the motion's do
         """
         options = binding.init(declarations.sinew_character_animate_options)
         options.method, options.in_place, options.no_range = chosen(method, declarations.ANIMATE_METHOD, "method"), int(in_place), int(not natural_range)
@@ -509,16 +563,18 @@ class OpenCharacter:
         _set_springs(options, stiffness, tet_weights, smoothing)
         options.fps, options.to = fps, end
         setattr(options, "from", start)  # a word of Python
-        options.force, options.translations = int(force), int(translations)
+        options.force, options.translations, options.depth = int(force), int(translations), int(depth)
         options.clip = None if clip is None else str(clip).encode()
         options.layout = None if layout is None else layout.encode()
         options.actor = None if actor is None else str(actor).encode()
         options.limits = None if limits is None else os.fsencode(limits)
         options.map = None if map_file is None else os.fsencode(map_file)
-        given = None if joint_map is None else whole(joint_map, (self._view().joint_count,), "joint_map", np.int32, -1, motion._view().joint_count)
+        if motion is None and joint_map is not None:
+            raise ValueError("joint_map: is of a motion's joints, and there is no motion")
+        given = None if motion is None or joint_map is None else whole(joint_map, (self._view().joint_count,), "joint_map", np.int32, -1, motion._view().joint_count)
         options.sources = binding.address(given)
         result = binding.init(declarations.sinew_character_animate_result)
-        self._job("retarget", "sinew_character_animate", [motion.pointer], options, result, threads, progress, _Models())
+        self._job("retarget", "sinew_character_animate", [None if motion is None else motion.pointer], options, result, threads, progress, _Models())
         count = self._view().joint_count
         return Retargeted(range(result.first_clip, result.first_clip + result.clip_count), result.mapped, bool(result.rigged), result.certainty,
                           (result.mapped_by or b"").decode(), _array(result.sources, np.int32, (count,)) if result.sources else np.zeros(0, np.int32))
@@ -636,6 +692,18 @@ class _Models:
             setattr(self.struct, name, aligned.ctypes.data)
             setattr(self.struct, name + "_size", len(content))
         self.any = bool(self._kept)
+
+
+def _files_of(source: Any, name: str, beside: Optional[Mapping[str, bytes]]) -> Tuple[Any, List[Any]]:
+    """The files of a source of bytes, and what they point to."""
+    if not name:
+        raise ValueError("name: bytes need a file name, whose extension says what they are")
+    listed = [(name, bytes(source)), *((n, bytes(b)) for n, b in (beside or {}).items())]
+    files = (declarations.sinew_file * len(listed))()
+    kept = [ctypes.create_string_buffer(content, max(len(content), 1)) for _, content in listed]
+    for file, (one, content), buffer in zip(files, listed, kept):
+        file.name, file.bytes, file.size_bytes = one.encode(), ctypes.addressof(buffer), len(content)
+    return files, kept
 
 
 def _set_springs(options: Any, stiffness: float, tet_weights: declarations.TetWeights, smoothing: bool) -> None:
