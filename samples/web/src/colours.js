@@ -65,6 +65,7 @@ export function showLegend() {
     [modes.difference]: [`What moves otherwise than in the file: ${(100 * at.shownMean).toFixed(1)} % in the mean`, "alike", "otherwise"],
     [modes.material]: [`As other programs show the file${at.bends.skinning > 0 ? ": by linear skinning" : ""}`, "", ""],
   }[at.mode];
+  $("legend").classList.toggle("of-joint", at.mode === modes.field || at.mode === modes.artistField);
   $("legend").hidden = !at.character || (at.mode === modes.material && !lookText());
   $("legend").querySelector("figcaption").textContent = lookText() ?? caption;
   $("legend").querySelector(".scale").hidden = [modes.joints, modes.artist, modes.material].includes(at.mode) || Boolean(at.shownLook && at.shownLook.answer === undefined);

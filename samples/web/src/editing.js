@@ -68,6 +68,7 @@ export async function predict(wishes = at.editor.wishes) {
   const rig = await whileBusy("Finding the joints", async () => (await fetchModelsFor(wishes), engine.call("rig", { wishes: told })));
   at.character.source.recipe = { wishes: told, edits: [] };
   rigChanged();
+  if (rig.picture) at.character.picture = rig.picture; // its class and clip are known now
   useRig(rig, chosen);
 }
 

@@ -13,8 +13,10 @@ export const mayMove = (name) => isOffered(name, "readsMotion") && isMesh(name);
 export const isMotion = (name) => isOffered(name, "readsMotion") && !isMesh(name);
 export const isBeside = (name) => /\.(bin|png|jpe?g|webp|ktx2|mtl|tga|bmp|tiff?|gif|psd|dds)$/.test(lower(name)); // parts of a .gltf, .obj, .fbx or .dae
 
+export const isPicture = (name) => isOffered(name, "readsPicture"); // a drawing, where it is alone; else a part
+
 // What the page's file dialogs offer.
-export const allFiles = [...extensionsOf("offered"), ".txt", ".bin", ".png", ".jpg", ".jpeg", ".tga", ".sinew", ".style", ".zip", ".sinewproject"].join(",");
+export const allFiles = [...extensionsOf("offered"), ".txt", ".bin", ".tga", ".sinew", ".style", ".zip", ".sinewproject"].join(",");
 export const motionFiles = extensionsOf("readsMotion", "offered").join(",");
 
 export function stem(name) {
@@ -26,11 +28,13 @@ export function stem(name) {
 // moving: those of the names that could hold a mesh and are motions here.
 // Returns {characters: [{name, mesh, skeleton}], model, style, motions, waiting, problems: [one line each]}.
 export function pairFiles(names, waiting = {}, moving = []) {
+  const none = { characters: [], model: "", style: "", motions: [], waiting: {}, problems: [] };
   const problems = [];
   const others = names.filter((n) => !isMesh(n) && !isRig(n) && !isModel(n) && !isStyle(n) && !isMotion(n) && !isBeside(n));
   for (const name of others) {
     problems.push(`${name}: expected ${extensionsOf("offered").join(", ")}, .sinew or .style, found another kind of file`);
   }
+  if (names.length > 0 && names.every(isPicture)) return { ...none, characters: names.map((name) => ({ name: stem(name), mesh: name, skeleton: "" })) };
   const models = names.filter(isModel);
   const styles = names.filter(isStyle);
   const motions = names.filter((name) => isMotion(name) || moving.includes(name));

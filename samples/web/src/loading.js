@@ -6,7 +6,7 @@ import { bind } from "./binding.js";
 import { fileOfClip } from "./clip_list.js";
 import { act, record, restore, showHistory } from "./commands.js";
 import { predict, showSkeleton, upOf } from "./editing.js";
-import { isBeside, isWhole, mayMove, pairFiles } from "./files.js";
+import { isBeside, isPicture, isWhole, mayMove, pairFiles } from "./files.js";
 import { clearError, run, whileBusy } from "./jobs.js";
 import { useModel } from "./models.js";
 import { Pose } from "./pose.js";
@@ -35,6 +35,8 @@ async function unpacked(list) {
   return files.flat();
 }
 
+const isMissing = (name) => at.character?.notes?.some((note) => note.includes(`'${name}' was not found`)) ?? false;
+
 // What files that hold a mesh or a motion are for here: a motion where there is no mesh, and where motions are what is worked on.
 async function motionsAmong(names) {
   const motions = [];
@@ -55,6 +57,7 @@ export async function openFiles(dropped, { asMotions = false } = {}) {
   const isProject = names.includes("project.json");
   if (isProject) return openProject(dropped[0].name, await list.find(({ name }) => name === "project.json").text(), list);
   await giveFiles(list);
+  if (names.every(isPicture) && names.some(isMissing)) return run(() => load(at.character.source)); // of the file that is open
   const moving = asMotions ? names.filter(mayMove) : await motionsAmong(names);
   const found = pairFiles(names, at.waiting, moving);
   at.waiting = found.waiting;
@@ -112,7 +115,7 @@ export async function openProject(name, text, list) {
   if (missing.length > 0) throw new Error(`${name}: lacks ${missing.join(", ")}`);
   await giveFiles(files);
   at.waiting = {};
-  const source = { name: project.name, mesh: project.mesh, skeleton: project.skeleton, step: project.step };
+  const source = { name: project.name, mesh: project.mesh, skeleton: project.skeleton, step: project.step, pictureWishes: project.pictureWishes };
   await openCharacters([source], files.map((file) => file.name), state, rows);
 }
 
@@ -152,7 +155,9 @@ export async function load(source, state = null, rows = null) {
   at.player.pause();
   const isKnown = source.history && source.history.now.epoch === engine.epoch;
   if (!isKnown) source.number = ++at.lastNumber;
-  const loaded = await whileBusy(`Opening ${name}`, () => engine.call("load", { mesh, skeleton, number: source.number }));
+  const loaded = await whileBusy(`Opening ${name}`, () =>
+    source.pictureWishes ? engine.call("picture", { mesh, wishes: source.pictureWishes, number: source.number }) : engine.call("load", { mesh, skeleton, number: source.number }),
+  );
   // From here on the module has the new character, whether it can be bound or not.
   const wanted = state ?? source.history?.now ?? null;
   const up = Number($("up").value);
@@ -167,6 +172,7 @@ export async function load(source, state = null, rows = null) {
     if (loaded.joints.length === 0) await predict();
     await useStyleAnswers();
     await bind();
+    if (loaded.picture) await moveDrawing();
     if (isWhole(mesh) && source.motion === undefined && !at.character.predicted) await at.motions.open([mesh]).catch(() => {}); // most files have no animations
   }
   record("");
@@ -174,6 +180,25 @@ export async function load(source, state = null, rows = null) {
   showHistory();
   await sendPose();
 }
+
+// A drawing moves at once, as its class does.
+async function moveDrawing() {
+  const { picture } = at.character;
+  if (!picture.clip) return;
+  await at.motions.open([picture.clip]);
+  if (!at.player.playing && !matchMedia("(prefers-reduced-motion: reduce)").matches) at.player.toggle();
+}
+
+// A drawing by the kind of body that its user says: read anew.
+export async function changeKind() {
+  const { source, picture } = at.character;
+  if (!picture) return undefined;
+  const word = $("kind").selectedOptions[0].value === "0" ? null : bodyWords[Number($("kind").value) - 1];
+  source.pictureWishes = word ? { class: word } : undefined;
+  Object.assign(source, { history: undefined, motion: undefined, recipe: undefined, answers: [], step: undefined });
+  return load(source);
+}
+const bodyWords = ["biped", "quadruped", "bird", "fish", "snake", "many-legged"];
 
 function showOpened(loaded) {
   document.body.classList.remove("start");

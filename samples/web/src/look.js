@@ -28,7 +28,10 @@ export class Look {
     look.#restOf = look.#bones.map((bone) => bone?.matrixWorld.clone());
     look.root.traverse((object) => {
       object.frustumCulled = false;
-      for (const one of [object.material].flat()) if (one && isPlain(one)) one.color.setScalar(0.42);
+      for (const one of [object.material].flat()) {
+        if (one?.isMeshBasicMaterial) one.toneMapped = false; // a drawing's colours are what they are
+        else if (one && isPlain(one)) one.color.setScalar(0.42);
+      }
     });
     return look;
   }

@@ -15,7 +15,7 @@ import { showHelp } from "./help.js";
 import { clearError, queue, run, save, showError, stopJobs, whileBusy } from "./jobs.js";
 import { JointList } from "./joint_list.js";
 import { listenForKeys } from "./keys.js";
-import { changeMotion, motionChanged, openFiles, openProject, openSample, reopen, tryClip } from "./loading.js";
+import { changeKind, changeMotion, motionChanged, openFiles, openProject, openSample, reopen, tryClip } from "./loading.js";
 import { fetchModel } from "./models.js";
 import { Motions } from "./motions.js";
 import { BindOptions } from "./options.js";
@@ -106,7 +106,7 @@ async function saveProject() {
 function listenForSkeleton() {
   at.editor = new SkeletonEditor();
   at.editor.onEdit = (edits, chosen) => act(editName(edits), () => editSkeleton(edits, chosen));
-  at.editor.onPredict = (wishes) => at.character && act("new skeleton", async () => (await predict(wishes), await bind()));
+  at.editor.onPredict = (wishes, id) => at.character && (id === "kind" && at.character.picture ? run(changeKind) : act("new skeleton", async () => (await predict(wishes), await bind())));
   at.editor.onMiddle = toMiddle;
   at.jointList = new JointList();
   at.jointList.onPick = choose;
@@ -291,16 +291,19 @@ async function start() {
   if (sample) await openSample(sample);
 }
 
+// After the first things are there, so that it takes nothing from them. A page without a worker of this kind works as well.
+function keepForOffline() {
+  if ("serviceWorker" in navigator && isSecureContext) navigator.serviceWorker.register("sw.js").catch(() => {});
+}
+
 try {
   at.view = new View($("stage"));
   listen();
   setStep("mesh");
-  run(start);
+  run(start).then(keepForOffline);
 } catch (error) {
   showError(`this browser shows no 3D picture (${error.message}); turn on WebGL or try another browser`);
 }
-if ("serviceWorker" in navigator && location.protocol.startsWith("http")) navigator.serviceWorker.register("sw.js").catch(() => {}); // a page without one works as well
-
 // What the tests ask: everything that was started is done, and the state that no element shows.
 window.sinewPage = {
   async settled() {

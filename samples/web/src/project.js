@@ -7,7 +7,7 @@ const format = 1;
 export function projectOf({ name, source }, state, rows, beside) {
   const { recipe, up, options, pose, never, always, locked, answers, motion } = state;
   return {
-    sinewProject: format, name, mesh: source.mesh, skeleton: source.skeleton, beside, step: source.step,
+    sinewProject: format, name, mesh: source.mesh, skeleton: source.skeleton, beside, step: source.step, pictureWishes: source.pictureWishes,
     state: {
       recipe, up, options, motion, pose: [...pose], never: [...never], always: [...always], locked: [...locked],
       answers: answers.map(({ question: { members, ...question }, answer, kind, joint, byStyle }) => ({ question, answer, kind, joint, byStyle })),

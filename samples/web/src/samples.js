@@ -10,11 +10,12 @@ export const samples = [
   pair("biped__robot", "Robot"),
   pair("quadruped__tailed", "Four legs"),
   pair("bird__winged", "Wings"),
-  pair("many-legged__plated", "Many legs"),
+  { name: "drawing__child", shown: "A drawing", files: ["drawing__child.png"] },
+  pair("many-legged__plated"),
   pair("biped__robed"),
   pair("snake__long"),
 ];
-export const thumbOf = ({ files }) => `thumbs/${files[0].split(".")[0]}.webp`;
+export const thumbOf = ({ files }) => (files[0].endsWith(".png") ? `samples/${files[0]}` : `thumbs/${files[0].split(".")[0]}.webp`);
 
 // The files of one. Throws where the server has them not.
 export const sampleFiles = ({ files }) =>

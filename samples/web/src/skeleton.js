@@ -121,7 +121,7 @@ export class SkeletonEditor {
     $("remove-joint").onclick = () => this.remove();
     $("to-middle").onclick = () => this.onMiddle();
     $("predict").onclick = () => this.onPredict(this.wishes);
-    for (const id of ["detail", "spine", "toes", "ends", "mirror", "kind", "front"]) $(id).onchange = () => this.#character?.predicted && this.onPredict(this.wishes);
+    for (const id of ["detail", "spine", "toes", "ends", "mirror", "kind", "front"]) $(id).onchange = () => this.#character?.predicted && this.onPredict(this.wishes, id);
   }
 
   get alike() {

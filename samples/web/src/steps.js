@@ -84,4 +84,4 @@ export function goTo(step) {
 }
 
 // The step that a file begins with.
-export const firstStep = ({ predicted, joints }, moves) => (predicted || joints.length === 0 ? "skeleton" : moves ? "motion" : "weights");
+export const firstStep = ({ predicted, joints, picture }, moves) => (picture && moves ? "motion" : predicted || joints.length === 0 ? "skeleton" : moves ? "motion" : "weights");

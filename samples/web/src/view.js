@@ -310,7 +310,7 @@ export class View {
     this.#camera.near = this.#radius / 200;
     this.#camera.far = this.#radius * 200;
     this.#camera.updateProjectionMatrix();
-    this.#camera.position.copy(this.#centre).addScaledVector(direction, fit * 0.85);
+    this.#camera.position.copy(this.#centre).addScaledVector(direction, fit * 0.97);
     this.#orbit.target.copy(this.#centre);
     this.#orbit.minDistance = this.#radius / 20;
     this.#orbit.maxDistance = this.#radius * 30;

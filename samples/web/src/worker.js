@@ -119,6 +119,11 @@ const calls = {
     const reply = withText(plain(mesh), (m) => withText(skeleton && plain(skeleton), (s) => checked(module._web_load(m, s, number))));
     return { ...reply, buffers: take(["triangles", "vertexOf", "positions", "normals"]) };
   },
+  // A drawing by other wishes: {class, ...} as web_picture() has them.
+  picture({ mesh, wishes, number }) {
+    const reply = withText(plain(mesh), (m) => withText(JSON.stringify(wishes), (w) => checked(module._web_picture(m, w, number))));
+    return { ...reply, buffers: take(["triangles", "vertexOf", "positions", "normals"]) };
+  },
   // answers: [[vertex, kind, joint], ...]
   // wish: as BindOptions of options.js has it
   bind({ wish, answers }) {
