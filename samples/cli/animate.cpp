@@ -135,20 +135,10 @@ StepsOf counted(std::string what, const std::atomic<bool>& stop) {
   };
 }
 
-// Clips of folders, and those whose name an earlier file's clip has, are called by their file.
-void name_clips(const MotionChoice& choice, const Motion& made, Motion* motion) {
-  bool taken = choice.of_folder;
-  for (const Clip& clip : motion->clips)
-    for (const Clip& other : made.clips) taken = taken || (choice.clip.empty() && other.name == clip.name);
-  if (!taken) return;
-  for (Clip& clip : motion->clips)
-    clip.name = motion->clips.size() == 1 ? stem_of(choice.file) : stem_of(choice.file) + "." + clip.name;
-}
-
 void add_motion_file(const Settings& s, const MotionChoice& choice, const std::atomic<bool>& stop, Animated* out) {
   const std::string layout = choice.of_folder && !takes_layout(choice.file) ? "" : s.layout;
   MotionFile source = read_motion_for({choice.file, s.fps, layout, s.actor, s.up}, map_rig_of(out->character));
-  name_clips(choice, out->motion, &source.motion);
+  if (choice.of_folder || choice.clip.empty()) name_clips(choice.file, choice.of_folder, out->motion, &source.motion);
   const auto body = [&] { return source.whole ? body_of_motion(choice.file) : std::nullopt; };
   const MotionInput input = {choice.file, choice.clip, &source.motion, body};
   const StepsOf steps = counted("frames of " + file_name(choice.file), stop);

@@ -23,12 +23,16 @@ step "scripts and pages"
 [ -d "$here/node_modules/three" ] && [ -d "$here/node_modules/esbuild" ] && [ -d "$here/node_modules/@comfyorg" ] || npm ci --silent --no-audit --no-fund --prefix "$here"
 cd "$here"
 rm -f "$out"/*.js
-# What writes FBX, what reads it and what shows materials are chunks of their own, loaded when they are asked for.
-node_modules/.bin/esbuild src/main.js src/worker.js --bundle --splitting --minify --format=esm --target=es2022 --outdir="$out" --log-level=warning \
+# What writes FBX, what reads it and what shows materials are files of their own, loaded when they are asked for.
+node_modules/.bin/esbuild src/main.js src/worker.js src/fbx_worker.js --bundle --splitting --minify --format=esm --target=es2022 --outdir="$out" --log-level=warning \
   --alias:@sinew/skin/loader="$root/samples/npm/src/loader.js" --alias:@sinew/skin/scenes="$root/samples/npm/src/scenes.js" --alias:sinew-scenes="$scenes/scenes.mjs" \
   --alias:sinew-simd="$build/simd/sinew_web.mjs" --alias:sinew-scalar="$build/scalar/sinew_web.mjs"
-cp src/index.html src/style.css "$out"
+cp src/index.html src/style.css src/icon.svg src/manifest.webmanifest src/sw.js "$out"
 cp "$root"/samples/data/sinew_{default,rig,hands,front}.sinew "$out"
-mkdir -p "$out/samples"
-cp "$root"/samples/data/*.{obj,rig.txt,gltf} "$out/samples"
+mkdir -p "$out/samples" "$out/thumbs"
+cp src/thumbs/*.webp "$out/thumbs"
+cp "$root"/samples/data/*.{obj,rig.txt,gltf} "$root"/samples/data/drawing__child.png "$out/samples"
+# What sw.js keeps for a page without a network; the rest is kept when it is used.
+(cd "$out" && ls -- *.html *.css *.svg *.js *.webmanifest thumbs/*.webp sinew-simd.wasm sinew_{default,rig,front}.sinew) | grep -v '^sw\.js$' |
+  sed 's/.*/"&"/' | paste -sd, | sed 's/.*/[&]/' >"$out/files.json"
 echo "web: built $out"

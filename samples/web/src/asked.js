@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The list of questions, and which of its parts is looked at.
 import { number } from "./facts.js";
-import { partName } from "./questions.js";
+import { answerText, partName } from "./questions.js";
 import { $, at } from "./state.js";
 
 // What a bind brings ends what was looked at.
@@ -15,7 +15,7 @@ export function lookText() {
   const { question, answer } = at.shownLook;
   const alike = question.parts > 1 ? ` in ${question.parts} parts alike` : "";
   if (answer === undefined) return `Orange: ${partName(question)}, ${number.format(question.vertices)} vertices${alike}`;
-  return `${at.previewing ? "Preview" : "Answered"}: ${partName(question)} ${answer}${alike}`;
+  return `${at.previewing ? "Preview" : "Answered"}: ${partName(question)}: ${answerText(answer)}${alike}`;
 }
 
 export function listQuestions(focus) {
@@ -23,6 +23,8 @@ export function listQuestions(focus) {
   const list = at.character.result?.questions ?? [];
   at.questions.show({ questions: list, answers, joints: at.character.joints, focus });
   $("questions-count").textContent = at.character.result ? `${list.length} open${answers.length ? `, ${answers.length} answered` : ""}` : "";
+  $("next-question").disabled = list.length === 0;
+  $("next-question").textContent = list.length === 0 ? "No part in doubt" : "Look at the parts in doubt";
   $("style").hidden = !at.style;
   const byStyle = answers.filter((answer) => answer.byStyle).length;
   $("save-style").disabled = !at.character.result || answers.length === byStyle;

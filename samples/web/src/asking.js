@@ -2,7 +2,9 @@
 // Questions about parts, their answers, and styles.
 import { bind } from "./binding.js";
 import { colour } from "./colours.js";
-import { clearError, run, save } from "./jobs.js";
+import { act } from "./commands.js";
+import { run, save } from "./jobs.js";
+import { partName } from "./questions.js";
 import { sendPose } from "./showing.js";
 import { at, engine } from "./state.js";
 import { asNumbers, how } from "./wishes.js";
@@ -36,11 +38,11 @@ async function showLook() {
 }
 
 export function take(answer) {
-  run(() => (clearError(), bind([...at.character.source.answers, answer], answer.question.part)));
+  act(`answer ${partName(answer.question)}`, () => bind([...at.character.source.answers, answer], answer.question.part));
 }
 
 export function takeBack(answer) {
-  run(() => (clearError(), bind(at.character.source.answers.filter((other) => other !== answer), answer.question.part)));
+  act(`take back ${partName(answer.question)}`, () => bind(at.character.source.answers.filter((other) => other !== answer), answer.question.part));
 }
 
 export async function useStyle(file) {

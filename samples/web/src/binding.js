@@ -3,7 +3,8 @@
 import { listQuestions, lookNowhere } from "./asked.js";
 import { showBrush, strokes } from "./brush.js";
 import { colour } from "./colours.js";
-import { clearError, run, whileBinding } from "./jobs.js";
+import { record, rigChanged } from "./commands.js";
+import { clearError, run, whileBusy } from "./jobs.js";
 import { switched } from "./options.js";
 import { listJoints, sendPose, showFacts } from "./showing.js";
 import { at, engine } from "./state.js";
@@ -18,7 +19,7 @@ export async function bind(answers = at.character.source.answers, focus) {
   showFacts(at.character.shown && { ...at.character.shown, hash: pending }); // a line of the same length: the picture keeps its size
   const started = performance.now();
   try {
-    const result = await whileBinding(() => engine.call("bind", { ...how(), answers: asNumbers(answers) }));
+    const result = await whileBusy(`Binding ${at.character.name}`, () => engine.call("bind", { ...how(), answers: asNumbers(answers) }));
     at.character.result = { ...result, wallSeconds: (performance.now() - started) / 1e3, strongest: result.buffers.strongest };
     at.character.shown = at.character.result;
     result.questions.forEach((question, number) => (question.members = { of: result.buffers.vertexQuestions, number }));
@@ -54,8 +55,11 @@ export async function switchJoint(joint) {
 export async function lockJoint(joint) {
   const { source, joints } = at.character;
   const { name } = joints[joint];
-  if (!source.locked.delete(name)) source.locked.add(name);
+  const locked = new Set(source.locked);
+  if (!locked.delete(name)) locked.add(name);
+  source.locked = locked;
   await engine.call("lock", { joints: joints.flatMap((one, j) => (source.locked.has(one.name) ? [j] : [])) });
+  rigChanged();
   await bind();
 }
 
@@ -63,11 +67,14 @@ export function endStroke() {
   run(async () => {
     while (strokes.busy) await strokes.idle().catch(() => {}); // said already
     clearError();
+    rigChanged();
     await bind();
+    record("paint");
   });
 }
 
 export async function forgetPaint() {
   await engine.call("forgetPaint");
+  rigChanged();
   await bind();
 }

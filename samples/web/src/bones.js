@@ -4,6 +4,7 @@ import { Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial, OctahedronGeom
 
 const bonesColour = new Color(0xdfe5ec);
 const chosenColour = new Color(0xffb02e);
+const doubtColour = new Color(0xff4433);
 
 export class Bones {
   #group = new Group();
@@ -14,6 +15,7 @@ export class Bones {
   #chosen = -1;
   #also = new Set();
   #colours = null;
+  #doubts = new Set();
 
   // sizeOf: () => that of the character, which thicknesses follow
   constructor(model, sizeOf) {
@@ -99,14 +101,14 @@ export class Bones {
     balls.instanceMatrix.needsUpdate = true;
   }
 
-  // chosen: a joint or -1; also: Set of joints beside it; colours: of joints, or null.
-  paint({ chosen = this.#chosen, also = this.#also, colours = this.#colours } = {}) {
-    [this.#chosen, this.#also, this.#colours] = [chosen, also, colours];
+  // chosen: a joint or -1; also: Set of joints beside it; colours: of joints, or null; doubts: Set of those that may be wrong.
+  paint({ chosen = this.#chosen, also = this.#also, colours = this.#colours, doubts = this.#doubts } = {}) {
+    [this.#chosen, this.#also, this.#colours, this.#doubts] = [chosen, also, colours, doubts];
     if (this.#group.children.length === 0) return;
     const [bones, balls] = this.#group.children;
     this.#joints.forEach(({ parent }, j) => {
-      balls.setColorAt(j, j === chosen || also.has(j) ? chosenColour : (colours?.[j] ?? bonesColour));
-      bones.setColorAt(j, parent === chosen && parent >= 0 ? chosenColour : bonesColour);
+      balls.setColorAt(j, j === chosen || also.has(j) ? chosenColour : doubts.has(j) ? doubtColour : (colours?.[j] ?? bonesColour));
+      bones.setColorAt(j, parent === chosen && parent >= 0 ? chosenColour : doubts.has(j) ? doubtColour : bonesColour);
     });
     for (const mesh of [bones, balls]) if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
     this.place();

@@ -11,11 +11,9 @@ export function showBrush() {
   const kind = brushKind();
   const ready = Boolean(at.character?.result) && !at.view.editing;
   at.view.onStroke = ready && (kind === "smooth" || (kind === "add" && at.view.selected >= 0)) ? (vertex) => strokes.want(vertex).catch((error) => showError(error.message)) : null;
-  $("brush").hidden = at.view.editing;
-  if (kind !== "none") $("brush").open = true; // by its key
-  $("brush-settings").hidden = kind === "none";
   for (const id of ["brush-size", "brush-strength"]) $(id).nextElementSibling.textContent = `${$(id).value} %`;
   const painted = at.character?.result?.paintedVertices ?? 0;
+  $("brush-settings").hidden = kind === "none" && painted === 0;
   $("painted").textContent = kind === "add" && at.view.selected < 0 ? "choose a joint" : painted ? `${number.format(painted)} vertices` : "";
   $("forget-paint").disabled = painted === 0;
 }

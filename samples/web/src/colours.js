@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the mesh's colours show, and the legend.
 import { lookText } from "./asked.js";
+import { glbOf } from "./export.js";
 import { run } from "./jobs.js";
 import { sureColour } from "./skeleton.js";
 import { $, at, engine, modes } from "./state.js";
@@ -12,9 +13,10 @@ export async function colour() {
   if ((at.mode === modes.field || at.mode === modes.artistField) && at.view.selected < 0) at.mode = modes.joints;
   const isArtists = at.mode === modes.artist || at.mode === modes.artistField;
   if ((isArtists || at.mode === modes.difference) && !at.character?.hasReference) at.mode = modes.joints;
+  const shows = isArtists ? modes.artist : at.mode === modes.field ? modes.joints : at.mode;
   for (const input of document.querySelectorAll("#mode input, #artist input")) {
-    input.checked = Number(input.value) === (isArtists ? modes.artist : at.mode);
-    input.disabled = !at.character?.result || (Number(input.value) === modes.field && at.view.selected < 0);
+    input.checked = Number(input.value) === shows;
+    input.disabled = !at.character?.result;
   }
   showLegend();
   showSure();
@@ -29,20 +31,20 @@ export async function colour() {
 
 // The GLB that would be saved now, with its materials, instead of the colours; read anew after each bind.
 async function showLookOfFile() {
-  if (at.mode !== modes.material) return at.view.setLook(null);
+  if (at.mode !== modes.material || at.shownLook) return at.view.setLook(null); // a part that is asked about is shown by colours
   const { result, joints } = at.character;
   if (at.view.look?.result === result) return;
   const { Look } = await import("./look.js");
-  const { buffers } = await engine.call("glb", { name: at.character.name });
-  const look = await Look.of(buffers.bytes, joints.map(({ name }) => name));
+  const look = await Look.of(await glbOf(at.character.name), joints.map(({ name }) => name));
   look.result = result;
   at.view.setLook(look);
 }
 
 // The part that is looked at, orange where it is only asked about, and the rest dimmed.
 function emphasised(colours) {
-  if (!at.shownLook) return colours;
-  const { of, number: wanted } = at.shownLook.question.members;
+  const members = at.shownLook?.question.members; // answers of a project have none
+  if (!members) return colours;
+  const { of, number: wanted } = members;
   const { vertexOf } = at.character.buffers;
   const isAsked = at.shownLook.answer === undefined;
   return colours.map((c, i) => {
@@ -63,7 +65,8 @@ export function showLegend() {
     [modes.difference]: [`What moves otherwise than in the file: ${(100 * at.shownMean).toFixed(1)} % in the mean`, "alike", "otherwise"],
     [modes.material]: [`As other programs show the file${at.bends.skinning > 0 ? ": by linear skinning" : ""}`, "", ""],
   }[at.mode];
-  $("legend").hidden = !at.character;
+  $("legend").classList.toggle("of-joint", at.mode === modes.field || at.mode === modes.artistField);
+  $("legend").hidden = !at.character || (at.mode === modes.material && !lookText());
   $("legend").querySelector("figcaption").textContent = lookText() ?? caption;
   $("legend").querySelector(".scale").hidden = [modes.joints, modes.artist, modes.material].includes(at.mode) || Boolean(at.shownLook && at.shownLook.answer === undefined);
   $("legend").querySelector(".low").textContent = low;
@@ -75,12 +78,16 @@ export function showSure() {
   const shown = Boolean(at.character?.predicted) && at.view.editing;
   $("sure").hidden = !shown;
   at.view.setJointColours(shown ? at.character.joints.map(({ confidence }) => sureColour(confidence)) : null);
+  at.view.setDoubts(at.character?.doubts?.flatMap(({ joints }) => joints) ?? []);
   $("notice").hidden = !at.character?.doubtful;
 }
 
+// As the user chooses it; it stays for the step.
 export function setMode(wanted) {
   if (!at.character?.result || (wanted === modes.field && at.view.selected < 0)) return;
   if ((wanted === modes.artist || wanted === modes.difference) && !at.character.hasReference) return;
-  at.mode = wanted === modes.artist && at.view.selected >= 0 ? modes.artistField : wanted;
+  const chosen = at.view.selected >= 0;
+  at.modeChosen = true;
+  at.mode = wanted === modes.artist && chosen ? modes.artistField : wanted === modes.joints && chosen ? modes.field : wanted;
   run(colour);
 }

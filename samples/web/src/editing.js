@@ -3,7 +3,8 @@
 import { lookNowhere } from "./asked.js";
 import { bind } from "./binding.js";
 import { showLegend, showSure } from "./colours.js";
-import { run, showError } from "./jobs.js";
+import { record, rigChanged } from "./commands.js";
+import { run, showError, whileBusy } from "./jobs.js";
 import { Latest } from "./latest.js";
 import { fetchModel } from "./models.js";
 import { Pose } from "./pose.js";
@@ -23,21 +24,11 @@ export function showSkeleton() {
   showSure();
 }
 
+// Joints are edited where the step is the skeleton's; the pose is at rest then.
 export function setEditing(editing) {
-  if (editing && !at.character) return;
   at.view.editing = editing;
-  for (const input of document.querySelectorAll("#work input")) input.checked = (input.value === "skeleton") === editing;
-  $("edit").hidden = !editing;
-  $("ask").hidden = editing;
   if (editing) at.player.pause();
   showPose();
-}
-
-export function edit(editing) {
-  if (!at.character || at.view.editing === editing) return;
-  setEditing(editing);
-  showSkeleton();
-  run(sendPose);
 }
 
 // What a bind takes for up, 0 = Y, 1 = Z. That of a predicted skeleton was found or told with it; others are told, and stand on Y unless they are,
@@ -65,23 +56,35 @@ function useRig({ joints, ...rig }, chosen) {
 
 const chosenName = () => at.character.joints[at.view.selected]?.name;
 
-export async function predict(wishes = at.editor.wishes) {
-  const chosen = chosenName();
+async function fetchModelsFor({ detail }) {
   if (!models.skeletons) await fetchModel("sinew_rig.sinew");
   if (!models.fronts) await fetchModel("sinew_front.sinew");
-  if (wishes.detail > 0 && !models.hands) await fetchModel("sinew_hands.sinew");
-  const rig = await engine.call("rig", { wishes: { ...wishes, up: at.character.up } });
-  setEditing(true);
+  if (detail > 0 && !models.hands) await fetchModel("sinew_hands.sinew");
+}
+
+export async function predict(wishes = at.editor.wishes) {
+  const chosen = chosenName();
+  const told = { ...wishes, up: at.character.up };
+  const rig = await whileBusy("Finding the joints", async () => (await fetchModelsFor(wishes), engine.call("rig", { wishes: told })));
+  at.character.source.recipe = { wishes: told, edits: [] };
+  rigChanged();
+  if (rig.picture) at.character.picture = rig.picture; // its class and clip are known now
   useRig(rig, chosen);
 }
 
+const withEdits = ({ wishes, edits }, more, mirror) => ({ wishes, edits: [...edits, { edits: more, mirror }] });
+
 export async function editSkeleton(edits, chosen) {
+  const { source } = at.character;
+  const mirror = at.editor.alike;
   try {
-    useRig(await engine.call("edit", { edits, mirror: at.editor.alike, continues: false }), chosen);
+    useRig(await engine.call("edit", { edits, mirror, continues: false }), chosen);
   } catch (error) {
     at.editor.show(at.character, at.view.selected); // what was typed is not so
     throw error;
   }
+  source.recipe = withEdits(source.recipe, edits, mirror);
+  rigChanged();
   await bind();
   if (edits[0].kind === editKinds.add) {
     $("rename").focus();
@@ -89,10 +92,23 @@ export async function editSkeleton(edits, chosen) {
   }
 }
 
-export async function undoEdit(forward) {
-  if (!(forward ? at.character?.canRedo : at.character?.canUndo)) return;
-  useRig(await engine.call("undoEdit", { forward }), chosenName());
-  await bind();
+// What edits are called in the history.
+export const editName = ([{ kind, joint, other }]) => [`move ${joint}`, `add ${joint}`, `remove ${joint}`, `hang ${joint} elsewhere`, `rename ${joint} to ${other}`][kind];
+
+// The skeleton of a state of the history: the module kept it, or its recipe makes it anew from the file.
+export async function restoreRig({ kept, epoch, recipe, up }) {
+  const { source } = at.character;
+  at.character.up = up;
+  let rig = null;
+  if (epoch === engine.epoch) {
+    rig = await engine.call("restore", { number: kept });
+  } else {
+    if (recipe.wishes) rig = await whileBusy("Finding the joints", async () => (await fetchModelsFor(recipe.wishes), engine.call("rig", { wishes: recipe.wishes })));
+    for (const { edits, mirror } of recipe.edits) rig = await engine.call("edit", { edits, mirror, continues: false });
+  }
+  source.recipe = recipe;
+  rigChanged();
+  if (rig) useRig(rig, chosenName());
 }
 
 // Weights follow a dragged joint as fast as the worker binds.
@@ -105,6 +121,7 @@ export const moves = new Latest(async ({ of, place, step }) => {
   });
   if (of !== at.character) return;
   step.moved = true;
+  step.done = edits;
   if (!moves.pending) {
     Object.assign(at.character, rig);
     at.view.moveSkeleton(rig.joints);
@@ -119,7 +136,7 @@ export const moves = new Latest(async ({ of, place, step }) => {
 
 export function dragJoint(joint, place) {
   if (at.view.selected !== joint) choose(joint);
-  at.dragged ??= { joint: at.character.joints[joint].name, moved: false };
+  at.dragged ??= { joint: at.character.joints[joint].name, moved: false, done: null };
   at.character.joints = movedJoints(at.character.joints, joint, place, at.character, at.editor.alike);
   at.view.moveSkeleton(at.character.joints);
   at.editor.showPlace();
@@ -133,7 +150,12 @@ export function endDrag() {
   run(async () => {
     while (moves.busy) await moves.idle().catch(() => {}); // said already
     showSkeleton();
-    if (ended.moved) await bind();
+    if (!ended.moved) return;
+    const { source } = at.character;
+    source.recipe = withEdits(source.recipe, ended.done, at.editor.alike);
+    rigChanged();
+    await bind();
+    record(editName(ended.done));
   });
 }
 

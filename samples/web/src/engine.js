@@ -1,13 +1,37 @@
 // SPDX-License-Identifier: MIT
-// The worker's calls as promises.
+// The worker's calls as promises. A worker that is stopped answers nothing more: another one takes its place.
+
+export class Stopped extends Error {}
 
 export class Engine {
-  #worker = new Worker("worker.js", { type: "module" });
+  #worker;
   #waiting = new Map();
   #last = 0;
+  epoch = 0; // of workers: what one knew the next does not
   onProgress = () => {};
 
   constructor() {
+    this.#begin();
+  }
+
+  call(call, options = {}, transfer = []) {
+    return new Promise((resolve, reject) => {
+      const id = ++this.#last;
+      this.#waiting.set(id, { resolve, reject });
+      this.#worker.postMessage({ id, call, ...options }, transfer);
+    });
+  }
+
+  // Ends what is being done, in the middle of it. What waits is rejected with Stopped; the new worker is to be started.
+  stop() {
+    this.#worker.terminate();
+    this.#rejectAll(new Stopped("stopped"));
+    this.#begin();
+  }
+
+  #begin() {
+    ++this.epoch;
+    this.#worker = new Worker("worker.js", { type: "module" });
     this.#worker.onmessage = ({ data }) => {
       if (data.progress !== undefined) return this.onProgress(data.progress);
       const { resolve, reject } = this.#waiting.get(data.id);
@@ -17,16 +41,12 @@ export class Engine {
     };
     this.#worker.onerror = (event) => {
       event.preventDefault();
-      for (const { reject } of this.#waiting.values()) reject(new Error(`the engine stopped: ${event.message}; reload the page`));
-      this.#waiting.clear();
+      this.#rejectAll(new Error(`the engine stopped: ${event.message}; reload the page`));
     };
   }
 
-  call(call, options = {}, transfer = []) {
-    return new Promise((resolve, reject) => {
-      const id = ++this.#last;
-      this.#waiting.set(id, { resolve, reject });
-      this.#worker.postMessage({ id, call, ...options }, transfer);
-    });
+  #rejectAll(error) {
+    for (const { reject } of this.#waiting.values()) reject(error);
+    this.#waiting.clear();
   }
 }

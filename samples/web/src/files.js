@@ -9,11 +9,14 @@ export const isWhole = (name) => isOffered(name, "readsWhole");
 export const isRig = (name) => fileKind(name)?.reader === "rig";
 export const isModel = (name) => lower(name).endsWith(".sinew");
 export const isStyle = (name) => lower(name).endsWith(".style");
-export const isMotion = (name) => isOffered(name, "readsMotion") && !isMesh(name); // glTF files are characters, unless one says so
+export const mayMove = (name) => isOffered(name, "readsMotion") && isMesh(name); // what it is for shows in it
+export const isMotion = (name) => isOffered(name, "readsMotion") && !isMesh(name);
 export const isBeside = (name) => /\.(bin|png|jpe?g|webp|ktx2|mtl|tga|bmp|tiff?|gif|psd|dds)$/.test(lower(name)); // parts of a .gltf, .obj, .fbx or .dae
 
+export const isPicture = (name) => isOffered(name, "readsPicture"); // a drawing, where it is alone; else a part
+
 // What the page's file dialogs offer.
-export const allFiles = [...extensionsOf("offered"), ".txt", ".bin", ".tga", ".sinew", ".style"].join(",");
+export const allFiles = [...extensionsOf("offered"), ".txt", ".bin", ".tga", ".sinew", ".style", ".zip", ".sinewproject"].join(",");
 export const motionFiles = extensionsOf("readsMotion", "offered").join(",");
 
 export function stem(name) {
@@ -22,17 +25,20 @@ export function stem(name) {
 
 // names: of the files now dropped. waiting: {mesh, rig} names of earlier files that a skeleton, or a mesh, may still follow:
 // a lone .obj is a character without skeleton until then.
-// Returns {characters: [{name, mesh, skeleton}], model, style, motion, waiting, problems: [one line each]}.
-export function pairFiles(names, waiting = {}) {
+// moving: those of the names that could hold a mesh and are motions here.
+// Returns {characters: [{name, mesh, skeleton}], model, style, motions, waiting, problems: [one line each]}.
+export function pairFiles(names, waiting = {}, moving = []) {
+  const none = { characters: [], model: "", style: "", motions: [], waiting: {}, problems: [] };
   const problems = [];
   const others = names.filter((n) => !isMesh(n) && !isRig(n) && !isModel(n) && !isStyle(n) && !isMotion(n) && !isBeside(n));
   for (const name of others) {
     problems.push(`${name}: expected ${extensionsOf("offered").join(", ")}, .sinew or .style, found another kind of file`);
   }
+  if (names.length > 0 && names.every(isPicture)) return { ...none, characters: names.map((name) => ({ name: stem(name), mesh: name, skeleton: "" })) };
   const models = names.filter(isModel);
   const styles = names.filter(isStyle);
-  const motions = names.filter(isMotion);
-  const meshes = names.filter(isMesh);
+  const motions = names.filter((name) => isMotion(name) || moving.includes(name));
+  const meshes = names.filter((name) => isMesh(name) && !moving.includes(name));
   const rigs = names.filter(isRig);
   if (waiting.mesh && rigs.length > 0 && meshes.length === 0) meshes.push(waiting.mesh);
   if (waiting.rig && meshes.length > 0 && rigs.length === 0) rigs.push(waiting.rig);
@@ -59,5 +65,5 @@ export function pairFiles(names, waiting = {}) {
   if (names.length > 0 && problems.length === 0 && characters.length === 0 && models.length + styles.length + motions.length === 0) {
     problems.push(`${names[0]}: holds no mesh; drop an .obj or a .glb`);
   }
-  return { characters, model: models[0] ?? "", style: styles[0] ?? "", motion: motions[0] ?? "", waiting: next, problems };
+  return { characters, model: models[0] ?? "", style: styles[0] ?? "", motions, waiting: next, problems };
 }

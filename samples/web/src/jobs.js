@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// One thing after another, errors in a line, files out.
-import { $, engine } from "./state.js";
+// One thing after another, what is being done and how to stop it, errors in a line, files out.
+import { Stopped } from "./engine.js";
+import { $, at, engine } from "./state.js";
+
+const saidAfter = 350; // milliseconds: what is done sooner needs no words
 
 export let queue = Promise.resolve();
 // Runs a job after those before it. What it throws is shown, and the page goes on.
 export function run(job) {
   const done = queue.then(job);
-  queue = done.catch((error) => showError(error.message));
+  queue = done.catch((error) => error instanceof Stopped || showError(error.message));
   return queue;
 }
 
@@ -19,14 +22,31 @@ export function clearError() {
   $("error").hidden = true;
 }
 
-export async function whileBinding(job) {
+let doing = 0;
+// A long job: its words stand in the picture, with a share where the engine tells one, and Esc stops it.
+export async function whileBusy(words, job) {
   engine.onProgress(0);
-  $("progress").hidden = false;
+  $("busy-said").textContent = words;
+  $("progress").classList.remove("told");
+  const later = setTimeout(() => ($("busy").hidden = false), saidAfter);
+  ++doing;
   try {
     return await job();
   } finally {
-    $("progress").hidden = true;
+    clearTimeout(later);
+    if (--doing === 0) $("busy").hidden = true;
   }
+}
+
+export const isBusy = () => !$("busy").hidden;
+
+// Ends the job that runs and those that wait; the character is as its history last had it.
+export function stopJobs() {
+  if (!isBusy()) return false;
+  at.stopping = true;
+  engine.stop();
+  run(at.afterStop);
+  return true;
 }
 
 export function save(content, type, name) {

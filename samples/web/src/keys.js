@@ -1,17 +1,28 @@
 // SPDX-License-Identifier: MIT
-// The page's keys. Where one types or chooses, keys are the field's.
+// The page's keys. Where one types or chooses, keys are the field's; on a button, a box or a line that opens, Space and Enter are theirs.
+
+const typed = "input[type=search], input[type=text], input[type=number], select, textarea";
+const pressed = "button, summary, a[href], input, select, [role=tab], [role=option]";
+
+// Whether a key is the element's own, and none of the page's.
+export function isOwnKey(element, key) {
+  if (element.matches(typed)) return true;
+  if (key === " " || key === "Enter") return element.matches(pressed);
+  return key.startsWith("Arrow") && element.matches("input, [role=listbox]");
+}
 
 // actions: by key, lower case; onUndo: called with whether it is redo; onEscape.
 export function listenForKeys(actions, { onUndo, onEscape }) {
   addEventListener("keydown", (event) => {
-    const typing = event.target.matches("input[type=search], input[type=text], input[type=number], select");
-    if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z" && !typing) {
+    const key = event.key.toLowerCase();
+    const typing = event.target.matches(typed) && !event.target.matches("select");
+    if ((event.ctrlKey || event.metaKey) && !event.altKey && (key === "z" || key === "y") && !typing) {
       event.preventDefault();
-      return onUndo(event.shiftKey);
+      return onUndo(key === "y" || event.shiftKey);
     }
-    if (event.key === "Escape") return onEscape();
-    if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
-    const action = actions[event.key.toLowerCase()];
+    if (event.key === "Escape") return onEscape(event);
+    if (event.ctrlKey || event.metaKey || event.altKey || isOwnKey(event.target, event.key)) return;
+    const action = actions[key];
     if (!action) return;
     event.preventDefault();
     action();

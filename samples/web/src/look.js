@@ -4,6 +4,9 @@ import { Matrix4, PMREMGenerator } from "three";
 import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
+// A material that its file says nothing of is white by glTF, on which no shape shows: it is grey as clay here.
+const isPlain = ({ color, map, vertexColors, emissive }) => color && !map && !vertexColors && color.r === 1 && color.g === 1 && color.b === 1 && !emissive?.r;
+
 export class Look {
   #bones; // per joint of the page: its node, or undefined
   #room = null;
@@ -23,7 +26,13 @@ export class Look {
     look.#bones = names.map((name, j) => named.get(name) ?? (joints.length === names.length ? nodes.get(joints[j]) : undefined));
     look.root.updateMatrixWorld(true);
     look.#restOf = look.#bones.map((bone) => bone?.matrixWorld.clone());
-    look.root.traverse((object) => (object.frustumCulled = false));
+    look.root.traverse((object) => {
+      object.frustumCulled = false;
+      for (const one of [object.material].flat()) {
+        if (one?.isMeshBasicMaterial) one.toneMapped = false; // a drawing's colours are what they are
+        else if (one && isPlain(one)) one.color.setScalar(0.42);
+      }
+    });
     return look;
   }
 

@@ -1,37 +1,39 @@
 // SPDX-License-Identifier: MIT
 // The page: what the user does, and how it begins.
 import { forgetStyle, lookAt, saveStyle, take, takeBack } from "./asking.js";
+import { autosaved, forgetWork, lastWork, presentProject, warnBeforeLeaving } from "./autosave.js";
 import { BendPanel } from "./bends.js";
 import { bind, endStroke, forgetPaint, lockJoint, switchJoint } from "./binding.js";
 import { nextBrush, showBrush, strokes } from "./brush.js";
+import { listenForChecks } from "./checking.js";
 import { setMode, showLegend } from "./colours.js";
-import { dragJoint, edit, editSkeleton, endDrag, moves, predict, toMiddle, undoEdit } from "./editing.js";
+import { act, posed, undo } from "./commands.js";
+import { dragJoint, editName, editSkeleton, endDrag, moves, predict, toMiddle, upOf } from "./editing.js";
+import { exportAs } from "./export.js";
 import { allFiles, motionFiles } from "./files.js";
-import { clearError, queue, run, showError } from "./jobs.js";
+import { showHelp } from "./help.js";
+import { clearError, queue, run, save, showError, stopJobs, whileBusy } from "./jobs.js";
 import { JointList } from "./joint_list.js";
 import { listenForKeys } from "./keys.js";
-import { changeMotion, download, downloadFbx, downloadRig, load, motionChanged, openFiles, openMotionFile, openSample, playTestClip } from "./loading.js";
+import { changeKind, changeMotion, motionChanged, openFiles, openProject, openSample, reopen, tryClip } from "./loading.js";
 import { fetchModel } from "./models.js";
 import { Motions } from "./motions.js";
 import { BindOptions } from "./options.js";
 import { PosePanel } from "./pose_panel.js";
 import { Questions } from "./questions.js";
-import { samples } from "./samples.js";
+import { samples, thumbOf } from "./samples.js";
 import { choose, poseChanged, poses, sendPose } from "./showing.js";
 import { SkeletonEditor } from "./skeleton.js";
 import { $, at, engine, modes, views } from "./state.js";
-import { testClips } from "./test_clips.js";
+import { goTo, setStep, showSteps } from "./steps.js";
 import { View } from "./view.js";
+import { zip } from "./zip.js";
 
 engine.onProgress = (share) => {
-  $("progress").firstElementChild.style.width = `${share * 100}%`;
+  $("progress").classList.toggle("told", share > 0);
+  $("progress").firstElementChild.style.width = share > 0 ? `${share * 100}%` : "100%";
   $("progress").setAttribute("aria-valuenow", String(Math.round(share * 100)));
 };
-
-function undo(forward) {
-  if (at.view.editing) return at.view.dragging || run(() => (clearError(), undoEdit(forward)));
-  if (forward ? at.pose?.redo() : at.pose?.undo()) poseChanged();
-}
 
 function turnPicture(id) {
   if (!at.character) return;
@@ -40,24 +42,33 @@ function turnPicture(id) {
   at.view.frame(turns);
 }
 
-function listen() {
-  $("sample").append(new Option("Samples…", ""), ...samples.map(({ name }) => new Option(name, name)));
+function listenForFiles() {
+  $("sample").append(new Option("choose…", ""), ...samples.map(({ name }) => new Option(name, name)));
   $("sample").onchange = () => {
     const sample = samples.find(({ name }) => name === $("sample").value);
     if (sample) run(() => openSample(sample));
   };
+  for (const thumbs of document.querySelectorAll("[data-samples]")) {
+    thumbs.append(
+      ...samples.filter(({ shown }) => shown).map((sample) => {
+        const button = Object.assign(document.createElement("button"), { type: "button", title: sample.name, onclick: () => run(() => openSample(sample)) });
+        button.append(Object.assign(document.createElement("img"), { src: thumbOf(sample), alt: "", loading: "lazy" }), sample.shown);
+        return button;
+      }),
+    );
+  }
+  const choosing = (input, button, options) => {
+    for (const id of button) $(id).onclick = () => $(input).click();
+    $(input).onchange = () => {
+      const list = [...$(input).files];
+      $(input).value = ""; // the same file again is news too
+      run(() => openFiles(list, options));
+    };
+  };
   $("files").accept = allFiles;
   $("motion-files").accept = motionFiles;
-  $("open").onclick = () => $("files").click();
-  $("files").onchange = () => {
-    const list = [...$("files").files];
-    $("files").value = ""; // the same file again is news too
-    run(() => openFiles(list));
-  };
-  $("download").onclick = () => run(download);
-  $("download-rig").onclick = () => run(downloadRig);
-  $("download-fbx").onclick = () => run(() => (clearError(), downloadFbx()));
-  $("error").lastElementChild.onclick = clearError;
+  choosing("files", ["open", "open-more"], {});
+  choosing("motion-files", ["open-motion"], { asMotions: true });
 
   // A drag passes over many elements; the count says when it has left the page.
   let over = 0;
@@ -74,88 +85,153 @@ function listen() {
     const list = [...event.dataTransfer.files];
     run(() => (list.length > 0 ? openFiles(list) : Promise.reject(new Error("the drop held no files"))));
   });
+}
 
+function listenForExport() {
+  $("download").onclick = $("export-glb").onclick = () => exportAs("glb");
+  for (const kind of ["fbx", "vrm", "rig"]) $(`download-${kind}`).onclick = () => exportAs(kind);
+  $("save-project").onclick = () => run(saveProject);
+  at.onExported = () => showSteps();
+  listenForChecks();
+}
+
+async function saveProject() {
+  clearError();
+  const { project, files } = await presentProject();
+  const list = await Promise.all(files.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) })));
+  save(zip([{ name: "project.json", bytes: new TextEncoder().encode(JSON.stringify(project)) }, ...list]), "application/zip", `${project.name}.sinewproject`);
+  at.changed = false;
+}
+
+function listenForSkeleton() {
+  at.editor = new SkeletonEditor();
+  at.editor.onEdit = (edits, chosen) => act(editName(edits), () => editSkeleton(edits, chosen));
+  at.editor.onPredict = (wishes, id) => at.character && (id === "kind" && at.character.picture ? run(changeKind) : act("new skeleton", async () => (await predict(wishes), await bind())));
+  at.editor.onMiddle = toMiddle;
+  at.jointList = new JointList();
+  at.jointList.onPick = choose;
+  $("next-doubt").onclick = nextDoubt;
+  $("middle").onchange = () => (at.view.toMiddle = $("middle").checked);
+  at.view.onDrag = dragJoint;
+  at.view.onDragEnd = endDrag;
+  at.view.planeOf = (joint) => (at.character.mirrored && at.editor.alike && at.character.joints[joint].partner === joint ? { axis: at.character.axis, at: at.character.plane } : null);
+  $("up").onchange = () => at.character && act("which way is up", changeUp);
+}
+
+// The next limb that may be wrong, in the middle of the picture.
+function nextDoubt() {
+  const doubts = at.character?.doubts ?? [];
+  if (doubts.length === 0) return;
+  const next = (doubts.findIndex(({ joints }) => joints.includes(at.view.selected)) + 1) % doubts.length;
+  choose(doubts[next].joint);
+  at.view.lookAtJoints(doubts[next].joints);
+}
+
+async function changeUp() {
+  const { character } = at;
+  character.up = Number($("up").value);
+  if (character.predicted) return predict().then(() => bind());
+  character.upAxis = upOf({}, character.up);
+  at.view.setUp(character.upAxis);
+  return bind();
+}
+
+function listenForWeights() {
   at.questions = new Questions($("questions"));
   at.questions.onLook = lookAt;
   at.questions.onTake = take;
   at.questions.onTakeBack = takeBack;
+  at.questions.pictureOf = (question) => at.view.pictureOf(question.members, at.character.buffers.vertexOf);
+  $("next-question").onclick = () => (($("ask").open = true), at.questions.openFirst());
   $("save-style").onclick = () => run(() => (clearError(), saveStyle()));
-  $("style").lastElementChild.onclick = () => run(() => (clearError(), forgetStyle()));
-
-  at.editor = new SkeletonEditor();
-  at.editor.onEdit = (edits, chosen) => run(() => (clearError(), editSkeleton(edits, chosen)));
-  at.editor.onPredict = (wishes) => at.character && run(async () => (clearError(), await predict(wishes), await bind()));
-  at.editor.onMiddle = toMiddle;
-  at.jointList = new JointList();
-  at.jointList.onPick = choose;
-  at.motions = new Motions(engine, () => at.character, motionChanged);
-  at.player = at.motions.player;
-  $("test-clip").append(...testClips.map((name) => new Option(name, name)));
-  $("test-clip").onchange = () => {
-    const { value } = $("test-clip");
-    $("test-clip").value = "";
-    if (value !== "") run(() => (clearError(), playTestClip(value)));
-  };
-  at.player.onOpen = (file) => run(() => (clearError(), openMotionFile(file)));
-  at.player.onClose = () => changeMotion(() => at.motions.close());
-  at.motions.methods.onMethod = (method) => changeMotion(() => at.motions.useMethod(method));
-  at.motions.methods.onSpots = poseChanged;
-  at.motions.map.onPins = (pins) => changeMotion(() => at.motions.usePins(pins));
-  at.motions.map.onPick = (joint) => choose(joint);
-  at.bends = new BendPanel();
-  at.bends.onChange = () => at.character && (showLegend(), poseChanged());
-  at.bends.onPick = (joint) => choose(joint);
-  at.player.onFrame = () => sendPose().catch((error) => showError(error.message));
-  $("work").onchange = ({ target }) => edit(target.value === "skeleton");
-  $("undo-edit").onclick = () => undo(false);
-  $("redo-edit").onclick = () => undo(true);
-  $("middle").onchange = () => (at.view.toMiddle = $("middle").checked);
-
+  $("style").lastElementChild.onclick = () => act("forget style", forgetStyle);
   $("mode").onchange = $("artist").onchange = (event) => setMode(Number(event.target.value));
-  const ofChosen = (job) => () => at.character?.result && at.view.selected >= 0 && run(() => (clearError(), job(at.view.selected)));
-  $("switch").onclick = ofChosen(switchJoint);
-  $("lock").onclick = ofChosen(lockJoint);
+  const ofChosen = (word, job) => () => {
+    const joint = at.view.selected;
+    if (at.character?.result && joint >= 0) act(`${word} ${at.character.joints[joint].name}`, () => job(joint));
+  };
+  $("switch").onclick = ofChosen("switch", switchJoint);
+  $("lock").onclick = ofChosen("lock", lockJoint);
   $("brush-kind").onchange = showBrush;
   $("brush-size").oninput = $("brush-strength").oninput = showBrush;
-  $("forget-paint").onclick = () => run(() => (clearError(), forgetPaint()));
+  $("forget-paint").onclick = () => act("forget painting", forgetPaint);
+  at.view.onStrokeEnd = endStroke;
+  at.options = new BindOptions();
+  at.options.onChange = (name) => at.character && act(name, () => bind());
+}
+
+function listenForPoses() {
+  at.posePanel = new PosePanel();
+  at.posePanel.onChange = poseChanged;
+  at.posePanel.onStep = posed;
+  at.view.onTurn = (joint, ...turn) => at.posePanel.turn(joint, turn);
+  at.view.onTurnEnd = (joint) => posed(`turn ${at.character.joints[joint].name}`);
+  at.motions = new Motions(engine, () => at.character, motionChanged);
+  at.player = at.motions.player;
+  at.player.onClose = () => changeMotion("remove motions", () => at.motions.close());
+  at.player.onFrame = () => sendPose().catch((error) => showError(error.message));
+  at.motions.clips.onTry = tryClip;
+  at.motions.clips.onPlay = (clip) => {
+    at.player.choose(clip);
+    at.view.frameClip(at.player.motion.clips[clip].room, at.character.upAxis);
+  };
+  at.motions.clips.onRemove = (file) => changeMotion(`remove ${file}`, () => at.motions.remove(file));
+  at.motions.methods.onMethod = (method) => changeMotion("method of retargeting", () => at.motions.useMethod(method));
+  at.motions.methods.onSpots = poseChanged;
+  at.motions.map.onPins = (pins) => changeMotion("map", () => at.motions.usePins(pins));
+  at.motions.map.onPick = (joint) => choose(joint);
+  at.bends = new BendPanel();
+  at.bends.onChange = () => at.character && (showLegend(), skinningChanged());
+  at.bends.onPick = (joint) => choose(joint);
+}
+
+// The first pose by another way of skinning may take a while: a deformer is made.
+function skinningChanged() {
+  run(() => whileBusy("Skinning", sendPose));
+}
+
+function listenForViews() {
+  at.view.onPickJoint = choose;
+  at.view.onPickSurface = (shown, more) => at.character.result && choose(at.character.result.strongest[shown], more);
   for (const id of Object.keys(views)) $(id).onclick = () => turnPicture(id);
   $("wireframe").onclick = toggleWireframe;
   $("bone-size").oninput = () => (at.view.boneSize = Number($("bone-size").value));
-  at.options = new BindOptions();
-  at.options.onChange = () => at.character && run(async () => (clearError(), bind()));
-
-  at.posePanel = new PosePanel();
-  at.posePanel.onChange = poseChanged;
-  $("undo").onclick = () => undo(false);
   $("skeleton").onclick = toggleSkeleton;
   $("frame").onclick = () => at.character && at.view.frame();
-  $("up").onchange = () => {
-    const current = at.open.find(({ name }) => name === at.character?.name);
-    if (current) run(async () => (clearError(), load(current, true)));
-  };
+}
 
-  at.view.onDrag = dragJoint;
-  at.view.onDragEnd = endDrag;
-  at.view.planeOf = (joint) => (at.character.mirrored && at.editor.alike && at.character.joints[joint].partner === joint ? { axis: at.character.axis, at: at.character.plane } : null);
-  at.view.onPickJoint = choose;
-  at.view.onPickSurface = (shown, more) => at.character.result && choose(at.character.result.strongest[shown], more);
-  at.view.onStrokeEnd = endStroke;
-  at.view.onTurnStart = () => at.pose.remember();
-  at.view.onTurn = (joint, ...turn) => at.posePanel.turn(joint, turn);
-
+function listen() {
+  for (const button of $("rail").children) button.onclick = () => goTo(button.dataset.step);
+  $("sheet").onclick = () => ($("sheet").ariaExpanded = String($("sheet").ariaExpanded !== "true"));
+  $("undo").onclick = () => undo(false);
+  $("redo").onclick = () => undo(true);
+  $("help").onclick = showHelp;
+  $("stop").onclick = stopJobs;
+  $("error").lastElementChild.onclick = clearError;
+  at.afterStop = reopen;
+  listenForFiles();
+  listenForExport();
+  listenForSkeleton();
+  listenForWeights();
+  listenForPoses();
+  listenForViews();
+  warnBeforeLeaving();
+  const editing = () => at.view.editing;
   listenForKeys({
-    "/": () => $("search").focus(),
+    "?": showHelp,
+    "/": () => (at.step === "skeleton" || goTo("weights"), $("search").focus()),
     f: () => at.character && at.view.frame(),
     s: toggleSkeleton,
     " ": () => at.player.toggle(),
     ",": () => at.player.step(-1),
     ".": () => at.player.step(1),
-    r: () => !at.view.editing && !at.player.motion && at.posePanel.reset(),
-    e: () => edit(!at.view.editing),
-    a: () => at.view.editing && at.editor.add(),
-    m: () => at.view.editing && toMiddle(),
-    delete: () => at.view.editing && at.editor.remove(),
-    backspace: () => at.view.editing && at.editor.remove(),
+    r: () => !editing() && !at.player.motion && at.posePanel.reset(),
+    e: () => goTo(editing() ? "weights" : "skeleton"),
+    n: nextDoubt,
+    a: () => editing() && at.editor.add(),
+    m: () => editing() && toMiddle(),
+    delete: () => editing() && at.editor.remove(),
+    backspace: () => editing() && at.editor.remove(),
     1: () => setMode(modes.joints),
     2: () => setMode(modes.field),
     3: () => setMode(modes.doubt),
@@ -165,17 +241,19 @@ function listen() {
     7: () => turnPicture("view-front"),
     8: () => turnPicture("view-side"),
     9: () => turnPicture("view-top"),
-    c: () => at.player.motion && !at.view.editing && at.motions.methods.next(),
-    d: () => !at.view.editing && at.bends.next(),
+    c: () => at.player.motion && !editing() && at.motions.methods.next(),
+    d: () => !editing() && at.bends.next(),
     w: toggleWireframe,
     x: () => $("switch").click(),
     l: () => $("lock").click(),
-    b: nextBrush,
-  }, { onUndo: undo, onEscape: escape });
+    b: () => at.step === "weights" && nextBrush(),
+  }, { onUndo: (forward) => undo(forward), onEscape: escape });
 }
 
 // The innermost thing that is open closes.
 function escape() {
+  if ($("help-page").open) return; // its own
+  if (stopJobs()) return;
   if (document.activeElement === $("search")) $("search").blur();
   else if (document.activeElement === $("rename")) at.editor.show(at.character, at.view.selected), $("rename").blur();
   else if (!$("error").hidden) clearError();
@@ -192,25 +270,40 @@ function toggleSkeleton() {
   $("skeleton").ariaPressed = String(at.view.skeletonShown);
 }
 
+// What the browser kept of the last visit, on a button beside Open.
+async function offerLastWork() {
+  const last = await lastWork();
+  if (!last) return;
+  const button = $("restore");
+  button.textContent = `Go on with ${last.name}`;
+  button.title = `As it was on ${new Date(last.time).toLocaleString()}`;
+  button.hidden = false;
+  button.onclick = () => run(() => openProject(last.name, last.text, last.files));
+}
+
 async function start() {
-  const forceScalar = new URLSearchParams(location.search).has("scalar");
-  at.engineFacts = await engine.call("start", { forceScalar });
+  at.forceScalar = new URLSearchParams(location.search).has("scalar");
+  at.engineFacts = await whileBusy("Starting the engine", () => engine.call("start", { forceScalar: at.forceScalar }));
   await fetchModel("sinew_default.sinew");
+  await offerLastWork();
   const wanted = new URLSearchParams(location.search).get("sample");
   const sample = samples.find(({ name }) => name === wanted);
-  if (sample) return openSample(sample);
-  await openSample(samples.find(({ name }) => name === "biped__caped")); // a cape, a skirt and a hat: what is hard to bind
-  if (!matchMedia("(prefers-reduced-motion: reduce)").matches) await playTestClip("walk");
+  if (sample) await openSample(sample);
+}
+
+// After the first things are there, so that it takes nothing from them. A page without a worker of this kind works as well.
+function keepForOffline() {
+  if ("serviceWorker" in navigator && isSecureContext) navigator.serviceWorker.register("sw.js").catch(() => {});
 }
 
 try {
   at.view = new View($("stage"));
   listen();
-  run(start);
+  setStep("mesh");
+  run(start).then(keepForOffline);
 } catch (error) {
   showError(`this browser shows no 3D picture (${error.message}); turn on WebGL or try another browser`);
 }
-
 // What the tests ask: everything that was started is done, and the state that no element shows.
 window.sinewPage = {
   async settled() {
@@ -221,10 +314,25 @@ window.sinewPage = {
       await new Promise((resolve) => setTimeout(resolve, 5));
     }
   },
+  autosaved,
+  forgetWork,
+  // The step and the folded part that an element is in.
+  reveal(id) {
+    const wanted = document.getElementById(id);
+    const part = wanted?.closest("[data-steps]");
+    const body = wanted?.closest("#panel-body, #brush");
+    if (!body || !part) return;
+    const of = part.dataset.steps.split(" ");
+    if (at.character && !of.includes(at.step)) goTo(of[0]);
+    for (let fold = wanted.closest("details"); fold; fold = fold.parentElement.closest("details")) if (!wanted.matches("summary")) fold.open = true;
+  },
   get view() {
     return at.view;
   },
   get character() {
     return at.character;
+  },
+  get step() {
+    return at.step;
   },
 };

@@ -63,6 +63,7 @@ export class MethodPanel {
     if (!motion) return;
     $("motion-method").hidden = motion.own; // its file's own frames are as they are
     for (const input of document.querySelectorAll("#motion-method input")) input.checked = Number(input.value) === motion.method;
-    $("motion-report").textContent = clipText(motion.clips[clip]);
+    const { notes } = motion.files[motion.clips[clip].file];
+    $("motion-report").textContent = [clipText(motion.clips[clip]), ...notes].filter(Boolean).map((line) => `${line[0].toUpperCase()}${line.slice(1)}.`).join(" ");
   }
 }

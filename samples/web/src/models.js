@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Models: of the page's own folder, and the user's.
-import { engine, models } from "./state.js";
+import { at, engine, models } from "./state.js";
 
 // A model of weights, of skeletons or of hands.
 export async function useModel(name) {
@@ -12,6 +12,7 @@ export async function fetchModel(name) {
   const response = await fetch(name);
   if (!response.ok) throw new Error(`${name}: ${response.status} ${response.statusText}; build the page with samples/web/build.sh`);
   const model = await response.arrayBuffer();
+  at.modelFiles = [...at.modelFiles.filter((file) => file.name !== name), new File([model], name)];
   await engine.call("write", { files: [{ name, bytes: model }] }, [model]);
   await useModel(name);
 }

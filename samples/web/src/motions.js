@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The motion that a character plays: opened by the module, by the method and the map that the user has chosen, and retargeted again when the
-// character has changed. What was chosen stays with the character (its source.motion) while its tab is open.
+// The motions that a character plays: opened by the module, by the method and the maps that the user has chosen, and retargeted again when the
+// character has changed. What was chosen is the character's source.motion: {files, method, pins: {file: {joint's name: joint of the file or -1}}}.
+import { ClipList } from "./clip_list.js";
+import { whileBusy } from "./jobs.js";
 import { MapPanel } from "./map_panel.js";
 import { MethodPanel, motionMethods } from "./methods.js";
 import { MotionPlayer } from "./player.js";
@@ -9,6 +11,7 @@ export class Motions {
   player = new MotionPlayer();
   methods = new MethodPanel();
   map = new MapPanel();
+  clips = new ClipList();
   #engine;
   #current;
   #changed;
@@ -18,26 +21,38 @@ export class Motions {
     this.#engine = engine;
     this.#current = current;
     this.#changed = changed;
-    this.player.onClip = () => this.#showMethod();
+    this.player.onClip = () => this.#showClip();
   }
 
-  // A file that the module has: its clips play on the character from now on. method: MotionMethod; pins: of the map, {joint's name:
-  // joint of the motion or -1}
-  async open(name, { method = motionMethods.contacts, pins = {} } = {}) {
+  // Files that the module has, or builtin:NAME: their clips are the character's from now on.
+  async open(files, { method = motionMethods.contacts, pins = {} } = {}) {
     const character = this.#current();
-    if (!character?.result) throw new Error(`${name}: is a motion; open a character first`);
+    if (!character?.result) throw new Error(`${files[0]}: is a motion; open a character first`);
     const { source, joints, up } = character;
-    const own = name === source.mesh;
-    const known = new Map(joints.flatMap((joint, j) => (joint.name in pins ? [[j, pins[joint.name]]] : [])));
-    this.player.wait(name);
-    try {
-      const motion = await this.#engine.call("motion", { name, wish: { up, own, method, pins: [...known] } });
-      source.motion = { name, method, pins };
-      this.#show({ name, own, method, pins: known, ...motion });
-    } catch (error) {
-      this.#show(this.player.motion); // the one before
-      throw error;
-    }
+    const own = files.length === 1 && files[0] === source.mesh;
+    const known = files.map((file) => new Map(joints.flatMap((joint, j) => (joint.name in (pins[file] ?? {}) ? [[j, pins[file][joint.name]]] : []))));
+    const wish = { up, own, method, pins: known.map((one) => [...one]) };
+    const motion = await whileBusy("Moving it", () => this.#engine.call("motion", { names: files, wish }));
+    source.motion = { files, method, pins };
+    this.#show({ own, method, pins: known, ...motion });
+  }
+
+  // More of them; the first new clip plays.
+  async add(files) {
+    const { source } = this.#current() ?? {};
+    const before = this.player.motion?.own ? null : source?.motion;
+    const more = files.filter((file) => !before?.files.includes(file));
+    const again = files.filter((file) => !more.includes(file)); // dropped once more: read anew
+    await this.open([...(before?.files ?? []), ...more], { method: before?.method, pins: before?.pins });
+    const first = this.player.motion.files.findIndex(({ file }) => file === (more[0] ?? again[0]));
+    this.player.choose(this.player.motion.clips.findIndex(({ file }) => file === first));
+  }
+
+  async remove(file) {
+    const { source } = this.#current();
+    const files = source.motion.files.filter((one) => one !== file);
+    if (files.length === 0) return this.close();
+    await this.open(files, source.motion);
   }
 
   async close() {
@@ -45,12 +60,12 @@ export class Motions {
     await this.again();
   }
 
-  // The motion again, for a character that was bound or whose skeleton was changed; none where it has none.
+  // The same motions for a character that was bound or whose skeleton was changed; none where it has none.
   async again() {
     const { source } = this.#current();
     if (!source.motion) return this.#none();
     try {
-      await this.open(source.motion.name, source.motion);
+      await this.open(source.motion.files, source.motion);
     } catch (error) {
       source.motion = null;
       await this.#none();
@@ -58,40 +73,43 @@ export class Motions {
     }
   }
 
-  // The same motion by another method, at the same place of it.
+  // The same motions by another method, at the same place.
   async useMethod(method) {
     const { motion } = this.player;
     if (!motion) return;
-    this.player.wait(motion.name);
+    const { source } = this.#current();
     try {
-      Object.assign(motion, await this.#engine.call("motionMethod", { method }), { method });
-      this.#current().source.motion.method = method;
+      Object.assign(motion, await whileBusy("Moving it", () => this.#engine.call("motionMethod", { method })), { method });
+      source.motion = { ...source.motion, method };
     } finally {
       this.#show(motion);
     }
   }
 
-  // pins: the user's word about the map, joint -> joint of the motion or -1.
+  // pins: the user's word about the map of the file that plays, joint -> joint of the motion or -1.
   async usePins(pins) {
     const { source, joints } = this.#current();
     const named = Object.fromEntries([...pins].map(([joint, from]) => [joints[joint].name, from]));
-    await this.open(source.motion.name, { ...source.motion, pins: named });
+    const { file } = this.player.fileOfClip;
+    await this.open(source.motion.files, { ...source.motion, pins: { ...source.motion.pins, [file]: named } });
   }
 
   async #none() {
-    await this.#engine.call("motion", { name: "" });
+    await this.#engine.call("motion", { names: [] });
     this.#show(null);
   }
 
   #show(motion) {
-    const character = this.#current();
-    this.player.show(motion, Boolean(character?.result));
-    this.#showMethod();
-    this.map.show(motion, character?.joints ?? [], motion?.pins ?? new Map());
+    this.player.show(motion);
+    this.#showClip();
     this.#changed(motion);
   }
 
-  #showMethod() {
-    this.methods.show(this.player.motion, this.player.clip);
+  #showClip() {
+    const character = this.#current();
+    const { motion, clip, fileOfClip } = this.player;
+    this.methods.show(motion, clip);
+    this.clips.show(motion, clip, Boolean(character?.result));
+    this.map.show(motion && { own: motion.own, ...fileOfClip }, character?.joints ?? [], motion?.pins[motion.clips[clip].file] ?? new Map());
   }
 }

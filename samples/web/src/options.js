@@ -4,17 +4,19 @@
 
 const $ = (id) => document.getElementById(id);
 
+// What a change of each is called in the history.
+const words = { method: "weights from", symmetric: "symmetric weights", "rigid-parts": "rigid parts", influences: "influences", softness: "softness" };
+
 export class BindOptions {
   onChange = () => {};
 
   constructor() {
-    for (const id of ["method", "symmetric", "rigid-parts", "influences"]) $(id).onchange = () => this.onChange();
-    $("softness").onchange = () => this.onChange();
+    for (const id of Object.keys(words)) $(id).onchange = () => this.onChange(words[id]);
     $("softness").oninput = () => this.#say();
     $("softness").ondblclick = () => {
       $("softness").value = "0";
       this.#say();
-      this.onChange();
+      this.onChange(words.softness);
     };
     this.#say();
   }
@@ -22,6 +24,19 @@ export class BindOptions {
   // 2 ^ the slider's place: 1/4 to 4, as --softness has it.
   get softness() {
     return Math.round(100 * 2 ** Number($("softness").value)) / 100;
+  }
+
+  // What the user chose, to be kept and put back.
+  get values() {
+    return { method: $("method").value, symmetric: $("symmetric").checked, rigidParts: $("rigid-parts").value, softness: $("softness").value, influences: $("influences").value };
+  }
+  set values({ method, symmetric, rigidParts, softness, influences }) {
+    $("method").value = method;
+    $("symmetric").checked = symmetric;
+    $("rigid-parts").value = rigidParts;
+    $("softness").value = softness;
+    $("influences").value = influences;
+    this.#say();
   }
 
   // As web.cpp reads it. joints: of the character; source: {never, always} sets of names.

@@ -4,25 +4,18 @@
 const $ = (id) => document.getElementById(id);
 
 export class MotionPlayer {
-  onOpen = () => {}; // a File
   onClose = () => {};
   onFrame = () => {}; // the clip or the time has changed
   onClip = () => {};
 
-  #motion = null; // as the module describes it, with {name, own, method}
+  #motion = null; // as the module describes it, with {own, method, pins}
   #seconds = 0;
   #playing = false;
   #last = 0; // when the picture before this one was drawn, milliseconds
 
   constructor() {
-    $("open-motion").onclick = () => $("motion-files").click();
-    $("motion-files").onchange = () => {
-      const [file] = $("motion-files").files;
-      $("motion-files").value = ""; // the same file again is news too
-      if (file) this.onOpen(file);
-    };
     $("close-motion").onclick = () => this.onClose();
-    $("clip").onchange = () => (this.#to(0), this.onClip());
+    $("clip").onchange = () => this.choose($("clip").selectedIndex);
     $("time").oninput = () => {
       this.pause();
       this.#to(Number($("time").value));
@@ -42,32 +35,46 @@ export class MotionPlayer {
   get seconds() {
     return this.#seconds;
   }
-
-  // What the line about the motion says while it is made, which takes seconds for large meshes.
-  wait(name) {
-    $("motion-about").textContent = `${name}: retargeting…`;
+  // {file, mapped, how, sourceJoints, map, notes} of the clip that plays.
+  get fileOfClip() {
+    return this.#motion?.files[this.#motion.clips[this.clip].file];
   }
 
-  // motion: as the module describes it, with its file's name; null for none. Where it had one with that name before, it
-  // stays at the same place of it.
-  show(motion, enabled) {
-    const isSame = motion && this.#motion?.name === motion.name && this.#motion.clips.length === motion.clips.length;
+  // motion: as the module describes it; null for none. With clips of the same names as before it stays at the same place.
+  show(motion) {
+    const names = (of) => of?.clips.map(({ name }) => name).join("\n");
+    const isSame = motion && names(motion) === names(this.#motion);
     if (!motion) this.pause();
     this.#motion = motion;
-    $("open-motion").disabled = $("test-clip").disabled = !enabled;
-    $("player").hidden = $("speed").hidden = $("close-motion").hidden = !motion;
+    $("timeline").hidden = !motion;
+    if (!motion) return this.#sayAbout();
+    if (isSame) {
+      this.#sayAbout();
+      return this.#to(Math.min(this.#seconds, this.#length));
+    }
+    $("clip").replaceChildren(...motion.clips.map(({ name, seconds }) => new Option(`${name || "clip"}, ${seconds.toFixed(1)} s`)));
+    $("clip").hidden = motion.clips.length < 2;
+    this.choose(0);
+  }
+
+  // Another clip, from its beginning.
+  choose(clip) {
+    $("clip").selectedIndex = clip;
+    this.#sayAbout();
+    this.#to(0);
+    this.onClip();
+  }
+
+  #sayAbout() {
     const about = $("motion-about");
-    if (!motion) {
-      about.innerHTML = "Drop a <b>BVH</b>, or open a file with animations.";
+    if (!this.#motion) {
+      about.textContent = "Choose a clip, or drop a BVH, VRMA, FBX or GLB with animations: it moves this character.";
       about.title = "";
       return;
     }
-    about.textContent = `${motion.name}: ${motion.mapped} of ${motion.joints} joints move by ${motion.how}${motion.notes.map((note) => `. ${note}`).join("")}`;
-    about.title = about.textContent;
-    if (isSame) return this.#to(Math.min(this.#seconds, this.#length));
-    $("clip").replaceChildren(...motion.clips.map(({ name, seconds }) => new Option(`${name || "clip"}, ${seconds.toFixed(1)} s`)));
-    $("clip").hidden = motion.clips.length < 2;
-    this.#to(0);
+    const { file, mapped, how, notes } = this.fileOfClip;
+    about.textContent = `${file.replace(/^builtin:/, "")}: ${mapped} of ${this.#motion.joints} joints move by ${how}.`;
+    about.title = [about.textContent, ...notes].join("\n");
   }
 
   toggle() {

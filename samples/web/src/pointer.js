@@ -5,6 +5,7 @@ import { Matrix4, Raycaster, Vector2, Vector3 } from "three";
 import { draggedTo } from "./limbs.js";
 
 const pickPixels = 11;
+const touchPixels = 24; // a finger hides what it is on
 const dragPixels = 3; // less is a click
 
 export class Pointer {
@@ -31,10 +32,10 @@ export class Pointer {
     return this.#drag?.moved ?? false;
   }
 
-  // The joint that is nearest to a place of the page, -1 where none is near.
-  jointAt(x, y) {
+  // The joint that is nearest to the pointer, -1 where none is near.
+  jointAt({ clientX: x, clientY: y, pointerType }) {
     let best = -1;
-    let nearest = pickPixels;
+    let nearest = pointerType === "touch" ? touchPixels : pickPixels;
     for (let j = 0; this.#view.skeletonShown && j < this.#view.jointCount; ++j) {
       const at = this.#view.jointOnScreen(j);
       const distance = Math.hypot(at.x - x, at.y - y);
@@ -92,7 +93,7 @@ export class Pointer {
           return;
         }
         if (!this.#view.editing || !this.#view.draggable || event.button !== 0 || event.target !== this.#canvas || this.#drag) return;
-        const joint = this.jointAt(event.clientX, event.clientY);
+        const joint = this.jointAt(event);
         if (joint < 0) return;
         this.#view.orbiting = false;
         this.#view.hold();
@@ -117,7 +118,7 @@ export class Pointer {
         return;
       }
       if (!drag) {
-        canvas.style.cursor = this.#view.editing && this.#view.draggable && this.jointAt(event.clientX, event.clientY) >= 0 ? "move" : "";
+        canvas.style.cursor = this.#view.editing && this.#view.draggable && this.jointAt(event) >= 0 ? "move" : "";
         return;
       }
       const { clientX: x, clientY: y } = event;
@@ -151,7 +152,7 @@ export class Pointer {
     });
     canvas.addEventListener("pointerup", (event) => {
       if (!down || !this.#mesh() || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > 4) return;
-      const joint = this.jointAt(event.clientX, event.clientY);
+      const joint = this.jointAt(event);
       const more = event.ctrlKey || event.metaKey || event.shiftKey; // beside the chosen one
       if (joint >= 0) return this.#view.onPickJoint(joint, more);
       const at = this.surfaceAt(event);

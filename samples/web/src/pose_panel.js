@@ -18,6 +18,7 @@ export function turnsOf(skeleton, joints, turn, mirrored, axis = 0) {
 
 export class PosePanel {
   onChange = () => {};
+  onStep = () => {}; // the name of what was done, and whether it goes on
   #character = null;
   #pose = null;
   #joint = -1;
@@ -26,19 +27,17 @@ export class PosePanel {
   constructor() {
     axes.forEach((name, axis) => {
       const slider = $(`turn-${name}`);
-      let changing = false; // all of one drag is one step of undo
-      slider.oninput = () => {
-        if (!changing) this.#pose.remember();
-        changing = true;
-        this.#turnAbout(axis, Number(slider.value));
+      slider.oninput = () => this.#turnAbout(axis, Number(slider.value));
+      slider.onchange = () => this.onStep(`turn ${this.#name}`, true); // all of one drag is one step
+      slider.ondblclick = () => {
+        this.#turnAbout(axis, 0);
+        this.onStep(`turn ${this.#name}`);
       };
-      slider.onchange = () => (changing = false);
-      slider.ondblclick = () => this.#turnAbout(axis, 0);
     });
     $("reset").onclick = () => this.reset();
     $("reset-joint").onclick = () => {
-      this.#pose.remember();
       this.turn(this.#joint, [0, 0, 0]);
+      this.onStep(`reset ${this.#name}`);
     };
   }
 
@@ -56,7 +55,6 @@ export class PosePanel {
       slider.value = turn?.[axis] ?? 0;
       slider.nextElementSibling.textContent = turn ? `${Math.round(turn[axis])}°` : "";
     });
-    $("undo").disabled = !pose?.canUndo;
     $("reset").disabled = !pose || pose.isRest;
     $("reset-joint").disabled = !turn || turn.every((degrees) => degrees === 0);
   }
@@ -69,7 +67,14 @@ export class PosePanel {
   }
 
   reset() {
-    if (this.#pose?.reset()) this.onChange();
+    if (!this.#pose || this.#pose.isRest) return;
+    this.#pose.reset();
+    this.onChange();
+    this.onStep("reset pose");
+  }
+
+  get #name() {
+    return this.#character.joints[this.#joint].name;
   }
 
   #turnAbout(axis, degrees) {

@@ -5,19 +5,23 @@
 export const kinds = { proposed: 0, rigid: 1 }; // of sinew_answer_kind, those that the page itself makes
 const meanings = {
   proposed: "as the bind proposes; no question any more",
-  rigid: "all with this joint",
+  rigid: "all of it moves with this joint",
   soft: "blended as widely as heat flows",
   hard: "each vertex with the strongest of its joints alone",
-  softer: "as proposed, blended twice as softly",
+  softer: "as it is, blended twice as softly",
   host: "as the nearest place of the larger parts: a badge on a coat",
 };
+const words = { proposed: "as it is", soft: "swing", hard: "in pieces", softer: "softer", host: "with what it lies on" };
 const percent = (share) => `${Math.round(100 * share)} %`;
 
-export const partName = ({ part }) => `part ${part}`;
-const nowText = ({ share, joint }) => `now ${percent(share)} ${joint}`;
+// What an answer means, in the page's words: follow chest, swing.
+export const answerText = (answer) => (answer.startsWith("rigid:") ? `follow ${answer.slice(6)}` : (words[answer] ?? answer));
+// What a part is called: by its mesh in the file, else by what it is near.
+export const partName = ({ mesh, joint, parts }) => `${mesh || (parts > 1 ? "parts" : "part")} near ${joint}`;
+const nowText = ({ share, joint }) => `now ${share > 0.995 ? "" : `${percent(share)} `}with ${joint}`;
 export function questionText(question) {
   const alike = question.parts > 1 ? ` · ${question.parts} alike` : "";
-  return `${partName(question)}${alike} · ${question.vertices} vertices · ${nowText(question)}`;
+  return `${partName(question)}${alike} · ${nowText(question)}`;
 }
 
 function element(name, properties, ...children) {
@@ -31,6 +35,7 @@ export class Questions {
   onLook = () => {}; // null, a question: {question}, an alternative: {question, kind, joint, answer}, or what was taken
   onTake = () => {}; // {question, kind, joint, answer}
   onTakeBack = () => {}; // what was taken
+  pictureOf = () => null; // of a question: an image's address
 
   #host;
   #joints = [];
@@ -39,6 +44,7 @@ export class Questions {
 
   constructor(host) {
     this.#host = host;
+    host.closest("details").addEventListener("toggle", () => this.#fillPictures());
     const lookOf = (target) => {
       for (let at = target; at && at !== host; at = at.parentElement) if (at.look) return at.look;
       return null;
@@ -60,8 +66,27 @@ export class Questions {
     const asked = questions.map((question) => this.#question(question));
     const none = element("li", { className: "none" }, "No part is in doubt");
     this.#host.replaceChildren(...taken, ...asked, ...(asked.length === 0 ? [none] : []));
+    this.#fillPictures();
     if (focus === undefined) return;
     (this.#host.querySelector(`[data-part="${focus}"] button`) ?? this.#host.querySelector("button"))?.focus();
+  }
+
+  // The first one with its alternatives, for the keyboard.
+  openFirst() {
+    const head = this.#host.querySelector(".question");
+    if (!head) return;
+    this.#open(head, true);
+    head.focus();
+  }
+
+  // Pictures are made when they are looked at.
+  #fillPictures() {
+    if (!this.#host.closest("details").open) return;
+    for (const picture of this.#host.querySelectorAll(".question img:not([src])")) {
+      const made = this.pictureOf(picture.closest(".question").look.question);
+      if (made) picture.src = made;
+      else picture.remove();
+    }
   }
 
   // Closes the open question; false where none is.
@@ -98,17 +123,17 @@ export class Questions {
   #answered(answer) {
     const name = partName(answer.question);
     const by = answer.byStyle ? " · by style" : "";
-    const back = button("back", "Take back", { ariaLabel: `Take back ${name} ${answer.answer}`, onclick: () => this.onTakeBack(answer) });
+    const back = button("back", "Take back", { ariaLabel: `Take back ${name}: ${answerText(answer.answer)}`, onclick: () => this.onTakeBack(answer) });
     const item = element("li", { className: "answered", look: answer, title: questionText(answer.question) });
-    item.append(element("span", { className: "name" }, `${name} · ${answer.answer}${by}`), back);
+    item.append(element("span", { className: "name" }, `${name} · ${answerText(answer.answer)}${by}`), back);
     item.dataset.part = answer.question.part;
     return item;
   }
 
   #question(question) {
     const now = nowText(question);
-    const head = button("question", questionText(question).slice(0, -now.length), { ariaExpanded: "false", look: { question } });
-    head.append(element("span", { className: "now" }, now));
+    const head = button("question", "", { ariaExpanded: "false", look: { question }, title: `${question.vertices} vertices; part ${question.part} of sinew bind --questions` });
+    head.append(element("img", { alt: "", width: 72, height: 54 }), element("span", {}, questionText(question).slice(0, -now.length), element("span", { className: "now" }, now)));
     head.onclick = () => this.#open(head, head.ariaExpanded !== "true");
     const item = element("li", {}, head);
     item.dataset.part = question.part;
@@ -129,20 +154,20 @@ export class Questions {
   #alternatives(question) {
     const list = element("div", { className: "alternatives", role: "group", ariaLabel: `How does ${partName(question)} move?` });
     const add = (text, look, share) => {
-      const one = button("alternative", text, { look, title: meanings[look.answer.split(":")[0]], onclick: () => this.onTake(look) });
+      const one = button("alternative", answerText(text), { look, title: meanings[look.answer.split(":")[0]], onclick: () => this.onTake(look) });
       if (share !== undefined) one.append(element("span", { className: "share", title: "of the part's weight changes joints" }, percent(share)));
       list.append(one);
     };
     for (const { answer, kind, joint, change } of question.alternatives) add(answer, { question, answer, kind, joint }, change / 2);
-    add("as proposed", { question, answer: "proposed", kind: kinds.proposed, joint: 0 });
+    add("proposed", { question, answer: "proposed", kind: kinds.proposed, joint: 0 });
     list.append(this.#anyJoint(question));
     return list;
   }
 
   // Keys step through the joints, so that it is the button beside them that takes one.
   #anyJoint(question) {
-    const choice = element("select", { ariaLabel: `Joint that ${partName(question)} is rigid with` });
-    choice.append(new Option("rigid with another joint…", ""), ...this.#joints.map(({ name }, j) => new Option(name, j)));
+    const choice = element("select", { ariaLabel: `Joint that ${partName(question)} follows` });
+    choice.append(new Option("follow another joint…", ""), ...this.#joints.map(({ name }, j) => new Option(name, j)));
     const take = button("take", "Take", { disabled: true, title: meanings.rigid });
     const row = element("div", { className: "any" }, choice, take);
     choice.onchange = () => {

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The sample characters beside the page.
-const pair = (name) => ({ name, files: [`${name}.obj`, `${name}.rig.txt`] });
+// The sample characters beside the page, some with a picture.
+const pair = (name, shown) => ({ name, shown, files: [`${name}.obj`, `${name}.rig.txt`] });
+const bare = (of, shown) => ({ name: `${of}, a bare mesh`, shown, files: [`${of}.obj`] });
 
+// shown: what its picture is called, thumbs/FIRST FILE.webp
 export const samples = [
-  pair("biped__robed"),
-  { name: "biped__robed, a bare mesh", files: ["biped__robed.obj"] },
-  pair("biped__robot"),
-  { name: "biped__caped", files: ["biped__caped.gltf"] },
-  pair("bird__winged"),
+  { name: "biped__caped", shown: "Cape", files: ["biped__caped.gltf"] },
+  bare("biped__robed", "Bare mesh"),
+  pair("biped__robot", "Robot"),
+  pair("quadruped__tailed", "Four legs"),
+  pair("bird__winged", "Wings"),
+  { name: "drawing__child", shown: "A drawing", files: ["drawing__child.png"] },
   pair("many-legged__plated"),
-  pair("quadruped__tailed"),
+  pair("biped__robed"),
   pair("snake__long"),
 ];
+export const thumbOf = ({ files }) => (files[0].endsWith(".png") ? `samples/${files[0]}` : `thumbs/${files[0].split(".")[0]}.webp`);
 
 // The files of one. Throws where the server has them not.
 export const sampleFiles = ({ files }) =>

@@ -6,15 +6,24 @@ import { factsOf } from "./facts.js";
 import { run, showError } from "./jobs.js";
 import { Latest } from "./latest.js";
 import { $, at, engine, models, modes } from "./state.js";
+import { showSteps } from "./steps.js";
 import { isOff } from "./wishes.js";
 
 export const poses = new Latest(async () => {
-  if (!at.character?.result) return;
+  const of = at.character?.result;
+  if (!of) return;
   const [posed, { motion }, { skinning }] = [at.pose, at.player, at.bends];
   const plays = Boolean(motion) && !at.view.editing;
   const turns = at.view.editing ? new Float32Array(at.pose.turns.length) : at.pose.turns; // a skeleton is edited at rest
-  const reply = plays ? await engine.call("frame", { clip: at.player.clip, seconds: at.player.seconds, skinning }) : await engine.call("pose", { turns, skinning });
-  if (posed !== at.pose) return; // another character by now
+  const isPast = () => of !== at.character?.result || posed !== at.pose || motion !== at.player.motion; // another character, bind or motion by now
+  let reply;
+  try {
+    reply = plays ? await engine.call("frame", { clip: at.player.clip, seconds: at.player.seconds, skinning }) : await engine.call("pose", { turns, skinning });
+  } catch (error) {
+    if (isPast()) return;
+    throw error;
+  }
+  if (isPast()) return;
   const { positions, normals, jointPositions, palette } = reply.buffers;
   at.view.setPose(positions, normals, jointPositions, turns, palette, plays);
   at.view.setSpots(plays && at.motions.methods.spotsShown ? reply.spots : []);
@@ -39,7 +48,8 @@ export function choose(joint, more = false) {
   }
   at.view.select(joint);
   if (at.mode === modes.artist || at.mode === modes.artistField) at.mode = joint >= 0 ? modes.artistField : modes.artist;
-  else if (at.mode !== modes.material && at.mode !== modes.difference) at.mode = joint >= 0 ? modes.field : modes.joints;
+  else if (at.mode === modes.material) at.mode = joint >= 0 && !at.modeChosen && at.step !== "motion" ? modes.field : at.mode;
+  else if (at.mode !== modes.difference) at.mode = joint >= 0 ? modes.field : modes.joints;
   showPose();
   at.editor.show(at.character, joint);
   markJoint(); // into view: the panels may have taken room from the list
@@ -52,8 +62,8 @@ export function showPose() {
   $("switch").disabled = $("lock").disabled = joint < 0 || !at.character?.result;
   $("switch").textContent = isOff(joint) ? "Switch on" : "Switch off";
   $("lock").ariaPressed = String(joint >= 0 && Boolean(at.character?.source.locked?.has(at.character.joints[joint].name)));
-  $("pose").hidden = at.view.editing || Boolean(at.player.motion);
-  $("motion").hidden = $("bending").hidden = at.view.editing;
+  $("pose-none").hidden = !at.player.motion;
+  $("pose-turns").hidden = Boolean(at.player.motion);
   at.view.turnable = !at.player.motion;
   at.posePanel.show(at.character, at.pose, joint, at.view.also);
 }
@@ -61,7 +71,17 @@ export function showPose() {
 // result: what the line says of the bind, null while there is none.
 export function showFacts(result = at.character?.result) {
   $("facts").replaceChildren(...factsOf({ character: at.character, result, engine: at.engineFacts, models }));
-  $("download").disabled = $("download-rig").disabled = $("download-fbx").disabled = !at.character?.result;
+  for (const button of document.querySelectorAll("[data-needs=bound]")) button.disabled = !at.character?.result;
+  showStatus();
+}
+
+// The line below the picture; the rest is behind its i.
+function showStatus() {
+  const { character } = at;
+  const count = (n) => n.toLocaleString("en");
+  const parts = character ? [`${count(character.vertices)} vertices`, `${character.joints.length} joints`, character.result ? "bound" : "binding…"] : [];
+  $("status-said").textContent = parts.join(" · ");
+  showSteps();
 }
 
 export const listJoints = () => at.jointList.show(at.character, at.view.selected, at.view.also);

@@ -121,7 +121,7 @@ export class SkeletonEditor {
     $("remove-joint").onclick = () => this.remove();
     $("to-middle").onclick = () => this.onMiddle();
     $("predict").onclick = () => this.onPredict(this.wishes);
-    for (const id of ["detail", "spine", "toes", "ends", "mirror"]) $(id).onchange = () => this.#character?.predicted && this.onPredict(this.wishes);
+    for (const id of ["detail", "spine", "toes", "ends", "mirror", "kind", "front"]) $(id).onchange = () => this.#character?.predicted && this.onPredict(this.wishes, id);
   }
 
   get alike() {
@@ -129,7 +129,7 @@ export class SkeletonEditor {
   }
   // As SkeletonOptions has them, and the number of a SkeletonDetail.
   get wishes() {
-    return { detail: Number($("detail").value), spine: Number($("spine").value), toes: $("toes").checked, ends: $("ends").checked, mirror: Number($("mirror").value) };
+    return { category: Number($("kind").value), front: Number($("front").value), detail: Number($("detail").value), spine: Number($("spine").value), toes: $("toes").checked, ends: $("ends").checked, mirror: Number($("mirror").value) };
   }
 
   get canEdit() {
@@ -175,8 +175,6 @@ export class SkeletonEditor {
     if (none.length > 0) none[0].disabled = true;
     if (chosen) $("parent").value = String(chosen.parent);
     $("alike").disabled = !character?.mirrored;
-    $("undo-edit").disabled = !character?.canUndo;
-    $("redo-edit").disabled = !character?.canRedo;
     $("predict").disabled = !character;
   }
 

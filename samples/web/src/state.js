@@ -11,15 +11,19 @@ export const models = {}; // by their task: {name, bytes, parameters, layers}
 
 export const at = {
   view: null,
+  step: "mesh", // of steps.js
   engineFacts: {}, // {kernel, version, moduleBytes}
-  open: [], // characters that were dropped together: {name, mesh, skeleton, number, answers, style}
+  // Characters that were dropped together: {name, mesh, skeleton, number}, and what their user did: {answers, style, never, always, locked, motion,
+  // recipe, kept, history, step}. Sets and lists of these are never changed, others take their place.
+  open: [],
+  files: new Map(), // name -> File of all that the module has
   beside: [], // names of what was dropped with them: pictures, .bin, .mtl
   waiting: {}, // a mesh or a rig that its other half may still follow
   character: null, // what the module has loaded, with its bind result
   lastNumber: 0, // of the characters that were opened
   pose: null,
   posePanel: null,
-  mode: modes.joints,
+  mode: modes.material,
   questions: null,
   editor: null,
   player: null,
@@ -29,9 +33,15 @@ export const at = {
   options: null,
   shownMean: 0, // of what the colours show, see web.cpp
   style: null, // {name}: answers for the characters from now on
-  dragged: null, // {joint, moved}: the name of the joint that is being dragged, and whether the module knows
+  dragged: null, // {joint, moved, done}: the name of the joint that is being dragged, whether the module knows, and the edits that it did last
   look: null, // what the pointer or the keyboard is on in the list of questions
   shownLook: null, // what of that is shown
   lookTimer: 0,
   previewing: false, // the module shows a preview
+  modelFiles: [], // of the page's own, as Files
+  modeChosen: false, // the user chose what the picture shows, in this step
+  exported: false,
+  forceScalar: false,
+  changed: false, // something was done that no file has yet
+  afterStop: () => {}, // brings the page back when a job was stopped
 };

@@ -2,8 +2,8 @@
 // The picture: mesh with vertex colours, skeleton on top (bones.js), orbit camera, the rings that turn a joint, and what the pointer does there
 // (pointer.js). Draws only when something changed.
 import {
-  BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, GridHelper, Group, HemisphereLight, MathUtils, Mesh,
-  MeshStandardMaterial, Object3D, PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderer,
+  Box3, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, GridHelper, Group, HemisphereLight, MathUtils, Mesh,
+  MeshStandardMaterial, NeutralToneMapping, NoToneMapping, Object3D, PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderTarget, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { TransformControls } from "three/addons/controls/TransformControls.js";
@@ -17,11 +17,22 @@ const toLinear = Float32Array.from({ length: 256 }, (_, i) => {
   return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
 });
 
+// The address of a picture whose rows go upwards, as WebGL reads them.
+function addressOf(pixels, width, height) {
+  const canvas = Object.assign(document.createElement("canvas"), { width, height });
+  const upright = new ImageData(width, height);
+  for (let y = 0; y < height; ++y) upright.data.set(pixels.subarray(4 * width * (height - 1 - y), 4 * width * (height - y)), 4 * width * y);
+  canvas.getContext("2d").putImageData(upright, 0, 0);
+  return canvas.toDataURL();
+}
+
+const isLight = matchMedia("(prefers-color-scheme: light)");
+
 export class View {
   onPickJoint = () => {};
   onPickSurface = () => {}; // shown vertex
-  onTurnStart = () => {};
   onTurn = () => {}; // joint, degrees x, y, z
+  onTurnEnd = () => {};
   onDrag = () => {}; // joint, [x, y, z] where it is wanted now
   onDragEnd = () => {};
   onStrokeEnd = () => {};
@@ -46,6 +57,7 @@ export class View {
   #spots = new ContactSpots(this.#model);
   #bones = new Bones(this.#model, () => this.#radius);
   #light = new DirectionalLight(0xffffff, 1.7);
+  #sky = new HemisphereLight(0xffffff, 0x8b93a3, 1.9);
   #mesh;
   #grid;
   #upAxis = 0;
@@ -54,6 +66,7 @@ export class View {
   #handles = []; // Object3D per joint, a skeleton of their own that the rings turn
   #jointPositions = new Float32Array();
   #radius = 1;
+  #restBox = new Box3();
   #centre = new Vector3();
   #middle = null; // of the joints in a motion's last frame
   #stale = false;
@@ -65,7 +78,7 @@ export class View {
     this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.#renderer.domElement.setAttribute("aria-label", "The character. Drag to orbit, click to choose a joint.");
     host.prepend(this.#renderer.domElement);
-    this.#scene.add(new HemisphereLight(0xffffff, 0x8b93a3, 1.9), this.#camera, this.#model);
+    this.#scene.add(this.#sky, this.#camera, this.#model);
     this.#camera.add(this.#light);
     this.#light.position.set(0.6, 0.9, 0.7);
     this.#orbit = new OrbitControls(this.#camera, this.#renderer.domElement);
@@ -80,7 +93,7 @@ export class View {
     this.#gizmo.addEventListener("change", () => this.redraw());
     this.#gizmo.addEventListener("dragging-changed", ({ value }) => {
       this.#orbit.enabled = !value;
-      if (value) this.onTurnStart();
+      if (!value) this.onTurnEnd(this.selected);
     });
     this.#gizmo.addEventListener("objectChange", () => {
       const { x, y, z } = this.#handles[this.selected].rotation;
@@ -89,6 +102,7 @@ export class View {
     this.#scene.add(this.#gizmo.getHelper());
     const canvas = this.#renderer.domElement;
     this.#pointer = new Pointer(this, { host, canvas, camera: this.#camera, model: this.#model, mesh: () => this.#mesh });
+    isLight.addEventListener("change", () => this.#mesh && (this.#stand(this.#upAxis), this.redraw()));
     new ResizeObserver(() => this.#resize()).observe(host);
     this.#resize();
   }
@@ -108,6 +122,8 @@ export class View {
     geometry.setAttribute("normal", new BufferAttribute(normals, 3));
     geometry.setAttribute("color", new BufferAttribute(new Float32Array(positions.length).fill(0.35), 3));
     this.#mesh = new Mesh(geometry, new MeshStandardMaterial({ vertexColors: true, wireframe, roughness: 0.82, metalness: 0, side: DoubleSide }));
+    geometry.computeBoundingBox();
+    this.#restBox = geometry.boundingBox.clone();
     this.#mesh.frustumCulled = false; // poses leave the rest pose's bounds
     this.#model.add(this.#mesh);
     this.#stand(upAxis);
@@ -148,6 +164,12 @@ export class View {
   // colours: [[r, g, b]], 0 to 255, or null.
   setJointColours(colours) {
     this.#bones.paint({ colours: colours?.map(colourOf) ?? null });
+    this.redraw();
+  }
+
+  // Joints of limbs that may be wrong are red, whatever else colours them.
+  setDoubts(joints) {
+    this.#bones.paint({ doubts: new Set(joints) });
     this.redraw();
   }
 
@@ -204,7 +226,11 @@ export class View {
     this.#look?.dispose();
     this.#look = look;
     this.#scene.environment = look?.room(this.#renderer) ?? null;
-    this.#scene.environmentIntensity = 0.5;
+    // Materials are lit by the room, and bright ones keep their colours; what shows weights is lit evenly.
+    this.#renderer.toneMapping = look ? NeutralToneMapping : NoToneMapping;
+    this.#sky.intensity = look ? 0 : 1.9;
+    this.#light.intensity = look ? 0.7 : 1.7;
+    this.#scene.environmentIntensity = 0.55;
     if (look) {
       this.#model.add(look.root);
       if (this.#palette) look.pose(this.#palette);
@@ -273,7 +299,10 @@ export class View {
   // from: the direction that the camera is in, in the picture's axes.
   frame(from = [0.42, 0.22, 1]) {
     this.#mesh.geometry.computeBoundingBox();
-    const box = this.#mesh.geometry.boundingBox.clone().applyMatrix4(this.#model.matrixWorld);
+    this.#frameBox(this.#mesh.geometry.boundingBox.clone().applyMatrix4(this.#model.matrixWorld), from);
+  }
+
+  #frameBox(box, from) {
     box.getCenter(this.#centre);
     this.#radius = Math.max(box.getSize(new Vector3()).length() / 2, 1e-6);
     const direction = new Vector3(...from).normalize();
@@ -281,13 +310,31 @@ export class View {
     this.#camera.near = this.#radius / 200;
     this.#camera.far = this.#radius * 200;
     this.#camera.updateProjectionMatrix();
-    this.#camera.position.copy(this.#centre).addScaledVector(direction, fit * 0.85);
+    this.#camera.position.copy(this.#centre).addScaledVector(direction, fit * 0.97);
     this.#orbit.target.copy(this.#centre);
     this.#orbit.minDistance = this.#radius / 20;
     this.#orbit.maxDistance = this.#radius * 30;
     this.#orbit.update();
     this.#untouched = true;
     this.redraw();
+  }
+
+  // Brings all of a clip into view. room: of the module, what the joints take up; the camera goes along with them over the floor.
+  frameClip({ is, around }, upAxis) {
+    const up = upAxis === 1 ? 2 : 1;
+    const middle = new Vector3(), at = new Vector3();
+    for (let j = 0; j < this.#joints.length; ++j) middle.addScaledVector(at.fromArray(this.#joints[j].position), 1 / Math.max(1, this.#joints.length));
+    const rest = new Box3().setFromArray(this.#joints.flatMap(({ position }) => position));
+    const mesh = this.#restBox;
+    const box = new Box3();
+    [0, 1, 2].forEach((i) => {
+      const [least, most] = i === up ? is[i] : around[i].map((x) => x + middle.getComponent(i));
+      // The mesh reaches beyond its joints, at rest and in motion.
+      box.min.setComponent(i, least - Math.max(0, rest.min.getComponent(i) - mesh.min.getComponent(i)));
+      box.max.setComponent(i, most + Math.max(0, mesh.max.getComponent(i) - rest.max.getComponent(i)));
+    });
+    this.#middle = middle.clone().applyMatrix4(this.#model.matrixWorld);
+    this.#frameBox(box.applyMatrix4(this.#model.matrixWorld), [0.42, 0.22, 1]);
   }
 
   redraw() {
@@ -305,6 +352,15 @@ export class View {
     const at = new Vector3().fromArray(this.#jointPositions, joint * 3).applyMatrix4(this.#model.matrixWorld).project(this.#camera);
     const box = this.#renderer.domElement.getBoundingClientRect();
     return { x: box.left + ((at.x + 1) / 2) * box.width, y: box.top + ((1 - at.y) / 2) * box.height, behind: at.z > 1 };
+  }
+
+  // Brings a joint into the middle, nearer where the whole character was in view.
+  lookAtJoints(joints) {
+    const box = new Box3();
+    for (const joint of joints) box.expandByPoint(new Vector3().fromArray(this.#jointPositions, joint * 3));
+    box.expandByScalar(0.08 * this.#restBox.getSize(new Vector3()).length());
+    this.#frameBox(box.applyMatrix4(this.#model.matrixWorld), [0.42, 0.22, 1]);
+    this.#untouched = false;
   }
 
   jointPosition(joint) {
@@ -331,6 +387,57 @@ export class View {
     const { x, y } = this.jointOnScreen(joint);
     const from = this.jointPosition(joint);
     return this.#pointer.place(joint, from, x, y, true);
+  }
+
+  // A picture of a part at rest, orange on the rest: the address of a PNG. members: see Questions; vertexOf: of shown vertices; null where there is none.
+  pictureOf(members, vertexOf) {
+    const size = [144, 108];
+    const { geometry } = this.#mesh;
+    const [rest, colours] = [geometry.getAttribute("position"), geometry.getAttribute("color")];
+    const box = new Box3(), at = new Vector3();
+    const before = colours.array.slice();
+    for (let i = 0; i < vertexOf.length; ++i) {
+      const isPart = members?.of[vertexOf[i]] === members?.number;
+      if (isPart) box.expandByPoint(at.fromBufferAttribute(rest, i));
+      colours.setXYZ(i, ...(isPart ? [0.87, 0.19, 0.007] : [0.3, 0.32, 0.36]));
+    }
+    const url = members && !box.isEmpty() ? this.#pictureOfBox(box.applyMatrix4(this.#model.matrixWorld), size) : null;
+    colours.array.set(before);
+    colours.needsUpdate = true;
+    return url;
+  }
+
+  #pictureOfBox(box, [width, height]) {
+    const camera = new PerspectiveCamera(35, width / height, this.#camera.near, this.#camera.far);
+    const centre = box.getCenter(new Vector3());
+    const radius = Math.max(box.getSize(new Vector3()).length() / 2, 0.18 * this.#radius);
+    camera.position.copy(centre).addScaledVector(new Vector3(0.42, 0.22, 1).normalize(), (1.6 * radius) / Math.sin(camera.fov * MathUtils.DEG2RAD / 2));
+    camera.lookAt(centre);
+    camera.add(new DirectionalLight(0xffffff, 1.7));
+    const others = [this.#gizmo.getHelper(), this.#grid, this.#look?.root].filter((one) => one?.visible);
+    const bonesShown = this.#bones.shown;
+    this.#bones.shown = false;
+    for (const one of others) one.visible = false;
+    const meshShown = this.#mesh.visible;
+    this.#mesh.visible = true;
+    const [mapping, environment] = [this.#renderer.toneMapping, this.#scene.environment];
+    this.#renderer.toneMapping = NoToneMapping;
+    this.#scene.environment = null;
+    const target = new WebGLRenderTarget(width, height, { samples: 4, colorSpace: SRGBColorSpace });
+    const pixels = new Uint8ClampedArray(4 * width * height);
+    this.#mesh.geometry.getAttribute("color").needsUpdate = true;
+    this.#renderer.setRenderTarget(target);
+    this.#renderer.clear();
+    this.#renderer.render(this.#scene, camera);
+    this.#renderer.readRenderTargetPixels(target, 0, 0, width, height, pixels);
+    this.#renderer.setRenderTarget(null);
+    target.dispose();
+    this.#bones.shown = bonesShown;
+    for (const one of others) one.visible = true;
+    this.#mesh.visible = meshShown;
+    [this.#renderer.toneMapping, this.#scene.environment] = [mapping, environment];
+    this.redraw();
+    return addressOf(pixels, width, height);
   }
 
   // The rest is for tests.
@@ -406,7 +513,7 @@ export class View {
   #makeGrid(box) {
     this.#grid?.dispose();
     this.#grid?.removeFromParent();
-    this.#grid = new GridHelper(this.#radius * 4, 20, 0x4a515d, 0x2c3139);
+    this.#grid = new GridHelper(this.#radius * 4, 20, ...(isLight.matches ? [0xaab2bd, 0xc9cfd8] : [0x4a515d, 0x2c3139]));
     this.#grid.position.set(this.#centre.x, box.min.y, this.#centre.z);
     this.#scene.add(this.#grid);
   }

@@ -61,6 +61,7 @@ function withText(value, use) {
   }
 }
 
+// Arguments as JSON.
 const withTexts = (one, other, use) => withText(JSON.stringify(one), (a) => withText(JSON.stringify(other), (b) => use(a, b)));
 
 function checked(at) {
@@ -118,6 +119,11 @@ const calls = {
     const reply = withText(plain(mesh), (m) => withText(skeleton && plain(skeleton), (s) => checked(module._web_load(m, s, number))));
     return { ...reply, buffers: take(["triangles", "vertexOf", "positions", "normals"]) };
   },
+  // A drawing by other wishes: {class, ...} as web_picture() has them.
+  picture({ mesh, wishes, number }) {
+    const reply = withText(plain(mesh), (m) => withText(JSON.stringify(wishes), (w) => checked(module._web_picture(m, w, number))));
+    return { ...reply, buffers: take(["triangles", "vertexOf", "positions", "normals"]) };
+  },
   // answers: [[vertex, kind, joint], ...]
   // wish: as BindOptions of options.js has it
   bind({ wish, answers }) {
@@ -127,7 +133,19 @@ const calls = {
   rig: ({ wishes }) => withText(JSON.stringify(wishes), (at) => checked(module._web_rig(at))),
   // edits: [{kind, joint, other, place}, ...]
   edit: ({ edits, mirror, continues }) => withText(JSON.stringify(edits), (at) => checked(module._web_edit(at, mirror, continues))),
-  undoEdit: ({ forward }) => checked(module._web_undo_edit(forward)),
+  // The character as it is now, under a number that restore knows until drop.
+  keep: ({ number }) => module._web_keep(number),
+  drop: ({ numbers }) => numbers.forEach((number) => module._web_drop(number)),
+  restore: ({ number }) => checked(module._web_restore(number)),
+  // Locked and painted rows, for a project and from one.
+  rows: () => checked(module._web_rows()),
+  putRows: ({ rows }) => withText(JSON.stringify(rows), (at) => checked(module._web_put_rows(at))),
+  // {mesh, joints, clips} of a file
+  async contents({ name }) {
+    await needScenes(name);
+    return withText(plain(name), (at) => checked(module._web_contents(at)));
+  },
+  check: () => checked(module._web_check()),
   // An edit with weights and colours at once, while a joint is dragged.
   move({ edits, mirror, continues, wish, answers, mode, joint }) {
     const rig = calls.edit({ edits, mirror, continues });
@@ -167,16 +185,17 @@ const calls = {
       module._free(at);
     }
   },
-  // name: of a .bvh or an animated glTF, FBX or COLLADA, "" for none any more. wish: {up, own, method, pins}
-  async motion({ name, wish = {} }) {
-    await needScenes(name);
-    return withText(name && plain(name), (at) => withText(JSON.stringify(wish), (w) => checked(module._web_motion(at, w))));
+  // names: of files with motions, or builtin:NAME; [] for none any more. wish: {up, own, method, pins}
+  async motion({ names, wish = {} }) {
+    for (const name of names) await needScenes(name);
+    return withTexts(names.map(plain), wish, (n, w) => checked(module._web_motion(n, w)));
   },
   motionMethod: ({ method }) => checked(module._web_motion_method(method)),
   frame: ({ clip, seconds, skinning }) => ({ ...checked(module._web_frame(clip, seconds, skinning)), buffers: take(posed) }),
-  glb({ name }) {
-    const file = `${plain(name)}.bound.glb`;
-    withText(file, (at) => checked(module._web_write_glb(at)));
+  // kind: glb or vrm; wish: {clips, profile, author, title, licence}
+  file({ name, kind, wish }) {
+    const file = `${plain(name)}.bound.${kind}`;
+    withText(file, (f) => withText(JSON.stringify(wish), (w) => checked(module._web_write(f, w))));
     return { buffers: { bytes: readOnce(file) } };
   },
   rigText({ name }) {
@@ -186,15 +205,19 @@ const calls = {
   },
 };
 
-onmessage = async ({ data }) => {
+async function answer({ id, call, ...options }) {
   try {
-    const reply = (await calls[data.call](data)) ?? {};
+    const reply = (await calls[call](options)) ?? {};
     const transfer = Object.values(reply.buffers ?? {}).map((b) => b.buffer);
-    postMessage({ id: data.id, reply }, transfer);
+    postMessage({ id, reply }, transfer);
   } catch (error) {
     let line = String(error?.message ?? error);
     if (error instanceof RangeError) line = "out of memory: the file is too large for this browser; try the sinew command";
     if (error instanceof WebAssembly.RuntimeError) line = `the engine stopped (${line}); reload the page`;
-    postMessage({ id: data.id, error: line });
+    postMessage({ id, error: line });
   }
-};
+}
+
+// One call after another, also where one waits for a reader to be fetched.
+let calling = Promise.resolve();
+onmessage = ({ data }) => (calling = calling.then(() => answer(data)));

@@ -4,9 +4,9 @@ import assert from "node:assert/strict";
 import { pairFiles, stem } from "../src/files.js";
 
 const character = (name, mesh, skeleton) => ({ name, mesh, skeleton });
-const check = (names, waiting, want) => {
-  const got = pairFiles(names, waiting);
-  assert.deepEqual({ characters: got.characters, model: got.model, style: got.style, motion: got.motion, waiting: got.waiting }, { characters: [], model: "", style: "", motion: "", waiting: {}, ...want });
+const check = (names, waiting, want, moving = []) => {
+  const got = pairFiles(names, waiting, moving);
+  assert.deepEqual({ characters: got.characters, model: got.model, style: got.style, motions: got.motions, waiting: got.waiting }, { characters: [], model: "", style: "", motions: [], waiting: {}, ...want });
   return got.problems;
 };
 
@@ -40,6 +40,12 @@ assert.match(check(["a.glb", "x.docx"], {}, { characters: [character("a", "a.glb
 assert.match(check(["hero.bin"], {}, {})[0], /holds no mesh/);
 assert.deepEqual(check(["mine.sinew"], {}, { model: "mine.sinew" }), []);
 assert.deepEqual(check(["studio.style", "hero.glb"], {}, { style: "studio.style", characters: [character("hero", "hero.glb", "")] }), []);
-assert.deepEqual(check(["walk.BVH"], {}, { motion: "walk.BVH" }), []);
-assert.deepEqual(check(["hero.glb", "walk.bvh"], {}, { motion: "walk.bvh", characters: [character("hero", "hero.glb", "")] }), []);
+assert.deepEqual(check(["walk.BVH"], {}, { motions: ["walk.BVH"] }), []);
+assert.deepEqual(check(["hero.glb", "walk.bvh"], {}, { motions: ["walk.bvh"], characters: [character("hero", "hero.glb", "")] }), []);
+assert.deepEqual(check(["walk.bvh", "run.vrma"], {}, { motions: ["walk.bvh", "run.vrma"] }), []);
+// What a file that may hold a mesh is for here shows in it, not in its name.
+assert.deepEqual(check(["hero.fbx", "walk.fbx"], {}, { motions: ["walk.fbx"], characters: [character("hero", "hero.fbx", "")] }, ["walk.fbx"]), []);
+// A picture alone is a drawing of a character; beside a mesh it is its part.
+assert.deepEqual(check(["cat.png"], {}, { characters: [character("cat", "cat.png", "")] }), []);
+assert.deepEqual(check(["hero.fbx", "skin.png"], {}, { characters: [character("hero", "hero.fbx", "")] }), []);
 console.log("files_test: ok");

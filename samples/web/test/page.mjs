@@ -10,8 +10,36 @@ export async function newPage(browser, troubles) {
   page.setDefaultTimeout(60000);
   page.on("console", (message) => ["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text()) && troubles.push(message.text()));
   page.on("pageerror", (error) => troubles.push(error.message));
+  revealing(page);
   page.on("request", (request) => /^(http:\/\/127\.0\.0\.1|blob:|data:)/.test(request.url()) || troubles.push(`asks ${request.url()}`));
   return page;
+}
+
+// Steps and folded parts hide what is not worked on: what a test acts on is brought up first, as a user would.
+function revealing(page) {
+  const idOf = (selector) => /#([\w-]+)/.exec(selector)?.[1];
+  const reveal = async (selector) => {
+    const id = idOf(String(selector));
+    if (id && (await page.evaluate((name) => window.sinewPage?.reveal(name), id).then(() => true, () => false))) await page.evaluate(() => window.sinewPage?.settled());
+  };
+  page.reveal = reveal;
+  for (const name of ["click", "fill", "selectOption", "check", "uncheck", "focus"]) {
+    const act = page[name].bind(page);
+    page[name] = async (selector, ...rest) => (await reveal(selector), act(selector, ...rest));
+  }
+  const locate = page.locator.bind(page);
+  const wrapped = (locator, selector) => {
+    for (const name of ["click", "hover", "focus", "selectOption", "fill", "check", "uncheck", "scrollIntoViewIfNeeded", "waitFor", "innerText"]) {
+      const act = locator[name].bind(locator);
+      locator[name] = async (...rest) => (await reveal(selector), act(...rest));
+    }
+    for (const name of ["first", "last", "nth", "locator", "filter"]) {
+      const make = locator[name].bind(locator);
+      locator[name] = (...rest) => wrapped(make(...rest), selector);
+    }
+    return locator;
+  };
+  page.locator = (selector, options) => wrapped(locate(selector, options), String(selector));
 }
 
 // current: () => the page that is looked at. Screenshots go to WORK/prefixNAME.png.
@@ -21,13 +49,16 @@ export function pageTools(current, { troubles, work, prefix = "" }) {
     settled: () => current().evaluate(() => sinewPage.settled()),
     shoot: (name) => current().screenshot({ path: join(work, `${prefix}${name}.png`) }),
     errorLine: async () => ((await on("#error").isVisible()) ? on("#error span").innerText() : ""),
-    hash: () => on("#facts code").innerText(),
+    hash: () => on("#facts code").textContent(),
     legend: () => on("#legend figcaption").innerText(),
     colours: () => current().evaluate(() => sinewPage.view.shownColours()),
     positions: () => current().evaluate(() => sinewPage.view.shownPositions()),
     joints: () => current().evaluate(() => sinewPage.character.joints),
-    // Opens what lies behind a line of the panel.
-    details: (summary) => on("#panel > details > summary").filter({ hasText: summary }).click(),
+    // As the user goes from one step to another.
+    async go(step) {
+      await current().click(`#rail [data-step=${step}]`);
+      await tools.settled();
+    },
     async open(sample) {
       await current().selectOption("#sample", sample);
       await tools.settled();

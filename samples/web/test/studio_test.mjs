@@ -21,23 +21,12 @@ const server = await serve(dist);
 const browser = await launch();
 const troubles = [];
 const page = await newPage(browser, troubles);
-const { settled, shoot, hash, errorLine, legend, colours, joints, open, pick, details, give, slide, downloaded, step } = pageTools(() => page, { troubles, work, prefix: "studio_" });
+const { settled, shoot, hash, errorLine, legend, colours, joints, open, pick, give, slide, downloaded, step } = pageTools(() => page, { troubles, work, prefix: "studio_" });
 const jointsAt = () => page.evaluate(() => sinewPage.view.shownJoints());
 // The picture's pixels in the middle, to see that it changed.
 const picture = async () => (await page.locator("#stage canvas").screenshot()).toString("base64");
 
 try {
-  await step("the first sample walks", async () => {
-    await page.goto(server.address);
-    await settled();
-    assert.equal(await page.inputValue("#sample"), "biped__caped");
-    assert.equal(await page.locator("#play").innerText(), "Pause");
-    await page.waitForTimeout(400);
-    await shoot("first");
-    await page.click("#close-motion");
-    await settled();
-  });
-
   await step("joints are switched off and on, as --never has it", async () => {
     await page.emulateMedia({ reducedMotion: "reduce" });
     await page.goto(`${server.address}?sample=biped__robot`);
@@ -58,7 +47,6 @@ try {
   });
 
   await step("every option of a bind is the command's", async () => {
-    await details(/^Options/);
     const plain = await hash();
     for (const [id, value, ...more] of [
       ["#rigid-parts", "1", "--rigid-parts", "always"],
@@ -83,7 +71,6 @@ try {
     await page.uncheck("#symmetric");
     await settled();
     assert.equal(await hash(), plain);
-    await details(/^Options/);
   });
 
   await step("what is locked keeps its weights", async () => {
@@ -91,7 +78,7 @@ try {
     await pick("head");
     await page.keyboard.press("l");
     await settled();
-    assert.match(await page.locator("#facts").innerText(), /locked [\d,]+ vertices/);
+    assert.match(await page.locator("#facts").textContent(), /locked [\d,]+ vertices/);
     const strongest = await page.evaluate(() => Array.from(sinewPage.character.result.strongest));
     const head = (await joints()).findIndex(({ name }) => name === "head");
     const field = async () => {
@@ -99,7 +86,6 @@ try {
       return strongest.flatMap((joint, i) => (joint === head ? values.slice(3 * i, 3 * i + 3) : []));
     };
     const before = await field();
-    await details(/^Options/);
     await page.selectOption("#method", "1");
     await settled();
     const apart = (await field()).map((x, i) => Math.abs(x - before[i]));
@@ -107,12 +93,11 @@ try {
     await shoot("locked");
     await page.selectOption("#method", "0");
     await settled();
-    await details(/^Options/);
     await page.keyboard.press("Escape");
     await pick("head");
     await page.click("#lock");
     await settled();
-    assert.doesNotMatch(await page.locator("#facts").innerText(), /locked/);
+    assert.doesNotMatch(await page.locator("#facts").textContent(), /locked/);
   });
 
   await step("a brush changes the weights around it, and is a hint", async () => {
@@ -266,12 +251,13 @@ try {
   });
 
   await step("motions to try", async () => {
-    for (const name of ["walk", "squat", "arms up"]) {
-      await page.selectOption("#test-clip", name);
+    for (const [name, title] of [["walk", "Walk"], ["squat", "Squat"], ["arms up", "Arms up"]]) {
+      await page.reveal("#clip-grid");
+      await page.locator("#clip-grid button", { hasText: new RegExp(`^${title}$`) }).click();
       await settled();
       assert.equal(await errorLine(), "");
-      assert.match(await page.locator("#motion-about").innerText(), new RegExp(`^${name}\\.bvh: \\d+ of \\d+ joints move`));
-      await page.keyboard.press("Space"); // the select lets go of the key first
+      assert.equal(await page.locator(`#clip-grid [data-clip="${name}"]`).getAttribute("aria-pressed"), "true");
+      assert.match(await page.locator("#motion-about").innerText(), new RegExp(`^${name}(\\.bvh)?: \\d+ of \\d+ joints move`));
       await page.locator("#time").evaluate((input) => {
         input.value = String(Number(input.max) * 0.45);
         input.dispatchEvent(new Event("input", { bubbles: true }));
@@ -279,6 +265,7 @@ try {
       await settled();
       await shoot(`clip_${name.replace(" ", "_")}`);
     }
+    assert.equal(await page.locator("#clips li").count(), 3, "all of them are there");
     const rest = await page.evaluate(() => sinewPage.character.joints.map(({ position }) => position));
     const now = await jointsAt();
     const hand = (await joints()).findIndex(({ name }) => name === "hand.L");
@@ -311,13 +298,16 @@ try {
     await open("biped__robot");
     const reached = new Set();
     await page.focus("#joints");
-    await page.keyboard.press("b"); // opens the brush
-    await page.focus("#sample");
+    await page.keyboard.press("b"); // its settings
+    await pick("head");
+    await page.keyboard.press("x"); // a step to undo
+    await settled();
+    await page.focus("#help");
     for (let i = 0; i < 120; ++i) {
       await page.keyboard.press("Tab");
       reached.add(await page.evaluate(() => document.activeElement.id || document.activeElement.name || document.activeElement.tagName));
     }
-    const wanted = ["view-front", "view-top", "wireframe", "bone-size", "skeleton", "mode", "joints", "brush", "brush-size", "skinning", "open-motion", "test-clip", "download-fbx", "SUMMARY"];
+    const wanted = ["view-front", "view-top", "wireframe", "bone-size", "skeleton", "mode", "joints", "brush", "brush-size", "undo", "download", "SUMMARY"];
     assert.deepEqual(wanted.filter((id) => !reached.has(id)), [], "the tabulator reaches all of them");
     await page.focus("#joints");
     for (let i = 0; i < 2; ++i) await page.keyboard.press("b");
@@ -330,7 +320,7 @@ try {
     const wide = await page.evaluate(() => ({ page: document.documentElement.scrollWidth, window: innerWidth }));
     assert.ok(wide.page <= wide.window, `nothing sticks out: ${wide.page} of ${wide.window}`);
     const outside = await page.evaluate(() =>
-      [...document.querySelectorAll("header button, header select, #tools button, #tools label, #panel button, #panel select, #panel input")]
+      [...document.querySelectorAll("header button, #rail button, #tools button, #view-switch label, #panel button, #panel select, #panel input")]
         .filter((one) => one.offsetParent)
         .filter((one) => one.getBoundingClientRect().right > innerWidth + 1 || one.getBoundingClientRect().left < -1)
         .map((one) => one.id || one.textContent),

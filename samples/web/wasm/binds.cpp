@@ -25,6 +25,12 @@ double sure_of_least_tenth(std::vector<uint8_t> confidence) {
   return sum / static_cast<double>(tenth);
 }
 
+// Whether all of a file's meshes hang on joints rigidly: what `sinew bind` takes for props would leave nothing to bind.
+bool is_of_rigid_parts(const Character& character) {
+  const auto hangs = [](const CharacterMesh& mesh) { return !mesh.skinned && mesh.carrier >= 0; };
+  return !character.meshes.empty() && std::all_of(character.meshes.begin(), character.meshes.end(), hangs);
+}
+
 // The command's job for the character as it is, with what its user said. `sinew rig` binds attached meshes too, and tips keep their weight.
 BindJob job_for(Session& s, const Wish& wish) {
   const Rig& rig = s.rigs().now();
@@ -37,7 +43,8 @@ BindJob job_for(Session& s, const Wish& wish) {
   job.up_axis = wish.up_axis;
   job.symmetric = wish.symmetric;
   job.rigid_parts = wish.rigid_parts;
-  job.keep_tips = job.bind_props = rig.predicted;
+  job.keep_tips = rig.predicted;
+  job.bind_props = rig.predicted || is_of_rigid_parts(s.character);
   if (!s.character.influences.empty()) {  // rows to keep
     job.locked = s.locked;
     job.hinted = s.hints;
@@ -53,7 +60,8 @@ BindJob job_for(Session& s, const Wish& wish) {
   return BindJob(job, binder, &s.character);
 }
 
-Json question_json(const std::vector<Joint>& joints, const sinew_question& question) {
+Json question_json(const Character& character, const sinew_question& question) {
+  const std::vector<Joint>& joints = character.joints;
   Json alternatives = Json::array();
   for (uint32_t a = 0; a < question.alternative_count; ++a) {
     const sinew_alternative& alternative = question.alternatives[a];
@@ -62,7 +70,9 @@ Json question_json(const std::vector<Joint>& joints, const sinew_question& quest
                             {"joint", alternative.joint},
                             {"change", alternative.change / 65536.0}});
   }
-  return {{"part", question.vertex},           {"parts", question.part_count},
+  const bool has_mesh = question.vertex < character.vertex_meshes.size();
+  const std::string mesh = has_mesh ? character.meshes.at(character.vertex_meshes[question.vertex]).name : "";
+  return {{"part", question.vertex},           {"parts", question.part_count},         {"mesh", mesh},
           {"vertices", question.vertex_count}, {"joint", joints[question.joint].name},
           {"share", question.share / 65535.0}, {"doubt", question.doubt / 65536.0},
           {"gain", question.gain / 65536.0},   {"alternatives", std::move(alternatives)}};
@@ -96,8 +106,11 @@ std::vector<sinew_answer> read_answers(const std::string& text) {
 
 Json bind_shown(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers) {
   need_joints(s);
+  const bool keeps = !s.locked.empty() || !s.hints.empty();
+  std::vector<std::vector<Influence>> began = keeps ? s.character.influences : std::vector<std::vector<Influence>>();
   BindJob job = job_for(s, wish);
   CharacterBind result = job.bind(answers, kQuestions);
+  s.began = std::move(began);
   const JointChoice& choice = job.choice();
   s.taken = {};
   s.slots = wish.influences;
@@ -120,7 +133,7 @@ Json bind_shown(Session& s, const Wish& wish, const std::vector<sinew_answer>& a
     left_out.push_back(s.character.joints[left.joint].name + " (" + left.why + ")");
   Json questions = Json::array();
   for (const sinew_question& question : result.questions)
-    questions.push_back(question_json(s.character.joints, question));
+    questions.push_back(question_json(s.character, question));
   return {{"seconds", result.seconds},
           {"workspaceBytes", result.workspace_bytes},
           {"usedBytes", result.used_bytes},
@@ -132,6 +145,7 @@ Json bind_shown(Session& s, const Wish& wish, const std::vector<sinew_answer>& a
           {"paintedVertices", std::count(s.hints.begin(), s.hints.end(), uint8_t{1})},
           {"symmetricVertices", result.symmetric_vertices},
           {"keptMeshes", result.kept_meshes},
+          {"rigidParts", !s.rigs().now().predicted && is_of_rigid_parts(s.character) ? s.character.meshes.size() : 0},
           {"grownTogether",
            result.seams.seams.empty() ? "" : without_option(seams_text(s.character.joints, result.seams, 0))},
           {"lookFirst", (s.confidence.size() + 9) / 10},
@@ -169,7 +183,7 @@ Json style_answers(Session& s, const Wish& wish) {
   const CharacterBind& proposed = job.proposed();
   for (const sinew_answer& answer : job.answers_of(s.style)) {
     const uint32_t number = proposed.vertex_questions[answer.vertex];
-    list.push_back({{"question", question_json(s.character.joints, proposed.questions[number])},
+    list.push_back({{"question", question_json(s.character, proposed.questions[number])},
                     {"number", number},
                     {"answer", answer_text(s.character.joints, answer.kind, answer.joint)},
                     {"kind", answer.kind},

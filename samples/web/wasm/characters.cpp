@@ -71,6 +71,8 @@ Json start(Session& s, Character character, JointChoice choice, std::vector<std:
   s.weights.clear();
   s.locked.clear();
   s.hints.clear();
+  s.began.clear();
+  s.player.close();
   s.taken = {};
   const bool is_files = !s.rigs().now().predicted && reference.size() == s.character.vertices.size();
   const bool some = std::any_of(reference.begin(), reference.end(), [](const auto& row) { return !row.empty(); });
@@ -107,10 +109,12 @@ Json show_rig(Session& s) {
                                 [](const Joint& a, const Joint& b) { return a.parent == b.parent; });
   s.character.joints = now;
   s.taken = {};
+  if (!alike) s.player.close();  // it is of the joints before
   if (!alike) {
     s.character.influences.clear();
     s.locked.clear();
     s.hints.clear();
+    s.began.clear();
     s.reference.clear();
     s.joints.clear();
     s.weights.clear();
@@ -128,6 +132,8 @@ Json predict(Session& s, const Json& wishes) {
   job.detail = static_cast<SkeletonDetail>(wishes.at("detail").get<uint8_t>());
   const uint32_t up = wishes.at("up").get<uint32_t>();
   job.up = up == 0 ? UpChoice::kY : up == 1 ? UpChoice::kZ : UpChoice::kFound;
+  job.category = wishes.at("category").get<uint32_t>();
+  job.front = wishes.at("front").get<uint32_t>();
   job.mirror = wishes.at("mirror").get<uint32_t>();
   job.spine_count = wishes.at("spine").get<uint32_t>();
   job.toes = wishes.at("toes").get<bool>();

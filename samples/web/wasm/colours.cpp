@@ -2,6 +2,7 @@
 // A value or a colour for each vertex, then for each that is shown.
 #include "colours.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -33,6 +34,19 @@ std::vector<float> field(const std::vector<std::vector<Influence>>& rows, uint32
   return values;
 }
 
+// Where a joint has no weight the character stays as light as without a choice: the scale's dark end would hide its shape.
+void lighten_unmoved(const std::vector<float>& weights, std::vector<std::array<uint8_t, 3>>* colours) {
+  constexpr std::array<float, 3> kUnmoved = {168, 174, 182};
+  constexpr float kShown = 0.25f;  // from this weight on the colour is the scale's
+  for (size_t v = 0; v < weights.size(); ++v) {
+    const float share = std::min(1.0f, weights[v] / kShown);
+    for (size_t i = 0; i < 3; ++i) {
+      const float own = (*colours)[v][i];
+      (*colours)[v][i] = static_cast<uint8_t>(std::lround(kUnmoved[i] + share * (own - kUnmoved[i])));
+    }
+  }
+}
+
 }  // namespace
 
 // Returns the mean of what is shown: of kDifference twice it is the L1 of the READMEs.
@@ -57,6 +71,7 @@ double colour(Session& s, ColourMode mode, uint32_t joint) {
     for (size_t v = 0; v < values.size() && mode == ColourMode::kDoubt; ++v)
       values[v] = 1.0f - static_cast<float>(s.confidence[v]) / 255.0f;
     of_vertex = heat_colours(values, 1.0f);
+    if (mode == ColourMode::kField || mode == ColourMode::kArtistField) lighten_unmoved(values, &of_vertex);
   }
   s.colours.clear();
   for (const uint32_t v : s.surface.vertex_of)

@@ -20,16 +20,17 @@ enum class MotionMethod : uint32_t { kContacts = 0, kCopy, kReferencePoints };
 
 class Player {
  public:
-  // Retargets every clip of the file to the character; a motion that is there already stays when that fails. Throws Error.
+  // Retargets every clip of the files, one after another, to the character; motions that are there already stay when that fails. Throws Error.
+  //   files  of the module, or builtin:NAME
   //   picture  that the character is of, which moves in its plane; null: of none
-  //   up    the character's: 0 = Y, 1 = Z, 2 = found
-  //   own   the file is the character's own
-  //   pins  of the map, which the rest follows
-  // Returns {clips: [{name, frames, seconds, limbs}], joints, mapped, how, sourceJoints: [{name, parent}], map: [{source,
-  // why}], notes: [one line each]}.
-  nlohmann::ordered_json open(const std::string& file, const Character& character,
-                              std::shared_ptr<const PictureCharacter> picture, uint32_t up, bool own,
-                              MotionMethod method, const std::vector<sinew_map_pin>& pins);
+  //   up     the character's: 0 = Y, 1 = Z, 2 = found
+  //   own    the one file is the character's own
+  //   pins   [files] of their maps, which the rest follows
+  // Returns {clips: [{name, file, frames, seconds, room, limbs}], joints, files: [{file, mapped, how, sourceJoints: [{name, parent}], map: [{source,
+  // why}], notes: [one line each]}]}.
+  nlohmann::ordered_json open(const std::vector<std::string>& files, const Character& character,
+                              std::shared_ptr<const PictureCharacter> picture, uint32_t up, bool own, MotionMethod method,
+                              const std::vector<std::vector<sinew_map_pin>>& pins);
   // The same motion by another method; made when it is first asked for. Returns {clips}.
   nlohmann::ordered_json use(MotionMethod method);
   void close() { open_.reset(); }
@@ -46,19 +47,26 @@ class Player {
   struct Made {
     Motion motion;  // of the character's joints
     std::vector<AnimatedClip> clips;
+    std::vector<size_t> files;                    // [clips]
+    std::vector<MotionMap> maps;                  // [files]
+    std::vector<std::vector<std::string>> notes;  // [files]
   };
-  struct Opened {
+  struct Source {
     std::string file;
-    Motion source;
-    AnimatedCharacter work;  // the character, and the method that is being made
-    std::shared_ptr<const PictureCharacter> picture;
+    Motion motion;
     std::optional<Character> body;
     std::vector<sinew_map_pin> pins;
+  };
+  struct Opened {
+    std::vector<Source> sources;
+    AnimatedCharacter work;  // the character, and the method that is being made
+    std::shared_ptr<const PictureCharacter> picture;
     uint32_t up = 0;
     bool own = false;
     std::map<MotionMethod, Made> made;
     const Made* now = nullptr;
   };
+  static Source read(const std::string& file, const Character& character, uint32_t up);
   static void make(MotionMethod method, Opened* opened);
   static nlohmann::ordered_json clips_json(const Opened& opened);
   const Opened& opened(uint32_t clip) const;

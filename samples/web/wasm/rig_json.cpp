@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sinew_character/joint_mirror.hpp"
+#include "sinew_character/limb_doubts.hpp"
 #include "sinew_datasets/image.hpp"
 
 namespace sinew::web {
@@ -19,6 +20,14 @@ namespace {
 int32_t named_partner(const std::vector<Joint>& joints, size_t joint, const std::map<std::string, int32_t>& number) {
   const auto other = number.find(other_side_name(joints[joint].name));
   return other == number.end() || other->second == static_cast<int32_t>(joint) ? -1 : other->second;
+}
+
+// A limb that may be wrong: {name, joint, joints, doubt}.
+Json doubt_json(const PredictedSkeleton& skeleton, const LimbDoubt& limb, const std::map<std::string, int32_t>& number) {
+  const auto in_file = [&](int joint) { return number.at(skeleton.joints[static_cast<size_t>(joint)].name); };
+  Json joints = Json::array();
+  for (const int joint : limb.joints) joints.push_back(in_file(joint));
+  return {{"name", limb.name}, {"joint", in_file(limb.joint)}, {"joints", std::move(joints)}, {"doubt", limb.doubt}};
 }
 
 }  // namespace
@@ -41,9 +50,7 @@ Json rig_json(const Rigs& rigs) {
                       {"confidence", 1}});
   }
   Json reply = {{"predicted", rig.predicted},
-                {"editable", rig.skeleton.has_value()},
-                {"canUndo", rigs.can_undo()},
-                {"canRedo", rigs.can_redo()}};
+                {"editable", rig.skeleton.has_value()}};
   if (rig.skeleton) {
     const PredictedSkeleton& skeleton = *rig.skeleton;
     for (size_t k = 0; k < skeleton.joints.size(); ++k) {  // a file's joints may stand in another order
@@ -60,6 +67,9 @@ Json rig_json(const Rigs& rigs) {
     reply["doubtful"] = rig.predicted && skeleton.usable && *skeleton.usable < kDoubtfulUsable;
     reply["seconds"] = skeleton.seconds;
     if (rig.predicted) reply["upAxis"] = skeleton.up_axis;
+    reply["doubts"] = Json::array();
+    if (rig.predicted)
+      for (const LimbDoubt& limb : doubtful_limbs(skeleton)) reply["doubts"].push_back(doubt_json(skeleton, limb, number));
   }
   reply["joints"] = std::move(joints);
   return reply;

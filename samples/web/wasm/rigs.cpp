@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps of editing are whole rigs: a skeleton is small beside its mesh.
+// Rigs of files, predicted ones and their edits.
 #include "rigs.hpp"
 
 #include <map>
@@ -12,8 +12,6 @@
 
 namespace sinew::web {
 namespace {
-
-constexpr size_t kMostSteps = 200;
 
 // Of a file's joints that were edited: the weights of now are not the file's.
 JointChoice choose_by_names(const Character& character, const std::vector<Joint>& joints) {
@@ -52,19 +50,16 @@ Rig predicted_rig(const Character& character, PredictedSkeleton skeleton) {
 
 void Rigs::start(Rig rig) {
   now_ = std::move(rig);
-  past_.clear();
-  future_.clear();
+  before_.reset();
 }
 
 void Rigs::put(Rig rig, bool continues) {
-  if (!continues || past_.empty()) past_.push_back(std::move(now_));
-  if (past_.size() > kMostSteps) past_.erase(past_.begin());
+  if (!continues || !before_) before_ = std::move(now_);
   now_ = std::move(rig);
-  future_.clear();
 }
 
 void Rigs::edit(const Character& character, const std::vector<SkeletonEdit>& edits, bool mirror, bool continues) {
-  const Rig& base = continues && !past_.empty() ? past_.back() : now_;
+  const Rig& base = continues && before_ ? *before_ : now_;
   if (!base.skeleton)
     throw Error(character.name + ": this skeleton belongs to the file's own nodes; make a new one to edit it");
   PredictedSkeleton skeleton = *base.skeleton;
@@ -78,14 +73,6 @@ void Rigs::edit(const Character& character, const std::vector<SkeletonEdit>& edi
     rig.skeleton = std::move(skeleton);
   }
   put(std::move(rig), continues);
-}
-
-bool Rigs::step(std::vector<Rig>* from, std::vector<Rig>* to) {
-  if (from->empty()) return false;
-  to->push_back(std::move(now_));
-  now_ = std::move(from->back());
-  from->pop_back();
-  return true;
 }
 
 }  // namespace sinew::web

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The skeletons that the character on the page has had: the file's, predicted ones, edited ones, with undo.
+// The skeleton that the character on the page has: the file's, a predicted one, an edited one.
 #ifndef SINEW_WEB_RIGS_HPP
 #define SINEW_WEB_RIGS_HPP
 
@@ -31,21 +31,15 @@ class Rigs {
   // A character that was opened; what was there before is forgotten.
   void start(Rig rig);
   const Rig& now() const { return now_; }
-  // The next step; with `continues` in the place of the present one, as all moves of a drag are one step.
+  // Another one; with `continues` in the place of the present one, as all moves of a drag are one step.
   void put(Rig rig, bool continues);
   // The present rig with these edits. `continues`: edits apply to the rig before the present step.
   // Throws Error as edit_skeleton() does, and for a rig that is not edited; then nothing has changed.
   void edit(const Character& character, const std::vector<SkeletonEdit>& edits, bool mirror, bool continues);
-  bool undo() { return step(&past_, &future_); }
-  bool redo() { return step(&future_, &past_); }
-  bool can_undo() const { return !past_.empty(); }
-  bool can_redo() const { return !future_.empty(); }
 
  private:
-  bool step(std::vector<Rig>* from, std::vector<Rig>* to);
-
   Rig now_;
-  std::vector<Rig> past_, future_;
+  std::optional<Rig> before_;
 };
 
 }  // namespace sinew::web

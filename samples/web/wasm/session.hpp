@@ -31,14 +31,23 @@ struct OpenModel {
   sinew_model model = {};
 };
 
+// All that undo brings back of a character in the module. Rows are there where some are locked or painted, which the bind began with.
+struct Kept {
+  uint32_t number = 0;  // the character's
+  Rig rig;
+  std::vector<std::vector<Influence>> rows;  // [V] or empty
+  std::vector<uint8_t> locked, hints;        // [V] or empty
+};
+
 struct Session {
   OpenModel bind_model, rig_model, hands_model, front_model;
   Character character;               // with the joints of rigs().now()
   std::map<uint32_t, Rigs> rigs_of;  // of all characters that are open, by the page's numbers
   // Of those that are of pictures, without their meshes.
   std::map<uint32_t, std::shared_ptr<const PictureCharacter>> pictures_of;
-  uint32_t number = 0;  // the character's
-  Style style;          // for the next characters
+  uint32_t number = 0;            // the character's
+  std::map<uint32_t, Kept> kept;  // by the page's numbers
+  Style style;                    // for the next characters
   Player player;
   Skinning skinning;
   std::shared_ptr<const PictureCharacter> picture() const {  // null: the character is of none
@@ -53,6 +62,7 @@ struct Session {
   std::vector<uint16_t> joints, weights;          // [V x slots]
   std::vector<std::vector<Influence>> reference;  // [V] of the file, or empty
   std::vector<uint8_t> locked, hints;             // [V] or empty: rows that the next bind keeps, see BindOptions
+  std::vector<std::vector<Influence>> began;      // [V] or empty: rows that the last bind began with, where it kept some
   std::vector<uint8_t> confidence;                // [V]
   Rows taken;  // what is written to files while the character shows a preview; else empty
   // What web_buffer() hands out, but for the surface.

@@ -15,11 +15,14 @@
 #include "binds.hpp"
 #include "characters.hpp"
 #include "colours.hpp"
+#include "contents.hpp"
+#include "keep.hpp"
 #include "paint.hpp"
 #include "rig/front_points.hpp"
 #include "rig/rig_task.hpp"
 #include "session.hpp"
 #include "sinew_character/pose.hpp"
+#include "sinew_character/profile.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 
@@ -184,7 +187,7 @@ EMSCRIPTEN_KEEPALIVE void web_forget(uint32_t number) {
   session().pictures_of.erase(number);
 }
 
-// A new skeleton for the character. wishes: {up (0 = y, 1 = z, 2 = found), mirror, spine, toes, ends} as SkeletonOptions has them, and the
+// A new skeleton for the character. wishes: {up (0 = y, 1 = z, 2 = found), category, front, mirror, spine, toes, ends} as SkeletonOptions has them, and the
 // number of a SkeletonDetail. Replies with notes on what the mesh does not show, too.
 EMSCRIPTEN_KEEPALIVE const char* web_rig(const char* wishes) {
   return answer([&] { return predict(session(), Json::parse(wishes)); });
@@ -195,11 +198,36 @@ EMSCRIPTEN_KEEPALIVE const char* web_edit(const char* edits, uint32_t mirror, ui
   return answer([&] { return edit(session(), Json::parse(edits), mirror != 0, continues != 0); });
 }
 
-EMSCRIPTEN_KEEPALIVE const char* web_undo_edit(uint32_t forward) {
+// The character as it is now, under a number that web_restore() knows until web_drop().
+EMSCRIPTEN_KEEPALIVE void web_keep(uint32_t number) { keep(session(), number); }
+EMSCRIPTEN_KEEPALIVE void web_drop(uint32_t number) { session().kept.erase(number); }
+EMSCRIPTEN_KEEPALIVE const char* web_restore(uint32_t number) {
+  return answer([&] { return restore(session(), number); });
+}
+
+// Rows that are locked or painted, as keep.hpp has them: for a project's file, and from one.
+EMSCRIPTEN_KEEPALIVE const char* web_rows() {
+  return answer([&] { return kept_rows(session()); });
+}
+EMSCRIPTEN_KEEPALIVE const char* web_put_rows(const char* rows) {
   return answer([&] {
-    Session& s = session();
-    (void)(forward != 0 ? s.rigs().redo() : s.rigs().undo());
-    return show_rig(s);
+    need_weights(session());
+    end_preview(session());
+    put_rows(session(), Json::parse(rows));
+    return Json::object();
+  });
+}
+
+// What a file holds: {mesh, joints, clips}; a clip has frames. Throws for what cannot be read at all.
+EMSCRIPTEN_KEEPALIVE const char* web_contents(const char* path) {
+  return answer([&] { return contents(path); });
+}
+
+// Findings of `sinew check`: [{rule, severity, what, cure, joint, place, radius}]
+EMSCRIPTEN_KEEPALIVE const char* web_check() {
+  return answer([&] {
+    need_weights(session());
+    return check_json(session());
   });
 }
 
@@ -295,20 +323,23 @@ EMSCRIPTEN_KEEPALIVE const char* web_pose(const float* turns, uint32_t method) {
   });
 }
 
-// Clips of a .bvh or an animated glTF for the character as it is; "" closes what was open.
-// wish: {up (as in web_rig()), own, method, pins: [[joint, joint of the file or -1], ...]}, method a MotionMethod
-EMSCRIPTEN_KEEPALIVE const char* web_motion(const char* path, const char* wish) {
+// Clips of animated files for the character as it is; [] closes what was open.
+// files: [name or builtin:..., ...]; wish: {up (as in web_rig()), own, method, pins: [[[joint, joint of the file or -1], ...], ...] by files},
+// method a MotionMethod
+EMSCRIPTEN_KEEPALIVE const char* web_motion(const char* files, const char* wish) {
   return answer([&]() -> Json {
     Session& s = session();
     need_weights(s);
-    if (*path == 0) {
+    const auto names = Json::parse(files).get<std::vector<std::string>>();
+    if (names.empty()) {
       s.player.close();
       return Json::object();
     }
     const Json json = Json::parse(wish);
-    std::vector<sinew_map_pin> pins;
-    for (const Json& pin : json.at("pins")) pins.push_back({pin.at(0).get<uint32_t>(), pin.at(1).get<int32_t>()});
-    return s.player.open(path, s.character, s.picture(), json.at("up").get<uint32_t>(), json.at("own").get<bool>(),
+    std::vector<std::vector<sinew_map_pin>> pins(names.size());
+    for (size_t f = 0; f < names.size() && f < json.at("pins").size(); ++f)
+      for (const Json& pin : json.at("pins").at(f)) pins[f].push_back({pin.at(0).get<uint32_t>(), pin.at(1).get<int32_t>()});
+    return s.player.open(names, s.character, s.picture(), json.at("up").get<uint32_t>(), json.at("own").get<bool>(),
                          motion_method(json.at("method").get<uint32_t>()), pins);
   });
 }
@@ -329,14 +360,27 @@ EMSCRIPTEN_KEEPALIVE const char* web_frame(uint32_t clip, double seconds, uint32
   });
 }
 
-// With the clips of the motion that is open.
-EMSCRIPTEN_KEEPALIVE const char* web_write_glb(const char* path) {
+// With the clips of the motion that is open. wish: {clips, profile (of --for, or ""), author, title, licence}
+EMSCRIPTEN_KEEPALIVE const char* web_write(const char* path, const char* wish) {
   return answer([&] {
-    need_weights(session());
-    end_preview(session());
+    Session& s = session();
+    need_weights(s);
+    end_preview(s);
+    const Json json = Json::parse(wish);
     GlbOptions options;
-    options.motion = session().player.for_file();
-    write_glb(path, session().character, options);
+    if (json.at("clips").get<bool>()) options.motion = s.player.for_file();
+    const std::string profile = json.at("profile").get<std::string>();
+    if (profile.empty()) {
+      write_gltf(path, s.character, options);
+      return Json::object();
+    }
+    ProfileOptions more;
+    const std::string author = json.at("author").get<std::string>();
+    if (!author.empty()) more.authors = {author};
+    more.title = json.at("title").get<std::string>();
+    more.licence = json.at("licence").get<std::string>();
+    check_profile(profile_named(profile), more);
+    write_for_profile(profile_named(profile), more, path, s.character, options);
     return Json::object();
   });
 }

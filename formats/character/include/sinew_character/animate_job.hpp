@@ -68,6 +68,9 @@ using StepsOf = std::function<std::function<bool()>(size_t steps)>;
 // A bound character; a mesh without a skeleton gets one by the bundled models. Throws Error, which begins with `path`, for a skeleton
 // without weights.
 AnimatedCharacter animated_character(Character character, const std::string& path);
+// Clips whose name an earlier file's clip has, or all with `always`, are called by their file.
+//   made  what there is so far
+void name_clips(const std::string& file, bool always, const Motion& made, Motion* motion);
 void add_motion(const AnimateOptions& options, const MotionInput& input, const StepsOf& steps, AnimatedCharacter* out);
 // Every clip's corrections as morph targets that move in it alone, `shapes` a clip at most.
 void bake_clips(const sinew_deform_options& deform, size_t shapes, const StepsOf& steps, AnimatedCharacter* out);

@@ -9,6 +9,7 @@
 #include "sinew_character/map_source.hpp"
 #include "sinew_character/rig_job.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/print.hpp"
 
 namespace sinew {
@@ -97,6 +98,15 @@ AnimatedCharacter animated_character(Character character, const std::string& pat
     throw Error(path + ": has a skeleton but no skin weights to animate; bind it first with sinew bind");
   out.motion = motion_of(out.character.joints);
   return out;
+}
+
+void name_clips(const std::string& file, bool always, const Motion& made, Motion* motion) {
+  bool taken = always;
+  for (const Clip& clip : motion->clips)
+    for (const Clip& other : made.clips) taken = taken || other.name == clip.name;
+  if (!taken) return;
+  for (Clip& clip : motion->clips)
+    clip.name = motion->clips.size() == 1 ? stem_of(file) : stem_of(file) + "." + clip.name;
 }
 
 void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsOf& steps, AnimatedCharacter* out) {

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Motions to try, each a button with a tick, and the list of clips that the character has: all of them are exported.
+import { testClips } from "./test_clips.js";
+
+const $ = (id) => document.getElementById(id);
+// Clips that ship: builtin:NAME, which finds the kind of body by itself.
+const shipped = ["walk", "run", "idle", "wave", "jump", "sit", "trot", "flap", "swim", "crawl"];
+const own = testClips.filter((name) => !shipped.includes(name));
+
+export const fileOfClip = (name) => (shipped.includes(name) ? `builtin:${name}` : `${name}.bvh`);
+export const clipName = (file) => file.replace(/^builtin:/, "");
+
+export class ClipList {
+  onTry = () => {}; // name, whether it is wanted
+  onPlay = () => {}; // number of a clip
+  onRemove = () => {}; // file
+
+  constructor() {
+    $("clip-grid").append(
+      ...[...shipped, ...own].map((name) => {
+        const button = Object.assign(document.createElement("button"), { type: "button", textContent: name[0].toUpperCase() + name.slice(1), ariaPressed: "false" });
+        button.dataset.clip = name;
+        button.onclick = () => this.onTry(name, button.ariaPressed !== "true");
+        return button;
+      }),
+    );
+    $("clips").onclick = ({ target }) => {
+      const row = target.closest("li");
+      if (target.closest(".remove")) this.onRemove(row.dataset.file);
+      else if (target.closest("button")) this.onPlay(Number(row.dataset.clip));
+    };
+  }
+
+  // motion: as MotionPlayer has it, or null; clip: the one that plays; enabled: the character is bound.
+  show(motion, clip, enabled) {
+    const files = motion?.files.map(({ file }) => file) ?? [];
+    for (const button of $("clip-grid").children) {
+      button.disabled = !enabled;
+      button.ariaPressed = String(files.includes(fileOfClip(button.dataset.clip)));
+    }
+    $("clips").hidden = !motion;
+    $("clips").replaceChildren(...(motion?.clips ?? []).map((one, c) => row(one, c, clipName(files[one.file]), files[one.file], c === clip, motion.own)));
+  }
+}
+
+function row({ name, seconds, file }, number, from, path, now, isOwn) {
+  const li = document.createElement("li");
+  li.dataset.clip = number;
+  li.dataset.file = path;
+  const play = Object.assign(document.createElement("button"), { type: "button", ariaPressed: String(now), title: `${name || "clip"}, of ${from}` });
+  play.append(Object.assign(document.createElement("span"), { className: "name", textContent: name || `clip ${file + 1}` }), Object.assign(document.createElement("span"), { className: "share", textContent: `${seconds.toFixed(1)} s` }));
+  const remove = Object.assign(document.createElement("button"), { type: "button", className: "remove", textContent: "×", ariaLabel: `Remove ${from}`, title: `Remove ${from}`, hidden: isOwn });
+  li.append(play, remove);
+  return li;
+}

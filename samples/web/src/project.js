@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// A character with all that was done to it, as text and files: what autosave keeps in the browser and a project file outside.
+
+const format = 1;
+
+// character: as the page has it; state: of its history; rows: of the module, or null. Answers keep their questions, pictures of them do not.
+export function projectOf({ name, source }, state, rows, beside) {
+  const { recipe, up, options, pose, never, always, locked, answers, motion } = state;
+  return {
+    sinewProject: format, name, mesh: source.mesh, skeleton: source.skeleton, beside, step: source.step, pictureWishes: source.pictureWishes,
+    state: {
+      recipe, up, options, motion, pose: [...pose], never: [...never], always: [...always], locked: [...locked],
+      answers: answers.map(({ question: { members, ...question }, answer, kind, joint, byStyle }) => ({ question, answer, kind, joint, byStyle })),
+    },
+    rows,
+  };
+}
+
+// Names of the files that it needs.
+export const filesOf = ({ mesh, skeleton, beside, state }) =>
+  [...new Set([mesh, skeleton, ...beside, ...(state.motion?.files ?? [])])].filter((file) => file !== "" && !file.startsWith("builtin:"));
+
+// {name, mesh, skeleton, step, state, rows} of a project's text. Throws Error for anything else.
+export function readProject(name, text) {
+  let project;
+  try {
+    project = JSON.parse(text);
+  } catch {
+    throw new Error(`${name}: its project.json is damaged`);
+  }
+  if (project?.sinewProject !== format) throw new Error(`${name}: expected a project of version ${format}, found ${project?.sinewProject ? `version ${project.sinewProject}` : "something else"}`);
+  const { state } = project;
+  return {
+    ...project,
+    state: { ...state, kept: 0, epoch: 0, style: null, pose: Float32Array.from(state.pose), never: new Set(state.never), always: new Set(state.always), locked: new Set(state.locked) },
+  };
+}

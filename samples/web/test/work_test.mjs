@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: MIT
+// What a new user does with the page, in a headless Chromium: it starts with few things, every step fits its window, one history takes everything
+// back by name, work outlives a reload, dropped motions move the character that is open, keys do all, long jobs are stopped, no network is needed.
+//   work_test.mjs DIST_DIR SOURCE_DIR WORK_DIR SINEW_COMMAND
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { testClip } from "../src/test_clips.js";
+import { launch, serve } from "./browser.mjs";
+import { fileOf, made, newPage, pageTools } from "./page.mjs";
+import { strangeFbx } from "./scene_files.mjs";
+
+const [dist, source, work, sinew] = process.argv.slice(2).map((path) => resolve(path));
+const data = join(source, "samples/data");
+mkdirSync(work, { recursive: true });
+const at = (name) => join(work, name);
+const command = (...args) => execFileSync(sinew, args, { cwd: work, stdio: "pipe" }).toString();
+const file = (name) => fileOf(join(data, name));
+
+const server = await serve(dist);
+const browser = await launch();
+const troubles = [];
+const page = await newPage(browser, troubles);
+page.setDefaultTimeout(120000);
+const { settled, shoot, errorLine, hash, joints, positions, pick, give, slide, downloaded, go, step } = pageTools(() => page, { troubles, work, prefix: "work_" });
+const shown = () => page.evaluate(() => [...document.querySelectorAll("button, input, select, summary, a")].filter((one) => one.checkVisibility({ contentVisibilityAuto: true }) && !one.closest("[hidden]")).map((one) => one.id || one.textContent));
+const undoName = async () => (await page.getAttribute("#undo", "title")).replace(/^Undo: | \(Ctrl\+Z\)$/g, "");
+const clips = () => page.locator("#clips li").count();
+const wideAs = (width, height) => page.setViewportSize({ width, height });
+const fits = () =>
+  page.evaluate(() => {
+    const panel = document.getElementById("panel");
+    return { over: panel.scrollHeight - panel.clientHeight, wide: document.documentElement.scrollWidth - innerWidth, high: document.documentElement.scrollHeight - innerHeight };
+  });
+
+try {
+  await step("the page starts with a card and few things", async () => {
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    await wideAs(1366, 768);
+    await page.goto(server.address);
+    await settled();
+    assert.equal(await page.isVisible("#start"), true);
+    const controls = await shown();
+    console.log(`  ${controls.length} controls`);
+    assert.ok(controls.length <= 15, `${controls}`);
+    await shoot("start");
+    await wideAs(390, 844);
+    assert.deepEqual([(await fits()).wide, (await fits()).high], [0, 0]);
+    await shoot("start_phone");
+    await wideAs(1366, 768);
+    await page.keyboard.press("?");
+    assert.equal(await page.isVisible("#help-page"), true);
+    await page.keyboard.press("Escape");
+    assert.equal(await page.isVisible("#help-page"), false);
+  });
+
+  await step("a bare mesh to a walking GLB in three clicks", async () => {
+    writeFileSync(at("robot.obj"), readFileSync(join(data, "biped__robot.obj")));
+    await give(made("robot.obj", readFileSync(at("robot.obj"))));
+    assert.equal(await errorLine(), "");
+    assert.equal(await page.evaluate(() => sinewPage.step), "skeleton");
+    await page.click("#rail [data-step=motion]");
+    await page.click("#clip-grid [data-clip=walk]");
+    await settled();
+    const { bytes } = await downloaded("#download");
+    command("animate", "robot.obj", "--motion", "builtin:walk", "-o", "walk.glb");
+    assert.ok(bytes.equals(readFileSync(at("walk.glb"))), "the page's GLB differs from the command's");
+  });
+
+  await step("every step fits its window", async () => {
+    for (const name of ["mesh", "skeleton", "weights", "motion", "export"]) {
+      await go(name);
+      const { over, wide, high } = await fits();
+      assert.deepEqual([over <= 0, wide, high], [true, 0, 0], `${name}: the panel is ${over} too high`);
+      assert.equal(await page.locator("#step-name").textContent(), name[0].toUpperCase() + name.slice(1));
+      await shoot(name);
+    }
+    await wideAs(390, 844);
+    for (const name of ["skeleton", "motion"]) {
+      await go(name);
+      const { wide, high } = await fits();
+      assert.deepEqual([wide, high], [0, 0], name);
+      const stage = await page.locator("#stage").boundingBox();
+      assert.ok(stage.height > 844 / 3, `${name}: the picture has ${stage.height}`);
+      await shoot(`${name}_phone`);
+    }
+    await page.click("#sheet");
+    assert.equal(await page.locator("#panel-body").isVisible(), false);
+    await page.click("#sheet");
+    await wideAs(1366, 768);
+    await page.click("#close-motion");
+    await settled();
+  });
+
+  await step("one history for everything, with names", async () => {
+    await give(file("biped__robot.obj"), file("biped__robot.rig.txt"));
+    assert.equal(await page.isDisabled("#undo"), true);
+    const before = [await hash(), await positions()];
+    const names = [];
+    const done = async (name) => {
+      await settled();
+      assert.equal(await undoName(), name);
+      names.push(name);
+    };
+    await pick("forearm.L");
+    await page.keyboard.press("x");
+    await done("switch forearm.L");
+    await page.keyboard.press("l");
+    await done("lock forearm.L");
+    await slide("#softness", 1);
+    await done("softness");
+    await page.check("#symmetric");
+    await done("symmetric weights");
+    await pick("upper_arm.R");
+    await slide("#turn-z", 30);
+    await done("turn upper_arm.R");
+    await page.click("#next-question");
+    await page.locator("#questions .alternative").first().click();
+    await settled();
+    names.push(await undoName());
+    assert.match(names.at(-1), /^answer part/);
+    const after = [await hash(), await positions()];
+    assert.notEqual(after[0], before[0]);
+    for (const name of [...names].reverse()) {
+      assert.equal(await undoName(), name);
+      await page.keyboard.press("Control+z");
+      await settled();
+    }
+    assert.deepEqual([await hash(), await positions()], before, "all of it is taken back");
+    assert.equal(await page.isDisabled("#undo"), true);
+    assert.equal(await page.isChecked("#symmetric"), false);
+    for (const _ of names) {
+      await page.keyboard.press("Control+y");
+      await settled();
+    }
+    assert.deepEqual([await hash(), await positions()], after, "and done again");
+  });
+
+  await step("work outlives the page, and goes on from a file", async () => {
+    const was = await hash();
+    await page.evaluate(() => sinewPage.autosaved());
+    let asked = "";
+    page.once("dialog", (dialog) => ((asked = dialog.type()), dialog.accept()));
+    await page.goto(server.address);
+    assert.equal(asked, "beforeunload", "the page asks before it is left");
+    await settled();
+    assert.equal(await page.locator("#restore").innerText(), "Go on with biped__robot");
+    await page.click("#restore");
+    await settled();
+    assert.equal(await errorLine(), "");
+    assert.equal(await hash(), was);
+    const project = await downloaded("#save-project");
+    assert.equal(project.name, "biped__robot.sinewproject");
+    await page.evaluate(() => sinewPage.forgetWork());
+    await page.goto(server.address);
+    await settled();
+    assert.equal(await page.isVisible("#restore"), false);
+    await give(made(project.name, project.bytes));
+    assert.equal(await errorLine(), "");
+    assert.equal(await hash(), was);
+    assert.equal(await page.isChecked("#symmetric"), true);
+    await give(made("broken.sinewproject", project.bytes.subarray(0, 2000)));
+    assert.match(await errorLine(), /^broken\.sinewproject: expected a ZIP archive/);
+    assert.equal(await hash(), was);
+    await page.keyboard.press("Escape");
+  });
+
+  await step("a skeleton that was edited comes back with its joints", async () => {
+    await give(file("snake__long.obj"));
+    const [plain, first] = [await hash(), await joints()];
+    await pick(first.find(({ end, parent }) => !end && parent >= 0).name);
+    await go("skeleton");
+    await page.fill("#place-y", String(first.find(({ end, parent }) => !end && parent >= 0).position[1] + 0.02));
+    await page.keyboard.press("Tab");
+    await settled();
+    assert.match(await undoName(), /^move /);
+    const [edited, moved] = [await hash(), await joints()];
+    assert.notEqual(edited, plain);
+    const project = await downloaded("#save-project");
+    await go("skeleton");
+    await page.keyboard.press("Control+z");
+    await settled();
+    assert.deepEqual([await hash(), await joints()], [plain, first]);
+    await give(made(project.name, project.bytes));
+    assert.equal(await hash(), edited);
+    assert.deepEqual((await joints()).map(({ name, position }) => ({ name, position })), moved.map(({ name, position }) => ({ name, position })));
+  });
+
+  await step("dropped motions move the character that is open; several are several clips", async () => {
+    writeFileSync(at("squat.bvh"), testClip("squat"));
+    writeFileSync(at("arms.bvh"), testClip("arms up"));
+    await give(made("robot.obj", readFileSync(at("robot.obj"))));
+    await give(made("squat.bvh", testClip("squat")), made("arms.bvh", testClip("arms up")));
+    assert.equal(await errorLine(), "");
+    assert.equal(await page.evaluate(() => sinewPage.step), "motion");
+    assert.equal(await clips(), 2);
+    command("animate", "robot.obj", "--motion", "squat.bvh", "--motion", "arms.bvh", "-o", "both.glb");
+    assert.ok((await downloaded("#download")).bytes.equals(readFileSync(at("both.glb"))), "the page's GLB differs from the command's");
+    // A file with a body: its motion, where motions are worked on. An archive is what is in it.
+    command("animate", "robot.obj", "--motion", "arms.bvh", "-o", "moving.glb");
+    execFileSync("python3", ["-c", "import zipfile; zipfile.ZipFile('moving.zip', 'w', zipfile.ZIP_DEFLATED).write('moving.glb')"], { cwd: work });
+    await give(fileOf(at("moving.zip")));
+    assert.equal(await errorLine(), "");
+    assert.equal(await clips(), 3);
+    assert.deepEqual((await joints()).length > 0 && (await page.evaluate(() => sinewPage.character.name)), "robot");
+    await page.locator('#clips li .remove').first().click();
+    await settled();
+    assert.equal(await clips(), 2);
+    await page.keyboard.press("Control+z");
+    await settled();
+    assert.equal(await clips(), 3);
+    await shoot("clips");
+  });
+
+  await step("an FBX without a mesh is a motion wherever it is dropped", async () => {
+    await page.click("#close-motion");
+    await go("weights");
+    // Bones with a curve and no geometry.
+    const bones = strangeFbx().replace(/^ {2}(Geometry|Deformer|Material|Texture): (?:.|\n)*?\n {2}\}\n/gm, "").replace(/^ {2}C: "O[OP]",(1[0-2]|4[01]|5\d|7\d),.*\n/gm, "").replace(/^ {2}C: "OO",\d+,(1[0-2]|5\d|7\d)\n/gm, "");
+    writeFileSync(at("bones.fbx"), bones);
+    await give(made("bones.fbx", bones));
+    const said = await errorLine();
+    assert.doesNotMatch(said, /holds no mesh|no faces/, said);
+    assert.equal(await page.evaluate(() => sinewPage.character.name), "robot");
+    assert.ok((await clips()) === 1 || said.startsWith("bones.fbx"), said);
+    if (said) await page.keyboard.press("Escape");
+  });
+
+  await step("a mesh that is opened while a motion plays", async () => {
+    await go("motion");
+    if (await page.isVisible("#close-motion")) await page.click("#close-motion");
+    await page.click("#clip-grid [data-clip=walk]");
+    await settled();
+    if ((await page.locator("#play").innerText()) === "Play") await page.click("#play");
+    await page.setInputFiles("#files", [file("snake__long.obj")]);
+    await page.waitForFunction(() => sinewPage.character.name === "snake__long");
+    await settled();
+    assert.equal(await errorLine(), "");
+    assert.equal(await page.isVisible("#timeline"), false);
+  });
+
+  await step("Space is the button's, the box's, the line's that it is on; else it plays", async () => {
+    await give(file("biped__robot.obj"), file("biped__robot.rig.txt"));
+    await go("weights");
+    await page.focus("#rail [data-step=motion]");
+    await page.keyboard.press("Space");
+    await settled();
+    assert.equal(await page.evaluate(() => sinewPage.step), "motion");
+    await page.focus("#clip-grid [data-clip=idle]");
+    await page.keyboard.press("Enter");
+    await settled();
+    assert.equal(await clips(), 1);
+    await page.focus("#show-spots");
+    await page.keyboard.press("Space");
+    assert.equal(await page.isChecked("#show-spots"), false);
+    await page.focus("#bending summary");
+    const open = await page.locator("#bending").evaluate((one) => one.open);
+    await page.keyboard.press("Space");
+    assert.equal(await page.locator("#bending").evaluate((one) => one.open), !open);
+    const playing = await page.getAttribute("#play", "aria-pressed");
+    await page.evaluate(() => document.activeElement.blur());
+    await page.keyboard.press("Space");
+    assert.notEqual(await page.getAttribute("#play", "aria-pressed"), playing);
+    await page.keyboard.press("Space");
+  });
+
+  await step("a drawing becomes a character and moves", async () => {
+    writeFileSync(at("drawing__child.png"), readFileSync(join(data, "drawing__child.png")));
+    await give(file("drawing__child.png"));
+    assert.equal(await errorLine(), "");
+    assert.equal(await page.evaluate(() => sinewPage.step), "motion");
+    assert.equal(await clips(), 1);
+    command("animate", "drawing__child.png", "-o", "drawing.glb");
+    assert.ok((await downloaded("#download")).bytes.equals(readFileSync(at("drawing.glb"))), "the page's GLB differs from the command's");
+    await page.waitForTimeout(300);
+    await shoot("drawing");
+  });
+
+  await step("materials keep their colours, and clips stay in the picture", async () => {
+    await give(file("biped__caped.gltf"));
+    await page.keyboard.press("4");
+    await settled();
+    await page.waitForTimeout(200);
+    const png = (await page.locator("#stage canvas").screenshot()).toString("base64");
+    const white = await page.evaluate(async (picture) => {
+      const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${picture}`)).blob());
+      const canvas = new OffscreenCanvas(image.width, image.height);
+      const context = canvas.getContext("2d");
+      context.drawImage(image, 0, 0);
+      const { data: pixels } = context.getImageData(image.width * 0.45, image.height * 0.4, image.width * 0.1, image.height * 0.2);
+      let count = 0;
+      for (let i = 0; i < pixels.length; i += 4) count += pixels[i] > 250 && pixels[i + 1] > 250 && pixels[i + 2] > 250 ? 1 : 0;
+      return count / (pixels.length / 4);
+    }, png);
+    assert.ok(white < 0.02, `${white} of the body is white`);
+    await go("motion");
+    await page.click("#clip-grid [data-clip=jump]");
+    await settled();
+    const stage = await page.locator("#stage").boundingBox();
+    for (const share of [0, 0.25, 0.5, 0.75, 1]) {
+      await page.locator("#time").evaluate((input, wanted) => {
+        input.value = String(Number(input.max) * wanted);
+        input.dispatchEvent(new Event("input", { bubbles: true }));
+      }, share);
+      await settled();
+      const places = await page.evaluate(() => sinewPage.character.joints.map((_, j) => sinewPage.view.jointOnScreen(j)));
+      const outside = places.filter(({ x, y }) => x < stage.x || x > stage.x + stage.width || y < stage.y || y > stage.y + stage.height);
+      assert.deepEqual(outside, [], `${share} of the clip`);
+    }
+  });
+
+  await step("a finger hits a joint within 24 pixels", async () => {
+    await give(file("biped__robot.obj"), file("biped__robot.rig.txt"));
+    await page.keyboard.press("f");
+    const head = await page.evaluate(() => sinewPage.view.jointOnScreen(sinewPage.character.joints.findIndex(({ name }) => name === "hand.L")));
+    await page.evaluate(({ x, y }) => {
+      const canvas = document.querySelector("#stage canvas");
+      const init = { clientX: x + 20, clientY: y + 5, pointerId: 7, pointerType: "touch", button: 0, buttons: 1, bubbles: true, isPrimary: true };
+      canvas.setPointerCapture = canvas.releasePointerCapture = () => {}; // no pointer of that number is there
+      canvas.dispatchEvent(new PointerEvent("pointerdown", init));
+      canvas.dispatchEvent(new PointerEvent("pointerup", { ...init, buttons: 0 }));
+    }, head);
+    await settled();
+    assert.match(await page.locator("#joint-name").textContent(), /^hand\.L/);
+  });
+
+  await step("a long job is stopped, and nothing is lost", async () => {
+    await give(file("biped__robed.obj"));
+    const was = await hash();
+    await page.reveal("#predict");
+    await page.evaluate(() => document.getElementById("predict").click());
+    await page.waitForFunction(() => !document.getElementById("busy").hidden);
+    await page.keyboard.press("Escape");
+    await settled();
+    assert.equal(await errorLine(), "");
+    assert.equal(await hash(), was);
+    assert.ok((await downloaded("#download")).bytes.length > 10000, "the engine is there again");
+  });
+
+  await step("without a network it works on", async () => {
+    await page.evaluate(() => navigator.serviceWorker.ready);
+    await page.waitForFunction(async () => (await (await caches.open("sinew")).keys()).length > 8);
+    server.close();
+    await browser.context.setOffline(true);
+    await page.goto(server.address);
+    await settled();
+    assert.equal(await errorLine(), "");
+    await give(file("snake__long.obj"));
+    assert.equal(await errorLine(), "");
+    assert.ok((await joints()).length > 0);
+    troubles.length = 0; // the browser tells of addresses that it did not reach
+  });
+  console.log("work: all steps ok");
+} finally {
+  await browser.close();
+  server.close();
+}
