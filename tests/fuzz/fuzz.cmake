@@ -39,6 +39,7 @@ sinew_fuzz(names 100)
 sinew_fuzz(transfer 12)
 sinew_fuzz(deform 20)
 if(TARGET sinew_cli)
+  find_package(CLI11 REQUIRED)
   # What answers messages, without processes and sockets.
   set(SINEW_SERVE_SOURCES serve/served_folder.cpp serve/server.cpp serve/tools.cpp options.cpp support.cpp)
   sinew_fuzz(serve 300 nlohmann_json::nlohmann_json)
