@@ -198,7 +198,7 @@ void tell_report(const Character& character, const ClipReport& report) {
 void tell(const Settings& s, const Animated& animated) {
   const size_t joints = animated.character.joints.size();
   if (s.json) {
-    Json json;
+    Json json = {{"sinew_animate", 1}};
     json["character"] = s.character;
     json["output"] = s.output;
     json["joints"] = joints;

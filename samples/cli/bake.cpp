@@ -37,7 +37,8 @@ void tell(const Settings& s, const BakedCharacter& baked) {
   for (const MorphShape& shape : morphs.shapes) moved += shape.vertices.size();
   if (s.json) {
     const auto error = [](const BakeError& e) { return Json{{"linear", e.linear}, {"baked", e.baked}}; };
-    Json json = {{"character", s.character},       {"output", s.output},
+    Json json = {{"sinew_bake", 1},
+                 {"character", s.character},       {"output", s.output},
                  {"bends", morphs.drivers.size()}, {"shapes", morphs.shapes.size()},
                  {"moved_vertices", moved},        {"animations", morphs.clips.size()},
                  {"poses", baked.learnt_poses},    {"held_out_poses", baked.held_out_poses},

@@ -111,7 +111,8 @@ nlohmann::ordered_json seams_json(const std::vector<Joint>& joints, const Seams&
 }
 
 nlohmann::ordered_json summary_json(const BindSummary& s) {
-  nlohmann::ordered_json json = {{"mesh", s.mesh},
+  nlohmann::ordered_json json = {{"sinew_bind", 1},
+                                 {"mesh", s.mesh},
                                  {"method", s.method},
                                  {"vertices", s.vertices},
                                  {"faces", s.faces},

@@ -105,7 +105,7 @@ std::vector<sinew_map_pin> read_pins(const Settings& s, const MapRig& target, co
 
 Json map_json(const Settings& s, const MapRig& target, const MapRig& source, const MappedSkeleton& map,
               const MapCover& cover) {
-  Json json;
+  Json json = {{"sinew_map", 1}};
   json["target"] = target.name;
   json["source"] = source.name;
   if (s.output != "-") json["output"] = s.output;

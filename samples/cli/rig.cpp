@@ -129,7 +129,7 @@ Rigged rig_one(const Settings& s, const Models& models, const std::string& path)
 
 Json summary_json(const Settings& s, const Rigged& rigged, const std::string& mesh, const std::string& output) {
   const PredictedSkeleton& skeleton = rigged.skeleton;
-  Json json;
+  Json json = {{"sinew_rig", 1}};
   json["mesh"] = mesh;
   json["output"] = output;
   json["vertices"] = rigged.character.vertices.size();

@@ -88,7 +88,7 @@ void run(const Settings& s) {
   std::vector<std::string> notes;
   write_as(s.profile, s.output, character, &notes, glb);
   if (s.json) {
-    Json json;
+    Json json = {{"sinew_simplify", 1}};
     json["rig"] = s.rig;
     json["output"] = s.output;
     json["joints_before"] = before.size();

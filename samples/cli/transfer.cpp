@@ -145,7 +145,7 @@ Json part_json(const sinew_transfer_part& part) {
 Json summary_json(const Settings& s, const Character& source, const Transferred& done, const std::string& path,
                   const std::string& output) {
   const TransferResult& r = done.result;
-  Json json;
+  Json json = {{"sinew_transfer", 1}};
   json["source"] = s.source;
   json["target"] = path;
   json["output"] = output;

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // `sinew serve --mcp` by the protocol's own client: tools, a rig with progress, a picture, a refusal, resources, a cancelled call.
-//   node client.mjs SINEW MESH.obj WORK
+//   node client.mjs SINEW SOURCE WORK
 import assert from 'node:assert/strict';
 import { copyFileSync, mkdirSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { Client } from '@modelcontextprotocol/sdk/client/index.js';
 import { StdioClientTransport } from '@modelcontextprotocol/sdk/client/stdio.js';
 
-const [sinew, mesh, work] = process.argv.slice(2);
+const [sinew, source, work] = process.argv.slice(2);
 const folder = join(work, 'served');
 rmSync(folder, { recursive: true, force: true });
 mkdirSync(folder, { recursive: true });
-copyFileSync(mesh, join(folder, 'mesh.obj'));
+copyFileSync(join(source, 'samples/data/biped__robot.obj'), join(folder, 'mesh.obj'));
 
 const client = new Client({ name: 'sinew-test', version: '1' });
 await client.connect(new StdioClientTransport({ command: sinew, args: ['serve', '--mcp', '--folder', folder] }));
