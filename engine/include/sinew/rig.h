@@ -147,7 +147,7 @@ typedef struct sinew_rig_outputs {
   float front[3];    /* written: unit vector, the mesh's axes */
   uint32_t up;       /* written: sinew_up of the mesh, Y or Z */
   /* written: how likely `front` is right within 60 degrees, and `up`, 0..1: with sinew_rig_options::front_model, fitted on
-   * makers that it had not seen; below 0.7 it is a coin toss. 1 where it was given; front_confidence is 0 without the model */
+   * makers that it had not seen, and lower of a mesh without a mirror plane; below 0.7 it is a coin toss. 1 where it was given; front_confidence is 0 without the model */
   float front_confidence, up_confidence;
 } sinew_rig_outputs;
 

@@ -16,8 +16,11 @@ constexpr int64_t kOne = 1 << 28;   // of a Heading
 // What the file's own +z counts beside the network's answer, whose length is about 1 where it is sure; Q15.
 constexpr int64_t kKnownFront = 11469, kUsualFront = 3277;
 constexpr int32_t kUsualUp = 1024;  // the same of y, logit in Q10: most meshes have it up
-// Logit of an answer of length 1, Q10; fitted on makers that a network trained without.
-constexpr int64_t kSureness = 2816;
+// Logit of an answer of length 1, Q10: what decides, and what is told of a mesh without a mirror plane. Fitted on makers that a network
+// trained without (trainer/configs/RESULTS.md).
+constexpr int64_t kSureness = 2816, kLeaningSureness = 1549;
+// Below it the answer is left to the votes.
+constexpr float kClear = 0.7f;
 constexpr int64_t kSnap =
     kOne / 38;  // sine of 1.5 degrees: files stand along their axes, and what is off by less is off by accident
 constexpr int64_t kKnownSnap = kOne / 3;  // of 20 degrees, where the file's axes are known
@@ -143,12 +146,17 @@ sinew_status place_front(const FrontQuestion& question, const Mesh& mesh, uint32
     found = snapped(nearest_step(surface_axis(mesh, grid_up).along, wanted));
   }
   set_turn(found, &front->turn);
-  // How much farther the answer reaches to this end than to the other.
-  front->confidence = likelihood((round_shift(answer.x * found.x + answer.z * found.z, 28) * kSureness) >> 15);
+  const int64_t reach = round_shift(answer.x * found.x + answer.z * found.z, 28);
+  front->confidence = front_likelihood(reach, mirrored);
+  front->clear = front_likelihood(reach, true) >= kClear;
   return SINEW_OK;
 }
 
 }  // namespace
+
+float front_likelihood(int64_t reach, bool mirrored) {
+  return likelihood((reach * (mirrored ? kSureness : kLeaningSureness)) >> 15);
+}
 
 sinew_status ask_front(const sinew_model& model, const NetworkOptions& options, const Kernels& kernels,
                        const SurfacePoint* points, uint32_t up_axis, Arena& arena, FrontAnswer* answer) {

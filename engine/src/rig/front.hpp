@@ -31,8 +31,13 @@ struct FrontQuestion {
 
 struct Front {
   Turn turn;
+  bool clear = false;  // the answer is taken; else the votes choose
   float confidence = 0, up_confidence = 1;
 };
+
+// How likely a front is within 60 degrees. A mesh without a mirror plane leans, and a long answer says less of it.
+//   reach  how much farther the answer reaches to this end than to the other, Q15
+float front_likelihood(int64_t reach, bool mirrored);
 
 // Of a mesh in a grid with the caller's y up, or with find_up false with up_axis up. Returns as ask_front().
 sinew_status find_front(const FrontQuestion& question, const Kernels& kernels, const Mesh& mesh, Arena& arena,

@@ -7,9 +7,6 @@
 namespace sinew::rigging {
 namespace {
 
-// Below this likelihood the votes decide, and it is a coin toss.
-constexpr float kCoinToss = 0.7f;
-
 Turn given_turn(uint32_t front, uint32_t up_axis) {
   constexpr float kFronts[7][3] = {{0, 0, 1}, {0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
   return Turn::of(kFronts[front], up_axis);
@@ -70,8 +67,9 @@ sinew_status stand_upright(const FrontPlan& plan, const sinew_mesh& input, const
   if (plan.given != SINEW_FRONT_AUTO) {
     front.turn = given_turn(plan.given, front.turn.up_axis);
     front.confidence = 1;
+    front.clear = true;
   }
-  upright->known = front.confidence >= kCoinToss;
+  upright->known = front.clear;
   upright->up_axis = front.turn.up_axis;
   float* const turned = plan.may_turn() ? arena.alloc<float>(size_t{3} * counts.vertices) : nullptr;
   if (!arena.ok()) return SINEW_ERROR_WORKSPACE;

@@ -250,6 +250,14 @@ class DracoDecoder {
 
 }  // namespace
 
-void decode_draco(CompressedGltf* gltf) { DracoDecoder(gltf).decode(); }
+void decode_draco(CompressedGltf* gltf) {
+  try {
+    DracoDecoder(gltf).decode();
+  } catch (const Error& error) {  // a library that is missing knows of no file
+    const std::string text = error.what();
+    if (text.rfind(gltf->path, 0) == 0) throw;
+    throw Error(gltf->path + ": " + text);
+  }
+}
 
 }  // namespace sinew

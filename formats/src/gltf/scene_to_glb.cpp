@@ -382,8 +382,10 @@ SceneBytes convert_scene(const std::string& path) {
     SceneBytes out;
     out.glb = SceneConverter(path, *scene).convert(&out.notes);
     return out;
-  } catch (const Error&) {
-    throw;
+  } catch (const Error& error) {  // a library that is missing knows of no file
+    const std::string text = error.what();
+    if (text.rfind(path, 0) == 0) throw;
+    throw Error(path + ": " + text);
   } catch (const std::exception& error) {
     throw Error(path + ": expected a whole scene, found one that does not read: " + one_line(error.what()));
   }
