@@ -12,7 +12,7 @@ namespace sinew {
 
 // The one whose votes agree most. Bipeds are drawn from the front: where votes hardly tell, they are seen from there.
 inline size_t choose_view(const std::vector<SeenBody>& seen) {
-  constexpr float kHardly = 1.05f;  // times the least spread
+  constexpr float kHardly = 1.11f;  // times the least spread
   size_t best = 0;
   for (size_t s = 1; s < seen.size(); ++s)
     if (seen[s].skeleton.spread < seen[best].skeleton.spread) best = s;

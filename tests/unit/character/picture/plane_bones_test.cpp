@@ -229,7 +229,7 @@ TEST(PictureView, BipedsAreSeenFromTheFrontWhereVotesHardlyTell) {
   };
   using enum PictureView;
   const SeenBody front = seen(kFront, BodyClass::kOther, 0.103f);
-  EXPECT_EQ(choose_view({front, seen(kFacesRight, BodyClass::kBiped, 0.1f)}), 0u);
+  EXPECT_EQ(choose_view({front, seen(kFacesRight, BodyClass::kBiped, 0.095f)}), 0u);
   EXPECT_EQ(choose_view({front, seen(kFacesRight, BodyClass::kBiped, 0.09f)}), 1u) << "they tell";
   EXPECT_EQ(choose_view({front, seen(kFacesRight, BodyClass::kQuadruped, 0.1f)}), 1u);
   EXPECT_EQ(choose_view({front, seen(kFacesRight, BodyClass::kFish, 0.2f), seen(kFacesLeft, BodyClass::kFish, 0.1f)}),
