@@ -54,6 +54,9 @@ TEST_F(CliPicture, ClassesAndViewsAreTold) {
 TEST_F(CliPicture, MotionStaysInThePlane) {
   const Outcome told = good("animate " + kChild + " --units pixels -o child.glb --sheet child.png");
   EXPECT_NE(told.out.find("builtin:person/wave"), std::string::npos) << told.out;
+  const size_t checked = told.out.find("checked: ");
+  EXPECT_NE(checked, std::string::npos) << told.out;
+  EXPECT_EQ(told.out.find("checked: ", checked + 1), std::string::npos) << "once: " << told.out;
   EXPECT_TRUE(fs::exists(in("child.png")));
   const Motion motion = read_motion(in("child.glb"));
   ASSERT_EQ(motion.clips.size(), 1u);
