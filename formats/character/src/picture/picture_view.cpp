@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "picture/choose_view.hpp"
 #include "picture/joints_inside.hpp"
 #include "picture/side_limbs.hpp"
 #include "sinew_formats/box.hpp"
@@ -130,9 +131,7 @@ SeenBody see_body(const Character& mesh, const std::optional<BodyClass>& given, 
     seen.push_back(std::move(one));
     said.push_back(std::move(turned.notes));
   }
-  size_t best = 0;
-  for (size_t s = 1; s < seen.size(); ++s)
-    if (seen[s].skeleton.spread < seen[best].skeleton.spread) best = s;
+  const size_t best = choose_view(seen);
   SeenBody out = std::move(seen[best]);
   float rival = 1e9f;
   for (size_t s = 0; s < seen.size(); ++s)

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "small_pictures.hpp"
 #include "sinew_picture/picture_mesh.hpp"
+#include "small_pictures.hpp"
 
 namespace sinew {
 namespace {
@@ -22,8 +22,10 @@ TEST(JointsInside, WhatLiesBesideTheFigureGoesIn) {
   options.pixels = true;
   const Character mesh = picture_mesh(picture, find_figure(picture), options);
   PredictedSkeleton skeleton;
-  skeleton.joints = {{"Hips", {80, 100, 1}, -1, {}},      {"Elbow", {180, 118, 2}, 0, {}},
-                     {"Hand", {256, 96, 2}, 1, {}},       {"Tail", {18, 100, 0}, 0, {}},
+  skeleton.joints = {{"Hips", {80, 100, 1}, -1, {}},
+                     {"Elbow", {180, 118, 2}, 0, {}},
+                     {"Hand", {256, 96, 2}, 1, {}},
+                     {"Tail", {18, 100, 0}, 0, {}},
                      {"Shoulder", {150, 93, 0}, 0, {}}};
   move_joints_inside(mesh, &skeleton);
   const auto at = [&](size_t j) { return skeleton.joints[j].position; };

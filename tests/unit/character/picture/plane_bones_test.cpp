@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "picture/choose_view.hpp"
+
 namespace sinew {
 namespace {
 
@@ -215,6 +217,23 @@ TEST(PictureView, PlacesComeBack) {
   }
   EXPECT_EQ(from_picture(PictureView::kFacesRight, {1, 0, 0}).z, 1);
   EXPECT_EQ(from_picture(PictureView::kFacesLeft, {-1, 0, 0}).z, 1);
+}
+
+TEST(PictureView, BipedsAreSeenFromTheFrontWhereVotesHardlyTell) {
+  const auto seen = [](PictureView view, BodyClass body, float spread) {
+    SeenBody one;
+    one.view = view;
+    one.body = body;
+    one.skeleton.spread = spread;
+    return one;
+  };
+  using enum PictureView;
+  const SeenBody front = seen(kFront, BodyClass::kOther, 0.103f);
+  EXPECT_EQ(choose_view({front, seen(kFacesRight, BodyClass::kBiped, 0.095f)}), 0u);
+  EXPECT_EQ(choose_view({front, seen(kFacesRight, BodyClass::kBiped, 0.09f)}), 1u) << "they tell";
+  EXPECT_EQ(choose_view({front, seen(kFacesRight, BodyClass::kQuadruped, 0.1f)}), 1u);
+  EXPECT_EQ(choose_view({front, seen(kFacesRight, BodyClass::kFish, 0.2f), seen(kFacesLeft, BodyClass::kFish, 0.1f)}),
+            2u);
 }
 
 TEST(BodyClass, WordsAreOfTheClassesInTheirOrder) {

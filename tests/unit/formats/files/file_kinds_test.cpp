@@ -31,6 +31,7 @@ TEST(FileKinds, RowsStandOnceAndBeforeWhatTheyEndWith) {
   EXPECT_EQ(extensions_text(kReadsMesh),
             ".obj, .gltf, .glb, .vrm, .fbx, .dae, .b3d, .x, .mesh.xml, .mesh, .md5mesh, .ms3d, .smd");
   EXPECT_EQ(extensions_text(kWritesMesh, " "), ".obj");
+  EXPECT_EQ(extensions_text(kReadsPicture), ".png, .jpg, .jpeg");
 }
 
 }  // namespace
