@@ -16,6 +16,7 @@ set(sinew_formats_sources
   gltf/add_accessor
   gltf/animation_track
   gltf/bind_pose
+  gltf/control_points
   gltf/cut_vertices
   gltf/document_form
   gltf/gltf_container
