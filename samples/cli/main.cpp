@@ -12,6 +12,7 @@
 
 #include "commands.hpp"
 #include "help.hpp"
+#include "lod.hpp"
 #include "retired.hpp"
 #include "sinew/sinew.h"
 #include "sinew_formats/error.hpp"
@@ -95,6 +96,7 @@ int main(int argc, char** argv) {
   sinew::cli::add_inspect(app);
   sinew::cli::add_pose(app);
   sinew::cli::add_simplify(app);
+  sinew::cli::add_lod(app);
   sinew::cli::add_map(app);
   sinew::cli::add_animate(app);
   sinew::cli::add_bake(app);
