@@ -17,7 +17,8 @@ namespace sinew {
 //   positions  [V] of the character's vertices where shapes are measured, at rest or in a pose
 //   share      of the triangles that shall be left, 0..1; more are left where seams or borders want them
 // Returns a GLB. Throws Error for a character without a glTF document, and where this build has no meshoptimizer.
-std::vector<uint8_t> reduced_glb(const std::string& name, const Character& character, const std::vector<Vec3>& positions, double share);
+std::vector<uint8_t> reduced_glb(const std::string& name, const Character& character,
+                                 const std::vector<Vec3>& positions, double share);
 
 }  // namespace sinew
 #endif

@@ -37,7 +37,7 @@ class PointFinder {
       out_.shapes.resize(std::max(out_.shapes.size(), primitive.targets.size()));
     }
     for (const tinygltf::Primitive& primitive : mesh_.primitives) read(primitive);
-      out_.name = mesh_.name.empty() ? node_.name : mesh_.name;
+    out_.name = mesh_.name.empty() ? node_.name : mesh_.name;
     for (size_t t = 0; t < out_.shapes.size(); ++t) {
       const std::vector<double>& resting = node_.weights.empty() ? mesh_.weights : node_.weights;
       out_.shapes[t].name = shape_name(t);
@@ -55,8 +55,9 @@ class PointFinder {
   std::vector<std::vector<float>> target_floats(const tinygltf::Primitive& primitive, const char* attribute) const {
     std::vector<std::vector<float>> all;
     for (const auto& target : primitive.targets)
-      all.push_back(target.count(attribute) == 0 ? std::vector<float>()
-                                                 : accessor_floats(out_.where + ", " + attribute, model_, target.at(attribute), 3));
+      all.push_back(target.count(attribute) == 0
+                        ? std::vector<float>()
+                        : accessor_floats(out_.where + ", " + attribute, model_, target.at(attribute), 3));
     return all;
   }
 
@@ -66,7 +67,8 @@ class PointFinder {
     for (size_t set = 0; node_.skin >= 0; ++set) {
       const std::string joints = "JOINTS_" + std::to_string(set), weights = "WEIGHTS_" + std::to_string(set);
       if (primitive.attributes.count(joints) == 0 || primitive.attributes.count(weights) == 0) break;
-      const std::vector<uint32_t> numbers = accessor_integers(out_.where + ", " + joints, model_, primitive.attributes.at(joints), 4);
+      const std::vector<uint32_t> numbers =
+          accessor_integers(out_.where + ", " + joints, model_, primitive.attributes.at(joints), 4);
       const std::vector<float> values = floats(primitive, weights.c_str(), 4);
       for (size_t i = 0; i < std::min(values.size(), 4 * count); ++i)
         if (values[i] > 0) rows[i / 4].push_back({numbers[i], values[i]});
@@ -80,7 +82,8 @@ class PointFinder {
     const std::vector<float> positions = floats(primitive, "POSITION", 3);
     const size_t count = positions.size() / 3;
     const std::vector<std::vector<Influence>> rows = rows_of(primitive, count);
-    const std::vector<std::vector<float>> moves = target_floats(primitive, "POSITION"), turns = target_floats(primitive, "NORMAL");
+    const std::vector<std::vector<float>> moves = target_floats(primitive, "POSITION"),
+                                          turns = target_floats(primitive, "NORMAL");
     std::vector<float> normals, uvs;
     if (out_.has_normals) normals = floats(primitive, "NORMAL", 3);
     if (out_.has_uvs) uvs = floats(primitive, "TEXCOORD_0", 2);
@@ -95,7 +98,9 @@ class PointFinder {
         if (point_of[v] < 0) point_of[v] = point(v, positions, rows[v], moves, turns);
         out_.corners.push_back(point_of[v]);
         append(normals, v, 3, &out_.normals);
-        if (out_.has_uvs) out_.uvs.push_back(static_cast<double>(uvs[2 * v])), out_.uvs.push_back(1 - static_cast<double>(uvs[2 * v + 1]));
+        if (out_.has_uvs)
+          out_.uvs.push_back(static_cast<double>(uvs[2 * v])),
+              out_.uvs.push_back(1 - static_cast<double>(uvs[2 * v + 1]));
         append(colours, v, 4, &out_.colours);
       }
       out_.polygon_materials.push_back(material);
@@ -108,7 +113,8 @@ class PointFinder {
 
   std::vector<float> read_colours(const tinygltf::Primitive& primitive) const {
     const int accessor = primitive.attributes.at("COLOR_0");
-    if (model_.accessors[static_cast<size_t>(accessor)].type == TINYGLTF_TYPE_VEC4) return floats(primitive, "COLOR_0", 4);
+    if (model_.accessors[static_cast<size_t>(accessor)].type == TINYGLTF_TYPE_VEC4)
+      return floats(primitive, "COLOR_0", 4);
     std::vector<float> out;
     const std::vector<float> colours = floats(primitive, "COLOR_0", 3);
     for (size_t i = 0; i < colours.size(); ++i) {
@@ -167,21 +173,21 @@ ControlPoints control_points(const std::string& whose, const tinygltf::Model& mo
 }
 
 std::vector<char> scene_joints(const tinygltf::Model& model, const GltfNodes& nodes) {
-    std::vector<char> joint(model.nodes.size(), 0);
-    std::vector<char> mesh_below(model.nodes.size(), 0);
-    for (size_t n = 0; n < model.nodes.size(); ++n)
-      for (int up = static_cast<int>(n); up >= 0 && model.nodes[n].mesh >= 0; up = nodes.parents[static_cast<size_t>(up)])
-        mesh_below[static_cast<size_t>(up)] = 1;
-    for (const tinygltf::Skin& skin : model.skins)
-      for (const int node : skin.joints) joint[static_cast<size_t>(node)] = 1;
-    for (size_t n = 0; n < model.nodes.size(); ++n) {
-      if (mesh_below[n] != 0 || model.nodes[n].camera >= 0) continue;
-      bool below_joint = model.skins.empty();
-      for (int up = nodes.parents[n]; up >= 0 && !below_joint; up = nodes.parents[static_cast<size_t>(up)])
-        below_joint = joint[static_cast<size_t>(up)] != 0;
-      if (below_joint) joint[n] = 1;
-    }
-    return joint;
+  std::vector<char> joint(model.nodes.size(), 0);
+  std::vector<char> mesh_below(model.nodes.size(), 0);
+  for (size_t n = 0; n < model.nodes.size(); ++n)
+    for (int up = static_cast<int>(n); up >= 0 && model.nodes[n].mesh >= 0; up = nodes.parents[static_cast<size_t>(up)])
+      mesh_below[static_cast<size_t>(up)] = 1;
+  for (const tinygltf::Skin& skin : model.skins)
+    for (const int node : skin.joints) joint[static_cast<size_t>(node)] = 1;
+  for (size_t n = 0; n < model.nodes.size(); ++n) {
+    if (mesh_below[n] != 0 || model.nodes[n].camera >= 0) continue;
+    bool below_joint = model.skins.empty();
+    for (int up = nodes.parents[n]; up >= 0 && !below_joint; up = nodes.parents[static_cast<size_t>(up)])
+      below_joint = joint[static_cast<size_t>(up)] != 0;
+    if (below_joint) joint[n] = 1;
+  }
+  return joint;
 }
 
 Affine skin_frame(const std::string& whose, const tinygltf::Model& model, const GltfNodes& nodes, size_t skin) {
@@ -190,13 +196,15 @@ Affine skin_frame(const std::string& whose, const tinygltf::Model& model, const 
   std::vector<Frame> frames;
   for (size_t k = 0; k < std::min(binds.size(), kMostFrames); ++k) {
     const Affine at = multiply(nodes.worlds[static_cast<size_t>(from.joints[k])], binds[k]);
-    const auto same = std::find_if(frames.begin(), frames.end(), [&](const Frame& frame) { return is_near(frame.at, at); });
+    const auto same =
+        std::find_if(frames.begin(), frames.end(), [&](const Frame& frame) { return is_near(frame.at, at); });
     if (same == frames.end())
       frames.push_back({at, 1});
     else
       ++same->agree;
   }
-  const auto most = std::max_element(frames.begin(), frames.end(), [](const Frame& a, const Frame& b) { return a.agree < b.agree; });
+  const auto most =
+      std::max_element(frames.begin(), frames.end(), [](const Frame& a, const Frame& b) { return a.agree < b.agree; });
   if (most == frames.end()) return kIdentity;
   // Shear has no place among translations, rotations and scales: then the mesh stands at the origin.
   return is_near(parts_of(most->at, NodeParts()).affine(), most->at) ? most->at : kIdentity;

@@ -38,7 +38,8 @@ struct Values {
 };
 
 void set_bounds(const Values& values, size_t count, Json* accessor) {
-  const size_t size = static_cast<size_t>(tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(values.component_type)));
+  const size_t size =
+      static_cast<size_t>(tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(values.component_type)));
   Json low = Json::array(), high = Json::array();
   for (size_t c = 0; c < values.components; ++c) {
     double least = 1e300, most = -1e300;
@@ -55,16 +56,17 @@ void set_bounds(const Values& values, size_t count, Json* accessor) {
 
 }  // namespace
 
-int pick_vertices(const std::string& where, const GltfSource& read, int accessor, const std::vector<uint32_t>& vertices, bool all_stay,
-                  GltfSource* written) {
+int pick_vertices(const std::string& where, const GltfSource& read, int accessor, const std::vector<uint32_t>& vertices,
+                  bool all_stay, GltfSource* written) {
   const tinygltf::Accessor& old = read.model.accessors.at(static_cast<size_t>(accessor));
   const Json& json = read.document["accessors"][static_cast<size_t>(accessor)];
   const bool floats = old.sparse.isSparse || old.bufferView < 0;
   Values values;
   values.components = static_cast<size_t>(tinygltf::GetNumComponentsInType(static_cast<uint32_t>(old.type)));
   if (!floats) values.component_type = old.componentType;
-  const size_t size = values.components * static_cast<size_t>(tinygltf::GetComponentSizeInBytes(
-                                              static_cast<uint32_t>(values.component_type)));
+  const size_t size =
+      values.components *
+      static_cast<size_t>(tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(values.component_type)));
   values.stride = (size + 3) / 4 * 4;
   values.bytes.assign(vertices.size() * values.stride, 0);
   // Also checks that the accessor lies in its buffer.
@@ -81,8 +83,9 @@ int pick_vertices(const std::string& where, const GltfSource& read, int accessor
       throw Error(where + ": expected a value for every vertex, found " + std::to_string(old.count));
     std::copy_n(from + vertices[v] * step, size, values.bytes.data() + v * values.stride);
   }
-  const int number = add_accessor(written, values.bytes.data(), values.bytes.size(), json["type"].get<std::string>().c_str(),
-                                  values.component_type, vertices.size(), true, !floats && old.normalized);
+  const int number =
+      add_accessor(written, values.bytes.data(), values.bytes.size(), json["type"].get<std::string>().c_str(),
+                   values.component_type, vertices.size(), true, !floats && old.normalized);
   written->document["bufferViews"].back()["byteStride"] = values.stride;
   Json& made = written->document["accessors"][static_cast<size_t>(number)];
   if (json.contains("min") && !all_stay && !vertices.empty()) {

@@ -17,8 +17,8 @@ namespace sinew {
 //   all_stay   every value is among them: bounds stay those that the accessor has; else they are found
 //   written    gets the new accessor
 // Returns its number. Throws Error naming `where` for a vertex that has no value.
-int pick_vertices(const std::string& where, const GltfSource& read, int accessor, const std::vector<uint32_t>& vertices, bool all_stay,
-                  GltfSource* written);
+int pick_vertices(const std::string& where, const GltfSource& read, int accessor, const std::vector<uint32_t>& vertices,
+                  bool all_stay, GltfSource* written);
 
 }  // namespace sinew
 #endif

@@ -39,7 +39,8 @@ class Reducer {
       if (primitive.mode >= 0 && primitive.mode < TINYGLTF_MODE_TRIANGLES) continue;
       const size_t first = positions_.size() / 3;
       ranges_.push_back({p, static_cast<size_t>(mesh), first, part.vertex_of.size()});
-      for (const uint32_t v : part.vertex_of) positions_.insert(positions_.end(), {positions[v].x, positions[v].y, positions[v].z});
+      for (const uint32_t v : part.vertex_of)
+        positions_.insert(positions_.end(), {positions[v].x, positions[v].y, positions[v].z});
       for (const auto& triangle : primitive_triangles(name_, read_.model, primitive, part.vertex_of.size()))
         for (const uint32_t v : triangle) indices_.push_back(static_cast<unsigned>(first + v));
     }
@@ -48,8 +49,8 @@ class Reducer {
   std::vector<uint8_t> reduce(double share) {
     std::vector<unsigned> left(indices_.size());
     const size_t wanted = static_cast<size_t>(share * static_cast<double>(indices_.size() / 3)) * 3;
-    left.resize(meshopt_simplify(left.data(), indices_.data(), indices_.size(), positions_.data(), positions_.size() / 3,
-                                 3 * sizeof(float), wanted, 1.0f, 0, nullptr));
+    left.resize(meshopt_simplify(left.data(), indices_.data(), indices_.size(), positions_.data(),
+                                 positions_.size() / 3, 3 * sizeof(float), wanted, 1.0f, 0, nullptr));
     for (const Range& range : ranges_) write(range, triangles_in(range, left));
     drop_unused_accessors(orphans_, &out_);
     return pack_glb(name_, &out_.document, std::move(out_.bytes));
@@ -88,7 +89,8 @@ class Reducer {
       corner = number[corner];
     }
     const tinygltf::Primitive& primitive = primitive_of(range.part);
-    Json& json = out_.document["meshes"][range.mesh]["primitives"][static_cast<size_t>(read_.parts[range.part].primitive)];
+    Json& json =
+        out_.document["meshes"][range.mesh]["primitives"][static_cast<size_t>(read_.parts[range.part].primitive)];
     const auto pick = [&](int accessor) {
       orphans_.push_back(accessor);
       return pick_vertices(name_, read_, accessor, vertices, false, &out_);
@@ -97,8 +99,8 @@ class Reducer {
     for (size_t t = 0; t < primitive.targets.size(); ++t)
       for (const auto& [key, accessor] : primitive.targets[t]) json["targets"][t][key] = pick(accessor);
     if (primitive.indices >= 0) orphans_.push_back(primitive.indices);
-    json["indices"] = add_accessor(&out_, corners.data(), corners.size() * 4, "SCALAR", TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
-                                   corners.size(), false, false);
+    json["indices"] = add_accessor(&out_, corners.data(), corners.size() * 4, "SCALAR",
+                                   TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, corners.size(), false, false);
     out_.document["bufferViews"].back()["target"] = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
     json["mode"] = TINYGLTF_MODE_TRIANGLES;
   }
@@ -116,7 +118,8 @@ class Reducer {
 
 }  // namespace
 
-std::vector<uint8_t> reduced_glb(const std::string& name, const Character& character, const std::vector<Vec3>& positions, double share) {
+std::vector<uint8_t> reduced_glb(const std::string& name, const Character& character,
+                                 const std::vector<Vec3>& positions, double share) {
   if (!character.gltf || character.gltf->vertex_count != positions.size())
     throw Error(name + ": expected a character with a glTF document");
 #ifdef SINEW_HAS_MESHOPT

@@ -21,11 +21,11 @@ struct LodOptions {
 
 struct LodLevel {
   Character character;
-  Motion motion;             // the file's own clips, for its joints
+  Motion motion;  // the file's own clips, for its joints
   size_t triangles = 0;
-  double rest_error = 0;     // largest distance of a vertex of the input from the level's surface, share of the height
-  double posed_error = 0;    // the same, the worst of the poses that `sinew check` bends bodies in
-  double mean_error = 0;     // the mean over vertices in that pose
+  double rest_error = 0;   // largest distance of a vertex of the input from the level's surface, share of the height
+  double posed_error = 0;  // the same, the worst of the poses that `sinew check` bends bodies in
+  double mean_error = 0;   // the mean over vertices in that pose
 };
 
 // Vertices that are left keep weights, shapes, seams and materials. Each level is reduced at rest and in a bent pose, and the one that is nearer

@@ -27,7 +27,8 @@ Triangles triangles_of(const Character& character) {
   Triangles out;
   for (size_t f = 0; f < character.face_count(); ++f)
     for (uint32_t c = character.face_offsets[f] + 2; c < character.face_offsets[f + 1]; ++c)
-      out.push_back({character.face_vertices[character.face_offsets[f]], character.face_vertices[c - 1], character.face_vertices[c]});
+      out.push_back({character.face_vertices[character.face_offsets[f]], character.face_vertices[c - 1],
+                     character.face_vertices[c]});
   return out;
 }
 
@@ -124,7 +125,10 @@ Character character_of_bytes(const std::string& name, const std::vector<uint8_t>
 class Leveller {
  public:
   Leveller(const LodOptions& options, const Character& character)
-      : options_(options), whole_(through_glb(character, {.keep_skin = true})), facts_(whole_), poses_(test_poses(facts_)) {
+      : options_(options),
+        whole_(through_glb(character, {.keep_skin = true})),
+        facts_(whole_),
+        poses_(test_poses(facts_)) {
     float low = whole_.vertices[0].y, high = low;
     for (const Vec3& p : whole_.vertices) low = std::min(low, p.y), high = std::max(high, p.y);
     height_ = std::max(static_cast<double>(high) - static_cast<double>(low), 1e-9);
