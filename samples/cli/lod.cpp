@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // sinew lod: a character with fewer triangles, level by level.
-#include "lod.hpp"
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "commands.hpp"
 #include "options.hpp"
 #include "profile_options.hpp"
 #include "sinew_character/lod_job.hpp"

@@ -12,7 +12,6 @@
 
 #include "commands.hpp"
 #include "help.hpp"
-#include "lod.hpp"
 #include "retired.hpp"
 #include "sinew/sinew.h"
 #include "sinew_formats/error.hpp"
