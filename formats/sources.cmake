@@ -16,6 +16,7 @@ set(sinew_formats_sources
   gltf/add_accessor
   gltf/animation_track
   gltf/bind_pose
+  gltf/control_points
   gltf/cut_vertices
   gltf/document_form
   gltf/gltf_container
@@ -35,7 +36,9 @@ set(sinew_formats_sources
   gltf/gltf_skin
   gltf/move_joints
   gltf/move_vertices
+  gltf/pick_vertices
   gltf/primitive_triangles
+  gltf/reduce_triangles
   gltf/reread
   gltf/gltf_summary
   gltf/gltf_write

@@ -19,6 +19,7 @@ void add_inspect(CLI::App& app);
 void add_pose(CLI::App& app);
 void add_rig(CLI::App& app);
 void add_simplify(CLI::App& app);
+void add_lod(CLI::App& app);
 void add_map(CLI::App& app);
 void add_animate(CLI::App& app);
 void add_bake(CLI::App& app);

@@ -82,9 +82,9 @@ void add_commands(const std::string& first_word, CLI::App& app) {
   constexpr Command kCommands[] = {{"rig", add_rig},           {"bind", add_bind},         {"transfer", add_transfer},
                                    {"eval", add_eval},         {"train", add_train},       {"crossval", add_crossval},
                                    {"quantize", add_quantize}, {"dataset", add_dataset},   {"inspect", add_inspect},
-                                   {"pose", add_pose},         {"simplify", add_simplify}, {"map", add_map},
-                                   {"animate", add_animate},   {"bake", add_bake},         {"check", add_check},
-                                   {"serve", add_serve}};
+                                   {"pose", add_pose},         {"simplify", add_simplify}, {"lod", add_lod},
+                                   {"map", add_map},           {"animate", add_animate},   {"bake", add_bake},
+                                   {"check", add_check},       {"serve", add_serve}};
   const auto asked = [&](const Command& command) { return command.name == first_word; };
   const bool all = first_word != "--version" && std::none_of(std::begin(kCommands), std::end(kCommands), asked);
   for (const Command& command : kCommands)

@@ -352,7 +352,7 @@ namespace Sinew
             return new Character(handle);
         }
 
-        /// <summary>Saves by the extension: .glb, .gltf, .vrm, .obj, .rig.txt, .bvh.</summary>
+        /// <summary>Saves by the extension: .glb, .gltf, .vrm, .fbx, .obj, .rig.txt, .bvh.</summary>
         public void Save(string path)
         {
             using (var pins = new Pins()) Check(Native.sinew_character_save(Handle, pins.Of(path)), handle_, "save");

@@ -12,7 +12,7 @@ namespace sinew {
 namespace {
 
 constexpr double kMostTurn = 5 * 3.14159265358979323846 / 180;  // between two keys of a rotation
-constexpr double kCubicStep = 1.0 / 60;                          // seconds between keys of a cubic track
+constexpr double kCubicStep = 1.0 / 60;                         // seconds between keys of a cubic track
 
 constexpr int32_t kConstantKeys = 0x2, kLinearKeys = 0x4;
 
@@ -35,8 +35,8 @@ class Animations {
     FbxNode stack = scene_.object("AnimationStack", name, "AnimStack", "", &stack_id);
     FbxNode layer = scene_.object("AnimationLayer", name, "AnimLayer", "", &layer_);
     for (const tinygltf::AnimationChannel& channel : animation.channels) {
-      if (channel.target_node < 0 || static_cast<size_t>(channel.target_node) >= models_.nodes.size() || channel.sampler < 0 ||
-          static_cast<size_t>(channel.sampler) >= animation.samplers.size())
+      if (channel.target_node < 0 || static_cast<size_t>(channel.target_node) >= models_.nodes.size() ||
+          channel.sampler < 0 || static_cast<size_t>(channel.sampler) >= animation.samplers.size())
         continue;
       const tinygltf::AnimationSampler& sampler = animation.samplers[static_cast<size_t>(channel.sampler)];
       if (channel.target_path == "weights")
@@ -68,10 +68,15 @@ class Animations {
     for (const double time : curves.times) {
       const std::array<double, 4> value = track.sample(time);
       if (turns) angles = curves.values[0].empty() ? fbx_euler(value) : fbx_euler(value, angles);
-      for (size_t i = 0; i < 3; ++i) curves.values[i].push_back(turns ? angles[i] : moves ? kFbxUnits * value[i] : value[i]);
+      for (size_t i = 0; i < 3; ++i)
+        curves.values[i].push_back(turns ? angles[i] : moves ? kFbxUnits * value[i] : value[i]);
     }
     const char* property = turns ? "Lcl Rotation" : moves ? "Lcl Translation" : "Lcl Scaling";
-    add_curves(models_.nodes[node], property, turns ? "R" : moves ? "T" : "S", {"d|X", "d|Y", "d|Z"}, curves, track.blend == Blend::kStep);
+    add_curves(models_.nodes[node], property,
+               turns   ? "R"
+               : moves ? "T"
+                       : "S",
+               {"d|X", "d|Y", "d|Z"}, curves, track.blend == Blend::kStep);
   }
 
   static std::vector<double> times_of(const Track& track) {
@@ -109,7 +114,8 @@ class Animations {
         curves.times.push_back(static_cast<double>(times[k]));
         curves.values[0].push_back(100 * static_cast<double>(values[(k * parts + parts / 2) * width + t]));
       }
-      add_curves(channels[t], "DeformPercent", "DeformPercent", {"d|DeformPercent"}, curves, sampler.interpolation == "STEP");
+      add_curves(channels[t], "DeformPercent", "DeformPercent", {"d|DeformPercent"}, curves,
+                 sampler.interpolation == "STEP");
     }
   }
 
@@ -120,7 +126,8 @@ class Animations {
     int64_t id = 0;
     FbxNode node = scene_.object("AnimationCurveNode", name, "AnimCurveNode", "", &id);
     FbxNode properties("Properties70");
-    for (size_t i = 0; i < components.size(); ++i) properties.property(components[i], "Number", "", "A").number(curves.values[i].front());
+    for (size_t i = 0; i < components.size(); ++i)
+      properties.property(components[i], "Number", "", "A").number(curves.values[i].front());
     node.add(std::move(properties));
     scene_.add("AnimationCurveNode", std::move(node));
     scene_.connect(id, layer_);
@@ -155,7 +162,8 @@ class Animations {
 
 }  // namespace
 
-void add_fbx_animations(const std::string& whose, const tinygltf::Model& model, const FbxModels& models, FbxScene* scene) {
+void add_fbx_animations(const std::string& whose, const tinygltf::Model& model, const FbxModels& models,
+                        FbxScene* scene) {
   Animations animations(whose, model, models, scene);
   for (size_t a = 0; a < model.animations.size(); ++a) animations.add(a);
 }

@@ -107,10 +107,18 @@ FbxNode& FbxNode::add(FbxNode node) {
 FbxNode& FbxNode::property(const char* name, const char* type, const char* kind, const char* flags) {
   return add("P").text(name).text(type).text(kind).text(flags);
 }
-FbxNode& FbxNode::property_number(const char* name, double value) { return property(name, "double", "Number", "").number(value); }
-FbxNode& FbxNode::property_integer(const char* name, int32_t value) { return property(name, "int", "Integer", "").integer(value); }
-FbxNode& FbxNode::property_enum(const char* name, int32_t value) { return property(name, "enum", "", "").integer(value); }
-FbxNode& FbxNode::property_time(const char* name, int64_t value) { return property(name, "KTime", "Time", "").id(value); }
+FbxNode& FbxNode::property_number(const char* name, double value) {
+  return property(name, "double", "Number", "").number(value);
+}
+FbxNode& FbxNode::property_integer(const char* name, int32_t value) {
+  return property(name, "int", "Integer", "").integer(value);
+}
+FbxNode& FbxNode::property_enum(const char* name, int32_t value) {
+  return property(name, "enum", "", "").integer(value);
+}
+FbxNode& FbxNode::property_time(const char* name, int64_t value) {
+  return property(name, "KTime", "Time", "").id(value);
+}
 FbxNode& FbxNode::property_text(const char* name, const char* kind, const std::string& value) {
   return property(name, "KString", kind, "").text(value);
 }

@@ -40,7 +40,8 @@ class FbxNode {
   FbxNode& property_enum(const char* name, int32_t value);
   FbxNode& property_time(const char* name, int64_t value);
   FbxNode& property_text(const char* name, const char* kind, const std::string& value);
-  FbxNode& property_vector(const char* name, const char* type, const char* kind, const char* flags, const std::array<double, 3>& value);
+  FbxNode& property_vector(const char* name, const char* type, const char* kind, const char* flags,
+                           const std::array<double, 3>& value);
 
   void write(std::vector<uint8_t>* out) const;
 

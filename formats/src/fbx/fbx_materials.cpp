@@ -10,7 +10,8 @@ namespace {
 
 class Materials {
  public:
-  Materials(const tinygltf::Model& model, FbxScene* scene) : model_(model), scene_(*scene), videos_(model.images.size(), 0) {}
+  Materials(const tinygltf::Model& model, FbxScene* scene)
+      : model_(model), scene_(*scene), videos_(model.images.size(), 0) {}
 
   std::vector<int64_t> add() {
     std::vector<int64_t> ids;
@@ -93,12 +94,14 @@ class Materials {
   std::string picture_name(size_t i) const {
     const tinygltf::Image& image = model_.images[i];
     const char* type = image_type(image.image);
-    const std::string extension = type == nullptr ? ".png" : std::string(".") + (std::string(type) == "image/jpeg" ? "jpg" : type + 6);
+    const std::string extension =
+        type == nullptr ? ".png" : std::string(".") + (std::string(type) == "image/jpeg" ? "jpg" : type + 6);
     if (image.image.empty() && !image.uri.empty()) return image.uri;
     std::string name = image.name.empty() ? "picture_" + std::to_string(i) : image.name;
     for (char& c : name)
       if (c == '/' || c == '\\' || c == ':') c = '_';
-    return name.size() > extension.size() && name.compare(name.size() - extension.size(), extension.size(), extension) == 0
+    return name.size() > extension.size() &&
+                   name.compare(name.size() - extension.size(), extension.size(), extension) == 0
                ? name
                : name + extension;
   }

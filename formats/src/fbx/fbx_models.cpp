@@ -5,30 +5,24 @@
 #include <set>
 
 #include "fbx/fbx_scene.hpp"
+#include "gltf/control_points.hpp"
 #include "gltf/node_parts.hpp"
 
 namespace sinew {
 namespace {
 
 constexpr double kDegrees = 180 / 3.14159265358979323846;
-constexpr size_t kMostFrames = 64;  // joints of a skin that are asked where its mesh stands
-
-struct Frame {
-  Affine at;
-  size_t agree = 0;
-};
-
 class Models {
  public:
-  Models(const std::string& whose, const tinygltf::Model& model, const GltfNodes& nodes, const std::vector<int64_t>& materials,
-         FbxScene* scene)
+  Models(const std::string& whose, const tinygltf::Model& model, const GltfNodes& nodes,
+         const std::vector<int64_t>& materials, FbxScene* scene)
       : whose_(whose), model_(model), nodes_(nodes), materials_(materials), scene_(*scene) {}
 
   FbxModels add() {
     out_.nodes.assign(model_.nodes.size(), 0);
     out_.meshes.assign(model_.nodes.size(), 0);
     out_.channels.resize(model_.nodes.size());
-    find_joints();
+    joint_ = scene_joints(model_, nodes_);
     std::vector<size_t> order;
     for (size_t n = 0; n < model_.nodes.size(); ++n)
       if (nodes_.parents[n] < 0 && nodes_.in_scene[n] != 0) order.push_back(n);
@@ -42,24 +36,6 @@ class Models {
   }
 
  private:
-  // Joints of skins, and what hangs on them without a mesh; without any skin all nodes with no mesh below.
-  void find_joints() {
-    joint_.assign(model_.nodes.size(), 0);
-    std::vector<char> mesh_below(model_.nodes.size(), 0);
-    for (size_t n = 0; n < model_.nodes.size(); ++n)
-      for (int up = static_cast<int>(n); up >= 0 && model_.nodes[n].mesh >= 0; up = nodes_.parents[static_cast<size_t>(up)])
-        mesh_below[static_cast<size_t>(up)] = 1;
-    for (const tinygltf::Skin& skin : model_.skins)
-      for (const int node : skin.joints) joint_[static_cast<size_t>(node)] = 1;
-    for (size_t n = 0; n < model_.nodes.size(); ++n) {
-      if (mesh_below[n] != 0 || model_.nodes[n].camera >= 0) continue;
-      bool below_joint = model_.skins.empty();
-      for (int up = nodes_.parents[n]; up >= 0 && !below_joint; up = nodes_.parents[static_cast<size_t>(up)])
-        below_joint = joint_[static_cast<size_t>(up)] != 0;
-      if (below_joint) joint_[n] = 1;
-    }
-  }
-
   bool is_skinned(size_t n) const { return model_.nodes[n].skin >= 0 && model_.nodes[n].mesh >= 0; }
 
   // FBX files are read by name by many.
@@ -77,7 +53,8 @@ class Models {
     FbxNode properties("Properties70");
     properties.property_enum("InheritType", 1);  // as glTF: a parent's scale lies outside of the child's rotation
     const auto& t = parts.translation;
-    properties.property_vector("Lcl Translation", "Lcl Translation", "", "A", {kFbxUnits * t[0], kFbxUnits * t[1], kFbxUnits * t[2]});
+    properties.property_vector("Lcl Translation", "Lcl Translation", "", "A",
+                               {kFbxUnits * t[0], kFbxUnits * t[1], kFbxUnits * t[2]});
     properties.property_vector("Lcl Rotation", "Lcl Rotation", "", "A", fbx_euler(parts.rotation));
     properties.property_vector("Lcl Scaling", "Lcl Scaling", "", "A", parts.scale);
     properties.property_integer("DefaultAttributeIndex", 0);
@@ -105,7 +82,8 @@ class Models {
     const tinygltf::Node& node = model_.nodes[n];
     const bool joint = joint_[n] != 0;
     if (!joint && node.mesh >= 0 && (!is_skinned(n) || node.children.empty())) {
-      if (!is_skinned(n)) out_.nodes[n] = out_.meshes[n] = connected(add_model(free_name(node.name), "Mesh", parts_of(node)), n);
+      if (!is_skinned(n))
+        out_.nodes[n] = out_.meshes[n] = connected(add_model(free_name(node.name), "Mesh", parts_of(node)), n);
       return;  // one that a skin holds comes later
     }
     const std::string name = free_name(node.name);
@@ -118,31 +96,6 @@ class Models {
     return model;
   }
 
-  // Where a skin's vertices stand: world x inverse bind matrix, which most joints agree on in the pose that the skin was bound in.
-  Affine frame_of(size_t n) const {
-    const tinygltf::Skin& skin = model_.skins[static_cast<size_t>(model_.nodes[n].skin)];
-    const std::vector<Affine> binds = inverse_bind_matrices(whose_, model_, skin);
-    std::vector<Frame> frames;
-    for (size_t k = 0; k < std::min(binds.size(), kMostFrames); ++k) {
-      const Affine at = multiply(nodes_.worlds[static_cast<size_t>(skin.joints[k])], binds[k]);
-      const auto same = std::find_if(frames.begin(), frames.end(), [&](const Frame& frame) { return is_near(frame.at, at); });
-      if (same == frames.end())
-        frames.push_back({at, 1});
-      else
-        ++same->agree;
-    }
-    const auto most = std::max_element(frames.begin(), frames.end(), [](const Frame& a, const Frame& b) { return a.agree < b.agree; });
-    if (most == frames.end()) return kIdentity;
-    // Shear has no place in a model's transform: then the mesh stands at the origin.
-    return is_near(parts_from(most->at).affine(), most->at) ? most->at : kIdentity;
-  }
-
-  static bool is_near(const Affine& a, const Affine& b) {
-    double size = 1e-9, apart = 0;
-    for (size_t i = 0; i < 12; ++i) size = std::max(size, std::abs(a[i])), apart = std::max(apart, std::abs(a[i] - b[i]));
-    return apart <= 1e-5 * size;
-  }
-
   static NodeParts parts_from(const Affine& m) { return sinew::parts_of(m, NodeParts()); }
 
   void add_mesh(size_t n) {
@@ -150,7 +103,7 @@ class Models {
     Affine frame = kIdentity;
     std::vector<int64_t> clusters;
     if (is_skinned(n)) {
-      frame = frame_of(n);
+      frame = skin_frame(whose_, model_, nodes_, static_cast<size_t>(node.skin));
       out_.meshes[n] = add_model(free_name(node.name), "Mesh", parts_from(frame));
       scene_.connect(out_.meshes[n], 0);
       for (const int joint : model_.skins[static_cast<size_t>(node.skin)].joints)
@@ -180,7 +133,8 @@ class Models {
     for (size_t k = 0; k < skin.joints.size(); ++k) {
       const int64_t joint = out_.nodes[static_cast<size_t>(skin.joints[k])];
       const std::optional<Affine> back = inverse(binds[k]);
-      if (joint != 0 && back && bound_.insert(joint).second) out_.bound.emplace_back(joint, in_fbx_units(multiply(frame, *back)));
+      if (joint != 0 && back && bound_.insert(joint).second)
+        out_.bound.emplace_back(joint, in_fbx_units(multiply(frame, *back)));
     }
   }
 

@@ -13,7 +13,7 @@
 
 namespace sinew {
 
-constexpr double kFbxUnits = 100;                       // centimetres a metre: the file's UnitScaleFactor is 1
+constexpr double kFbxUnits = 100;            // centimetres a metre: the file's UnitScaleFactor is 1
 constexpr double kFbxTicks = 46186158000.0;  // a second
 
 struct FbxScene {
@@ -51,7 +51,8 @@ std::vector<int64_t> add_fbx_materials(const tinygltf::Model& model, FbxScene* s
 FbxModels add_fbx_models(const std::string& whose, const tinygltf::Model& model, const GltfNodes& nodes,
                          const std::vector<int64_t>& materials, FbxScene* scene);
 // Animations as stacks with a layer each.
-void add_fbx_animations(const std::string& whose, const tinygltf::Model& model, const FbxModels& models, FbxScene* scene);
+void add_fbx_animations(const std::string& whose, const tinygltf::Model& model, const FbxModels& models,
+                        FbxScene* scene);
 
 // The geometry of a node's mesh, with the mesh's space for `frame`; skin and shapes hang on it.
 //   clusters  models of the joints of the node's skin, or empty

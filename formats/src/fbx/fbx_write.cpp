@@ -152,8 +152,8 @@ std::vector<uint8_t> fbx_of(const std::string& path, const GltfSource& source) {
   for (FbxNode& object : scene.objects) objects.add(std::move(object));
   for (FbxNode& connection : scene.connections) connections.add(std::move(connection));
   takes.add("Current").text("");
-  return fbx_file({header(), id, time, creator, settings(), documents(source.model, 999999), references, definitions(scene),
-                   std::move(objects), std::move(connections), std::move(takes)});
+  return fbx_file({header(), id, time, creator, settings(), documents(source.model, 999999), references,
+                   definitions(scene), std::move(objects), std::move(connections), std::move(takes)});
 }
 
 }  // namespace sinew

@@ -32,7 +32,8 @@ struct Track {
 };
 
 // Throws Error naming `where` for another interpolation, a count that does not fit, and times that fall.
-Track read_track(const std::string& where, const tinygltf::Model& model, const tinygltf::AnimationSampler& sampler, size_t width);
+Track read_track(const std::string& where, const tinygltf::Model& model, const tinygltf::AnimationSampler& sampler,
+                 size_t width);
 
 }  // namespace sinew
 #endif

@@ -6,13 +6,14 @@
 #include <array>
 #include <cstring>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "gltf/mesh_nodes.hpp"
+#include "gltf/pick_vertices.hpp"
 #include "gltf/primitive_triangles.hpp"
 #include "gltf/reread.hpp"
-#include "sinew_formats/error.hpp"
 
 namespace sinew {
 namespace {
@@ -79,32 +80,12 @@ class DocumentCutter {
 
   // A new accessor with the values of `accessor` and then those of `sources` again.
   int extended(const std::string& where, int accessor, const std::vector<uint32_t>& sources) {
-    const tinygltf::Accessor& old = read_.model.accessors.at(static_cast<size_t>(accessor));
     const auto key = std::make_pair(accessor, sources);
     if (const auto known = extended_.find(key); known != extended_.end()) return known->second;
-    const size_t components = static_cast<size_t>(tinygltf::GetNumComponentsInType(static_cast<uint32_t>(old.type)));
-    const Json& json = read_.document["accessors"][static_cast<size_t>(accessor)];
-    const bool floats = old.sparse.isSparse || old.bufferView < 0;
-    const size_t size = components * static_cast<size_t>(tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(
-                                         floats ? TINYGLTF_COMPONENT_TYPE_FLOAT : old.componentType)));
-    const size_t stride = (size + 3) / 4 * 4;
-    std::vector<uint8_t> values((old.count + sources.size()) * stride, 0);
-    const std::vector<float> resolved =
-        floats ? accessor_floats(where, read_.model, accessor, static_cast<int>(components)) : std::vector<float>();
-    const uint8_t* const from = floats ? reinterpret_cast<const uint8_t*>(resolved.data()) : bytes_of(where, old);
-    const size_t step = floats ? size : step_of(old);
-    for (size_t v = 0; v < old.count + sources.size(); ++v) {
-      const size_t source = v < old.count ? v : sources[v - old.count];
-      if (source >= old.count)
-        throw Error(where + ": expected a value for every vertex, found " + std::to_string(old.count));
-      std::copy_n(from + source * step, size, values.data() + v * stride);
-    }
-    const int number = add_accessor(&cut_, values.data(), values.size(), json["type"].get<std::string>().c_str(),
-                                    floats ? TINYGLTF_COMPONENT_TYPE_FLOAT : old.componentType,
-                                    old.count + sources.size(), true, !floats && old.normalized);
-    cut_.document["bufferViews"].back()["byteStride"] = stride;
-    for (const char* bound : {"min", "max"})
-      if (json.contains(bound)) cut_.document["accessors"][static_cast<size_t>(number)][bound] = json[bound];
+    std::vector<uint32_t> vertices(read_.model.accessors.at(static_cast<size_t>(accessor)).count);
+    std::iota(vertices.begin(), vertices.end(), 0u);
+    vertices.insert(vertices.end(), sources.begin(), sources.end());
+    const int number = pick_vertices(where, read_, accessor, vertices, true, &cut_);
     orphans_.push_back(accessor);
     extended_[key] = number;
     return number;
@@ -131,16 +112,6 @@ class DocumentCutter {
       for (size_t c = 0; c < 3; ++c) position[c] += static_cast<float>(now[c] - then[c]);
       std::memcpy(bytes + (before + d) * sizeof position, position.data(), sizeof position);
     }
-  }
-
-  size_t step_of(const tinygltf::Accessor& accessor) const {
-    return static_cast<size_t>(accessor.ByteStride(read_.model.bufferViews[static_cast<size_t>(accessor.bufferView)]));
-  }
-  const uint8_t* bytes_of(const std::string& where, const tinygltf::Accessor& accessor) const {
-    (void)accessor_floats(where, read_.model, static_cast<int>(&accessor - read_.model.accessors.data()),
-                          tinygltf::GetNumComponentsInType(static_cast<uint32_t>(accessor.type)));  // checks its range
-    const tinygltf::BufferView& view = read_.model.bufferViews[static_cast<size_t>(accessor.bufferView)];
-    return read_.model.buffers[static_cast<size_t>(view.buffer)].data.data() + view.byteOffset + accessor.byteOffset;
   }
 
   const std::string& name_;

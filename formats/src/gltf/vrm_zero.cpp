@@ -20,7 +20,7 @@ std::string word_of(const std::map<std::string, std::string>& said, const char* 
 }
 
 // What is not said is what the specification has as the strictest.
-Json meta_of(const VrmData& vrm) {
+Json zero_meta(const VrmData& vrm) {
   std::string authors;
   for (const std::string& author : vrm.authors) authors += (authors.empty() ? "" : ", ") + author;
   const Words allow = {{"true", "Allow"}};
@@ -57,7 +57,7 @@ std::string older_bone(const std::string& bone) {
   return bone.substr(0, thumb + 5) + (part == "Metacarpal" ? "Proximal" : part == "Proximal" ? "Intermediate" : part);
 }
 
-Json humanoid_of(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes) {
+Json zero_humanoid(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes) {
   Json bones = Json::array();
   for (const auto& [bone, node] : humanoid_nodes(path, vrm, joint_nodes))
     bones.push_back({{"bone", older_bone(bone)}, {"node", node}, {"useDefaultValues", true}});
@@ -147,8 +147,8 @@ Json vrm_zero(const std::string& path, const VrmData& vrm, const std::vector<int
   if (document.contains(at) && document[at].is_object()) own = document[at];
   own["exporterVersion"] = "sinew";
   own["specVersion"] = "0.0";
-  own["meta"] = meta_of(vrm);
-  own["humanoid"] = humanoid_of(path, vrm, joint_nodes);
+  own["meta"] = zero_meta(vrm);
+  own["humanoid"] = zero_humanoid(path, vrm, joint_nodes);
   if (!own.contains("firstPerson")) own["firstPerson"] = first_person(vrm, joint_nodes);
   if (!own.contains("blendShapeMaster")) own["blendShapeMaster"] = blend_shapes(document);
   if (!own.contains("secondaryAnimation"))

@@ -171,7 +171,7 @@ SINEW_API sinew_status sinew_character_copy(const sinew_character* from, sinew_c
 /* Null is allowed. */
 SINEW_API void sinew_character_close(sinew_character* character);
 
-/* Saves by the extension: .glb; .gltf with NAME.bin beside it; .vrm where the input was one; .obj with NAME.rig.txt where there are
+/* Saves by the extension: .glb; .gltf with NAME.bin beside it; .fbx; .vrm where the input was one; .obj with NAME.rig.txt where there are
  * joints; .rig.txt; .bvh, of the one clip. A glTF keeps all of its input that was not changed. The file is new or as it was.
  * Returns SINEW_OK, SINEW_ERROR_ARGUMENT, SINEW_ERROR_INPUT, SINEW_ERROR_MEMORY. */
 SINEW_API sinew_status sinew_character_save(sinew_character* character, const char* path);

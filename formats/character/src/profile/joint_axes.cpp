@@ -14,7 +14,7 @@
 namespace sinew {
 namespace {
 
-size_t at(int j) { return static_cast<size_t>(j); }
+size_t index_of(int j) { return static_cast<size_t>(j); }
 
 std::optional<AxesPart> part_of(uint8_t joint_class) {
   switch (joint_class) {
@@ -125,7 +125,7 @@ class Bones {
   Bones(const std::vector<Joint>& joints, const JointVerdicts& verdicts)
       : joints_(joints), verdicts_(verdicts), children_(joints.size()) {
     for (size_t j = 0; j < joints.size(); ++j)
-      if (joints[j].parent >= 0) children_[at(joints[j].parent)].push_back(j);
+      if (joints[j].parent >= 0) children_[index_of(joints[j].parent)].push_back(j);
     Vec3 low = joints.empty() ? Vec3{} : joints[0].position, high = low;
     for (const Joint& joint : joints) {
       low = {std::min(low.x, joint.position.x), std::min(low.y, joint.position.y), std::min(low.z, joint.position.z)};
@@ -153,7 +153,7 @@ class Bones {
       if (own == SINEW_CLASS_FOOT || own == SINEW_CLASS_TOE) return std::nullopt;
     }
     const int parent = joints_[j].parent;
-    return parent < 0 ? std::nullopt : unit_of(point(joints_[j].position) - point(joints_[at(parent)].position));
+    return parent < 0 ? std::nullopt : unit_of(point(joints_[j].position) - point(joints_[index_of(parent)].position));
   }
 
  private:
@@ -203,8 +203,9 @@ class Bones {
       const uint8_t one = verdicts_.classes[j];
       if (one < SINEW_CLASS_INDEX || one > SINEW_CLASS_PINKY || verdicts_.is_end(j)) continue;
       int up = joints_[j].parent;  // the first of a finger, perhaps behind a bone of the palm
-      while (up >= 0 && at(up) != hand && verdicts_.classes[at(up)] != one) up = joints_[at(up)].parent;
-      if (up < 0 || at(up) != hand) continue;
+      while (up >= 0 && index_of(up) != hand && verdicts_.classes[index_of(up)] != one)
+        up = joints_[index_of(up)].parent;
+      if (up < 0 || index_of(up) != hand) continue;
       sum = sum + point(joints_[j].position);
       ++count;
     }
@@ -230,7 +231,7 @@ std::vector<Rotation> joint_axes(const std::vector<Joint>& joints, const AxesTab
   for (const size_t j : parents_first(skeleton)) {
     const int parent = joints[j].parent;
     const uint8_t own = verdicts.classes[j];
-    if (parent >= 0) axes[j] = axes[at(parent)], directions[j] = directions[at(parent)];
+    if (parent >= 0) axes[j] = axes[index_of(parent)], directions[j] = directions[index_of(parent)];
     if ((parent >= 0 && verdicts.is_end(j)) || own == SINEW_CLASS_EYE || own == SINEW_CLASS_JAW ||
         own == SINEW_CLASS_PROP)
       continue;

@@ -48,6 +48,10 @@ constexpr AxesTable kGodotAxes = {{{"LUF", "LUF", "U"},
                                    {"RFU", "RFU", "F"},
                                    {"LFD", "LFD", "F"}}};
 
+constexpr const char* kGlb = ".glb";
+constexpr const char* kVrm = ".vrm";
+constexpr const char* kFbx = ".fbx";
+
 }  // namespace
 
 const std::vector<Profile>& profiles() {
@@ -55,7 +59,7 @@ const std::vector<Profile>& profiles() {
       // Names and axes as above; helpx.adobe.com, Mixamo FAQ: T pose. FBX in centimetres.
       {"mixamo",
        "Mixamo: mixamorig: names, bones along +y, T pose",
-       ".fbx",
+       kFbx,
        "t",
        4,
        {SINEW_NAMING_MIXAMO},
@@ -66,7 +70,7 @@ const std::vector<Profile>& profiles() {
       // dev.epicgames.com, Epic skeleton: names, root at the origin, A pose; eight influences unless a project allows more.
       {"unreal",
        "Unreal: the mannequin's names, root bone and +x axes, A pose",
-       ".fbx",
+       kFbx,
        "a",
        8,
        {SINEW_NAMING_UNREAL},
@@ -77,7 +81,7 @@ const std::vector<Profile>& profiles() {
       // docs.unity3d.com, HumanBodyBones: names; Mecanim reads any axes, wants a T pose and has four influences by default.
       {"unity",
        "Unity: HumanBodyBones names, axes of the world, T pose",
-       ".fbx",
+       kFbx,
        "t",
        4,
        {SINEW_NAMING_VRM, "", true, true},
@@ -88,7 +92,7 @@ const std::vector<Profile>& profiles() {
       // github.com/vrm-c/vrm-specification, specification/VRMC_vrm-1.0. Axes are free in 1.0; those of the world suit readers of both versions.
       {"vrm",
        "VRM 1.0: humanoid map, author and licence, T pose",
-       ".vrm",
+       kVrm,
        "t",
        4,
        {SINEW_NAMING_VRM},
@@ -97,20 +101,11 @@ const std::vector<Profile>& profiles() {
        false,
        10},
       // The same, specification/0.0, VRM rules: T pose, faces -z, no rotation and no scale of bones.
-      {"vrm0",
-       "VRM 0.x: the same, facing -z",
-       ".vrm",
-       "t",
-       4,
-       {SINEW_NAMING_VRM, "", false, true},
-       "",
-       nullptr,
-       true,
-       1},
+      {"vrm0", "VRM 0.x: the same, facing -z", kVrm, "t", 4, {SINEW_NAMING_VRM, "", false, true}, "", nullptr, true, 1},
       // docs.blender.org, Rigify, Basic human meta-rig: names; a bone is its y axis. Rolls are Mixamo's, Blender has none of its own.
       {"blender",
        "Blender: Rigify's names with .L and .R, bones along +y",
-       ".glb",
+       kGlb,
        "",
        0,
        {SINEW_NAMING_RIGIFY, "DEF-"},
@@ -121,7 +116,7 @@ const std::vector<Profile>& profiles() {
       // docs.godotengine.org, SkeletonProfileHumanoid: names, Root, reference pose.
       {"godot",
        "Godot 4: SkeletonProfileHumanoid's names, axes, Root and T pose",
-       ".glb",
+       kGlb,
        "t",
        8,
        {SINEW_NAMING_VRM, "", true},
@@ -132,7 +127,7 @@ const std::vector<Profile>& profiles() {
       // threejs.org, PropertyBinding: letters that a node's name cannot have; skinning has four influences.
       {"three",
        "three.js: four influences, names that its animations can bind to",
-       ".glb",
+       kGlb,
        "",
        4,
        {-1, "", false, false, "[].:/\\ "},
@@ -143,7 +138,7 @@ const std::vector<Profile>& profiles() {
       // help.autodesk.com, HumanIK character structure: names, T stance along x; joints point along x. Axes are the mannequin's, HumanIK reads any.
       {"maya",
        "Maya: HumanIK's names, joints along x, T pose",
-       ".fbx",
+       kFbx,
        "t",
        0,
        {SINEW_NAMING_MIXAMO, "mixamorig:"},

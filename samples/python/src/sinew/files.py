@@ -28,7 +28,7 @@ def load(path: Union[str, os.PathLike], fps: Optional[float] = None) -> Characte
 
 
 def save(path: Union[str, os.PathLike], character: Character) -> None:
-    """Writes mesh, skeleton, weights and clips by the extension: .glb, .gltf, .vrm, .obj, .rig.txt. A character of load() keeps all else
+    """Writes mesh, skeleton, weights and clips by the extension: .glb, .gltf, .vrm, .fbx, .obj, .rig.txt. A character of load() keeps all else
     of its file; one of arrays alone has its vertices in the order in which faces use them. Raises ValueError and Error; a file that was
     there stays as it was then.
     """

@@ -233,7 +233,7 @@ class OpenCharacter:
     # ---- files
 
     def save(self, path: Union[str, os.PathLike]) -> None:
-        """Writes a file by its extension: .glb, .gltf, .vrm, .obj, .rig.txt, .bvh. A glTF keeps all of its input that was not changed.
+        """Writes a file by its extension: .glb, .gltf, .vrm, .fbx, .obj, .rig.txt, .bvh. A glTF keeps all of its input that was not changed.
         A file that was there stays as it was, where this fails."""
         _check(binding.character_library().sinew_character_save(self.pointer, os.fsencode(path)), self)
 

@@ -44,11 +44,13 @@ TEST(FbxEuler, IsTheRotationAndStaysNearTheOneBefore) {
   std::array<double, 3> before = {0, 0, 0};
   for (int i = 0; i < 200; ++i) {
     const double t = 0.07 * i;
-    const Quaternion q = normalised(multiply(axis_rotation(2, t), multiply(axis_rotation(1, 0.9 * std::sin(t)), axis_rotation(0, -1.3 * t))));
+    const Quaternion q = normalised(
+        multiply(axis_rotation(2, t), multiply(axis_rotation(1, 0.9 * std::sin(t)), axis_rotation(0, -1.3 * t))));
     const std::array<double, 3> angles = fbx_euler(q, before);
     constexpr double kRadian = 3.14159265358979323846 / 180;
-    const Quaternion again = multiply(axis_rotation(2, angles[2] * kRadian),
-                                      multiply(axis_rotation(1, angles[1] * kRadian), axis_rotation(0, angles[0] * kRadian)));
+    const Quaternion again =
+        multiply(axis_rotation(2, angles[2] * kRadian),
+                 multiply(axis_rotation(1, angles[1] * kRadian), axis_rotation(0, angles[0] * kRadian)));
     EXPECT_NEAR(std::abs(dot(again, q)), 1, 1e-9);
     if (i > 0) {
       for (size_t k = 0; k < 3; ++k) EXPECT_LT(std::abs(angles[k] - before[k]), 30);
@@ -133,7 +135,8 @@ TEST_F(FbxWrite, ComesBackWithItsClip) {
   for (size_t j = 0; j < again.joints.size(); ++j) numbers[again.joints[j].name] = j;
   double moved = 0;
   for (size_t f = 0; f < 20; ++f) {
-    const WorldPose wanted = world_pose(walk, walk.clips[0].frames[f]), has = world_pose(again, again.clips[0].frames[f]);
+    const WorldPose wanted = world_pose(walk, walk.clips[0].frames[f]),
+                    has = world_pose(again, again.clips[0].frames[f]);
     for (size_t j = 0; j < walk.joints.size(); ++j) {
       const size_t k = numbers.at(walk.joints[j].name);
       EXPECT_LT(length(wanted.positions[j] - has.positions[k]), 1e-3) << walk.joints[j].name << f;
@@ -156,7 +159,8 @@ TEST_F(FbxWrite, ComesBackWithAxesShapesAndSeams) {
   const tinygltf::Mesh& mesh = again.gltf->model.meshes.at(0);
   ASSERT_EQ(mesh.primitives.at(0).targets.size(), 1u);
   EXPECT_EQ(mesh.extras.Get("targetNames").Get(0).Get<std::string>(), "bulge");
-  const std::vector<float> moves = accessor_floats("", again.gltf->model, mesh.primitives[0].targets[0].at("POSITION"), 3);
+  const std::vector<float> moves =
+      accessor_floats("", again.gltf->model, mesh.primitives[0].targets[0].at("POSITION"), 3);
   double sum = 0;
   for (const float value : moves) sum += static_cast<double>(value);
   EXPECT_NEAR(sum, 30, 1e-3);  // centimetres
@@ -166,7 +170,10 @@ TEST_F(FbxWrite, ComesBackWithAxesShapesAndSeams) {
 
 TEST_F(FbxWrite, ComesBackWithColoursAndPictures) {
   const std::string pixel(
-      "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\b\2\0\0\0\x90wS\xde\0\0\0\fIDATx\x9c""c\xf8\xcf\xc0\0\0\3\1\1\0\xc9\xfe\x92\xef\0\0\0\0IEND\xae""B`\x82", 69);
+      "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\b\2\0\0\0\x90wS\xde\0\0\0\fIDATx\x9c"
+      "c\xf8\xcf\xc0\0\0\3\1\1\0\xc9\xfe\x92\xef\0\0\0\0IEND\xae"
+      "B`\x82",
+      69);
   Character figure = walking_figure();
   figure.material_names = {"skin", "shoe"};
   figure.materials.resize(2);
@@ -188,7 +195,8 @@ TEST_F(FbxWrite, ComesBackWithColoursAndPictures) {
   for (const tinygltf::Primitive& primitive : model.meshes.at(0).primitives)
     if (primitive.material == 1) corners = model.accessors[static_cast<size_t>(primitive.indices)].count;
   EXPECT_EQ(corners, 24u);
-  const std::vector<float> uvs = accessor_floats("", model, model.meshes[0].primitives[0].attributes.at("TEXCOORD_0"), 2);
+  const std::vector<float> uvs =
+      accessor_floats("", model, model.meshes[0].primitives[0].attributes.at("TEXCOORD_0"), 2);
   EXPECT_NEAR(uvs[0], 0.25, 1e-6);
 }
 
