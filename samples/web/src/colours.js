@@ -65,6 +65,7 @@ export function showLegend() {
     [modes.difference]: [`What moves otherwise than in the file: ${(100 * at.shownMean).toFixed(1)} % in the mean`, "alike", "otherwise"],
     [modes.material]: [`As other programs show the file${at.bends.skinning > 0 ? ": by linear skinning" : ""}`, "", ""],
   }[at.mode];
+  $("legend").classList.toggle("plain", [modes.joints, modes.artist].includes(at.mode) && !lookText());
   $("legend").classList.toggle("of-joint", at.mode === modes.field || at.mode === modes.artistField);
   $("legend").hidden = !at.character || (at.mode === modes.material && !lookText());
   $("legend").querySelector("figcaption").textContent = lookText() ?? caption;

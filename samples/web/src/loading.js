@@ -4,17 +4,19 @@ import { listQuestions, lookNowhere } from "./asked.js";
 import { useStyle, useStyleAnswers } from "./asking.js";
 import { bind } from "./binding.js";
 import { fileOfClip } from "./clip_list.js";
-import { act, record, restore, showHistory } from "./commands.js";
+import { act, restore } from "./commands.js";
 import { predict, showSkeleton, upOf } from "./editing.js";
 import { isBeside, isPicture, isWhole, mayMove, pairFiles } from "./files.js";
 import { clearError, run, whileBusy } from "./jobs.js";
 import { useModel } from "./models.js";
 import { Pose } from "./pose.js";
 import { filesOf, readProject } from "./project.js";
+import { record, showHistory } from "./recording.js";
+import { showSteps } from "./rail.js";
 import { sampleFiles } from "./samples.js";
 import { sendPose, showFacts } from "./showing.js";
 import { $, at, engine, modes } from "./state.js";
-import { firstStep, setStep, showSteps } from "./steps.js";
+import { firstStep, setStep } from "./steps.js";
 import { testClip, testClips } from "./test_clips.js";
 import { unzip } from "./zip.js";
 
@@ -129,7 +131,6 @@ export async function reopen() {
     await useModel(file.name);
   }
   if (at.character) await load(at.character.source);
-  at.stopping = false;
 }
 
 function showCharacters() {
@@ -175,6 +176,8 @@ export async function load(source, state = null, rows = null) {
     if (loaded.picture) await moveDrawing();
     if (isWhole(mesh) && source.motion === undefined && !at.character.predicted) await at.motions.open([mesh]).catch(() => {}); // most files have no animations
   }
+  const { rigidParts } = at.character.result;
+  if (rigidParts) remark(`Its ${rigidParts} parts hang on joints as they are; here they are bound like a skin.`);
   record("");
   setStep(source.step ?? firstStep(at.character, Boolean(at.player.motion)), { view: false });
   showHistory();
@@ -200,11 +203,17 @@ export async function changeKind() {
 }
 const bodyWords = ["biped", "quadruped", "bird", "fish", "snake", "many-legged"];
 
+function remark(line) {
+  $("remarks").textContent += `${$("remarks").textContent && "\n"}${line}`;
+  $("remarks").hidden = false;
+}
+
 function showOpened(loaded) {
   document.body.classList.remove("start");
   $("artist").hidden = !loaded.hasReference;
-  $("remarks").textContent = loaded.notes.join("\n");
-  $("remarks").hidden = loaded.notes.length === 0;
+  $("remarks").textContent = "";
+  $("remarks").hidden = true;
+  for (const note of loaded.notes) remark(note);
   at.pose = new Pose(loaded.joints.length);
   at.dragged = null;
   lookNowhere();

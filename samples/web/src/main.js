@@ -21,11 +21,12 @@ import { Motions } from "./motions.js";
 import { BindOptions } from "./options.js";
 import { PosePanel } from "./pose_panel.js";
 import { Questions } from "./questions.js";
+import { showSteps } from "./rail.js";
 import { samples, thumbOf } from "./samples.js";
 import { choose, poseChanged, poses, sendPose } from "./showing.js";
 import { SkeletonEditor } from "./skeleton.js";
 import { $, at, engine, modes, views } from "./state.js";
-import { goTo, setStep, showSteps } from "./steps.js";
+import { goTo, setStep } from "./steps.js";
 import { View } from "./view.js";
 import { zip } from "./zip.js";
 
