@@ -3,7 +3,6 @@
 import { listQuestions, lookNowhere } from "./asked.js";
 import { useStyle, useStyleAnswers } from "./asking.js";
 import { bind } from "./binding.js";
-import { fileOfClip } from "./clip_list.js";
 import { act, restore } from "./commands.js";
 import { predict, showSkeleton, upOf } from "./editing.js";
 import { isBeside, isPicture, isWhole, mayMove, pairFiles } from "./files.js";
@@ -87,8 +86,8 @@ async function openCharacters(characters, names, state = null, rows = null) {
     await load(at.open[0], state, rows);
   } catch (error) {
     at.open = before;
-    await engine.call("setAside", { names: old, where: "back" });
     showCharacters();
+    await engine.call("setAside", { names: old, where: "back" });
     throw error;
   }
   await engine.call("setAside", { names: old, where: "gone" });
@@ -130,7 +129,9 @@ export async function reopen() {
     await engine.call("write", { files: [{ name: file.name, bytes }] }, [bytes]);
     await useModel(file.name);
   }
-  if (at.character) await load(at.character.source);
+  if (at.lastDone) return load(at.lastDone);
+  at.character = null;
+  document.body.classList.add("start");
 }
 
 function showCharacters() {
@@ -181,6 +182,7 @@ export async function load(source, state = null, rows = null) {
   record("");
   setStep(source.step ?? firstStep(at.character, Boolean(at.player.motion)), { view: false });
   showHistory();
+  at.lastDone = source;
   await sendPose();
 }
 
@@ -268,8 +270,7 @@ async function playMotions(names) {
 }
 
 // A clip to try, on or off.
-export function tryClip(name, wanted) {
-  const file = fileOfClip(name);
+export function tryClip(name, file, wanted) {
   if (!wanted) return changeMotion(`remove ${name}`, () => at.motions.remove(file));
   return run(async () => {
     clearError();

@@ -15,7 +15,6 @@ export function setStep(step, { view = true } = {}) {
   $("panel").scrollTop = 0;
   showSteps();
   if (!at.character) return;
-  at.character.source.step = step;
   if (view) {
     at.modeChosen = false;
     at.mode = step === "weights" || step === "skeleton" ? (at.view.selected >= 0 ? modes.field : modes.joints) : modes.material;
@@ -27,6 +26,7 @@ export function setStep(step, { view = true } = {}) {
 // As the user does it.
 export function goTo(step) {
   if (!at.character || step === at.step) return;
+  at.character.source.step = step; // a tab that is opened again shows it
   setStep(step);
   run(colour);
   run(sendPose);
