@@ -324,7 +324,7 @@ window.sinewPage = {
     const body = wanted?.closest("#panel-body, #brush");
     if (!body || !part) return;
     const of = part.dataset.steps.split(" ");
-    if (at.character && !of.includes(at.step)) goTo(of[0]);
+    if (at.character && !of.includes(at.step)) goTo(of.includes("weights") ? "weights" : of[0]);
     for (let fold = wanted.closest("details"); fold; fold = fold.parentElement.closest("details")) if (!wanted.matches("summary")) fold.open = true;
   },
   get view() {
