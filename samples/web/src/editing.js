@@ -87,6 +87,7 @@ export async function editSkeleton(edits, chosen) {
   rigChanged();
   await bind();
   if (edits[0].kind === editKinds.add) {
+    $("rename").closest("details").open = true;
     $("rename").focus();
     $("rename").select();
   }
