@@ -44,6 +44,7 @@ async function motionsAmong(names) {
   for (const name of names.filter(mayMove)) {
     if (!at.character?.result && names.length === 1) break; // nothing that it could move
     const { mesh, clips } = await whileBusy(`Reading ${name}`, () => engine.call("contents", { name })).catch(() => ({ mesh: true, clips: 0 })); // its error is said where it is opened
+    if (clips > 0 && mesh && at.step === "motion" && at.character) remark(`${name} moves ${at.character.name}. To open it as a character, drop it in the step Mesh.`);
     if (clips > 0 && (!mesh || (at.step === "motion" && at.character))) motions.push(name);
   }
   return motions;
