@@ -191,6 +191,7 @@ export async function load(source, state = null, rows = null) {
 async function moveDrawing() {
   const { picture } = at.character;
   if (!picture.clip) return;
+  at.view.frame([0, 0.05, 1]); // it is flat
   await at.motions.open([picture.clip]);
   if (!at.player.playing && !matchMedia("(prefers-reduced-motion: reduce)").matches) at.player.toggle();
 }
