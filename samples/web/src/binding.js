@@ -3,9 +3,9 @@
 import { listQuestions, lookNowhere } from "./asked.js";
 import { showBrush, strokes } from "./brush.js";
 import { colour } from "./colours.js";
-import { record, rigChanged } from "./commands.js";
 import { clearError, run, whileBusy } from "./jobs.js";
 import { switched } from "./options.js";
+import { record, rigChanged } from "./recording.js";
 import { listJoints, sendPose, showFacts } from "./showing.js";
 import { at, engine } from "./state.js";
 import { asNumbers, how, isOff, pending } from "./wishes.js";

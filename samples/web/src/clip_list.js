@@ -8,10 +8,12 @@ const shipped = ["walk", "run", "idle", "wave", "jump", "sit", "trot", "flap", "
 const own = testClips.filter((name) => !shipped.includes(name));
 
 export const fileOfClip = (name) => (shipped.includes(name) ? `builtin:${name}` : `${name}.bvh`);
+// builtin:person/walk is a walk too.
+const isClip = (file, name) => file === fileOfClip(name) || (file.startsWith("builtin:") && file.endsWith(`/${name}`));
 export const clipName = (file) => file.replace(/^builtin:/, "");
 
 export class ClipList {
-  onTry = () => {}; // name, whether it is wanted
+  onTry = () => {}; // name, its file, whether it is wanted
   onPlay = () => {}; // number of a clip
   onRemove = () => {}; // file
 
@@ -20,7 +22,7 @@ export class ClipList {
       ...[...shipped, ...own].map((name) => {
         const button = Object.assign(document.createElement("button"), { type: "button", textContent: name[0].toUpperCase() + name.slice(1), ariaPressed: "false" });
         button.dataset.clip = name;
-        button.onclick = () => this.onTry(name, button.ariaPressed !== "true");
+        button.onclick = () => this.onTry(name, button.dataset.file, button.ariaPressed !== "true");
         return button;
       }),
     );
@@ -36,7 +38,9 @@ export class ClipList {
     const files = motion?.files.map(({ file }) => file) ?? [];
     for (const button of $("clip-grid").children) {
       button.disabled = !enabled;
-      button.ariaPressed = String(files.includes(fileOfClip(button.dataset.clip)));
+      const there = files.find((file) => isClip(file, button.dataset.clip));
+      button.dataset.file = there ?? fileOfClip(button.dataset.clip);
+      button.ariaPressed = String(there !== undefined);
     }
     $("clips").hidden = !motion;
     $("clips").replaceChildren(...(motion?.clips ?? []).map((one, c) => row(one, c, clipName(files[one.file]), files[one.file], c === clip, motion.own)));

@@ -65,17 +65,20 @@ export function showLegend() {
     [modes.difference]: [`What moves otherwise than in the file: ${(100 * at.shownMean).toFixed(1)} % in the mean`, "alike", "otherwise"],
     [modes.material]: [`As other programs show the file${at.bends.skinning > 0 ? ": by linear skinning" : ""}`, "", ""],
   }[at.mode];
+  $("legend").classList.toggle("plain", [modes.joints, modes.artist].includes(at.mode) && !lookText());
   $("legend").classList.toggle("of-joint", at.mode === modes.field || at.mode === modes.artistField);
-  $("legend").hidden = !at.character || (at.mode === modes.material && !lookText());
+  $("legend").hidden = !at.character || (at.mode === modes.material && !lookText() && !showsSureness());
   $("legend").querySelector("figcaption").textContent = lookText() ?? caption;
   $("legend").querySelector(".scale").hidden = [modes.joints, modes.artist, modes.material].includes(at.mode) || Boolean(at.shownLook && at.shownLook.answer === undefined);
   $("legend").querySelector(".low").textContent = low;
   $("legend").querySelector(".high").textContent = high;
 }
 
+const showsSureness = () => Boolean(at.character?.predicted) && at.view.editing;
+
 // How sure a predicted skeleton is, as the colour of its joints, and what is to be said about the whole.
 export function showSure() {
-  const shown = Boolean(at.character?.predicted) && at.view.editing;
+  const shown = showsSureness();
   $("sure").hidden = !shown;
   at.view.setJointColours(shown ? at.character.joints.map(({ confidence }) => sureColour(confidence)) : null);
   at.view.setDoubts(at.character?.doubts?.flatMap(({ joints }) => joints) ?? []);

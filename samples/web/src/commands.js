@@ -1,58 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What the user does is a command with a name: it runs after those before it, and the history has what came of it. Undo goes back to states.
+import { autosave } from "./autosave.js";
 import { bind } from "./binding.js";
 import { restoreRig } from "./editing.js";
-import { History } from "./history.js";
 import { clearError, run } from "./jobs.js";
-import { autosave } from "./autosave.js";
+import { keepRig, record, showHistory } from "./recording.js";
 import { poseChanged, sendPose, showPose } from "./showing.js";
 import { $, at, engine } from "./state.js";
-
-let lastKept = 0;
-
-// The open character as undo brings it back. Sets and lists in it are never changed, others take their place.
-function capture() {
-  const { source, up } = at.character;
-  return {
-    kept: source.kept, epoch: engine.epoch, recipe: source.recipe, up,
-    pose: at.pose.turns.slice(),
-    options: at.options.values,
-    never: source.never, always: source.always, locked: source.locked,
-    answers: source.answers, style: source.style ?? null,
-    motion: source.motion ?? null,
-  };
-}
-
-// The module's part of the present state gets a number of its own where it has changed.
-export function rigChanged() {
-  if (at.character) at.character.source.kept = 0;
-}
-function keepRig() {
-  const { source } = at.character;
-  if (source.kept) return;
-  source.kept = ++lastKept;
-  engine.call("keep", { number: source.kept }).catch(() => {}); // in the order of the calls
-}
-
-// What was done is a step of the history from now on. goesOn: see History.add().
-export function record(name, { goesOn = false } = {}) {
-  if (!at.character?.result) return;
-  const { source } = at.character;
-  keepRig();
-  const state = capture();
-  if (!source.history) source.history = new History(state);
-  else if (name === "" || isSame(state, source.history.now)) source.history.replace(state);
-  else {
-    source.history.add(name, state, { goesOn });
-    at.changed = true;
-  }
-  showHistory();
-  autosave();
-}
-
-const isSame = (a, b) =>
-  Object.keys(a).every((key) => key === "kept" || a[key] === b[key] || (key === "options" && JSON.stringify(a[key]) === JSON.stringify(b[key])) || (key === "pose" && a.pose.length === b.pose.length && a.pose.every((x, i) => x === b.pose[i]))) &&
-  a.kept === b.kept;
 
 // A command that needs the engine. name: of its step, or a function that says it afterwards.
 export const act = (name, job) =>
@@ -99,16 +53,6 @@ export async function restore(state, before) {
   }
   keepRig();
   source.history?.replace({ ...state, kept: source.kept, epoch: engine.epoch });
-}
-
-export function showHistory() {
-  const history = at.character?.source.history;
-  const { undoName = "", redoName = "" } = history ?? {};
-  for (const [id, name, word, keys] of [["undo", undoName, "Undo", "Ctrl+Z"], ["redo", redoName, "Redo", "Ctrl+Y"]]) {
-    $(id).disabled = name === "";
-    $(id).title = name === "" ? `Nothing to ${word.toLowerCase()} (${keys})` : `${word}: ${name} (${keys})`;
-    $(id).ariaLabel = name === "" ? word : `${word}: ${name}`;
-  }
 }
 
 // After a change of the pose: shown at once, a step of the history.

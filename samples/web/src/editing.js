@@ -3,12 +3,12 @@
 import { lookNowhere } from "./asked.js";
 import { bind } from "./binding.js";
 import { showLegend, showSure } from "./colours.js";
-import { record, rigChanged } from "./commands.js";
 import { run, showError, whileBusy } from "./jobs.js";
 import { Latest } from "./latest.js";
 import { fetchModel } from "./models.js";
 import { Pose } from "./pose.js";
 import { kinds } from "./questions.js";
+import { record, rigChanged } from "./recording.js";
 import { choose, listJoints, sendPose, showFacts, showPose } from "./showing.js";
 import { answersFor, editKinds, movedJoints } from "./skeleton.js";
 import { $, at, engine, models } from "./state.js";
@@ -87,6 +87,7 @@ export async function editSkeleton(edits, chosen) {
   rigChanged();
   await bind();
   if (edits[0].kind === editKinds.add) {
+    $("rename").closest("details").open = true;
     $("rename").focus();
     $("rename").select();
   }

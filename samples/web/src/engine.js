@@ -7,6 +7,7 @@ export class Engine {
   #worker;
   #waiting = new Map();
   #last = 0;
+  #isStarted = false;
   epoch = 0; // of workers: what one knew the next does not
   onProgress = () => {};
 
@@ -14,7 +15,10 @@ export class Engine {
     this.#begin();
   }
 
+  // Until a new worker is started, what an ended job still asks is rejected.
   call(call, options = {}, transfer = []) {
+    if (call === "start") this.#isStarted = true;
+    else if (!this.#isStarted) return Promise.reject(new Stopped("stopped"));
     return new Promise((resolve, reject) => {
       const id = ++this.#last;
       this.#waiting.set(id, { resolve, reject });
@@ -31,6 +35,7 @@ export class Engine {
 
   #begin() {
     ++this.epoch;
+    this.#isStarted = false;
     this.#worker = new Worker("worker.js", { type: "module" });
     this.#worker.onmessage = ({ data }) => {
       if (data.progress !== undefined) return this.onProgress(data.progress);

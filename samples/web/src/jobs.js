@@ -43,7 +43,6 @@ export const isBusy = () => !$("busy").hidden;
 // Ends the job that runs and those that wait; the character is as its history last had it.
 export function stopJobs() {
   if (!isBusy()) return false;
-  at.stopping = true;
   engine.stop();
   run(at.afterStop);
   return true;

@@ -3,18 +3,19 @@
 import { listQuestions, lookNowhere } from "./asked.js";
 import { useStyle, useStyleAnswers } from "./asking.js";
 import { bind } from "./binding.js";
-import { fileOfClip } from "./clip_list.js";
-import { act, record, restore, showHistory } from "./commands.js";
+import { act, restore } from "./commands.js";
 import { predict, showSkeleton, upOf } from "./editing.js";
 import { isBeside, isPicture, isWhole, mayMove, pairFiles } from "./files.js";
 import { clearError, run, whileBusy } from "./jobs.js";
 import { useModel } from "./models.js";
 import { Pose } from "./pose.js";
 import { filesOf, readProject } from "./project.js";
+import { record, showHistory } from "./recording.js";
+import { showSteps } from "./rail.js";
 import { sampleFiles } from "./samples.js";
 import { sendPose, showFacts } from "./showing.js";
 import { $, at, engine, modes } from "./state.js";
-import { firstStep, setStep, showSteps } from "./steps.js";
+import { firstStep, setStep } from "./steps.js";
 import { testClip, testClips } from "./test_clips.js";
 import { unzip } from "./zip.js";
 
@@ -43,6 +44,7 @@ async function motionsAmong(names) {
   for (const name of names.filter(mayMove)) {
     if (!at.character?.result && names.length === 1) break; // nothing that it could move
     const { mesh, clips } = await whileBusy(`Reading ${name}`, () => engine.call("contents", { name })).catch(() => ({ mesh: true, clips: 0 })); // its error is said where it is opened
+    if (clips > 0 && mesh && at.step === "motion" && at.character) remark(`${name} moves ${at.character.name}. To open it as a character, drop it in the step Mesh.`);
     if (clips > 0 && (!mesh || (at.step === "motion" && at.character))) motions.push(name);
   }
   return motions;
@@ -85,8 +87,8 @@ async function openCharacters(characters, names, state = null, rows = null) {
     await load(at.open[0], state, rows);
   } catch (error) {
     at.open = before;
-    await engine.call("setAside", { names: old, where: "back" });
     showCharacters();
+    await engine.call("setAside", { names: old, where: "back" });
     throw error;
   }
   await engine.call("setAside", { names: old, where: "gone" });
@@ -128,8 +130,9 @@ export async function reopen() {
     await engine.call("write", { files: [{ name: file.name, bytes }] }, [bytes]);
     await useModel(file.name);
   }
-  if (at.character) await load(at.character.source);
-  at.stopping = false;
+  if (at.lastDone) return load(at.lastDone);
+  at.character = null;
+  document.body.classList.add("start");
 }
 
 function showCharacters() {
@@ -175,9 +178,12 @@ export async function load(source, state = null, rows = null) {
     if (loaded.picture) await moveDrawing();
     if (isWhole(mesh) && source.motion === undefined && !at.character.predicted) await at.motions.open([mesh]).catch(() => {}); // most files have no animations
   }
+  const { rigidParts } = at.character.result;
+  if (rigidParts) remark(`Its ${rigidParts} parts hang on joints as they are; here they are bound like a skin.`);
   record("");
   setStep(source.step ?? firstStep(at.character, Boolean(at.player.motion)), { view: false });
   showHistory();
+  at.lastDone = source;
   await sendPose();
 }
 
@@ -185,6 +191,7 @@ export async function load(source, state = null, rows = null) {
 async function moveDrawing() {
   const { picture } = at.character;
   if (!picture.clip) return;
+  at.view.frame([0, 0.05, 1]); // it is flat
   await at.motions.open([picture.clip]);
   if (!at.player.playing && !matchMedia("(prefers-reduced-motion: reduce)").matches) at.player.toggle();
 }
@@ -200,11 +207,17 @@ export async function changeKind() {
 }
 const bodyWords = ["biped", "quadruped", "bird", "fish", "snake", "many-legged"];
 
+function remark(line) {
+  $("remarks").textContent += `${$("remarks").textContent && "\n"}${line}`;
+  $("remarks").hidden = false;
+}
+
 function showOpened(loaded) {
   document.body.classList.remove("start");
   $("artist").hidden = !loaded.hasReference;
-  $("remarks").textContent = loaded.notes.join("\n");
-  $("remarks").hidden = loaded.notes.length === 0;
+  $("remarks").textContent = "";
+  $("remarks").hidden = true;
+  for (const note of loaded.notes) remark(note);
   at.pose = new Pose(loaded.joints.length);
   at.dragged = null;
   lookNowhere();
@@ -259,8 +272,7 @@ async function playMotions(names) {
 }
 
 // A clip to try, on or off.
-export function tryClip(name, wanted) {
-  const file = fileOfClip(name);
+export function tryClip(name, file, wanted) {
   if (!wanted) return changeMotion(`remove ${name}`, () => at.motions.remove(file));
   return run(async () => {
     clearError();

@@ -21,11 +21,12 @@ import { Motions } from "./motions.js";
 import { BindOptions } from "./options.js";
 import { PosePanel } from "./pose_panel.js";
 import { Questions } from "./questions.js";
+import { showSteps } from "./rail.js";
 import { samples, thumbOf } from "./samples.js";
 import { choose, poseChanged, poses, sendPose } from "./showing.js";
 import { SkeletonEditor } from "./skeleton.js";
 import { $, at, engine, modes, views } from "./state.js";
-import { goTo, setStep, showSteps } from "./steps.js";
+import { goTo, setStep } from "./steps.js";
 import { View } from "./view.js";
 import { zip } from "./zip.js";
 
@@ -323,7 +324,7 @@ window.sinewPage = {
     const body = wanted?.closest("#panel-body, #brush");
     if (!body || !part) return;
     const of = part.dataset.steps.split(" ");
-    if (at.character && !of.includes(at.step)) goTo(of[0]);
+    if (at.character && !of.includes(at.step)) goTo(of.includes("weights") ? "weights" : of[0]);
     for (let fold = wanted.closest("details"); fold; fold = fold.parentElement.closest("details")) if (!wanted.matches("summary")) fold.open = true;
   },
   get view() {

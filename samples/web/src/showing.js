@@ -5,8 +5,8 @@ import { colour } from "./colours.js";
 import { factsOf } from "./facts.js";
 import { run, showError } from "./jobs.js";
 import { Latest } from "./latest.js";
+import { showSteps } from "./rail.js";
 import { $, at, engine, models, modes } from "./state.js";
-import { showSteps } from "./steps.js";
 import { isOff } from "./wishes.js";
 
 export const poses = new Latest(async () => {

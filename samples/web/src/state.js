@@ -20,6 +20,7 @@ export const at = {
   beside: [], // names of what was dropped with them: pictures, .bin, .mtl
   waiting: {}, // a mesh or a rig that its other half may still follow
   character: null, // what the module has loaded, with its bind result
+  lastDone: null, // of `open`: that was opened as a whole
   lastNumber: 0, // of the characters that were opened
   pose: null,
   posePanel: null,

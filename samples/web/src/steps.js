@@ -3,60 +3,9 @@
 import { colour } from "./colours.js";
 import { setEditing, showSkeleton } from "./editing.js";
 import { run } from "./jobs.js";
+import { showSteps } from "./rail.js";
 import { sendPose } from "./showing.js";
 import { $, at, modes } from "./state.js";
-
-export const steps = ["mesh", "skeleton", "weights", "motion", "export"];
-const sentences = {
-  mesh: () => {
-    const { vertices, faces, size } = at.character;
-    return `${count(vertices)} vertices, ${count(faces)} faces, ${size < 10 ? size.toFixed(2) : Math.round(size)} along its longest side.`;
-  },
-  skeleton: () => {
-    const { joints, doubts = [] } = at.character;
-    return joints.length === 0 ? "No joints yet." : `${joints.length} joints${doubts.length ? `, ${doubts.length} to check: ${doubts.map(({ name }) => name).join(", ")}` : ""}.`;
-  },
-  weights: () => {
-    const { result } = at.character;
-    if (!result) return "Not bound yet.";
-    const parts = result.questions.length;
-    return `Bound${parts ? `; ${parts} part${parts > 1 ? "s" : ""} may move in another way` : ", no part in doubt"}.`;
-  },
-  motion: () => {
-    const clips = at.player.motion?.clips.length ?? 0;
-    return clips === 0 ? "No motion yet." : `${clips} clip${clips > 1 ? "s" : ""}, all of them exported.`;
-  },
-  export: () => "A file for other programs, or the work as it is, to go on with later.",
-};
-const count = (n) => n.toLocaleString("en");
-
-// Whether a step has what it is for.
-const isDone = {
-  mesh: () => Boolean(at.character),
-  skeleton: () => Boolean(at.character?.joints.length) && !at.character.doubts?.length,
-  weights: () => Boolean(at.character?.result),
-  motion: () => Boolean(at.player?.motion),
-  export: () => Boolean(at.exported),
-};
-
-// What changed by itself: ticks, sentences, what can be done.
-export function showSteps() {
-  for (const button of $("rail").children) {
-    const { step } = button.dataset;
-    const done = isDone[step]();
-    button.classList.toggle("done", done);
-    button.disabled = !at.character;
-    if (step === at.step) button.setAttribute("aria-current", "step");
-    else button.removeAttribute("aria-current");
-    button.lastElementChild.textContent = done ? "✓" : "";
-    button.ariaLabel = `${step[0].toUpperCase()}${step.slice(1)}${done ? ", done" : ""}`;
-  }
-  $("step-name").textContent = `${at.step[0].toUpperCase()}${at.step.slice(1)}`;
-  $("step-said").textContent = at.character ? sentences[at.step]() : "";
-  const doubts = at.character?.doubts ?? [];
-  $("next-doubt").disabled = doubts.length === 0;
-  $("next-doubt").textContent = doubts.length === 0 ? "Nothing to check" : `Next of ${doubts.length} to check`;
-}
 
 // The panel of a step, and what the picture shows for it.
 export function setStep(step, { view = true } = {}) {
@@ -66,7 +15,6 @@ export function setStep(step, { view = true } = {}) {
   $("panel").scrollTop = 0;
   showSteps();
   if (!at.character) return;
-  at.character.source.step = step;
   if (view) {
     at.modeChosen = false;
     at.mode = step === "weights" || step === "skeleton" ? (at.view.selected >= 0 ? modes.field : modes.joints) : modes.material;
@@ -78,6 +26,7 @@ export function setStep(step, { view = true } = {}) {
 // As the user does it.
 export function goTo(step) {
   if (!at.character || step === at.step) return;
+  at.character.source.step = step; // a tab that is opened again shows it
   setStep(step);
   run(colour);
   run(sendPose);

@@ -188,7 +188,8 @@ const calls = {
   // names: of files with motions, or builtin:NAME; [] for none any more. wish: {up, own, method, pins}
   async motion({ names, wish = {} }) {
     for (const name of names) await needScenes(name);
-    return withTexts(names.map(plain), wish, (n, w) => checked(module._web_motion(n, w)));
+    const files = names.map((name) => (name.startsWith("builtin:") ? name : plain(name)));
+    return withTexts(files, wish, (n, w) => checked(module._web_motion(n, w)));
   },
   motionMethod: ({ method }) => checked(module._web_motion_method(method)),
   frame: ({ clip, seconds, skinning }) => ({ ...checked(module._web_frame(clip, seconds, skinning)), buffers: take(posed) }),

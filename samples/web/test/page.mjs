@@ -7,7 +7,7 @@ import { join } from "node:path";
 // A page of the browser that asks no other host. troubles: [line] of its console and such questions from now on.
 export async function newPage(browser, troubles) {
   const page = await browser.context.newPage();
-  page.setDefaultTimeout(60000);
+  page.setDefaultTimeout(120000);
   page.on("console", (message) => ["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text()) && troubles.push(message.text()));
   page.on("pageerror", (error) => troubles.push(error.message));
   revealing(page);
@@ -108,3 +108,15 @@ export function pageTools(current, { troubles, work, prefix = "" }) {
 
 export const made = (name, content) => ({ name, mimeType: "application/octet-stream", buffer: Buffer.from(content) });
 export const fileOf = (path) => made(path.split("/").pop(), readFileSync(path));
+
+// How far apart the numbers of two GLBs are that are alike otherwise: two C libraries' sin() differ in the last digits. Infinity where more differs.
+export function apartGlbs(one, other) {
+  const parts = [one, other].map((glb) => {
+    const json = glb.subarray(20, 20 + glb.readUInt32LE(12));
+    const bin = glb.subarray(28 + json.length);
+    return { json, floats: new Float32Array(new Uint8Array(bin).buffer, 0, bin.length >> 2), words: new Int32Array(new Uint8Array(bin).buffer, 0, bin.length >> 2) };
+  });
+  const [a, b] = parts;
+  if (!a.json.equals(b.json) || a.words.length !== b.words.length) return Infinity;
+  return a.words.reduce((most, word, i) => (word === b.words[i] ? most : Math.max(most, Math.abs(a.floats[i] - b.floats[i]) || Infinity)), 0);
+}

@@ -31,13 +31,14 @@ const troubles = [];
 const page = await newPage(browser, troubles);
 const asked = [];
 page.on("request", (request) => asked.push(request.url().split("/").pop()));
-const { settled, shoot, errorLine, joints, give, downloaded, step } = pageTools(() => page, { troubles, work, prefix: "scenes_" });
+const { settled, shoot, errorLine, joints, give, downloaded, go, step } = pageTools(() => page, { troubles, work, prefix: "scenes_" });
 const remarks = async () => ((await page.locator("#remarks").isVisible()) ? page.locator("#remarks").innerText() : "");
 
 // The page's GLB of a file is the command's, with what lies beside it.
 async function same(name, content, ...beside) {
   for (const [one, bytes] of [[name, content], ...beside]) writeFileSync(join(folder, one), bytes);
   command("bind", name, "-o", "command.glb");
+  await go("mesh"); // where motions are worked on it would move the character that is open
   await give(...[[name, content], ...beside].map(([one, bytes]) => made(one, bytes)));
   assert.equal(await errorLine(), "", name);
   if (await page.locator("#close-motion").isVisible()) await page.click("#close-motion"); // its own clips are in the file anyway

@@ -72,10 +72,15 @@ Json question_json(const Character& character, const sinew_question& question) {
   }
   const bool has_mesh = question.vertex < character.vertex_meshes.size();
   const std::string mesh = has_mesh ? character.meshes.at(character.vertex_meshes[question.vertex]).name : "";
-  return {{"part", question.vertex},           {"parts", question.part_count},         {"mesh", mesh},
-          {"vertices", question.vertex_count}, {"joint", joints[question.joint].name},
-          {"share", question.share / 65535.0}, {"doubt", question.doubt / 65536.0},
-          {"gain", question.gain / 65536.0},   {"alternatives", std::move(alternatives)}};
+  return {{"part", question.vertex},
+          {"parts", question.part_count},
+          {"mesh", mesh},
+          {"vertices", question.vertex_count},
+          {"joint", joints[question.joint].name},
+          {"share", question.share / 65535.0},
+          {"doubt", question.doubt / 65536.0},
+          {"gain", question.gain / 65536.0},
+          {"alternatives", std::move(alternatives)}};
 }
 
 }  // namespace
@@ -132,8 +137,7 @@ Json bind_shown(Session& s, const Wish& wish, const std::vector<sinew_answer>& a
   for (const LeftOutJoint& left : choice.left_out)
     left_out.push_back(s.character.joints[left.joint].name + " (" + left.why + ")");
   Json questions = Json::array();
-  for (const sinew_question& question : result.questions)
-    questions.push_back(question_json(s.character, question));
+  for (const sinew_question& question : result.questions) questions.push_back(question_json(s.character, question));
   return {{"seconds", result.seconds},
           {"workspaceBytes", result.workspace_bytes},
           {"usedBytes", result.used_bytes},

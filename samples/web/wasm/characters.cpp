@@ -97,7 +97,7 @@ Character bare(Character mesh) {
 }  // namespace
 
 std::string without_option(std::string line) {
-  for (const char* option : {" (--no-mirror)", "; --fit mends that", ", --cut opens it"})
+  for (const char* option : {" (--no-mirror)", "; --fit mends that", ", --cut opens it", "; --class says what it is"})
     if (const size_t at = line.find(option); at != std::string::npos) line.erase(at, std::string(option).size());
   return line;
 }
@@ -152,7 +152,8 @@ Json predict(Session& s, const Json& wishes) {
   } else {
     rigged = rig_character(bare(s.character), job, models);
   }
-  const std::vector<std::string> notes = std::move(rigged.character.notes);
+  std::vector<std::string> notes = std::move(rigged.character.notes);
+  for (std::string& note : notes) note = without_option(std::move(note));
   Rig rig = predicted_rig(s.character, std::move(rigged.skeleton));
   if (s.character.joints.empty())
     s.rigs().start(std::move(rig));  // a mesh without skeleton is no step to go back to

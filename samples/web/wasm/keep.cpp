@@ -64,7 +64,8 @@ void put_rows(Session& s, const Json& rows) {
     one.clear();
     for (size_t i = 1; i + 1 < row.size(); i += 2) {
       one.push_back({row.at(i).get<uint32_t>(), row.at(i + 1).get<float>()});
-      if (one.back().joint >= s.character.joints.size()) throw Error(s.character.name + ": the project is of another skeleton");
+      if (one.back().joint >= s.character.joints.size())
+        throw Error(s.character.name + ": the project is of another skeleton");
     }
   }
   s.character.influences = std::move(influences);

@@ -29,8 +29,8 @@ class Player {
   // Returns {clips: [{name, file, frames, seconds, room, limbs}], joints, files: [{file, mapped, how, sourceJoints: [{name, parent}], map: [{source,
   // why}], notes: [one line each]}]}.
   nlohmann::ordered_json open(const std::vector<std::string>& files, const Character& character,
-                              std::shared_ptr<const PictureCharacter> picture, uint32_t up, bool own, MotionMethod method,
-                              const std::vector<std::vector<sinew_map_pin>>& pins);
+                              std::shared_ptr<const PictureCharacter> picture, uint32_t up, bool own,
+                              MotionMethod method, const std::vector<std::vector<sinew_map_pin>>& pins);
   // The same motion by another method; made when it is first asked for. Returns {clips}.
   nlohmann::ordered_json use(MotionMethod method);
   void close() { open_.reset(); }

@@ -23,7 +23,8 @@ int32_t named_partner(const std::vector<Joint>& joints, size_t joint, const std:
 }
 
 // A limb that may be wrong: {name, joint, joints, doubt}.
-Json doubt_json(const PredictedSkeleton& skeleton, const LimbDoubt& limb, const std::map<std::string, int32_t>& number) {
+Json doubt_json(const PredictedSkeleton& skeleton, const LimbDoubt& limb,
+                const std::map<std::string, int32_t>& number) {
   const auto in_file = [&](int joint) { return number.at(skeleton.joints[static_cast<size_t>(joint)].name); };
   Json joints = Json::array();
   for (const int joint : limb.joints) joints.push_back(in_file(joint));
@@ -49,8 +50,7 @@ Json rig_json(const Rigs& rigs) {
                       {"named", named_partner(rig.joints, j, number)},
                       {"confidence", 1}});
   }
-  Json reply = {{"predicted", rig.predicted},
-                {"editable", rig.skeleton.has_value()}};
+  Json reply = {{"predicted", rig.predicted}, {"editable", rig.skeleton.has_value()}};
   if (rig.skeleton) {
     const PredictedSkeleton& skeleton = *rig.skeleton;
     for (size_t k = 0; k < skeleton.joints.size(); ++k) {  // a file's joints may stand in another order
@@ -69,7 +69,8 @@ Json rig_json(const Rigs& rigs) {
     if (rig.predicted) reply["upAxis"] = skeleton.up_axis;
     reply["doubts"] = Json::array();
     if (rig.predicted)
-      for (const LimbDoubt& limb : doubtful_limbs(skeleton)) reply["doubts"].push_back(doubt_json(skeleton, limb, number));
+      for (const LimbDoubt& limb : doubtful_limbs(skeleton))
+        reply["doubts"].push_back(doubt_json(skeleton, limb, number));
   }
   reply["joints"] = std::move(joints);
   return reply;

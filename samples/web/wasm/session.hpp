@@ -62,8 +62,8 @@ struct Session {
   std::vector<uint16_t> joints, weights;          // [V x slots]
   std::vector<std::vector<Influence>> reference;  // [V] of the file, or empty
   std::vector<uint8_t> locked, hints;             // [V] or empty: rows that the next bind keeps, see BindOptions
-  std::vector<std::vector<Influence>> began;      // [V] or empty: rows that the last bind began with, where it kept some
-  std::vector<uint8_t> confidence;                // [V]
+  std::vector<std::vector<Influence>> began;  // [V] or empty: rows that the last bind began with, where it kept some
+  std::vector<uint8_t> confidence;            // [V]
   Rows taken;  // what is written to files while the character shows a preview; else empty
   // What web_buffer() hands out, but for the surface.
   std::vector<float> posed, shown_positions, shown_normals, joint_positions;

@@ -338,7 +338,8 @@ EMSCRIPTEN_KEEPALIVE const char* web_motion(const char* files, const char* wish)
     const Json json = Json::parse(wish);
     std::vector<std::vector<sinew_map_pin>> pins(names.size());
     for (size_t f = 0; f < names.size() && f < json.at("pins").size(); ++f)
-      for (const Json& pin : json.at("pins").at(f)) pins[f].push_back({pin.at(0).get<uint32_t>(), pin.at(1).get<int32_t>()});
+      for (const Json& pin : json.at("pins").at(f))
+        pins[f].push_back({pin.at(0).get<uint32_t>(), pin.at(1).get<int32_t>()});
     return s.player.open(names, s.character, s.picture(), json.at("up").get<uint32_t>(), json.at("own").get<bool>(),
                          motion_method(json.at("method").get<uint32_t>()), pins);
   });
