@@ -38,10 +38,14 @@ void tell(const Settings& s, const BakedCharacter& baked) {
   if (s.json) {
     const auto error = [](const BakeError& e) { return Json{{"linear", e.linear}, {"baked", e.baked}}; };
     Json json = {{"sinew_bake", 1},
-                 {"character", s.character},       {"output", s.output},
-                 {"bends", morphs.drivers.size()}, {"shapes", morphs.shapes.size()},
-                 {"moved_vertices", moved},        {"animations", morphs.clips.size()},
-                 {"poses", baked.learnt_poses},    {"held_out_poses", baked.held_out_poses},
+                 {"character", s.character},
+                 {"output", s.output},
+                 {"bends", morphs.drivers.size()},
+                 {"shapes", morphs.shapes.size()},
+                 {"moved_vertices", moved},
+                 {"animations", morphs.clips.size()},
+                 {"poses", baked.learnt_poses},
+                 {"held_out_poses", baked.held_out_poses},
                  {"error", error(baked.learnt)}};
     if (baked.held_out_poses > 0) json["held_out_error"] = error(baked.held_out);
     std::printf("%s\n", json_line(json).c_str());

@@ -17,12 +17,14 @@ using sinew::test::demand;
 ChildResult look_at(const std::vector<std::string>& words, const std::string&, double, const std::atomic<bool>&,
                     const std::function<void(const std::string&)>& on_line) {
   constexpr const char* kTools[] = {"rig", "bind", "animate", "check", "pose", "inspect"};
-  demand(!words.empty() && std::find(std::begin(kTools), std::end(kTools), words[0]) != std::end(kTools), "a tool runs");
+  demand(!words.empty() && std::find(std::begin(kTools), std::end(kTools), words[0]) != std::end(kTools),
+         "a tool runs");
   for (size_t i = 1; i < words.size(); ++i) {
     const std::string& word = words[i];
     demand(!word.empty() && word.find('\0') == std::string::npos, "words are words");
     demand(word[0] == '-' || word.rfind("./", 0) == 0, "what is no option is a file: " + word);
-    if (word.rfind("./", 0) == 0) demand(("/" + word + "/").find("/../") == std::string::npos, "below the folder: " + word);
+    if (word.rfind("./", 0) == 0)
+      demand(("/" + word + "/").find("/../") == std::string::npos, "below the folder: " + word);
     if (word[0] == '-' && word.find('=') == std::string::npos)
       for (const char c : word) demand(c == '-' || (c >= 'a' && c <= 'z'), "an option of ours: " + word);
   }

@@ -23,7 +23,10 @@ class CliServe : public Cli {
   }
 
   static std::string call(int id, const std::string& tool, const Json& arguments) {
-    return Json{{"jsonrpc", "2.0"}, {"id", id}, {"method", "tools/call"}, {"params", {{"name", tool}, {"arguments", arguments}}}}
+    return Json{{"jsonrpc", "2.0"},
+                {"id", id},
+                {"method", "tools/call"},
+                {"params", {{"name", tool}, {"arguments", arguments}}}}
                .dump() +
            "\n";
   }
@@ -48,7 +51,8 @@ class CliServe : public Cli {
 };
 
 TEST_F(CliServe, IntroducesItselfAndListsItsTools) {
-  const auto answers = ask(R"({"jsonrpc":"2.0","id":1,"method":"initialize","params":{"protocolVersion":"2025-03-26","capabilities":{},"clientInfo":{"name":"t","version":"1"}}}
+  const auto answers = ask(
+      R"({"jsonrpc":"2.0","id":1,"method":"initialize","params":{"protocolVersion":"2025-03-26","capabilities":{},"clientInfo":{"name":"t","version":"1"}}}
 {"jsonrpc":"2.0","method":"notifications/initialized"}
 {"jsonrpc":"2.0","id":2,"method":"tools/list"}
 {"jsonrpc":"2.0","id":3,"method":"ping"}
@@ -81,10 +85,12 @@ TEST_F(CliServe, RigsChecksAndDrawsAsTheCommandDoes) {
   good("rig served/snake.obj -o alone.glb");
   EXPECT_EQ(slurp(in("served/deep/snake.glb")), slurp(in("alone.glb")));
 
-  const auto then = ask(call(2, "check", {{"file", "deep/snake.glb"}}) +
-                            call(3, "pose", {{"character", "deep/snake.glb"}, {"output", "pose.png"}, {"random", 7}}) +
-                            R"({"jsonrpc":"2.0","id":4,"method":"resources/read","params":{"uri":"sinew:///snake.obj"}})" "\n",
-                        "--jobs 2");
+  const auto then =
+      ask(call(2, "check", {{"file", "deep/snake.glb"}}) +
+              call(3, "pose", {{"character", "deep/snake.glb"}, {"output", "pose.png"}, {"random", 7}}) +
+              R"({"jsonrpc":"2.0","id":4,"method":"resources/read","params":{"uri":"sinew:///snake.obj"}})"
+              "\n",
+          "--jobs 2");
   EXPECT_EQ(then.at(2)["result"]["structuredContent"]["sinew_check"], 1);
   bool drawn = false;
   for (const Json& part : then.at(3)["result"]["content"])
@@ -102,12 +108,13 @@ TEST_F(CliServe, NothingOutsideOfTheFolderIsReadOrWritten) {
 "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"../outside.obj"}]})");
   std::string messages;
   int id = 0;
-  for (const std::string& name :
-       {std::string("../outside.obj"), in("outside.obj"), std::string("link.obj"), std::string("up/outside.obj"), std::string("")})
+  for (const std::string& name : {std::string("../outside.obj"), in("outside.obj"), std::string("link.obj"),
+                                  std::string("up/outside.obj"), std::string("")})
     messages += call(++id, "inspect", {{"file", name}});
   for (const std::string& name : {std::string("../new.glb"), std::string("up/new.glb"), in("new.glb")})
     messages += call(++id, "rig", {{"mesh", "snake.obj"}, {"output", name}});
-  messages += R"({"jsonrpc":"2.0","id":9,"method":"resources/read","params":{"uri":"sinew:///..%2foutside.obj"}})" "\n";
+  messages += R"({"jsonrpc":"2.0","id":9,"method":"resources/read","params":{"uri":"sinew:///..%2foutside.obj"}})"
+              "\n";
   messages += call(10, "inspect", {{"file", "refers.gltf"}});
   const auto answers = ask(messages);
   ASSERT_EQ(answers.size(), 10u);
@@ -121,12 +128,17 @@ TEST_F(CliServe, NothingOutsideOfTheFolderIsReadOrWritten) {
 }
 
 TEST_F(CliServe, WhatIsNoCallIsALine) {
-  const auto answers = ask("{\n" R"({"jsonrpc":"2.0","id":1,"method":"dance"})" "\n" R"({"jsonrpc":"2.0","id":2,"method":"tools/call","params":[]})" "\n" +
-                           call(3, "fly", Json::object()) + call(4, "rig", {{"mesh", "snake.obj"}}) +
-                           call(5, "rig", {{"mesh", "snake.obj"}, {"output", "a.glb"}, {"class", "dragon"}}) +
-                           call(6, "rig", {{"mesh", "snake.obj"}, {"output", "a.glb"}, {"wings", 2}}) +
-                           call(7, "rig", {{"mesh", "none.obj"}, {"output", "a.glb"}}) +
-                           call(8, "rig", {{"mesh", "snake.obj"}, {"output", "a.exe"}}));
+  const auto answers =
+      ask("{\n"
+          R"({"jsonrpc":"2.0","id":1,"method":"dance"})"
+          "\n"
+          R"({"jsonrpc":"2.0","id":2,"method":"tools/call","params":[]})"
+          "\n" +
+          call(3, "fly", Json::object()) + call(4, "rig", {{"mesh", "snake.obj"}}) +
+          call(5, "rig", {{"mesh", "snake.obj"}, {"output", "a.glb"}, {"class", "dragon"}}) +
+          call(6, "rig", {{"mesh", "snake.obj"}, {"output", "a.glb"}, {"wings", 2}}) +
+          call(7, "rig", {{"mesh", "none.obj"}, {"output", "a.glb"}}) +
+          call(8, "rig", {{"mesh", "snake.obj"}, {"output", "a.exe"}}));
   ASSERT_EQ(answers.size(), 9u);
   EXPECT_EQ(answers.at(-1)["error"]["code"], -32700);
   EXPECT_EQ(answers.at(1)["error"]["code"], -32601);
@@ -155,7 +167,8 @@ TEST_F(CliServe, JobsHaveLimits) {
 
 TEST_F(CliServe, SpeaksHttpToThisMachineAlone) {
   if (std::system("command -v curl >/dev/null") != 0) GTEST_SKIP() << "no curl";
-  put(in("ask.sh"), "cd '" + folder_.string() + "'\n'" + kProgram + R"(' serve --http 127.0.0.1:0 --folder served 2>told &
+  put(in("ask.sh"),
+      "cd '" + folder_.string() + "'\n'" + kProgram + R"(' serve --http 127.0.0.1:0 --folder served 2>told &
 server=$!
 for i in $(seq 100); do grep -q serving told && break; sleep 0.05; done
 url=$(sed 's/serving //' told)

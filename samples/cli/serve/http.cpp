@@ -9,7 +9,9 @@
 
 namespace sinew::cli {
 
-void serve_http(Server*, const std::string&) { throw Error("sinew serve: not on Windows; call the command for each file"); }
+void serve_http(Server*, const std::string&) {
+  throw Error("sinew serve: not on Windows; call the command for each file");
+}
 
 }  // namespace sinew::cli
 
@@ -39,7 +41,8 @@ constexpr int kMostConnections = 32, kReadSeconds = 30;
 bool is_this_machine(const std::string& host) { return host == "127.0.0.1" || host == "localhost" || host == "::1"; }
 
 std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
@@ -72,15 +75,24 @@ struct Refused {
 
 const char* reason(int status) {
   switch (status) {
-    case 200: return "OK";
-    case 202: return "Accepted";
-    case 403: return "Forbidden";
-    case 404: return "Not Found";
-    case 405: return "Method Not Allowed";
-    case 411: return "Length Required";
-    case 413: return "Content Too Large";
-    case 503: return "Service Unavailable";
-    default: return "Bad Request";
+    case 200:
+      return "OK";
+    case 202:
+      return "Accepted";
+    case 403:
+      return "Forbidden";
+    case 404:
+      return "Not Found";
+    case 405:
+      return "Method Not Allowed";
+    case 411:
+      return "Length Required";
+    case 413:
+      return "Content Too Large";
+    case 503:
+      return "Service Unavailable";
+    default:
+      return "Bad Request";
   }
 }
 
@@ -96,7 +108,8 @@ class Connection {
     try {
       const std::string body = read_request();
       const auto reply = server_->answer(body, [](const OrderedJson&) {});
-      respond(reply ? 200 : 202, reply ? reply->dump(-1, ' ', false, OrderedJson::error_handler_t::replace) + "\n" : "");
+      respond(reply ? 200 : 202,
+              reply ? reply->dump(-1, ' ', false, OrderedJson::error_handler_t::replace) + "\n" : "");
     } catch (const Refused& refused) {
       respond(refused.status, OrderedJson({{"error", refused.line}}).dump() + "\n");
     }
@@ -143,7 +156,8 @@ class Connection {
     if (host == fields.end() || !is_this_machine(host_of(host->second)) ||
         (origin != fields.end() && !is_this_machine(host_of(origin->second))))
       throw Refused{403, "expected a request from this machine"};
-    if (line.size() < 9 || line.compare(line.size() - 8, 7, "HTTP/1.") != 0) throw Refused{400, "expected a request of HTTP/1.1"};
+    if (line.size() < 9 || line.compare(line.size() - 8, 7, "HTTP/1.") != 0)
+      throw Refused{400, "expected a request of HTTP/1.1"};
     const size_t space = line.find(' '), last = line.rfind(' ');
     if (line.substr(space + 1, last - space - 1) != "/mcp") throw Refused{404, "expected POST /mcp"};
     if (line.substr(0, space) != "POST") throw Refused{405, "expected POST /mcp"};
@@ -151,8 +165,8 @@ class Connection {
 
   size_t length_of(const std::map<std::string, std::string>& fields) const {
     const auto length = fields.find("content-length");
-    if (length == fields.end() || fields.count("transfer-encoding") != 0 || length->second.empty() || length->second.size() > 12 ||
-        length->second.find_first_not_of("0123456789") != std::string::npos)
+    if (length == fields.end() || fields.count("transfer-encoding") != 0 || length->second.empty() ||
+        length->second.size() > 12 || length->second.find_first_not_of("0123456789") != std::string::npos)
       throw Refused{411, "expected a Content-Length"};
     const unsigned long long bytes = std::stoull(length->second);
     if (bytes > server_->limits().message) throw Refused{413, "expected a shorter message"};
@@ -199,10 +213,11 @@ Socket listen_at(bool six, int* port) {
     std::memcpy(&storage, &at, size = sizeof at);
   }
   sockaddr* const address = reinterpret_cast<sockaddr*>(&storage);
-  if (listener.number() < 0 || bind(listener.number(), address, size) != 0 || listen(listener.number(), kMostConnections) != 0 ||
-      getsockname(listener.number(), address, &size) != 0)
+  if (listener.number() < 0 || bind(listener.number(), address, size) != 0 ||
+      listen(listener.number(), kMostConnections) != 0 || getsockname(listener.number(), address, &size) != 0)
     throw Error("--http: port " + std::to_string(*port) + " cannot be listened to: " + std::strerror(errno));
-  const uint16_t got = six ? reinterpret_cast<sockaddr_in6*>(address)->sin6_port : reinterpret_cast<sockaddr_in*>(address)->sin_port;
+  const uint16_t got =
+      six ? reinterpret_cast<sockaddr_in6*>(address)->sin6_port : reinterpret_cast<sockaddr_in*>(address)->sin_port;
   *port = ntohs(got);
   return listener;
 }

@@ -28,8 +28,10 @@ void run(const Settings& s) {
   limits.jobs = s.jobs;
   Server server(ServedFolder(s.folder, s.most_bytes), limits, run_child);
   if (!can_confine())
-    std::fprintf(stderr, "warning: this system cannot keep jobs to a folder (no Landlock): a file that refers to others, such as a .gltf, "
-                         "may have them read from elsewhere\n");
+    std::fprintf(stderr,
+                 "warning: this system cannot keep jobs to a folder (no Landlock): a file that refers to others, such "
+                 "as a .gltf, "
+                 "may have them read from elsewhere\n");
   if (s.mcp)
     serve_lines(&server);
   else
@@ -39,13 +41,16 @@ void run(const Settings& s) {
 }  // namespace
 
 void add_serve(CLI::App& app) {
-  CLI::App* sub = app.add_subcommand("serve", "Serve programs and agents: Model Context Protocol, or the same over HTTP");
+  CLI::App* sub =
+      app.add_subcommand("serve", "Serve programs and agents: Model Context Protocol, or the same over HTTP");
   auto s = std::make_shared<Settings>();
   sub->add_flag("--mcp", s->mcp, "Messages come on standard input, a line each, and answers go to standard output");
-  sub->add_option("--http", s->http, "Messages come by POST to /mcp on this machine. Port 0: a free one, which is printed")
+  sub->add_option("--http", s->http,
+                  "Messages come by POST to /mcp on this machine. Port 0: a free one, which is printed")
       ->type_name("127.0.0.1:PORT");
   sub->add_option("--folder", s->folder,
-                  "The folder whose files are read and written, no others. Neither '..' nor a link leads out, and jobs run where the "
+                  "The folder whose files are read and written, no others. Neither '..' nor a link leads out, and jobs "
+                  "run where the "
                   "system lets them see it alone")
       ->type_name("DIR")
       ->capture_default_str();

@@ -31,7 +31,8 @@ fs::path ServedFolder::below(const std::string& name) const {
   if (name.empty() || name.size() > kLongestName) refuse("expected a file's name below the served folder");
   if (std::any_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 32 || c == 127; }))
     refuse("expected a file's name without control characters");
-  if (path.is_absolute() || path.has_root_name()) refuse("expected a name below the served folder, found an absolute path");
+  if (path.is_absolute() || path.has_root_name())
+    refuse("expected a name below the served folder, found an absolute path");
   for (const fs::path& part : path)
     if (part == "..") refuse("expected a name below the served folder, found '..'");
   std::error_code error;
@@ -44,7 +45,8 @@ fs::path ServedFolder::below(const std::string& name) const {
 std::string ServedFolder::input(const std::string& name) const {
   const fs::path path = below(name);
   std::error_code error;
-  if (!fs::is_regular_file(root_ / path, error)) throw Error("'" + printable(name) + "': there is no such file in the served folder");
+  if (!fs::is_regular_file(root_ / path, error))
+    throw Error("'" + printable(name) + "': there is no such file in the served folder");
   const uint64_t bytes = fs::file_size(root_ / path, error);
   if (error || bytes > most_bytes_)
     throw Error("'" + printable(name) + "': " + std::to_string(bytes) + " bytes, the server reads up to " +
@@ -57,7 +59,8 @@ std::string ServedFolder::output(const std::string& name) const {
   std::error_code error;
   if (!fs::is_directory((root_ / path).parent_path(), error))
     throw Error("'" + printable(name) + "': there is no such folder to write to");
-  if (fs::is_directory(root_ / path, error)) throw Error("'" + printable(name) + "': expected a file to write, found a folder");
+  if (fs::is_directory(root_ / path, error))
+    throw Error("'" + printable(name) + "': expected a file to write, found a folder");
   return "./" + path.generic_string();
 }
 

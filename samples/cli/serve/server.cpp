@@ -32,7 +32,8 @@ std::string base64(const std::string& bytes) {
     for (size_t k = 0; k < 3; ++k)
       three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
     // A byte alone has two digits, two bytes have three.
-    for (size_t k = 0; k < 4; ++k) text.push_back(k < 2 || i + k <= bytes.size() ? kDigits[three >> (18 - 6 * k) & 63] : '=');
+    for (size_t k = 0; k < 4; ++k)
+      text.push_back(k < 2 || i + k <= bytes.size() ? kDigits[three >> (18 - 6 * k) & 63] : '=');
   }
   return text;
 }
@@ -42,12 +43,11 @@ struct Kind {
   const char* mime;
   bool text;
 };
-constexpr Kind kKinds[] = {{".glb", "model/gltf-binary", false}, {".vrm", "model/gltf-binary", false},
-                           {".gltf", "model/gltf+json", true},   {".obj", "model/obj", true},
-                           {".png", "image/png", false},         {".jpg", "image/jpeg", false},
-                           {".jpeg", "image/jpeg", false},       {".json", "application/json", true},
-                           {".sarif", "application/json", true}, {".html", "text/html", true},
-                           {".txt", "text/plain", true},         {".bvh", "text/plain", true}};
+constexpr Kind kKinds[] = {
+    {".glb", "model/gltf-binary", false}, {".vrm", "model/gltf-binary", false}, {".gltf", "model/gltf+json", true},
+    {".obj", "model/obj", true},          {".png", "image/png", false},         {".jpg", "image/jpeg", false},
+    {".jpeg", "image/jpeg", false},       {".json", "application/json", true},  {".sarif", "application/json", true},
+    {".html", "text/html", true},         {".txt", "text/plain", true},         {".bvh", "text/plain", true}};
 
 Kind kind_of(const std::string& name) {
   for (const Kind& kind : kKinds)
@@ -72,11 +72,18 @@ std::string uri_of(const std::string& name) {
 
 std::string name_of(const std::string& uri) {
   const std::string scheme = kScheme;
-  if (uri.rfind(scheme, 0) != 0) throw Error("'" + printable(uri) + "': expected a resource of this server, " + scheme + "NAME");
-  const auto digit = [](char c) { return c >= '0' && c <= '9' ? c - '0' : c >= 'A' && c <= 'F' ? c - 'A' + 10 : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1; };
+  if (uri.rfind(scheme, 0) != 0)
+    throw Error("'" + printable(uri) + "': expected a resource of this server, " + scheme + "NAME");
+  const auto digit = [](char c) {
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                                  : -1;
+  };
   std::string name;
   for (size_t i = scheme.size(); i < uri.size(); ++i) {
-    const int high = uri[i] == '%' && i + 2 < uri.size() ? digit(uri[i + 1]) : -1, low = high < 0 ? -1 : digit(uri[i + 2]);
+    const int high = uri[i] == '%' && i + 2 < uri.size() ? digit(uri[i + 1]) : -1,
+              low = high < 0 ? -1 : digit(uri[i + 2]);
     if (low < 0) {
       name.push_back(uri[i]);
       continue;
@@ -120,12 +127,14 @@ bool Server::is_call(const std::string& message) {
 
 std::optional<OrderedJson> Server::answer(const std::string& message, const Notify& notify) {
   if (message.size() > limits_.message)
-    return refusal(nullptr, kInvalidRequest, "expected at most " + std::to_string(limits_.message) + " bytes a message");
+    return refusal(nullptr, kInvalidRequest,
+                   "expected at most " + std::to_string(limits_.message) + " bytes a message");
   const OrderedJson request = OrderedJson::parse(message, nullptr, false);
   if (request.is_discarded()) return refusal(nullptr, kParseError, "expected a message in JSON");
   const std::string method = text_of(request, "method");
   const bool has_id = request.is_object() && request.contains("id");
-  if (request.is_object() && method.empty() && (request.contains("result") || request.contains("error"))) return std::nullopt;
+  if (request.is_object() && method.empty() && (request.contains("result") || request.contains("error")))
+    return std::nullopt;
   if (text_of(request, "jsonrpc") != "2.0" || method.empty() ||
       (has_id && !request["id"].is_string() && !request["id"].is_number_integer()))
     return refusal(nullptr, kInvalidRequest, "expected a request of JSON-RPC 2.0 with a method");
@@ -164,7 +173,8 @@ OrderedJson Server::initialize(const OrderedJson& parameters) const {
           {"capabilities", {{"tools", OrderedJson::object()}, {"resources", OrderedJson::object()}}},
           {"serverInfo", {{"name", "sinew"}, {"title", "sinew"}, {"version", sinew_version()}}},
           {"instructions",
-           "Skeletons, skin weights and motion for character meshes. Files are named below the served folder, as resources/list "
+           "Skeletons, skin weights and motion for character meshes. Files are named below the served folder, as "
+           "resources/list "
            "has them. Warnings in an answer are guesses that may be wrong: show them, and a picture of a pose."}};
 }
 
@@ -236,7 +246,8 @@ OrderedJson Server::run(const ToolRun& job, const OrderedJson& parameters, const
     content.push_back({{"type", "resource_link"}, {"uri", uri_of(name)}, {"name", name}, {"mimeType", kind.mime}});
     if (std::string(kind.mime) != "image/png") continue;
     std::string bytes = folder_.read(name);
-    if (bytes.size() <= limits_.resource) content.push_back({{"type", "image"}, {"data", base64(bytes)}, {"mimeType", kind.mime}});
+    if (bytes.size() <= limits_.resource)
+      content.push_back({{"type", "image"}, {"data", base64(bytes)}, {"mimeType", kind.mime}});
   }
   OrderedJson whole = {{"content", content}, {"isError", false}};
   if (answer.is_object()) whole["structuredContent"] = answer;
@@ -246,7 +257,8 @@ OrderedJson Server::run(const ToolRun& job, const OrderedJson& parameters, const
 OrderedJson Server::resources() const {
   OrderedJson list = OrderedJson::array();
   for (const ServedFolder::File& file : folder_.files())
-    list.push_back({{"uri", uri_of(file.name)}, {"name", file.name}, {"mimeType", kind_of(file.name).mime}, {"size", file.bytes}});
+    list.push_back(
+        {{"uri", uri_of(file.name)}, {"name", file.name}, {"mimeType", kind_of(file.name).mime}, {"size", file.bytes}});
   return {{"resources", list}};
 }
 
@@ -259,8 +271,8 @@ OrderedJson Server::resource(const OrderedJson& parameters) const {
     throw Refusal{kNoResource, printable(error.what())};
   }
   if (bytes.size() > limits_.resource)
-    throw Refusal{kNoResource, "'" + printable(uri) + "': " + std::to_string(bytes.size()) + " bytes, the server sends up to " +
-                                   std::to_string(limits_.resource)};
+    throw Refusal{kNoResource, "'" + printable(uri) + "': " + std::to_string(bytes.size()) +
+                                   " bytes, the server sends up to " + std::to_string(limits_.resource)};
   const Kind kind = kind_of(name_of(uri));
   OrderedJson one = {{"uri", uri}, {"mimeType", kind.mime}};
   if (kind.text)

@@ -19,15 +19,16 @@
 namespace sinew::cli {
 
 struct ServerLimits {
-  double seconds = 600;           // of a job
-  unsigned jobs = 1;              // at the same time; others wait
-  size_t message = 8u << 20;      // bytes
-  size_t resource = 16u << 20;    // bytes of a file that is sent
+  double seconds = 600;         // of a job
+  unsigned jobs = 1;            // at the same time; others wait
+  size_t message = 8u << 20;    // bytes
+  size_t resource = 16u << 20;  // bytes of a file that is sent
 };
 
 // A process to run, as run_child().
-using RunChild = std::function<ChildResult(const std::vector<std::string>& words, const std::string& folder, double seconds,
-                                           const std::atomic<bool>& cancel, const std::function<void(const std::string&)>& on_line)>;
+using RunChild =
+    std::function<ChildResult(const std::vector<std::string>& words, const std::string& folder, double seconds,
+                              const std::atomic<bool>& cancel, const std::function<void(const std::string&)>& on_line)>;
 
 // Calls may come from several threads.
 class Server {
@@ -48,10 +49,12 @@ class Server {
   };
   using Cancel = std::shared_ptr<std::atomic<bool>>;
 
-  OrderedJson result_of(const std::string& method, const OrderedJson& parameters, const std::string& id, const Notify& notify);
+  OrderedJson result_of(const std::string& method, const OrderedJson& parameters, const std::string& id,
+                        const Notify& notify);
   OrderedJson initialize(const OrderedJson& parameters) const;
   OrderedJson call(const OrderedJson& parameters, const std::string& id, const Notify& notify);
-  OrderedJson run(const ToolRun& job, const OrderedJson& parameters, const std::atomic<bool>& cancel, const Notify& notify);
+  OrderedJson run(const ToolRun& job, const OrderedJson& parameters, const std::atomic<bool>& cancel,
+                  const Notify& notify);
   OrderedJson resources() const;
   OrderedJson resource(const OrderedJson& parameters) const;
   void cancel(const OrderedJson& parameters);

@@ -34,14 +34,16 @@ Argument output_argument(const std::string& kinds) {
 }
 
 Argument class_argument() {
-  return {"class", "--class", Value::kText, "What kind of body it is, where it is taken for another", false,
-          {"biped", "quadruped", "bird", "fish", "snake", "many-legged", "other"}};
+  return {"class",      "--class",
+          Value::kText, "What kind of body it is, where it is taken for another",
+          false,        {"biped", "quadruped", "bird", "fish", "snake", "many-legged", "other"}};
 }
 
 Tool rig_tool() {
   return {"rig",
           "Make a skeleton",
-          "Makes a skeleton for a bare mesh or a picture of a character and binds it. Answers joints with confidences and what is doubtful.",
+          "Makes a skeleton for a bare mesh or a picture of a character and binds it. Answers joints with confidences "
+          "and what is doubtful.",
           true,
           {{"mesh", "", Value::kInput, "Mesh (" + mesh_files() + ") or picture (.png, .jpg)", true},
            output_argument(".glb, .gltf, .vrm or .rig.txt"),
@@ -95,25 +97,30 @@ Tool check_tool() {
 }
 
 Tool pose_tool() {
-  return {"pose",
-          "Draw a pose",
-          "Draws a bound character in a pose. The picture comes back with the answer.",
-          false,
-          {{"character", "", Value::kInput, "Skinned file, or NAME.obj with NAME.rig.txt beside it", true},
-           output_argument(".png or .obj"),
-           {"joints", "--joint", Value::kRotations, "Degrees about x, then y, then z, by joint: {\"head\": [0, 30, 0]}"},
-           {"animation", "--animation", Value::kText, "One of the file's own animations"},
-           {"time", "--time", Value::kNumber, "Second of the animation"},
-           {"random", "--random", Value::kNumber, "Rotate every joint at random; a seed"}}};
+  return {
+      "pose",
+      "Draw a pose",
+      "Draws a bound character in a pose. The picture comes back with the answer.",
+      false,
+      {{"character", "", Value::kInput, "Skinned file, or NAME.obj with NAME.rig.txt beside it", true},
+       output_argument(".png or .obj"),
+       {"joints", "--joint", Value::kRotations, "Degrees about x, then y, then z, by joint: {\"head\": [0, 30, 0]}"},
+       {"animation", "--animation", Value::kText, "One of the file's own animations"},
+       {"time", "--time", Value::kNumber, "Second of the animation"},
+       {"random", "--random", Value::kNumber, "Rotate every joint at random; a seed"}}};
 }
 
 Tool inspect_tool() {
-  return {"inspect", "Look into a file", "Says what is in a mesh, character or model. Changes nothing.", true,
+  return {"inspect",
+          "Look into a file",
+          "Says what is in a mesh, character or model. Changes nothing.",
+          true,
           {{"file", "", Value::kInput, "File", true}}};
 }
 
 const std::vector<Tool>& tools() {
-  static const std::vector<Tool> all = {rig_tool(), bind_tool(), animate_tool(), check_tool(), pose_tool(), inspect_tool()};
+  static const std::vector<Tool> all = {rig_tool(),   bind_tool(), animate_tool(),
+                                        check_tool(), pose_tool(), inspect_tool()};
   return all;
 }
 
@@ -128,7 +135,8 @@ OrderedJson schema_of(const Argument& argument) {
       break;
     case Value::kRotations:
       schema = {{"type", "object"},
-                {"additionalProperties", {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}}}};
+                {"additionalProperties",
+                 {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}}}};
       break;
     default:
       schema["type"] = "string";
@@ -176,8 +184,10 @@ class CommandLine {
   std::string text(const Argument& argument, const OrderedJson& value) const {
     if (!value.is_string()) fail(argument.name, "a text");
     std::string text = value.get<std::string>();
-    if (text.size() > 1000 || text.find('\0') != std::string::npos) fail(argument.name, "a text of at most 1,000 characters");
-    if (!argument.choices.empty() && std::find(argument.choices.begin(), argument.choices.end(), text) == argument.choices.end())
+    if (text.size() > 1000 || text.find('\0') != std::string::npos)
+      fail(argument.name, "a text of at most 1,000 characters");
+    if (!argument.choices.empty() &&
+        std::find(argument.choices.begin(), argument.choices.end(), text) == argument.choices.end())
       fail(argument.name, "one of " + joined(argument.choices));
     if (argument.option == "--motion" && text.rfind("builtin:", 0) != 0) fail(argument.name, "builtin:NAME");
     return text;
@@ -225,9 +235,11 @@ class CommandLine {
     constexpr const char* kExpected = "three degrees for every joint";
     if (!value.is_object()) fail(argument.name, kExpected);
     for (const auto& [joint, turn] : value.items()) {
-      if (!turn.is_array() || turn.size() != 3 || joint.empty() || joint.size() > 1000 || joint.find('\0') != std::string::npos)
+      if (!turn.is_array() || turn.size() != 3 || joint.empty() || joint.size() > 1000 ||
+          joint.find('\0') != std::string::npos)
         fail(argument.name, kExpected);
-      put(argument, joint + "=" + number(argument, turn[0]) + "," + number(argument, turn[1]) + "," + number(argument, turn[2]));
+      put(argument,
+          joint + "=" + number(argument, turn[0]) + "," + number(argument, turn[1]) + "," + number(argument, turn[2]));
     }
   }
 
@@ -248,11 +260,13 @@ OrderedJson tools_json() {
       if (argument.required) required.push_back(argument.name);
       writes = writes || argument.value == Value::kOutput;
     }
-    list.push_back({{"name", tool.name},
-                    {"title", tool.title},
-                    {"description", tool.meaning},
-                    {"inputSchema", {{"type", "object"}, {"properties", properties}, {"required", required}, {"additionalProperties", false}}},
-                    {"annotations", {{"readOnlyHint", !writes}, {"openWorldHint", false}}}});
+    list.push_back(
+        {{"name", tool.name},
+         {"title", tool.title},
+         {"description", tool.meaning},
+         {"inputSchema",
+          {{"type", "object"}, {"properties", properties}, {"required", required}, {"additionalProperties", false}}},
+         {"annotations", {{"readOnlyHint", !writes}, {"openWorldHint", false}}}});
   }
   return list;
 }
