@@ -43,11 +43,19 @@ struct Kind {
   const char* mime;
   bool text;
 };
-constexpr Kind kKinds[] = {
-    {".glb", "model/gltf-binary", false}, {".vrm", "model/gltf-binary", false}, {".gltf", "model/gltf+json", true},
-    {".obj", "model/obj", true},          {".png", "image/png", false},         {".jpg", "image/jpeg", false},
-    {".jpeg", "image/jpeg", false},       {".json", "application/json", true},  {".sarif", "application/json", true},
-    {".html", "text/html", true},         {".txt", "text/plain", true},         {".bvh", "text/plain", true}};
+// Media types (iana.org/assignments/media-types), one a line.
+constexpr Kind kKinds[] = {{".glb", "model/gltf-binary", false},  //
+                           {".vrm", "model/gltf-binary", false},  //
+                           {".gltf", "model/gltf+json", true},    //
+                           {".obj", "model/obj", true},           //
+                           {".png", "image/png", false},          //
+                           {".jpg", "image/jpeg", false},         //
+                           {".jpeg", "image/jpeg", false},        //
+                           {".json", "application/json", true},   //
+                           {".sarif", "application/json", true},  //
+                           {".html", "text/html", true},          //
+                           {".txt", "text/plain", true},          //
+                           {".bvh", "text/plain", true}};
 
 Kind kind_of(const std::string& name) {
   for (const Kind& kind : kKinds)
