@@ -38,29 +38,22 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
+// Media types (iana.org/assignments/media-types).
 struct Kind {
-  const char* extension;
   const char* mime;
   bool text;
 };
-// Media types (iana.org/assignments/media-types), one a line.
-constexpr Kind kKinds[] = {{".glb", "model/gltf-binary", false},  //
-                           {".vrm", "model/gltf-binary", false},  //
-                           {".gltf", "model/gltf+json", true},    //
-                           {".obj", "model/obj", true},           //
-                           {".png", "image/png", false},          //
-                           {".jpg", "image/jpeg", false},         //
-                           {".jpeg", "image/jpeg", false},        //
-                           {".json", "application/json", true},   //
-                           {".sarif", "application/json", true},  //
-                           {".html", "text/html", true},          //
-                           {".txt", "text/plain", true},          //
-                           {".bvh", "text/plain", true}};
-
 Kind kind_of(const std::string& name) {
-  for (const Kind& kind : kKinds)
-    if (has_extension(name, kind.extension)) return kind;
-  return {"", "application/octet-stream", false};
+  const auto is = [&](const char* extension) { return has_extension(name, extension); };
+  if (is(".glb") || is(".vrm")) return {"model/gltf-binary", false};
+  if (is(".gltf")) return {"model/gltf+json", true};
+  if (is(".obj")) return {"model/obj", true};
+  if (is(".png")) return {"image/png", false};
+  if (is(".jpg") || is(".jpeg")) return {"image/jpeg", false};
+  if (is(".json") || is(".sarif")) return {"application/json", true};
+  if (is(".html")) return {"text/html", true};
+  if (is(".txt") || is(".bvh")) return {"text/plain", true};
+  return {"application/octet-stream", false};
 }
 
 // Names in URIs: all but letters, digits and -._~/ as %XX (RFC 3986).
