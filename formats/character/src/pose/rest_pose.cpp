@@ -178,7 +178,7 @@ void put_upright(const Body& body, const RestPose& pose, Wishes* wishes) {
   if (lean > kLean)
     throw Error("the pose " + pose.name +
                 " is for characters that stand upright, and this trunk does not; give a file that "
-                "stands as it shall");
+                "stands as it shall, or none for the pose that it has");
   if (lean > kMostLean) (*wishes)[at(from)] = {line, body.up};
 }
 
@@ -329,7 +329,7 @@ std::vector<Affine> rest_pose_palette(const LabelledSkeleton& skeleton, const Re
     if (!has_arms(body))
       throw Error("the pose " + pose.name +
                   " is for characters with arms, and the skeleton has none by its names; give a file "
-                  "that stands as it shall");
+                  "that stands as it shall, or none for the pose that it has");
     straighten(body, pose.kind, &wishes);
     put_upright(body, pose, &wishes);
   }
