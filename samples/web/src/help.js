@@ -5,8 +5,8 @@ const $ = (id) => document.getElementById(id);
 const does = [
   ["Drop a mesh", "It gets joints and weights at once. Red limbs may be wrong: Skeleton, Next; drag a joint, its mirror partner follows."],
   ["Drop a rigged file", "Its own joints are bound anew; Material, Weights and Doubt show the result."],
-  ["Drop a motion", "BVH, VRMA, VMD, NPZ, or a file with animations and no mesh moves the character that is open; in the Motion step any animated file does. Several are several clips."],
-  ["Export", "GLB with all clips, FBX, VRM, text, or the project with everything that was done."],
+  ["Drop a motion", "A file with animations and no mesh moves the character that is open; in the Motion step any animated file does. Several are several clips."],
+  ["Export", "A file for other programs, with all clips, or the project with everything that was done."],
   ["Nothing is lost", "Every step is undone by name, and kept in this browser until the next visit."],
 ];
 const keys = [

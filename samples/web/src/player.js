@@ -68,7 +68,7 @@ export class MotionPlayer {
   #sayAbout() {
     const about = $("motion-about");
     if (!this.#motion) {
-      about.textContent = "Choose a clip, or drop a BVH, VRMA, FBX or GLB with animations: it moves this character.";
+      about.textContent = "Choose a clip, or drop a file with animations: it moves this character.";
       about.title = "";
       return;
     }
