@@ -10,23 +10,13 @@
 #include <tuple>
 #include <vector>
 
+#include "character_handle.hpp"
 #include "cli_fixture.hpp"
 #include "make_glb.hpp"
 #include "sinew/character.h"
 
 namespace sinew {
 namespace {
-
-struct Close {
-  void operator()(sinew_character* character) const { sinew_character_close(character); }
-};
-using Handle = std::unique_ptr<sinew_character, Close>;
-
-Handle open(const std::string& path) {
-  sinew_character* character = nullptr;
-  EXPECT_EQ(sinew_character_open(path.c_str(), &character), SINEW_OK) << sinew_character_error(nullptr);
-  return Handle(character);
-}
 
 // Files of the disk as files in memory, named without their folder.
 Handle open_memory(const std::vector<std::string>& paths) {

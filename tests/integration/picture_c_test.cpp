@@ -6,24 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "character_handle.hpp"
 #include "cli_fixture.hpp"
 #include "sinew/character.h"
 
 namespace sinew {
 namespace {
 
-struct Close {
-  void operator()(sinew_character* character) const { sinew_character_close(character); }
-};
-using Handle = std::unique_ptr<sinew_character, Close>;
-
 const std::string kChild = kData + "/drawing__child.png", kCat = kData + "/drawing__cat.png";
-
-Handle open(const std::string& path) {
-  sinew_character* character = nullptr;
-  EXPECT_EQ(sinew_character_open(path.c_str(), &character), SINEW_OK) << sinew_character_error(nullptr);
-  return Handle(character);
-}
 
 Handle open_memory(const std::vector<std::string>& paths, const sinew_character_picture_options& options) {
   std::vector<std::string> bytes, names;

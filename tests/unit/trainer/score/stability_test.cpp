@@ -15,7 +15,7 @@ namespace {
 
 using Rows = std::vector<std::vector<Influence>>;
 
-const Character& biped() {
+const Character& toy() {
   static const Character c = [] {
     SynthesizeOptions options;
     options.resolution = 32;
@@ -55,12 +55,12 @@ TEST(Stability, WhatGoesWithTheHeadDoesNotMoveAndWhatStandsStillDoes) {
     return bound(mesh, mesh.vertices[crown]);
   };
   const auto own = [&](const Character& c) { return all_on(c, 0); };
-  const StabilityFigures good = measure_stability(biped(), 6, on_head, own);
+  const StabilityFigures good = measure_stability(toy(), 6, on_head, own);
   EXPECT_LT(good.worst_spread, 1e-3);
   EXPECT_EQ(good.flips, 0);
   EXPECT_EQ(good.own_flips, 0);
   const auto in_space = [&](const Character& mesh) { return bound(mesh, still); };
-  const StabilityFigures bad = measure_stability(biped(), 6, in_space, own);
+  const StabilityFigures bad = measure_stability(toy(), 6, in_space, own);
   EXPECT_GT(bad.spread, 0.01);
   EXPECT_GE(bad.worst_spread, bad.spread);
 }
@@ -81,13 +81,13 @@ TEST(Stability, FlipsCountOtherJointsNotOtherNumbers) {
   };
   unsigned turn = 0;  // one vertex in ten changes its joint in every pose
   const auto own = [&](const Character& c) {
-    EXPECT_EQ(c.joints.size(), biped().joints.size());
+    EXPECT_EQ(c.joints.size(), toy().joints.size());
     Rows rows = all_on(c, 0);
     for (size_t v = 0; v < rows.size() && turn > 0; v += 10) rows[v][0].joint = 1;
     ++turn;
     return rows;
   };
-  const StabilityFigures figures = measure_stability(biped(), 4, find, own);
+  const StabilityFigures figures = measure_stability(toy(), 4, find, own);
   EXPECT_EQ(figures.flips, 0);
   EXPECT_NEAR(figures.own_flips, 0.1, 0.001);
 }
@@ -107,7 +107,7 @@ TEST(Stability, MeansAndMediansOfCharactersAndFamilies) {
 }
 
 TEST(Stability, AMeshWithoutFacesIsRefused) {
-  Character bare = biped();
+  Character bare = toy();
   bare.face_offsets = {0};
   bare.face_vertices.clear();
   const auto find = [](const Character&) { return FoundRig{}; };
