@@ -266,7 +266,7 @@ void add_stability(CLI::App* parent) {
   CLI::App* sub = parent->add_subcommand("stability", "How far skeletons and weights move when a character is posed");
   const auto s = add_study(sub, "stability");
   auto own = std::make_shared<StabilitySettings>();
-  sub->add_option("--poses", own->poses, "Random poses of every character")
+  sub->add_option("--per-character", own->poses, "Random poses of every character")
       ->check(CLI::Range(1, 1000))
       ->type_name("N")
       ->capture_default_str();

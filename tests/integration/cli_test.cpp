@@ -373,10 +373,10 @@ TEST_F(Cli, EvalStudies) {
   const Outcome confidence = good("eval confidence " + kData + " --method heat");
   EXPECT_NE(confidence.out.find("calibration error"), std::string::npos) << confidence.out;
   fs::create_directories(in("empty"));
-  const Outcome poses = good("eval stability " + kData + " --method heat --poses 1 --json -o poses.json");
+  const Outcome poses = good("eval stability " + kData + " --method heat --per-character 1 --json -o poses.json");
   EXPECT_NE(poses.out.find("\"mean_of_families\""), std::string::npos) << poses.out;
   EXPECT_EQ(slurp(in("poses.json")), poses.out);
-  bad(2, "eval stability " + kData + " --poses 0");
+  bad(2, "eval stability " + kData + " --per-character 0");
   for (const char* study : {"weights", "hints", "confidence", "robustness", "questions", "style", "stability"})
     bad(1, std::string("eval ") + study + " empty --method heat");
 }

@@ -260,7 +260,8 @@ class MapRun {
     }
     if (!match(best_target, best_source, &matcher)) return false;
     if (arena_.measuring() || !target_.rig.has_names) return true;
-    named_ = pin_plain_names(target_.rig, source_.rig, own_.sources, &pins_);
+    // Where anatomy finds a counterpart for most, as between a person and an animal, it stays.
+    named_ = says_little() && pin_plain_names(target_.rig, source_.rig, own_.sources, &pins_);
     return !named_ || match(best_target, best_source, &matcher);
   }
 
@@ -276,8 +277,7 @@ class MapRun {
       if (!branches.allocate(arena_, n_, m_)) return SINEW_ERROR_WORKSPACE;
       if (arena_.measuring()) return SINEW_OK;
       // Rigs of which little could be read, such as an animal of a thousand spines, may be nearly equal all the same.
-      const bool odd =
-          automatic && !pins_.any && !same_ && 10 * mapped_count(own_.sources, n_) < 6 * (n_ < m_ ? n_ : m_);
+      const bool odd = automatic && !pins_.any && !same_ && says_little();
       const uint64_t cells = asked || odd ? branches.prepare(target_.anatomy, plan_.options.target_areas,
                                                              source_.anatomy, plan_.options.source_areas)
                                           : UINT64_MAX;
@@ -331,6 +331,9 @@ class MapRun {
     matcher->run(target_.anatomy, source_.anatomy, target_.rig.has_names, pins_, own_.sources, own_.costs);
     return true;
   }
+
+  // Limbs found a source for few of the joints that could have one.
+  bool says_little() const { return 10 * mapped_count(own_.sources, n_) < 6 * (n_ < m_ ? n_ : m_); }
 
   const MapPlan& plan_;
   Arena& arena_;

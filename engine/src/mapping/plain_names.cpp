@@ -6,6 +6,7 @@ namespace sinew::mapping {
 namespace {
 
 constexpr Part kLimbs[] = {Part::kUpperArm, Part::kLowerArm, Part::kHand, Part::kUpLeg, Part::kLowLeg, Part::kFoot};
+constexpr double kUpright = 0.8;   // cosine
 constexpr int32_t kFewest = 6;     // pairs of names
 constexpr int32_t kMostWrong = 3;  // of them, one in so many
 
@@ -21,9 +22,26 @@ int32_t only_joint(const Hierarchy& rig, Part part, int8_t side) {
   return found;
 }
 
+// Whether the head is over where legs begin, seen from the feet; false where one of them is not called by its name.
+bool goes_upright(const Hierarchy& rig) {
+  const auto middle = [&](Part part, Point* sum) {
+    const int32_t left = only_joint(rig, part, 1), right = only_joint(rig, part, -1);
+    if (left < 0 || right < 0) return false;
+    *sum = 0.5 * (rig.at[left] + rig.at[right]);
+    return true;
+  };
+  Point hips, feet;
+  const int32_t head = only_joint(rig, Part::kHead, 0);
+  if (head < 0 || !middle(Part::kUpLeg, &hips) || !middle(Part::kFoot, &feet)) return false;
+  const Point trunk = rig.at[head] - hips, legs = hips - feet;
+  const double along = dot(trunk, legs);
+  return along > 0 && along * along > kUpright * kUpright * dot(trunk, trunk) * dot(legs, legs);
+}
+
 }  // namespace
 
 bool pin_plain_names(const Hierarchy& target, const Hierarchy& source, const int32_t* sources, Pins* pins) {
+  if (!goes_upright(target) || !goes_upright(source)) return false;  // four legs have names of their own
   int32_t pairs[2 * (sizeof kLimbs / sizeof kLimbs[0]) + 1][2], count = 0, wrong = 0;
   const auto look_for = [&](Part part, int8_t side) {
     const int32_t a = only_joint(target, part, side), b = only_joint(source, part, side);
