@@ -13,7 +13,7 @@
 namespace {
 
 template <class Result, class... Arguments>
-Result call(const char* name, Arguments... arguments) {
+Result assimp_call(const char* name, Arguments... arguments) {
   static const sinew::LateLibrary assimp(SINEW_LATE_ASSIMP, "Assimp", "libassimp-dev");
   return assimp.call<Result>(name, arguments...);
 }
@@ -22,26 +22,26 @@ Result call(const char* name, Arguments... arguments) {
 
 namespace Assimp {
 
-Importer::Importer() : pimpl(nullptr) { call<void>("_ZN6Assimp8ImporterC1Ev", this); }
-Importer::~Importer() { call<void>("_ZN6Assimp8ImporterD1Ev", this); }
+Importer::Importer() : pimpl(nullptr) { assimp_call<void>("_ZN6Assimp8ImporterC1Ev", this); }
+Importer::~Importer() { assimp_call<void>("_ZN6Assimp8ImporterD1Ev", this); }
 void Importer::SetIOHandler(IOSystem* files) {
-  call<void>("_ZN6Assimp8Importer12SetIOHandlerEPNS_8IOSystemE", this, files);
+  assimp_call<void>("_ZN6Assimp8Importer12SetIOHandlerEPNS_8IOSystemE", this, files);
 }
 bool Importer::SetPropertyInteger(const char* name, int value) {
-  return call<bool>("_ZN6Assimp8Importer18SetPropertyIntegerEPKci", this, name, value);
+  return assimp_call<bool>("_ZN6Assimp8Importer18SetPropertyIntegerEPKci", this, name, value);
 }
 const aiScene* Importer::ReadFile(const char* path, unsigned int flags) {
-  return call<const aiScene*>("_ZN6Assimp8Importer8ReadFileEPKcj", this, path, flags);
+  return assimp_call<const aiScene*>("_ZN6Assimp8Importer8ReadFileEPKcj", this, path, flags);
 }
 const char* Importer::GetErrorString() const {
-  return call<const char*>("_ZNK6Assimp8Importer14GetErrorStringEv", this);
+  return assimp_call<const char*>("_ZNK6Assimp8Importer14GetErrorStringEv", this);
 }
 
 bool IOSystem::ComparePaths(const char* one, const char* second) const {
-  return call<bool>("_ZNK6Assimp8IOSystem12ComparePathsEPKcS2_", this, one, second);
+  return assimp_call<bool>("_ZNK6Assimp8IOSystem12ComparePathsEPKcS2_", this, one, second);
 }
 const std::string& IOSystem::CurrentDirectory() const {
-  return *call<const std::string*>("_ZNK6Assimp8IOSystem16CurrentDirectoryB5cxx11Ev", this);
+  return *assimp_call<const std::string*>("_ZNK6Assimp8IOSystem16CurrentDirectoryB5cxx11Ev", this);
 }
 
 // What Assimp makes and frees comes from the same heap as everything.
@@ -52,19 +52,19 @@ void Intern::AllocateFromAssimpHeap::operator delete(void* data) { ::operator de
 
 aiReturn aiGetMaterialString(const aiMaterial* material, const char* key, unsigned int type, unsigned int index,
                              aiString* out) {
-  return call<aiReturn>("aiGetMaterialString", material, key, type, index, out);
+  return assimp_call<aiReturn>("aiGetMaterialString", material, key, type, index, out);
 }
 aiReturn aiGetMaterialColor(const aiMaterial* material, const char* key, unsigned int type, unsigned int index,
                             aiColor4D* out) {
-  return call<aiReturn>("aiGetMaterialColor", material, key, type, index, out);
+  return assimp_call<aiReturn>("aiGetMaterialColor", material, key, type, index, out);
 }
 aiReturn aiGetMaterialFloatArray(const aiMaterial* material, const char* key, unsigned int type, unsigned int index,
                                  ai_real* out, unsigned int* count) {
-  return call<aiReturn>("aiGetMaterialFloatArray", material, key, type, index, out, count);
+  return assimp_call<aiReturn>("aiGetMaterialFloatArray", material, key, type, index, out, count);
 }
 aiReturn aiGetMaterialTexture(const aiMaterial* material, aiTextureType type, unsigned int index, aiString* path,
                               aiTextureMapping* mapping, unsigned int* uv_index, ai_real* blend, aiTextureOp* operation,
                               aiTextureMapMode* map_mode, unsigned int* flags) {
-  return call<aiReturn>("aiGetMaterialTexture", material, type, index, path, mapping, uv_index, blend, operation,
-                        map_mode, flags);
+  return assimp_call<aiReturn>("aiGetMaterialTexture", material, type, index, path, mapping, uv_index, blend, operation,
+                               map_mode, flags);
 }

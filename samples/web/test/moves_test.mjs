@@ -260,6 +260,7 @@ try {
     assert.deepEqual(await positions(), found);
     await mapRow("LeftArm").locator("button").click();
     await settled();
+    await page.keyboard.press("1");
     assert.equal(await legend(), "Weight of LeftArm");
     await page.keyboard.press("Escape");
     await page.click("#close-motion");
