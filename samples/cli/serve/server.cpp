@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdint>
 
 #include "sinew/sinew.h"
+#include "sinew_formats/base64.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "support.hpp"
@@ -21,21 +21,6 @@ constexpr const char* kScheme = "sinew:///";
 
 OrderedJson refusal(const OrderedJson& id, int code, const std::string& line) {
   return {{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", line}}}};
-}
-
-std::string base64(const std::string& bytes) {
-  constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (size_t i = 0; i < bytes.size(); i += 3) {
-    uint32_t three = 0;
-    for (size_t k = 0; k < 3; ++k)
-      three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    // A byte alone has two digits, two bytes have three.
-    for (size_t k = 0; k < 4; ++k)
-      text.push_back(k < 2 || i + k <= bytes.size() ? kDigits[three >> (18 - 6 * k) & 63] : '=');
-  }
-  return text;
 }
 
 // Media types (iana.org/assignments/media-types).

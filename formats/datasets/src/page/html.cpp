@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "sinew_formats/base64.hpp"
 #include "sinew_formats/print.hpp"
 
 namespace sinew::html {
@@ -65,20 +66,6 @@ figcaption b { color: var(--text); font-weight: 600; }
 summary { cursor: pointer; }
 )css";
 
-std::string base64(const std::vector<uint8_t>& bytes) {
-  constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve((bytes.size() + 2) / 3 * 4);
-  for (size_t i = 0; i < bytes.size(); i += 3) {
-    const size_t left = std::min<size_t>(3, bytes.size() - i);
-    uint32_t word = static_cast<uint32_t>(bytes[i]) << 16;
-    if (left > 1) word |= static_cast<uint32_t>(bytes[i + 1]) << 8;
-    if (left > 2) word |= bytes[i + 2];
-    for (size_t k = 0; k < 4; ++k) out += k <= left ? letters[(word >> (18 - 6 * k)) & 63] : '=';
-  }
-  return out;
-}
-
 }  // namespace
 
 std::string escape(const std::string& text) {
@@ -121,7 +108,7 @@ std::string colour(size_t series) {
 
 std::string image(const std::vector<uint8_t>& png, const std::string& alt, bool lazy) {
   return std::string("<img") + (lazy ? " loading=\"lazy\"" : "") + " alt=\"" + escape(alt) +
-         "\" src=\"data:image/png;base64," + base64(png) + "\" />";
+         "\" src=\"data:image/png;base64," + base64({reinterpret_cast<const char*>(png.data()), png.size()}) + "\" />";
 }
 
 std::string legend(const std::vector<std::string>& labels) {
