@@ -18,17 +18,10 @@
 namespace sinew {
 namespace {
 
-// Files of the disk as files in memory, named without their folder.
 Handle open_memory(const std::vector<std::string>& paths) {
-  std::vector<std::string> bytes, names;
-  for (const std::string& path : paths) {
-    bytes.push_back(slurp(path));
-    names.push_back(fs::path(path).filename().string());
-  }
-  std::vector<sinew_file> files;
-  for (size_t i = 0; i < paths.size(); ++i) files.push_back({names[i].c_str(), bytes[i].data(), bytes[i].size()});
+  const MemoryFiles files(paths);
   sinew_character* character = nullptr;
-  EXPECT_EQ(sinew_character_open_files(files.data(), static_cast<uint32_t>(files.size()), &character), SINEW_OK)
+  EXPECT_EQ(sinew_character_open_files(files.data(), files.count(), &character), SINEW_OK)
       << sinew_character_error(nullptr);
   return Handle(character);
 }
