@@ -45,6 +45,11 @@ ModelTask model_task(const FloatNetwork& network);
 //   source  begins the message: the file, or who made the network
 void check_network(const FloatNetwork& network, const std::string& source);
 
+// The network of a model file (.sinew) with its own layers, in float: what the model computes but for its rounding.
+// Architecture, task, features and inputs are those of `like`. Throws Error when the file cannot be read, the engine refuses it,
+// or its task or features are others.
+FloatNetwork read_model_network(const std::string& path, const FloatNetwork& like);
+
 // Fills the parameters of a network of known layers from a model file (.sinew), as float: what the model computes but for
 // its rounding. Throws Error when the file cannot be read, the engine refuses it, or its task, features or layers are not
 // the network's; then *network is as it was.

@@ -2,6 +2,7 @@
 // The weights of an int16 model as float ones, for going on with training where only the model was released.
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/layout.hpp"
@@ -21,6 +22,15 @@ bool same_region(const Region& a, const Region& b) {
 bool same_layer(const Layer& a, const Layer& b) {
   return a.kind == b.kind && a.flags == b.flags && same_region(a.in, b.in) && same_region(a.out, b.out) &&
          (!(a.flags & kLayerResidual) || same_region(a.residual, b.residual));
+}
+
+LinearParameters block_of(const Layer& layer) {
+  LinearParameters block;
+  block.in = layer.in.channels;
+  block.out = layer.out.channels;
+  block.weights.resize(size_t{block.in} * block.out);
+  block.bias.resize(block.out);
+  return block;
 }
 
 void check_opens(const std::vector<uint8_t>& bytes, const FloatNetwork& network, const std::string& path) {
@@ -111,18 +121,33 @@ class WeightReader {
 
 }  // namespace
 
-void read_model_weights(const std::string& path, FloatNetwork* network) {
+FloatNetwork read_model_network(const std::string& path, const FloatNetwork& like) {
   const std::vector<uint8_t> bytes = read_file(path);
-  check_opens(bytes, *network, path);
+  check_opens(bytes, like, path);
   const ModelTables tables(bytes.data());
-  bool same = tables.buffer_count() == network->buffers.size() && tables.layer_count() == network->layers.size();
-  for (uint32_t i = 0; same && i < tables.layer_count(); ++i) same = same_layer(tables.layer(i), network->layers[i]);
+  FloatNetwork network = like;
+  network.buffers.clear();
+  network.layers.clear();
+  network.parameters.clear();
+  for (uint32_t i = 0; i < tables.buffer_count(); ++i) network.buffers.push_back(tables.buffer(i));
+  for (uint32_t i = 0; i < tables.layer_count(); ++i) {
+    network.layers.push_back(tables.layer(i));
+    if (has_weights(network.layers.back().kind)) network.parameters.push_back(block_of(network.layers.back()));
+  }
+  WeightReader(tables, &network).run();
+  return network;
+}
+
+void read_model_weights(const std::string& path, FloatNetwork* network) {
+  FloatNetwork read = read_model_network(path, *network);
+  bool same = read.buffers.size() == network->buffers.size() && read.layers.size() == network->layers.size();
+  for (size_t i = 0; same && i < read.layers.size(); ++i) same = same_layer(read.layers[i], network->layers[i]);
   if (!same) {
     throw Error(path +
                 ": cannot start from its weights: its layers have other shapes; use the configuration that it was "
                 "trained with (width, rounds)");
   }
-  WeightReader(tables, network).run();
+  *network = std::move(read);
 }
 
 }  // namespace sinew

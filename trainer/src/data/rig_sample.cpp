@@ -12,6 +12,7 @@
 #include "data/engine_mesh.hpp"
 #include "data/grown_shell.hpp"
 #include "data/point_sample.hpp"
+#include "data/silhouette.hpp"
 #include "rig/rig_task.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
@@ -26,6 +27,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kYaw = 0.1;  // radians, standard deviation
+constexpr uint32_t kPicturePixels = 320;
+constexpr double kNarrowPictures = 0.15;  // of pictures, from where a body is narrower
 
 // The least rotation from one direction to another; between opposite ones about z.
 Matrix3d rotation_between(const Vector3d& from, const Vector3d& to) {
@@ -245,6 +248,19 @@ SourcedSurface RigSource::surface(const std::vector<Point>& vertices, const std:
   return surface;
 }
 
+// A picture says nothing of depth. Limbs of both sides lie apart from the side, too, as those of meshes do.
+void RigSource::draw(Random* random, Posed* posed) const {
+  const bool narrow = random->uniform() < kNarrowPictures,
+             side = broad_view(posed->surface) == SilhouetteView::kFromSide;
+  const SilhouetteView view = side != narrow ? SilhouetteView::kFromSide : SilhouetteView::kFromFront;
+  posed->surface = silhouette_of(posed->surface, view, kPicturePixels);
+  if (view == SilhouetteView::kFromSide) {
+    posed->symmetric = true;
+  } else {
+    for (Point& p : posed->joints) p[2] = 0;
+  }
+}
+
 RigSource::Posed RigSource::pose(uint64_t seed, const RigVariant& variant) const {
   Random random(seed);
   Posed posed{{}, body_.joints, true};
@@ -267,6 +283,10 @@ RigSource::Posed RigSource::pose(uint64_t seed, const RigVariant& variant) const
     if (random.uniform() < 0.4 && parts_ > 1) gone = vanish(&random);
   }
   posed.surface = surface(vertices, gone);
+  if (variant.picture) {
+    draw(&random, &posed);
+    return posed;
+  }
   if (variant.wall) add_wall(&random, &posed.surface);
   if (variant.cells > 0) {
     GrownShell shell = grow_shell(posed.surface.vertices, posed.surface.triangles, variant.cells);

@@ -41,6 +41,8 @@ struct RigVariant {
   uint32_t cells = 0;  // grown together: a shell of so many cells (grown_shell.hpp)
   bool wall = false;   // double (rough_surface.hpp)
   bool specks = false;
+  bool picture =
+      false;  // as a picture of it would be, without the three above: mostly of its broad side (silhouette.hpp)
 };
 
 // A character in its mirror frame, ready to be posed, stretched and sampled. What a point learns follows its joints, so that
@@ -92,6 +94,7 @@ class RigSource {
   void find_partners();
   void find_parts();
   Posed pose(uint64_t seed, const RigVariant& variant) const;
+  void draw(Random* random, Posed* posed) const;
   Palette palette(const RigPose& pose) const;
   std::vector<uint8_t> vanish(Random* random) const;  // [T] triangles that are gone
   SourcedSurface surface(const std::vector<Point>& vertices, const std::vector<uint8_t>& gone) const;

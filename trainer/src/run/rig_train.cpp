@@ -42,6 +42,7 @@ void visit_settings(Config& c, Visitor&& visit) {
   visit("grown", c.grown);
   visit("walls", c.walls);
   visit("specks", c.specks);
+  visit("pictures", c.pictures);
   visit("balance", c.balance);
   visit("losses", c.losses);
   visit("leave_out", c.leave_out);
@@ -77,6 +78,7 @@ RigVariant draw_variant(const RigTrainConfig& config, uint64_t seed, double stre
   if (random.uniform() < config.grown) variant.cells = cells;
   variant.wall = random.uniform() < config.walls;
   variant.specks = random.uniform() < config.specks;
+  variant.picture = random.uniform() < config.pictures;
   return variant;
 }
 
@@ -226,8 +228,9 @@ RigTrainConfig parse_rig_config(const std::string& json, const std::string& sour
           "body with the architectures slots and front");
   require(config.variants <= 64, "variants", "0 to 64");
   require(config.least_variants <= config.variants, "least_variants", "0 to variants");
-  for (const auto& [name, share] : {std::pair("wide", config.wide), std::pair("grown", config.grown),
-                                    std::pair("walls", config.walls), std::pair("specks", config.specks)})
+  for (const auto& [name, share] :
+       {std::pair("wide", config.wide), std::pair("grown", config.grown), std::pair("walls", config.walls),
+        std::pair("specks", config.specks), std::pair("pictures", config.pictures)})
     require(share >= 0 && share <= 1, name, "0 to 1");
   require(config.synthetic <= 1000, "synthetic", "0 to 1000");
   return config;

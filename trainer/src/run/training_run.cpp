@@ -16,6 +16,7 @@
 
 #include "core/random.hpp"
 #include "data/family_queue.hpp"
+#include "network/widen.hpp"
 #include "run/optimizer.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
@@ -41,7 +42,7 @@ ValScore mean_scores(const std::vector<const NetworkSample*>& samples, const std
   return result;
 }
 
-void require_same_shape(const FloatNetwork& from, const FloatNetwork& to, const std::string& path) {
+void require_same_kind(const FloatNetwork& from, const FloatNetwork& to, const std::string& path) {
   const auto fail = [&](const std::string& what) {
     throw Error(path + ": cannot start from its weights: " + what + "; use the configuration it was trained with");
   };
@@ -54,11 +55,6 @@ void require_same_shape(const FloatNetwork& from, const FloatNetwork& to, const 
     fail("made for " + std::to_string(from.candidate_count) + " candidates and grid " + std::to_string(from.grid_size) +
          ", wanted are " + std::to_string(to.candidate_count) + " and " + std::to_string(to.grid_size));
   }
-  bool same = from.parameters.size() == to.parameters.size() && from.layers.size() == to.layers.size();
-  for (size_t i = 0; same && i < to.parameters.size(); ++i) {
-    same = from.parameters[i].in == to.parameters[i].in && from.parameters[i].out == to.parameters[i].out;
-  }
-  if (!same) fail("its layers have other shapes");
 }
 
 // Names the settings that differ, for a resume with another configuration.
@@ -154,15 +150,12 @@ void TrainingRun::start() {
   }
   FloatNetwork network = task_.make_network();
   if (!options_.init.empty()) {
-    FloatNetwork given = network;
-    if (std::filesystem::path(options_.init).extension() == ".sinew") {
-      read_model_weights(options_.init, &given);
-    } else {
-      given = read_checkpoint(options_.init).network;
-      require_same_shape(given, network, options_.init);
-    }
-    task_.check(given, options_.init);
-    network = std::move(given);
+    const bool model = std::filesystem::path(options_.init).extension() == ".sinew";
+    const FloatNetwork given =
+        model ? read_model_network(options_.init, network) : read_checkpoint(options_.init).network;
+    require_same_kind(given, network, options_.init);
+    widen(given, options_.init, &network);
+    task_.check(network, options_.init);
   }
   task_.prepare(&network);
   checkpoint_.latest = checkpoint_.network = network;
