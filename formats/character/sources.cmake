@@ -73,6 +73,7 @@ set(sinew_character_sources
   predict/edit_skeleton
   predict/fit_skeleton
   predict/limbs
+  predict/lone_hand
   predict/marker_edits
   predict/match_limbs
   predict/predict_details

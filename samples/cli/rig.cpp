@@ -60,7 +60,8 @@ Models load_models(const Settings& s) {
   if (s.prediction.empty() && !s.method.extracts())
     models.rig = load_model(s.model, s.method.slots() ? ModelUse::kSlotJoints : ModelUse::kRig);
   if (!s.no_bind) models.bind = load_model(s.bind_model);
-  if (s.detail != "body") models.hands = load_model(s.hands_model, ModelUse::kHands);
+  if (s.detail != "body" || s.method.job_method() == RigMethod::kAuto)
+    models.hands = load_model(s.hands_model, ModelUse::kHands);
   if (s.prediction.empty() && !is_picture(s.mesh) && (s.front == "auto" || s.up == "auto"))
     models.front = load_front_model(s.front_model);
   return models;

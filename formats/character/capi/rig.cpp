@@ -119,7 +119,8 @@ RiggedCharacter rig_of(const sinew_character& from, const sinew_character_rig_op
   if (job.method == RigMethod::kAuto || job.method == RigMethod::kVotes) rig = model_of(options.models, ModelUse::kRig);
   if (job.method == RigMethod::kSlots) rig = model_of(options.models, ModelUse::kSlotJoints);
   if (job.bind) bind = model_of(options.models, ModelUse::kBind);
-  if (job.detail != SkeletonDetail::kBody) hands = model_of(options.models, ModelUse::kHands);
+  if (job.detail != SkeletonDetail::kBody || job.method == RigMethod::kAuto)
+    hands = model_of(options.models, ModelUse::kHands);
   if (from.picture == nullptr)
     front = options.models != nullptr && options_of(options.models).front != nullptr
                 ? model_of(options.models, ModelUse::kFront)

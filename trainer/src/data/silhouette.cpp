@@ -118,7 +118,7 @@ class Drawing {
 
   double scale_ = 1, left_ = 0, top_ = 0;
   uint32_t width_ = 0, height_ = 0;
-  std::vector<double> near_, far_;                     // [height x width]
+  std::vector<double> near_, far_;                  // [height x width]
   std::vector<uint32_t> near_corner_, far_corner_;  // [height x width] vertex
 };
 

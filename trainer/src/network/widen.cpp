@@ -70,8 +70,7 @@ bool is_wider(const FloatNetwork& wide, const FloatNetwork& narrow) {
   if (same_shape(wide, narrow)) return true;
   if (wide.architecture != narrow.architecture || wide.task != narrow.task || wide.feature_set != narrow.feature_set ||
       wide.candidate_count != narrow.candidate_count || wide.input_names != narrow.input_names ||
-      wide.buffers.size() != narrow.buffers.size() || wide.layers.size() != narrow.layers.size() ||
-      wide.layers.empty())
+      wide.buffers.size() != narrow.buffers.size() || wide.layers.size() != narrow.layers.size() || wide.layers.empty())
     return false;
   for (size_t i = 0; i < wide.input_names.size(); ++i) {
     if (wide.buffers[i].channels != narrow.buffers[i].channels) return false;

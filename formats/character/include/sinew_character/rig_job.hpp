@@ -20,7 +20,7 @@
 namespace sinew {
 
 enum class RigMethod {
-  kAuto,  // votes, or shape where the votes know nothing
+  kAuto,  // votes, or where these know little a hand without a body, or where they know nothing the shape
   kVotes,
   kShape,
   kRegions,
@@ -51,7 +51,7 @@ struct RigJobOptions {
   void* progress_user = nullptr;
 };
 
-// Opened for their tasks; those that a job does not need may be null: hands for the body alone, bind without one, rig for shape and
+// Opened for their tasks; those that a job does not need may be null: hands for the body alone (a lone hand is not told then), bind without one, rig for shape and
 // regions, front where it is known or the votes are to tell.
 struct RigModels {
   const sinew_model *rig = nullptr, *bind = nullptr, *hands = nullptr, *front = nullptr;

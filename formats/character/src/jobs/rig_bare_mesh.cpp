@@ -10,8 +10,8 @@ namespace sinew {
 
 Character rig_bare_mesh(Character mesh) {
   const std::unique_ptr<LoadedModel> rig = load_model("", ModelUse::kRig), bind = load_model(""),
-                                     front = load_front_model();
-  const RigModels models = {&rig->model, &bind->model, nullptr, front ? &front->model : nullptr};
+                                     hands = load_model("", ModelUse::kHands), front = load_front_model();
+  const RigModels models = {&rig->model, &bind->model, &hands->model, front ? &front->model : nullptr};
   return rig_character(std::move(mesh), {}, models).character;
 }
 

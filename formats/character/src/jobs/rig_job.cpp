@@ -2,6 +2,7 @@
 // A bare mesh with a skeleton and weights.
 #include "sinew_character/rig_job.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "sinew/published.h"
 #include "sinew_character/checked_note.hpp"
+#include "sinew_character/lone_hand.hpp"
 #include "sinew_character/own_skeleton.hpp"
 #include "sinew_character/predict_face.hpp"
 #include "sinew_character/predict_hands.hpp"
@@ -37,6 +39,34 @@ void say_direction(const RigJobOptions& job, const PredictedSkeleton& skeleton, 
                    " is a coin toss for this mesh, so left and right may be exchanged; say it with " +
                    (up ? "--up y or z" : "") + (up && front ? " and " : "") +
                    (front ? "--front, as in --front +z" : ""));
+}
+
+// What the votes know little of may be a hand: below that spread none of the training characters' hands is.
+constexpr float kHandSpread = 0.055f;
+
+bool may_be_hand(const RigJobOptions& job, const RigModels& models, const PredictedSkeleton& skeleton) {
+  return job.method == RigMethod::kAuto && job.category == SINEW_CATEGORY_ANY && models.hands != nullptr &&
+         !skeleton.mirrored && skeleton.spread > kHandSpread;
+}
+
+// A hand in the place of a body, told as the guess that it is.
+bool put_lone_hand(const RigModels& models, const SkeletonOptions& options, Character* character,
+                   PredictedSkeleton* skeleton) {
+  std::optional<LoneHand> hand = find_lone_hand(*character, *models.hands, options);
+  if (!hand) return false;
+  hand->skeleton.up_axis = skeleton->up_axis;
+  hand->skeleton.up_confidence = skeleton->up_confidence;
+  hand->skeleton.front = skeleton->front;
+  hand->skeleton.spread = skeleton->spread;
+  hand->skeleton.seconds += skeleton->seconds;
+  hand->skeleton.workspace_bytes = std::max(hand->skeleton.workspace_bytes, skeleton->workspace_bytes);
+  *skeleton = std::move(hand->skeleton);
+  character->notes.push_back(
+      std::string("warning: this mesh is taken for a ") + (hand->right ? "right" : "left") + " hand without a body" +
+      (hand->thumb ? "" : ", in which no thumb was found") +
+      (hand->side_known ? "" : ", and its side is a coin toss: a right one turned over looks the same") +
+      "; --method votes looks for a body instead");
+  return true;
 }
 
 // What the skeleton has besides a body: fingers, and a face.
@@ -130,6 +160,7 @@ PredictedSkeleton predict_for_job(const RigJobOptions& job, const RigModels& mod
   options.toes = job.toes;
   options.ends = job.ends;
   PredictedSkeleton skeleton = predict_skeleton(*character, options);
+  if (may_be_hand(job, models, skeleton) && put_lone_hand(models, options, character, &skeleton)) return skeleton;
   const float spread = skeleton.spread;
   const std::optional<float> usable = skeleton.usable;
   if (job.method == RigMethod::kAuto && job.category == SINEW_CATEGORY_ANY && spread > kUnknownSpread) {

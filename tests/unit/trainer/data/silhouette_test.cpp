@@ -64,8 +64,7 @@ TEST(Silhouette, FromTheFrontIsWhereTheSurfaceIs) {
 
 // The front is to the picture's right, and who looks stands at the side of -x.
 TEST(Silhouette, FromTheSideIsSeenWithTheFrontToTheRight) {
-  const SourcedSurface drawn =
-      silhouette_of(box({-0.3, 0.0, 0.2}, {0.3, 0.5, 1.8}), SilhouetteView::kFromSide, 160);
+  const SourcedSurface drawn = silhouette_of(box({-0.3, 0.0, 0.2}, {0.3, 0.5, 1.8}), SilhouetteView::kFromSide, 160);
   const auto [low, high] = extent(drawn);
   EXPECT_NEAR(low[2], 0.2, 1.5 * kPixel);
   EXPECT_NEAR(high[2], 1.8, 1.5 * kPixel);
@@ -80,7 +79,8 @@ TEST(Silhouette, FacesLookOutward) {
   double volume = 0;
   for (const auto& t : drawn.triangles) {
     const Point &a = drawn.vertices[t[0]], &b = drawn.vertices[t[1]], &c = drawn.vertices[t[2]];
-    volume += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+    volume +=
+        a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
   }
   EXPECT_GT(volume, 0.1);
 }

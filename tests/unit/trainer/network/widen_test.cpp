@@ -63,9 +63,7 @@ void expect_same(const FloatNetwork& narrow, FloatNetwork wide, const NetworkSam
   EXPECT_GT(largest, 1e-3);
 }
 
-TEST(Widen, VotesStayTheSame) {
-  expect_same(make_rig_network({8, 3}, 1), make_rig_network({13, 3}, 2), ring(14));
-}
+TEST(Widen, VotesStayTheSame) { expect_same(make_rig_network({8, 3}, 1), make_rig_network({13, 3}, 2), ring(14)); }
 
 TEST(Widen, FieldStaysTheSame) {
   FieldOptions narrow, wide;
