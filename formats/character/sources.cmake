@@ -72,6 +72,7 @@ set(sinew_character_sources
   pose/rest_pose
   predict/edit_skeleton
   predict/fit_skeleton
+  predict/keep_inside
   predict/limbs
   predict/lone_hand
   predict/marker_edits

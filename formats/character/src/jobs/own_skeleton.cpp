@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "predict/keep_inside.hpp"
 #include "sinew_character/joint_mirror.hpp"
 #include "sinew_character/joint_verdicts.hpp"
 #include "sinew_character/predict_face.hpp"
@@ -56,7 +57,10 @@ FittedSkeleton fit_own_skeleton(const std::vector<Joint>& own, const std::string
   } catch (const Error& error) {
     throw Error(source + ": " + error.what());
   }
-  if (is_template(source)) rest_faces(found, &fitted);
+  if (is_template(source)) {
+    rest_faces(found, &fitted);
+    if (!options.keep_lengths) keep_inside(mesh, &fitted);
+  }
   PredictedSkeleton result = skeleton_from_joints(fitted.joints);
   std::map<std::string, std::optional<bool>> deforms;
   for (const Joint& joint : fitted.joints) deforms.emplace(joint.name, joint.deforms);
