@@ -71,6 +71,7 @@ set(sinew_character_sources
   pose/pose_file
   pose/rest_pose
   predict/edit_skeleton
+  predict/fit_fingers
   predict/fit_skeleton
   predict/keep_inside
   predict/limbs

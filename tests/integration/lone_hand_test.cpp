@@ -115,6 +115,23 @@ TEST_F(LoneHands, BodiesAndBlocksAreNone) {
   EXPECT_FALSE(find(mesh_of(block)));
 }
 
+TEST_F(LoneHands, TakeATemplateOfAHand) {
+  const std::unique_ptr<LoadedModel> rig = load_model("", ModelUse::kRig);
+  const RigModels models = {&rig->model, nullptr, &hands_->model, nullptr};
+  RigJobOptions job;
+  job.bind = false;
+  job.skeleton = "template:hand";
+  const RiggedCharacter rigged = rig_character(mesh_of(hand(1)), job, models);
+  ASSERT_TRUE(rigged.fitted);
+  for (const Joint& joint : rigged.character.joints) {
+    EXPECT_GT(joint.position.x, 0.54f) << joint.name;
+    EXPECT_LT(joint.position.x, 0.80f) << joint.name;
+    if (joint.name == "middle_tip") {
+      EXPECT_GT(joint.position.x, 0.74f);
+    }
+  }
+}
+
 // The job takes it where votes know little, and says so; with --method votes it looks for a body.
 TEST_F(LoneHands, TheRigJobSaysThatItGuesses) {
   const std::unique_ptr<LoadedModel> rig = load_model("", ModelUse::kRig), front = load_front_model();

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <utility>
 
+#include "predict/fit_fingers.hpp"
 #include "predict/keep_inside.hpp"
 #include "sinew_character/joint_mirror.hpp"
 #include "sinew_character/joint_verdicts.hpp"
@@ -52,11 +54,14 @@ FittedSkeleton fit_into_mesh(const std::vector<Joint>& joints, const LabelledSke
 FittedSkeleton fit_own_skeleton(const std::vector<Joint>& own, const std::string& source, const LabelledSkeleton& found,
                                 FitOptions options, const Character& mesh, PredictedSkeleton* skeleton) {
   FittedSkeleton fitted;
+  std::optional<FittedSkeleton> hand;
+  if (is_lone_hand(*skeleton)) hand = fit_lone_hand(own, *skeleton);
   try {
-    fitted = fit_into_mesh(own, found, options, mesh);
+    fitted = hand ? std::move(*hand) : fit_into_mesh(own, found, options, mesh);
   } catch (const Error& error) {
     throw Error(source + ": " + error.what());
   }
+  if (!hand && !options.keep_lengths) (void)fit_fingers(*skeleton, &fitted);
   if (is_template(source)) {
     rest_faces(found, &fitted);
     if (!options.keep_lengths) keep_inside(mesh, &fitted);

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "predict/fit_fingers.hpp"
 #include "sinew/published.h"
 #include "sinew_character/checked_note.hpp"
 #include "sinew_character/lone_hand.hpp"
@@ -46,7 +47,7 @@ constexpr float kHandSpread = 0.055f;
 
 bool may_be_hand(const RigJobOptions& job, const RigModels& models, const PredictedSkeleton& skeleton) {
   return job.method == RigMethod::kAuto && job.category == SINEW_CATEGORY_ANY && models.hands != nullptr &&
-         !skeleton.mirrored && skeleton.spread > kHandSpread;
+         skeleton.spread > kHandSpread;
 }
 
 // A hand in the place of a body, told as the guess that it is.
@@ -81,11 +82,18 @@ LabelledSkeleton add_details(const RigJobOptions& job, const sinew_model& hands,
   return found;
 }
 
-void put_own(const RigJobOptions& job, const LabelledSkeleton& found, RiggedCharacter* rigged) {
+void put_own(const RigJobOptions& job, const RigModels& models, const LabelledSkeleton& found,
+             RiggedCharacter* rigged) {
   FitOptions options;
   options.up_axis = rigged->skeleton.up_axis == 1 ? 2 : 1;
   options.keep_lengths = job.keep_lengths;
   const std::vector<Joint> own = job.own.empty() ? read_own_skeleton(job.skeleton) : job.own;
+  if (job.detail == SkeletonDetail::kBody && models.hands != nullptr && has_fingers(own) &&
+      !is_lone_hand(rigged->skeleton)) {
+    SkeletonOptions hands;
+    hands.up_axis = rigged->skeleton.up_axis;
+    (void)predict_hands(rigged->character, *models.hands, hands, &rigged->skeleton);
+  }
   rigged->fitted = fit_own_skeleton(own, job.skeleton, found, options, rigged->character, &rigged->skeleton);
   if (2 * rigged->fitted->matched < rigged->fitted->telling)
     rigged->character.notes.push_back("warning: most joints of " + job.skeleton +
@@ -200,7 +208,7 @@ RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool 
                : LabelledSkeleton{rigged.skeleton.joints, rigged.skeleton.classes, rigged.skeleton.ends};
   Character& character = rigged.character;
   if (job.detail != SkeletonDetail::kBody) found = add_details(job, *models.hands, &rigged);
-  if (!job.skeleton.empty()) put_own(job, found, &rigged);
+  if (!job.skeleton.empty()) put_own(job, models, found, &rigged);
   edit_skeleton(job.edits, job.mirror != SINEW_MIRROR_NEVER, &rigged.skeleton);
   if (rigged.skeleton.usable) say_doubts(&rigged);
   if (!character.joints.empty())
