@@ -101,7 +101,8 @@ void find_places(UsdStage* stage) {
   if (composed)
     notes.emplace_back(
         "warning: references to other layers were left out; usdcat --flatten --out NAME.usda puts all into one");
-  if (variants) notes.emplace_back("warning: variants were left out; usdcat --flatten --out NAME.usda takes the chosen ones");
+  if (variants)
+    notes.emplace_back("warning: variants were left out; usdcat --flatten --out NAME.usda takes the chosen ones");
   if (moving) notes.emplace_back("animations beside those of skeletons were left out");
 }
 

@@ -56,22 +56,21 @@ std::string UsdMaterials::material(size_t m) {
       surface += in + input + ".connect = " + at + "/" + picture.name + ".outputs:" + output + ">\n";
     return true;
   };
-  const Picture colour = {"Colour", pbr.baseColorTexture.index, base == white ? std::vector<double>() : base, {}, "sRGB"};
+  const Picture colour = {
+      "Colour", pbr.baseColorTexture.index, base == white ? std::vector<double>() : base, {}, "sRGB"};
   std::vector<std::pair<const char*, const char*>> from_colour = {{"color3f inputs:diffuseColor", "rgb"}};
   if (see_through) from_colour.emplace_back("float inputs:opacity", "a");
   if (!fed(colour, from_colour)) {
     surface += in + "color3f inputs:diffuseColor = " + usd_tuple(base, 0, 3) + "\n";
     surface += in + "float inputs:opacity = " + usd_number(see_through ? base[3] : 1.0) + "\n";
   }
-  if (from.alphaMode == "MASK") surface += in + "float inputs:opacityThreshold = " + usd_number(from.alphaCutoff) + "\n";
+  if (from.alphaMode == "MASK")
+    surface += in + "float inputs:opacityThreshold = " + usd_number(from.alphaCutoff) + "\n";
   const Picture glowing = {"Glow", from.emissiveTexture.index, {glow[0], glow[1], glow[2], 1}, {}, "sRGB"};
   if (glow != black && !fed(glowing, {{"color3f inputs:emissiveColor", "rgb"}}))
     surface += in + "color3f inputs:emissiveColor = " + usd_tuple(glow) + "\n";
-  const Picture rough = {"Roughness",
-                         pbr.metallicRoughnessTexture.index,
-                         {1, pbr.roughnessFactor, pbr.metallicFactor, 1},
-                         {},
-                         "raw"};
+  const Picture rough = {
+      "Roughness", pbr.metallicRoughnessTexture.index, {1, pbr.roughnessFactor, pbr.metallicFactor, 1}, {}, "raw"};
   if (!fed(rough, {{"float inputs:roughness", "g"}, {"float inputs:metallic", "b"}}))
     surface += in + "float inputs:metallic = " + usd_number(pbr.metallicFactor) + "\n" + in +
                "float inputs:roughness = " + usd_number(pbr.roughnessFactor) + "\n";

@@ -115,16 +115,14 @@ class MeshReader {
     out.values = floats(name, width);
     if (out.values.empty()) return out;
     const auto at = property->metadata.find("interpolation");
-    const std::string how =
-        at == property->metadata.end() || at->second.texts.empty() ? usual : at->second.texts[0];
+    const std::string how = at == property->metadata.end() || at->second.texts.empty() ? usual : at->second.texts[0];
     size_t count = 1;
     if (how == "uniform") out.on = Primvar::On::kFace, count = face_count();
     if (how == "vertex" || how == "varying") out.on = Primvar::On::kPoint, count = points_.size() / 3;
     if (how == "faceVarying") out.on = Primvar::On::kCorner, count = corners_.size();
     out.indices = integers(prim_, name + ":indices", out.values.size() / width);
     const size_t found = out.indices.empty() ? out.values.size() / width : out.indices.size();
-    if (found < count)
-      fail(std::to_string(count) + " values of " + name + " (" + how + ")", std::to_string(found));
+    if (found < count) fail(std::to_string(count) + " values of " + name + " (" + how + ")", std::to_string(found));
     out.width = width;
     return out;
   }
@@ -133,7 +131,8 @@ class MeshReader {
   Primvar texture_coordinates() const {
     if (find_property(prim_, "primvars:st") != nullptr) return primvar("primvars:st", 2, "constant");
     for (const auto& [name, property] : prim_.properties)
-      if (name.rfind("primvars:", 0) == 0 && property.type.rfind("texCoord2", 0) == 0) return primvar(name, 2, "constant");
+      if (name.rfind("primvars:", 0) == 0 && property.type.rfind("texCoord2", 0) == 0)
+        return primvar(name, 2, "constant");
     return {};
   }
 
@@ -287,9 +286,8 @@ class MeshReader {
     if (!vertices.colours.empty()) attributes["COLOR_0"] = add_vectors(vertices.colours, 3, true, false, &stage_);
     if (rig_ != nullptr) add_weights(vertices.points, &attributes);
     Json out = {{"attributes", attributes}};
-    out["indices"] =
-        add_accessor(&stage_.out, vertices.indices.data(), vertices.indices.size() * 4, "SCALAR",
-                     TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, vertices.indices.size(), false, false);
+    out["indices"] = add_accessor(&stage_.out, vertices.indices.data(), vertices.indices.size() * 4, "SCALAR",
+                                  TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, vertices.indices.size(), false, false);
     stage_.document()["bufferViews"].back()["target"] = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
     if (material >= 0) out["material"] = material;
     for (const std::vector<float>& shape : moves_) {
@@ -345,13 +343,13 @@ class MeshReader {
   const std::map<std::string, int>& materials_;
   UsdStage& stage_;
   const std::string where_;
-  std::vector<float> points_;            // [P x 3]
+  std::vector<float> points_;              // [P x 3]
   std::vector<size_t> corners_, offsets_;  // points, [F + 1]
   Primvar normals_, uvs_, colours_;
   const UsdRig* rig_ = nullptr;
-  std::vector<Row> influences_;                   // [P]
-  std::map<int, std::vector<size_t>> faces_of_;   // by material
-  std::vector<std::vector<float>> moves_;         // [shapes][P x 3]
+  std::vector<Row> influences_;                  // [P]
+  std::map<int, std::vector<size_t>> faces_of_;  // by material
+  std::vector<std::vector<float>> moves_;        // [shapes][P x 3]
 };
 
 }  // namespace

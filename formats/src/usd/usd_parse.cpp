@@ -299,7 +299,8 @@ class Parser {
 
 UsdPrim parse_usda(const std::string& path, std::string_view text) {
   if (text.substr(0, 8) == "PXR-USDC")
-    throw Error(path + ": expected USD's text form, found its binary form (crate); usdcat --out NAME.usda makes text of it");
+    throw Error(path +
+                ": expected USD's text form, found its binary form (crate); usdcat --out NAME.usda makes text of it");
   if (text.substr(0, 5) != "#usda")
     throw Error(path + ": expected USD's text form, which begins with #usda, found another file");
   return Parser(path, text).parse();

@@ -108,8 +108,7 @@ void add_joints(UsdRig* rig, UsdStage* stage) {
     if (rig->parents[j] < 0)
       roots.push_back(rig->nodes[j]);
     else
-      stage->document()["nodes"][rig->nodes[static_cast<size_t>(rig->parents[j])]]["children"].push_back(
-          rig->nodes[j]);
+      stage->document()["nodes"][rig->nodes[static_cast<size_t>(rig->parents[j])]]["children"].push_back(rig->nodes[j]);
   }
   const Affine world = multiply(stage->to_metres, place.world);
   if (world == kIdentity) {
@@ -186,7 +185,8 @@ class Animation {
       const size_t node = rig.nodes[static_cast<size_t>(joint)];
       const size_t before = json_["channels"].size();
       const NodeParts rest = parts_of(rig.rests[static_cast<size_t>(joint)], NodeParts());
-      add_track(moves, node, "translation", 3 * i, {0, 1, 2}, {rest.translation[0], rest.translation[1], rest.translation[2]});
+      add_track(moves, node, "translation", 3 * i, {0, 1, 2},
+                {rest.translation[0], rest.translation[1], rest.translation[2]});
       add_track(turns, node, "rotation", 4 * i, {1, 2, 3, 0}, {});
       add_track(sizes, node, "scale", 3 * i, {0, 1, 2}, {rest.scale[0], rest.scale[1], rest.scale[2]});
       // glTF lets no animation touch a node that has a matrix.
@@ -215,7 +215,8 @@ class Animation {
     for (size_t k = 0; k < values.size(); ++k) still = still && values[k] == values[k % order.size()];
     if (still && !rest.empty() && !values.empty()) {
       double apart = 0;
-      for (size_t i = 0; i < rest.size(); ++i) apart = std::max(apart, std::abs(rest[i] - static_cast<double>(values[i])));
+      for (size_t i = 0; i < rest.size(); ++i)
+        apart = std::max(apart, std::abs(rest[i] - static_cast<double>(values[i])));
       if (apart < 1e-6) return;
     }
     add_channel(rows.times, values, still ? 1 : rows.times.size(), order.size(), node, what);
@@ -248,8 +249,8 @@ class Animation {
       std::vector<size_t> from;
       bool moves = false;
       for (const std::string& token : mesh.tokens) {
-        from.push_back(static_cast<size_t>(std::find(tokens->texts.begin(), tokens->texts.end(), token) -
-                                           tokens->texts.begin()));
+        from.push_back(
+            static_cast<size_t>(std::find(tokens->texts.begin(), tokens->texts.end(), token) - tokens->texts.begin()));
         moves = moves || from.back() < tokens->texts.size();
       }
       if (!moves) continue;

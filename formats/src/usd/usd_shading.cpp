@@ -65,12 +65,14 @@ class MaterialReader {
     else if (see_through)
       (*out)["alphaMode"] = "BLEND";
     pbr["baseColorFactor"] = {base[0], base[1], base[2], opacity};
-    double metallic = numbers(surface, "inputs:metallic", {0})[0], rough = numbers(surface, "inputs:roughness", {0.5})[0];
+    double metallic = numbers(surface, "inputs:metallic", {0})[0],
+           rough = numbers(surface, "inputs:roughness", {0.5})[0];
     if (const UsdPrim* picture = picture_at(surface, "inputs:roughness");
         picture != nullptr && picture == picture_at(surface, "inputs:metallic")) {  // one picture, as glTF has it
       const std::vector<double> scale = numbers(*picture, "inputs:scale", {1, 1, 1, 1});
       rough = scale[1], metallic = scale[2];
-      if (const int texture = texture_of(*picture); texture >= 0) pbr["metallicRoughnessTexture"] = {{"index", texture}};
+      if (const int texture = texture_of(*picture); texture >= 0)
+        pbr["metallicRoughnessTexture"] = {{"index", texture}};
     }
     pbr["metallicFactor"] = metallic;
     pbr["roughnessFactor"] = rough;
@@ -101,8 +103,7 @@ class MaterialReader {
     const int image = image_of(file);
     if (image < 0) return -1;
     stage_.document()["samplers"].push_back(sampler);
-    stage_.document()["textures"].push_back(
-        {{"sampler", stage_.document()["samplers"].size() - 1}, {"source", image}});
+    stage_.document()["textures"].push_back({{"sampler", stage_.document()["samplers"].size() - 1}, {"source", image}});
     return known->second = static_cast<int>(stage_.document()["textures"].size()) - 1;
   }
 

@@ -255,8 +255,9 @@ std::string UsdSkeleton::animation(const Clip& clip, const std::string& prim, co
            weights.text("blendShapeWeights", clip.times);
   }
   if (!joints_.empty())
-    out += "            uniform token[] joints = " + usd_tokens(paths_) + "\n" + rotations.text("rotations", clip.times) +
-           scales.text("scales", clip.times) + translations.text("translations", clip.times);
+    out += "            uniform token[] joints = " + usd_tokens(paths_) + "\n" +
+           rotations.text("rotations", clip.times) + scales.text("scales", clip.times) +
+           translations.text("translations", clip.times);
   return out + "        }\n";
 }
 

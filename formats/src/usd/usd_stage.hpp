@@ -20,7 +20,7 @@ struct UsdPlace {
 };
 
 struct UsdStage {
-  std::string path;                                    // of the file, for messages
+  std::string path;  // of the file, for messages
   UsdPrim root;
   std::map<std::string, std::vector<uint8_t>> inside;  // files of a package
   bool is_package = false;

@@ -16,7 +16,7 @@ class UsdTokens {
   UsdTokens(std::string path, std::string_view text) : path_(std::move(path)), text_(text) { next(); }
 
   UsdWord kind() const { return kind_; }
-  std::string_view raw() const { return raw_; }         // a name, a mark, a number as it is written
+  std::string_view raw() const { return raw_; }            // a name, a mark, a number as it is written
   const std::string& content() const { return content_; }  // of a string, an asset, a path
   double number() const { return number_; }
   bool is_mark(char c) const { return kind_ == UsdWord::kMark && raw_[0] == c; }

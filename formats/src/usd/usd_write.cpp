@@ -45,9 +45,10 @@ class UsdWriter {
       text += print(
           "    startTimeCode = 0\n    endTimeCode = %.8g\n    timeCodesPerSecond = %g\n    framesPerSecond = %g\n",
           skeleton_.last_time_code(), kUsdTimeCodes, kUsdTimeCodes);
-    text += ")\n\ndef SkelRoot \"Character\" (\n    prepend apiSchemas = [\"SkelBindingAPI\"]\n    kind = \"component\"\n"
-            ")\n{\n" +
-            body + "}\n";
+    text +=
+        ")\n\ndef SkelRoot \"Character\" (\n    prepend apiSchemas = [\"SkelBindingAPI\"]\n    kind = \"component\"\n"
+        ")\n{\n" +
+        body + "}\n";
     NamedBytes layer = {path_, {text.begin(), text.end()}};
     if (has_extension(path_, ".usdz")) {
       std::vector<NamedBytes> inside = {{picture_stem(path_) + ".usda", std::move(layer.bytes)}};
@@ -147,8 +148,8 @@ class UsdWriter {
     while (skeleton_.joint_of(static_cast<int>(holder)) < 0) holder = static_cast<size_t>(nodes_.parents[holder]);
     const Affine back = inverse(nodes_.worlds[holder]).value_or(kIdentity);
     const size_t count = points.rows.size();
-    return bound(multiply(multiply(skeleton_.bind(joint), back), nodes_.worlds[node]), 1, std::vector<int>(count, joint),
-                 std::vector<double>(count, 1.0));
+    return bound(multiply(multiply(skeleton_.bind(joint), back), nodes_.worlds[node]), 1,
+                 std::vector<int>(count, joint), std::vector<double>(count, 1.0));
   }
 
   std::string bound_materials(const ControlPoints& points) const {
@@ -179,8 +180,7 @@ class UsdWriter {
     for (size_t s = 0; s < points.shapes.size(); ++s) {
       const ControlShape& shape = points.shapes[s];
       const std::string prim = usd_free_name("shape_" + shape.name, &taken), in = std::string(kIn) + "    ";
-      tokens.push_back(
-          token(shape.name, skeleton_.shape_curve(node, s, points.shapes.size(), shape.weight), tokens));
+      tokens.push_back(token(shape.name, skeleton_.shape_curve(node, s, points.shapes.size(), shape.weight), tokens));
       targets += (targets.empty() ? "<" : ", <") + mesh + "/" + prim + ">";
       prims += "\n" + (kIn + ("def BlendShape \"" + prim)) + "\"\n" + kIn + "{\n" + in +
                "uniform vector3f[] offsets = " + usd_tuples(shape.moves, 3) + "\n" + in +
@@ -193,7 +193,8 @@ class UsdWriter {
 
   // Animations name shapes: those of one name that go alike on several meshes share one.
   //   of_mesh  what the shapes before it on the same mesh are called
-  std::string token(const std::string& name, const std::vector<double>& curve, const std::vector<std::string>& of_mesh) {
+  std::string token(const std::string& name, const std::vector<double>& curve,
+                    const std::vector<std::string>& of_mesh) {
     std::string out = name;
     const auto fits = [&] {
       return std::find(of_mesh.begin(), of_mesh.end(), out) == of_mesh.end() &&

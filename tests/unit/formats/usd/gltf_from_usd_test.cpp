@@ -59,7 +59,8 @@ def SkelRoot "Leg" ( prepend apiSchemas = ["SkelBindingAPI"] )
         int[] primvars:skel:jointIndices = [0, 1, 0, 1, 0, 1, 0, 1, 0, 1] ( elementSize = 2
             interpolation = "vertex" )
         float[] primvars:skel:jointWeights = [1, 0, 1, 0, 0.5, 0.5, 1, 1, 0, 1] ( elementSize = 2 )
-)" + more + R"(
+)" + more +
+         R"(
     }
 }
 )";

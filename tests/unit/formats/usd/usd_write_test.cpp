@@ -188,11 +188,13 @@ TEST(UsdText, SaysMetresAndUp) {
 }
 
 TEST(UsdPackage, IsAStoredZipWhoseFilesBeginAtMultiplesOf64) {
-  const std::vector<NamedBytes> files = {{"a.usda", std::vector<uint8_t>(70, 'x')}, {"long_name_of_a.png", {1, 2, 3}}};
+  std::vector<NamedBytes> files = {{"a.usda", std::vector<uint8_t>(70, 'x')}};
+  for (uint8_t i = 1; i < 9; ++i)
+    files.push_back({"picture_" + std::to_string(i) + ".png", std::vector<uint8_t>(31u * i, i)});
   const std::vector<uint8_t> bytes = usd_package("a.usdz", files);
   EXPECT_EQ(first_in_package(bytes), "a.usda");
   const auto inside = unzip("a.usdz", bytes);
-  ASSERT_EQ(inside.size(), 2u);
+  ASSERT_EQ(inside.size(), files.size());
   for (const NamedBytes& file : files) {
     EXPECT_EQ(inside.at(file.path), file.bytes);
     const auto at = std::search(bytes.begin(), bytes.end(), file.bytes.begin(), file.bytes.end());
