@@ -9,6 +9,7 @@ scripts/setup.sh ccache $(scripts/conformance.sh --packages ci) $(samples/web/bu
   $(tests/integration/csharp_test.sh --packages) $(scripts/declarations.py --packages)
 # The client of the Model Context Protocol, pinned by its package-lock.json.
 [ -d tests/support/mcp/node_modules/@modelcontextprotocol ] || npm ci --silent --no-audit --no-fund --prefix tests/support/mcp
+[ -d tests/support/three/node_modules/three ] || npm ci --silent --no-audit --no-fund --prefix tests/support/three
 jobs=$(nproc)
 
 # The engine is compiled some twenty times, for targets and for those who install it, and often with the same options. Warnings are no part of an object

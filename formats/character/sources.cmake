@@ -35,6 +35,7 @@ set(sinew_character_sources
   check/symmetry
   check/test_poses
   check/torn_edges
+  check/weigh_findings
   clips/builtin_motion
   clips/gait
   clips/others

@@ -3,6 +3,7 @@
 #include "eval_check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <map>
@@ -21,10 +22,10 @@ namespace {
 
 // Of one character.
 struct CheckFigures {
-  std::map<std::string, std::pair<size_t, size_t>> damages;  // by kind: seeded, found
-  std::map<std::string, size_t> alarms;                      // rules with findings on the untouched rig
-  std::vector<std::string> missed;
-  bool alarmed = false, broken = false;  // an error or a warning; an error
+  std::map<std::string, std::array<size_t, 3>> damages;  // by kind: seeded, found, found as an error or a warning
+  std::map<std::string, size_t> alarms;                  // rules with findings on the untouched rig
+  std::vector<std::string> missed, noted;                // kinds: not found; found as a note alone
+  bool alarmed = false, broken = false;                  // an error or a warning; an error
   double seconds = 0;
 };
 
@@ -49,11 +50,13 @@ void count_clip_alarms(const RigCheck& check, CheckFigures* f) {
     if (!finding.clip.empty()) ++f->alarms[finding.rule->name];
 }
 
+//   least  severity that counts
 bool found(const DamageKind& kind, const RigCheck& before, const DamagedRig& from, const RigCheck& now,
-           const DamagedRig& to) {
+           const DamagedRig& to, CheckSeverity least) {
   const CheckChange change = check_change(before, from.character.joints, now, to.character.joints);
   return std::any_of(change.added.begin(), change.added.end(), [&](size_t i) {
-    return std::any_of(kind.rules.begin(), kind.rules.end(),
+    return now.findings[i].severity >= least &&
+           std::any_of(kind.rules.begin(), kind.rules.end(),
                        [&](const char* rule) { return std::string(rule) == now.findings[i].rule->name; });
   });
 }
@@ -82,10 +85,18 @@ CheckFigures figures_of(const Character& c, uint32_t seed) {
     const std::optional<DamagedRig> broken = damaged(*wholes[needs], kind, seed);
     if (!broken) continue;
     const bool poses = needs_poses(kind);
-    const bool told = found(kind, whole_check(needs, poses), *wholes[needs], check_of(*broken, poses), *broken);
-    ++f.damages[kind.name].first;
-    f.damages[kind.name].second += told ? 1 : 0;
+    const RigCheck now = check_of(*broken, poses);
+    const auto is_found = [&](CheckSeverity least) {
+      return found(kind, whole_check(needs, poses), *wholes[needs], now, *broken, least);
+    };
+    const bool told = is_found(CheckSeverity::kNote);
+    std::array<size_t, 3>& counts = f.damages[kind.name];
+    ++counts[0];
+    counts[1] += told ? 1 : 0;
+    const bool heavy = told && is_found(CheckSeverity::kWarning);
+    counts[2] += heavy ? 1 : 0;
     if (!told) f.missed.push_back(kind.name);
+    if (told && !heavy) f.noted.push_back(kind.name);
   }
   return f;
 }
@@ -102,17 +113,17 @@ void study_check(const std::string& folder, unsigned jobs, bool names) {
       progress.step();
     });
   }
-  std::map<std::string, std::pair<size_t, size_t>> damages;
+  std::map<std::string, std::array<size_t, 3>> damages;
   std::map<std::string, size_t> alarms;
-  size_t seeded = 0, told = 0, alarmed = 0, broken = 0;
+  std::array<size_t, 3> sums = {};
+  size_t alarmed = 0, broken = 0;
   for (size_t i = 0; i < list.size(); ++i) {
     const CheckFigures& f = figures[i];
-    for (const auto& [kind, count] : f.damages) {
-      damages[kind].first += count.first;
-      damages[kind].second += count.second;
-      seeded += count.first;
-      told += count.second;
-    }
+    for (const auto& [kind, counts] : f.damages)
+      for (size_t k = 0; k < counts.size(); ++k) {
+        damages[kind][k] += counts[k];
+        sums[k] += counts[k];
+      }
     for (const auto& [rule, count] : f.alarms) alarms[rule] += count > 0 ? 1 : 0;
     alarmed += f.alarmed ? 1 : 0;
     broken += f.broken ? 1 : 0;
@@ -120,16 +131,20 @@ void study_check(const std::string& folder, unsigned jobs, bool names) {
     for (const auto& [rule, count] : f.alarms)
       std::printf("alarm %s %s %zu\n", list[i].name.c_str(), rule.c_str(), count);
     for (const std::string& kind : f.missed) std::printf("missed %s %s\n", list[i].name.c_str(), kind.c_str());
+    for (const std::string& kind : f.noted) std::printf("noted %s %s\n", list[i].name.c_str(), kind.c_str());
   }
-  std::printf("| damage | seeded | found |\n|---|---|---|\n");
+  const auto share = [](size_t part, size_t all) {
+    return all == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(all);
+  };
+  std::printf("| damage | seeded | found | as an error or a warning |\n|---|---|---|---|\n");
   for (const DamageKind& kind : damage_kinds()) {
-    const auto& [all, hits] = damages[kind.name];
-    std::printf("| %s: %s | %zu | %.1f %% |\n", kind.name, kind.what, all,
-                all == 0 ? 0 : 100.0 * static_cast<double>(hits) / static_cast<double>(all));
+    const auto& [all, hits, heavy] = damages[kind.name];
+    std::printf("| %s: %s | %zu | %.1f %% | %.1f %% |\n", kind.name, kind.what, all, share(hits, all),
+                share(heavy, all));
   }
   const double count = static_cast<double>(list.size());
-  std::printf("| all | %zu | %.1f %% |\n\n| untouched, findings of | characters | share |\n|---|---|---|\n", seeded,
-              seeded == 0 ? 0 : 100.0 * static_cast<double>(told) / static_cast<double>(seeded));
+  std::printf("| all | %zu | %.1f %% | %.1f %% |\n\n| untouched, findings of | characters | share |\n|---|---|---|\n",
+              sums[0], share(sums[1], sums[0]), share(sums[2], sums[0]));
   for (const CheckRule& rule : check_rules())
     if (alarms[rule.name] > 0)
       std::printf("| %s (%s) | %zu | %.1f %% |\n", rule.name, severity_text(rule.severity), alarms[rule.name],

@@ -46,6 +46,19 @@ TEST_F(CliProfiles, CommandsWriteWhatAProgramWants) {
   EXPECT_FALSE(fs::exists(in("x.glb")));
 }
 
+TEST_F(CliProfiles, UsdComesBack) {
+  good("bind " + kRobed + " --skeleton " + kRobedRig + " -o a.usda");
+  good("bind " + kRobed + " --skeleton " + kRobedRig + " -o a.glb");
+  const Character usd = read_gltf(in("a.usda")), glb = read_gltf(in("a.glb"));
+  EXPECT_EQ(usd.joints.size(), glb.joints.size());
+  EXPECT_EQ(usd.vertices.size(), glb.vertices.size());
+  good("animate a.usda --motion builtin:walk --for mixamo -o b.usdz");
+  EXPECT_EQ(read_gltf_motion(in("b.usdz")).clips.at(0).name, "walk");
+  EXPECT_TRUE(has_joint(read_gltf(in("b.usdz")), "mixamorig:LeftForeArm"));
+  put(in("broken.usda"), "#usda 1.0\ndef Mesh \"A\" { point3f[] points = }\n");
+  EXPECT_NE(bad(1, "bind broken.usda -o x.glb").error.find("broken.usda:2: expected a value"), std::string::npos);
+}
+
 #ifdef SINEW_HAS_ASSIMP
 TEST_F(CliProfiles, FbxComesBack) {
   good("bind " + kRobed + " --skeleton " + kRobedRig + " -o a.fbx");

@@ -30,6 +30,7 @@ enum class FileReader : uint8_t {
   kRig,
   kGltf,
   kScene,  // through Assimp as a glTF document
+  kUsd,    // as a glTF document
   kBvh,
   kVmd,
   kNumpy,

@@ -22,6 +22,8 @@ const std::vector<FileKind>& file_kinds() {
       {".glb", "GLB", kGltfUses, FileReader::kGltf},
       {".vrm", "VRM", kGltfUses, FileReader::kGltf},
       {".fbx", "FBX", kWhole | kWritesCharacter | kWritesMotion | kOffered, FileReader::kScene},
+      {".usda", "USD", kGltfUses, FileReader::kUsd},
+      {".usdz", "USD", kGltfUses, FileReader::kUsd},
       {".dae", "COLLADA", kWhole | kOffered, FileReader::kScene},
       {".b3d", "Blitz3D", kWhole, FileReader::kScene},
       {".x", "DirectX", kWhole, FileReader::kScene},

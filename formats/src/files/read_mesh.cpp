@@ -24,9 +24,10 @@ std::string remedy(const std::string& path) {
   if (has_extension(path, ".blend"))
     return "; in Blender: File > Export > glTF 2.0, or: blender --background " + path +
            " --python-expr \"import bpy; " + export_glb;
-  for (const char* extension : {".usd", ".usda", ".usdc", ".usdz"})
+  for (const char* extension : {".usd", ".usdc"})
     if (has_extension(path, extension))
-      return "; Blender makes a .glb of it: blender --background --python-expr \"import bpy; "
+      return "; usdcat --flatten --out NAME.usda makes text of it, Blender a .glb: blender --background --python-expr "
+             "\"import bpy; "
              "bpy.ops.wm.usd_import(filepath='" +
              path + "'); " + export_glb;
   if (is_motion_alone(path))

@@ -9,6 +9,8 @@ export const fileKinds = [
   { extension: ".glb", name: "GLB", reader: "gltf", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered"] },
   { extension: ".vrm", name: "VRM", reader: "gltf", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered"] },
   { extension: ".fbx", name: "FBX", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered"] },
+  { extension: ".usda", name: "USD", reader: "usd", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered"] },
+  { extension: ".usdz", name: "USD", reader: "usd", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered"] },
   { extension: ".dae", name: "COLLADA", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "offered"] },
   { extension: ".b3d", name: "Blitz3D", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole"] },
   { extension: ".x", name: "DirectX", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole"] },

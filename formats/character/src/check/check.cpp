@@ -54,6 +54,7 @@ RigCheck check_rig(const Character& character, const Motion* motion, const Check
   check_matrices(facts, &findings);
   if (facts.bound && options.poses) check_poses(facts, &findings);
   if (motion != nullptr) check_clips(facts, *motion, &findings);
+  weigh_findings(facts, &findings);
   return findings.take();
 }
 

@@ -18,6 +18,7 @@ void check_symmetry(const RigFacts& facts, Findings* findings);  // joints and r
 void check_matrices(const RigFacts& facts, Findings* findings);  // of a glTF's skins
 void check_poses(const RigFacts& facts, Findings* findings);     // test poses
 void check_clips(const RigFacts& facts, const Motion& motion, Findings* findings);
+void weigh_findings(const RigFacts& facts, Findings* findings);  // which of all that is there are notes
 
 }  // namespace sinew
 #endif

@@ -11,6 +11,9 @@
 
 namespace sinew {
 
+// The value of name-order where a joint hangs on another limb; 1 within a limb.
+constexpr double kOtherLimb = 2;
+
 class Findings {
  public:
   Findings(const Character& character, const CheckOptions& options);
@@ -22,6 +25,7 @@ class Findings {
   // vertices, or at its joint.
   //   meant  artists do so on purpose, too: a note
   void add(const char* rule, RigFinding finding, bool meant = false);
+  std::vector<RigFinding>& all() { return findings_; }  // in the order in which they were added
   // Errors first.
   RigCheck take();
 

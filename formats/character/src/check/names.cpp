@@ -85,11 +85,12 @@ void order(const RigFacts& facts, Findings* findings) {
       why = "which is another limb";
     else if (own.limb == up.limb && side != 0 && their_side != 0 && side != their_side)
       why = "which is on the other side";
-    if (why.empty()) continue;
+    // A joint in the middle is no limb that another one could hang on wrongly: a robot's base, the one shoulder of a horse.
+    if (why.empty() || (their_side == 0 && up.limb != Limb::kHead)) continue;
     RigFinding finding;
     finding.joint = static_cast<int>(j);
     finding.other = above;
-    finding.value = 1;
+    finding.value = own.limb == up.limb && (side == their_side || side == 0 || their_side == 0) ? 1 : kOtherLimb;
     finding.what = findings->quoted(finding.joint) + ", a " + joint_class_text(facts.verdicts.classes[j]) +
                    " by its name, hangs on " + findings->quoted(above) + ", " + why;
     findings->add("name-order", std::move(finding));

@@ -99,6 +99,40 @@ TEST(Check, JointsThatAreDeadOnBothSidesAreMeant) {
   EXPECT_EQ(finding_of(both, "dead-joint")->severity, CheckSeverity::kNote);
 }
 
+TEST(Check, NamesThatBothSidesHaveAlikeAreANote) {
+  Character c = small_biped();
+  const auto exchange = [&](const std::string& side) {
+    std::swap(c.joints[joint_of(c, "upper_arm." + side)].name, c.joints[joint_of(c, "forearm." + side)].name);
+  };
+  exchange("L");
+  const RigCheck one = check_rig(c, nullptr, {false, {}});
+  ASSERT_NE(finding_of(one, "name-order"), nullptr);
+  EXPECT_EQ(finding_of(one, "name-order")->severity, CheckSeverity::kError);
+  exchange("R");
+  const RigCheck both = check_rig(c, nullptr, {false, {}});
+  ASSERT_NE(finding_of(both, "name-order"), nullptr);
+  EXPECT_EQ(finding_of(both, "name-order")->severity, CheckSeverity::kNote);
+}
+
+TEST(Check, AFewVerticesAreANoteWhereTheirJointIsNearAndAWarningAcrossTheBody) {
+  const auto given_to = [](const std::string& joint) {
+    Character c = small_biped();
+    const uint32_t foot = joint_of(c, "foot.L");
+    float low = c.vertices[0].y;
+    uint32_t lowest = 0;
+    for (uint32_t v = 0; v < c.vertices.size(); ++v)
+      if (c.influences[v].size() == 1 && c.influences[v][0].joint == foot && c.vertices[v].y < low)
+        low = c.vertices[v].y, lowest = v;
+    c.influences[lowest] = {{joint_of(c, joint), 1.0F}};
+    return check_rig(c, nullptr, {false, {}});
+  };
+  const RigCheck near = given_to("shin.L"), far = given_to("head");
+  ASSERT_NE(finding_of(near, "speck"), nullptr);
+  EXPECT_EQ(finding_of(near, "speck")->severity, CheckSeverity::kNote);
+  EXPECT_EQ(near.warnings, 0U) << checked_line(near);
+  EXPECT_GT(far.warnings, 0U) << checked_line(far);
+}
+
 TEST(Check, AForelegMayHangOnAShoulder) {
   Character c = small_biped();
   const uint32_t arm = joint_of(c, "upper_arm.L");

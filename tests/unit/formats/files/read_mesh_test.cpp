@@ -17,7 +17,7 @@ TEST(ReadCharacter, WithoutItsRigIsAnError) {
 
 TEST(ReadMesh, FilesOfOtherProgramsAreShownTheWayOut) {
   EXPECT_ERROR(read_mesh("art/cat.blend"), "art/cat.blend", "blender --background art/cat.blend", "filepath='cat.glb'");
-  EXPECT_ERROR(read_mesh("cat.usdz"), "usd_import(filepath='cat.usdz')");
+  EXPECT_ERROR(read_mesh("cat.usdc"), "usdcat --flatten", "usd_import(filepath='cat.usdc')");
   EXPECT_ERROR(read_mesh("cat.max"), "3ds Max");
   EXPECT_ERROR(read_character("cat.MB"), "Maya", "FBX");
   EXPECT_ERROR(read_mesh("cat.stl"), "Blender");

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// What is written as USD comes back by our reader.
+#include "usd/usd_write.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gltf/gltf_source.hpp"
+#include "make_glb.hpp"
+#include "motion/npy.hpp"
+#include "motion/points.hpp"
+#include "motion/turns.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_formats/morphs.hpp"
+#include "temp_folder.hpp"
+#include "usd/usd_package.hpp"
+#include "usd/usd_parse.hpp"
+#include "walking_figure.hpp"
+
+namespace sinew {
+namespace {
+
+template <class Joints>
+std::map<std::string, size_t> by_name(const Joints& joints) {
+  std::map<std::string, size_t> numbers;
+  for (size_t j = 0; j < joints.size(); ++j) numbers[joints[j].name] = j;
+  return numbers;
+}
+
+// Vertices come in another order: by place, which are all different here.
+std::vector<size_t> order_by_place(const Character& character) {
+  std::vector<size_t> order(character.vertices.size());
+  for (size_t v = 0; v < order.size(); ++v) order[v] = v;
+  const auto key = [&](size_t v) {
+    const Vec3& p = character.vertices[v];
+    return std::array<long, 3>{std::lround(1e4 * static_cast<double>(p.x)), std::lround(1e4 * static_cast<double>(p.y)),
+                               std::lround(1e4 * static_cast<double>(p.z))};
+  };
+  std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return key(a) < key(b); });
+  return order;
+}
+
+void expect_same(const Character& a, const Character& b) {
+  ASSERT_EQ(a.joints.size(), b.joints.size());
+  const std::map<std::string, size_t> other = by_name(b.joints);
+  for (const Joint& joint : a.joints) {
+    ASSERT_EQ(other.count(joint.name), 1u) << joint.name;
+    const Joint& same = b.joints[other.at(joint.name)];
+    EXPECT_LT(length(point(joint.position) - point(same.position)), 1e-6) << joint.name;
+    ASSERT_EQ(joint.parent < 0, same.parent < 0) << joint.name;
+    if (joint.parent >= 0) {
+      EXPECT_EQ(a.joints[static_cast<size_t>(joint.parent)].name, b.joints[static_cast<size_t>(same.parent)].name);
+    }
+  }
+  ASSERT_EQ(a.vertices.size(), b.vertices.size());
+  EXPECT_EQ(a.face_count(), b.face_count());
+  const std::vector<size_t> first = order_by_place(a), second = order_by_place(b);
+  for (size_t i = 0; i < first.size(); ++i) {
+    EXPECT_LT(length(point(a.vertices[first[i]]) - point(b.vertices[second[i]])), 1e-6);
+    std::map<std::string, float> weights;
+    for (const Influence& one : a.influences[first[i]]) weights[a.joints[one.joint].name] += one.weight;
+    for (const Influence& one : b.influences[second[i]]) weights[b.joints[one.joint].name] -= one.weight;
+    for (const auto& [name, difference] : weights) EXPECT_NEAR(difference, 0, 1e-6) << name;
+  }
+}
+
+class UsdWrite : public ::testing::TestWithParam<const char*> {
+ protected:
+  std::string out() const { return folder_.file(std::string("out") + GetParam()); }
+  TempFolder folder_;
+};
+INSTANTIATE_TEST_SUITE_P(Kinds, UsdWrite, ::testing::Values(".usda", ".usdz"));
+
+TEST_P(UsdWrite, ComesBackWithSkeletonWeightsAndRestPose) {
+  Character figure = walking_figure();
+  figure.joints[3].name = "mixamorig:Spine 2";  // no name of USD
+  write_gltf(folder_.file("out.glb"), figure);
+  write_gltf(out(), figure);
+  const Character after = read_character(out());
+  expect_same(read_character(folder_.file("out.glb")), after);
+  EXPECT_TRUE(after.gltf->bind_pose.agrees);
+  EXPECT_FALSE(after.gltf->bind_pose.moved);
+  EXPECT_TRUE(after.notes.empty());
+}
+
+TEST_P(UsdWrite, ComesBackWithItsClips) {
+  Motion walk = walking_person(20);
+  walk.clips.push_back(walk.clips[0]);
+  walk.clips[1].name = "walk, again";
+  walk.clips[1].frames.resize(5);
+  GlbOptions options;
+  options.motion = &walk;
+  write_gltf(out(), walking_figure(), options);
+  const Motion again = read_motion(out(), 30);
+  ASSERT_EQ(again.clips.size(), 2u);
+  EXPECT_EQ(again.clips[0].name, "walk");
+  EXPECT_EQ(again.clips[1].name, "walk, again");
+  ASSERT_EQ(again.clips[0].frames.size(), 20u);
+  ASSERT_EQ(again.clips[1].frames.size(), 5u);
+  const std::map<std::string, size_t> numbers = by_name(again.joints);
+  double moved = 0;
+  for (size_t f = 0; f < 20; ++f) {
+    const WorldPose wanted = world_pose(walk, walk.clips[0].frames[f]),
+                    has = world_pose(again, again.clips[0].frames[f]);
+    for (size_t j = 0; j < walk.joints.size(); ++j) {
+      const size_t k = numbers.at(walk.joints[j].name);
+      EXPECT_LT(length(wanted.positions[j] - has.positions[k]), 2e-6) << walk.joints[j].name << f;
+      EXPECT_GT(std::abs(dot(wanted.rotations[j], has.rotations[k])), 1 - 1e-10) << walk.joints[j].name << f;
+      moved = std::max(moved, length(wanted.positions[j] - point(walking_figure().joints[j].position)));
+    }
+  }
+  EXPECT_GT(moved, 0.1);
+}
+
+TEST_P(UsdWrite, ComesBackWithAxesShapesAndSeams) {
+  // A file with a seam, whose vertices stand elsewhere than its nodes put them.
+  const Character strip = read_gltf(folder_.write("strip.glb", two_joint_strip(true).glb()));
+  Morphs morphs;
+  morphs.shapes = {{"bulge out", {0, 1}, {{0.1f, 0, 0}, {0, 0.2f, 0}}}};
+  write_gltf_morphs(out(), strip, {}, morphs);
+  write_gltf(folder_.file("again.glb"), strip);
+  const Character again = read_gltf(out());
+  expect_same(read_gltf(folder_.file("again.glb")), again);
+  const tinygltf::Mesh& mesh = again.gltf->model.meshes.at(0);
+  ASSERT_EQ(mesh.primitives.at(0).targets.size(), 1u);
+  EXPECT_EQ(mesh.extras.Get("targetNames").Get(0).Get<std::string>(), "bulge out");
+  const std::vector<float> moves =
+      accessor_floats("", again.gltf->model, mesh.primitives[0].targets[0].at("POSITION"), 3);
+  double sum = 0;
+  for (const float value : moves) sum += static_cast<double>(value);
+  EXPECT_NEAR(sum, 0.3, 1e-6);
+  EXPECT_EQ(mesh.primitives[0].attributes.count("TEXCOORD_0"), 1u);
+  EXPECT_EQ(mesh.primitives[0].attributes.count("NORMAL"), 1u);
+}
+
+TEST_P(UsdWrite, ComesBackWithColoursAndPictures) {
+  const std::string pixel(
+      "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\b\2\0\0\0\x90wS\xde\0\0\0\fIDATx\x9c"
+      "c\xf8\xcf\xc0\0\0\3\1\1\0\xc9\xfe\x92\xef\0\0\0\0IEND\xae"
+      "B`\x82",
+      69);
+  Character figure = walking_figure();
+  figure.material_names = {"skin", "shoe's"};
+  figure.materials.resize(2);
+  figure.materials[0].base_color_texture = std::make_shared<std::vector<uint8_t>>(pixel.begin(), pixel.end());
+  figure.materials[1].base_color = {0.25f, 0.5f, 0.75f, 1};
+  figure.corner_uvs.assign(figure.face_vertices.size(), {0.25f, 0.125f});
+  figure.face_materials.assign(figure.face_count(), 0);
+  for (size_t f = 0; f < 8; ++f) figure.face_materials[f] = 1;
+  write_gltf(out(), figure);
+  if (std::string(GetParam()) == ".usda") {
+    EXPECT_EQ(read_file(folder_.file("out_0.png")), std::vector<uint8_t>(pixel.begin(), pixel.end()));
+  }
+  const Character again = read_gltf(out());
+  const tinygltf::Model& model = again.gltf->model;
+  ASSERT_EQ(model.materials.size(), 2u);
+  EXPECT_EQ(model.materials[0].name, "skin");
+  EXPECT_EQ(model.materials[1].name, "shoe's");
+  ASSERT_GE(model.materials[0].pbrMetallicRoughness.baseColorTexture.index, 0);
+  ASSERT_EQ(model.images.size(), 1u);
+  EXPECT_EQ(model.images[0].image, std::vector<unsigned char>(pixel.begin(), pixel.end()));
+  EXPECT_NEAR(model.materials[1].pbrMetallicRoughness.baseColorFactor[2], 0.75, 1e-6);
+  size_t corners = 0;
+  for (const tinygltf::Primitive& primitive : model.meshes.at(0).primitives)
+    if (primitive.material == 1) corners = model.accessors[static_cast<size_t>(primitive.indices)].count;
+  EXPECT_EQ(corners, 24u);
+  const std::vector<float> uvs =
+      accessor_floats("", model, model.meshes[0].primitives[0].attributes.at("TEXCOORD_0"), 2);
+  EXPECT_NEAR(uvs[0], 0.25, 1e-6);
+  EXPECT_NEAR(uvs[1], 0.875, 1e-6);  // glTF's go down
+}
+
+TEST(UsdText, SaysMetresAndUp) {
+  const TempFolder folder;
+  write_gltf(folder.file("out.usda"), walking_figure());
+  const UsdPrim root = parse_usda("out.usda", read_text_file(folder.file("out.usda")));
+  EXPECT_EQ(root.metadata.at("metersPerUnit").numbers, std::vector<double>{1});
+  EXPECT_EQ(root.metadata.at("upAxis").texts, std::vector<std::string>{"Y"});
+  EXPECT_EQ(root.metadata.at("defaultPrim").texts[0], root.children.at(0).name);
+  EXPECT_EQ(root.children[0].type, "SkelRoot");
+}
+
+TEST(UsdPackage, IsAStoredZipWhoseFilesBeginAtMultiplesOf64) {
+  std::vector<NamedBytes> files = {{"a.usda", std::vector<uint8_t>(70, 'x')}};
+  for (uint8_t i = 1; i < 9; ++i)
+    files.push_back({"picture_" + std::to_string(i) + ".png", std::vector<uint8_t>(31u * i, i)});
+  const std::vector<uint8_t> bytes = usd_package("a.usdz", files);
+  EXPECT_EQ(first_in_package(bytes), "a.usda");
+  const auto inside = unzip("a.usdz", bytes);
+  ASSERT_EQ(inside.size(), files.size());
+  for (const NamedBytes& file : files) {
+    EXPECT_EQ(inside.at(file.path), file.bytes);
+    const auto at = std::search(bytes.begin(), bytes.end(), file.bytes.begin(), file.bytes.end());
+    EXPECT_EQ((at - bytes.begin()) % 64, 0) << file.path;
+  }
+  EXPECT_EQ(first_in_package({'P', 'K', 3, 4}), "");
+}
+
+}  // namespace
+}  // namespace sinew
