@@ -296,8 +296,11 @@ async function start() {
   if (sample) await openSample(sample);
 }
 
-// After the first things are there, so that it takes nothing from them. A page without a worker of this kind works as well.
+// After the first bind, so that it takes nothing from it, or where none comes. A page without a worker of this kind works as well.
+const offlineTimer = setTimeout(() => keepForOffline(), 15000);
 function keepForOffline() {
+  at.onFirstBound = () => {};
+  clearTimeout(offlineTimer);
   if ("serviceWorker" in navigator && isSecureContext) navigator.serviceWorker.register("sw.js").catch(() => {});
 }
 
@@ -305,7 +308,8 @@ try {
   at.view = new View($("stage"));
   listen();
   setStep("mesh");
-  run(start).then(keepForOffline);
+  at.onFirstBound = keepForOffline;
+  run(start);
 } catch (error) {
   showError(`this browser shows no 3D picture (${error.message}); turn on WebGL or try another browser`);
 }

@@ -44,6 +44,7 @@ export const at = {
   modeChosen: false, // the user chose what the picture shows, in this step
   exported: false,
   firstBound: 0, // when, for the tests
+  onFirstBound: () => {},
   forceScalar: false,
   changed: false, // something was done that no file has yet
   afterStop: () => {}, // brings the page back when a job was stopped

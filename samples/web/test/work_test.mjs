@@ -24,7 +24,7 @@ const browser = await launch();
 const troubles = [];
 const page = await newPage(browser, troubles);
 const asked = []; // {url, time} until the first character walks
-const note = (request) => asked.push({ url: request.url(), time: Date.now() });
+const note = (request) => request.serviceWorker() === null && asked.push({ url: request.url(), time: Date.now() });
 browser.context.on("request", note); // those of workers too
 const { settled, shoot, errorLine, hash, joints, positions, pick, give, slide, downloaded, go, step } = pageTools(() => page, { troubles, work, prefix: "work_" });
 const shown = () => page.evaluate(() => [...document.querySelectorAll("button, input, select, summary, a")].filter((one) => one.checkVisibility({ contentVisibilityAuto: true }) && !one.closest("[hidden]")).map((one) => one.id || one.textContent));
