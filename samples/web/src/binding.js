@@ -20,8 +20,8 @@ export async function bind(answers = at.character.source.answers, focus) {
   const started = performance.now();
   try {
     const result = await whileBusy(`Binding ${at.character.name}`, () => engine.call("bind", { ...how(), answers: asNumbers(answers) }));
-    if (!at.firstBound) at.onFirstBound();
-    at.firstBound ||= Date.now();
+    if (at.firstAlone === null) at.onFirstBound();
+    at.firstAlone ??= result.alone;
     at.character.result = { ...result, wallSeconds: (performance.now() - started) / 1e3, strongest: result.buffers.strongest };
     at.character.shown = at.character.result;
     result.questions.forEach((question, number) => (question.members = { of: result.buffers.vertexQuestions, number }));

@@ -344,7 +344,7 @@ window.sinewPage = {
   get step() {
     return at.step;
   },
-  get firstBound() {
-    return at.firstBound;
+  get firstAlone() {
+    return at.firstAlone;
   },
 };

@@ -9,6 +9,7 @@ export class Rest {
   #address;
   #loading = null;
   #isThere = false;
+  wasAsked = false;
 
   constructor(address) {
     this.#address = address;
@@ -28,6 +29,7 @@ export class Rest {
   }
 
   async #load() {
+    this.wasAsked = true;
     const response = await fetch(this.#address);
     if (!response.ok) throw missing(this.#address, response.status);
     const compiled = await compile(response);
@@ -38,6 +40,7 @@ export class Rest {
   // In the middle of a call: a worker may wait.
   #loadNow() {
     if (this.#isThere) return;
+    this.wasAsked = true;
     const request = new XMLHttpRequest();
     request.open("GET", this.#address, false);
     request.responseType = "arraybuffer";

@@ -43,7 +43,7 @@ export const at = {
   modelFiles: [], // of the page's own, as Files
   modeChosen: false, // the user chose what the picture shows, in this step
   exported: false,
-  firstBound: 0, // when, for the tests
+  firstAlone: null, // whether the first bind needed the first part of the module alone
   onFirstBound: () => {},
   forceScalar: false,
   changed: false, // something was done that no file has yet

@@ -131,10 +131,10 @@ const calls = {
     return { ...reply, buffers: take(["triangles", "vertexOf", "positions", "normals"]) };
   },
   // answers: [[vertex, kind, joint], ...]
-  // wish: as BindOptions of options.js has it
+  // wish: as BindOptions of options.js has it. Replies whether the rest of the module had no part in it, too.
   bind({ wish, answers }) {
     const reply = withTexts(wish, answers, (w, a) => checked(module._web_bind(w, a)));
-    return { ...reply, buffers: take(["strongest", "vertexQuestions"]) };
+    return { ...reply, alone: !rest.wasAsked, buffers: take(["strongest", "vertexQuestions"]) };
   },
   rig: ({ wishes }) => withText(JSON.stringify(wishes), (at) => checked(module._web_rig(at))),
   // edits: [{kind, joint, other, place}, ...]

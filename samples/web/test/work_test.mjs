@@ -23,8 +23,8 @@ const server = await serve(dist);
 const browser = await launch();
 const troubles = [];
 const page = await newPage(browser, troubles);
-const asked = []; // {url, time} until the first character walks
-const note = (request) => request.serviceWorker() === null && asked.push({ url: request.url(), time: Date.now() });
+const asked = []; // addresses until the first character walks
+const note = (request) => request.serviceWorker() === null && asked.push(request.url());
 browser.context.on("request", note); // those of workers too
 const { settled, shoot, errorLine, hash, joints, positions, pick, give, slide, downloaded, go, step } = pageTools(() => page, { troubles, work, prefix: "work_" });
 const shown = () => page.evaluate(() => [...document.querySelectorAll("button, input, select, summary, a")].filter((one) => one.checkVisibility({ contentVisibilityAuto: true }) && !one.closest("[hidden]")).map((one) => one.id || one.textContent));
@@ -74,20 +74,19 @@ try {
   });
 
   await step("what the first bind takes over the wire", async () => {
-    const boundAt = await page.evaluate(() => sinewPage.firstBound);
-    const filesOf = (list) => [...new Set(list.map(({ url }) => new URL(url).pathname.slice(1) || "index.html"))].filter((name) => existsSync(join(dist, name)));
+    assert.equal(await page.evaluate(() => sinewPage.firstAlone), true, "the first bind waits for what it does not need");
+    const filesOf = (list) => [...new Set(list.map((url) => new URL(url).pathname.slice(1) || "index.html"))].filter((name) => existsSync(join(dist, name)));
     const tell = (what, files) => {
       const packed = files.map((name) => [name, gzipSync(readFileSync(join(dist, name)), { level: 9 }).length]);
       const total = packed.reduce((sum, [, bytes]) => sum + bytes, 0);
       console.log(`  ${what}: ${Math.round(total / 1e3)} kB packed by gzip: ${packed.filter(([, bytes]) => bytes > 1e4).map(([name, bytes]) => `${name} ${Math.round(bytes / 1e3)}`).join(", ")}`);
     };
-    const [first, all] = [filesOf(asked.filter(({ time }) => time < boundAt)), filesOf(asked)];
+    const [first, all] = [filesOf(asked.slice(0, asked.findIndex((url) => url.includes("-rest.wasm")))), filesOf(asked)];
     tell("a bare mesh, bound", first);
     tell("a mesh with a skeleton, bound", first.filter((name) => !/_(rig|front)\.sinew$/.test(name)));
     tell("a bare mesh, walking", all);
     assert.ok(!all.some((name) => /scenes|hands/.test(name)), "what nobody asked for is not fetched");
-    assert.ok(!first.some((name) => /-rest\.wasm|look-|box_tree/.test(name)), `the first bind waits for what it does not need: ${first}`);
-    assert.ok(all.some((name) => /-rest\.wasm/.test(name)));
+    assert.ok(!first.some((name) => /look-|box_tree/.test(name)), `${first}`);
   });
 
   await step("every step fits its window", async () => {

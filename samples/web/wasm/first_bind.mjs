@@ -29,7 +29,9 @@ function textAt(value) {
   return at;
 }
 function call(name, ...args) {
-  const reply = JSON.parse(module.UTF8ToString(module[`_web_${name}`](...args.map((one) => (typeof one === "string" ? textAt(one) : one)))));
+  const given = args.map((one) => (typeof one === "string" ? textAt(one) : one));
+  const reply = JSON.parse(module.UTF8ToString(module[`_web_${name}`](...given)));
+  args.forEach((one, i) => typeof one === "string" && module._free(given[i]));
   if (reply.error) throw new Error(`${name}: ${reply.error}`);
 }
 const give = (name) => module.FS.writeFile(name, readFileSync(join(samples, name)));
@@ -46,13 +48,14 @@ for (const name of ["sinew_default.sinew", "sinew_rig.sinew", "sinew_front.sinew
 const characters = [["biped__caped.gltf", ""], ["biped__robed.obj", "biped__robed.rig.txt"], ["biped__robot.obj", ""], ["quadruped__tailed.obj", ""]];
 for (const [number, [mesh, skeleton]] of characters.entries()) {
   for (const name of [mesh, skeleton]) if (name) give(name);
-  call("load", mesh, skeleton, number, "{}");
+  call("load", mesh, skeleton, number, JSON.stringify({ turns: [], height: 0, floor: false, up: 0 })); // all as the page writes it
   const isBare = mesh.endsWith(".obj") && skeleton === "";
   if (isBare) call("rig", JSON.stringify({ up: 2, category: 0, front: 0, mirror: 0, spine: 0, toes: true, ends: true, detail: 0, at: [], alike: true }));
   buffers();
   bind();
   buffers();
   module._web_keep(number);
+  module._web_drop(number);
   module._web_forget(100);
 }
 const length = exported.__write_profile(0, 0);
