@@ -35,6 +35,7 @@ set(sinew_formats_sources
   gltf/gltf_rest
   gltf/gltf_skin
   gltf/move_joints
+  gltf/place_document
   gltf/move_vertices
   gltf/pick_vertices
   gltf/primitive_triangles

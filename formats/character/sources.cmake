@@ -70,6 +70,7 @@ set(sinew_character_sources
   pose/deform
   pose/pose
   pose/pose_file
+  pose/placement
   pose/rest_pose
   predict/edit_skeleton
   predict/fit_fingers

@@ -23,6 +23,7 @@
 #include "progress.hpp"
 #include "rig_skeleton.hpp"
 #include "rig_slots.hpp"
+#include "sinew_character/placement.hpp"
 #include "sinew_character/rig_job.hpp"
 #include "sinew_character/skeleton_template.hpp"
 #include "sinew_datasets/image.hpp"
@@ -44,6 +45,7 @@ struct Settings {
   MethodOptions method;
   PictureOptions picture;
   std::vector<SkeletonEdit> edits;
+  Placement placement;
   unsigned spine = 0, influences = 4;
   StyleOptions style;
   ProfileSettings profile;
@@ -117,7 +119,7 @@ Rigged rig_one(const Settings& s, const Models& models, const std::string& path)
     rigged.picture = std::move(made);
     return rigged;
   }
-  Character mesh = read_mesh(path);
+  Character mesh = placed(read_mesh(path), s.placement, s.up == "z" ? 2 : 1);
   if (!s.prediction.empty()) {
     Character file;
     read_skeleton(s.prediction, false, &file);
@@ -271,8 +273,11 @@ void run(Settings s) {
     throw UsageError("--front " + s.front + " is up by --up " + s.up + ": give an axis across it");
   if (is_picture(s.mesh))
     for (const auto& [given, option] : {std::pair{s.up != "auto", "--up"}, std::pair{s.front != "auto", "--front"},
-                                        std::pair{!s.prediction.empty(), "--prediction"}})
+                                        std::pair{!s.prediction.empty(), "--prediction"},
+                                        std::pair{places(s.placement), "--turn, --height or --floor"}})
       if (given) throw UsageError(std::string(option) + " is for meshes, and " + s.mesh + " is a picture");
+  if (!s.prediction.empty() && places(s.placement))
+    throw UsageError("--prediction stands where the mesh does: leave --turn, --height and --floor out");
   if (!s.prediction.empty() && !s.model.empty())
     throw UsageError("--prediction and --model: a skeleton that is given is not predicted");
   std::error_code ignored;
@@ -337,6 +342,19 @@ void add_inputs(CLI::App* sub, Settings* s) {
       "weight, or the mesh tears in a test pose. Files are written all the same");
 }
 
+void add_placement_options(CLI::App* sub, Settings* s) {
+  section(sub, "Where the mesh is, before anything else");
+  sub->add_option("--turn", s->placement.turns,
+                  "A quarter turn about an axis, x brings y to z; may be repeated, one after the other")
+      ->type_name("AXIS")
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
+  sub->add_option("--height", s->placement.height, "Scaled to be so tall, along y, with --up z along z")
+      ->type_name("METRES")
+      ->check(CLI::PositiveNumber);
+  sub->add_flag("--floor", s->placement.floor, "The lowest vertex at 0");
+}
+
 void add_shape_options(CLI::App* sub, Settings* s) {
   section(sub, "What the skeleton has");
   sub->add_flag("--mirror", s->mirror, "Make both sides alike even where the mesh is not");
@@ -380,6 +398,7 @@ void add_rig(CLI::App& app) {
   add_picture_options(sub, &s->picture);
   section(sub, "Edits");
   auto edits = std::make_shared<EditOptions>(sub);
+  add_placement_options(sub, s.get());
   add_shape_options(sub, s.get());
   add_style_options(sub, &s->style);
   add_models(sub, s.get());

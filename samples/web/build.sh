@@ -13,14 +13,16 @@ if [ "${1:-}" = --packages ]; then
   exit 0
 fi
 . "$root/samples/npm/wasm/modules.sh"
+. "$here/wasm/split.sh"
 start_build web "${1:-$here/dist}"
 build_modules "$here/wasm" SINEW_WEB_SIMD host
 build_scenes
-for kind in simd scalar; do cp "$build/$kind/sinew_web.wasm" "$out/sinew-$kind.wasm"; done
+step "splitting what the first bind needs from the rest"
+for kind in simd scalar; do split_module "$kind" "$out"; done
 cp "$scenes/scenes.wasm" "$out/sinew-scenes.wasm"
 
 step "scripts and pages"
-[ -d "$here/node_modules/three" ] && [ -d "$here/node_modules/esbuild" ] && [ -d "$here/node_modules/@comfyorg" ] || npm ci --silent --no-audit --no-fund --prefix "$here"
+[ -d "$here/node_modules/three" ] && [ -d "$here/node_modules/esbuild" ] && [ -d "$here/node_modules/@comfyorg" ] && [ -d "$here/node_modules/three-mesh-bvh" ] || npm ci --silent --no-audit --no-fund --prefix "$here"
 cd "$here"
 rm -f "$out"/*.js
 # What writes FBX, what reads it and what shows materials are files of their own, loaded when they are asked for.
@@ -33,6 +35,6 @@ mkdir -p "$out/samples" "$out/thumbs"
 cp src/thumbs/*.webp "$out/thumbs"
 cp "$root"/samples/data/*.{obj,rig.txt,gltf} "$root"/samples/data/drawing__child.png "$out/samples"
 # What sw.js keeps for a page without a network; the rest is kept when it is used.
-(cd "$out" && ls -- *.html *.css *.svg *.js *.webmanifest thumbs/*.webp sinew-simd.wasm sinew_{default,rig,front}.sinew) | grep -v '^sw\.js$' |
+(cd "$out" && ls -- *.html *.css *.svg *.js *.webmanifest thumbs/*.webp sinew-simd{,-rest}.wasm sinew_{default,rig,front}.sinew) | grep -v '^sw\.js$' |
   sed 's/.*/"&"/' | paste -sd, | sed 's/.*/[&]/' >"$out/files.json"
 echo "web: built $out"

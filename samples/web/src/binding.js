@@ -20,10 +20,13 @@ export async function bind(answers = at.character.source.answers, focus) {
   const started = performance.now();
   try {
     const result = await whileBusy(`Binding ${at.character.name}`, () => engine.call("bind", { ...how(), answers: asNumbers(answers) }));
+    if (at.firstAlone === null) at.onFirstBound();
+    at.firstAlone ??= result.alone;
     at.character.result = { ...result, wallSeconds: (performance.now() - started) / 1e3, strongest: result.buffers.strongest };
     at.character.shown = at.character.result;
     result.questions.forEach((question, number) => (question.members = { of: result.buffers.vertexQuestions, number }));
     at.character.source.answers = answers;
+    usePlaces(result.places);
   } catch (error) {
     at.character.result = before;
     if (before) await engine.call("endPreview").then(colour);
@@ -37,6 +40,32 @@ export async function bind(answers = at.character.source.answers, focus) {
   await colour();
   await at.motions.again();
   await sendPose();
+}
+
+// By other options; those before come back where it cannot be bound by them.
+export async function bindOtherwise() {
+  const before = at.character.source.history?.now.options;
+  try {
+    await bind();
+  } catch (error) {
+    if (!before) throw error;
+    at.options.values = before;
+    await bind();
+    throw error;
+  }
+}
+
+// Joints of another rest pose are elsewhere, and are not edited there.
+function usePlaces(places) {
+  const { character } = at;
+  const posed = at.options.toPose !== "";
+  const moved = character.joints.some(({ position }, j) => position.some((x, i) => x !== places[j][i]));
+  if (!moved && posed === Boolean(character.posed)) return;
+  character.posed = posed;
+  character.joints = character.joints.map((joint, j) => ({ ...joint, position: places[j] }));
+  at.view.moveSkeleton(character.joints);
+  at.view.draggable = character.editable && !posed;
+  at.editor.show(character, at.view.selected);
 }
 
 export async function switchJoint(joint) {

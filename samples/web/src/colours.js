@@ -29,9 +29,16 @@ export async function colour() {
   at.view.setColours(emphasised(buffers.colours));
 }
 
+// The mesh in its stead is where it was last posed.
+function hideLook() {
+  if (!at.view.look) return;
+  at.view.setLook(null);
+  at.player.onFrame();
+}
+
 // The GLB that would be saved now, with its materials, instead of the colours; read anew after each bind.
 async function showLookOfFile() {
-  if (at.mode !== modes.material || at.shownLook) return at.view.setLook(null); // a part that is asked about is shown by colours
+  if (at.mode !== modes.material || at.shownLook) return hideLook(); // a part that is asked about is shown by colours
   const { result, joints } = at.character;
   if (at.view.look?.result === result) return;
   const { Look } = await import("./look.js");

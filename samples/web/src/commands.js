@@ -4,6 +4,8 @@ import { autosave } from "./autosave.js";
 import { bind } from "./binding.js";
 import { restoreRig } from "./editing.js";
 import { clearError, run } from "./jobs.js";
+import { loadPlaced } from "./loading.js";
+import { showMarkers } from "./markers.js";
 import { keepRig, record, showHistory } from "./recording.js";
 import { poseChanged, sendPose, showPose } from "./showing.js";
 import { $, at, engine } from "./state.js";
@@ -36,12 +38,13 @@ export function undo(forward) {
 // The open character as it was in that state. before: what it is now; null where the module has it from its file alone.
 export async function restore(state, before) {
   const { source } = at.character;
-  const sameRig = before !== null && state.kept === before.kept && state.epoch === before.epoch;
+  const sameRig = before !== null && state.placement === before.placement && state.kept === before.kept && state.epoch === before.epoch;
   at.options.values = state.options;
   $("up").value = String(state.up);
-  const { never, always, locked, answers, style, motion } = state;
+  if (before && JSON.stringify(state.placement) !== JSON.stringify(before.placement)) await loadPlaced(state.placement);
+  const { never, always, locked, answers, style, motion, markers } = state;
   if (!sameRig) await restoreRig(state);
-  Object.assign(source, { never, always, locked, answers, style, motion, kept: state.epoch === engine.epoch ? state.kept : 0 });
+  Object.assign(source, { never, always, locked, answers, style, motion, markers, kept: state.epoch === engine.epoch ? state.kept : 0 });
   if (state.pose.length === at.pose.turns.length) at.pose.turns.set(state.pose);
   const onlyPosed = sameRig && ["never", "always", "locked", "answers", "motion", "up"].every((key) => state[key] === before[key]) && JSON.stringify(state.options) === JSON.stringify(before.options);
   if (onlyPosed) {
@@ -51,6 +54,7 @@ export async function restore(state, before) {
     await bind();
     showPose();
   }
+  showMarkers();
   keepRig();
   source.history?.replace({ ...state, kept: source.kept, epoch: engine.epoch });
 }

@@ -5,6 +5,7 @@ import { bind } from "./binding.js";
 import { showLegend, showSure } from "./colours.js";
 import { run, showError, whileBusy } from "./jobs.js";
 import { Latest } from "./latest.js";
+import { showMarkers } from "./markers.js";
 import { fetchModel } from "./models.js";
 import { Pose } from "./pose.js";
 import { kinds } from "./questions.js";
@@ -16,10 +17,11 @@ import { asNumbers, how, pending } from "./wishes.js";
 
 // Joints, their list and the panels, after any change of them.
 export function showSkeleton() {
-  at.view.draggable = at.character.editable;
+  at.view.draggable = at.character.editable && !at.character.posed;
   listJoints();
   showPose();
   at.editor.show(at.character, at.view.selected);
+  showMarkers();
   showLegend();
   showSure();
 }
@@ -28,6 +30,7 @@ export function showSkeleton() {
 export function setEditing(editing) {
   at.view.editing = editing;
   if (editing) at.player.pause();
+  else at.markers.setPlacing(false);
   showPose();
 }
 
@@ -62,9 +65,12 @@ async function fetchModelsFor({ detail }) {
   if (detail > 0 && !models.hands) await fetchModel("sinew_hands.sinew");
 }
 
+// What markers are for the module.
+const marked = (markers) => ({ at: markers.map(({ joint, place }) => ({ kind: editKinds.at, joint, place })), alike: at.editor.alike });
+
 export async function predict(wishes = at.editor.wishes) {
   const chosen = chosenName();
-  const told = { ...wishes, up: at.character.up };
+  const told = { ...wishes, up: at.character.up, ...marked(at.character.source.markers) };
   const rig = await whileBusy("Finding the joints", async () => (await fetchModelsFor(wishes), engine.call("rig", { wishes: told })));
   at.character.source.recipe = { wishes: told, edits: [] };
   rigChanged();
@@ -100,6 +106,7 @@ export const editName = ([{ kind, joint, other }]) => [`move ${joint}`, `add ${j
 export async function restoreRig({ kept, epoch, recipe, up }) {
   const { source } = at.character;
   at.character.up = up;
+  at.editor.showWishes(recipe.wishes);
   let rig = null;
   if (epoch === engine.epoch) {
     rig = await engine.call("restore", { number: kept });

@@ -3,7 +3,8 @@
 
 const $ = (id) => document.getElementById(id);
 const does = [
-  ["Drop a mesh", "It gets joints and weights at once. Red limbs may be wrong: Skeleton, Next; drag a joint, its mirror partner follows."],
+  ["Drop a mesh", "It gets joints and weights at once. Red limbs may be wrong: Skeleton, Next; drag a joint, its mirror partner follows. Or mark parts of the body (Markers) and rig again."],
+  ["It lies or is too large", "Mesh: turn by 90°, height in metres, on the floor. Skeleton: T pose."],
   ["Drop a rigged file", "Its own joints are bound anew; Material, Weights and Doubt show the result."],
   ["Drop a motion", "A file with animations and no mesh moves the character that is open; in the Motion step any animated file does. Several are several clips."],
   ["Export", "A file for other programs, with all clips, or the project with everything that was done."],

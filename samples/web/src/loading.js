@@ -158,15 +158,17 @@ export async function load(source, state = null, rows = null) {
   at.player.pause();
   const isKnown = source.history && source.history.now.epoch === engine.epoch;
   if (!isKnown) source.number = ++at.lastNumber;
+  const wanted = state ?? source.history?.now ?? null;
+  source.placement = wanted?.placement ?? source.placement ?? unplaced;
   const loaded = await whileBusy(`Opening ${name}`, () =>
-    source.pictureWishes ? engine.call("picture", { mesh, wishes: source.pictureWishes, number: source.number }) : engine.call("load", { mesh, skeleton, number: source.number }),
+    source.pictureWishes ? engine.call("picture", { mesh, wishes: source.pictureWishes, number: source.number }) : engine.call("load", asLoaded(source)),
   );
   // From here on the module has the new character, whether it can be bound or not.
-  const wanted = state ?? source.history?.now ?? null;
+  if (!wanted) forgetOptions(source);
   const up = Number($("up").value);
   const upAxis = upOf(loaded, up);
-  at.character = { ...loaded, name, up, upAxis, source, result: null, size: longestSide(loaded.buffers.positions) };
-  Object.assign(source, { answers: source.answers ?? [], never: source.never ?? new Set(), always: source.always ?? new Set(), recipe: source.recipe ?? { wishes: null, edits: [] }, kept: 0 });
+  at.character = { ...loaded, name, up, upAxis, source, result: null, size: longestSide(loaded.buffers.positions), placeable: !loaded.picture };
+  Object.assign(source, { answers: source.answers ?? [], never: source.never ?? new Set(), always: source.always ?? new Set(), markers: source.markers ?? [], recipe: source.recipe ?? { wishes: null, edits: [] }, kept: 0 });
   source.locked = new Set(); // with the rows that were locked
   showOpened(loaded);
   if (wanted) {
@@ -187,6 +189,28 @@ export async function load(source, state = null, rows = null) {
   await sendPose();
 }
 
+// What was asked for the character before says nothing of this one.
+function forgetOptions({ pictureWishes }) {
+  at.options.reset();
+  at.editor.showWishes(null);
+  $("kind").value = String(1 + bodyWords.indexOf(pictureWishes?.class)); // a drawing is read anew for it
+  $("up").value = "2";
+}
+
+const unplaced = { turns: [], height: 0, floor: false };
+const asLoaded = ({ mesh, skeleton, number, placement }) => ({ mesh, skeleton, number, place: { ...placement, up: Number($("up").value) === 1 ? 1 : 0 } });
+
+// The open character turned or scaled as a whole: with the joints of its file, without weights.
+export async function loadPlaced(placement) {
+  const { source, name, up } = at.character;
+  const loaded = await whileBusy(`Turning ${name}`, () => engine.call("load", asLoaded({ ...source, placement })));
+  source.placement = placement;
+  at.character = { ...loaded, name, up, upAxis: upOf(loaded, up), source, result: null, size: longestSide(loaded.buffers.positions), placeable: true };
+  source.locked = new Set(); // with the rows that were locked
+  source.kept = 0;
+  showOpened(loaded);
+}
+
 // A drawing moves at once, as its class does.
 async function moveDrawing() {
   const { picture } = at.character;
@@ -202,7 +226,7 @@ export async function changeKind() {
   if (!picture) return undefined;
   const word = $("kind").selectedOptions[0].value === "0" ? null : bodyWords[Number($("kind").value) - 1];
   source.pictureWishes = word ? { class: word } : undefined;
-  Object.assign(source, { history: undefined, motion: undefined, recipe: undefined, answers: [], step: undefined });
+  Object.assign(source, { history: undefined, motion: undefined, recipe: undefined, answers: [], markers: [], step: undefined });
   return load(source);
 }
 const bodyWords = ["biped", "quadruped", "bird", "fish", "snake", "many-legged"];

@@ -3,7 +3,7 @@
 import { forgetStyle, lookAt, saveStyle, take, takeBack } from "./asking.js";
 import { autosaved, forgetWork, lastWork, presentProject, warnBeforeLeaving } from "./autosave.js";
 import { BendPanel } from "./bends.js";
-import { bind, endStroke, forgetPaint, lockJoint, switchJoint } from "./binding.js";
+import { bind, bindOtherwise, endStroke, forgetPaint, lockJoint, switchJoint } from "./binding.js";
 import { nextBrush, showBrush, strokes } from "./brush.js";
 import { listenForChecks } from "./checking.js";
 import { setMode, showLegend } from "./colours.js";
@@ -16,8 +16,10 @@ import { clearError, queue, run, save, showError, stopJobs, whileBusy } from "./
 import { JointList } from "./joint_list.js";
 import { listenForKeys } from "./keys.js";
 import { changeKind, changeMotion, motionChanged, openFiles, openProject, openSample, reopen, tryClip } from "./loading.js";
+import { listenForMarkers } from "./marking.js";
 import { fetchModel } from "./models.js";
 import { Motions } from "./motions.js";
+import { listenForPlacement } from "./placing.js";
 import { BindOptions } from "./options.js";
 import { PosePanel } from "./pose_panel.js";
 import { Questions } from "./questions.js";
@@ -109,6 +111,8 @@ function listenForSkeleton() {
   at.editor.onEdit = (edits, chosen) => act(editName(edits), () => editSkeleton(edits, chosen));
   at.editor.onPredict = (wishes, id) => at.character && (id === "kind" && at.character.picture ? run(changeKind) : act("new skeleton", async () => (await predict(wishes), await bind())));
   at.editor.onMiddle = toMiddle;
+  listenForMarkers();
+  listenForPlacement();
   at.jointList = new JointList();
   at.jointList.onPick = choose;
   $("next-doubt").onclick = nextDoubt;
@@ -158,7 +162,7 @@ function listenForWeights() {
   $("forget-paint").onclick = () => act("forget painting", forgetPaint);
   at.view.onStrokeEnd = endStroke;
   at.options = new BindOptions();
-  at.options.onChange = (name) => at.character && act(name, () => bind());
+  at.options.onChange = (name) => at.character && act(name, bindOtherwise);
 }
 
 function listenForPoses() {
@@ -292,8 +296,11 @@ async function start() {
   if (sample) await openSample(sample);
 }
 
-// After the first things are there, so that it takes nothing from them. A page without a worker of this kind works as well.
+// After the first bind, so that it takes nothing from it, or where none comes. A page without a worker of this kind works as well.
+const offlineTimer = setTimeout(() => keepForOffline(), 15000);
 function keepForOffline() {
+  at.onFirstBound = () => {};
+  clearTimeout(offlineTimer);
   if ("serviceWorker" in navigator && isSecureContext) navigator.serviceWorker.register("sw.js").catch(() => {});
 }
 
@@ -301,7 +308,8 @@ try {
   at.view = new View($("stage"));
   listen();
   setStep("mesh");
-  run(start).then(keepForOffline);
+  at.onFirstBound = keepForOffline;
+  run(start);
 } catch (error) {
   showError(`this browser shows no 3D picture (${error.message}); turn on WebGL or try another browser`);
 }
@@ -335,5 +343,8 @@ window.sinewPage = {
   },
   get step() {
     return at.step;
+  },
+  get firstAlone() {
+    return at.firstAlone;
   },
 };

@@ -5,13 +5,19 @@
 const $ = (id) => document.getElementById(id);
 
 // What a change of each is called in the history.
-const words = { method: "weights from", symmetric: "symmetric weights", "rigid-parts": "rigid parts", influences: "influences", softness: "softness" };
+const words = { method: "weights from", symmetric: "symmetric weights", "rigid-parts": "rigid parts", influences: "influences", softness: "softness", "t-pose": "T pose" };
 
 export class BindOptions {
   onChange = () => {};
+  #first; // values as the page begins
 
   constructor() {
+    this.#first = this.values;
     for (const id of Object.keys(words)) $(id).onchange = () => this.onChange(words[id]);
+    $("t-pose").onclick = () => {
+      this.toPose = this.toPose ? "" : "t";
+      this.onChange(words["t-pose"]);
+    };
     $("softness").oninput = () => this.#say();
     $("softness").ondblclick = () => {
       $("softness").value = "0";
@@ -26,17 +32,31 @@ export class BindOptions {
     return Math.round(100 * 2 ** Number($("softness").value)) / 100;
   }
 
+  // The rest pose that is shown and saved: "t", or "" as the mesh stands.
+  get toPose() {
+    return $("t-pose").ariaPressed === "true" ? "t" : "";
+  }
+  set toPose(pose) {
+    $("t-pose").ariaPressed = String(pose === "t");
+  }
+
   // What the user chose, to be kept and put back.
   get values() {
-    return { method: $("method").value, symmetric: $("symmetric").checked, rigidParts: $("rigid-parts").value, softness: $("softness").value, influences: $("influences").value };
+    return { toPose: this.toPose, method: $("method").value, symmetric: $("symmetric").checked, rigidParts: $("rigid-parts").value, softness: $("softness").value, influences: $("influences").value };
   }
-  set values({ method, symmetric, rigidParts, softness, influences }) {
+  set values({ toPose = "", method, symmetric, rigidParts, softness, influences }) {
+    this.toPose = toPose;
     $("method").value = method;
     $("symmetric").checked = symmetric;
     $("rigid-parts").value = rigidParts;
     $("softness").value = softness;
     $("influences").value = influences;
     this.#say();
+  }
+
+  // Another character has none of the one before.
+  reset() {
+    this.values = this.#first;
   }
 
   // As web.cpp reads it. joints: of the character; source: {never, always} sets of names.
@@ -49,6 +69,7 @@ export class BindOptions {
       rigidParts: Number($("rigid-parts").value),
       softness: this.softness,
       influences: Number($("influences").value),
+      toPose: this.toPose,
       never: numbers(source.never),
       always: numbers(source.always),
     };

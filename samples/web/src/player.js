@@ -84,8 +84,10 @@ export class MotionPlayer {
   }
 
   pause() {
+    const played = this.#playing;
     this.#playing = false;
     this.#showPlaying();
+    if (played && this.#motion) this.onFrame(); // all of it
   }
 
   // By so many frames; pauses.

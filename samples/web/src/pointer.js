@@ -3,6 +3,7 @@
 // the brush paint. Other drags orbit.
 import { Matrix4, Raycaster, Vector2, Vector3 } from "three";
 import { draggedTo } from "./limbs.js";
+import { firstHit } from "./rays.js";
 
 const pickPixels = 11;
 const touchPixels = 24; // a finger hides what it is on
@@ -44,11 +45,29 @@ export class Pointer {
     return best;
   }
 
+  // The marker that is nearest to the pointer, -1 where none is near.
+  markerAt({ clientX: x, clientY: y, pointerType }) {
+    let best = -1;
+    let nearest = pointerType === "touch" ? touchPixels : pickPixels;
+    for (const { place, index } of this.#view.markers) {
+      const at = this.#view.onScreen(place);
+      const distance = Math.hypot(at.x - x, at.y - y);
+      if (!at.behind && distance <= nearest) [best, nearest] = [index, distance];
+    }
+    return best;
+  }
+
+  // The middle of the limb under the pointer, null beside the mesh.
+  #middleAt({ clientX, clientY }) {
+    const hit = firstHit(this.#rayThrough(clientX, clientY), this.#mesh());
+    return hit ? this.place(-1, this.#mesh().worldToLocal(hit.point.clone()).toArray(), clientX, clientY, true) : null;
+  }
+
   // The shown vertex under the pointer, -1 beside the mesh.
   surfaceAt({ clientX, clientY }) {
     const mesh = this.#mesh();
     if (!mesh) return -1;
-    const [hit] = this.#rayThrough(clientX, clientY).intersectObject(mesh);
+    const hit = firstHit(this.#rayThrough(clientX, clientY), mesh);
     if (!hit) return -1;
     const positions = mesh.geometry.getAttribute("position");
     const at = mesh.worldToLocal(hit.point.clone()), corner = new Vector3();
@@ -75,7 +94,7 @@ export class Pointer {
       direction: direction.transformDirection(toModel).toArray(),
       forward: this.#camera.getWorldDirection(new Vector3()).transformDirection(toModel).toArray(),
       from,
-      plane: this.#view.planeOf(joint),
+      plane: joint < 0 ? null : this.#view.planeOf(joint),
       surface: toMiddle ? { positions: geometry.getAttribute("position").array, triangles: geometry.index.array } : null,
     });
   }
@@ -92,7 +111,9 @@ export class Pointer {
           this.#view.onStroke(this.surfaceAt(event));
           return;
         }
-        if (!this.#view.editing || !this.#view.draggable || event.button !== 0 || event.target !== this.#canvas || this.#drag) return;
+        const marker = event.button === 0 && event.target === this.#canvas && !this.#drag ? this.markerAt(event) : -1;
+        if (marker >= 0) return this.#beginMarker(marker, event);
+        if (!this.#view.editing || !this.#view.draggable || this.#view.onMark || event.button !== 0 || event.target !== this.#canvas || this.#drag) return;
         const joint = this.jointAt(event);
         if (joint < 0) return;
         this.#view.orbiting = false;
@@ -109,7 +130,19 @@ export class Pointer {
       },
       true,
     );
-    const canvas = this.#canvas;
+    this.#listenForMoves(this.#canvas);
+  }
+
+  #beginMarker(marker, event) {
+    const { place } = this.#view.markers.find(({ index }) => index === marker);
+    const at = this.#view.onScreen(place);
+    this.#view.orbiting = false;
+    this.#view.hold();
+    this.#drag = { marker, offset: [at.x - event.clientX, at.y - event.clientY], start: [event.clientX, event.clientY], from: place, moved: false };
+    event.target.setPointerCapture(event.pointerId);
+  }
+
+  #listenForMoves(canvas) {
     canvas.addEventListener("pointermove", (event) => {
       const drag = this.#drag;
       if (this.#stroking) {
@@ -118,14 +151,15 @@ export class Pointer {
         return;
       }
       if (!drag) {
-        canvas.style.cursor = this.#view.editing && this.#view.draggable && this.jointAt(event) >= 0 ? "move" : "";
+        canvas.style.cursor = this.markerAt(event) >= 0 ? "move" : this.#view.onMark ? "crosshair" : this.#view.editing && this.#view.draggable && this.jointAt(event) >= 0 ? "move" : "";
         return;
       }
       const { clientX: x, clientY: y } = event;
       if (!drag.moved && Math.hypot(x - drag.start[0], y - drag.start[1]) < dragPixels) return;
       drag.moved = true;
-      drag.from = this.place(drag.joint, drag.from, x + drag.offset[0], y + drag.offset[1], this.#view.toMiddle !== event.altKey);
-      this.#view.onDrag(drag.joint, drag.from);
+      drag.from = this.place(drag.joint ?? -1, drag.from, x + drag.offset[0], y + drag.offset[1], this.#view.toMiddle !== event.altKey);
+      if (drag.marker !== undefined) this.#view.onDragMarker(drag.marker, drag.from, false);
+      else this.#view.onDrag(drag.joint, drag.from);
     });
     const end = () => {
       if (this.#stroking) {
@@ -134,10 +168,11 @@ export class Pointer {
         return this.#view.onStrokeEnd();
       }
       if (!this.#drag) return;
-      const { moved } = this.#drag;
+      const { moved, marker, from } = this.#drag;
       this.#drag = null;
       this.#view.orbiting = true;
-      if (moved) this.#view.onDragEnd();
+      if (moved && marker !== undefined) this.#view.onDragMarker(marker, from, true);
+      else if (moved) this.#view.onDragEnd();
     };
     canvas.addEventListener("pointerup", end);
     canvas.addEventListener("pointercancel", end);
@@ -152,6 +187,12 @@ export class Pointer {
     });
     canvas.addEventListener("pointerup", (event) => {
       if (!down || !this.#mesh() || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > 4) return;
+      if (this.markerAt(event) >= 0) return; // it was taken, and let go
+      if (this.#view.onMark) {
+        const place = this.#middleAt(event);
+        if (place) this.#view.onMark(place);
+        return;
+      }
       const joint = this.jointAt(event);
       const more = event.ctrlKey || event.metaKey || event.shiftKey; // beside the chosen one
       if (joint >= 0) return this.#view.onPickJoint(joint, more);

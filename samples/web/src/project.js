@@ -5,11 +5,11 @@ const format = 1;
 
 // character: as the page has it; state: of its history; rows: of the module, or null. Answers keep their questions, pictures of them do not.
 export function projectOf({ name, source }, state, rows, beside) {
-  const { recipe, up, options, pose, never, always, locked, answers, motion } = state;
+  const { recipe, up, options, pose, never, always, locked, answers, motion, markers, placement } = state;
   return {
     sinewProject: format, name, mesh: source.mesh, skeleton: source.skeleton, beside, step: source.step, pictureWishes: source.pictureWishes,
     state: {
-      recipe, up, options, motion, pose: [...pose], never: [...never], always: [...always], locked: [...locked],
+      recipe, up, options, motion, markers, placement, pose: [...pose], never: [...never], always: [...always], locked: [...locked],
       answers: answers.map(({ question: { members, ...question }, answer, kind, joint, byStyle }) => ({ question, answer, kind, joint, byStyle })),
     },
     rows,
@@ -32,6 +32,6 @@ export function readProject(name, text) {
   const { state } = project;
   return {
     ...project,
-    state: { ...state, kept: 0, epoch: 0, style: null, pose: Float32Array.from(state.pose), never: new Set(state.never), always: new Set(state.always), locked: new Set(state.locked) },
+    state: { ...state, kept: 0, markers: state.markers ?? [], epoch: 0, style: null, pose: Float32Array.from(state.pose), never: new Set(state.never), always: new Set(state.always), locked: new Set(state.locked) },
   };
 }

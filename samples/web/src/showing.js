@@ -18,7 +18,8 @@ export const poses = new Latest(async () => {
   const isPast = () => of !== at.character?.result || posed !== at.pose || motion !== at.player.motion; // another character, bind or motion by now
   let reply;
   try {
-    reply = plays ? await engine.call("frame", { clip: at.player.clip, seconds: at.player.seconds, skinning }) : await engine.call("pose", { turns, skinning });
+    // While a motion plays, the graphics card skins what is linear; the mesh itself follows when it stops.
+    reply = plays && at.player.playing && at.view.look && skinning === 0 ? await engine.call("frameJoints", { clip: at.player.clip, seconds: at.player.seconds }) : plays ? await engine.call("frame", { clip: at.player.clip, seconds: at.player.seconds, skinning }) : await engine.call("pose", { turns, skinning });
   } catch (error) {
     if (isPast()) return;
     throw error;
@@ -27,7 +28,7 @@ export const poses = new Latest(async () => {
   const { positions, normals, jointPositions, palette } = reply.buffers;
   at.view.setPose(positions, normals, jointPositions, turns, palette, plays);
   at.view.setSpots(plays && at.motions.methods.spotsShown ? reply.spots : []);
-  at.bends.show(reply.bends, at.character.joints, at.player.playing);
+  if (reply.bends) at.bends.show(reply.bends, at.character.joints, at.player.playing);
 });
 export const sendPose = () => poses.want();
 
@@ -73,6 +74,7 @@ export function showFacts(result = at.character?.result) {
   $("facts").replaceChildren(...factsOf({ character: at.character, result, engine: at.engineFacts, models }));
   for (const button of document.querySelectorAll("[data-needs=bound]")) button.disabled = !at.character?.result;
   showStatus();
+  showPlacement();
 }
 
 // The line below the picture; the rest is behind its i.
@@ -82,6 +84,15 @@ function showStatus() {
   const parts = character ? [`${count(character.vertices)} vertices`, `${character.joints.length} joints`, character.result ? "bound" : "binding…"] : [];
   $("status-said").textContent = parts.join(" · ");
   showSteps();
+}
+
+// What the panel says of the open character.
+export function showPlacement() {
+  const { character } = at;
+  const enabled = Boolean(character?.placeable);
+  for (const id of ["floor", "height", "turn-by-x", "turn-by-y", "turn-by-z"]) $(id).disabled = !enabled;
+  $("floor").checked = Boolean(character?.source.placement?.floor);
+  $("height").value = character?.tall ? Number(character.tall[character.upAxis].toPrecision(4)) : "";
 }
 
 export const listJoints = () => at.jointList.show(at.character, at.view.selected, at.view.also);

@@ -2,7 +2,7 @@
 // The panel in which a skeleton is edited: what the chosen joint is, and the user's wishes as edits. Joints are the module's:
 // {name, parent, position, side, end, partner, confidence}; edits are its SkeletonEdit.
 
-export const editKinds = { move: 0, add: 1, remove: 2, parent: 3, rename: 4 };
+export const editKinds = { move: 0, add: 1, remove: 2, parent: 3, rename: 4, at: 5 };
 const sureSpread = 0.03; // of the votes, share of the longest side: good, says sinew/rig.h
 const unsureSpread = 0.1; // above it nobody knows, says the same header
 const unsure = [
@@ -94,6 +94,7 @@ export class SkeletonEditor {
   onMiddle = () => {}; // the chosen joint to the middle of its limb
   #character = null;
   #joint = -1;
+  #first; // wishes as the page begins
 
   constructor() {
     $("rename").onchange = () => {
@@ -121,6 +122,7 @@ export class SkeletonEditor {
     $("remove-joint").onclick = () => this.remove();
     $("to-middle").onclick = () => this.onMiddle();
     $("predict").onclick = () => this.onPredict(this.wishes);
+    this.#first = this.wishes;
     for (const id of ["detail", "spine", "toes", "ends", "mirror", "kind", "front"]) $(id).onchange = () => this.#character?.predicted && this.onPredict(this.wishes, id);
   }
 
@@ -132,8 +134,18 @@ export class SkeletonEditor {
     return { category: Number($("kind").value), front: Number($("front").value), detail: Number($("detail").value), spine: Number($("spine").value), toes: $("toes").checked, ends: $("ends").checked, mirror: Number($("mirror").value) };
   }
 
+  set wishes({ category, front, detail, spine, toes, ends, mirror }) {
+    for (const [id, value] of Object.entries({ kind: category, front, detail, spine, mirror })) $(id).value = String(value);
+    $("toes").checked = toes;
+    $("ends").checked = ends;
+  }
+  // wishes: of the skeleton that is there, or null: as the page begins.
+  showWishes(wishes) {
+    this.wishes = wishes ?? this.#first;
+  }
+
   get canEdit() {
-    return Boolean(this.#character?.editable) && this.#joint >= 0;
+    return Boolean(this.#character?.editable) && !this.#character.posed && this.#joint >= 0;
   }
 
   move(place) {
@@ -164,7 +176,8 @@ export class SkeletonEditor {
     $("edit-name").textContent = chosen?.name ?? "No joint chosen";
     $("edit-sure").textContent = chosen && character.predicted ? this.#sureText(chosen) : "";
     $("edit-notes").textContent = character?.predicted ? (character.notes ?? []).map((note) => `${note[0].toUpperCase()}${note.slice(1)}.`).join(" ") : "";
-    $("edit-none").hidden = !character || character.editable || character.joints.length === 0;
+    $("edit-none").hidden = !character || (character.editable && !character.posed) || character.joints.length === 0;
+    $("edit-none").textContent = character?.posed ? "In the T pose joints stay where they are: leave it to edit them." : "This skeleton is the file's own and stays as it is. A new one can be edited.";
     for (const id of ["rename", "parent", "remove-joint", "to-middle", ...axes.map((axis) => `place-${axis}`)]) $(id).disabled = !canEdit;
     $("add-joint").disabled = !canEdit || chosen.end;
     $("rename").value = chosen?.name ?? "";

@@ -27,6 +27,7 @@ export const at = {
   mode: modes.material,
   questions: null,
   editor: null,
+  markers: null, // their panel
   player: null,
   motions: null, // the player among them
   bends: null,
@@ -42,6 +43,8 @@ export const at = {
   modelFiles: [], // of the page's own, as Files
   modeChosen: false, // the user chose what the picture shows, in this step
   exported: false,
+  firstAlone: null, // whether the first bind needed the first part of the module alone
+  onFirstBound: () => {},
   forceScalar: false,
   changed: false, // something was done that no file has yet
   afterStop: () => {}, // brings the page back when a job was stopped

@@ -8,8 +8,11 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { TransformControls } from "three/addons/controls/TransformControls.js";
 import { Bones } from "./bones.js";
+import { MarkerBalls } from "./marker_balls.js";
 import { Pointer } from "./pointer.js";
+import { moved } from "./rays.js";
 import { ContactSpots } from "./spots.js";
+import { ViewCube } from "./view_cube.js";
 
 const colourOf = ([r, g, b]) => new Color().setRGB(r / 255, g / 255, b / 255, SRGBColorSpace);
 const toLinear = Float32Array.from({ length: 256 }, (_, i) => {
@@ -36,6 +39,8 @@ export class View {
   onDrag = () => {}; // joint, [x, y, z] where it is wanted now
   onDragEnd = () => {};
   onStrokeEnd = () => {};
+  onMark = null; // [x, y, z] of a click on the mesh, while clicks are markers
+  onDragMarker = () => {}; // index, [x, y, z], whether it has ended
   selected = -1;
   #also = new Set(); // joints that turn with the chosen one
   #look = null; // shown instead of the coloured mesh, see look.js
@@ -54,7 +59,9 @@ export class View {
   #gizmo;
   #model = new Group(); // turned when Z is up
   #pointer;
+  #cube;
   #spots = new ContactSpots(this.#model);
+  #markers = new MarkerBalls(this.#model);
   #bones = new Bones(this.#model, () => this.#radius);
   #light = new DirectionalLight(0xffffff, 1.7);
   #sky = new HemisphereLight(0xffffff, 0x8b93a3, 1.9);
@@ -101,6 +108,7 @@ export class View {
     });
     this.#scene.add(this.#gizmo.getHelper());
     const canvas = this.#renderer.domElement;
+    this.#cube = new ViewCube({ camera: this.#camera, canvas, orbit: this.#orbit, host, redraw: () => ((this.#untouched = false), this.redraw()) });
     this.#pointer = new Pointer(this, { host, canvas, camera: this.#camera, model: this.#model, mesh: () => this.#mesh });
     isLight.addEventListener("change", () => this.#mesh && (this.#stand(this.#upAxis), this.redraw()));
     new ResizeObserver(() => this.#resize()).observe(host);
@@ -137,6 +145,7 @@ export class View {
   // upAxis 1: z, which the picture turns up; else y.
   #stand(upAxis) {
     this.#upAxis = upAxis;
+    this.#cube.up = upAxis;
     this.#model.rotation.x = upAxis === 1 ? -Math.PI / 2 : 0;
     this.#model.updateMatrixWorld(true);
     this.frame();
@@ -197,14 +206,11 @@ export class View {
     this.redraw();
   }
 
-  // turns: degrees of all joints, which the rings follow. moves: a motion plays, and the camera goes along with it over the floor.
+  // turns: degrees of all joints, which the rings follow. Without positions the mesh stays, and the look of the file alone moves. moves: a motion plays, and the camera goes along with it over the floor.
   setPose(positions, normals, jointPositions, turns, palette, moves = false) {
     this.#palette = palette;
     this.#look?.pose(palette);
-    const { geometry } = this.#mesh;
-    geometry.getAttribute("position").copyArray(positions).needsUpdate = true;
-    geometry.getAttribute("normal").copyArray(normals).needsUpdate = true;
-    geometry.boundingSphere = null;
+    if (positions) this.#moveMesh(positions, normals);
     this.#jointPositions = jointPositions;
     this.#handles.forEach((handle, j) => {
       if (this.#gizmo.dragging && j === this.selected) return;
@@ -215,10 +221,27 @@ export class View {
     this.redraw();
   }
 
+  #moveMesh(positions, normals) {
+    const { geometry } = this.#mesh;
+    geometry.getAttribute("position").copyArray(positions).needsUpdate = true;
+    geometry.getAttribute("normal").copyArray(normals).needsUpdate = true;
+    geometry.boundingSphere = null;
+    moved(geometry);
+  }
+
   // Contacts of a motion's frame, see spots.js.
   setSpots(spots) {
     this.#spots.show(spots, this.#radius);
     this.redraw();
+  }
+
+  // See marker_balls.js.
+  setMarkers(markers) {
+    this.#markers.show(markers, this.#radius);
+    this.redraw();
+  }
+  get markers() {
+    return this.#markers.handles;
   }
 
   // The character as its file shows it, a Look; null: with the colours of weights again.
@@ -342,14 +365,23 @@ export class View {
     this.#stale = true;
     requestAnimationFrame(() => {
       this.#stale = false;
-      this.#renderer.render(this.#scene, this.#camera);
+      this.#draw();
     });
+  }
+
+  #draw() {
+    this.#renderer.render(this.#scene, this.#camera);
+    if (this.#mesh) this.#cube.render(this.#renderer);
   }
 
   // Where a joint is on the page.
   jointOnScreen(joint) {
+    return this.onScreen(this.jointPosition(joint));
+  }
+  // Where a point of the model is on the page.
+  onScreen(point) {
     this.#camera.updateMatrixWorld(); // the picture may be a frame behind
-    const at = new Vector3().fromArray(this.#jointPositions, joint * 3).applyMatrix4(this.#model.matrixWorld).project(this.#camera);
+    const at = new Vector3(...point).applyMatrix4(this.#model.matrixWorld).project(this.#camera);
     const box = this.#renderer.domElement.getBoundingClientRect();
     return { x: box.left + ((at.x + 1) / 2) * box.width, y: box.top + ((1 - at.y) / 2) * box.height, behind: at.z > 1 };
   }
@@ -489,7 +521,7 @@ export class View {
     this.#camera.aspect = width / height;
     this.#camera.updateProjectionMatrix();
     if (this.#mesh && this.#untouched) this.frame();
-    this.#renderer.render(this.#scene, this.#camera); // at once: a canvas that was sized anew is empty
+    this.#draw(); // at once: a canvas that was sized anew is empty
   }
 
   #makeHandles() {

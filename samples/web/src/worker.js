@@ -3,8 +3,7 @@
 // reply, buffers} or {progress}.
 import { compile, hasSimd } from "@sinew/skin/loader";
 import { isScene, readScenesBy } from "@sinew/skin/scenes";
-import scalar from "sinew-scalar";
-import simd from "sinew-simd";
+import { Rest } from "./rest.js";
 
 const kinds = { triangles: 0, vertexOf: 1, positions: 2, normals: 3, colours: 4, jointPositions: 5, strongest: 6, vertexQuestions: 7, palette: 8 };
 const arrays = { triangles: Uint32Array, vertexOf: Uint32Array, colours: Uint8Array, strongest: Uint16Array, vertexQuestions: Uint32Array };
@@ -12,6 +11,7 @@ const posed = ["positions", "normals", "jointPositions", "palette"];
 
 let module;
 let moduleBytes = 0;
+let rest; // of the module
 
 async function fetchModule(name) {
   const response = await fetch(name);
@@ -29,13 +29,18 @@ function needScenes(name) {
 }
 
 async function start({ forceScalar }) {
-  const useSimd = !forceScalar && hasSimd();
-  const bytes = await fetchModule(useSimd ? "sinew-simd.wasm" : "sinew-scalar.wasm");
+  const kind = !forceScalar && hasSimd() ? "simd" : "scalar";
+  const glue = kind === "simd" ? import("sinew-simd") : import("sinew-scalar"); // fetched beside the module
+  const bytes = await fetchModule(`sinew-${kind}.wasm`);
   moduleBytes = bytes.byteLength;
   const compiled = await compile(bytes);
-  module = await (useSimd ? simd : scalar)({
+  rest = new Rest(`sinew-${kind}-rest.wasm`);
+  module = await (await glue).default({
     instantiateWasm(imports, done) {
-      WebAssembly.instantiate(compiled, imports).then((instance) => done(instance, compiled));
+      WebAssembly.instantiate(compiled, rest.withPlaceholders(imports)).then((instance) => {
+        rest.primary = instance.exports;
+        done(instance, compiled);
+      });
       return {};
     },
     onProgress: (share) => postMessage({ progress: share }),
@@ -114,9 +119,10 @@ const calls = {
     }
   },
   model: ({ name }) => withText(plain(name), (at) => checked(module._web_model(at))),
-  async load({ mesh, skeleton, number }) {
+  // place: {turns, height, floor, up} as web_load() has it
+  async load({ mesh, skeleton, number, place = {} }) {
     await needScenes(mesh);
-    const reply = withText(plain(mesh), (m) => withText(skeleton && plain(skeleton), (s) => checked(module._web_load(m, s, number))));
+    const reply = withText(plain(mesh), (m) => withText(skeleton && plain(skeleton), (s) => withText(JSON.stringify(place), (p) => checked(module._web_load(m, s, number, p)))));
     return { ...reply, buffers: take(["triangles", "vertexOf", "positions", "normals"]) };
   },
   // A drawing by other wishes: {class, ...} as web_picture() has them.
@@ -125,10 +131,10 @@ const calls = {
     return { ...reply, buffers: take(["triangles", "vertexOf", "positions", "normals"]) };
   },
   // answers: [[vertex, kind, joint], ...]
-  // wish: as BindOptions of options.js has it
+  // wish: as BindOptions of options.js has it. Replies whether the rest of the module had no part in it, too.
   bind({ wish, answers }) {
     const reply = withTexts(wish, answers, (w, a) => checked(module._web_bind(w, a)));
-    return { ...reply, buffers: take(["strongest", "vertexQuestions"]) };
+    return { ...reply, alone: !rest.wasAsked, buffers: take(["strongest", "vertexQuestions"]) };
   },
   rig: ({ wishes }) => withText(JSON.stringify(wishes), (at) => checked(module._web_rig(at))),
   // edits: [{kind, joint, other, place}, ...]
@@ -192,6 +198,8 @@ const calls = {
     return withTexts(files, wish, (n, w) => checked(module._web_motion(n, w)));
   },
   motionMethod: ({ method }) => checked(module._web_motion_method(method)),
+  // Positions of the mesh are left out.
+  frameJoints: ({ clip, seconds }) => ({ ...checked(module._web_frame_joints(clip, seconds)), buffers: take(["jointPositions", "palette"]) }),
   frame: ({ clip, seconds, skinning }) => ({ ...checked(module._web_frame(clip, seconds, skinning)), buffers: take(posed) }),
   // kind: glb or vrm; wish: {clips, profile, author, title, licence}
   file({ name, kind, wish }) {
@@ -206,11 +214,16 @@ const calls = {
   },
 };
 
+// What a character is opened, rigged and bound with; all else waits for the rest of the module.
+const first = new Set(["start", "write", "remove", "setAside", "model", "load", "rig", "bind", "keep", "drop"]);
+
 async function answer({ id, call, ...options }) {
   try {
+    if (!first.has(call)) await rest.loaded();
     const reply = (await calls[call](options)) ?? {};
     const transfer = Object.values(reply.buffers ?? {}).map((b) => b.buffer);
     postMessage({ id, reply }, transfer);
+    if (call === "bind") rest.loaded().catch(() => {}); // the next call says it
   } catch (error) {
     let line = String(error?.message ?? error);
     if (error instanceof RangeError) line = "out of memory: the file is too large for this browser; try the sinew command";

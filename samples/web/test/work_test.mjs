@@ -24,8 +24,8 @@ const browser = await launch();
 const troubles = [];
 const page = await newPage(browser, troubles);
 const asked = []; // addresses until the first character walks
-const note = (request) => asked.push(request.url());
-page.on("request", note);
+const note = (request) => request.serviceWorker() === null && asked.push(request.url());
+browser.context.on("request", note); // those of workers too
 const { settled, shoot, errorLine, hash, joints, positions, pick, give, slide, downloaded, go, step } = pageTools(() => page, { troubles, work, prefix: "work_" });
 const shown = () => page.evaluate(() => [...document.querySelectorAll("button, input, select, summary, a")].filter((one) => one.checkVisibility({ contentVisibilityAuto: true }) && !one.closest("[hidden]")).map((one) => one.id || one.textContent));
 const undoName = async () => (await page.getAttribute("#undo", "title")).replace(/^Undo: | \(Ctrl\+Z\)$/g, "");
@@ -67,18 +67,26 @@ try {
     await page.click("#clip-grid [data-clip=walk]");
     await settled();
     const { bytes } = await downloaded("#download");
-    page.off("request", note);
+    browser.context.off("request", note);
     command("animate", "robot.obj", "--motion", "builtin:walk", "-o", "walk.glb");
     const apart = apartGlbs(bytes, readFileSync(at("walk.glb"))); // of the clip, which code makes
     assert.ok(apart < 1e-5, `the page's GLB is ${apart} off the command's`);
   });
 
   await step("what the first bind takes over the wire", async () => {
-    const files = [...new Set(asked.map((url) => new URL(url).pathname.slice(1) || "index.html"))].filter((name) => existsSync(join(dist, name)));
-    const packed = files.map((name) => [name, gzipSync(readFileSync(join(dist, name)), { level: 9 }).length]);
-    const total = packed.reduce((sum, [, bytes]) => sum + bytes, 0);
-    console.log(`  ${Math.round(total / 1e3)} kB packed by gzip: ${packed.filter(([, bytes]) => bytes > 2e4).map(([name, bytes]) => `${name} ${Math.round(bytes / 1e3)}`).join(", ")}`);
-    assert.ok(!files.some((name) => /scenes|hands/.test(name)), "what nobody asked for is not fetched");
+    assert.equal(await page.evaluate(() => sinewPage.firstAlone), true, "the first bind waits for what it does not need");
+    const filesOf = (list) => [...new Set(list.map((url) => new URL(url).pathname.slice(1) || "index.html"))].filter((name) => existsSync(join(dist, name)));
+    const tell = (what, files) => {
+      const packed = files.map((name) => [name, gzipSync(readFileSync(join(dist, name)), { level: 9 }).length]);
+      const total = packed.reduce((sum, [, bytes]) => sum + bytes, 0);
+      console.log(`  ${what}: ${Math.round(total / 1e3)} kB packed by gzip: ${packed.filter(([, bytes]) => bytes > 1e4).map(([name, bytes]) => `${name} ${Math.round(bytes / 1e3)}`).join(", ")}`);
+    };
+    const [first, all] = [filesOf(asked.slice(0, asked.findIndex((url) => url.includes("-rest.wasm")))), filesOf(asked)];
+    tell("a bare mesh, bound", first);
+    tell("a mesh with a skeleton, bound", first.filter((name) => !/_(rig|front)\.sinew$/.test(name)));
+    tell("a bare mesh, walking", all);
+    assert.ok(!all.some((name) => /scenes|hands/.test(name)), "what nobody asked for is not fetched");
+    assert.ok(!first.some((name) => /look-|box_tree/.test(name)), `${first}`);
   });
 
   await step("every step fits its window", async () => {
@@ -200,13 +208,39 @@ try {
     assert.deepEqual((await joints()).map(({ name, position }) => ({ name, position })), moved.map(({ name, position }) => ({ name, position })));
   });
 
+  await step("a new file has none of the wishes of the one before; a tab has its own", async () => {
+    const wishes = () => page.evaluate(() => Object.fromEntries(["kind", "front", "up", "spine", "mirror", "detail", "softness", "influences", "method", "rigid-parts"].map((id) => [id, document.getElementById(id).value]).concat(["symmetric", "toes", "ends"].map((id) => [id, document.getElementById(id).checked]))));
+    const choose = async (id, value) => (await page.selectOption(id, value), await settled());
+    await give(file("snake__long.obj"));
+    const fresh = await wishes();
+    await give(file("biped__robot.obj"), file("bird__winged.obj"));
+    await choose("#kind", "1");
+    await choose("#spine", "3");
+    await slide("#softness", 1);
+    await pick("Head");
+    await page.keyboard.press("l");
+    await settled();
+    const [told, was] = [await wishes(), await hash()];
+    assert.deepEqual([told.kind, told.spine, told.softness], ["1", "3", "1"]);
+    await page.click("#characters button:nth-child(2)");
+    await settled();
+    assert.deepEqual(await wishes(), fresh, "the other tab");
+    await page.click("#characters button:nth-child(1)");
+    await settled();
+    assert.deepEqual([await wishes(), await hash()], [told, was], "back at the first tab");
+    for (const _ of ["lock", "softness", "new skeleton"]) await page.keyboard.press("Control+z");
+    await settled();
+    assert.deepEqual([(await wishes()).spine, (await wishes()).kind], ["0", "1"], "undo brings the wishes back");
+    await give(file("snake__long.obj"));
+    assert.deepEqual(await wishes(), fresh, "a new file");
+    command("rig", join(data, "snake__long.obj"), "-o", "snake.glb");
+    assert.ok((await downloaded("#download")).bytes.equals(readFileSync(at("snake.glb"))), "the page's GLB differs from the command's");
+    assert.equal(await page.locator("#joints .locked").count(), 0);
+  });
+
   await step("dropped motions move the character that is open; several are several clips", async () => {
     writeFileSync(at("squat.bvh"), testClip("squat"));
     writeFileSync(at("arms.bvh"), testClip("arms up"));
-    // Options and answers about parts are the user's, from one character to the next; the project had some.
-    await page.evaluate(() => sinewPage.forgetWork());
-    await page.goto(server.address);
-    await settled();
     await give(made("robot.obj", readFileSync(at("robot.obj"))));
     await give(made("squat.bvh", testClip("squat")), made("arms.bvh", testClip("arms up")));
     assert.equal(await errorLine(), "");

@@ -33,6 +33,7 @@ bool is_of_rigid_parts(const Character& character) {
 
 // The command's job for the character as it is, with what its user said. `sinew rig` binds attached meshes too, and tips keep their weight.
 BindJob job_for(Session& s, const Wish& wish) {
+  stand(s);
   const Rig& rig = s.rigs().now();
   BindJobOptions job;
   job.choice = &rig.choice;
@@ -85,7 +86,7 @@ Json question_json(const Character& character, const sinew_question& question) {
 
 }  // namespace
 
-// text: {method, upAxis, symmetric, rigidParts, softness, influences, never, always}
+// text: {method, upAxis, symmetric, rigidParts, softness, influences, never, always, toPose}
 Wish read_wish(const char* text, sinew_progress progress) {
   const Json json = Json::parse(text);
   Wish wish;
@@ -97,6 +98,7 @@ Wish read_wish(const char* text, sinew_progress progress) {
   wish.influences = json.at("influences").get<uint32_t>();
   wish.never = json.at("never").get<std::vector<size_t>>();
   wish.always = json.at("always").get<std::vector<size_t>>();
+  wish.to_pose = json.at("toPose").get<std::string>();
   wish.progress = progress;
   return wish;
 }
@@ -122,6 +124,10 @@ Json bind_shown(Session& s, const Wish& wish, const std::vector<sinew_answer>& a
   Rows rows = {std::move(result.influences), std::move(result.confidence)};
   swap_rows(s, &rows);
   s.vertex_questions = std::move(result.vertex_questions);
+  s.to_pose = wish.to_pose;
+  s.up_axis = wish.up_axis;
+  s.seams = result.seams;
+  strike(s);
   std::vector<double> sums(s.character.joints.size(), 0);
   size_t pairs = 0;
   for (const std::vector<Influence>& row : s.character.influences) {
@@ -138,7 +144,11 @@ Json bind_shown(Session& s, const Wish& wish, const std::vector<sinew_answer>& a
     left_out.push_back(s.character.joints[left.joint].name + " (" + left.why + ")");
   Json questions = Json::array();
   for (const sinew_question& question : result.questions) questions.push_back(question_json(s.character, question));
+  Json places = Json::array();
+  for (const Joint& joint : s.character.joints)
+    places.push_back({joint.position.x, joint.position.y, joint.position.z});
   return {{"seconds", result.seconds},
+          {"places", std::move(places)},
           {"workspaceBytes", result.workspace_bytes},
           {"usedBytes", result.used_bytes},
           {"hash", bind_hash(s.character.influences, s.slots)},
@@ -173,8 +183,10 @@ Json rebind(Session& s, const Wish& wish, const std::vector<sinew_answer>& answe
 Json preview(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers) {
   CharacterBind result = job_for(s, wish).bind(answers, 0);
   end_preview(s);
+  stand(s);
   s.taken = {std::move(result.influences), std::move(result.confidence)};
   swap_rows(s, &s.taken);
+  strike(s);
   return {{"hash", bind_hash(s.character.influences, s.slots)}};
 }
 
@@ -200,6 +212,7 @@ Json style_answers(Session& s, const Wish& wish) {
 // The loaded style with these answers.
 void save_style(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers, const std::string& path) {
   write_style(path, job_for(s, wish).learnt(s.style, answers, path));
+  strike(s);
 }
 
 }  // namespace sinew::web

@@ -19,10 +19,11 @@ struct Wish {
   uint32_t method = 0, up_axis = 0, rigid_parts = 0, softness_percent = 100, influences = 4;
   bool symmetric = false;
   std::vector<size_t> never, always;  // joints that the user switched off, and those that were off
+  std::string to_pose;                // rest pose that it is shown and written in: "t", "a", "" as it stands
   sinew_progress progress = nullptr;
 };
 
-// text: {method, upAxis, symmetric, rigidParts, softness, influences, never, always}
+// text: {method, upAxis, symmetric, rigidParts, softness, influences, never, always, toPose}
 Wish read_wish(const char* text, sinew_progress progress);
 // text: [[vertex, kind, joint], ...]
 std::vector<sinew_answer> read_answers(const std::string& text);

@@ -3,10 +3,12 @@
 #include "characters.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "rig_json.hpp"
 #include "sinew_character/bind_job.hpp"
+#include "sinew_character/placement.hpp"
 #include "sinew_character/plane_motion.hpp"
 #include "sinew_character/rig_job.hpp"
 #include "sinew_formats/error.hpp"
@@ -54,12 +56,26 @@ PictureJobOptions picture_options(const Json& wishes) {
   return options;
 }
 
+// From the lowest vertex to the highest, along y and along z.
+std::array<float, 2> tall(const Character& character) {
+  Vec3 low = character.vertices.front(), high = low;
+  for (const Vec3& p : character.vertices) {
+    low = {0, std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {0, std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return {high.y - low.y, high.z - low.z};
+}
+
 Json start(Session& s, Character character, JointChoice choice, std::vector<std::vector<Influence>> reference,
-           uint32_t number) {
-  if (s.rigs_of.find(number) == s.rigs_of.end()) {
+           uint32_t number, const std::string& placement = {}) {
+  if (s.rigs_of.find(number) == s.rigs_of.end() || s.placement_of[number] != placement) {
     Rig rig = rig_of_file(character, std::move(choice));
     s.rigs_of[number].start(std::move(rig));
   }
+  s.placement_of[number] = placement;
+  s.standing.reset();
+  s.to_pose.clear();
+  s.seams = {};
   s.number = number;
   character.joints = s.rigs().now().joints;
   s.surface = make_surface(character);
@@ -82,6 +98,7 @@ Json start(Session& s, Character character, JointChoice choice, std::vector<std:
   reply["hasReference"] = !s.reference.empty();
   reply["name"] = s.character.name;
   reply["notes"] = s.character.notes;
+  reply["tall"] = tall(s.character);
   reply["vertices"] = s.character.vertices.size();
   reply["faces"] = s.character.face_count();
   return reply;
@@ -127,6 +144,7 @@ Json show_rig(Session& s) {
 
 Json predict(Session& s, const Json& wishes) {
   if (s.rig_model.bytes.empty()) throw Error("no model of skeletons is loaded");
+  stand(s);
   RigJobOptions job;
   job.bind = false;  // the page shows the skeleton first
   job.detail = static_cast<SkeletonDetail>(wishes.at("detail").get<uint8_t>());
@@ -138,6 +156,9 @@ Json predict(Session& s, const Json& wishes) {
   job.spine_count = wishes.at("spine").get<uint32_t>();
   job.toes = wishes.at("toes").get<bool>();
   job.ends = wishes.at("ends").get<bool>();
+  const std::vector<SkeletonEdit> markers = read_edits(wishes.value("at", Json::array()));
+  const bool alike = wishes.value("alike", true);
+  if (alike) job.edits = markers;
   if (job.detail != SkeletonDetail::kBody && s.hands_model.bytes.empty()) throw Error("no model of hands is loaded");
   const RigModels models = {&s.rig_model.model, nullptr, &s.hands_model.model,
                             s.front_model.bytes.empty() ? nullptr : &s.front_model.model};
@@ -154,6 +175,7 @@ Json predict(Session& s, const Json& wishes) {
   }
   std::vector<std::string> notes = std::move(rigged.character.notes);
   for (std::string& note : notes) note = without_option(std::move(note));
+  if (!alike) edit_skeleton(markers, false, &rigged.skeleton);
   Rig rig = predicted_rig(s.character, std::move(rigged.skeleton));
   if (s.character.joints.empty())
     s.rigs().start(std::move(rig));  // a mesh without skeleton is no step to go back to
@@ -166,6 +188,7 @@ Json predict(Session& s, const Json& wishes) {
 }
 
 Json edit(Session& s, const Json& edits, bool mirror, bool continues) {
+  stand(s);
   try {
     s.rigs().edit(s.character, read_edits(edits), mirror, continues);
   } catch (const Error& error) {
@@ -174,12 +197,15 @@ Json edit(Session& s, const Json& edits, bool mirror, bool continues) {
   return show_rig(s);
 }
 
-Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint32_t number) {
+Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint32_t number, const Json& place) {
   if (is_picture(mesh)) return load_picture(s, mesh, Json::object(), number);
   Character character = read_mesh(mesh);
   if (!skeleton.empty()) read_skeleton(skeleton, false, &character);
   if (character.vertices.empty()) throw Error(mesh + ": has no vertices to bind");
   if (character.face_count() == 0) throw Error(mesh + ": has no faces to show; drop a mesh with polygons");
+  const Placement placement = {place.value("turns", std::vector<std::string>()), place.value("height", 0.0),
+                               place.value("floor", false)};
+  character = placed(std::move(character), placement, place.value("up", 0u) == 1 ? 2 : 1);
   JointChoice choice;
   if (!character.joints.empty()) {
     choice = prepare_joints(skeleton.empty() ? JointsFrom::kAuto : JointsFrom::kNames, false, &character);
@@ -188,7 +214,8 @@ Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint
   std::vector<std::vector<Influence>> reference =
       skeleton.empty() ? std::move(character.influences) : weights_of_file(skeleton, read_mesh(mesh));
   character.influences.clear();
-  Json reply = start(s, std::move(character), std::move(choice), std::move(reference), number);
+  Json reply = start(s, std::move(character), std::move(choice), std::move(reference), number,
+                     places(placement) ? place.dump() : "");
   s.pictures_of.erase(number);
   return reply;
 }

@@ -13,7 +13,7 @@ namespace sinew::web {
 using Json = nlohmann::ordered_json;
 
 // As web_load() of web.cpp: what is asked of each is said there.
-Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint32_t number);
+Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint32_t number, const Json& place);
 Json load_picture(Session& s, const std::string& path, const Json& wishes, uint32_t number);
 Json predict(Session& s, const Json& wishes);
 Json edit(Session& s, const Json& edits, bool mirror, bool continues);

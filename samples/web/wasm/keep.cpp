@@ -31,6 +31,7 @@ Json restore(Session& s, uint32_t number) {
   if (at == s.kept.end() || at->second.number != s.number) throw Error("no such step was kept");
   const Kept& kept = at->second;
   end_preview(s);
+  stand(s);
   s.rigs().put(kept.rig, false);
   Json reply = show_rig(s);
   if (!kept.rows.empty()) s.character.influences = kept.rows;

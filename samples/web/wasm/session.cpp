@@ -6,9 +6,30 @@
 #include <cstring>
 #include <utility>
 
+#include "sinew_character/rest_pose.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew::web {
+
+namespace {
+
+void swap_stance(Session& s, Stance* other) {
+  std::swap(s.character.vertices, other->vertices);
+  std::swap(s.character.corner_normals, other->corner_normals);
+  std::swap(s.character.joints, other->joints);
+  std::swap(s.character.gltf, other->gltf);
+  s.rest.clear();
+  for (const Vec3& p : s.character.vertices) s.rest.insert(s.rest.end(), {p.x, p.y, p.z});
+  s.skinning.forget();
+  s.posed = s.rest;
+  show(s);
+}
+
+Character in_pose(const Session& s, const Character& standing) {
+  return in_rest_pose(standing, read_rest_pose(s.to_pose), s.up_axis == 1 ? 2 : 1);
+}
+
+}  // namespace
 
 Session& session() {
   static Session only;
@@ -46,8 +67,36 @@ void swap_rows(Session& s, Rows* rows) {
 
 void end_preview(Session& s) {
   if (s.taken.influences.empty()) return;
+  stand(s);
   swap_rows(s, &s.taken);
   s.taken = {};
+  strike(s);
+}
+
+void stand(Session& s) {
+  if (!s.standing) return;
+  swap_stance(s, &*s.standing);
+  s.standing.reset();
+}
+
+void strike(Session& s) {
+  if (s.to_pose.empty() || s.standing) return;
+  Character posed = in_pose(s, s.character);
+  Stance stance = {std::move(posed.vertices), std::move(posed.corner_normals), std::move(posed.joints),
+                   std::move(posed.gltf)};
+  swap_stance(s, &stance);
+  s.standing = std::move(stance);
+}
+
+Character written(const Session& s) {
+  Character character = s.character;
+  if (!s.standing || s.seams.seams.empty()) return character;
+  character.vertices = s.standing->vertices;
+  character.corner_normals = s.standing->corner_normals;
+  character.joints = s.standing->joints;
+  character.gltf = s.standing->gltf;
+  cut_seams(s.seams, &character);
+  return in_pose(s, character);
 }
 
 void need_joints(const Session& s) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "rigs.hpp"
 #include "sinew/sinew.h"
 #include "sinew_character/picture_job.hpp"
+#include "sinew_character/seams.hpp"
 #include "sinew_character/style.hpp"
 #include "skinning.hpp"
 #include "surface.hpp"
@@ -39,10 +41,18 @@ struct Kept {
   std::vector<uint8_t> locked, hints;        // [V] or empty
 };
 
+// Of a character that is shown in another rest pose: how it stands in its file, which binds and edits are of.
+struct Stance {
+  std::vector<Vec3> vertices, corner_normals;
+  std::vector<Joint> joints;
+  std::shared_ptr<const GltfSource> gltf;
+};
+
 struct Session {
   OpenModel bind_model, rig_model, hands_model, front_model;
   Character character;               // with the joints of rigs().now()
   std::map<uint32_t, Rigs> rigs_of;  // of all characters that are open, by the page's numbers
+  std::map<uint32_t, std::string> placement_of;  // of the same, as JSON
   // Of those that are of pictures, without their meshes.
   std::map<uint32_t, std::shared_ptr<const PictureCharacter>> pictures_of;
   uint32_t number = 0;            // the character's
@@ -57,6 +67,10 @@ struct Session {
   Rigs& rigs() { return rigs_of[number]; }
   const Rigs& rigs() const { return rigs_of.at(number); }
   Surface surface;
+  std::optional<Stance> standing;                 // there is one while `character` is in the pose `to_pose`
+  std::string to_pose;                            // of the last bind: "t", "a", "" as it stands
+  uint32_t up_axis = 0;                           // of the last bind
+  Seams seams;                                    // of the last bind
   std::vector<float> rest;                        // [V x 3]
   uint32_t slots = 4;                             // influences a vertex keeps
   std::vector<uint16_t> joints, weights;          // [V x slots]
@@ -83,6 +97,12 @@ void fill_slots(Session& s);
 void swap_rows(Session& s, Rows* rows);
 // Back to what was taken.
 void end_preview(Session& s);
+// The character as its file has it; weights stay.
+void stand(Session& s);
+// The character that stands and has weights in the pose `to_pose`, where there is one. Throws Error; it stands as it did then.
+void strike(Session& s);
+// What a file of it is: with its seams open where it is in another pose, as the command writes it.
+Character written(const Session& s);
 // Throw Error where there are none.
 void need_joints(const Session& s);
 void need_weights(const Session& s);

@@ -94,8 +94,7 @@ void paint(Session& s, const Stroke& stroke) {
   fill_slots(s);
 }
 
-// Returns {bends} of joints that are turned by `least_degrees` or more, see Skinning.
-Json show_pose(Session& s, const std::vector<Affine>& palette, SkinMethod method, double least_degrees) {
+void show_joints(Session& s, const std::vector<Affine>& palette) {
   s.palette.clear();
   s.joint_positions.clear();
   for (size_t j = 0; j < palette.size(); ++j) {
@@ -104,6 +103,11 @@ Json show_pose(Session& s, const std::vector<Affine>& palette, SkinMethod method
     for (const double x : transform_point(palette[j], rest.x, rest.y, rest.z))
       s.joint_positions.push_back(static_cast<float>(x));
   }
+}
+
+// Returns {bends} of joints that are turned by `least_degrees` or more, see Skinning.
+Json show_pose(Session& s, const std::vector<Affine>& palette, SkinMethod method, double least_degrees) {
+  show_joints(s, palette);
   s.skinning.pose({s.character, s.rest, s.joints, s.weights, s.slots}, palette, method, &s.posed);
   show(s);
   return {{"bends", s.skinning.bends(s.character, palette, least_degrees, s.posed)}};
@@ -168,8 +172,9 @@ EMSCRIPTEN_KEEPALIVE const char* web_model(const char* path) {
 
 // skeleton: "" when the mesh file has its own or none. number: of the character; where one has been loaded before, it has
 // the skeleton that it had last. A failure leaves the present character as it was.
-EMSCRIPTEN_KEEPALIVE const char* web_load(const char* mesh, const char* skeleton, uint32_t number) {
-  return answer([&] { return load(session(), mesh, skeleton, number); });
+// place: {turns, height, floor} as Placement has them, up (1 = z); all may be missing. Where it is another one than before, the skeleton is the file's.
+EMSCRIPTEN_KEEPALIVE const char* web_load(const char* mesh, const char* skeleton, uint32_t number, const char* place) {
+  return answer([&] { return load(session(), mesh, skeleton, number, Json::parse(place)); });
 }
 
 // A PNG or JPEG of a character. wishes: {class, figure, mask (a file), outline: [[[x, y], ...], ...]}, all may be missing: found; places are
@@ -184,11 +189,12 @@ EMSCRIPTEN_KEEPALIVE const char* web_picture(const char* path, const char* wishe
 EMSCRIPTEN_KEEPALIVE void web_forget(uint32_t number) {
   if (number == session().number) return;
   session().rigs_of.erase(number);
+  session().placement_of.erase(number);
   session().pictures_of.erase(number);
 }
 
-// A new skeleton for the character. wishes: {up (0 = y, 1 = z, 2 = found), category, front, mirror, spine, toes, ends} as SkeletonOptions has them, and the
-// number of a SkeletonDetail. Replies with notes on what the mesh does not show, too.
+// A new skeleton for the character. wishes: {up (0 = y, 1 = z, 2 = found), category, front, mirror, spine, toes, ends, at, alike} as SkeletonOptions has them, and the
+// number of a SkeletonDetail; at: markers as edits, alike: of both sides. Replies with notes on what the mesh does not show, too.
 EMSCRIPTEN_KEEPALIVE const char* web_rig(const char* wishes) {
   return answer([&] { return predict(session(), Json::parse(wishes)); });
 }
@@ -361,6 +367,16 @@ EMSCRIPTEN_KEEPALIVE const char* web_frame(uint32_t clip, double seconds, uint32
   });
 }
 
+// The joints alone, where the picture skins linearly by itself; positions and normals stay what they were.
+EMSCRIPTEN_KEEPALIVE const char* web_frame_joints(uint32_t clip, double seconds) {
+  return answer([&] {
+    Session& s = session();
+    need_weights(s);
+    show_joints(s, s.player.palette(clip, seconds));
+    return Json({{"spots", s.player.spots(clip, seconds)}});
+  });
+}
+
 // With the clips of the motion that is open. wish: {clips, profile (of --for, or ""), author, title, licence}
 EMSCRIPTEN_KEEPALIVE const char* web_write(const char* path, const char* wish) {
   return answer([&] {
@@ -372,7 +388,7 @@ EMSCRIPTEN_KEEPALIVE const char* web_write(const char* path, const char* wish) {
     if (json.at("clips").get<bool>()) options.motion = s.player.for_file();
     const std::string profile = json.at("profile").get<std::string>();
     if (profile.empty()) {
-      write_gltf(path, s.character, options);
+      write_gltf(path, written(s), options);
       return Json::object();
     }
     ProfileOptions more;
@@ -381,7 +397,7 @@ EMSCRIPTEN_KEEPALIVE const char* web_write(const char* path, const char* wish) {
     more.title = json.at("title").get<std::string>();
     more.licence = json.at("licence").get<std::string>();
     check_profile(profile_named(profile), more);
-    write_for_profile(profile_named(profile), more, path, s.character, options);
+    write_for_profile(profile_named(profile), more, path, written(s), options);
     return Json::object();
   });
 }
@@ -390,7 +406,9 @@ EMSCRIPTEN_KEEPALIVE const char* web_write_rig(const char* path) {
   return answer([&] {
     need_weights(session());
     end_preview(session());
-    write_rig(path, session().character);
+    Character beside = session().character;  // the mesh's own file, which stands as it does
+    if (session().standing) beside.joints = session().standing->joints;
+    write_rig(path, beside);
     return Json::object();
   });
 }

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The axes in the corner of the picture, three's ViewHelper: a click on one looks along it.
+import { ViewHelper } from "three/addons/helpers/ViewHelper.js";
+
+const leastWidth = 560; // of the picture: a phone has the buttons alone
+const corner = { left: null, bottom: null, right: 4, top: 4 };
+const still = matchMedia("(prefers-reduced-motion: reduce)");
+
+export class ViewCube {
+  #helper;
+  #camera;
+  #canvas;
+  #orbit;
+  #redraw;
+  #last = 0;
+
+  // redraw: draws the picture soon.
+  constructor({ camera, canvas, orbit, host, redraw }) {
+    this.#helper = new ViewHelper(camera, canvas);
+    Object.assign(this.#helper.location, corner);
+    this.#helper.setLabels("X", "Y", "Z");
+    [this.#camera, this.#canvas, this.#orbit, this.#redraw] = [camera, canvas, orbit, redraw];
+    // Before the canvas hears of it: the axes are in front of the character.
+    host.addEventListener("pointerdown", (event) => this.#press(event), true);
+  }
+
+  get shown() {
+    return this.#canvas.clientWidth >= leastWidth;
+  }
+
+  // upAxis 1: the picture turns the model, z is up in it.
+  set up(upAxis) {
+    this.#helper.setLabels("X", ...(upAxis === 1 ? ["Z", "−Y"] : ["Y", "Z"]));
+  }
+
+  // After the picture.
+  render(renderer) {
+    if (!this.shown) return;
+    const clears = renderer.autoClear;
+    renderer.autoClear = false;
+    this.#helper.render(renderer);
+    renderer.autoClear = clears;
+  }
+
+  #press(event) {
+    if (!this.shown || event.button !== 0 || event.target !== this.#canvas) return;
+    this.#helper.center.copy(this.#orbit.target);
+    if (!this.#helper.handleClick(event)) return;
+    event.stopPropagation();
+    this.#last = performance.now();
+    this.#turn(still.matches ? Infinity : 0);
+  }
+
+  #turn(seconds) {
+    this.#helper.update(Number.isFinite(seconds) ? seconds : 10);
+    this.#redraw();
+    if (!this.#helper.animating) return this.#orbit.update();
+    requestAnimationFrame((now) => {
+      const passed = Math.max(0, now - this.#last) / 1000;
+      this.#last = now;
+      this.#turn(passed);
+    });
+  }
+}

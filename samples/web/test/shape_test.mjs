@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+// The mesh as a whole, markers and the T pose, in a headless Chromium: what is turned, marked and posed is in the saved file as the command makes it,
+// is taken back, and comes back from a project.
+//   shape_test.mjs DIST_DIR SOURCE_DIR WORK_DIR SINEW_COMMAND
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { launch, serve } from "./browser.mjs";
+import { fileOf, made, newPage, pageTools } from "./page.mjs";
+
+const [dist, source, work, sinew] = process.argv.slice(2).map((path) => resolve(path));
+const data = join(source, "samples/data");
+mkdirSync(work, { recursive: true });
+const at = (name) => join(work, name);
+const command = (...args) => execFileSync(sinew, args, { cwd: work, stdio: "pipe" }).toString();
+const file = (name) => fileOf(join(data, name));
+
+const server = await serve(dist);
+const browser = await launch();
+const troubles = [];
+const page = await newPage(browser, troubles);
+const { settled, shoot, errorLine, hash, joints, positions, give, downloaded, go, step } = pageTools(() => page, { troubles, work, prefix: "shape_" });
+const undoName = async () => (await page.getAttribute("#undo", "title")).replace(/^Undo: | \(Ctrl\+Z\)$/g, "");
+const places = async () => (await joints()).map(({ name, position }) => [name, ...position]);
+const key = async (name) => (await page.keyboard.press(name), await settled());
+const marked = () => page.evaluate(() => sinewPage.character.source.markers);
+const saved = async () => (await downloaded("#download")).bytes;
+const same = async (...args) => {
+  command(...args, "-o", "command.glb");
+  assert.equal(await errorLine(), "");
+  assert.ok((await saved()).equals(readFileSync(at("command.glb"))), `the page's GLB differs from that of sinew ${args.join(" ")}`);
+};
+const onPage = (point) => page.evaluate((p) => sinewPage.view.onScreen(p), point);
+const press = async ({ x, y }, to = null) => {
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  if (to) await page.mouse.move(to.x, to.y, { steps: 4 });
+  await page.mouse.up();
+  await settled();
+};
+// What is on the picture's canvas and under nothing else.
+const views = async (name) => {
+  for (const [width, height, size] of [[1366, 768, ""], [390, 844, "_phone"]]) {
+    await page.setViewportSize({ width, height });
+    await page.waitForTimeout(150);
+    await shoot(`${name}${size}`);
+  }
+  await page.setViewportSize({ width: 1366, height: 768 });
+};
+
+try {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.setViewportSize({ width: 1366, height: 768 });
+  await page.goto(server.address);
+  await settled();
+  writeFileSync(at("robot.obj"), readFileSync(join(data, "biped__robot.obj")));
+  // The same lying on its back, with z up and centimetres.
+  const lying = readFileSync(at("robot.obj"), "utf8").replace(/^v (\S+) (\S+) (\S+).*$/gm, (_, x, y, z) => `v ${100 * x} ${100 * z} ${-100 * y}`).replace(/^vn (\S+) (\S+) (\S+)/gm, (_, x, y, z) => `vn ${x} ${z} ${-y}`);
+  writeFileSync(at("lying.obj"), lying);
+
+  await step("a mesh that lies is turned, stands on the floor and is as tall as it is told", async () => {
+    await give(made("lying.obj", lying));
+    await go("mesh");
+    await page.click("#turn-by-x");
+    await settled();
+    assert.equal(await undoName(), "turn about X");
+    await same("rig", "lying.obj", "--turn", "x");
+    await page.fill("#height", "1.8");
+    await key("Tab");
+    assert.equal(await undoName(), "height");
+    await page.check("#floor");
+    await settled();
+    await same("rig", "lying.obj", "--turn", "x", "--height", "1.8", "--floor");
+    const low = (await positions()).reduce(([least, most], x, i) => (i % 3 === 1 ? [Math.min(least, x), Math.max(most, x)] : [least, most]), [Infinity, -Infinity]);
+    assert.ok(Math.abs(low[0]) < 1e-6 && Math.abs(low[1] - 1.8) < 1e-5, `${low}`);
+    await views("mesh");
+    const [was, project] = [await places(), await downloaded("#save-project")];
+    await go("mesh");
+    for (const _ of ["floor", "height", "turn"]) await key("Control+z");
+    assert.equal(await page.isChecked("#floor"), false);
+    await same("rig", "lying.obj");
+    for (const _ of ["turn", "height", "floor"]) await key("Control+y");
+    assert.deepEqual(await places(), was);
+    await give(file("snake__long.obj"));
+    await go("mesh");
+    assert.equal(await page.isChecked("#floor"), false, "a new file lies as it does");
+    await give(made(project.name, project.bytes));
+    assert.deepEqual(await places(), was);
+    await same("rig", "lying.obj", "--turn", "x", "--height", "1.8", "--floor");
+  });
+
+  await step("a GLB with materials goes along as a whole", async () => {
+    await give(file("biped__caped.gltf"));
+    await go("mesh");
+    const before = await places();
+    await page.click("#turn-by-y");
+    await settled();
+    await page.fill("#height", "0.5");
+    await key("Tab");
+    await go("weights");
+    const turned = await positions();
+    writeFileSync(at("turned.glb"), await saved());
+    await give(fileOf(at("turned.glb")));
+    assert.equal(await errorLine(), "");
+    const again = await positions();
+    assert.equal(again.length, turned.length);
+    assert.ok(again.every((x, i) => Math.abs(x - turned[i]) < 1e-6));
+    assert.equal(before.length, (await joints()).length);
+    await shoot("placed_again");
+  });
+
+  await step("parts of the body that the user marks are where the new skeleton has them", async () => {
+    await give(made("robot.obj", readFileSync(at("robot.obj"))));
+    await go("skeleton");
+    await page.locator("#marking summary").click();
+    const first = await joints();
+    const [hand, elbow] = ["LeftHand", "LeftForeArm"].map((name) => first.find((one) => one.name === name).position);
+    await page.selectOption("#marker-part", "LeftHand");
+    await page.click("#marker-place");
+    await page.click("#view-front");
+    await settled();
+    const wanted = hand.map((x, i) => x - 0.3 * (x - elbow[i]));
+    await press(await onPage(wanted));
+    let [one] = await marked();
+    assert.equal(one.joint, "LeftHand");
+    assert.ok(Math.hypot(...one.place.map((x, i) => x - wanted[i])) < 0.06, `${one.place} is not ${wanted}`);
+    assert.equal(await undoName(), "mark Left wrist");
+    assert.equal(await page.inputValue("#marker-part"), "LeftForeArm", "the next part");
+    await press(await onPage(elbow.map((x, i) => x + (i === 1 ? 0.02 : 0))));
+    assert.equal((await marked()).length, 2);
+    await page.click("#marker-place"); // no more
+    // A drag of the first.
+    const from = await onPage(one.place);
+    await press(from, { x: from.x - 6, y: from.y + 8 });
+    const [dragged] = await marked();
+    assert.notDeepEqual(dragged.place, one.place);
+    await views("markers");
+    await page.click("#marker-rig");
+    await settled();
+    assert.equal(await undoName(), "rig again");
+    const rigged = await joints();
+    assert.deepEqual(rigged.find(({ name }) => name === "LeftHand").position, dragged.place.map(Math.fround));
+    const at_ = (await marked()).flatMap(({ joint, place }) => ["--at", `${joint}=${place.join(",")}`]);
+    await same("rig", "robot.obj", ...at_);
+    await views("marked");
+    const [was, project] = [await hash(), await downloaded("#save-project")];
+    await go("skeleton");
+    for (const _ of ["rig", "drag", "elbow", "wrist"]) await key("Control+z");
+    assert.deepEqual([await marked(), await places()], [[], first.map(({ name, position }) => [name, ...position])]);
+    await give(made(project.name, project.bytes));
+    assert.deepEqual([await hash(), (await marked()).length], [was, 2]);
+  });
+
+  await step("markers by keys alone and by touch", async () => {
+    await give(made("robot.obj", readFileSync(at("robot.obj"))));
+    await go("skeleton");
+    assert.deepEqual(await marked(), []);
+    await page.focus("#marker-part");
+    await page.locator("#marker-part").selectOption("Head");
+    await page.focus("#marker-here");
+    await key("Enter");
+    const head = (await joints()).find(({ name }) => name === "Head").position;
+    assert.deepEqual((await marked())[0].place, head);
+    await page.focus("#marker-y");
+    await key("ArrowUp");
+    await key("Enter");
+    const [{ place }] = await marked();
+    assert.ok(place[1] > head[1]);
+    await page.focus("#marker-rig");
+    await key("Enter");
+    assert.ok(Math.abs((await joints()).find(({ name }) => name === "Head").position[1] - place[1]) < 1e-6);
+    // A finger 20 pixels beside the marker drags it.
+    await page.evaluate(async (p) => {
+      const { x, y } = sinewPage.view.onScreen(p);
+      const canvas = document.querySelector("#stage canvas");
+      const send = (kind, dx, dy, buttons) => canvas.dispatchEvent(new PointerEvent(kind, { clientX: x + 18 + dx, clientY: y + dy, pointerId: 7, pointerType: "touch", button: 0, buttons, bubbles: true, isPrimary: true }));
+      canvas.setPointerCapture = canvas.releasePointerCapture = () => {}; // no pointer of that number is there
+      send("pointerdown", 0, 0, 1);
+      send("pointermove", 0, -12, 1);
+      send("pointerup", 0, -12, 0);
+    }, place);
+    await settled();
+    assert.ok((await marked())[0].place[1] > place[1]);
+    for (const box of await page.locator("#marking button, #marking select").all()) assert.ok(((await box.boundingBox())?.height ?? 24) >= 24);
+    await page.locator("#markers .remove").click();
+    await settled();
+    assert.deepEqual([await marked(), await undoName()], [[], "unmark Head"]);
+  });
+
+  await step("the T pose is shown, saved and taken back", async () => {
+    await give(made("robot.obj", readFileSync(at("robot.obj"))));
+    const standing = [await positions(), await places()];
+    await page.click("#t-pose");
+    await settled();
+    assert.equal(await undoName(), "T pose");
+    const posed = await positions();
+    assert.notDeepEqual(posed, standing[0]);
+    await same("rig", "robot.obj", "--to-pose", "t");
+    await go("skeleton");
+    assert.equal(await page.isDisabled("#rename"), true, "joints are edited as the mesh stands");
+    await views("t_pose");
+    const project = await downloaded("#save-project");
+    await go("motion");
+    await page.click("#clip-grid [data-clip=walk]");
+    await settled();
+    assert.equal(await errorLine(), "");
+    await page.locator("#time").evaluate((input) => ((input.value = "0.4"), input.dispatchEvent(new Event("input", { bubbles: true }))));
+    await settled();
+    await views("t_pose_walks");
+    await page.click("#close-motion");
+    await settled();
+    await go("skeleton");
+    await page.click("#t-pose");
+    await settled();
+    assert.deepEqual([await positions(), await places()], standing);
+    await same("rig", "robot.obj");
+    await give(file("snake__long.obj"));
+    await page.click("#t-pose");
+    await settled();
+    assert.match(await errorLine(), /stance is not known/);
+    assert.equal(await page.getAttribute("#t-pose", "aria-pressed"), "false");
+    assert.notEqual(await hash(), "");
+    await key("Escape");
+    await give(made(project.name, project.bytes));
+    assert.deepEqual(await positions(), posed);
+  });
+  console.log("shape: all steps ok");
+} finally {
+  await browser.close();
+  server.close();
+}

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "sinew_character/placement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "expect_error.hpp"
+#include "sinew_formats/io.hpp"
+#include "temp_folder.hpp"
+
+namespace sinew {
+namespace {
+
+// A tetrahedron over two joints, from y = 1 to y = 3.
+Character body() {
+  Character character;
+  character.name = "body";
+  character.joints = {{"Hips", {0, 1.5f, 0}, -1}, {"Head", {0.25f, 2.5f, 0}, 0}};
+  character.vertices = {{0, 1, 0}, {1, 1, 0}, {0, 1, 1}, {0, 3, 0}};
+  character.influences = {{{0, 1.0f}}, {{0, 1.0f}}, {{0, 1.0f}}, {{1, 1.0f}}};
+  character.face_vertices = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+  character.face_offsets = {0, 3, 6, 9, 12};
+  return character;
+}
+
+void expect_at(const Vec3& p, float x, float y, float z) {
+  EXPECT_EQ(p.x, x);
+  EXPECT_EQ(p.y, y);
+  EXPECT_EQ(p.z, z);
+}
+
+TEST(Placement, QuartersAreExactAndFollowEachOther) {
+  expect_at(placed(body(), {{"x"}, 0, false}, 1).joints[1].position, 0.25f, 0, 2.5f);
+  expect_at(placed(body(), {{"y"}, 0, false}, 1).joints[1].position, 0, 2.5f, -0.25f);
+  expect_at(placed(body(), {{"z"}, 0, false}, 1).joints[1].position, -2.5f, 0.25f, 0);
+  expect_at(placed(body(), {{"x", "-x"}, 0, false}, 1).vertices[3], 0, 3, 0);
+  expect_at(placed(body(), {{"x", "y"}, 0, false}, 1).joints[1].position, 2.5f, 0, -0.25f);
+}
+
+TEST(Placement, HeightAndFloorAreAlongUp) {
+  const Character tall = placed(body(), {{}, 1, true}, 1);
+  expect_at(tall.vertices[0], 0, 0, 0);
+  expect_at(tall.vertices[3], 0, 1, 0);
+  expect_at(tall.joints[1].position, 0.125f, 0.75f, 0);
+  const Character turned = placed(body(), {{"x"}, 4, true}, 2);
+  expect_at(turned.vertices[3], 0, 0, 4);
+  EXPECT_EQ(turned.influences.size(), 4u);
+}
+
+TEST(Placement, NothingIsAskedForAndNothingChanges) {
+  EXPECT_FALSE(places({}));
+  expect_at(placed(body(), {}, 1).vertices[3], 0, 3, 0);
+}
+
+TEST(Placement, ADocumentOfGltfGoesAlong) {
+  const TempFolder folder;
+  const std::string file = folder.file("body.glb"), moved = folder.file("moved.glb");
+  write_gltf(file, body());
+  const Character there = placed(read_gltf(file), {{"z", "y"}, 0.5, true}, 1);
+  ASSERT_TRUE(there.gltf);
+  write_gltf(moved, there);
+  const Character again = read_gltf(moved);
+  ASSERT_EQ(again.vertices.size(), there.vertices.size());
+  for (size_t v = 0; v < again.vertices.size(); ++v) {
+    EXPECT_NEAR(again.vertices[v].x, there.vertices[v].x, 1e-6f);
+    EXPECT_NEAR(again.vertices[v].y, there.vertices[v].y, 1e-6f);
+    EXPECT_NEAR(again.vertices[v].z, there.vertices[v].z, 1e-6f);
+  }
+  ASSERT_EQ(again.joints.size(), 2u);
+  for (size_t j = 0; j < 2; ++j) {
+    EXPECT_NEAR(again.joints[j].position.x, there.joints[j].position.x, 1e-6f);
+    EXPECT_NEAR(again.joints[j].position.y, there.joints[j].position.y, 1e-6f);
+    EXPECT_NEAR(again.joints[j].position.z, there.joints[j].position.z, 1e-6f);
+  }
+}
+
+TEST(Placement, WrongWishesAreOneLine) {
+  EXPECT_ERROR(placed(body(), {{"w"}, 0, false}, 1), "turn 'w'", "expected x, y, z, -x, -y or -z");
+  EXPECT_ERROR(placed(body(), {{}, -1, false}, 1), "height");
+  Character flat = body();
+  for (Vec3& p : flat.vertices) p.y = 0;
+  EXPECT_ERROR(placed(flat, {{}, 1.8, false}, 1), "body", "is flat along y");
+}
+
+}  // namespace
+}  // namespace sinew
