@@ -99,6 +99,58 @@ double ArmSearch::distance(const TriangleTree& tree, uint32_t arm, uint32_t vert
   return root(found.square);
 }
 
+template <class Look>
+void ArmSearch::look_at_areas(const TriangleTree& tree, Vec3d p, double square, Look look) const {
+  tree.walk(p, kAllArms, &square, [&](uint32_t leaf, const double(&squares)[kTreeFan]) {
+    for (uint32_t i = 0; i < kTreeFan; ++i) {
+      const uint32_t slot = kTreeFan * leaf + i, t = tree.triangle(slot);
+      if (!(squares[i] <= square) || (i > 0 && tree.triangle(slot - 1) == t))
+        continue;  // a short leaf's last one again
+      const uint32_t* const corner = corners(t);
+      const Vec3d a = tree.posed().vertices[corner[0]];
+      const Vec3d area = 0.5 * cross(tree.posed().vertices[corner[1]] - a, tree.posed().vertices[corner[2]] - a);
+      look(tree.middle(slot), area, squares[i]);
+    }
+  });
+}
+
+bool ArmSearch::is_inside(const TriangleTree& tree, Vec3d p) const {
+  constexpr double kHalfOfAll = 6.283185307179586;  // between inside and outside
+  double angle = 0;
+  look_at_areas(tree, p, 1e300, [&](Vec3d middle, Vec3d area, double square) {
+    if (square > 0) angle += dot(area, middle - p) / (square * root(square));
+  });
+  return angle > kHalfOfAll;
+}
+
+ArmDepth ArmSearch::deepest_inside(TriangleTree* tree, uint32_t arm, Vec3d moved, double least) {
+  constexpr double kNearSurface = 0.02;  // share of the height
+  const ArmDepth most = deepest(tree, arm, moved, least);
+  if (most.depth - least <= kNearSurface * tree->posed().height) return most;
+  if (is_inside(*tree, tree->posed().vertices[most.vertex] + moved)) return most;
+  ArmDepth none;
+  none.depth = least;
+  return none;
+}
+
+Vec3d ArmSearch::way_out(const TriangleTree& tree, Vec3d p, double reach) const {
+  constexpr double kThirdOfDisc = 1.0471975511965976;  // the integral of the shares over a disc of radius 1
+  const double square = reach * reach;
+  Vec3d sum = {0, 0, 0};
+  look_at_areas(tree, p, square, [&](Vec3d, Vec3d area, double own) {
+    const double share = 1 - own / square;
+    sum = sum + share * share * area;
+  });
+  return (1 / (kThirdOfDisc * square)) * sum;
+}
+
+Vec3d ArmSearch::middle_of_hand(const TriangleTree& tree, uint32_t arm) const {
+  Vec3d sum = {0, 0, 0};
+  const uint32_t count = hand_end_[arm] - begin_[arm];
+  for (uint32_t i = begin_[arm]; i < hand_end_[arm]; ++i) sum = sum + tree.posed().vertices[vertices_[i]];
+  return count > 0 ? (1.0 / count) * sum : sum;
+}
+
 HandReach ArmSearch::nearest(const TriangleTree& tree, uint32_t arm) {
   const PosedBody& posed = tree.posed();
   const double reach = kFar * posed.height;

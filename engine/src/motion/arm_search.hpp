@@ -45,6 +45,13 @@ class ArmSearch {
 
   // Of hand and forearm, moved by `moved`, under triangles without a vertex of any arm. `least` where nothing is deeper than that.
   ArmDepth deepest(TriangleTree* tree, uint32_t arm, Vec3d moved, double least);
+  // The same, but `least` for a point that only lies under the plane of a triangle, outside of the body.
+  ArmDepth deepest_inside(TriangleTree* tree, uint32_t arm, Vec3d moved, double least);
+  // Which way out of the body is at p: area normals of triangles without a vertex of any arm, nearer ones more, in shares of what a plane
+  // through p has. It is the slope of the body blurred by `reach`, so it changes little where p does, and is short in the middle.
+  Vec3d way_out(const TriangleTree& tree, Vec3d p, double reach) const;
+  // The mean of the hand's vertices, of the pose that the tree is of; (0, 0, 0) where it has none.
+  Vec3d middle_of_hand(const TriangleTree& tree, uint32_t arm) const;
   // Of the hand to triangles without a vertex of this arm.
   HandReach nearest(const TriangleTree& tree, uint32_t arm);
   // Of one vertex of the hand from the same triangles, kFar at most.
@@ -73,6 +80,11 @@ class ArmSearch {
   static constexpr double kRounding = 1 + 1e-9;  // of bounds that are not compared as they are summed
 
   uint8_t mask_of(uint32_t triangle) const;
+  // By solid angles of triangles without a vertex of any arm, as seen from afar: not for points near the surface.
+  bool is_inside(const TriangleTree& tree, Vec3d p) const;
+  // Calls look(middle, area normal, square of the middle's distance from p) for these triangles within the root of `square`.
+  template <class Look>
+  void look_at_areas(const TriangleTree& tree, Vec3d p, double square, Look look) const;
   static uint8_t bit_of(uint32_t arm) { return static_cast<uint8_t>(1u << arm); }
   static void take_nearer(const TriangleTree& tree, uint32_t leaf, const double (&squares)[kTreeFan], Nearest* found) {
     for (uint32_t i = 0; i < kTreeFan; ++i) {

@@ -20,7 +20,10 @@ struct HandContact {
   double shares[kNearTriangles] = {};  // sum 1
   Vec3d offsets[kNearTriangles] = {};  // of the vertex from the triangle's middle, in the triangle's own axes
   double depth = 0;                    // of the deepest point of hand and forearm under the rest of the body
-  bool outside = false;                // the target's arm, where it is now, is no deeper than it may be
+  double beyond = 0;                   // how much deeper the target's arm is than it may be
+  Vec3d normal = {0, 0, 0};            // of the body over that arm's deepest point
+  Vec3d way = {0, 0, 0};  // out of the body for the whole arm, of length 1 or 0, where no body moves the source
+  bool outside = false;   // the target's arm, where it is now, is no deeper than it may be
 };
 
 struct ContactScene : FloorScene {

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Hands and forearms against the body: a hand near a place of the source's surface goes to the same place of the target's,
-// and what would be deeper inside of it than the source's is comes out. Without a source's body what is deeper than at rest.
+// and what would be deeper inside of it than the source's is comes out. Without a source's body what is deeper than at rest, each arm
+// along one direction that changes little over time: to which side it comes out is not to hang on single triangles.
 #include "motion/contacts.hpp"
 
 namespace sinew::motion {
 namespace {
 
 constexpr double kSpread = 0.02;  // of the weights of near triangles
-constexpr uint32_t kRounds = 3;
+constexpr uint32_t kRounds = 3, kRoundsWithoutBody = 8;
+constexpr double kBlur = 0.12;       // share of the height, of the body that an arm is to leave
+constexpr uint32_t kWayPasses = 32;  // of smoothing directions over frames
+constexpr double kSteepest = 0.5;    // cosine between a direction and a surface that lies across it
+constexpr double kElbow = 0.4;       // share of a forearm that moves little with its hand
+constexpr double kNoHelp =
+    0.8;  // share of its depth that is left after a round that did not help: elbows do not move with hands
 constexpr uint32_t kFeetEnd = 250, kSourceEnd = 400, kWhole = 1000;  // permille
 
 // About exp(-x^2 / 2): a power of a fraction needs no libm.
@@ -31,12 +38,14 @@ class Hands {
       if (!progress.report(kFeetEnd + static_cast<uint32_t>(uint64_t{f} * (kSourceEnd - kFeetEnd) / s_.in->frames)))
         return SINEW_ERROR_CANCELLED;
     }
-    for (uint32_t round = 0; round < kRounds; ++round) {
+    const uint32_t rounds = s_.has_source ? kRounds : kRoundsWithoutBody;
+    for (uint32_t round = 0; round < rounds; ++round) {
       touch();
-      push_out();
+      find_depths(round == 0);
+      push_out(round == 0);
       bool any = false;
       for (uint32_t f = 0; f < s_.in->frames; ++f) any = move(f) || any;
-      if (!progress.report(kSourceEnd + (round + 1) * (kWhole - kSourceEnd) / kRounds)) return SINEW_ERROR_CANCELLED;
+      if (!progress.report(kSourceEnd + (round + 1) * (kWhole - kSourceEnd) / rounds)) return SINEW_ERROR_CANCELLED;
       if (!any) break;
     }
     return SINEW_OK;
@@ -151,27 +160,70 @@ class Hands {
       smooth_over_time(s_.moves + a, s_.in->frames, kMostLimbs, 2, s_.smooth);
   }
 
-  // moves[kMostArms + arm]: what brings the deepest point out of the body, beyond the depth that it may have.
-  void push_out() {
+  // Of every arm how much deeper it is than it may be, and in the first round which way is out, the longer the deeper.
+  void find_depths(bool first_round) {
     for (uint32_t f = 0; f < s_.in->frames; ++f) {
       bool posed = false;
       for (uint32_t a = 0; a < search_.count(); ++a) {
         HandContact& hand = contact(f, a);
         const Vec3d moved = s_.moves[index(f, a)];
-        s_.moves[index(f, kMostArms + a)] = {0, 0, 0};
+        const double before = hand.beyond;
+        hand.beyond = 0;
         hand.outside = hand.outside && !(squared(moved) > 0);
         if (hand.outside) continue;
         if (!posed) s_.search_target(f, true);
         posed = true;
         const double least = ratio_ * hand.depth;
-        const ArmDepth most = search_.deepest(&s_.target_tree, a, moved, least);
-        const double beyond = most.depth - least;
-        if (beyond > 0) s_.moves[index(f, kMostArms + a)] = beyond * most.out;
-        hand.outside = !(beyond > 0);
+        const ArmDepth most = s_.has_source ? search_.deepest(&s_.target_tree, a, moved, least)
+                                            : search_.deepest_inside(&s_.target_tree, a, moved, least);
+        hand.beyond = most.depth - least;
+        hand.normal = most.out;
+        hand.outside = !(hand.beyond > 0);
+        if (!s_.has_source && before > 0 && !first_round && hand.beyond > kNoHelp * before &&
+            is_at_elbow(a, most.vertex)) {
+          hand.outside = true;
+          hand.beyond = 0;
+        }
+        if (first_round && !s_.has_source && !hand.outside) hand.way = hand.beyond * way_of_arm(a);
       }
     }
-    for (uint32_t a = 0; a < search_.count(); ++a)
-      smooth_over_time(s_.moves + kMostArms + a, s_.in->frames, kMostLimbs, 1, s_.smooth);
+  }
+  bool is_at_elbow(uint32_t arm, uint32_t vertex) const {
+    const Limb& limb = s_.limbs.limbs[search_.limb(arm)];
+    const Vec3d elbow = plan_.target_positions[limb.middle], bone = plan_.target_positions[limb.last] - elbow;
+    return dot(s_.target.vertices[vertex] - elbow, bone) < kElbow * squared(bone);
+  }
+  // What wrist, hand and the middle of the forearm agree upon.
+  Vec3d way_of_arm(uint32_t arm) const {
+    const Limb& limb = s_.limbs.limbs[search_.limb(arm)];
+    const Vec3d elbow = plan_.target_positions[limb.middle], wrist = plan_.target_positions[limb.last];
+    const double reach = kBlur * s_.target.height;
+    const auto way = [&](Vec3d p) { return search_.way_out(s_.target_tree, p, reach); };
+    return way(0.5 * (elbow + wrist)) + way(wrist) + way(search_.middle_of_hand(s_.target_tree, arm));
+  }
+
+  // moves[kMostArms + arm]: what brings the deepest point out of the body, beyond the depth that it may have.
+  void push_out(bool first_round) {
+    for (uint32_t a = 0; a < search_.count(); ++a) {
+      Vec3d* const moves = s_.moves + kMostArms + a;
+      if (first_round && !s_.has_source) smooth_ways(a, moves);
+      for (uint32_t f = 0; f < s_.in->frames; ++f) {
+        const double floor = s_.has_source ? 0 : s_.floor_patches.at(f, search_.limb(a)).weight;
+        moves[size_t{f} * kMostLimbs] = (1 - floor) * move_out(contact(f, a));
+      }
+      smooth_over_time(moves, s_.in->frames, kMostLimbs, 1, s_.smooth);
+    }
+  }
+  void smooth_ways(uint32_t arm, Vec3d* scratch) {
+    for (uint32_t f = 0; f < s_.in->frames; ++f) scratch[size_t{f} * kMostLimbs] = contact(f, arm).way;
+    smooth_over_time(scratch, s_.in->frames, kMostLimbs, kWayPasses, s_.smooth);
+    for (uint32_t f = 0; f < s_.in->frames; ++f) contact(f, arm).way = unit(scratch[size_t{f} * kMostLimbs]);
+  }
+  Vec3d move_out(const HandContact& hand) const {
+    if (!(hand.beyond > 0)) return {0, 0, 0};
+    if (s_.has_source || !(squared(hand.way) > 0)) return hand.beyond * hand.normal;
+    const double slope = dot(hand.way, hand.normal);
+    return (hand.beyond / (slope > kSteepest ? slope : 1)) * hand.way;
   }
 
   ContactScene& s_;

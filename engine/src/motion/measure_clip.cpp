@@ -80,10 +80,12 @@ class Measure {
 
   void measure_arm(uint32_t f, uint32_t arm, Tally* tally) {
     const uint32_t limb = s_.search.limb(arm);
-    const ArmDepth deepest = s_.search.deepest(&s_.target_tree, arm, {0, 0, 0}, 0);
+    const double least = s_.has_source ? 0 : rest_depths_[arm];
+    const ArmDepth deepest = s_.has_source ? s_.search.deepest(&s_.target_tree, arm, {0, 0, 0}, least)
+                                           : s_.search.deepest_inside(&s_.target_tree, arm, {0, 0, 0}, least);
     double depth = share_ * deepest.depth;
-    depth -= s_.has_source ? source_share_ * s_.search.deepest(&s_.source_tree, arm, {0, 0, 0}, 0).depth
-                           : share_ * rest_depths_[arm];
+    depth -=
+        s_.has_source ? source_share_ * s_.search.deepest(&s_.source_tree, arm, {0, 0, 0}, 0).depth : share_ * least;
     tally->add_depth(depth);
     if (depth > kDeep) set_spot(f, limb, SINEW_SPOT_INSIDE, s_.target.vertices[deepest.vertex], depth);
     if (!s_.has_source) return;

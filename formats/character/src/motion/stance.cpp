@@ -16,6 +16,9 @@ namespace {
 constexpr double kStanding = 0.1, kOnFloor = 0.2, kTall = 0.3;  // shares of frames
 constexpr double kMirrored =
     0.1;  // of their distance from the middle, how far mirror images of a pose that is one are off
+constexpr double kBendsAhead = 0.939692620785908, kBendsUp = 0.342020143325669;  // cosine and sine of 20 degrees
+// Mean cosine between a foot's upright and the world's while it is low, the least of a foot that stands.
+constexpr double kFlat = 0.6;
 constexpr double kUpright = 0.7;  // cosine of the most that a standing trunk leans
 
 struct WorldAxes {
@@ -286,7 +289,8 @@ class StanceFinder {
     bone(limb.middle, limb.end);
   }
 
-  // Elbows are hinges: stretched aside, they would bend to the front. Upper arm and forearm both know how their elbow does.
+  // Elbows are hinges: stretched aside with the palm down, they would bend to the front and up:
+  // by 30 degrees and more of CMU, by none of Mixamo (20 motions of eight makers). Upper arm and forearm both know how their elbow does.
   void roll_arm(int joint, const UprightLimb& arm, const Point3& along) {
     if (joint != arm.upper && joint != arm.middle) return;
     Point3 axis{};
@@ -302,7 +306,8 @@ class StanceFinder {
     if (bent < kLeastBend * static_cast<double>(all_.size()) || length(axis) < kOneWay * bent) return;
     const Point3 bone = joint == arm.upper ? moving_.mean_difference(all_, joint, arm.upper, arm.middle)
                                            : moving_.mean_difference(all_, joint, arm.middle, arm.end);
-    turn(joint) = rotation_between(bone, axis, along, cross(along, axes_.front));
+    const Point3 fore = kBendsAhead * axes_.front + kBendsUp * axes_.up;
+    turn(joint) = rotation_between(bone, axis, along, cross(along, fore));
   }
 
   // Flat, as where it is lowest, and ahead.
@@ -311,7 +316,13 @@ class StanceFinder {
     const std::vector<size_t> low =
         moving_.best_frames(kOnFloor, [&](size_t f) { return -dot(moving_.position(f, foot), axes_.up); });
     const Point3 toes = moving_.mean_difference(low, foot, foot, limb.tip);
-    turn(foot) = rotation_between(moving_.mean_direction(low, foot, axes_.up), toes, axes_.up, axes_.front);
+    const Point3 up = moving_.mean_direction(low, foot, axes_.up);
+    double same = 0;
+    for (const size_t f : low) same += dot(rotate(moving_.rotation(f, foot), up), axes_.up);
+    if (same < kFlat * static_cast<double>(low.size()))  // on tiptoe, or upside down: only where toes are is known
+      swing(foot, toes, axes_.front);
+    else
+      turn(foot) = rotation_between(up, toes, axes_.up, axes_.front);
   }
 
   Motion against_stance() const {

@@ -66,6 +66,21 @@ class Searched {
     std::sort(all.begin(), all.end());
     return all;
   }
+  // How deep a point lies in one of the boxes that are no arm's; negative outside of all.
+  double depth_in_boxes(Vec3d p) const {
+    double most = -9;
+    for (uint32_t j = 0; j < clip_.target.count(); ++j) {
+      const uint32_t limb = scene.joint_limbs[j];
+      if (limb < sinew::motion::kMostLimbs && !scene.limbs.limbs[limb].leg) continue;
+      const Vec3d at = rotate(conjugate(scene.plan->target_rotations[j]), p - scene.plan->target_positions[j]);
+      const double half = 0.9 * (j == kSpine ? 0.22 : 0.04);
+      most = std::max(most, half - std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}));
+    }
+    return most;
+  }
+  Vec3d spine(Vec3d p) const {
+    return scene.plan->target_positions[kSpine] + rotate(scene.plan->target_rotations[kSpine], p);
+  }
   std::vector<uint32_t> vertices(uint32_t arm, bool hand_alone) const {
     std::vector<uint32_t> all;
     for (uint32_t v = 0; v < body_.vertex_count; ++v) {
@@ -115,6 +130,38 @@ TEST(ArmSearch, TheDeepestPointIsThatOfAllVerticesAndTriangles) {
   EXPECT_LE(left_out, 2) << "groups that seem to be outside, beside large triangles";
   EXPECT_GT(deep, 30);
   EXPECT_GT(shallow, 30);
+}
+
+TEST(ArmSearch, WhatIsInsideIsAsDeepAsItIs) {
+  Searched own(200);
+  int inside = 0;
+  for (uint32_t f = 0; f < 200; ++f) {
+    own.scene.search_target(f, true);
+    for (uint32_t arm = 0; arm < 2; ++arm) {
+      const sinew::motion::ArmDepth all = own.scene.search.deepest(&own.scene.target_tree, arm, {0, 0, 0}, 0);
+      const sinew::motion::ArmDepth found = own.scene.search.deepest_inside(&own.scene.target_tree, arm, {0, 0, 0}, 0);
+      if (all.depth > 0 && own.depth_in_boxes(own.place(all.vertex)) < 0.01) continue;
+      EXPECT_EQ(found.depth, all.depth) << f;
+      inside += all.depth > 0.02 * own.scene.target.height ? 1 : 0;
+    }
+  }
+  EXPECT_GT(inside, 20);
+}
+
+TEST(ArmSearch, TheWayOutIsAcrossASurfaceAndTurnsSlowly) {
+  Searched own(1);
+  own.scene.search_target(0, true);
+  const auto way = [&](Vec3d p) { return own.scene.search.way_out(own.scene.target_tree, own.spine(p), 0.2); };
+  const auto across = [&](Vec3d axis) { return rotate(own.scene.plan->target_rotations[kSpine], axis); };
+  EXPECT_GT(dot(way({0.19, 0.02, 0.01}), across({1, 0, 0})), 0.8);
+  EXPECT_GT(dot(way({0, 0.02, -0.19}), across({0, 0, -1})), 0.8);
+  EXPECT_LT(length(way({0, 0, 0})), 0.1) << "every way is as good";
+  Vec3d before = way({-0.25, 0.03, 0.02});
+  for (double x = -0.24; x < 0.25; x += 0.01) {
+    const Vec3d now = way({x, 0.03, 0.02});
+    EXPECT_LT(length(now - before), 0.15) << x;
+    before = now;
+  }
 }
 
 TEST(ArmSearch, TheNearestPointAndItsNeighboursAreThoseOfAll) {

@@ -131,6 +131,43 @@ TEST(Contacts, AnArmOfAMotionWithoutABodyComesOut) {
   }
 }
 
+// From the belly's front to its middle.
+TEST(Contacts, WithoutABodyArmsThatDifferLittleComeOutAlike) {
+  const MotionScene scene = body(20), longer = body(20, 1.2);
+  const BoxBody thick(scene, 0.36);
+  Vec3d before = {0, 0, 0};
+  for (int k = 0; k <= 20; ++k) {
+    PlayedClip clip(longer, scene);
+    reach_forward(&clip, {0.05, -0.3, 0.95 - 0.04 * k}, 3);
+    ASSERT_EQ(clip.contacts(nullptr, thick), SINEW_OK);
+    const Vec3d now = clip.frame(1).places[kLeftHand];
+    if (k > 0) {
+      EXPECT_LT(distance(now, before), 0.06) << k;
+    }
+    before = now;
+  }
+}
+
+// A hand behind a sheet is in no body.
+TEST(Contacts, WithoutABodyAHandBehindASheetStays) {
+  const MotionScene scene = body(20), longer = body(20, 1.2);
+  PlayedClip clip(longer, scene);
+  reach_forward(&clip, {0.05, -0.3, 0.95}, 3);
+  const Vec3d before = clip.frame(1).places[kLeftHand];
+  BoxBody sheet(scene, 0.05);
+  const uint32_t first = static_cast<uint32_t>(sheet.positions.size() / 3);
+  for (int corner = 0; corner < 4; ++corner) {
+    const double x = corner % 3 == 0 ? -0.06 : 0.06, y = corner < 2 ? -0.06 : 0.06;
+    for (const double p : {before.x + x, before.y + y, before.z + 0.06})
+      sheet.positions.push_back(static_cast<float>(p));
+    sheet.joints.push_back(kSpine);
+    sheet.weights.push_back(65535);
+  }
+  for (const uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) sheet.triangles.push_back(first + corner);
+  ASSERT_EQ(clip.contacts(nullptr, sheet), SINEW_OK);
+  EXPECT_LT(distance(clip.frame(1).places[kLeftHand], before), 1e-6);
+}
+
 // As deep as at rest is no fault of the motion.
 TEST(Contacts, WithoutABodyAnArmMayBeAsDeepAsAtRest) {
   const MotionScene scene = body(80), longer = body(80, 1.2);
