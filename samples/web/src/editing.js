@@ -65,13 +65,22 @@ async function fetchModelsFor({ detail }) {
   if (detail > 0 && !models.hands) await fetchModel("sinew_hands.sinew");
 }
 
+// A mesh that may be a hand without a body is asked about once more, with the model that knows hands.
+async function askForRig(wishes) {
+  await fetchModelsFor(wishes);
+  const rig = await engine.call("rig", { wishes });
+  if (!rig.wantsHands || models.hands) return rig;
+  await fetchModel("sinew_hands.sinew");
+  return engine.call("rig", { wishes });
+}
+
 // What markers are for the module.
 const marked = (markers) => ({ at: markers.map(({ joint, place }) => ({ kind: editKinds.at, joint, place })), alike: at.editor.alike });
 
 export async function predict(wishes = at.editor.wishes) {
   const chosen = chosenName();
   const told = { ...wishes, up: at.character.up, ...marked(at.character.source.markers) };
-  const rig = await whileBusy("Finding the joints", async () => (await fetchModelsFor(wishes), engine.call("rig", { wishes: told })));
+  const rig = await whileBusy("Finding the joints", () => askForRig(told));
   at.character.source.recipe = { wishes: told, edits: [] };
   rigChanged();
   if (rig.picture) at.character.picture = rig.picture; // its class and clip are known now
@@ -111,7 +120,7 @@ export async function restoreRig({ kept, epoch, recipe, up }) {
   if (epoch === engine.epoch) {
     rig = await engine.call("restore", { number: kept });
   } else {
-    if (recipe.wishes) rig = await whileBusy("Finding the joints", async () => (await fetchModelsFor(recipe.wishes), engine.call("rig", { wishes: recipe.wishes })));
+    if (recipe.wishes) rig = await whileBusy("Finding the joints", () => askForRig(recipe.wishes));
     for (const { edits, mirror } of recipe.edits) rig = await engine.call("edit", { edits, mirror, continues: false });
   }
   source.recipe = recipe;

@@ -160,7 +160,7 @@ Json predict(Session& s, const Json& wishes) {
   const bool alike = wishes.value("alike", true);
   if (alike) job.edits = markers;
   if (job.detail != SkeletonDetail::kBody && s.hands_model.bytes.empty()) throw Error("no model of hands is loaded");
-  const RigModels models = {&s.rig_model.model, nullptr, &s.hands_model.model,
+  const RigModels models = {&s.rig_model.model, nullptr, s.hands_model.bytes.empty() ? nullptr : &s.hands_model.model,
                             s.front_model.bytes.empty() ? nullptr : &s.front_model.model};
   RiggedCharacter rigged;
   const std::shared_ptr<const PictureCharacter> picture = s.picture();
@@ -175,6 +175,7 @@ Json predict(Session& s, const Json& wishes) {
   }
   std::vector<std::string> notes = std::move(rigged.character.notes);
   for (std::string& note : notes) note = without_option(std::move(note));
+  const bool wants_hands = models.hands == nullptr && picture == nullptr && may_be_lone_hand(job, rigged.skeleton);
   if (!alike) edit_skeleton(markers, false, &rigged.skeleton);
   Rig rig = predicted_rig(s.character, std::move(rigged.skeleton));
   if (s.character.joints.empty())
@@ -183,6 +184,7 @@ Json predict(Session& s, const Json& wishes) {
     s.rigs().put(std::move(rig), false);
   Json reply = show_rig(s);
   reply["notes"] = notes;
+  reply["wantsHands"] = wants_hands;  // the same call with that model may tell a hand without a body
   if (s.picture() != nullptr) reply["picture"] = picture_json(*s.picture());
   return reply;
 }

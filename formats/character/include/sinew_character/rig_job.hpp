@@ -68,6 +68,9 @@ struct RiggedCharacter {
   double bind_seconds = 0;
 };
 
+// Whether votes know so little that rig_character() asks RigModels::hands whether the mesh is a hand without a body.
+bool may_be_lone_hand(const RigJobOptions& options, const PredictedSkeleton& skeleton);
+
 // The skeleton that rig_character() begins with: by the method, up and front found where the job leaves them open. Doubts go into the notes.
 PredictedSkeleton predict_for_job(const RigJobOptions& options, const RigModels& models, Character* mesh);
 

@@ -45,11 +45,6 @@ void say_direction(const RigJobOptions& job, const PredictedSkeleton& skeleton, 
 // What the votes know little of may be a hand: below that spread none of the training characters' hands is.
 constexpr float kHandSpread = 0.055f;
 
-bool may_be_hand(const RigJobOptions& job, const RigModels& models, const PredictedSkeleton& skeleton) {
-  return job.method == RigMethod::kAuto && job.category == SINEW_CATEGORY_ANY && models.hands != nullptr &&
-         skeleton.spread > kHandSpread;
-}
-
 // A hand in the place of a body, told as the guess that it is.
 bool put_lone_hand(const RigModels& models, const SkeletonOptions& options, Character* character,
                    PredictedSkeleton* skeleton) {
@@ -150,6 +145,10 @@ void measure_gate(const RigJobOptions& job, RiggedCharacter* rigged) {
 
 }  // namespace
 
+bool may_be_lone_hand(const RigJobOptions& job, const PredictedSkeleton& skeleton) {
+  return job.method == RigMethod::kAuto && job.category == SINEW_CATEGORY_ANY && skeleton.spread > kHandSpread;
+}
+
 PredictedSkeleton predict_for_job(const RigJobOptions& job, const RigModels& models, Character* character) {
   SkeletonOptions options;
   options.method = engine_method(job.method);
@@ -168,7 +167,7 @@ PredictedSkeleton predict_for_job(const RigJobOptions& job, const RigModels& mod
   options.toes = job.toes;
   options.ends = job.ends;
   PredictedSkeleton skeleton = predict_skeleton(*character, options);
-  if (may_be_hand(job, models, skeleton) && put_lone_hand(models, options, character, &skeleton)) return skeleton;
+  if (models.hands != nullptr && may_be_lone_hand(job, skeleton) && put_lone_hand(models, options, character, &skeleton)) return skeleton;
   const float spread = skeleton.spread;
   const std::optional<float> usable = skeleton.usable;
   if (job.method == RigMethod::kAuto && job.category == SINEW_CATEGORY_ANY && spread > kUnknownSpread) {
