@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sinew_character/bind.hpp"
+#include "sinew_character/bind_character.hpp"
 #include "sinew_character/bone_distance.hpp"
 #include "sinew_character/check_output.hpp"
 #include "sinew_character/models.hpp"
@@ -13,25 +14,24 @@ namespace {
 
 using Rows = std::vector<std::vector<Influence>>;
 
-// [J] joints with weight.
-std::vector<char> used_joints(const Character& character) {
-  std::vector<char> used(character.joints.size(), 0);
-  for (const auto& row : character.influences)
-    for (const Influence& one : row)
-      if (one.weight > 0) used[one.joint] = 1;
-  return used;
+// [J] joints that may get weight, by their names and places: the weights themselves are what is looked at.
+std::vector<char> usable_joints(const Character& character) {
+  std::vector<char> usable;
+  for (const uint8_t flags : choose_joints(character, JointsFrom::kNames).flags)
+    usable.push_back((flags & SINEW_JOINT_NEVER) == 0 ? 1 : 0);
+  return usable;
 }
 
-Rows nearest_bones(const Character& character, const std::vector<char>& used) {
+Rows nearest_bones(const Character& character, const std::vector<char>& usable) {
   const BoneDistance distance(character);
   Rows rows;
   for (const Vec3& vertex : character.vertices) {
-    size_t nearest = used.size();
+    size_t nearest = usable.size();
     double least = 0;
-    for (size_t j = 0; j < used.size(); ++j) {
-      if (used[j] == 0) continue;
+    for (size_t j = 0; j < usable.size(); ++j) {
+      if (usable[j] == 0) continue;
       const double here = distance(vertex, j);
-      if (nearest == used.size() || here < least) nearest = j, least = here;
+      if (nearest == usable.size() || here < least) nearest = j, least = here;
     }
     rows.push_back({{static_cast<uint32_t>(nearest), 1.0F}});
   }
@@ -60,16 +60,19 @@ double difference(const Rows& a, const Rows& b, size_t joint_count) {
 }  // namespace
 
 double weight_score(const Character& character) {
-  const std::vector<char> used = used_joints(character);
-  if (character.vertices.empty() || std::count(used.begin(), used.end(), 1) == 0) return 0;
+  const bool bound = std::any_of(character.influences.begin(), character.influences.end(), [](const auto& row) {
+    return std::any_of(row.begin(), row.end(), [](const Influence& one) { return one.weight > 0; });
+  });
+  const std::vector<char> usable = usable_joints(character);
+  if (!bound || std::count(usable.begin(), usable.end(), 1) == 0) return 0;
   const std::unique_ptr<LoadedModel> model = load_model("");
   BindOptions options;
-  for (const char one : used) options.joint_flags.push_back(one != 0 ? uint8_t{0} : uint8_t{SINEW_JOINT_NEVER});
-  double sum = difference(character.influences, nearest_bones(character, used), used.size());
+  for (const char one : usable) options.joint_flags.push_back(one != 0 ? uint8_t{0} : uint8_t{SINEW_JOINT_NEVER});
+  double sum = difference(character.influences, nearest_bones(character, usable), usable.size());
   for (const uint32_t method : {SINEW_METHOD_MODEL, SINEW_METHOD_HEAT}) {
     options.method = method;
     options.model = method == SINEW_METHOD_MODEL ? &model->model : nullptr;
-    sum += difference(character.influences, bind(character, options).influences, used.size());
+    sum += difference(character.influences, bind(character, options).influences, usable.size());
   }
   return 100 * (1 - sum / 6);
 }
