@@ -117,6 +117,7 @@ set(sinew_job_sources
   src/jobs/bind_job
   src/jobs/character_file
   src/jobs/check_job
+  src/jobs/check_score
   src/jobs/find_joint_map
   src/jobs/lod_job
   src/jobs/own_skeleton

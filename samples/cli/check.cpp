@@ -22,7 +22,7 @@ namespace {
 struct Settings {
   std::vector<std::string> inputs;
   std::string sarif, report, gate, against;
-  bool json = false, no_poses = false, rules = false;
+  bool json = false, no_poses = false, rules = false, score = false;
 };
 
 // Lines stay, all else that a terminal would obey goes.
@@ -59,6 +59,7 @@ std::optional<CheckedFile> look(const Settings& s, const std::optional<CheckGate
   try {
     CheckedFile file = check_file(found.path, options);
     if (!s.against.empty()) check_against(s.against, options, &file);
+    if (s.score) file.score = weight_score(file.character);
     if (gate) file.failures = check_failures(*gate, file);
     progress->say(stdout, s.json ? check_json(file) : printable_lines(check_text(file)));
     for (const std::string& line : file.failures) progress->say(stderr, "gate: " + printable(found.path) + ": " + line);
@@ -116,6 +117,10 @@ void add_check(CLI::App& app) {
                   "An older version of the file: says what is new and what is gone; a gate counts what is new")
       ->type_name("OLD");
   sub->add_flag("--no-poses", s->no_poses, "Leave out the test poses");
+  sub->add_flag(
+      "--score", s->score,
+      "Also how near the weights are to those of three methods, 0 to 100. For weights that a program made: an "
+      "artist's own way costs points");
   sub->add_flag("--rules", s->rules, "List what is looked for, with bounds");
   sub->footer(
       "Examples:\n  sinew check hero.glb --report hero.check.html\n"

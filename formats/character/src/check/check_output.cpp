@@ -2,6 +2,7 @@
 // Findings as lines, JSON and SARIF.
 #include "sinew_character/check_output.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -91,6 +92,7 @@ std::string check_text(const CheckedFile& file) {
               : print("%zu errors, %zu warnings, %zu notes", check.errors, check.warnings, check.notes);
   std::vector<char> is_new(check.findings.size(), 0);
   for (const size_t i : file.change.added) is_new[i] = 1;
+  if (file.score) text += print("; score %.1f of 100", *file.score);
   for (size_t i = 0; i < check.findings.size(); ++i) {
     const RigFinding& f = check.findings[i];
     const std::string shown = where_shown(f);
@@ -114,6 +116,7 @@ std::string check_json(const CheckedFile& file) {
                       {"errors", check.errors},
                       {"warnings", check.warnings},
                       {"notes", check.notes}};
+  if (file.score) json["score"] = std::round(10 * *file.score) / 10;
   json["findings"] = OrderedJson::array();
   for (const RigFinding& f : check.findings) json["findings"].push_back(finding_json(file, f));
   if (file.before) {

@@ -10,8 +10,8 @@
 namespace sinew {
 namespace {
 
-constexpr double kClose = 0.3;      // of the size, from a joint's bones: weight for it does not reach across the body
-constexpr size_t kFew = 4;            // vertices; in fine meshes
+constexpr double kClose = 0.3;  // of the size, from a joint's bones: weight for it does not reach across the body
+constexpr size_t kFew = 4;      // vertices; in fine meshes
 constexpr size_t kPair = 2;
 constexpr double kFewShare = 0.005;  // of the vertices
 constexpr double kAlike = 2;         // ratio of the values of both sides
@@ -19,7 +19,8 @@ constexpr double kRigid = 0.8;       // of the vertices follow one joint: a body
 constexpr size_t kLeastPairs = 6;    // of joints called left and right: of machines with fewer, toes say little
 
 bool is_one_of(const RigFinding& f, std::initializer_list<const char*> rules) {
-  return std::any_of(rules.begin(), rules.end(), [&](const char* rule) { return std::strcmp(f.rule->name, rule) == 0; });
+  return std::any_of(rules.begin(), rules.end(),
+                     [&](const char* rule) { return std::strcmp(f.rule->name, rule) == 0; });
 }
 
 class Weigher {
@@ -38,11 +39,10 @@ class Weigher {
     if (is_one_of(f, {"speck"})) return is_few(f) && is_close(f);
     if (is_one_of(f, {"left-right"})) return f.vertices.size() <= kPair;
     if (is_one_of(f, {"far-weight"})) return is_close(f) && (is_few(f) || on_both_sides(f, all));
-    if (is_one_of(f, {"leak"})) return is_next(f) || on_both_sides(f, all);
+    if (is_one_of(f, {"leak"})) return f.vertices.size() <= kPair || is_next(f) || on_both_sides(f, all);
     if (is_one_of(f, {"joint-outside", "zero-length", "lost-volume"})) return on_both_sides(f, all);
     if (is_one_of(f, {"name-order"})) return f.value < kOtherLimb && on_both_sides(f, all);
-    if (is_one_of(f, {"tear"})) 
-      return is_few(f) || (rigid_body_ && on_both_sides(f, all));
+    if (is_one_of(f, {"tear"})) return is_few(f) || (rigid_body_ && on_both_sides(f, all));
     if (is_one_of(f, {"flip"})) return is_few(f);
     if (is_one_of(f, {"crack"})) return f.vertices.size() <= 2 * kPair;  // one edge
     if (is_one_of(f, {"unlike-joints"})) return !facts_.is_limb(static_cast<size_t>(f.joint));
@@ -83,7 +83,8 @@ class Weigher {
   bool are_twins(int a, int b) const {
     if (a < 0 || b < 0) return a == b;
     const size_t i = static_cast<size_t>(a), j = static_cast<size_t>(b);
-    if (a == b || facts_.verdicts.partners[i] >= 0) return a == b ? facts_.verdicts.partners[i] < 0 : facts_.verdicts.partners[i] == b;
+    if (a == b || facts_.verdicts.partners[i] >= 0)
+      return a == b ? facts_.verdicts.partners[i] < 0 : facts_.verdicts.partners[i] == b;
     return facts_.verdicts.sides[i] != 0 && facts_.verdicts.sides[i] == -facts_.verdicts.sides[j] &&
            facts_.verdicts.classes[i] == facts_.verdicts.classes[j];
   }

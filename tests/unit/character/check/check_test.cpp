@@ -217,6 +217,20 @@ CheckedFile broken_file() {
   return file;
 }
 
+TEST(Check, ScoreFallsAsWeightsLeaveWhatMethodsGive) {
+  Character c = small_biped();
+  const double whole = weight_score(c);
+  std::rotate(c.influences.begin(), c.influences.begin() + static_cast<std::ptrdiff_t>(c.influences.size() / 3),
+              c.influences.end());
+  const double shuffled = weight_score(c);
+  EXPECT_GT(whole, 50);
+  EXPECT_LE(whole, 100);
+  EXPECT_LT(shuffled, whole - 20);
+  EXPECT_GE(shuffled, 0);
+  c.influences.assign(c.vertices.size(), {});
+  EXPECT_EQ(weight_score(c), 0);
+}
+
 TEST(CheckOutput, Json) {
   const auto json = nlohmann::json::parse(check_json(broken_file()));
   EXPECT_EQ(json["sinew_check"], 1);
