@@ -55,8 +55,8 @@ TEST_F(CliRigEdit, EditsApplyInTheOrderOfTheCommandLine) {
 }
 
 TEST_F(CliRigEdit, AMeshIsTurnedScaledAndPutOnTheFloor) {
-  good("rig " + kRobed + " --method shape --turn x --turn=-x --height 0.5 --floor -o placed.obj");
-  const Character placed = read_mesh(in("placed.obj"));
+  good("rig " + kRobed + " --method shape --turn x --turn=-x --height 0.5 --floor -o placed.glb");
+  const Character placed = read_mesh(in("placed.glb"));
   float low = placed.vertices[0].y, high = low;
   for (const Vec3& p : placed.vertices) {
     low = std::min(low, p.y);
