@@ -33,6 +33,7 @@ cp src/index.html src/style.css src/icon.svg src/manifest.webmanifest src/sw.js 
 cp "$root"/samples/data/sinew_{default,rig,hands,front}.sinew "$out"
 mkdir -p "$out/samples" "$out/thumbs"
 cp src/thumbs/*.webp "$out/thumbs"
+node samples/clothed.mjs "$out/samples/biped__clothed.glb"
 cp "$root"/samples/data/*.{obj,rig.txt,gltf} "$root"/samples/data/drawing__child.png "$out/samples"
 # What sw.js keeps for a page without a network; the rest is kept when it is used.
 (cd "$out" && ls -- *.html *.css *.svg *.js *.webmanifest thumbs/*.webp sinew-simd{,-rest}.wasm sinew_{default,rig,front}.sinew) | grep -v '^sw\.js$' |

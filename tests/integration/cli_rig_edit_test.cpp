@@ -2,6 +2,7 @@
 // sinew rig on skeletons that the user has a say in: edits, a skeleton of their own, templates.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -51,6 +52,21 @@ TEST_F(CliRigEdit, EditsApplyInTheOrderOfTheCommandLine) {
   const auto one_side = out();
   EXPECT_EQ(one_side.count("hand.L"), 0u);
   EXPECT_EQ(one_side.count("hand.R"), 1u);
+}
+
+TEST_F(CliRigEdit, AMeshIsTurnedScaledAndPutOnTheFloor) {
+  good("rig " + kRobed + " --method shape --turn x --turn=-x --height 0.5 --floor -o placed.glb");
+  const Character placed = read_mesh(in("placed.glb"));
+  float low = placed.vertices[0].y, high = low;
+  for (const Vec3& p : placed.vertices) {
+    low = std::min(low, p.y);
+    high = std::max(high, p.y);
+  }
+  EXPECT_NEAR(low, 0, 1e-6f);
+  EXPECT_NEAR(high, 0.5f, 1e-5f);
+  EXPECT_NE(bad(2, rig_ + "--floor").error.find("--prediction stands where the mesh does"), std::string::npos);
+  bad(2, "rig " + kRobed + " --turn w");
+  bad(2, "rig " + kRobed + " --height 0");
 }
 
 TEST_F(CliRigEdit, ArmsOfATPoseLieOnALine) {

@@ -5,13 +5,14 @@ const bare = (of, shown) => ({ name: `${of}, a bare mesh`, shown, files: [`${of}
 
 // shown: what its picture is called, thumbs/FIRST FILE.webp
 export const samples = [
+  { name: "biped__clothed", shown: "Person", files: ["biped__clothed.glb"] },
   { name: "biped__caped", shown: "Cape", files: ["biped__caped.gltf"] },
-  bare("biped__robed", "Bare mesh"),
   pair("biped__robot", "Robot"),
   pair("quadruped__tailed", "Four legs"),
   pair("bird__winged", "Wings"),
   { name: "drawing__child", shown: "A drawing", files: ["drawing__child.png"] },
   pair("many-legged__plated"),
+  bare("biped__robed"),
   pair("biped__robed"),
   pair("snake__long"),
 ];

@@ -50,8 +50,8 @@ struct Stance {
 
 struct Session {
   OpenModel bind_model, rig_model, hands_model, front_model;
-  Character character;               // with the joints of rigs().now()
-  std::map<uint32_t, Rigs> rigs_of;  // of all characters that are open, by the page's numbers
+  Character character;                           // with the joints of rigs().now()
+  std::map<uint32_t, Rigs> rigs_of;              // of all characters that are open, by the page's numbers
   std::map<uint32_t, std::string> placement_of;  // of the same, as JSON
   // Of those that are of pictures, without their meshes.
   std::map<uint32_t, std::shared_ptr<const PictureCharacter>> pictures_of;

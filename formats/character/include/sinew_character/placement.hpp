@@ -13,9 +13,10 @@ namespace sinew {
 
 // In this order: turns, height, floor.
 struct Placement {
-  std::vector<std::string> turns;  // quarters about the origin, one after the other: "x", "-x", "y", ...; x brings y to z
-  double height = 0;               // metres along up, 0: as it is
-  bool floor = false;              // the lowest vertex is at 0 along up
+  std::vector<std::string>
+      turns;           // quarters about the origin, one after the other: "x", "-x", "y", ...; x brings y to z
+  double height = 0;   // metres along up, 0: as it is
+  bool floor = false;  // the lowest vertex is at 0 along up
 };
 
 bool places(const Placement& placement);

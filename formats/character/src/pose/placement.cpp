@@ -55,9 +55,7 @@ void turn_normals(const Affine& m, Character* character) {
 
 }  // namespace
 
-bool places(const Placement& placement) {
-  return !placement.turns.empty() || placement.height != 0 || placement.floor;
-}
+bool places(const Placement& placement) { return !placement.turns.empty() || placement.height != 0 || placement.floor; }
 
 void check_placement(const Placement& placement) {
   for (const std::string& turn : placement.turns) {
