@@ -155,6 +155,22 @@ TEST(GltfFromScene, NamesThatAreNoTextAreReplaced) {
     for (const char c : made.name) EXPECT_TRUE(c >= 32 && c < 127) << made.name;
 }
 
+// An element for every channel, as Blender writes them: one clip, and of two that move the same joint the longer one.
+TEST(GltfFromScene, ColladaAnimationsWithoutNamesAreOneClip) {
+  const TempFolder folder;
+  std::string text = moving_dae();
+  for (const char* name : {" name=\"bend\"", " name=\"rise\"", " id=\"bend\"", " id=\"rise\""}) {
+    const size_t at = text.find(name);
+    ASSERT_NE(at, std::string::npos);
+    text.erase(at, std::string(name).size());
+  }
+  const Motion motion = read_motion(folder.write("moves.dae", text), 10);
+  ASSERT_EQ(motion.clips.size(), 1u);
+  EXPECT_EQ(motion.clips[0].name, "moves");
+  const Point3 tip = world_pose(motion, motion.clips[0].frames[10]).positions[2];
+  EXPECT_NEAR(tip[1], 2, 1e-5) << "bends as the first element says";
+}
+
 TEST(GltfFromScene, MotionsOfFbx) {
   const TempFolder folder;
   const std::string fbx = folder.file("moves.fbx");
