@@ -3,12 +3,17 @@
 """Which pairs of skeletons are refused as no fit (sinew map --json: "cover" below 0.5), for pairs that fit and for those that a person refuses.
 
     fit_pairs.py SINEW PAIRS.tsv RIGS LABELS.tsv OUT [options of `sinew map`, such as --no-names]
+    fit_pairs.py --list RIGS LABELS.tsv > PAIRS.tsv
 
 PAIRS.tsv has lines GROUP TARGET SOURCE, RIGS holds NAME.rig.txt, LABELS.tsv has lines RIG JOINT LABEL. Pairs of group `cross` (people and four-legged
 animals) are to be refused, all others fit. Of the sources that people have, halves are made by their labels and are to be refused on
-everybody: `upper` has no legs, `lower` nothing above the hips. OUT gets them."""
+everybody: `upper` has no legs, `lower` nothing above the hips. OUT gets them. --list draws 260 pairs of people, 80 of four-legged animals and 260 of one
+of each from the labelled rigs of a folder, families (what stands before `__`) alike often, people from two families. People have labelled arms and
+legs and go upright."""
 import json
+import math
 import os
+import random
 import re
 import subprocess
 import sys
@@ -42,16 +47,68 @@ def half(source, target, labels, cut):
     return True
 
 
+def read_labels(path):
+    labels = defaultdict(dict)
+    with open(path, encoding='utf-8') as file:
+        for line in file:
+            rig, joint, label = line.rstrip('\n').split('\t')[:3]
+            labels[rig][joint] = label
+    return labels
+
+
+def goes_upright(path, labels):
+    """Upper arms are more above the thighs than beside them (y up)."""
+    ends = {'upperarm': [], 'upleg': []}
+    with open(path, encoding='utf-8') as file:
+        for words in map(str.split, file):
+            if words[:1] != ['joints']:
+                continue
+            name = re.sub(r'^[lr]_', '', labels.get(words[1], '-').split('|')[0].rstrip('?'))
+            if name in ends:
+                ends[name].append([float(word) for word in words[2:5]])
+    arms, legs = ([sum(axis) / len(points) for axis in zip(*points)] for points in ends.values())
+    return arms[1] - legs[1] > math.hypot(arms[0] - legs[0], arms[2] - legs[2])
+
+
+def list_pairs(rigs, labels):
+    people, animals = defaultdict(list), defaultdict(list)
+    for rig in sorted(labels):
+        path = f'{rigs}/{rig}.rig.txt'
+        names = {label.split('|')[0].rstrip('?') for label in labels[rig].values()}
+        if not os.path.exists(path):
+            continue
+        family = rig.split('__')[0]
+        if {'l_upperarm', 'l_lowerarm', 'r_upperarm', 'l_upleg', 'l_lowleg', 'r_upleg'} <= names:
+            if goes_upright(path, labels[rig]):
+                people[family].append(rig)
+        elif any(name.startswith('l_foreleg') for name in names) and any(name.startswith('l_hindleg') for name in names):
+            animals[family].append(rig)
+    draw = random.Random(33)
+
+    def some(kind):
+        return draw.choice(kind[draw.choice(sorted(kind))])
+
+    pairs = set()
+    for group, count, targets, sources in (('biped', 260, people, people), ('quad', 80, animals, animals), ('cross', 130, people, animals),
+                                           ('cross', 130, animals, people)):
+        wanted = len(pairs) + count
+        for _ in range(100 * count):
+            target, source = some(targets), some(sources)
+            alike = target.split('__')[0] == source.split('__')[0]
+            if len(pairs) < wanted and target != source and not (group == 'biped' and alike):
+                pairs.add((group, target, source))
+    for pair in sorted(pairs):
+        print(*pair)
+
+
 def main():
+    if len(sys.argv) == 4 and sys.argv[1] == '--list':
+        return list_pairs(sys.argv[2], read_labels(sys.argv[3]))
     if len(sys.argv) < 6:
         sys.exit(__doc__)
     program, pairs, rigs, labels_file, out, options = *sys.argv[1:6], sys.argv[6:]
     os.makedirs(out, exist_ok=True)
-    labels = defaultdict(dict)
-    with open(labels_file, encoding='utf-8') as file:
-        for line in file:
-            rig, joint, label = line.rstrip('\n').split('\t')[:3]
-            labels[rig][joint] = label
+    labels = read_labels(labels_file)
     work = []
     with open(pairs, encoding='utf-8') as file:
         for line in file:

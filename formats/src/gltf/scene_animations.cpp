@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {
@@ -32,6 +36,33 @@ bool is_text(const std::string& name) {
   }
 }
 
+double ticks_of(const aiAnimation& from) { return from.mTicksPerSecond > 0 ? from.mTicksPerSecond : kPlainTicks; }
+
+// Parts of equal ticks, at least one, that are one animation.
+struct SceneAnimation {
+  std::vector<const aiAnimation*> parts;
+  std::string name;
+};
+
+// COLLADA has one time line, but for clips that are named. Assimp makes an animation of each element of it: those without a name of their
+// own are all called animation_animation, and what it puts together combinedAnim_. They are one animation, called as the file is.
+std::vector<SceneAnimation> animations_of(const std::string& path, const aiScene& scene) {
+  std::vector<SceneAnimation> out;
+  SceneAnimation nameless = {{}, std::filesystem::path(path).stem().string()};
+  const bool collada = has_extension(path, ".dae");
+  for (unsigned a = 0; a < scene.mNumAnimations; ++a) {
+    const aiAnimation& own = *scene.mAnimations[a];
+    const std::string name = own.mName.C_Str();
+    const bool is_named = name != "animation_animation" && name.rfind("combinedAnim_", 0) != 0;
+    if (!collada || is_named || ticks_of(own) != ticks_of(*scene.mAnimations[0]))
+      out.push_back({{&own}, name});
+    else
+      nameless.parts.push_back(&own);
+  }
+  if (!nameless.parts.empty()) out.insert(out.begin(), std::move(nameless));
+  return out;
+}
+
 // Keys of one node and path: times that rise, values beside them.
 template <size_t N>
 struct Keys {
@@ -45,25 +76,34 @@ struct Keys {
 
 class AnimationConverter {
  public:
-  AnimationConverter(const std::string& path, const aiAnimation& from, size_t number,
+  AnimationConverter(const std::string& path, const SceneAnimation& from, size_t number,
                      const std::map<std::string, size_t>& nodes, GltfSource* source)
-      : from_(from), nodes_(nodes), source_(*source) {
-    name_ = from.mName.C_Str();
+      : parts_(from.parts), nodes_(nodes), source_(*source), name_(from.name) {
+    const aiAnimation& first = *parts_.front();
     if (!is_text(name_)) {
       name_ = "animation_" + std::to_string(number);
-      if (from.mName.length > 0) source_.notes.push_back("an animation's name is no text; it is called " + name_);
+      if (!from.name.empty()) source_.notes.push_back("an animation's name is no text; it is called " + name_);
     }
     where_ = path + ": animation " + in_quotes(name_);
-    ticks_ = from.mTicksPerSecond > 0 ? from.mTicksPerSecond : kPlainTicks;
+    ticks_ = ticks_of(first);
   }
 
   void convert() {
     animation_ = {{"name", name_}, {"channels", Json::array()}, {"samplers", Json::array()}};
-    find_start();
-    for (unsigned c = 0; c < from_.mNumChannels; ++c) add_channel(*from_.mChannels[c]);
+    std::vector<const aiNodeAnim*> channels;
+    bool shapes = false;
+    for (const aiAnimation* part : parts_) {
+      channels.insert(channels.end(), part->mChannels, part->mChannels + part->mNumChannels);
+      shapes = shapes || part->mNumMeshChannels + part->mNumMorphMeshChannels > 0;
+    }
+    find_start(channels);
+    // Of parts that move the same node the one with most keys does.
+    if (parts_.size() > 1)
+      std::stable_sort(channels.begin(), channels.end(),
+                       [](const aiNodeAnim* a, const aiNodeAnim* b) { return key_count(*a) > key_count(*b); });
+    for (const aiNodeAnim* channel : channels) add_channel(*channel);
     if (moves_root_) source_.notes.push_back("animation " + in_quotes(name_) + ": the scene's own root stays still");
-    if (from_.mNumMeshChannels + from_.mNumMorphMeshChannels > 0)
-      source_.notes.push_back("animation " + in_quotes(name_) + ": blend shapes stay still");
+    if (shapes) source_.notes.push_back("animation " + in_quotes(name_) + ": blend shapes stay still");
     if (animation_["channels"].empty())
       source_.notes.push_back("animation " + in_quotes(name_) + " moves no node and was left out");
     else
@@ -72,19 +112,21 @@ class AnimationConverter {
 
  private:
   // Seconds begin at the first key of all.
-  void find_start() {
+  void find_start(const std::vector<const aiNodeAnim*>& channels) {
     bool any = false;
     const auto take = [&](const auto* keys, unsigned count) {
       if (count == 0) return;
       start_ = any ? std::min(start_, keys[0].mTime) : keys[0].mTime;
       any = true;
     };
-    for (unsigned c = 0; c < from_.mNumChannels; ++c) {
-      const aiNodeAnim& channel = *from_.mChannels[c];
-      take(channel.mPositionKeys, channel.mNumPositionKeys);
-      take(channel.mRotationKeys, channel.mNumRotationKeys);
-      take(channel.mScalingKeys, channel.mNumScalingKeys);
+    for (const aiNodeAnim* channel : channels) {
+      take(channel->mPositionKeys, channel->mNumPositionKeys);
+      take(channel->mRotationKeys, channel->mNumRotationKeys);
+      take(channel->mScalingKeys, channel->mNumScalingKeys);
     }
+  }
+  static uint64_t key_count(const aiNodeAnim& channel) {
+    return uint64_t{channel.mNumPositionKeys} + channel.mNumRotationKeys + channel.mNumScalingKeys;
   }
 
   void add_channel(const aiNodeAnim& channel) {
@@ -106,7 +148,7 @@ class AnimationConverter {
   void add_track(const aiNodeAnim& channel, size_t node, const char* what, const char* type, const Key* from,
                  unsigned count) {
     const Keys<N> keys = read_keys<N>(channel, what, from, count);
-    if (keys.times.empty()) return;
+    if (keys.times.empty() || !moved_.emplace(node, what).second) return;
     const size_t left = keys.stands_still() ? 1 : keys.times.size();
     const int input = add_accessor(&source_, keys.times.data(), left * sizeof(float), "SCALAR",
                                    TINYGLTF_COMPONENT_TYPE_FLOAT, left, false, false);
@@ -136,12 +178,13 @@ class AnimationConverter {
     return keys;
   }
 
-  const aiAnimation& from_;
+  const std::vector<const aiAnimation*>& parts_;
   const std::map<std::string, size_t>& nodes_;
   GltfSource& source_;
   std::string name_, where_;
   double ticks_ = kPlainTicks, start_ = 0;
   bool moves_root_ = false;
+  std::set<std::pair<size_t, std::string>> moved_;  // nodes and paths
   Json animation_;
 };
 
@@ -149,8 +192,8 @@ class AnimationConverter {
 
 void add_scene_animations(const std::string& path, const aiScene& scene, const std::map<std::string, size_t>& nodes,
                           GltfSource* source) {
-  for (unsigned a = 0; a < scene.mNumAnimations; ++a)
-    AnimationConverter(path, *scene.mAnimations[a], a, nodes, source).convert();
+  const std::vector<SceneAnimation> animations = animations_of(path, scene);
+  for (size_t a = 0; a < animations.size(); ++a) AnimationConverter(path, animations[a], a, nodes, source).convert();
 }
 
 }  // namespace sinew

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "expect_error.hpp"
 #include "glb_round.hpp"
 #include "scene_files.hpp"
@@ -77,6 +79,30 @@ TEST(GltfFromScene, Collada) {
   EXPECT_EQ(json_of_glb(glb)["images"].size(), 1u);
   EXPECT_NE(glb.find(kPng), std::string::npos);
   EXPECT_EQ(list_characters(folder.path()), std::vector<std::string>{path});
+}
+
+// As of Second Life: nodes stand as the default avatar does, inverse bind matrices as the mesh was bound, and a bind shape matrix scales it.
+TEST(GltfFromScene, ColladaNodesNeedNotBeTheBindPose) {
+  const TempFolder folder;
+  std::string text = strip_dae();
+  const auto replace = [&](const std::string& what, const std::string& with) {
+    const size_t at = text.find(what);
+    ASSERT_NE(at, std::string::npos) << what;
+    text.replace(at, what.size(), with);
+  };
+  replace("sid=\"knee\" type=\"JOINT\"><matrix>1 0 0 0 0 1 0 0 0 0 1 200", "sid=\"knee\" type=\"JOINT\"><matrix>1 0 0 30 0 0 -1 0 0 1 0 120");
+  replace("<bind_shape_matrix>1 0 0 0 0 1 0 0 0 0 1 0", "<bind_shape_matrix>2 0 0 0 0 2 0 0 0 0 2 0");
+  std::string halves;
+  std::istringstream words(text.substr(text.find("count=\"30\">") + 11));
+  for (int k = 0; k < 30; ++k) {
+    double value = 0;
+    words >> value;
+    halves += std::to_string(0.5 * value) + " ";
+  }
+  const size_t begin = text.find("count=\"30\">") + 11;
+  text.replace(begin, text.find('<', begin) - begin, halves);
+  const Character c = read_character(folder.write("avatar.dae", text));
+  expect_strip(c);
 }
 
 // All upright and with the weights that stand in them, whatever their axes.
@@ -153,6 +179,22 @@ TEST(GltfFromScene, NamesThatAreNoTextAreReplaced) {
   const Motion motion = read_motion(folder.write("moves.dae", text.replace(begin, end - begin, clips)), 10);
   for (const Clip& made : motion.clips)
     for (const char c : made.name) EXPECT_TRUE(c >= 32 && c < 127) << made.name;
+}
+
+// An element for every channel, as Blender writes them: one clip, and of two that move the same joint the longer one.
+TEST(GltfFromScene, ColladaAnimationsWithoutNamesAreOneClip) {
+  const TempFolder folder;
+  std::string text = moving_dae();
+  for (const char* name : {" name=\"bend\"", " name=\"rise\"", " id=\"bend\"", " id=\"rise\""}) {
+    const size_t at = text.find(name);
+    ASSERT_NE(at, std::string::npos);
+    text.erase(at, std::string(name).size());
+  }
+  const Motion motion = read_motion(folder.write("moves.dae", text), 10);
+  ASSERT_EQ(motion.clips.size(), 1u);
+  EXPECT_EQ(motion.clips[0].name, "moves");
+  const Point3 tip = world_pose(motion, motion.clips[0].frames[10]).positions[2];
+  EXPECT_NEAR(tip[1], 2, 1e-5) << "bends as the first element says";
 }
 
 TEST(GltfFromScene, MotionsOfFbx) {
