@@ -161,8 +161,10 @@ TEST_F(TrainerRun, ResumeAndInitRefuseWhatDoesNotFit) {
   other = config_;
   other.seed = 99;
   train(other, init);  // another seed has the same shapes
-  other.field.width = 24;
+  other.field.width = config_.field.width - 1;
   EXPECT_THROW(train(other, init), Error);
+  other.field.width = config_.field.width + 1;
+  train(other, init);  // goes on in a wider network
   other = config_;
   other.architecture = "classic";
   EXPECT_THROW(train(other, init), Error);

@@ -2,7 +2,7 @@
 // Questions about parts, their answers, and styles.
 import { bind } from "./binding.js";
 import { colour } from "./colours.js";
-import { act } from "./commands.js";
+import { act } from "./acting.js";
 import { run, save } from "./jobs.js";
 import { partName } from "./questions.js";
 import { sendPose } from "./showing.js";

@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What the user does is a command with a name: it runs after those before it, and the history has what came of it. Undo goes back to states.
+// Undo and redo: the open character as it was in a state of its history.
 import { autosave } from "./autosave.js";
 import { bind } from "./binding.js";
 import { restoreRig } from "./editing.js";
 import { clearError, run } from "./jobs.js";
-import { loadPlaced } from "./loading.js";
+import { loadPlaced } from "./opened.js";
 import { showMarkers } from "./markers.js";
-import { keepRig, record, showHistory } from "./recording.js";
-import { poseChanged, sendPose, showPose } from "./showing.js";
+import { keepRig, showHistory } from "./recording.js";
+import { sendPose, showPose } from "./showing.js";
 import { $, at, engine } from "./state.js";
-
-// A command that needs the engine. name: of its step, or a function that says it afterwards.
-export const act = (name, job) =>
-  run(async () => {
-    clearError();
-    await job();
-    record(typeof name === "function" ? name() : name);
-  });
 
 export function undo(forward) {
   if (at.view.dragging || at.character === null) return undefined;
@@ -57,10 +49,4 @@ export async function restore(state, before) {
   showMarkers();
   keepRig();
   source.history?.replace({ ...state, kept: source.kept, epoch: engine.epoch });
-}
-
-// After a change of the pose: shown at once, a step of the history.
-export function posed(name, goesOn = false) {
-  poseChanged();
-  record(name, { goesOn });
 }

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Files in: characters, models, motions, projects.
-import { listQuestions, lookNowhere } from "./asked.js";
 import { useStyle, useStyleAnswers } from "./asking.js";
 import { bind } from "./binding.js";
-import { act, restore } from "./commands.js";
+import { act } from "./acting.js";
+import { restore } from "./commands.js";
 import { predict, showSkeleton, upOf } from "./editing.js";
 import { isBeside, isPicture, isWhole, mayMove, pairFiles } from "./files.js";
 import { clearError, run, whileBusy } from "./jobs.js";
 import { useModel } from "./models.js";
-import { Pose } from "./pose.js";
+import { asLoaded, longestSide, remark, showOpened, unplaced } from "./opened.js";
 import { filesOf, readProject } from "./project.js";
 import { record, showHistory } from "./recording.js";
 import { showSteps } from "./rail.js";
 import { sampleFiles } from "./samples.js";
-import { sendPose, showFacts } from "./showing.js";
-import { $, at, engine, modes } from "./state.js";
+import { sendPose } from "./showing.js";
+import { $, at, engine } from "./state.js";
 import { firstStep, setStep } from "./steps.js";
 import { testClip, testClips } from "./test_clips.js";
 import { unzip } from "./zip.js";
@@ -171,6 +171,7 @@ export async function load(source, state = null, rows = null) {
   Object.assign(source, { answers: source.answers ?? [], never: source.never ?? new Set(), always: source.always ?? new Set(), markers: source.markers ?? [], recipe: source.recipe ?? { wishes: null, edits: [] }, kept: 0 });
   source.locked = new Set(); // with the rows that were locked
   showOpened(loaded);
+  showCharacters();
   if (wanted) {
     await bring(wanted, rows);
   } else {
@@ -197,20 +198,6 @@ function forgetOptions({ pictureWishes }) {
   $("up").value = "2";
 }
 
-const unplaced = { turns: [], height: 0, floor: false };
-const asLoaded = ({ mesh, skeleton, number, placement }) => ({ mesh, skeleton, number, place: { ...placement, up: Number($("up").value) === 1 ? 1 : 0 } });
-
-// The open character turned or scaled as a whole: with the joints of its file, without weights.
-export async function loadPlaced(placement) {
-  const { source, name, up } = at.character;
-  const loaded = await whileBusy(`Turning ${name}`, () => engine.call("load", asLoaded({ ...source, placement })));
-  source.placement = placement;
-  at.character = { ...loaded, name, up, upAxis: upOf(loaded, up), source, result: null, size: longestSide(loaded.buffers.positions), placeable: true };
-  source.locked = new Set(); // with the rows that were locked
-  source.kept = 0;
-  showOpened(loaded);
-}
-
 // A drawing moves at once, as its class does.
 async function moveDrawing() {
   const { picture } = at.character;
@@ -231,31 +218,6 @@ export async function changeKind() {
 }
 const bodyWords = ["biped", "quadruped", "bird", "fish", "snake", "many-legged"];
 
-function remark(line) {
-  $("remarks").textContent += `${$("remarks").textContent && "\n"}${line}`;
-  $("remarks").hidden = false;
-}
-
-function showOpened(loaded) {
-  document.body.classList.remove("start");
-  $("artist").hidden = !loaded.hasReference;
-  $("remarks").textContent = "";
-  $("remarks").hidden = true;
-  for (const note of loaded.notes) remark(note);
-  at.pose = new Pose(loaded.joints.length);
-  at.dragged = null;
-  lookNowhere();
-  at.view.setCharacter({ ...loaded.buffers, joints: loaded.joints, upAxis: at.character.upAxis });
-  at.mode = modes.material;
-  at.modeChosen = false;
-  $("search").value = "";
-  showCharacters();
-  setStep(at.character.source.step ?? firstStep(at.character, false), { view: false });
-  showSkeleton();
-  listQuestions();
-  showFacts();
-}
-
 // The character that was just loaded, as it was in that state.
 async function bring(state, rows) {
   const { source } = at.character;
@@ -265,16 +227,6 @@ async function bring(state, rows) {
   await engine.call("putRows", { rows });
   source.locked = state.locked;
   await bind();
-}
-
-function longestSide(positions) {
-  const least = [Infinity, Infinity, Infinity];
-  const most = [-Infinity, -Infinity, -Infinity];
-  positions.forEach((x, i) => {
-    least[i % 3] = Math.min(least[i % 3], x);
-    most[i % 3] = Math.max(most[i % 3], x);
-  });
-  return Math.max(...most.map((x, axis) => x - least[axis]));
 }
 
 export function motionChanged(motion) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page: what the user does, and how it begins.
+import { act, posed } from "./acting.js";
 import { forgetStyle, lookAt, saveStyle, take, takeBack } from "./asking.js";
 import { autosaved, forgetWork, lastWork, presentProject, warnBeforeLeaving } from "./autosave.js";
 import { BendPanel } from "./bends.js";
@@ -7,7 +8,7 @@ import { bind, bindOtherwise, endStroke, forgetPaint, lockJoint, switchJoint } f
 import { nextBrush, showBrush, strokes } from "./brush.js";
 import { listenForChecks } from "./checking.js";
 import { setMode, showLegend } from "./colours.js";
-import { act, posed, undo } from "./commands.js";
+import { undo } from "./commands.js";
 import { dragJoint, editName, editSkeleton, endDrag, moves, predict, toMiddle, upOf } from "./editing.js";
 import { exportAs } from "./export.js";
 import { allFiles, motionFiles } from "./files.js";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Markers are placed, dragged, taken away, and followed.
 import { bind } from "./binding.js";
-import { act } from "./commands.js";
+import { act } from "./acting.js";
 import { predict } from "./editing.js";
 import { MarkerPanel, nextPart, partOf, showMarkers, shownMarkers, withMarker } from "./markers.js";
 import { $, at } from "./state.js";

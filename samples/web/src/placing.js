@@ -2,9 +2,10 @@
 // The character as a whole: quarter turns, height, floor, as `sinew rig --turn --height --floor` has them. What was asked for is the character's
 // source.placement: {turns, height, floor}; joints, markers and weights begin anew from it.
 import { bind } from "./binding.js";
-import { act, restore } from "./commands.js";
+import { act } from "./acting.js";
+import { restore } from "./commands.js";
 import { predict } from "./editing.js";
-import { loadPlaced } from "./loading.js";
+import { loadPlaced } from "./opened.js";
 import { showPlacement } from "./showing.js";
 import { $, at } from "./state.js";
 

@@ -42,7 +42,10 @@ PictureCharacter open_picture(const std::string& path, const PictureJobOptions& 
   return out;
 }
 
-void rig_picture(const RigJobOptions& job, const RigModels& models, PictureCharacter* picture) {
+void rig_picture(const RigJobOptions& job, const RigModels& given, PictureCharacter* picture) {
+  RigModels models = given, bodies = given;
+  bodies.hands = nullptr;  // a figure is a body
+  if (job.detail == SkeletonDetail::kBody) models.hands = nullptr;  // whose hands are blots mostly
   PictureMeshOptions round = picture->options.mesh;
   round.flat = false;  // skeletons are found in what is round
   Character mesh = picture_mesh(*picture->picture, picture->figure, round);
@@ -51,7 +54,7 @@ void rig_picture(const RigJobOptions& job, const RigModels& models, PictureChara
   facing.front = SINEW_FRONT_PLUS_Z;
   std::optional<BodyClass> body = picture->options.body;
   settle_class(&body, &facing);
-  SeenBody seen = see_body(mesh, body, facing, models, &mesh.notes);
+  SeenBody seen = see_body(mesh, body, facing, bodies, &mesh.notes);
   picture->rigged = rig_character(std::move(mesh), std::move(seen.skeleton), false, facing, models);
   picture->view = seen.view;
   picture->body = seen.body;

@@ -167,7 +167,9 @@ PredictedSkeleton predict_for_job(const RigJobOptions& job, const RigModels& mod
   options.toes = job.toes;
   options.ends = job.ends;
   PredictedSkeleton skeleton = predict_skeleton(*character, options);
-  if (models.hands != nullptr && may_be_lone_hand(job, skeleton) && put_lone_hand(models, options, character, &skeleton)) return skeleton;
+  if (models.hands != nullptr && may_be_lone_hand(job, skeleton) &&
+      put_lone_hand(models, options, character, &skeleton))
+    return skeleton;
   const float spread = skeleton.spread;
   const std::optional<float> usable = skeleton.usable;
   if (job.method == RigMethod::kAuto && job.category == SINEW_CATEGORY_ANY && spread > kUnknownSpread) {

@@ -104,8 +104,8 @@ std::vector<Point> finger_places(const std::vector<Point>& mine, const Point& my
 
 // f(joint of mine, where it goes) of fingers that both hands have. Returns how many these are.
 template <typename F>
-size_t each_place(const std::vector<Joint>& joints, const Hand& mine, const PredictedSkeleton& found, const Hand& theirs,
-                  const F& f) {
+size_t each_place(const std::vector<Joint>& joints, const Hand& mine, const PredictedSkeleton& found,
+                  const Hand& theirs, const F& f) {
   size_t fingers = 0;
   for (size_t k = 0; k < kFingers; ++k) {
     if (mine.fingers[k].empty() || theirs.fingers[k].size() < 2) continue;
@@ -176,7 +176,8 @@ size_t fit_fingers(const PredictedSkeleton& found, FittedSkeleton* fitted) {
 }
 
 std::optional<FittedSkeleton> fit_lone_hand(const std::vector<Joint>& own, const PredictedSkeleton& found) {
-  const std::vector<Hand> mine = hands_of(own, joint_verdicts(own).classes), theirs = hands_of(found.joints, found.classes);
+  const std::vector<Hand> mine = hands_of(own, joint_verdicts(own).classes),
+                          theirs = hands_of(found.joints, found.classes);
   if (mine.size() != 1 || theirs.size() != 1) return std::nullopt;
   const Point from = point(own[mine[0].joint].position), to = point(found.joints[theirs[0].joint].position);
   std::vector<RotationPair> pairs;

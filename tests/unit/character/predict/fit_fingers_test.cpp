@@ -63,9 +63,7 @@ TEST(FitFingers, ATemplateOfAHandLiesInALoneOne) {
   EXPECT_LT(end.z, -3);
 }
 
-TEST(FitFingers, TwoFingersSayTooLittle) {
-  EXPECT_FALSE(fit_lone_hand(skeleton_template("hand"), found_hand(2)));
-}
+TEST(FitFingers, TwoFingersSayTooLittle) { EXPECT_FALSE(fit_lone_hand(skeleton_template("hand"), found_hand(2))); }
 
 // Of a body: the nearest hand's, and what was not found stays.
 TEST(FitFingers, OfABodyGoToTheNearestHand) {

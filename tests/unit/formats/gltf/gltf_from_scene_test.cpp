@@ -90,7 +90,8 @@ TEST(GltfFromScene, ColladaNodesNeedNotBeTheBindPose) {
     ASSERT_NE(at, std::string::npos) << what;
     text.replace(at, what.size(), with);
   };
-  replace("sid=\"knee\" type=\"JOINT\"><matrix>1 0 0 0 0 1 0 0 0 0 1 200", "sid=\"knee\" type=\"JOINT\"><matrix>1 0 0 30 0 0 -1 0 0 1 0 120");
+  replace("sid=\"knee\" type=\"JOINT\"><matrix>1 0 0 0 0 1 0 0 0 0 1 200",
+          "sid=\"knee\" type=\"JOINT\"><matrix>1 0 0 30 0 0 -1 0 0 1 0 120");
   replace("<bind_shape_matrix>1 0 0 0 0 1 0 0 0 0 1 0", "<bind_shape_matrix>2 0 0 0 0 2 0 0 0 0 2 0");
   std::string halves;
   std::istringstream words(text.substr(text.find("count=\"30\">") + 11));

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What the user does is a command with a name: it runs after those before it, and the history has what came of it.
+import { clearError, run } from "./jobs.js";
+import { record } from "./recording.js";
+import { poseChanged } from "./showing.js";
+
+// A command that needs the engine. name: of its step, or a function that says it afterwards.
+export const act = (name, job) =>
+  run(async () => {
+    clearError();
+    await job();
+    record(typeof name === "function" ? name() : name);
+  });
+
+// After a change of the pose: shown at once, a step of the history.
+export function posed(name, goesOn = false) {
+  poseChanged();
+  record(name, { goesOn });
+}

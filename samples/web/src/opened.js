@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// What the module has just opened, as the page shows it.
+import { listQuestions, lookNowhere } from "./asked.js";
+import { showSkeleton, upOf } from "./editing.js";
+import { whileBusy } from "./jobs.js";
+import { Pose } from "./pose.js";
+import { showFacts } from "./showing.js";
+import { $, at, engine, modes } from "./state.js";
+import { firstStep, setStep } from "./steps.js";
+
+export const unplaced = { turns: [], height: 0, floor: false };
+export const asLoaded = ({ mesh, skeleton, number, placement }) => ({ mesh, skeleton, number, place: { ...placement, up: Number($("up").value) === 1 ? 1 : 0 } });
+
+// The open character turned or scaled as a whole: with the joints of its file, without weights.
+export async function loadPlaced(placement) {
+  const { source, name, up } = at.character;
+  const loaded = await whileBusy(`Turning ${name}`, () => engine.call("load", asLoaded({ ...source, placement })));
+  source.placement = placement;
+  at.character = { ...loaded, name, up, upAxis: upOf(loaded, up), source, result: null, size: longestSide(loaded.buffers.positions), placeable: true };
+  source.locked = new Set(); // with the rows that were locked
+  source.kept = 0;
+  showOpened(loaded);
+}
+
+export function remark(line) {
+  $("remarks").textContent += `${$("remarks").textContent && "\n"}${line}`;
+  $("remarks").hidden = false;
+}
+
+export function showOpened(loaded) {
+  document.body.classList.remove("start");
+  $("artist").hidden = !loaded.hasReference;
+  $("remarks").textContent = "";
+  $("remarks").hidden = true;
+  for (const note of loaded.notes) remark(note);
+  at.pose = new Pose(loaded.joints.length);
+  at.dragged = null;
+  lookNowhere();
+  at.view.setCharacter({ ...loaded.buffers, joints: loaded.joints, upAxis: at.character.upAxis });
+  at.mode = modes.material;
+  at.modeChosen = false;
+  $("search").value = "";
+  setStep(at.character.source.step ?? firstStep(at.character, false), { view: false });
+  showSkeleton();
+  listQuestions();
+  showFacts();
+}
+
+export function longestSide(positions) {
+  const least = [Infinity, Infinity, Infinity];
+  const most = [-Infinity, -Infinity, -Infinity];
+  positions.forEach((x, i) => {
+    least[i % 3] = Math.min(least[i % 3], x);
+    most[i % 3] = Math.max(most[i % 3], x);
+  });
+  return Math.max(...most.map((x, axis) => x - least[axis]));
+}
