@@ -44,7 +44,7 @@ PictureCharacter open_picture(const std::string& path, const PictureJobOptions& 
 
 void rig_picture(const RigJobOptions& job, const RigModels& given, PictureCharacter* picture) {
   RigModels models = given, bodies = given;
-  bodies.hands = nullptr;  // a figure is a body
+  bodies.hands = nullptr;                                           // a figure is a body
   if (job.detail == SkeletonDetail::kBody) models.hands = nullptr;  // whose hands are blots mostly
   PictureMeshOptions round = picture->options.mesh;
   round.flat = false;  // skeletons are found in what is round
