@@ -14,7 +14,7 @@ constexpr double kClose = 0.3;  // of the size, from a joint's bones: weight for
 constexpr size_t kFew = 4;      // vertices; in fine meshes
 constexpr size_t kPair = 2;
 constexpr double kFewShare = 0.005;  // of the vertices
-constexpr double kAlike = 2;         // ratio of the values of both sides
+constexpr double kBothAlike = 2;     // ratio of the values of both sides
 constexpr double kRigid = 0.8;       // of the vertices follow one joint: a body of rigid parts, whose seams open
 constexpr size_t kLeastPairs = 6;    // of joints called left and right: of machines with fewer, toes say little
 
@@ -91,8 +91,8 @@ class Weigher {
 
   bool on_both_sides(const RigFinding& f, const std::vector<RigFinding>& all) const {
     return std::any_of(all.begin(), all.end(), [&](const RigFinding& g) {
-      return &f != &g && g.rule == f.rule && g.pose == f.pose && g.value <= kAlike * f.value &&
-             f.value <= kAlike * g.value &&
+      return &f != &g && g.rule == f.rule && g.pose == f.pose && g.value <= kBothAlike * f.value &&
+             f.value <= kBothAlike * g.value &&
              ((are_twins(f.joint, g.joint) && are_twins(f.other, g.other)) ||
               (are_twins(f.joint, g.other) && are_twins(f.other, g.joint)));
     });

@@ -26,7 +26,7 @@ constexpr double kMostLean = 10 * kDegree;  // of a trunk that stays as it is
 constexpr double kLean = 50 * kDegree;      // a trunk that leans more is no biped's
 constexpr double kFootAlong = 0.1;          // a foot's share along the floor below which it has no direction
 
-size_t at(int j) { return static_cast<size_t>(j); }
+size_t number_of(int j) { return static_cast<size_t>(j); }
 
 std::optional<Point> direction_of(const Point& p) {
   const double size = length(p);
@@ -69,7 +69,7 @@ struct Body {
     limbs = find_limbs(s, widest, 0);
   }
 
-  Point joint(int j) const { return point(skeleton.joints[at(j)].position); }
+  Point joint(int j) const { return point(skeleton.joints[number_of(j)].position); }
   // 1 left, -1 right, of arms and legs; 0 of others.
   int side_of(const Limb& limb) const {
     if (limb.kind != LimbKind::kArm && limb.kind != LimbKind::kLeg) return limb.side;
@@ -80,7 +80,7 @@ struct Body {
   std::optional<Point> bone(const Limb& limb, size_t k) const {
     return k + 1 < limb.joints.size() ? direction_of(joint(limb.joints[k + 1]) - joint(limb.joints[k])) : std::nullopt;
   }
-  uint8_t class_of(int j) const { return skeleton.classes[at(j)]; }
+  uint8_t class_of(int j) const { return skeleton.classes[number_of(j)]; }
   // A direction of another body's axes in these.
   Point from_axes_of(const Body& other, const Point& p) const {
     return dot(p, other.left) * left + dot(p, other.up) * up + dot(p, other.front) * front;
@@ -109,7 +109,7 @@ struct Body {
   }
   bool is_first_of_class(const JointVerdicts& verdicts, size_t j) const {
     const int parent = skeleton.joints[j].parent;
-    return parent < 0 || verdicts.classes[at(parent)] != verdicts.classes[j];
+    return parent < 0 || verdicts.classes[number_of(parent)] != verdicts.classes[j];
   }
   static void add(const std::optional<SidesOf>& one, std::optional<SidesOf>* sum) {
     if (one && *sum)
@@ -135,7 +135,7 @@ void straighten(const Body& body, RestPose::Kind kind, Wishes* wishes) {
     const double lower = kind == RestPose::Kind::kA ? kArmsOfA : 0;
     const Point arm = std::cos(lower) * out - std::sin(lower) * body.up;
     for (size_t k = 0; k < limb.joints.size(); ++k) {
-      Wish& wish = (*wishes)[at(limb.joints[k])];
+      Wish& wish = (*wishes)[number_of(limb.joints[k])];
       wish.bone = body.bone(limb, k);
       switch (body.class_of(limb.joints[k])) {
         case SINEW_CLASS_UPPER_ARM:
@@ -163,7 +163,8 @@ std::optional<Point> trunk_line(const Body& body, int* from) {
     if (limb.kind != LimbKind::kTrunk) continue;
     size_t last = 0;
     for (size_t k = 0; k < limb.joints.size(); ++k)
-      if (body.class_of(limb.joints[k]) <= SINEW_CLASS_NECK && body.skeleton.ends[at(limb.joints[k])] == 0) last = k;
+      if (body.class_of(limb.joints[k]) <= SINEW_CLASS_NECK && body.skeleton.ends[number_of(limb.joints[k])] == 0)
+        last = k;
     *from = limb.joints[0];
     return last == 0 ? std::nullopt : direction_of(body.joint(limb.joints[last]) - body.joint(limb.joints[0]));
   }
@@ -179,7 +180,7 @@ void put_upright(const Body& body, const RestPose& pose, Wishes* wishes) {
     throw Error("the pose " + pose.name +
                 " is for characters that stand upright, and this trunk does not; give a file that "
                 "stands as it shall, or none for the pose that it has");
-  if (lean > kMostLean) (*wishes)[at(from)] = {line, body.up};
+  if (lean > kMostLean) (*wishes)[number_of(from)] = {line, body.up};
 }
 
 // Limbs of a kind and side, the front ones first.
@@ -215,7 +216,7 @@ size_t stand_like(const Body& body, const Body& like, Wishes* wishes) {
     ++matched;
     for (size_t k = 0; k + 1 < limb.joints.size(); ++k) {
       const std::optional<Point> wanted = like.bone(other, like_bone(body, limb, k, like, other));
-      if (wanted) (*wishes)[at(limb.joints[k])] = {body.bone(limb, k), body.from_axes_of(like, *wanted)};
+      if (wanted) (*wishes)[number_of(limb.joints[k])] = {body.bone(limb, k), body.from_axes_of(like, *wanted)};
     }
   }
   return matched;
@@ -236,10 +237,10 @@ std::vector<Affine> follow(const Body& body, const Wishes& wishes) {
   for (size_t left = joints.size(); left > 0;) {
     for (size_t j = 0; j < joints.size(); ++j) {
       const int parent = joints[j].parent;
-      if (done[j] != 0 || (parent >= 0 && done[at(parent)] == 0)) continue;
+      if (done[j] != 0 || (parent >= 0 && done[number_of(parent)] == 0)) continue;
       done[j] = 1;
       --left;
-      const Rotation before = parent < 0 ? kNoRotation : turns[at(parent)];
+      const Rotation before = parent < 0 ? kNoRotation : turns[number_of(parent)];
       const Wish& wish = wishes[j];
       Rotation turn = kNoRotation;
       if (wish.bone) {
@@ -249,7 +250,7 @@ std::vector<Affine> follow(const Body& body, const Wishes& wishes) {
       }
       turns[j] = multiply(turn, before);
       const Point rest = point(joints[j].position);
-      const Point posed = parent < 0 ? rest : transform_point(palette[at(parent)], rest[0], rest[1], rest[2]);
+      const Point posed = parent < 0 ? rest : transform_point(palette[number_of(parent)], rest[0], rest[1], rest[2]);
       const Point moved = posed - turned(turns[j], rest);
       const Rotation& r = turns[j];
       palette[j] = {r[0], r[1], r[2], moved[0], r[3], r[4], r[5], moved[1], r[6], r[7], r[8], moved[2]};

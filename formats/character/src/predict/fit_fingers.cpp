@@ -46,13 +46,14 @@ std::vector<Hand> hands_of(const std::vector<Joint>& joints, const std::vector<u
       depths[at(hand)][classes[j] - SINEW_CLASS_THUMB][chain[k]] = chain.size() - k;
   }
   std::vector<Hand> out;
-  for (const auto& [joint, fingers] : depths) {
+  for (const auto& one : depths) {
     Hand hand;
-    hand.joint = joint;
+    hand.joint = one.first;
     for (size_t f = 0; f < kFingers; ++f) {
-      for (const auto& [j, depth] : fingers[f]) hand.fingers[f].push_back(j);
+      const std::map<size_t, size_t>& depth = one.second[f];
+      for (const auto& finger : depth) hand.fingers[f].push_back(finger.first);
       std::stable_sort(hand.fingers[f].begin(), hand.fingers[f].end(),
-                       [&](size_t a, size_t b) { return fingers[f].at(a) < fingers[f].at(b); });
+                       [&](size_t a, size_t b) { return depth.at(a) < depth.at(b); });
     }
     out.push_back(std::move(hand));
   }
@@ -126,8 +127,6 @@ double reach(const std::vector<Joint>& joints, const Hand& hand) {
       farthest = std::max(farthest, length(point(joints[j].position) - point(joints[hand.joint].position)));
   return farthest;
 }
-
-Vec3 vec(const Point& p) { return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])}; }
 
 }  // namespace
 

@@ -30,8 +30,6 @@ constexpr double kUnlikeLength = 0.5;  // natural logarithm of two lengths' rati
 constexpr double kUntouched = 0.7;    // a turn of the whole must fit that much better than none
 constexpr double kFloorShare = 0.04;  // of the height: a root at most that high above the lowest joint is on the floor
 
-Vec3 vec(const Point& p) { return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])}; }
-
 // Rest pose with the whole skeleton turned.
 LabelledSkeleton turned_skeleton(LabelledSkeleton s, const Rotation& rotation) {
   for (Joint& joint : s.joints) joint.position = vec(turned(rotation, point(joint.position)));

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "motion/points.hpp"
+#include "predict/turn.hpp"
 #include "rig/joints_beside_mesh.hpp"
 #include "sinew_character/joint_mirror.hpp"
 #include "sinew_formats/box.hpp"
@@ -14,7 +14,7 @@
 namespace sinew {
 namespace {
 
-constexpr double kBeside = 0.02;  // of the longest side
+constexpr double kNearMesh = 0.02;  // of the longest side
 
 class Keeper {
  public:
@@ -71,12 +71,11 @@ class Keeper {
   Vec3 on_bone(size_t j, double share) const {
     const auto above = static_cast<size_t>(old_[j].parent);
     const Point3 bone = point(old_[j].position) - point(old_[above].position);
-    const Point3 p = point(fitted_.joints[above].position) + share * bone;
-    return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+    return vec(point(fitted_.joints[above].position) + share * bone);
   }
   bool is_inside(const Vec3& p) const {
     for (const Vec3& v : mesh_.vertices)
-      if (std::hypot(v.x - p.x, v.y - p.y, v.z - p.z) <= kBeside * size_) return true;
+      if (std::hypot(v.x - p.x, v.y - p.y, v.z - p.z) <= kNearMesh * size_) return true;
     return directions_with_mesh(mesh_, p) > kMostHitsOutside;
   }
   double share_inside(size_t j) const {

@@ -11,6 +11,9 @@
 namespace sinew {
 
 using Point = Point3;
+inline Vec3 vec(const Point& p) {
+  return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+}
 
 Point turned(const Rotation& r, const Point& p);
 
