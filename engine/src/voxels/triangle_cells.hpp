@@ -105,7 +105,8 @@ void visit_columns(const Vec3i* corners, const CellBox& box, const VoxelGrid& gr
   const int64_t sign = normal[w] < 0 ? -1 : 1;
   const int32_t step = 2 * grid.cell_size;
   constexpr int32_t kShortColumn = 4;  // cells that are faster to test than to find by divisions
-  const bool is_short = kSmallCode || box.last[w] - box.first[w] < kShortColumn;
+  // A triangle without area, as those of a hand that was cut out and turned may be, has no plane: its edges alone decide.
+  const bool is_short = kSmallCode || normal[w] == 0 || box.last[w] - box.first[w] < kShortColumn;
   int32_t at[3];
   int32_t centre[3];
   for (at[u] = box.first[u]; at[u] <= box.last[u]; ++at[u]) {

@@ -7,9 +7,11 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <set>
 #include <vector>
 
 #include "mesh_scene.hpp"
+#include "voxels/triangle_cells.hpp"
 
 namespace {
 
@@ -95,6 +97,26 @@ TEST(Voxels, MarksExactlyTheTouchedCells) {
       }
     }
   }
+}
+
+// As a cut out and turned mesh may have them: three places in a line, farther apart than a few cells.
+TEST(Voxels, ATriangleWithoutAreaTouchesWhatItsLineDoes) {
+  sinew::VoxelGrid grid;
+  grid.low = {0, 0, 0};
+  grid.cell_size = 10;
+  for (int32_t& cells : grid.size) cells = 40;
+  const Vec3i corners[3] = {{25, 25, 25}, {95, 60, 165}, {165, 95, 305}};
+  std::set<uint32_t> touched;
+  sinew::each_touched_cell(corners, grid, [&](uint32_t cell) { touched.insert(cell); });
+  for (const Vec3i& corner : corners) EXPECT_EQ(touched.count(grid.cell_of(corner)), 1u);
+  for (int32_t z = 0; z < 40; ++z)
+    for (int32_t y = 0; y < 40; ++y)
+      for (int32_t x = 0; x < 40; ++x) {
+        const Vec3i low = {10 * x, 10 * y, 10 * z};
+        const bool marked = touched.count(grid.index(x, y, z)) != 0;
+        ASSERT_TRUE(marked || !meets_box(corners, low, 10, -1e-3)) << x << " " << y << " " << z << " was missed";
+      }
+  EXPECT_LT(touched.size(), 120u);
 }
 
 // The arrays have room for what the caller's vertices ask for, the grid is that of the welded ones.
