@@ -55,10 +55,19 @@ std::optional<std::string> unknown_command(const CLI::App& app, const std::vecto
   return "no such command: " + std::string(level == &app ? "" : level->get_name() + " ") + words[depth];
 }
 
+// CLI::PositiveNumber names the largest double, 309 digits long.
+std::string plain_bound(std::string error) {
+  const std::string endless = " not in range 0.000000 to 17976931348623157";
+  const size_t at = error.find(endless);
+  if (at == std::string::npos) return error;
+  const size_t end = error.find_first_not_of("0123456789.", at + endless.size());
+  return error.replace(at, (end == std::string::npos ? error.size() : end) - at, ", expected a number above 0");
+}
+
 // What is wrong with a command line, and what to do about it.
 std::string complaint(const CLI::App& app, const std::vector<std::string>& words, const std::string& error) {
   if (const auto now = sinew::cli::retired_word(words, error)) return *now + see_help(app);
-  return unknown_command(app, words).value_or(error) + see_help(app);
+  return unknown_command(app, words).value_or(plain_bound(error)) + see_help(app);
 }
 
 // `sinew eval DIR` is `sinew eval weights DIR`.

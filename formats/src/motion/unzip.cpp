@@ -53,7 +53,7 @@ class Unzipper {
   size_t find_end() const {
     for (size_t i = kEnd; i <= bytes_.size() && i <= kEnd + 65535; ++i)
       if (number(bytes_.size() - i, 4) == 0x06054b50) return bytes_.size() - i;
-    fail("a zip (.npz) with its directory at the end", "none");
+    fail("a zip with its directory at the end", "none");
   }
 
   std::vector<uint8_t> content(size_t entry, const std::string& name) const {

@@ -274,7 +274,7 @@ TEST(Numpy, WhatIsWrongIsOneLine) {
         "coco17");
   fails("a.npy", npy_of(shape_of({0, 24, 3}), std::vector<float>()), "frames, found 0");
   fails("a.npy", npy_of(shape_of({7}), std::vector<float>(7)), "or places [frames, joints, 3], found [7]");
-  fails("a.npz", "PK", "expected a zip (.npz)");
+  fails("a.npz", "PK", "expected a zip with its directory");
   fails("a.npz", zip_of({}), "found no numbers");
   std::string shrunk = zip_of({{"a.npy", npy_of("(1)", std::vector<float>{1})}});
   shrunk[shrunk.rfind("PK\1\2") + 10] = 5;
