@@ -9,6 +9,7 @@
 #include <map>
 
 #include "gltf/gltf_container.hpp"
+#include "gltf/matrix_columns.hpp"
 #include "gltf/node_parts.hpp"
 #include "motion/points.hpp"
 #include "text/text_lines.hpp"
@@ -166,17 +167,11 @@ class Former {
         binds[k] = multiply(affine(transposed(after)), binds[k]);
         changed = true;
       }
-      append_matrix(binds[k], &values);
+      append_columns(binds[k], &values);
     }
     if (!changed) return;
     if (skin.inverseBindMatrices >= 0) orphans_.push_back(skin.inverseBindMatrices);
     document_["skins"][s]["inverseBindMatrices"] = add_floats(values, "MAT4", 16);
-  }
-
-  static void append_matrix(const Affine& m, std::vector<float>* values) {
-    for (size_t c = 0; c < 4; ++c)
-      for (size_t r = 0; r < 4; ++r)
-        values->push_back(r < 3 ? static_cast<float>(m[r * 4 + c]) : (c == 3 ? 1.0f : 0.0f));
   }
 
   void write_animation(size_t a) {
@@ -334,7 +329,7 @@ class Former {
           multiply(affine(form_.turn), multiply(joints_.worlds[joint], affine(after_[static_cast<size_t>(*first)])));
       binds.push_back(multiply(*back, multiply(bound, binds[k])));
       std::vector<float> values;
-      for (const Affine& bind : binds) append_matrix(bind, &values);
+      for (const Affine& bind : binds) append_columns(bind, &values);
       if (skin.inverseBindMatrices >= 0) orphans.push_back(skin.inverseBindMatrices);
       document_["skins"][s]["joints"].push_back(root);
       document_["skins"][s]["inverseBindMatrices"] = add_floats(values, "MAT4", 16);

@@ -14,6 +14,7 @@
 
 #include "gltf/gltf_container.hpp"
 #include "gltf/gltf_from_scene.hpp"
+#include "gltf/matrix_columns.hpp"
 #include "gltf/scene_animations.hpp"
 #include "gltf/scene_files.hpp"
 #include "gltf/scene_materials.hpp"
@@ -27,14 +28,6 @@
 
 namespace sinew {
 namespace {
-
-// Column-major 4x4, as glTF has it.
-std::vector<float> columns_of(const Affine& m) {
-  std::vector<float> out;
-  for (size_t c = 0; c < 4; ++c)
-    for (size_t r = 0; r < 4; ++r) out.push_back(r < 3 ? static_cast<float>(m[r * 4 + c]) : c == 3 ? 1.0f : 0.0f);
-  return out;
-}
 
 class SceneConverter {
  public:

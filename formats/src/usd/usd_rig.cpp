@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "gltf/matrix_columns.hpp"
 #include "gltf/node_parts.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
@@ -12,13 +13,6 @@
 
 namespace sinew {
 namespace {
-
-std::vector<float> columns_of(const Affine& m) {
-  std::vector<float> out;
-  for (size_t c = 0; c < 4; ++c)
-    for (size_t r = 0; r < 4; ++r) out.push_back(r < 3 ? static_cast<float>(m[r * 4 + c]) : c == 3 ? 1.0f : 0.0f);
-  return out;
-}
 
 // Translation, rotation and scale, which animations change; a matrix where these cannot say it.
 void put(const Affine& local, Json* node) {
