@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "predict/chain_points.hpp"
 #include "predict/match_limbs.hpp"
 #include "predict/turn.hpp"
 #include "sinew_character/joint_mirror.hpp"
@@ -66,19 +67,6 @@ std::vector<Point> places(const std::vector<Joint>& joints, const std::vector<si
   return out;
 }
 
-Point along(const std::vector<Point>& line, double share) {
-  double all = 0;
-  for (size_t i = 0; i + 1 < line.size(); ++i) all += length(line[i + 1] - line[i]);
-  double left = share * all;
-  for (size_t i = 0; i + 1 < line.size(); ++i) {
-    const double step = length(line[i + 1] - line[i]);
-    if (left <= step || i + 2 == line.size())
-      return line[i] + (step > 0 ? std::clamp(left / step, 0.0, 1.0) : 0.0) * (line[i + 1] - line[i]);
-    left -= step;
-  }
-  return line.front();
-}
-
 // Where a finger's joints go: as many as are found, one by one from its tip; what is more at its root lies between the hand and
 // the first of these. Of fewer, at the same shares of its length.
 std::vector<Point> finger_places(const std::vector<Point>& mine, const Point& my_hand, const std::vector<Point>& found,
@@ -94,12 +82,9 @@ std::vector<Point> finger_places(const std::vector<Point>& mine, const Point& my
     for (size_t k = more; k < mine.size(); ++k) out[k] = found[k - more];
     return out;
   }
-  double all = 0, before = 0;
-  for (size_t k = 0; k + 1 < mine.size(); ++k) all += length(mine[k + 1] - mine[k]);
-  for (size_t k = 0; k < mine.size(); ++k) {
-    if (k > 0) before += length(mine[k] - mine[k - 1]);
-    out[k] = along(found, all > 0 ? before / all : 0);
-  }
+  const std::vector<double> before = lengths_along(mine, 0, mine.size() - 1);
+  for (size_t k = 0; k < mine.size(); ++k)
+    out[k] = point_along(found, 0, found.size() - 1, before.back() > 0 ? before[k] / before.back() : 0);
   return out;
 }
 

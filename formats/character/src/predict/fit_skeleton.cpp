@@ -7,6 +7,7 @@
 #include <numeric>
 #include <string>
 
+#include "predict/chain_points.hpp"
 #include "predict/match_limbs.hpp"
 #include "predict/turn.hpp"
 #include "sinew/sinew.h"
@@ -34,24 +35,6 @@ constexpr double kFloorShare = 0.04;  // of the height: a root at most that high
 LabelledSkeleton turned_skeleton(LabelledSkeleton s, const Rotation& rotation) {
   for (Joint& joint : s.joints) joint.position = vec(turned(rotation, point(joint.position)));
   return s;
-}
-
-std::vector<double> lengths_along(const std::vector<Point>& points, size_t first, size_t last) {
-  std::vector<double> along = {0};
-  for (size_t i = first; i < last; ++i) along.push_back(along.back() + length(points[i + 1] - points[i]));
-  return along;
-}
-
-Point point_along(const std::vector<Point>& points, size_t first, size_t last, double share) {
-  const std::vector<double> along = lengths_along(points, first, last);
-  const double wanted = share * along.back();
-  for (size_t i = 0; i + 1 < along.size(); ++i) {
-    if (wanted > along[i + 1] && i + 2 < along.size()) continue;
-    const double step = along[i + 1] - along[i];
-    const double t = step > 0 ? std::clamp((wanted - along[i]) / step, 0.0, 1.0) : 0;
-    return (1 - t) * points[first + i] + t * points[first + i + 1];
-  }
-  return points[first];
 }
 
 // `mine` already stands as `other` does.
