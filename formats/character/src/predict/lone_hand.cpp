@@ -123,7 +123,6 @@ float agreement_of(const PredictedSkeleton& skeleton) {
 // The best of one layout's wrists.
 struct Try {
   Layout layout;
-  Character laid;
   double wrist = 0;
   PredictedSkeleton skeleton;
   float agreement = 0;
@@ -133,6 +132,17 @@ class Search {
  public:
   Search(const Character& character, const sinew_model& hands, uint32_t kernel) : character_(character), hands_(hands) {
     options_.kernel = kernel;
+    laid_.name = character.name;
+    laid_.vertices = character.vertices;
+    laid_.face_vertices = character.face_vertices;
+    laid_.face_offsets = character.face_offsets;
+  }
+
+  // The bare mesh in that layout, until the next one is asked for.
+  const Character& laid(const Layout& layout) {
+    for (size_t v = 0; v < laid_.vertices.size(); ++v)
+      laid_.vertices[v] = point(layout.turn * vec(character_.vertices[v]));
+    return laid_;
   }
 
   // Every layout with the first wrist, the best one with the others.
@@ -142,23 +152,23 @@ class Search {
     for (uint32_t way = 0; way < 8; ++way) {
       Try one;
       one.layout = layout_of(axes, (way & 1) != 0, (way & 2) != 0, (way & 4) != 0);
-      one.laid = character_;
-      for (Vec3& v : one.laid.vertices) v = point(one.layout.turn * vec(v));
-      ask(kWrists[0], &one);
+      ask(laid(one.layout), kWrists[0], &one);
       most_[one.layout.right ? 1 : 0] = std::max(most_[one.layout.right ? 1 : 0], one.agreement);
       if (one.agreement > best.agreement) best = std::move(one);
     }
-    if (best.agreement > 0)
-      for (size_t w = 1; w < kWrists.size(); ++w) ask(kWrists[w], &best);
+    if (best.agreement > 0) {
+      const Character& mesh = laid(best.layout);
+      for (size_t w = 1; w < kWrists.size(); ++w) ask(mesh, kWrists[w], &best);
+    }
     best.skeleton.seconds = seconds_;
     return best;
   }
   bool side_known() const { return std::min(most_[0], most_[1]) < kAsGood * std::max(most_[0], most_[1]); }
 
  private:
-  void ask(double wrist, Try* one) {
-    PredictedSkeleton skeleton = arm_of(one->laid, one->layout, wrist);
-    (void)predict_hands(one->laid, hands_, options_, &skeleton);
+  void ask(const Character& mesh, double wrist, Try* one) {
+    PredictedSkeleton skeleton = arm_of(mesh, one->layout, wrist);
+    (void)predict_hands(mesh, hands_, options_, &skeleton);
     seconds_ += skeleton.seconds;
     const float agreement = agreement_of(skeleton);
     if (agreement <= one->agreement) return;
@@ -168,6 +178,7 @@ class Search {
   }
 
   const Character& character_;
+  Character laid_;
   const sinew_model& hands_;
   SkeletonOptions options_;
   double seconds_ = 0;
@@ -194,7 +205,7 @@ std::optional<LoneHand> find_lone_hand(const Character& character, const sinew_m
   if (found.wrist == kWrists[0]) {
     drop_arm(&hand.skeleton);
   } else {
-    hand.skeleton.joints[0].position = point(along(found.laid, found.layout, kWrists[0]));
+    hand.skeleton.joints[0].position = point(along(search.laid(found.layout), found.layout, kWrists[0]));
   }
   for (Joint& joint : hand.skeleton.joints) joint.position = point(found.layout.turn.transpose() * vec(joint.position));
   for (const uint8_t c : hand.skeleton.classes) hand.thumb = hand.thumb || c == SINEW_CLASS_THUMB;
