@@ -10,35 +10,12 @@
 
 #include "data/slot_sample.hpp"
 #include "expect_error.hpp"
+#include "ring_of_points.hpp"
 
 namespace sinew {
 namespace {
 
 using namespace rigging;
-
-// A ring of vertices with random rows.
-NetworkSample ring(uint32_t vertices, uint64_t seed) {
-  std::mt19937_64 random(seed);
-  NetworkSample s;
-  s.name = "ring";
-  s.vertices = vertices;
-  s.candidates = s.part_count = s.joints = 1;
-  s.inputs = {{kRigChannels, {}}};
-  s.row_offsets = {0};
-  s.part_offsets = {0, vertices};
-  for (uint32_t v = 0; v < vertices; ++v) {
-    for (uint32_t c = 0; c < kRigChannels; ++c)
-      s.inputs[0].rows.push_back(static_cast<int16_t>(static_cast<int>(random() % 16001) - 8000));
-    s.col_indices.insert(s.col_indices.end(), {(v + 1) % vertices, (v + vertices - 1) % vertices});
-    s.row_offsets.push_back(static_cast<uint32_t>(s.col_indices.size()));
-    s.candidate.push_back(0);
-    s.far_indices.insert(s.far_indices.end(), {(v + 5) % vertices, (v + 9) % vertices});
-    s.part.push_back(0);
-    s.part_vertices.push_back(v);
-  }
-  s.far_offsets = s.row_offsets;
-  return s;
-}
 
 // A fixed mix of the outputs, with squares so that the gradient is not constant.
 double mix(const std::vector<double>& outputs, std::vector<double>* d) {
@@ -57,7 +34,7 @@ TEST(SlotNetwork, GradientsOfAllBlocks) {
   std::mt19937_64 random(9);
   for (LinearParameters& p : network.parameters)
     for (float& b : p.bias) b = static_cast<float>(random() % 2001) / 5000.0f - 0.2f;
-  const NetworkSample sample = ring(14, 4);
+  const NetworkSample sample = ring_of_points(14, 4);
   DropoutOptions dropout;
   dropout.activations = 0.2f;
   dropout.seed = 5;
@@ -92,7 +69,7 @@ TEST(SlotNetwork, GradientsOfAllBlocks) {
 
 TEST(SlotNetwork, VerticesInAnotherOrderGiveTheSame) {
   const FloatNetwork network = make_slot_network({4, 3}, 3);
-  const NetworkSample sample = ring(20, 6);
+  const NetworkSample sample = ring_of_points(20, 6);
   NetworkSample turned = sample;  // vertex v is now v + 3
   for (uint32_t v = 0; v < 20; ++v) {
     const uint32_t to = (v + 3) % 20;

@@ -12,36 +12,12 @@
 #include "network/networks.hpp"
 #include "network/rig_network.hpp"
 #include "random_sample.hpp"
-#include "rig/rig_task.hpp"
+#include "ring_of_points.hpp"
 
 namespace sinew {
 namespace {
 
 using testing::random_sample;
-
-// A ring of points with random rows, as votes see them.
-NetworkSample ring(uint32_t points) {
-  std::mt19937_64 random(5);
-  NetworkSample s;
-  s.name = "ring";
-  s.vertices = points;
-  s.candidates = s.part_count = s.joints = 1;
-  s.inputs = {{rigging::kRigChannels, {}}};
-  s.row_offsets = {0};
-  s.part_offsets = {0, points};
-  for (uint32_t v = 0; v < points; ++v) {
-    for (uint32_t c = 0; c < rigging::kRigChannels; ++c)
-      s.inputs[0].rows.push_back(static_cast<int16_t>(static_cast<int>(random() % 16001) - 8000));
-    s.col_indices.insert(s.col_indices.end(), {(v + 1) % points, (v + points - 1) % points});
-    s.row_offsets.push_back(static_cast<uint32_t>(s.col_indices.size()));
-    s.candidate.push_back(0);
-    s.far_indices.insert(s.far_indices.end(), {(v + 5) % points, (v + 9) % points});
-    s.part.push_back(0);
-    s.part_vertices.push_back(v);
-  }
-  s.far_offsets = s.row_offsets;
-  return s;
-}
 
 std::vector<double> outputs(const FloatNetwork& network, const NetworkSample& sample) {
   LayerRunner<double> runner;
@@ -63,7 +39,9 @@ void expect_same(const FloatNetwork& narrow, FloatNetwork wide, const NetworkSam
   EXPECT_GT(largest, 1e-3);
 }
 
-TEST(Widen, VotesStayTheSame) { expect_same(make_rig_network({8, 3}, 1), make_rig_network({13, 3}, 2), ring(14)); }
+TEST(Widen, VotesStayTheSame) {
+  expect_same(make_rig_network({8, 3}, 1), make_rig_network({13, 3}, 2), ring_of_points(14, 5));
+}
 
 TEST(Widen, FieldStaysTheSame) {
   FieldOptions narrow, wide;
