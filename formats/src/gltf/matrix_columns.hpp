@@ -11,8 +11,7 @@ namespace sinew {
 
 inline void append_columns(const Affine& m, std::vector<float>* values) {
   for (size_t c = 0; c < 4; ++c)
-    for (size_t r = 0; r < 4; ++r)
-      values->push_back(r < 3 ? static_cast<float>(m[r * 4 + c]) : (c == 3 ? 1.0f : 0.0f));
+    for (size_t r = 0; r < 4; ++r) values->push_back(r < 3 ? static_cast<float>(m[r * 4 + c]) : (c == 3 ? 1.0f : 0.0f));
 }
 inline std::vector<float> columns_of(const Affine& m) {
   std::vector<float> out;
