@@ -47,6 +47,7 @@ PictureJobOptions picture_options(const Json& wishes) {
   if (!word.empty()) options.body = body_class_of(word);
   if (!word.empty() && !options.body) throw Error("class: there is none that is called " + word);
   options.figure.number = wishes.value("figure", 0u);
+  options.figure.cut = wishes.value("cut", false);
   options.mask = wishes.value("mask", "");
   for (const Json& line : wishes.value("outline", Json::array())) {
     options.outline.emplace_back();
