@@ -12,7 +12,7 @@ namespace {
 
 // Of the longest side of the picture.
 constexpr float kWidestStroke = 0.02f, kShortestLine = 0.1f, kThinnestLimb = 0.025f;
-constexpr float kContrast = 18;    // of L between a stroke and what is on both sides of it
+constexpr float kContrast = 18;     // of L between a stroke and what is on both sides of it
 constexpr float kBorderInk = 0.3f;  // less ink than that at a depth: the outline's own stroke has ended
 // What a slit frees is a limb where it is so many times as long as it lies below the outline anywhere. A neck or a snout is not.
 constexpr float kSlender = 2.4f;
@@ -41,8 +41,8 @@ Mask strokes_of(const Grid<Lab>& colours, const Mask& figure, uint32_t radius) {
   Grid<float> light(colours.width, colours.height, 100);  // as paper where there is no figure
   for (size_t i = 0; i < light.values.size(); ++i)
     if (figure.inside[i] != 0) light.values[i] = colours.values[i][0];
-  const Grid<float> closed_light =
-      extreme(extreme(light, radius, [](float a, float b) { return std::max(a, b); }), radius, [](float a, float b) { return std::min(a, b); });
+  const Grid<float> closed_light = extreme(extreme(light, radius, [](float a, float b) { return std::max(a, b); }),
+                                           radius, [](float a, float b) { return std::min(a, b); });
   Mask out = figure;
   for (size_t i = 0; i < out.inside.size(); ++i)
     out.inside[i] = figure.inside[i] != 0 && closed_light.values[i] - light.values[i] > kContrast ? 1 : 0;
@@ -59,7 +59,8 @@ float border_depth(const Mask& ink, const Grid<float>& depth, float most) {
     inked[at] += ink.inside[i];
   }
   size_t end = 1;
-  while (end + 1 < pixels.size() && static_cast<float>(inked[end]) >= kBorderInk * static_cast<float>(pixels[end])) ++end;
+  while (end + 1 < pixels.size() && static_cast<float>(inked[end]) >= kBorderInk * static_cast<float>(pixels[end]))
+    ++end;
   return static_cast<float>(end) + 1;
 }
 
@@ -184,7 +185,8 @@ struct Search {
 
 // The longest lines without a corner of one part of the inner ink, each from where it leaves the outline's stroke: slits in `figure`. How many.
 //   inside, out  ways through `inner`, and from there out of the figure
-size_t cut_part(const Search& search, const std::vector<uint32_t>& anchors, Ways* inside, Ways* out, Mask* inner, Mask* figure) {
+size_t cut_part(const Search& search, const std::vector<uint32_t>& anchors, Ways* inside, Ways* out, Mask* inner,
+                Mask* figure) {
   size_t cuts = 0;
   for (int32_t branch = 0; branch < kMostBranches; ++branch) {
     std::vector<uint32_t> longest;
@@ -200,7 +202,9 @@ size_t cut_part(const Search& search, const std::vector<uint32_t>& anchors, Ways
     const float deepest = search.depth.values[*std::max_element(longest.begin(), longest.end(), below)];
     const bool slender = static_cast<float>(longest.size()) >= kSlender * deepest;
     // What follows the outline is its own stroke; what ends at it parts the figure from border to border.
-    const auto is_deep = [&](uint32_t i) { return search.depth.values[i] > std::max(search.thinnest, 2.5f * search.border); };
+    const auto is_deep = [&](uint32_t i) {
+      return search.depth.values[i] > std::max(search.thinnest, 2.5f * search.border);
+    };
     const auto deep = static_cast<size_t>(std::count_if(longest.begin(), longest.end(), is_deep));
     const bool free_end = search.depth.values[longest.back()] > 2 * search.border;
     Mask tried = *figure;
@@ -229,7 +233,8 @@ void cut_inner_lines(const Grid<Lab>& colours, Figure* figure) {
   for (size_t i = 0; i < inner.inside.size(); ++i)
     if (depth.values[i] <= search.border) inner.inside[i] = 0;
   const Parts parts = parts_of(inner, true);
-  std::vector<std::vector<uint32_t>> anchors(parts.sizes.size());  // pixels next to the outline's stroke, one of each place
+  std::vector<std::vector<uint32_t>> anchors(
+      parts.sizes.size());  // pixels next to the outline's stroke, one of each place
   std::vector<uint8_t> near(ink.inside.size(), 0);
   for (uint32_t i = 0; i < inner.inside.size(); ++i) {
     const int32_t part = parts.numbers.values[i];
@@ -246,10 +251,12 @@ void cut_inner_lines(const Grid<Lab>& colours, Figure* figure) {
   Ways inside(inner), out(outwards);
   size_t cuts = 0;
   for (size_t p = 0; p < parts.sizes.size(); ++p)
-    if (static_cast<float>(parts.sizes[p]) >= search.shortest) cuts += cut_part(search, anchors[p], &inside, &out, &inner, &figure->mask);
-  figure->notes.push_back(cuts == 0 ? "no line runs from the outline into the figure, nothing was cut (--mask cuts by hand)"
-                                    : std::to_string(cuts) + (cuts == 1 ? " line that runs" : " lines that run") +
-                                          " into the figure were cut open, as a guess (--mask-out shows where, --mask cuts by hand)");
+    if (static_cast<float>(parts.sizes[p]) >= search.shortest)
+      cuts += cut_part(search, anchors[p], &inside, &out, &inner, &figure->mask);
+  figure->notes.push_back(
+      cuts == 0 ? "no line runs from the outline into the figure, nothing was cut (--mask cuts by hand)"
+                : std::to_string(cuts) + (cuts == 1 ? " line that runs" : " lines that run") +
+                      " into the figure were cut open, as a guess (--mask-out shows where, --mask cuts by hand)");
 }
 
 }  // namespace sinew::picture
