@@ -51,7 +51,8 @@ void run(Settings s) {
     std::vector<std::string> notes;
     write_as(s.profile, file, level.character, &notes, glb);
     if (s.json) {
-      const Json json = {{"level", k + 1},
+      const Json json = {{"sinew_lod", 1},
+                         {"level", k + 1},
                          {"output", file},
                          {"triangles", level.triangles},
                          {"vertices", level.character.vertices.size()},
