@@ -251,6 +251,8 @@ void run(const Settings& s) {
   if (!(s.from <= s.to)) throw UsageError(print("--start %g is behind --end %g", s.from, s.to));
   const bool as_bvh = has_extension(s.output, ".bvh");
   const std::optional<sinew_deform_options> deform = deform_options(s.deform);
+  if (as_bvh && !s.profile.controls.empty())
+    throw UsageError(s.output + ": a BVH has no character that --controls could be of; write a .glb");
   if (deform && as_bvh && s.sheet.empty())
     throw UsageError(s.output + ": a BVH has no mesh that --deform could correct; write a .glb, or a --sheet");
   const std::atomic<bool>& stop = stop_on_signals();
@@ -393,6 +395,7 @@ void add_animate(CLI::App& app) {
   add_corrections(sub, s.get());
   const std::vector<CLI::Option*> of_reference = add_reference_options(sub, s.get());
   add_profile_options(sub, &s->profile);
+  add_controls_option(sub, &s->profile);
   sub->footer(
       "Examples:\n  sinew animate hero.glb --motion walk.bvh -o walking.glb --sheet walking.png\n"
       "  sinew animate hero.glb --motion walk.bvh --motion moves.glb#jump --map map.txt -o moves.glb\n"
