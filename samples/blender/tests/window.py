@@ -122,6 +122,7 @@ def steps():
     other.location = (1.5, 0, 0)
     select([bpy.data.objects["Armature"], other], bpy.data.objects["Armature"])
     assert bpy.ops.sinew.map_bones() == {"FINISHED"}
+    bpy.context.window_manager.sinew_step = "Motion"
     yield 1.0
     shot("4_map")
     bpy.context.scene.sinew_map.clear()
@@ -129,9 +130,22 @@ def steps():
     assert bpy.ops.sinew.bind(questions=3) == {"FINISHED"}
     assert bpy.ops.sinew.look() == {"FINISHED"}
     other.hide_set(True)
+    bpy.context.window_manager.sinew_step = "Weights"
     view().spaces[0].shading.color_type = "VERTEX"
     yield 1.0
     shot("5_questions_and_doubt")
+    # Controls, one of them pulled.
+    bpy.context.window_manager.sinew_step = "Skeleton"
+    view().spaces[0].shading.color_type = "MATERIAL"
+    assert bpy.ops.sinew.controls() == {"FINISHED"}
+    pose = bpy.context.object.pose.bones
+    pose["IK arm.L"].location = (0, 0.1, -0.3)
+    bpy.context.object.data.bones.active = pose["IK leg.L"].bone
+    pose["IK leg.L"]["roll"] = 40.0
+    bpy.context.object.update_tag()
+    yield 1.0
+    shot("6_controls")
+    assert bpy.ops.sinew.bake_controls() == {"FINISHED"}
     print("WINDOW OK")
 
 
