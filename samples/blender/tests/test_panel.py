@@ -126,7 +126,7 @@ class Check(unittest.TestCase):
         number = next(i for i, f in enumerate(findings) if str(far) in f.vertices.split())
         print(f"{whole} findings, then {len(findings)}: {findings[number].what}")
         self.assertEqual(bpy.ops.sinew.show_finding(finding=number), {"FINISHED"})
-        self.assertTrue(item.data.vertices[far].select)
+        self.assertEqual({v.index for v in item.data.vertices if v.select}, {int(v) for v in findings[number].vertices.split()})
         with self.assertRaisesRegex(RuntimeError, "expected one of an object"):
             bpy.ops.sinew.show_finding(finding=99)
 
