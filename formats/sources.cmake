@@ -43,6 +43,7 @@ set(sinew_formats_sources
   gltf/reread
   gltf/gltf_summary
   gltf/gltf_write
+  gltf/lod_document
   gltf/tinygltf
   gltf/vrm_animation
   gltf/vrm_write

@@ -51,6 +51,7 @@ set(sinew_character_sources
   motion/common_body
   motion/human_limits
   motion/joint_limits
+  motion/limb_bends
   motion/motion_file
   motion/moving_joints
   motion/rest_floor
@@ -93,6 +94,8 @@ set(sinew_character_sources
   profile/standard_bones
   profile/write_for_profile
   rig/cut_seams
+  rig/control_text
+  rig/controls
   rig/infer_parents
   rig/joint_mirror
   rig/joint_surfaces
@@ -135,9 +138,11 @@ set(sinew_job_sources
   capi/bind
   capi/check
   capi/clips
+  capi/lod
   capi/map
   capi/open
   capi/picture
+  capi/place
   capi/pose
   capi/rig
   capi/save

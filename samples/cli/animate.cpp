@@ -163,12 +163,15 @@ void check_settings(const Settings& s, bool of_folder) {
                        " is none");
   if (!is_loop(s) && (!of_folder || has_extension(s.output, ".apng")))
     check_output(s.output, kWritesMotion);
-  else if (is_loop(s) && (!s.sprites.loop.empty() || !s.profile.profile.empty()))
+  else if (is_loop(s) && (!s.sprites.loop.empty() || !s.profile.profile.empty() || !s.profile.controls.empty()))
     throw UsageError(s.output +
-                     ": is a picture that moves, without a character: leave --loop and --for out, or write a .glb");
+                     ": is a picture that moves, without a character: leave --loop, --for and --controls out, "
+                     "or write a .glb");
   check_sprite_options(s.sprites, s.character);
   if (!s.sheet.empty()) check_output(s.sheet, {".png"});
   if (!(s.from <= s.to)) throw UsageError(print("--start %g is behind --end %g", s.from, s.to));
+  if (has_extension(s.output, ".bvh") && !s.profile.controls.empty())
+    throw UsageError(s.output + ": a BVH has no character that --controls could be of; write a .glb");
   if (!s.deform.method.empty() && has_extension(s.output, ".bvh") && s.sheet.empty())
     throw UsageError(s.output + ": a BVH has no mesh that --deform could correct; write a .glb, or a --sheet");
 }
@@ -215,7 +218,8 @@ Animated animate_one(const Settings& s, const std::atomic<bool>& stop) {
 
 void run_folder(Settings s, const std::atomic<bool>& stop) {
   for (const auto& [given, option] :
-       {std::pair{!s.sheet.empty(), "--sheet"}, std::pair{!s.sprites.loop.empty(), "--loop"}})
+       {std::pair{!s.sheet.empty(), "--sheet"}, std::pair{!s.sprites.loop.empty(), "--loop"},
+        std::pair{!s.profile.controls.empty(), "--controls"}})
     if (given) throw UsageError(std::string(option) + " is for one character, and " + s.character + " is a folder");
   const std::string output = s.output;
   const std::vector<FolderFile> files = folder_files(s.character, output, "." + s.format, true);
@@ -368,6 +372,7 @@ void add_animate(CLI::App& app) {
   add_corrections(sub, s.get());
   const std::vector<CLI::Option*> of_reference = add_reference_options(sub, s.get());
   add_profile_options(sub, &s->profile);
+  add_controls_option(sub, &s->profile);
   sub->footer(
       "Examples:\n  sinew animate hero.glb --motion walk.bvh -o walking.glb --sheet walking.png\n"
       "  sinew animate hero.glb --motion walk.bvh --motion moves.glb#jump --map map.txt -o moves.glb\n"

@@ -12,6 +12,7 @@
 #include "bind_one.hpp"
 #include "commands.hpp"
 #include "options.hpp"
+#include "placement_options.hpp"
 #include "progress.hpp"
 #include "sinew/published.h"
 #include "sinew_formats/file_names.hpp"
@@ -90,6 +91,7 @@ void check_folder(const Settings& s) {
                                                   {"--answer", !s.one.answers.empty()},
                                                   {"--ask", s.one.ask},
                                                   {"--save-style", !s.one.save_style.empty()},
+                                                  {"--controls", !s.one.profile.controls.empty()},
                                                   {"--changes without --json", s.one.compare && !s.json}};
   for (const auto& [name, given] : options) {
     if (given) throw UsageError(std::string(name) + " is for one mesh, and " + s.one.mesh + " is a folder");
@@ -253,8 +255,10 @@ void add_bind(CLI::App& app) {
   add_outputs(sub, s.get());
   add_artists_words(sub, s.get());
   add_mesh_changes(sub, s.get());
+  add_placement_options(sub, &s->one.placement);
   add_rest(sub, s.get());
   add_profile_options(sub, &s->one.profile);
+  add_controls_option(sub, &s->one.profile);
   sub->footer(
       "Examples:\n  sinew bind hero.obj --skeleton hero.rig.txt -o hero.glb --png hero.png\n"
       "  sinew bind hero.glb --ask -o hero.bound.glb\n"

@@ -195,7 +195,8 @@ CharacterBind bind_and_ask(const BindSettings& settings, const Character& charac
 
 BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool progress) {
   Character character =
-      read_mesh_and_skeleton(settings.mesh, settings.skeleton, !settings.lock.empty() || settings.compare);
+      placed(read_mesh_and_skeleton(settings.mesh, settings.skeleton, !settings.lock.empty() || settings.compare),
+             settings.placement, settings.up == "z" ? 2 : 1);
   check_bindable(character);  // before anything that takes longer the more joints there are
   const std::vector<uint8_t> locked = read_locks(settings, character);
   const WeightsBefore before = weights_before(settings, character, locked);

@@ -36,7 +36,7 @@ struct Settings {
 constexpr const char* kLevels[] = {"note", "warning", "error"};
 
 Json as_json(const std::string& path, const CheckReport& report, const std::string& unreadable, bool failed) {
-  Json entry = {{"file", path}};
+  Json entry = {{"sinew_dataset", 1}, {"about", "check"}, {"file", path}};
   entry["ok"] = !failed;
   if (!unreadable.empty()) entry["unreadable"] = unreadable;
   entry["vertices"] = report.vertices;

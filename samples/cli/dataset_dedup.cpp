@@ -71,7 +71,8 @@ void dedup(const DedupSettings& s) {
       if (m.like != m.index && m.like != group.members[0].index) std::printf(" as %s", found[m.like].path.c_str());
       std::printf("\n");
     }
-    if (s.json) std::printf("%s\n", json_line({{"members", members}}).c_str());
+    if (s.json)
+      std::printf("%s\n", json_line({{"sinew_dataset", 1}, {"about", "dedup"}, {"members", members}}).c_str());
   }
   if (!s.output.empty()) {
     make_folder(s.output);

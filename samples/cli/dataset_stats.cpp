@@ -73,7 +73,8 @@ void stats(const Settings& s) {
   if (!s.page.empty()) check_output(s.page, {".html", ".htm"});
   const std::vector<FoundCharacter> found = characters_in(s.folder);
   const DatasetStats all = measure_folder(s, found);
-  std::fputs((s.json ? dataset_json(all) : dataset_table(all)).c_str(), stdout);
+  std::fputs((s.json ? with_version("dataset", "about", "stats", dataset_json(all)) : dataset_table(all)).c_str(),
+             stdout);
   if (!s.page.empty()) write_text_file(s.page, dataset_html(all));
   if (!all.unreadable.empty())
     throw Error(print("%zu of %zu characters cannot be read; the first: ", all.unreadable.size(), found.size()) +

@@ -46,8 +46,9 @@ void evaluate_hands(const HandsEvaluation& evaluation) {
     if (!measured[i] && failed++ == 0) first = failures[i];
   }
   if (!evaluation.json) std::printf("%s", hand_scores_markdown(rows).c_str());
-  if (!evaluation.output.empty()) write_text_file(evaluation.output, hand_scores_json(rows) + "\n");
-  if (evaluation.json) std::printf("%s\n", hand_scores_json(rows).c_str());
+  const std::string figures = with_version("eval", "study", "hands", hand_scores_json(rows));
+  if (!evaluation.output.empty()) write_text_file(evaluation.output, figures);
+  if (evaluation.json) std::printf("%s", figures.c_str());
   if (failed > 0) throw Error(print("%zu of %zu characters failed; the first: ", failed, found.size()) + first);
 }
 

@@ -207,8 +207,9 @@ void evaluate_rigs(const RigEvaluation& evaluation) {
   }
   if (!evaluation.json) std::printf("%s", rig_scores_markdown(scores).c_str());
   if (predictor.in_float) tell_float(evaluation, found, measured, scores);
-  if (!evaluation.output.empty()) write_text_file(evaluation.output, rig_scores_json(scores) + "\n");
-  if (evaluation.json) std::printf("%s\n", rig_scores_json(scores).c_str());
+  const std::string figures = with_version("eval", "study", "rig", rig_scores_json(scores));
+  if (!evaluation.output.empty()) write_text_file(evaluation.output, figures);
+  if (evaluation.json) std::printf("%s", figures.c_str());
   if (!scores.failures.empty())
     throw Error(print("%zu of %zu characters failed; the first: ", scores.failures.size(), found.size()) +
                 scores.failures.begin()->first + ": " + scores.failures.begin()->second);

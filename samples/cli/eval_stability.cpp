@@ -58,8 +58,9 @@ void study_stability(const Study& study, const StabilitySettings& settings) {
     if (!failures[i].empty() && failed++ == 0) first = failures[i];
   }
   if (!settings.json) std::printf("%s", stability_markdown(rows).c_str());
-  if (!settings.output.empty()) write_text_file(settings.output, stability_json(rows) + "\n");
-  if (settings.json) std::printf("%s\n", stability_json(rows).c_str());
+  const std::string text = with_version("eval", "study", "stability", stability_json(rows));
+  if (!settings.output.empty()) write_text_file(settings.output, text);
+  if (settings.json) std::printf("%s", text.c_str());
   if (failed > 0) throw Error(print("%zu of %zu characters failed; the first: ", failed, found.size()) + first);
 }
 

@@ -178,7 +178,7 @@ class Evaluation {
     nlohmann::ordered_json whole = nlohmann::ordered_json::parse(scores_json(variants[0].label, figures_.scores[0]));
     for (size_t i = 1; i < variants.size(); ++i)
       whole.update(nlohmann::ordered_json::parse(scores_json(variants[i].label, figures_.scores[i])));
-    return whole.dump(1) + "\n";
+    return with_version("eval", "study", "weights", whole.dump());
   }
 
   const WeightsEvaluation& s_;

@@ -39,7 +39,9 @@ std::string grid_text(uint32_t cells) {
 }
 
 void print_json(const Json& json) {
-  std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+  Json whole = {{"sinew_inspect", 1}};
+  whole.update(json);
+  std::printf("%s\n", whole.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }
 
 size_t parameter_count(const FloatNetwork& network) {
@@ -64,7 +66,8 @@ Json checkpoint_json(const std::string& path, const Checkpoint& checkpoint) {
   for (const Layer& layer : network.layers)
     json["layers"].push_back(
         {{"kind", traits_of(layer.kind).name}, {"in", layer.in.channels}, {"out", layer.out.channels}});
-  json["config"] = Json::parse(checkpoint.state.config_json, nullptr, false);
+  const Json config = Json::parse(checkpoint.state.config_json, nullptr, false);
+  json["config"] = config.is_discarded() ? Json(nullptr) : config;  // a released checkpoint has none
   return json;
 }
 

@@ -12,6 +12,9 @@
 #include "sinew_character/lod_job.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_formats/lod_document.hpp"
+#include "sinew_formats/memory_files.hpp"
 #include "sinew_formats/print.hpp"
 #include "support.hpp"
 
@@ -24,8 +27,20 @@ struct Settings {
   std::string character, output;
   LodOptions options;
   ProfileSettings profile;
-  bool json = false;
+  bool json = false, one_file = false;
 };
+
+// A character as a GLB that is not on the disk.
+std::vector<uint8_t> glb_of(const Settings& s, const Character& character, std::vector<std::string>* notes) {
+  std::vector<NamedBytes> written;
+  {
+    const MemoryFiles scope(memory_inputs(), &written);
+    GlbOptions glb;
+    glb.keep_skin = true;
+    write_as(s.profile, stem_of(s.output) + ".glb", character, notes, glb);
+  }
+  return std::move(written.at(0).bytes);
+}
 
 // NAME.lod1.glb of NAME.glb.
 std::string file_of(const std::string& output, size_t level) {
@@ -36,22 +51,33 @@ std::string file_of(const std::string& output, size_t level) {
 
 void run(Settings s) {
   settle_profile(s.profile, nullptr);
-  if (s.output.empty()) s.output = stem_of(s.character) + container_of(s.profile);
+  if (s.output.empty()) s.output = stem_of(s.character) + (s.one_file ? ".lods.glb" : container_of(s.profile));
   check_output(s.output, kWholeOutputs);
+  if (s.one_file && !has_extension(s.output, ".glb"))
+    throw UsageError("--one-file writes a .glb, and " + s.output + " is none");
+  if (s.one_file && s.options.joints)
+    throw UsageError("--one-file: levels of one file have one skeleton, leave --fewer-joints out");
   const Character character = open_character(s.character).character;
   std::vector<LodLevel> levels = levels_of_detail(s.options, character);
+  std::vector<std::vector<uint8_t>> glbs;
+  std::vector<std::string> of_whole;
+  if (s.one_file) glbs.push_back(glb_of(s, character, &of_whole));
   for (size_t k = 0; k < levels.size(); ++k) {
     LodLevel& level = levels[k];
-    const std::string file = file_of(s.output, k + 1);
+    const std::string file = s.one_file ? s.output : file_of(s.output, k + 1);
     const bool fewer = s.options.joints && k > 0;
     GlbOptions glb;
     glb.keep_skin = !fewer;
     glb.drop_animations = fewer;
     glb.motion = fewer ? &level.motion : nullptr;
     std::vector<std::string> notes;
-    write_as(s.profile, file, level.character, &notes, glb);
+    if (s.one_file)
+      glbs.push_back(glb_of(s, level.character, &notes));
+    else
+      write_as(s.profile, file, level.character, &notes, glb);
     if (s.json) {
-      const Json json = {{"level", k + 1},
+      const Json json = {{"sinew_lod", 1},
+                         {"level", k + 1},
                          {"output", file},
                          {"triangles", level.triangles},
                          {"vertices", level.character.vertices.size()},
@@ -69,8 +95,11 @@ void run(Settings s) {
         k + 1, level.triangles, character.face_count(), level.character.joints.size(), 100 * level.rest_error,
         100 * level.posed_error, 100 * level.mean_error);
     for (const std::string& note : notes) std::printf("  %s\n", printable(note).c_str());
-    std::printf("wrote %s\n", printable(file).c_str());
+    if (!s.one_file) std::printf("wrote %s\n", printable(file).c_str());
   }
+  if (!s.one_file) return;
+  write_file(s.output, glb_of_levels(s.output, glbs));
+  if (!s.json) std::printf("wrote %s\n", printable(s.output).c_str());
 }
 
 }  // namespace
@@ -90,6 +119,8 @@ void add_lod(CLI::App& app) {
       ->capture_default_str();
   sub->add_flag("--fewer-joints", s->options.joints,
                 "Level 2 has the joints of sinew simplify --level high, further ones of low");
+  sub->add_flag("--one-file", s->one_file,
+                "The character and its levels in one .glb, as the extension MSFT_lod has them: CHARACTER.lods.glb");
   shared_flag(sub, "--json", s->json, "A line for every level");
   add_profile_options(sub, &s->profile);
   sub->footer(

@@ -3,6 +3,8 @@
 #include "profile_options.hpp"
 
 #include "options.hpp"
+#include "sinew_character/controls.hpp"
+#include "sinew_formats/io.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
@@ -30,8 +32,16 @@ void add_profile_options(CLI::App* sub, ProfileSettings* settings) {
       ->type_name("NAME");
 }
 
+void add_controls_option(CLI::App* sub, ProfileSettings* settings) {
+  sub->add_option("--controls", settings->controls,
+                  "Also write which joints controls of an animator move: legs, arms, feet, spine, head, fingers "
+                  "(formats/spec/controls.md). The Blender add-on makes them; a glTF has it in its extras as well")
+      ->type_name("FILE.controls.json");
+}
+
 void settle_profile(const ProfileSettings& settings, std::string* to_pose) {
   const ProfileOptions& said = settings.options;
+  if (!settings.controls.empty()) check_output(settings.controls, {".json"});
   if (settings.profile.empty()) {
     if (!said.authors.empty() || !said.licence.empty() || !said.title.empty() || said.keep_axes)
       throw UsageError("--author, --licence, --title and --keep-axes go with --for");
@@ -53,10 +63,23 @@ std::string container_of(const ProfileSettings& settings) {
 
 void write_as(const ProfileSettings& settings, const std::string& path, const Character& character,
               std::vector<std::string>* notes, const GlbOptions& glb, const Morphs& morphs) {
-  if (settings.profile.empty()) return write_character(path, character, glb, morphs);
-  for (std::string& note :
-       write_for_profile(profile_named(settings.profile), settings.options, path, character, glb, morphs))
-    notes->push_back(std::move(note));
+  const bool controls = !settings.controls.empty();
+  std::string text;
+  if (settings.profile.empty()) {
+    GlbOptions how = glb;
+    if (controls) how.extras = controls_extras(text = controls_text(character));
+    write_character(path, character, how, morphs);
+  } else {
+    const Profile& profile = profile_named(settings.profile);
+    ProfileOptions options = settings.options;
+    options.controls = controls;
+    if (controls) text = controls_for_profile(profile, options, character);
+    for (std::string& note : write_for_profile(profile, options, path, character, glb, morphs))
+      notes->push_back(std::move(note));
+  }
+  if (!controls) return;
+  write_text_file(settings.controls, text);
+  for (const std::string& note : find_controls(character).notes) notes->push_back("controls: " + note);
 }
 
 }  // namespace sinew::cli

@@ -19,6 +19,7 @@
 #include "folder_files.hpp"
 #include "options.hpp"
 #include "picture_options.hpp"
+#include "placement_options.hpp"
 #include "profile_options.hpp"
 #include "progress.hpp"
 #include "rig_skeleton.hpp"
@@ -235,6 +236,7 @@ void run_folder(const Settings& s) {
   if (s.output.empty()) throw UsageError(s.mesh + " is a folder: say with -o OUTDIR where its files go");
   if (!s.png.empty()) throw UsageError("--png is for one mesh, and " + s.mesh + " is a folder");
   if (!s.prediction.empty()) throw UsageError("--prediction is for one mesh, and " + s.mesh + " is a folder");
+  if (!s.profile.controls.empty()) throw UsageError("--controls is for one mesh, and " + s.mesh + " is a folder");
   check_skeleton_source(s.skeleton);
   const std::vector<FolderFile> files = folder_files(s.mesh, s.output, "." + s.format, true);
   const Models models = load_models(s);
@@ -345,19 +347,6 @@ void add_inputs(CLI::App* sub, Settings* s) {
       "weight, or the mesh tears in a test pose. Files are written all the same");
 }
 
-void add_placement_options(CLI::App* sub, Settings* s) {
-  section(sub, "Where the mesh is, before anything else");
-  sub->add_option("--turn", s->placement.turns,
-                  "A quarter turn about an axis, x brings y to z; may be repeated, one after the other")
-      ->type_name("AXIS")
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
-  sub->add_option("--height", s->placement.height, "Scaled to be so tall, along y, with --up z along z")
-      ->type_name("METRES")
-      ->check(CLI::PositiveNumber);
-  sub->add_flag("--floor", s->placement.floor, "The lowest vertex at 0");
-}
-
 void add_shape_options(CLI::App* sub, Settings* s) {
   section(sub, "What the skeleton has");
   sub->add_flag("--mirror", s->mirror, "Make both sides alike even where the mesh is not");
@@ -401,11 +390,12 @@ void add_rig(CLI::App& app) {
   add_picture_options(sub, &s->picture);
   section(sub, "Edits");
   auto edits = std::make_shared<EditOptions>(sub);
-  add_placement_options(sub, s.get());
+  add_placement_options(sub, &s->placement);
   add_shape_options(sub, s.get());
   add_style_options(sub, &s->style);
   add_models(sub, s.get());
   add_profile_options(sub, &s->profile);
+  add_controls_option(sub, &s->profile);
   sub->footer(
       "Examples:\n  sinew rig hero.obj -o hero.glb --png hero.png\n"
       "  sinew rig hero.obj --skeleton template:mixamo -o hero.glb\n"

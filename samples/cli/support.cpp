@@ -171,6 +171,13 @@ std::string json_line(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+std::string with_version(const std::string& command, const std::string& kind, const std::string& of,
+                         const std::string& text) {
+  nlohmann::ordered_json whole = {{"sinew_" + command, 1}, {kind, of}};
+  whole.update(nlohmann::ordered_json::parse(text));
+  return whole.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
 std::string printable(std::string text) {
   for (char& c : text) {
     const auto byte = static_cast<unsigned char>(c);

@@ -63,6 +63,10 @@ std::string report_date();
 std::string file_name(const std::string& path);  // without its folders
 // Without line breaks: commands that tell of many things print JSON Lines.
 std::string json_line(const nlohmann::ordered_json& json);
+// An object's text with its version before its members: {"sinew_eval": 1, "study": "rig", ...}. Of formats/spec/COMMAND.schema.json.
+//   kind, of  one member more, and its value
+std::string with_version(const std::string& command, const std::string& kind, const std::string& of,
+                         const std::string& text);
 // One line, without a byte of a broken file that a terminal would obey.
 std::string printable(std::string text);
 

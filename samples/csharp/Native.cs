@@ -76,6 +76,7 @@ namespace Sinew
         public const uint NO_AREA = 4294967295;
         public const int ERROR_INPUT = -30;
         public const int ERROR_MEMORY = -31;
+        public const uint MAX_LOD_LEVELS = 8;
         public const uint LIMIT_HINGE = 1;
         public const uint LIMIT_BALL = 2;
         public const uint DETAIL_HANDS = 1;
@@ -437,7 +438,7 @@ namespace Sinew
         {
             public uint struct_size, keep_axes;
             public IntPtr profile, licence, title, authors;
-            public uint author_count, reserved;
+            public uint author_count, controls;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -454,6 +455,15 @@ namespace Sinew
             public uint struct_size, frame_count, joint_count, reserved;
             public double frame_time;
             public IntPtr name, rotations, translations, joint_names, parents;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_place_options
+        {
+            public uint struct_size, turn_count;
+            public IntPtr turns;
+            public double height;
+            public uint floor, up;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -622,6 +632,21 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_lod_options
+        {
+            public uint struct_size, level_count;
+            public double ratio;
+            public uint fewer_joints, reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_lod_level
+        {
+            public double rest_error, posed_error, mean_error;
+            public uint triangle_count, reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
         public struct sinew_character_finding
         {
             public IntPtr rule, what, cure, pose, clip;
@@ -638,6 +663,7 @@ namespace Sinew
         {
             public uint struct_size, no_poses, no_clips, bound_count;
             public IntPtr bound_rules, bounds;
+            public uint score, reserved;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -645,6 +671,7 @@ namespace Sinew
         {
             public uint struct_size, finding_count, errors, warnings, notes, reserved;
             public IntPtr findings, line;
+            public double score;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -903,6 +930,9 @@ namespace Sinew
         public static extern IntPtr sinew_character_profiles();
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_controls(IntPtr character, IntPtr text);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_view(IntPtr character, IntPtr arrays);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
@@ -933,6 +963,9 @@ namespace Sinew
         public static extern int sinew_character_add_clip(IntPtr character, IntPtr clip);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_place(IntPtr character, IntPtr options);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_bind(IntPtr character, IntPtr options, IntPtr result);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
@@ -958,6 +991,9 @@ namespace Sinew
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_simplify(IntPtr character, IntPtr options, IntPtr into);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_lod(IntPtr character, IntPtr options, out IntPtr levels, IntPtr figures);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_check(IntPtr character, IntPtr options, IntPtr result);
@@ -1014,6 +1050,7 @@ namespace Sinew
             new StructSize("sinew_character_profile_options", Marshal.SizeOf(typeof(sinew_character_profile_options)), true),
             new StructSize("sinew_character_arrays", Marshal.SizeOf(typeof(sinew_character_arrays)), true),
             new StructSize("sinew_character_clip", Marshal.SizeOf(typeof(sinew_character_clip)), true),
+            new StructSize("sinew_character_place_options", Marshal.SizeOf(typeof(sinew_character_place_options)), true),
             new StructSize("sinew_character_models", Marshal.SizeOf(typeof(sinew_character_models)), true),
             new StructSize("sinew_character_bind_options", Marshal.SizeOf(typeof(sinew_character_bind_options)), true),
             new StructSize("sinew_character_seam", Marshal.SizeOf(typeof(sinew_character_seam)), false),
@@ -1030,6 +1067,8 @@ namespace Sinew
             new StructSize("sinew_character_transfer_options", Marshal.SizeOf(typeof(sinew_character_transfer_options)), true),
             new StructSize("sinew_character_transfer_result", Marshal.SizeOf(typeof(sinew_character_transfer_result)), true),
             new StructSize("sinew_character_simplify_options", Marshal.SizeOf(typeof(sinew_character_simplify_options)), true),
+            new StructSize("sinew_character_lod_options", Marshal.SizeOf(typeof(sinew_character_lod_options)), true),
+            new StructSize("sinew_character_lod_level", Marshal.SizeOf(typeof(sinew_character_lod_level)), false),
             new StructSize("sinew_character_finding", Marshal.SizeOf(typeof(sinew_character_finding)), false),
             new StructSize("sinew_character_check_options", Marshal.SizeOf(typeof(sinew_character_check_options)), true),
             new StructSize("sinew_character_check_result", Marshal.SizeOf(typeof(sinew_character_check_result)), true),

@@ -79,7 +79,7 @@ def main():
         found = subprocess.run(
             [sinew, "eval", str(out), "--surface-vertices", str(limit), "--jobs", "1", "--json"],
             check=True, capture_output=True, text=True)
-        rows = list(next(iter(json.loads(found.stdout).values()))["characters"].values())
+        rows = list(next(one for one in json.loads(found.stdout).values() if isinstance(one, dict))["characters"].values())
         mean = lambda key: sum(row[key] for row in rows) / len(rows)
         print("| %d | %d | %d to %d | %.4f | %.1f | %.5f | %.2f |" % (
             limit, len(rows), min(r["vertices"] for r in rows), max(r["vertices"] for r in rows), mean("l1"),

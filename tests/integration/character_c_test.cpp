@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -499,6 +500,79 @@ TEST_F(CharacterC, WhatIsWrongIsSaidInOneLineAndChangesNothing) {
   const sinew_mesh mesh = {positions, 1, nullptr, nullptr, 0, 0};
   refused(SINEW_ERROR_NOT_FINITE, sinew_character_create(&mesh, nullptr, &none), nullptr, "finite");
   EXPECT_EQ(none, nullptr);
+}
+
+TEST_F(CharacterC, ControlsAndPlacesAsTheCommand) {
+  good("bind " + kRobed + " --skeleton " + kRobedRig + " --turn y --turn -x --height 2 --floor -o placed.glb");
+  const Handle robed = open(kRobed);
+  sinew_character_place_options place = sinew_character_place_options_init();
+  const char* turns[] = {"y", "-x"};
+  place.turns = turns;
+  place.turn_count = 2;
+  place.height = 2;
+  place.floor = 1;
+  good_call(sinew_character_place(robed.get(), &place), robed);
+  bind(robed);
+  save(robed, "ours.glb");
+  expect_same("ours.glb", "placed.glb");
+  turns[1] = "w";
+  EXPECT_EQ(sinew_character_place(robed.get(), &place), SINEW_ERROR_INPUT);
+  EXPECT_NE(std::string(sinew_character_error(robed.get())).find("expected x, y, z"), std::string::npos);
+  save(robed, "after.glb");
+  expect_same("after.glb", "placed.glb");
+
+  good("bind " + kRobed + " --skeleton " + kRobedRig +
+       " --for mixamo --to-pose none -o command.glb --controls command.controls.json");
+  const Handle again = open(kRobed);
+  bind(again);
+  sinew_character_profile_options profile = sinew_character_profile_options_init();
+  profile.profile = "mixamo";
+  profile.controls = 1;
+  good_call(sinew_character_set_profile(again.get(), &profile), again);
+  const char* text = nullptr;
+  good_call(sinew_character_controls(again.get(), &text), again);
+  EXPECT_EQ(std::string(text), slurp(in("command.controls.json")));
+  save(again, "controlled.glb");
+  expect_same("controlled.glb", "command.glb");
+  const float point[] = {0, 0, 0};
+  const sinew_mesh mesh = {point, 1, nullptr, nullptr, 0, 0};
+  sinew_character* none = nullptr;
+  ASSERT_EQ(sinew_character_create(&mesh, nullptr, &none), SINEW_OK);
+  const Handle alone(none);
+  EXPECT_EQ(sinew_character_controls(alone.get(), &text), SINEW_ERROR_INPUT);
+}
+
+TEST_F(CharacterC, LevelsAndScoreAsTheCommand) {
+  good("lod " + kCaped + " --levels 2 --fewer-joints -o far.glb");
+  const Handle caped = open(kCaped);
+  sinew_character_lod_options options = sinew_character_lod_options_init();
+  options.level_count = 2;
+  options.fewer_joints = 1;
+  sinew_character* levels[2] = {};
+  sinew_character_lod_level figures[2] = {};
+  good_call(sinew_character_lod(caped.get(), &options, levels, figures), caped);
+  const Handle first(levels[0]), second(levels[1]);
+  EXPECT_LT(figures[1].triangle_count, figures[0].triangle_count);
+  EXPECT_GE(figures[0].posed_error, figures[0].rest_error);
+  save(first, "first.glb");
+  save(second, "second.glb");
+  expect_same("first.glb", "far.lod1.glb");
+  expect_same("second.glb", "far.lod2.glb");
+  options.ratio = 1.5;
+  sinew_character* untouched = nullptr;
+  EXPECT_EQ(sinew_character_lod(caped.get(), &options, &untouched, nullptr), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(untouched, nullptr);
+
+  const auto told = nlohmann::json::parse(good("check " + kCaped + " --no-poses --score --json").out);
+  sinew_character_check_options check = sinew_character_check_options_init();
+  sinew_character_check_result result = sinew_character_check_result_init();
+  check.no_poses = 1;
+  good_call(sinew_character_check(caped.get(), &check, &result), caped);
+  EXPECT_EQ(result.score, -1);
+  check.score = 1;
+  good_call(sinew_character_check(caped.get(), &check, &result), caped);
+  EXPECT_NEAR(result.score, told["score"].get<double>(), 0.051);
+  EXPECT_GT(result.score, 10);
 }
 
 TEST_F(CharacterC, WritesForAProgramAsTheCommand) {

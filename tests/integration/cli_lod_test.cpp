@@ -2,12 +2,14 @@
 // sinew lod: levels with fewer triangles, wrong calls.
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <string>
 
 #include "cli_fixture.hpp"
+#include "same_character.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"
 
@@ -50,6 +52,38 @@ TEST_F(CliLod, LevelsKeepWhatVerticesHave) {
   EXPECT_FALSE(fs::exists(in("none.lod1.glb")));
   bad(2, "lod walking.glb --levels 0");
   bad(2, "lod walking.glb -o x.rig.txt");
+}
+
+// One GLB whose mesh nodes name the other levels'; who does not know the extension sees the whole character.
+TEST_F(CliLod, LevelsInOneFile) {
+  good("bind " + kRobed + " --skeleton " + kRobedRig + " -o whole.glb");
+  good("lod whole.glb --levels 2 -o far.glb");
+  EXPECT_NE(good("lod whole.glb --levels 2 --one-file").out.find("wrote whole.lods.glb"), std::string::npos);
+  expect_same_character(read_gltf(in("whole.glb")), read_gltf(in("whole.lods.glb")), 0);
+  const std::string bytes = slurp(in("whole.lods.glb"));
+  uint32_t size = 0;
+  std::memcpy(&size, bytes.data() + 12, 4);
+  const auto document = nlohmann::json::parse(bytes.substr(20, size));
+  EXPECT_EQ(document["extensionsUsed"], nlohmann::json::array({"MSFT_lod"}));
+  size_t nodes = 0;
+  for (const auto& node : document["nodes"]) {
+    if (!node.contains("extensions")) continue;
+    ++nodes;
+    EXPECT_EQ(node["extras"]["MSFT_screencoverage"], nlohmann::json::array({0.5, 0.25, 0.0}));
+    const auto& ids = node["extensions"]["MSFT_lod"]["ids"];
+    ASSERT_EQ(ids.size(), 2u);
+    for (size_t k = 0; k < 2; ++k) {
+      const auto& level = document["nodes"].at(ids[k].get<size_t>());
+      EXPECT_EQ(level["skin"], node["skin"]);
+      const auto& primitive = document["meshes"].at(level["mesh"].get<size_t>())["primitives"][0];
+      EXPECT_EQ(document["accessors"].at(primitive["indices"].get<size_t>())["count"].get<size_t>(),
+                3 * read_gltf(in("far.lod" + std::to_string(k + 1) + ".glb")).face_count());
+      EXPECT_TRUE(primitive["attributes"].contains("WEIGHTS_0"));
+    }
+  }
+  EXPECT_EQ(nodes, 1u);
+  EXPECT_NE(bad(2, "lod whole.glb --one-file --fewer-joints").error.find("one skeleton"), std::string::npos);
+  EXPECT_NE(bad(2, "lod whole.glb --one-file -o x.fbx").error.find("writes a .glb"), std::string::npos);
 }
 
 }  // namespace

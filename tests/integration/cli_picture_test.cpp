@@ -93,7 +93,7 @@ TEST_F(CliPicture, FramesForOtherPrograms) {
 TEST_F(CliPicture, AnAnimatedPictureAlone) {
   good("animate " + kChild + " -o child.apng");
   EXPECT_NE(slurp(in("child.apng")).find("acTL"), std::string::npos);
-  EXPECT_NE(bad(2, "animate " + kChild + " -o b.apng --for unreal").error.find("leave --loop and --for out"),
+  EXPECT_NE(bad(2, "animate " + kChild + " -o b.apng --for unreal").error.find("leave --loop, --for and"),
             std::string::npos);
   EXPECT_NE(bad(2, "animate " + kCaped + " --motion builtin:walk -o b.apng").error.find("b.apng"), std::string::npos);
   EXPECT_FALSE(fs::exists(in("b.apng")));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "cli_fixture.hpp"
@@ -44,6 +45,55 @@ TEST_F(CliProfiles, CommandsWriteWhatAProgramWants) {
   EXPECT_NE(bad(2, "bind " + kRobed + " --skeleton " + kRobedRig + " --keep-axes -o x.glb").error.find("--for"),
             std::string::npos);
   EXPECT_FALSE(fs::exists(in("x.glb")));
+}
+
+TEST_F(CliProfiles, ControlsAreAFileAndExtras) {
+  good("bind " + kRobed + " --skeleton " + kRobedRig + " -o a.glb --controls a.controls.json");
+  const auto own = nlohmann::json::parse(slurp(in("a.controls.json")));
+  EXPECT_EQ(own["limbs"].size(), 4u);
+  const auto extras = [&](const std::string& file) {
+    const std::string text = slurp(in(file));
+    return nlohmann::json::parse(text).value("extras", nlohmann::json::object());
+  };
+  good("bind a.glb -o a.gltf --controls a.controls.json");
+  EXPECT_EQ(extras("a.gltf")["sinew_controls"], nlohmann::json::parse(slurp(in("a.controls.json"))));
+  // By the names that are written.
+  good("animate a.glb --motion builtin:walk --for mixamo -o b.gltf --controls b.controls.json");
+  const auto mixamo = nlohmann::json::parse(slurp(in("b.controls.json")));
+  EXPECT_EQ(extras("b.gltf")["sinew_controls"], mixamo);
+  EXPECT_EQ(mixamo["limbs"][0]["name"], "leg.left");
+  EXPECT_EQ(mixamo["limbs"][0]["joints"][0], "mixamorig:LeftUpLeg");
+  // Kept with the same joints, gone with others.
+  good("bind a.gltf -o c.gltf");
+  EXPECT_TRUE(extras("c.gltf").contains("sinew_controls"));
+  good("bind a.gltf -o d.gltf --for mixamo --to-pose none");
+  EXPECT_FALSE(extras("d.gltf").contains("sinew_controls"));
+  // What is not there is said in a line.
+  EXPECT_NE(good("bind " + kSnake + " --skeleton " + kSnakeRig + " -o e.glb --controls e.controls.json")
+                .out.find("controls: no legs and no arms"),
+            std::string::npos);
+  EXPECT_NE(bad(2, "bind a.glb -o f.glb --controls f.txt").error.find(".json"), std::string::npos);
+  EXPECT_NE(bad(2, "animate a.glb --motion builtin:walk -o f.bvh --controls f.json").error.find("--controls"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(in("f.glb")));
+}
+
+TEST_F(CliProfiles, BindPlacesTheMeshWithItsJoints) {
+  good("bind " + kRobed + " --skeleton " + kRobedRig + " -o a.glb");
+  good("bind " + kRobed + " --skeleton " + kRobedRig + " -o b.glb --turn y --height 3.5 --floor");
+  const Character a = read_gltf(in("a.glb")), b = read_gltf(in("b.glb"));
+  ASSERT_EQ(a.vertices.size(), b.vertices.size());
+  float low = b.vertices[0].y, high = low, own_low = a.vertices[0].y, own_high = own_low;
+  for (const Vec3& p : b.vertices) low = std::min(low, p.y), high = std::max(high, p.y);
+  for (const Vec3& p : a.vertices) own_low = std::min(own_low, p.y), own_high = std::max(own_high, p.y);
+  EXPECT_NEAR(low, 0, 1e-5);
+  EXPECT_NEAR(high, 3.5, 1e-5);
+  const float scale = 3.5f / (own_high - own_low);
+  for (size_t j = 0; j < a.joints.size(); ++j) {
+    EXPECT_NEAR(b.joints[j].position.x, scale * a.joints[j].position.z, 1e-4);
+    EXPECT_NEAR(b.joints[j].position.y, scale * (a.joints[j].position.y - own_low), 1e-4);
+    EXPECT_NEAR(b.joints[j].position.z, -scale * a.joints[j].position.x, 1e-4);
+  }
 }
 
 TEST_F(CliProfiles, UsdComesBack) {

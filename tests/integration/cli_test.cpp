@@ -545,7 +545,9 @@ TEST_F(Cli, DatasetShowsFindsCopiesAndDivides) {
   EXPECT_NE(copies.out.find("drop  set/parrot__one.obj  same"), std::string::npos) << copies.out;
   EXPECT_EQ(list_characters(in("unique")).size(), 5u);
   EXPECT_EQ(list_characters(in("set")).size(), 6u) << "nothing is deleted";
-  EXPECT_EQ(good("dataset dedup set --json").out.rfind("{\"members\":[{\"file\":\"set/bird__0001.obj\"", 0), 0u);
+  EXPECT_EQ(good("dataset dedup set --json")
+                .out.rfind("{\"sinew_dataset\":1,\"about\":\"dedup\",\"members\":[{\"file\":\"set/bird__0001.obj\"", 0),
+            0u);
   bad(1, "dataset dedup set -o unique");  // never replaces
 
   put(in("groups.json"), R"({"groups": {"flying": ["bird", "parrot"]}})");

@@ -43,6 +43,7 @@ character bound.obj "$work/triangles.obj" weights=1 'skeleton="res://bird.rig.tx
 character moved.obj "$data/biped__robot.obj" weights=0 'motion/file="res://walk.glb"'
 character forced.obj "$data/biped__robot.obj" weights=0 'motion/file="res://small.bvh"' motion/force=true
 character unfit.obj "$data/biped__robot.obj" weights=0 'motion/file="res://small.bvh"'
+sed -n 's/.*data-step="[a-z]*" disabled><b>\([A-Za-z]*\)<.*/\1/p' "$source/samples/web/src/index.html" > steps.txt
 cp "$data/bird__winged.rig.txt" bird.rig.txt
 cp "$source/tests/fuzz/corpus/bvh/small.bvh" .
 cp "$data/snake__long.obj" '../odd $HOME `id` \ name.obj'

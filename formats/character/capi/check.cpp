@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "handle.hpp"
+#include "sinew_character/check_output.hpp"
 
 namespace sinew {
 namespace {
@@ -85,6 +86,9 @@ sinew_status sinew_character_check(sinew_character* character, const sinew_chara
     const sinew_character_check_options options = options_of(given);
     std::optional<Motion> motion;
     if (options.no_clips == 0) motion = motion_now(character);
+    check_at_most("score", options.score, 1);
+    std::optional<double> score;
+    if (options.score != 0) score = weight_score(character->character);
     RigCheck check = check_rig(character->character, motion ? &*motion : nullptr, options_from(options));
     ResultViews& views = character->results;
     views = {};
@@ -98,6 +102,7 @@ sinew_status sinew_character_check(sinew_character* character, const sinew_chara
     filled.notes = count32(views.check.notes);
     filled.findings = views.findings.data();
     filled.line = views.text.c_str();
+    filled.score = score ? *score : -1;
     give(filled, result);
   });
 }

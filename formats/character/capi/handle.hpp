@@ -89,7 +89,7 @@ struct sinew_character {
   bool viewed = false;
   std::vector<sinew::ClipView> clip_views;  // by number
   sinew::ResultViews results;
-  std::string notes;
+  std::string notes, controls;
   std::vector<sinew::NamedBytes> written;
   std::vector<sinew_file> written_files;
   mutable std::string error;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Characters to files and memory, as the command writes them.
 #include "handle.hpp"
+#include "sinew_character/controls.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 
@@ -40,7 +41,10 @@ void save(sinew_character* from, const std::string& path) {
   options.drop_animations = from->drop_animations;
   options.motion = &motion;
   const Character& written = leave_out ? plain : character;
-  if (from->profile.empty()) return write_character(path, written, options, from->morphs);
+  if (from->profile.empty()) {
+    if (from->profile_options.controls) options.extras = controls_extras(controls_text(written));
+    return write_character(path, written, options, from->morphs);
+  }
   std::vector<std::string> notes =
       write_for_profile(profile_named(from->profile), from->profile_options, path, written, options, from->morphs);
   std::vector<std::string>& told = from->character.notes;
@@ -53,8 +57,10 @@ std::string text_of(const char* text) { return text == nullptr ? std::string() :
 void set_profile(sinew_character* character, const sinew_character_profile_options& given) {
   need(given.author_count == 0 || given.authors != nullptr, "authors");
   check_at_most("keep_axes", given.keep_axes, 1);
+  check_at_most("controls", given.controls, 1);
   ProfileOptions options;
   options.keep_axes = given.keep_axes != 0;
+  options.controls = given.controls != 0;
   options.licence = text_of(given.licence);
   options.title = text_of(given.title);
   for (uint32_t a = 0; a < given.author_count; ++a) {
@@ -65,6 +71,12 @@ void set_profile(sinew_character* character, const sinew_character_profile_optio
   if (!profile.empty()) check_profile(profile_named(profile), options);
   character->profile = profile;
   character->profile_options = std::move(options);
+}
+
+std::string controls_now(const sinew_character& from) {
+  if (from.character.joints.empty()) throw Error(from.character.name + ": has no skeleton that controls could move");
+  if (from.profile.empty()) return controls_text(from.character);
+  return controls_for_profile(profile_named(from.profile), from.profile_options, from.character);
 }
 
 std::string all_profiles() {
@@ -93,6 +105,15 @@ sinew_status sinew_character_set_profile(sinew_character* character, const sinew
   return guarded(character, [&] {
     need(character != nullptr, "character");
     set_profile(character, options_of(options));
+  });
+}
+
+sinew_status sinew_character_controls(sinew_character* character, const char** text) {
+  return guarded(character, [&] {
+    need(character != nullptr, "character");
+    need(text != nullptr, "text");
+    character->controls = controls_now(*character);
+    *text = character->controls.c_str();
   });
 }
 

@@ -200,6 +200,27 @@ GltfJoints own_joints(const GltfSource& source) {
   return joints;
 }
 
+// Controls (formats/spec/controls.md) of another skeleton or form say nothing of this one.
+void drop_old_controls(const std::vector<Joint>& joints, bool formed, Json* document) {
+  const Json::json_pointer at("/extras/sinew_controls");
+  if (!document->contains(at)) return;
+  bool stays = !formed && (*document)[at].is_object();
+  const Json listed = stays ? (*document)[at].value("joints", Json::array()) : Json::array();
+  for (const Json& one : listed) {
+    const std::string name = one.is_object() && one.contains("name") && one["name"].is_string() ? one["name"] : "";
+    stays = stays && std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) { return joint.name == name; });
+  }
+  if (!stays) (*document)["extras"].erase("sinew_controls");
+}
+
+void add_extras(const std::string& extras, Json* document) {
+  if (extras.empty()) return;
+  Json& all = (*document)["extras"];
+  if (!all.is_object()) all = Json::object();
+  const Json added = Json::parse(extras);
+  for (const auto& [key, value] : added.items()) all[key] = value;
+}
+
 // The document with the character's skin, motion and shapes; pictures are not yet in it.
 //   form  or null
 //   notes  gets what the form says; with a form
@@ -236,6 +257,8 @@ GltfSource skinned_document(const std::string& path, const Character& character,
     *notes = put_into_form(path, *form, joints, &source);
     if (form->vrm != nullptr) add_vrm(path, *form->vrm, joints.nodes, &source);
   }
+  drop_old_controls(character.joints, form != nullptr, &source.document);
+  add_extras(options.extras, &source.document);
   Json& asset = source.document["asset"];
   if (!asset.contains("generator")) asset["generator"] = "sinew";
   return source;

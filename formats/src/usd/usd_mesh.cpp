@@ -48,6 +48,10 @@ class MeshReader {
     uvs_ = texture_coordinates();
     colours_ = primvar("primvars:displayColor", 3, "constant");
     if (colours_.width > 0 && colours_.on == Primvar::On::kAll) colours_.width = 0;  // one that materials say better
+    opacities_ = primvar("primvars:displayOpacity", 1, "constant");
+    if (opacities_.on == Primvar::On::kAll ||
+        std::all_of(opacities_.values.begin(), opacities_.values.end(), [](float a) { return a >= 1; }))
+      opacities_.width = 0;  // opaque, or one that materials say better
     find_rig();
     read_influences();
     read_materials();
@@ -243,7 +247,7 @@ class MeshReader {
         if (from.width == 0) return;
         key.append(reinterpret_cast<const char*>(from.at(face, point, corner)), from.width * sizeof(float));
       };
-      add(normals_), add(uvs_), add(colours_);
+      add(normals_), add(uvs_), add(colours_), add(opacities_);
       const auto [at, is_new] = numbers.emplace(std::move(key), static_cast<uint32_t>(out.points.size()));
       if (is_new) {
         out.points.push_back(point);
@@ -252,8 +256,9 @@ class MeshReader {
           const float* uv = uvs_.at(face, point, corner);
           out.uvs.insert(out.uvs.end(), {uv[0], 1 - uv[1]});
         }
-        for (size_t i = 0; i < 3 && colours_.width > 0; ++i)
-          out.colours.push_back(std::clamp(colours_.at(face, point, corner)[i], 0.0f, 1.0f));
+        for (size_t i = 0; i < 3 && (colours_.width > 0 || opacities_.width > 0); ++i)
+          out.colours.push_back(colours_.width > 0 ? std::clamp(colours_.at(face, point, corner)[i], 0.0f, 1.0f) : 1);
+        if (opacities_.width > 0) out.colours.push_back(std::clamp(opacities_.at(face, point, corner)[0], 0.0f, 1.0f));
       }
       out.indices.push_back(at->second);
     };
@@ -283,7 +288,8 @@ class MeshReader {
     attributes["POSITION"] = add_vectors(positions, 3, true, true, &stage_);
     if (!vertices.normals.empty()) attributes["NORMAL"] = add_vectors(vertices.normals, 3, true, false, &stage_);
     if (!vertices.uvs.empty()) attributes["TEXCOORD_0"] = add_vectors(vertices.uvs, 2, true, false, &stage_);
-    if (!vertices.colours.empty()) attributes["COLOR_0"] = add_vectors(vertices.colours, 3, true, false, &stage_);
+    if (!vertices.colours.empty())
+      attributes["COLOR_0"] = add_vectors(vertices.colours, opacities_.width > 0 ? 4 : 3, true, false, &stage_);
     if (rig_ != nullptr) add_weights(vertices.points, &attributes);
     Json out = {{"attributes", attributes}};
     out["indices"] = add_accessor(&stage_.out, vertices.indices.data(), vertices.indices.size() * 4, "SCALAR",
@@ -345,7 +351,7 @@ class MeshReader {
   const std::string where_;
   std::vector<float> points_;              // [P x 3]
   std::vector<size_t> corners_, offsets_;  // points, [F + 1]
-  Primvar normals_, uvs_, colours_;
+  Primvar normals_, uvs_, colours_, opacities_;
   const UsdRig* rig_ = nullptr;
   std::vector<Row> influences_;                  // [P]
   std::map<int, std::vector<size_t>> faces_of_;  // by material

@@ -11,9 +11,9 @@ bl_info = {
     "category": "Rigging",
 }
 
-from . import bind, correct, look, panel, retarget, rig, transfer  # noqa: E402
+from . import bind, check, control_rig, controls, correct, look, panel, retarget, rig, transfer  # noqa: E402, F401
 
-_MODULES = (bind, rig, transfer, retarget, look, correct, panel)
+_MODULES = (bind, rig, transfer, retarget, look, correct, controls, check, panel)
 
 
 def register():

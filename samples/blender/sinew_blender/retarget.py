@@ -148,18 +148,8 @@ class SINEW_OT_retarget(EngineOperator, bpy.types.Operator):
 
     @staticmethod
     def _body(context, target, rig):
-        meshes = sorted((o for o in context.scene.objects if o.type == "MESH" and scene.armature_of(o) == target), key=lambda o: o.name)
-        weights = [scene.weights_of(o, list(rig.names)) for o in meshes]
-        meshes = [m for m, w in zip(meshes, weights) if w.any()]
-        if not meshes:
-            return None
-        dense = np.concatenate([w for w in weights if w.any()])
-        joined = scene.join(meshes)
-        order = np.argsort(-dense, axis=1, kind="stable")[:, :4]
-        rows = np.take_along_axis(dense, order, 1)
-        rows[rows.sum(1) == 0, 0] = 1  # the engine wants a full row
-        own = [b[(b < joined.own).all(1)] for b in joined.faces]
-        return sinew.Character(joined.positions[:joined.own], own, rig, sinew.Skin(order.astype(np.uint16), rows))
+        found = body_of(sorted((o for o in context.scene.objects if o.type == "MESH" and scene.armature_of(o) == target), key=lambda o: o.name), rig)
+        return None if found is None else found[0]
 
     def compute(self, gathered, progress):
         _, (source, target), clip, joints, body, _, _, (source_up, target_up) = gathered
@@ -186,6 +176,21 @@ class SINEW_OT_retarget(EngineOperator, bpy.types.Operator):
                 _write(target, made, bone, "location", frames, places)
         sources = joints.sources if isinstance(joints, sinew.JointMap) else joints
         self.report({"INFO"}, f"Retarget: {made.name}, {len(frames)} frames, {int((np.asarray(sources) >= 0).sum())} of {len(rig)} bones move")
+
+
+def body_of(meshes, rig):
+    """(sinew.Character, scene.JoinedMesh) of meshes with weights of these bones; None where none has any."""
+    weights = [scene.weights_of(o, list(rig.names)) for o in meshes]
+    meshes = [m for m, w in zip(meshes, weights) if w.any()]
+    if not meshes:
+        return None
+    dense = np.concatenate([w for w in weights if w.any()])
+    joined = scene.join(meshes)
+    order = np.argsort(-dense, axis=1, kind="stable")[:, :4]
+    rows = np.take_along_axis(dense, order, 1)
+    rows[rows.sum(1) == 0, 0] = 1  # the engine wants a full row
+    own = [b[(b < joined.own).all(1)] for b in joined.faces]
+    return sinew.Character(joined.positions[:joined.own], own, rig, sinew.Skin(order.astype(np.uint16), rows)), joined
 
 
 def _rigid(matrices):

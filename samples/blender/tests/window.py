@@ -10,9 +10,10 @@ import traceback
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import bpy
 
-from blender_common import add_armature, character, common, select, state, weights
+from blender_common import add_armature, character, common, select, sinew_blender, state, weights
 
 SHOTS = sys.argv[-1]
+panel = sinew_blender.panel.SINEW_PT_tab
 
 
 def window():
@@ -59,19 +60,25 @@ def steps():
     name = item.name
     view().spaces[0].show_region_ui = True
     yield 1.0
-    before = state(item)
     bpy.ops.ed.undo_push(message="character")
     shot("1_sidebar")
     region, found = sidebar(), False
     x = region.x + region.width - 10
-    for y in range(region.y + region.height - 30, region.y + region.height // 3, -25):  # down the tabs until the button is there
+    for y in range(region.y + region.height - 30, region.y + region.height // 3, -25):  # down the tabs until ours is drawn
+        drawn = panel.drawn
         yield from click((x, y))
-        yield from click((region.x + region.width // 2 - 15, region.y + region.height - 45))
-        if len(bpy.data.objects[name].vertex_groups):
-            found = True
-            break
+        if panel.drawn == drawn:
+            continue
+        for down in range(130, 260, 10):  # below the rail until the step's main button is there
+            bpy.context.window_manager.sinew_step = "Weights"
+            before = state(bpy.data.objects[name])
+            yield from click((region.x + region.width // 2 - 15, region.y + region.height - down))
+            if len(bpy.data.objects[name].vertex_groups):
+                found = True
+                break
+        break
     shot("2_bound")
-    assert found, "no click on a tab and the first button of its panel bound the mesh"
+    assert found, "no click below the rail bound the mesh"
     item = bpy.data.objects[name]
     after = state(item)
     assert after[0] and after != before
@@ -115,6 +122,7 @@ def steps():
     other.location = (1.5, 0, 0)
     select([bpy.data.objects["Armature"], other], bpy.data.objects["Armature"])
     assert bpy.ops.sinew.map_bones() == {"FINISHED"}
+    bpy.context.window_manager.sinew_step = "Motion"
     yield 1.0
     shot("4_map")
     bpy.context.scene.sinew_map.clear()
@@ -122,9 +130,22 @@ def steps():
     assert bpy.ops.sinew.bind(questions=3) == {"FINISHED"}
     assert bpy.ops.sinew.look() == {"FINISHED"}
     other.hide_set(True)
+    bpy.context.window_manager.sinew_step = "Weights"
     view().spaces[0].shading.color_type = "VERTEX"
     yield 1.0
     shot("5_questions_and_doubt")
+    # Controls, one of them pulled.
+    bpy.context.window_manager.sinew_step = "Skeleton"
+    view().spaces[0].shading.color_type = "MATERIAL"
+    assert bpy.ops.sinew.controls() == {"FINISHED"}
+    pose = bpy.context.object.pose.bones
+    pose["IK arm.L"].location = (0, 0.1, -0.3)
+    bpy.context.object.data.bones.active = pose["IK leg.L"].bone
+    pose["IK leg.L"]["roll"] = 40.0
+    bpy.context.object.update_tag()
+    yield 1.0
+    shot("6_controls")
+    assert bpy.ops.sinew.bake_controls() == {"FINISHED"}
     print("WINDOW OK")
 
 

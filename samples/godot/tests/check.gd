@@ -27,6 +27,7 @@ func check():
 	rig_in_scene()
 	shapes()
 	errors()
+	steps()
 	stage()
 	if failed == 0:
 		print("GODOT OK: %d checks" % checked)
@@ -290,6 +291,37 @@ func errors() -> void:
 	expect(answer.error.begins_with("sinew: error: no command at '/nowhere/sinew'; set Project Settings"), "no command: " + answer.error)
 	expect(answer.changes.empty() and mesh.mesh == before, "no command: nothing changes")
 	scene.free()
+
+
+# The dock has the page's steps, in its words, and opens the one that is to do.
+func steps() -> void:
+	var file = File.new()
+	file.open("res://steps.txt", File.READ)
+	var words = Array(file.get_as_text().split("\n", false))
+	var dock = load("res://addons/sinew/dock.gd").new()
+	var shown = []
+	for page in dock.steps.get_children():
+		shown.append(page.name)
+	expect(words.size() == 5 and shown == words, "the dock's steps are the page's: %s" % [shown])
+	expect(dock.page("Skeleton").get_child(1).text == "New skeleton" and dock.page("Weights").get_child(1).text == "Bind", "a main button a step")
+	var scene = instance("res://bound.obj")
+	var mesh = find(scene, MeshInstance)
+	dock.show_meshes([mesh])
+	expect(dock.steps.current_tab == 3, "a bound mesh: Motion")
+	expect(dock.facts.text.begins_with("%d vertices" % Skinning.vertex_count(mesh.mesh)), dock.facts.text)
+	mesh.skin = null
+	dock.show_meshes([mesh])
+	expect(dock.steps.current_tab == 2, "a mesh with a skeleton: Weights")
+	var alone = MeshInstance.new()
+	alone.mesh = mesh.mesh
+	get_root().add_child(alone)
+	dock.show_meshes([alone])
+	expect(dock.steps.current_tab == 1, "a mesh: Skeleton")
+	dock.show_meshes([])
+	expect(dock.steps.current_tab == 0, "nothing: Mesh")
+	alone.free()
+	scene.free()
+	dock.free()
 
 
 # The scene of window/window.gd: a bare mesh.

@@ -109,7 +109,7 @@ export const LAYOUTS = {
     "certainty@28:f32 line_count@32:u32 reserved@36:u32 line_offsets@40:u32 outline@44:u32"),
   characterProfileOptions: layout(32,
     "struct_size@0:u32 keep_axes@4:u32 profile@8:u32 licence@12:u32 title@16:u32 authors@20:u32 author_count@24:u32 " +
-    "reserved@28:u32"),
+    "controls@28:u32"),
   characterArrays: layout(92,
     "struct_size@0:u32 vertex_count@4:u32 face_count@8:u32 corner_count@12:u32 joint_count@16:u32 mesh_count@20:u32 " +
     "influence_count@24:u32 reserved@28:u32 name@32:u32 positions@36:u32 face_offsets@40:u32 face_vertices@44:u32 " +
@@ -118,6 +118,7 @@ export const LAYOUTS = {
   characterClip: layout(48,
     "struct_size@0:u32 frame_count@4:u32 joint_count@8:u32 reserved@12:u32 frame_time@16:f64 name@24:u32 rotations@28:u32 " +
     "translations@32:u32 joint_names@36:u32 parents@40:u32"),
+  characterPlaceOptions: layout(32, "struct_size@0:u32 turn_count@4:u32 turns@8:u32 height@16:f64 floor@24:u32 up@28:u32"),
   characterModels: layout(48,
     "struct_size@0:u32 reserved@4:u32 bind@8:u32 bind_size@12:u32 rig@16:u32 rig_size@20:u32 hands@24:u32 hands_size@28:u32 " +
     "slots@32:u32 slots_size@36:u32 front@40:u32 front_size@44:u32"),
@@ -171,13 +172,17 @@ export const LAYOUTS = {
     "struct_size@0:u32 mapped_joints@4:u32 fitted@8:u32 bound@12:u32 bound_by@16:u32 part_count@20:u32 carried@24:f64 " +
     "style@32:f64 mismatch@40:f64 seconds@48:f64 mapped_by@56:u32 parts@60:u32"),
   characterSimplifyOptions: layout(20, "struct_size@0:u32 low@4:u32 joint_count@8:u32 keep_count@12:u32 keep@16:u32"),
+  characterLodOptions: layout(24, "struct_size@0:u32 level_count@4:u32 ratio@8:f64 fewer_joints@16:u32 reserved@20:u32"),
+  characterLodLevel: layout(32, "rest_error@0:f64 posed_error@8:f64 mean_error@16:f64 triangle_count@24:u32 reserved@28:u32"),
   characterFinding: layout(96,
     "rule@0:u32 what@4:u32 cure@8:u32 pose@12:u32 clip@16:u32 seconds@24:f64 value@32:f64 bound@40:f64 vertices@48:u32 " +
     "vertex_count@52:u32 severity@56:u32 joint@60:i32 other@64:i32 mesh@68:i32 position@72:f32x3 radius@84:f32 reserved@88:u32"),
-  characterCheckOptions: layout(24, "struct_size@0:u32 no_poses@4:u32 no_clips@8:u32 bound_count@12:u32 bound_rules@16:u32 bounds@20:u32"),
-  characterCheckResult: layout(32,
+  characterCheckOptions: layout(32,
+    "struct_size@0:u32 no_poses@4:u32 no_clips@8:u32 bound_count@12:u32 bound_rules@16:u32 bounds@20:u32 score@24:u32 " +
+    "reserved@28:u32"),
+  characterCheckResult: layout(40,
     "struct_size@0:u32 finding_count@4:u32 errors@8:u32 warnings@12:u32 notes@16:u32 reserved@20:u32 findings@24:u32 " +
-    "line@28:u32"),
+    "line@28:u32 score@32:f64"),
   characterBakeOptions: layout(80,
     "struct_size@0:u32 reserved@4:u32 progress@8:u32 progress_user@12:u32 deform@16:u32 cells@20:u32 rounds@24:u32 " +
     "body_contact@28:u32 poses@32:u32 shapes@36:u32 seed@40:u64 limit@48:f64 clip@56:u32 stiffness@64:f64 tet_weights@72:u32 " +
@@ -217,6 +222,7 @@ export const MAX_BIHARMONIC_VERTICES = 65536;
 export const NO_AREA = 4294967295;
 export const ERROR_INPUT = -30;
 export const ERROR_MEMORY = -31;
+export const MAX_LOD_LEVELS = 8;
 export const LIMIT_HINGE = 1;
 export const LIMIT_BALL = 2;
 export const DETAIL_HANDS = 1;

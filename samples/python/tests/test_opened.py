@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """open(): strange files through the package and through the command, and the same bytes; what a caller may get wrong."""
 import filecmp
+import json
 import os
 import signal
 import subprocess
@@ -154,6 +155,35 @@ class SameBytesAsTheCommand(unittest.TestCase):
             one.save(self.at("ours.glb"))
         self.assertLess(baked, linear)
         self.assertTrue(filecmp.cmp(self.at("ours.glb"), self.at("theirs.glb"), False))
+
+
+    def test_place_lod_check_controls(self):
+        robed = DATA / "biped__robed.obj"
+        command("bind", *with_skeleton(robed), "--turn", "y", "--height", "2", "--floor", "-o", self.at("theirs.glb"), "--controls", self.at("theirs.json"))
+        with sinew.open(robed) as one:
+            one.place(turns=["y"], height=2, floor=True)
+            one.bind()
+            one.set_profile(None, controls=True)
+            one.save(self.at("ours.glb"))
+            self.assertEqual(one.controls(), json.loads(self.at("theirs.json").read_text()))
+            self.assertEqual({limb["name"] for limb in one.controls()["limbs"]}, {"leg.left", "leg.right", "arm.left", "arm.right"})
+            told = one.check(poses=False, score=True)
+            self.assertTrue(0 < told.score <= 100 and told.line.startswith("checked: "))
+            self.assertIsNone(one.check(poses=False).score)
+            strict = one.check(poses=False, bounds={"speck": -1, "far-weight": -1})
+            self.assertGreaterEqual(len(strict.findings), len(told.findings))
+        self.assertTrue(filecmp.cmp(self.at("ours.glb"), self.at("theirs.glb"), False))
+        command("lod", self.at("theirs.glb"), "--levels", "2", "-o", self.at("far.glb"))
+        with sinew.open(self.at("theirs.glb")) as one:
+            levels = one.lod(levels=2)
+            for number, (level, figures) in enumerate(levels, 1):
+                level.save(self.at("ours.glb"))
+                self.assertTrue(filecmp.cmp(self.at("ours.glb"), self.at(f"far.lod{number}.glb"), False))
+                self.assertGreaterEqual(figures.posed_error, figures.rest_error)
+                level.close()
+            self.assertLess(levels[1][1].triangles, levels[0][1].triangles)
+            with self.assertRaisesRegex(sinew.Error, "expected x, y, z"):
+                one.place(turns=["up"])
 
 
 class Calls(unittest.TestCase):

@@ -3,7 +3,7 @@
 //   node schemas.mjs SINEW SOURCE WORK
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { mkdirSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import Ajv from 'ajv/dist/2020.js';
 
@@ -27,11 +27,12 @@ function documents(text) {
 }
 
 function expectValid(command, ...words) {
-  const text = execFileSync(sinew, [command, ...words, '--json'], { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] });
-  const validate = schemas.get(command);
+  const [name] = command.split(' ');
+  const text = execFileSync(sinew, [...command.split(' '), ...words, '--json'], { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] });
+  const validate = schemas.get(name);
   for (const document of documents(text))
     assert.ok(validate(document), `sinew ${command} ${words.join(' ')}: ${ajv.errorsText(validate.errors)}\n${JSON.stringify(document).slice(0, 2000)}`);
-  seen.add(command);
+  seen.add(name);
 }
 
 const robot = join(data, 'biped__robot.obj'), robed = join(data, 'biped__robed.obj'), rig = join(data, 'biped__robed.rig.txt');
@@ -47,6 +48,28 @@ expectValid('transfer', 'robed.glb', robot, '-o', 'other.glb');
 expectValid('simplify', 'robed.glb', '--level', 'low', '-o', 'low.glb');
 expectValid('bake', 'robed.glb', '-o', 'baked.glb', '--poses', '20', '--shapes', '2');
 expectValid('check', 'robed.glb', 'robot.glb');
+expectValid('lod', 'robed.glb', '--levels', '2');
+expectValid('inspect', 'robed.glb');
+expectValid('inspect', robot);
+expectValid('inspect', rig);
+expectValid('inspect', 'bundled');
+expectValid('inspect', join(data, 'sinew_default.ckpt'));
+mkdirSync(join(folder, 'set'), { recursive: true });
+for (const name of ['biped__robed', 'snake__long']) for (const end of ['.obj', '.rig.txt']) copyFileSync(join(data, name + end), join(folder, 'set', name + end));
+expectValid('dataset check', 'set');
+expectValid('dataset stats', 'set');
+expectValid('dataset stats', 'set', '--no-recall');
+for (const end of ['.obj', '.rig.txt']) copyFileSync(join(data, 'biped__robed' + end), join(folder, 'set', 'biped__copy' + end));
+expectValid('dataset dedup', 'set');
+expectValid('eval', 'set', '--method', 'nearest');
+expectValid('eval rig', 'set', '--predictions', 'set');
+expectValid('eval hands', 'set');
+expectValid('eval stability', 'set', '--method', 'heat', '--per-character', '1');
+// What --controls writes.
+execFileSync(sinew, ['bind', robed, '--skeleton', rig, '-o', 'controlled.glb', '--controls', 'robed.controls.json'], { cwd: folder, stdio: 'ignore' });
+const controls = schemas.get('controls');
+assert.ok(controls(JSON.parse(readFileSync(join(folder, 'robed.controls.json'), 'utf8'))), `controls: ${ajv.errorsText(controls.errors)}`);
+seen.add('controls');
 assert.deepEqual([...seen].sort(), [...schemas.keys()].sort(), 'a run for every schema');
 for (const [name, validate] of schemas) assert.ok(!validate({ [`sinew_${name}`]: 2 }), `${name}: another version is refused`);
 console.log('SCHEMAS OK');

@@ -4,7 +4,8 @@
  *
  *   open, create, copy, close         a character from a file, from files in memory, from arrays, from a picture
  *   view, clip, notes                 its arrays, its motion, what the reader has to say
- *   bind, rig, map, animate, pose, transfer, simplify, check, bake   one call for each command of that name
+ *   bind, rig, map, animate, pose, transfer, simplify, lod, check, bake   one call for each command of that name
+ *   place, controls                   --turn, --height and --floor of rig and bind; --controls
  *   save, write                       to a file, to memory
  *
  * Errors: a call that can fail returns a sinew_status; 0 is success. sinew_character_error() has one line of English then: what is
@@ -194,7 +195,7 @@ typedef struct sinew_character_profile_options {
   const char* title;    /* of a VRM; null = the character's name */
   const char* const* authors; /* [author_count] of a VRM, which has at least one; or null */
   uint32_t author_count;
-  uint32_t reserved; /* 0 */
+  uint32_t controls; /* 1: a glTF's extras have what sinew_character_controls() says */
 } sinew_character_profile_options;
 
 static inline sinew_character_profile_options sinew_character_profile_options_init(void) {
@@ -212,6 +213,11 @@ SINEW_API sinew_status sinew_character_set_profile(sinew_character* character,
                                                    const sinew_character_profile_options* options);
 /* Names of the profiles, a space between two. Static. */
 SINEW_API const char* sinew_character_profiles(void);
+
+/* `--controls`: which joints an animator's controls move, JSON as formats/spec/controls.md has it, of the skeleton as it would be saved.
+ *   text  out: ends with a line break
+ * A character without joints is SINEW_ERROR_INPUT. */
+SINEW_API sinew_status sinew_character_controls(sinew_character* character, const char** text);
 
 /* ---- arrays ---- */
 
@@ -304,6 +310,30 @@ SINEW_API sinew_status sinew_character_clip_count(sinew_character* character, ui
 SINEW_API sinew_status sinew_character_get_clip(sinew_character* character, uint32_t index, sinew_character_clip* clip);
 /* Adds a clip of the character's joints; joint_count is J, joint_names and parents are not looked at. It is saved as an animation. */
 SINEW_API sinew_status sinew_character_add_clip(sinew_character* character, const sinew_character_clip* clip);
+
+/* ---- where it stands ---- */
+
+/* `--turn`, `--height` and `--floor`, in this order. */
+typedef struct sinew_character_place_options {
+  uint32_t struct_size; /* sizeof(sinew_character_place_options) */
+  uint32_t turn_count;
+  const char* const*
+      turns;      /* [turn_count] quarters about the origin, one after the other: "x", "-x", "y", ...; or null */
+  double height;  /* metres along up; 0 = as it is */
+  uint32_t floor; /* 1: the lowest vertex is at 0 along up */
+  uint32_t up;    /* sinew_up, afterwards; 0 = Y */
+} sinew_character_place_options;
+
+static inline sinew_character_place_options sinew_character_place_options_init(void) {
+  sinew_character_place_options options;
+  memset(&options, 0, sizeof options);
+  options.struct_size = sizeof options;
+  return options;
+}
+
+/* Turns and scales the character as a whole: mesh, joints, the file's own animations. Weights stay. A picture, a character without a mesh, and
+ * one that has clips or morph targets of other calls are SINEW_ERROR_INPUT. */
+SINEW_API sinew_status sinew_character_place(sinew_character* character, const sinew_character_place_options* options);
 
 /* ---- jobs ---- */
 
@@ -784,6 +814,40 @@ static inline sinew_character_simplify_options sinew_character_simplify_options_
 SINEW_API sinew_status sinew_character_simplify(sinew_character* character,
                                                 const sinew_character_simplify_options* options, uint32_t* into);
 
+#define SINEW_MAX_LOD_LEVELS 8
+
+/* `sinew lod` */
+typedef struct sinew_character_lod_options {
+  uint32_t struct_size;  /* sizeof(sinew_character_lod_options) */
+  uint32_t level_count;  /* 1..SINEW_MAX_LOD_LEVELS; 0 = 3 */
+  double ratio;          /* triangles of a level, as a share of the one before, 0.05..0.95; 0 = 0.5 */
+  uint32_t fewer_joints; /* 1: level 2 has the joints of sinew_character_simplify(), further ones of its low level */
+  uint32_t reserved;     /* 0 */
+} sinew_character_lod_options;
+
+static inline sinew_character_lod_options sinew_character_lod_options_init(void) {
+  sinew_character_lod_options options;
+  memset(&options, 0, sizeof options);
+  options.struct_size = sizeof options;
+  return options;
+}
+
+/* How far a level is from the whole character, shares of its height. */
+typedef struct sinew_character_lod_level {
+  double rest_error;  /* largest distance of a vertex from the level's surface */
+  double posed_error; /* the same in the worst of the poses that bodies are bent in */
+  double mean_error;  /* the mean in that pose */
+  uint32_t triangle_count;
+  uint32_t reserved; /* 0 */
+} sinew_character_lod_level;
+
+/* Copies of a bound character with fewer and fewer triangles; weights, shapes, seams and materials stay with what is left.
+ *   levels   out [level_count, 3 where it is 0], each closed by sinew_character_close(); untouched on failure
+ *   figures  out, as many; or null
+ * One that has clips or morph targets of other calls is SINEW_ERROR_INPUT: it is saved and opened first. */
+SINEW_API sinew_status sinew_character_lod(sinew_character* character, const sinew_character_lod_options* options,
+                                           sinew_character** levels, sinew_character_lod_level* figures);
+
 /* `sinew check` */
 typedef enum sinew_check_severity {
   SINEW_CHECK_NOTE = 0,
@@ -817,6 +881,8 @@ typedef struct sinew_character_check_options {
   uint32_t bound_count;
   const char* const* bound_rules; /* [bound_count] rules that get other bounds; or null */
   const double* bounds;           /* [bound_count] */
+  uint32_t score;                 /* 1: sinew_character_check_result::score */
+  uint32_t reserved;              /* 0 */
 } sinew_character_check_options;
 
 static inline sinew_character_check_options sinew_character_check_options_init(void) {
@@ -833,6 +899,8 @@ typedef struct sinew_character_check_result {
   uint32_t reserved;                       /* 0 */
   const sinew_character_finding* findings; /* [finding_count] errors first */
   const char* line;                        /* "checked: 0 findings" */
+  double
+      score; /* with score: how near the weights are to those of three methods, 0..100; -1 where it was not asked for */
 } sinew_character_check_result;
 
 static inline sinew_character_check_result sinew_character_check_result_init(void) {

@@ -89,6 +89,7 @@ struct ProfileOptions {
   std::string title;       // empty: the character's name
   std::string licence;     // as parse_vrm_licence() has it
   bool keep_axes = false;  // the skeleton stays: axes, names and roots
+  bool controls = false;   // a glTF's extras say which joints controls hang on: controls.hpp
 };
 // What can be said before work starts: throws Error where the profile needs more than `options` has.
 void check_profile(const Profile& profile, const ProfileOptions& options);
@@ -97,6 +98,8 @@ void check_profile(const Profile& profile, const ProfileOptions& options);
 std::vector<std::string> write_for_profile(const Profile& profile, const ProfileOptions& options,
                                            const std::string& path, const Character& character,
                                            const GlbOptions& glb = {}, const Morphs& morphs = {});
+// What ProfileOptions::controls puts into extras: controls_text() of the skeleton as it is written.
+std::string controls_for_profile(const Profile& profile, const ProfileOptions& options, const Character& character);
 
 }  // namespace sinew
 #endif

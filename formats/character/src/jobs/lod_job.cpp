@@ -99,7 +99,9 @@ Distance distance(const std::vector<Vec3>& vertices, const std::vector<Vec3>& su
 }
 
 // The character as a document with its pictures inside, whatever it is from.
-Character through_glb(const Character& character, const GlbOptions& options) {
+Character through_glb(const Character& character) {
+  GlbOptions options;
+  options.keep_skin = true;
   std::vector<NamedBytes> written;
   {
     const MemoryFiles scope(memory_inputs(), &written);
@@ -125,10 +127,7 @@ Character character_of_bytes(const std::string& name, const std::vector<uint8_t>
 class Leveller {
  public:
   Leveller(const LodOptions& options, const Character& character)
-      : options_(options),
-        whole_(through_glb(character, {.keep_skin = true})),
-        facts_(whole_),
-        poses_(test_poses(facts_)) {
+      : options_(options), whole_(through_glb(character)), facts_(whole_), poses_(test_poses(facts_)) {
     float low = whole_.vertices[0].y, high = low;
     for (const Vec3& p : whole_.vertices) low = std::min(low, p.y), high = std::max(high, p.y);
     height_ = std::max(static_cast<double>(high) - static_cast<double>(low), 1e-9);

@@ -2,7 +2,9 @@
 // Hard ends of a human body's joints by their classes. Angles are those of joint ranges in ergonomics, and then some: a limit is there
 // for what no body does.
 #include <algorithm>
+#include <optional>
 
+#include "motion/limb_bends.hpp"
 #include "motion/points.hpp"
 #include "motion/upright_body.hpp"
 #include "sinew/rig.h"
@@ -43,7 +45,7 @@ class HumanLimits {
       throw Error(target.name +
                   ": has no human body that limits could be for: expected two arms, two legs and a trunk");
     body_ = *body;
-    find_axes(up);
+    frame_ = body_frame(joints_, body_, up);
     for (size_t j = joints_.size(); j-- > 0;) find_next(static_cast<int>(j));
   }
 
@@ -60,32 +62,6 @@ class HumanLimits {
  private:
   Point3 at(int j) const { return point(joints_[static_cast<size_t>(j)].position); }
   uint8_t class_of(int j) const { return classes_[static_cast<size_t>(j)]; }
-
-  // Up from feet to head, front where toes point, else by the sides of names.
-  void find_axes(const std::string& up) {
-    const auto& legs = body_.legs;
-    const Point3 hips = 0.5 * (at(legs[0].upper) + at(legs[1].upper));
-    const Point3 rise = hips - 0.5 * (at(legs[0].end) + at(legs[1].end));
-    size_t axis = up == "x" ? 0 : up == "y" ? 1 : up == "z" ? 2 : 3;
-    for (size_t i = 0; i < 3 && up == "auto"; ++i)
-      if (axis == 3 || std::abs(rise[i]) > std::abs(rise[axis])) axis = i;
-    up_ = {};
-    up_[axis] = rise[axis] < 0 && up == "auto" ? -1 : 1;
-    Point3 toes{};
-    for (const UprightLimb& leg : legs)
-      if (leg.tip >= 0) toes = toes + across(at(leg.tip) - at(leg.end), up_);
-    Point3 side = across(at(legs[0].upper) - at(legs[1].upper), up_);
-    const Point3 by_names = cross(side, up_);
-    const bool toed = length(toes) > 0.1 * length(rise);
-    if (body_.sided && (!toed || dot(toes, by_names) > 0)) {
-      front_ = unit(by_names);
-    } else {
-      front_ = unit(across(toes, unit(side)));
-      if (!toed) front_ = {};
-    }
-    left_ = length(front_) > 0 ? cross(up_, front_) : unit(side);
-    middle_ = hips;
-  }
 
   // The bone's end: of the children the one of the limb, else the farthest.
   void find_next(int j) {
@@ -115,14 +91,14 @@ class HumanLimits {
   void add(int j, bool goes_on) {
     switch (class_of(j)) {
       case SINEW_CLASS_SPINE:
-        return ball(j, kSpine, bone(j), left_);
+        return ball(j, kSpine, bone(j), frame_.left);
       case SINEW_CLASS_NECK:
-        return ball(j, kNeck, bone(j), left_);
+        return ball(j, kNeck, bone(j), frame_.left);
       case SINEW_CLASS_HEAD:
-        if (!goes_on) ball(j, kHeadBall, up_, left_);
+        if (!goes_on) ball(j, kHeadBall, frame_.up, frame_.left);
         return;
       case SINEW_CLASS_CLAVICLE:
-        return ball(j, kClavicle, bone(j), up_);
+        return ball(j, kClavicle, bone(j), frame_.up);
       case SINEW_CLASS_THIGH:
         if (!goes_on) thigh(j);
         return;
@@ -134,21 +110,21 @@ class HumanLimits {
         if (!goes_on) bend(j);
         return;
       case SINEW_CLASS_HAND:
-        if (!goes_on) ball(j, kHand, bone(j), up_);
+        if (!goes_on) ball(j, kHand, bone(j), frame_.up);
         return;
       case SINEW_CLASS_FOOT:
-        if (!goes_on) ball(j, kFoot, -1.0 * up_, left_);
+        if (!goes_on) ball(j, kFoot, -1.0 * frame_.up, frame_.left);
         return;
       default:
         return;
     }
   }
 
-  double side_of(int j) const { return dot(at(j) - middle_, left_) < 0 ? -1 : 1; }
+  double side_of(int j) const { return dot(at(j) - frame_.middle, frame_.left) < 0 ? -1 : 1; }
 
   // As far to the front as to the back where nobody knows which is which.
   Ends either_way(const Ends& ends) const {
-    if (length(front_) > 0) return ends;
+    if (length(frame_.front) > 0) return ends;
     const float most = std::max(-ends.least, ends.most);
     return {-most, most};
   }
@@ -157,15 +133,15 @@ class HumanLimits {
     Ball limit = kThigh;
     if (side_of(j) < 0) limit.second = {-limit.second.most, -limit.second.least};
     limit.first = either_way(limit.first);
-    ball(j, limit, bone(j), left_, -1.0 * up_);
+    ball(j, limit, bone(j), frame_.left, -1.0 * frame_.up);
   }
   void upper_arm(int j) {
     Ball limit = kUpperArm;
     if (side_of(j) < 0) limit.first = {-limit.first.most, -limit.first.least};
     limit.first = either_way(limit.first);
-    ball(j, limit, bone(j), up_, side_of(j) * left_);
+    ball(j, limit, bone(j), frame_.up, side_of(j) * frame_.left);
   }
-  // Knees and elbows: to the side of the bend at rest, else the calf back and the forearm to the front.
+  // Knees and elbows.
   void bend(int j) {
     const bool calf = class_of(j) == SINEW_CLASS_CALF;
     int upper = joints_[static_cast<size_t>(j)].parent;
@@ -173,17 +149,14 @@ class HumanLimits {
     while (upper >= 0 && class_of(upper) != above) upper = joints_[static_cast<size_t>(upper)].parent;
     if (upper < 0) return;
     const Point3 along = unit(at(j) - at(upper)), own = bone(j);
-    constexpr double kLeastBend = 0.0871557427476582;  // sine of 5 degrees, as sinew_retarget_keep_range() has it
-    const Point3 by_front = across(calf ? -1.0 * front_ : front_, along), by_rest = across(own, along);
-    const bool bent = length(by_rest) > kLeastBend && (length(by_front) < 0.3 || dot(by_rest, by_front) > 0);
     Ball limit = calf ? kCalf : kForearm;
-    Point3 to = bent ? by_rest : by_front;
-    if (!bent && length(by_front) < 0.3) {  // nobody knows to which side
+    std::optional<Point3> to = bend_side(along, own, frame_.front, calf);
+    if (!to) {
       limit.first = {-limit.first.most, limit.first.most};
       limit.second = limit.first;
       to = across(std::abs(along[0]) < 0.9 ? Point3{1, 0, 0} : Point3{0, 1, 0}, along);
     }
-    ball(j, limit, own, cross(along, unit(to)), along);
+    ball(j, limit, own, cross(along, unit(*to)), along);
   }
 
   //   bone, side  in the world at rest; `straight` is where the bone points where angles are 0, the rest pose unless given
@@ -212,7 +185,7 @@ class HumanLimits {
   const std::vector<uint8_t> classes_;
   std::vector<int> next_;  // [J] where its bone ends, -1 = nowhere
   UprightBody body_;
-  Point3 up_{}, front_{}, left_{}, middle_{};  // no front: nobody knows
+  BodyFrame frame_;
   std::vector<sinew_joint_limit> limits_;
 };
 

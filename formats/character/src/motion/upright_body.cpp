@@ -35,10 +35,12 @@ class BodyFinder {
     }
   }
 
+  std::vector<UprightLimb> legs() const { return limbs(SINEW_CLASS_THIGH, SINEW_CLASS_CALF, SINEW_CLASS_FOOT); }
+  std::vector<UprightLimb> arms() const { return limbs(SINEW_CLASS_UPPER_ARM, SINEW_CLASS_FOREARM, SINEW_CLASS_HAND); }
+
   std::optional<UprightBody> find() const {
     UprightBody body;
-    const std::vector<UprightLimb> legs = limbs(SINEW_CLASS_THIGH, SINEW_CLASS_CALF, SINEW_CLASS_FOOT);
-    const std::vector<UprightLimb> arms = limbs(SINEW_CLASS_UPPER_ARM, SINEW_CLASS_FOREARM, SINEW_CLASS_HAND);
+    const std::vector<UprightLimb> legs = this->legs(), arms = this->arms();
     if (legs.size() != 2) return std::nullopt;
     body.legs = {legs[0], legs[1]};
     body.hips = common(legs[0].upper, legs[1].upper);
@@ -141,6 +143,11 @@ class BodyFinder {
 };
 
 }  // namespace
+
+std::vector<UprightLimb> find_limbs(const std::vector<Joint>& joints, const std::vector<uint8_t>& classes, bool legs) {
+  const BodyFinder finder(joints, classes);
+  return legs ? finder.legs() : finder.arms();
+}
 
 std::optional<UprightBody> find_upright_body(const std::vector<Joint>& joints, const std::vector<uint8_t>& classes) {
   return BodyFinder(joints, classes).find();

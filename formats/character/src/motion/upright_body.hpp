@@ -28,6 +28,10 @@ struct UprightBody {
   bool sided = false;  // names told left and right
 };
 
+// All of them: legs (thigh, calf, foot), or arms (upper arm, forearm, hand), in the order of their first joints. By classes [J]
+// (sinew_joint_class).
+std::vector<UprightLimb> find_limbs(const std::vector<Joint>& joints, const std::vector<uint8_t>& classes, bool legs);
+
 // By classes [J] (sinew_joint_class); nullopt without two legs below one joint, or without a head or arms above it.
 std::optional<UprightBody> find_upright_body(const std::vector<Joint>& joints, const std::vector<uint8_t>& classes);
 

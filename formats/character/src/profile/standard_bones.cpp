@@ -15,12 +15,12 @@ namespace {
 
 class Humanoid {
  public:
-  Humanoid(const std::vector<Joint>& joints, uint32_t naming)
-      : joints_(joints), naming_(naming), verdicts_(joint_verdicts(joints)), bones_(joints.size()) {}
+  Humanoid(const std::vector<Joint>& joints, const BodyChains& most)
+      : joints_(joints), most_(most), verdicts_(joint_verdicts(joints)), bones_(joints.size()) {}
 
-  std::vector<std::string> bones() {
+  std::vector<std::optional<BodyBone>> bones() {
     trunk();
-    chain(SINEW_CLASS_NECK, naming_ == SINEW_NAMING_VRM ? 1 : SIZE_MAX);
+    chain(SINEW_CLASS_NECK, most_.neck);
     for (const uint8_t one : {SINEW_CLASS_HEAD, SINEW_CLASS_JAW}) give_first(one, 0);
     for (const int side : {1, -1}) {
       for (const uint8_t one :
@@ -57,11 +57,7 @@ class Humanoid {
     return found;
   }
 
-  void give(size_t joint, uint8_t joint_class, int side, uint32_t index) {
-    std::array<char, SINEW_JOINT_NAME_BYTES> name{};
-    if (sinew_joint_standard_name(naming_, joint_class, side, index, name.data()) == SINEW_OK)
-      bones_[joint] = name.data();
-  }
+  void give(size_t joint, uint8_t joint_class, int side, uint32_t index) { bones_[joint] = {joint_class, side, index}; }
 
   void give_first(uint8_t joint_class, int side) {
     const std::vector<size_t> found = of_class(joint_class, side);
@@ -81,7 +77,7 @@ class Humanoid {
 
   void trunk() {
     pelvis();
-    chain(SINEW_CLASS_SPINE, naming_ == SINEW_NAMING_VRM ? 3 : SIZE_MAX);
+    chain(SINEW_CLASS_SPINE, most_.trunk);
   }
 
   // Joints of a class below each other. Of more than `most` the first, the middle one and the last.
@@ -109,15 +105,28 @@ class Humanoid {
   }
 
   const std::vector<Joint>& joints_;
-  const uint32_t naming_;
+  const BodyChains most_;
   JointVerdicts verdicts_;
-  std::vector<std::string> bones_;
+  std::vector<std::optional<BodyBone>> bones_;
 };
 
 }  // namespace
 
+std::vector<std::optional<BodyBone>> body_bones(const std::vector<Joint>& joints, const BodyChains& most) {
+  return Humanoid(joints, most).bones();
+}
+
 std::vector<std::string> standard_bones(const std::vector<Joint>& joints, uint32_t naming) {
-  return Humanoid(joints, naming).bones();
+  const std::vector<std::optional<BodyBone>> bones =
+      body_bones(joints, naming == SINEW_NAMING_VRM ? BodyChains{3, 1} : BodyChains{});
+  std::vector<std::string> names(joints.size());
+  for (size_t j = 0; j < bones.size(); ++j) {
+    std::array<char, SINEW_JOINT_NAME_BYTES> name{};
+    if (bones[j] && sinew_joint_standard_name(naming, bones[j]->joint_class, bones[j]->side, bones[j]->index,
+                                              name.data()) == SINEW_OK)
+      names[j] = name.data();
+  }
+  return names;
 }
 
 std::vector<std::string> vrm_bones(const std::vector<Joint>& joints, const std::string& name, bool zero) {

@@ -5,6 +5,7 @@
 #include "motion/points.hpp"
 #include "predict/turn.hpp"
 #include "sinew_character/character_file.hpp"
+#include "sinew_character/controls.hpp"
 #include "sinew_character/joint_verdicts.hpp"
 #include "sinew_character/profile.hpp"
 #include "sinew_formats/document_form.hpp"
@@ -100,7 +101,22 @@ void tell_names(const Profile& profile, const std::vector<Joint>& joints, const 
                      " joints keep their names: " + profile.name + " has none for them, or the same");
 }
 
+std::string formed_controls(const Character& character, const DocumentForm& form) {
+  std::vector<Joint> joints = character.joints;
+  for (size_t j = 0; j < joints.size(); ++j) {
+    const Point p = turned(form.turn, point(joints[j].position));
+    joints[j].position = {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+    if (!form.names.empty()) joints[j].name = form.names[j];
+  }
+  return controls_text(find_controls(character), character.name, joints, form.turn);
+}
+
 }  // namespace
+
+std::string controls_for_profile(const Profile& profile, const ProfileOptions& options, const Character& character) {
+  std::vector<std::string> said;
+  return formed_controls(character, form_of(profile, options, character.joints, &said));
+}
 
 void check_profile(const Profile& profile, const ProfileOptions& options) {
   const std::map<std::string, std::string> licence = parse_vrm_licence(options.licence);
@@ -130,6 +146,7 @@ std::vector<std::string> write_for_profile(const Profile& profile, const Profile
   }
   DocumentForm form = form_of(profile, options, written.joints, &notes);
   tell_names(profile, written.joints, form, &notes);
+  if (options.controls) how.extras = controls_extras(formed_controls(written, form));
   const FileKind* kind = path == "-" ? nullptr : file_kind(path);
   if (kind == nullptr || kind->reader == FileReader::kRig || kind->reader == FileReader::kObj) {
     if (profile.vrm != 0) throw Error(path + ": a VRM is one file: write a .vrm or a .glb");

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: MIT
-# The dock Sinew: buttons over the meshes that are selected in the open scene, each press one step of undo.
+# The dock Sinew: the five steps of the page for the meshes that are selected in the open scene, each press one step of undo.
 tool
 extends VBoxContainer
 
 const Skinning = preload("skinning.gd")
+const STEPS = ["Mesh", "Skeleton", "Weights", "Motion", "Export"]  # those of the page (samples/web)
 
 var plugin: EditorPlugin
+var steps: TabContainer
+var facts: Label
 var rigid_parts: OptionButton
 var softness: SpinBox
 var all_bones: CheckBox
@@ -15,8 +18,18 @@ var message: Label
 
 func _init() -> void:
 	name = "Sinew"
-	button("Rig", "Make a skeleton for the selected meshes, and bind them to it", "rig")
-	button("Bind", "Predict weights of the selected meshes for their skeleton, or for a selected Skeleton", "bind")
+	steps = TabContainer.new()
+	steps.tab_align = TabContainer.ALIGN_LEFT
+	for step in STEPS:
+		var page = VBoxContainer.new()
+		page.name = step
+		steps.add_child(page)
+	add_child(steps)
+	facts = said("Mesh", "Select the meshes of a character.")
+	said("Skeleton", "A skeleton for the selected meshes, which are bound to it.")
+	button("Skeleton", "New skeleton", "Make a skeleton for the selected meshes, and bind them to it", "rig")
+	said("Weights", "Weights of the selected meshes for their skeleton.")
+	button("Weights", "Bind", "Predict weights of the selected meshes for their skeleton, or for a selected Skeleton", "bind")
 	rigid_parts = OptionButton.new()
 	for text in ["auto", "always", "never"]:
 		rigid_parts.add_item(text)
@@ -26,22 +39,54 @@ func _init() -> void:
 	softness.max_value = 4
 	softness.step = 0.05
 	softness.value = 1
-	row("Softness", softness, "How softly weights blend between bones: 2 twice as softly, 0.5 harder")
+	row("Soft", softness, "How softly weights blend between bones: 2 twice as softly, 0.5 harder")
 	symmetric = CheckBox.new()
-	row("Symmetric", symmetric, "Both sides get mirrored weights")
+	row("Symmetric weights", symmetric, "Both sides get mirrored weights")
 	all_bones = CheckBox.new()
 	row("All bones", all_bones, "Every bone may get weight; else those that have some, or by their names those that deform")
+	said("Motion", "A file that is imported as Sinew Character can have a motion: Import > Motion.")
+	said("Export", "The scene is the character; it is saved with it.")
 	message = Label.new()
 	message.autowrap = true
 	add_child(message)
 
 
-func button(text: String, hint: String, method: String) -> void:
+func page(step: String) -> Node:
+	return steps.get_child(STEPS.find(step))
+
+
+# A sentence of a step.
+func said(step: String, text: String) -> Label:
+	var label = Label.new()
+	label.text = text
+	label.autowrap = true
+	page(step).add_child(label)
+	return label
+
+
+func show_selected() -> void:
+	show_meshes(selected(MeshInstance))
+
+
+# Says what is selected, and opens the first step that is still to do.
+func show_meshes(instances: Array) -> void:
+	var vertices = 0
+	var bound = not instances.empty()
+	var rigged = not instances.empty()
+	for instance in instances:
+		vertices += Skinning.vertex_count(instance.mesh)
+		bound = bound and instance.skin != null
+		rigged = rigged and skeleton_of(instance) != null
+	facts.text = "Select the meshes of a character." if instances.empty() else "%d vertices in %d meshes." % [vertices, instances.size()]
+	steps.current_tab = STEPS.find("Mesh" if instances.empty() else "Skeleton" if not rigged else "Weights" if not bound else "Motion")
+
+
+func button(step: String, text: String, hint: String, method: String) -> void:
 	var made = Button.new()
 	made.text = text
 	made.hint_tooltip = hint
 	made.connect("pressed", self, method)
-	add_child(made)
+	page(step).add_child(made)
 
 
 func row(text: String, control: Control, hint: String) -> void:
@@ -52,7 +97,7 @@ func row(text: String, control: Control, hint: String) -> void:
 	control.hint_tooltip = hint
 	line.add_child(label)
 	line.add_child(control)
-	add_child(line)
+	page("Weights").add_child(line)
 
 
 func selected(type) -> Array:
@@ -90,7 +135,7 @@ func bind():
 		return say("sinew: error: no mesh is selected; select MeshInstances, and a Skeleton where they have none")
 	var skeleton = skeletons[0] if skeletons.size() == 1 else skeleton_of(instances[0])
 	if skeleton == null:
-		return say("sinew: error: %s has no skeleton; select one beside it, or press Rig" % instances[0].name)
+		return say("sinew: error: %s has no skeleton; select one beside it, or press New skeleton" % instances[0].name)
 	for instance in instances:
 		if skeletons.empty() and skeleton_of(instance) != skeleton:
 			return say("sinew: error: %s and %s have different skeletons; bind them apart" % [instances[0].name, instance.name])

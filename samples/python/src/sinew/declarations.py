@@ -32,6 +32,7 @@ MAX_BIHARMONIC_VERTICES = 65536
 NO_AREA = 4294967295
 ERROR_INPUT = -30
 ERROR_MEMORY = -31
+MAX_LOD_LEVELS = 8
 LIMIT_HINGE = 1
 LIMIT_BALL = 2
 DETAIL_HANDS = 1
@@ -333,7 +334,7 @@ class sinew_character_picture_info(Structure):
 
 class sinew_character_profile_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("keep_axes", c_uint32), ("profile", c_char_p), ("licence", c_char_p), ("title", c_char_p),
-        ("authors", POINTER(c_char_p)), ("author_count", c_uint32), ("reserved", c_uint32)]
+        ("authors", POINTER(c_char_p)), ("author_count", c_uint32), ("controls", c_uint32)]
 
 
 class sinew_character_arrays(Structure):
@@ -349,6 +350,11 @@ class sinew_character_clip(Structure):
     _fields_ = [("struct_size", c_uint32), ("frame_count", c_uint32), ("joint_count", c_uint32), ("reserved", c_uint32),
         ("frame_time", c_double), ("name", c_char_p), ("rotations", c_void_p), ("translations", c_void_p),
         ("joint_names", POINTER(c_char_p)), ("parents", c_void_p)]
+
+
+class sinew_character_place_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("turn_count", c_uint32), ("turns", POINTER(c_char_p)), ("height", c_double),
+        ("floor", c_uint32), ("up", c_uint32)]
 
 
 class sinew_character_models(Structure):
@@ -458,6 +464,16 @@ class sinew_character_simplify_options(Structure):
         ("keep", POINTER(c_char_p))]
 
 
+class sinew_character_lod_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("level_count", c_uint32), ("ratio", c_double), ("fewer_joints", c_uint32),
+        ("reserved", c_uint32)]
+
+
+class sinew_character_lod_level(Structure):
+    _fields_ = [("rest_error", c_double), ("posed_error", c_double), ("mean_error", c_double), ("triangle_count", c_uint32),
+        ("reserved", c_uint32)]
+
+
 class sinew_character_finding(Structure):
     _fields_ = [("rule", c_char_p), ("what", c_char_p), ("cure", c_char_p), ("pose", c_char_p), ("clip", c_char_p), ("seconds", c_double),
         ("value", c_double), ("bound", c_double), ("vertices", c_void_p), ("vertex_count", c_uint32), ("severity", c_uint32),
@@ -466,12 +482,12 @@ class sinew_character_finding(Structure):
 
 class sinew_character_check_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("no_poses", c_uint32), ("no_clips", c_uint32), ("bound_count", c_uint32),
-        ("bound_rules", POINTER(c_char_p)), ("bounds", c_void_p)]
+        ("bound_rules", POINTER(c_char_p)), ("bounds", c_void_p), ("score", c_uint32), ("reserved", c_uint32)]
 
 
 class sinew_character_check_result(Structure):
     _fields_ = [("struct_size", c_uint32), ("finding_count", c_uint32), ("errors", c_uint32), ("warnings", c_uint32), ("notes", c_uint32),
-        ("reserved", c_uint32), ("findings", POINTER(sinew_character_finding)), ("line", c_char_p)]
+        ("reserved", c_uint32), ("findings", POINTER(sinew_character_finding)), ("line", c_char_p), ("score", c_double)]
 
 
 class sinew_character_bake_options(Structure):
@@ -497,12 +513,13 @@ STRUCTS: Tuple[Any, ...] = (sinew_mesh, sinew_model, sinew_answer, sinew_alterna
 
 
 CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_picture_options, sinew_character_picture_info,
-    sinew_character_profile_options, sinew_character_arrays, sinew_character_clip, sinew_character_models, sinew_character_bind_options,
-    sinew_character_seam, sinew_character_bind_result, sinew_skeleton_edit, sinew_character_rig_options, sinew_character_doubt,
-    sinew_character_rig_result, sinew_character_map_options, sinew_character_map_result, sinew_character_animate_options,
-    sinew_character_animate_result, sinew_character_pose_options, sinew_character_transfer_options, sinew_character_transfer_result,
-    sinew_character_simplify_options, sinew_character_finding, sinew_character_check_options, sinew_character_check_result,
-    sinew_character_bake_options, sinew_character_bake_result)
+    sinew_character_profile_options, sinew_character_arrays, sinew_character_clip, sinew_character_place_options, sinew_character_models,
+    sinew_character_bind_options, sinew_character_seam, sinew_character_bind_result, sinew_skeleton_edit, sinew_character_rig_options,
+    sinew_character_doubt, sinew_character_rig_result, sinew_character_map_options, sinew_character_map_result,
+    sinew_character_animate_options, sinew_character_animate_result, sinew_character_pose_options, sinew_character_transfer_options,
+    sinew_character_transfer_result, sinew_character_simplify_options, sinew_character_lod_options, sinew_character_lod_level,
+    sinew_character_finding, sinew_character_check_options, sinew_character_check_result, sinew_character_bake_options,
+    sinew_character_bake_result)
 
 
 # Result and arguments.
@@ -601,6 +618,7 @@ CHARACTER_FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_character_write": (c_int, [c_void_p, c_char_p, POINTER(POINTER(sinew_file)), c_void_p]),
     "sinew_character_set_profile": (c_int, [c_void_p, POINTER(sinew_character_profile_options)]),
     "sinew_character_profiles": (c_char_p, []),
+    "sinew_character_controls": (c_int, [c_void_p, POINTER(c_char_p)]),
     "sinew_character_view": (c_int, [c_void_p, POINTER(sinew_character_arrays)]),
     "sinew_character_skin": (c_int, [c_void_p, c_uint32, c_void_p, c_void_p]),
     "sinew_character_joint_classes": (c_int, [c_void_p, c_void_p]),
@@ -611,6 +629,7 @@ CHARACTER_FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_character_clip_count": (c_int, [c_void_p, c_void_p]),
     "sinew_character_get_clip": (c_int, [c_void_p, c_uint32, POINTER(sinew_character_clip)]),
     "sinew_character_add_clip": (c_int, [c_void_p, POINTER(sinew_character_clip)]),
+    "sinew_character_place": (c_int, [c_void_p, POINTER(sinew_character_place_options)]),
     "sinew_character_bind": (c_int, [c_void_p, POINTER(sinew_character_bind_options), POINTER(sinew_character_bind_result)]),
     "sinew_character_rig": (c_int, [c_void_p, POINTER(sinew_character_rig_options), POINTER(sinew_character_rig_result)]),
     "sinew_character_templates": (c_char_p, []),
@@ -622,6 +641,7 @@ CHARACTER_FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_character_transfer": (c_int, [c_void_p, c_void_p, POINTER(sinew_character_transfer_options),
         POINTER(sinew_character_transfer_result)]),
     "sinew_character_simplify": (c_int, [c_void_p, POINTER(sinew_character_simplify_options), c_void_p]),
+    "sinew_character_lod": (c_int, [c_void_p, POINTER(sinew_character_lod_options), POINTER(c_void_p), POINTER(sinew_character_lod_level)]),
     "sinew_character_check": (c_int, [c_void_p, POINTER(sinew_character_check_options), POINTER(sinew_character_check_result)]),
     "sinew_character_check_rules": (c_char_p, []),
     "sinew_character_bake": (c_int, [c_void_p, POINTER(sinew_character_bake_options), POINTER(sinew_character_bake_result)]),

@@ -9,6 +9,7 @@
 from __future__ import annotations
 
 import ctypes
+import json
 import os
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -42,6 +43,41 @@ class Bound:
     answers_by_style: int
     questions: List[Question] = field(default_factory=list)
     vertex_questions: Optional[np.ndarray] = None
+
+
+@dataclass
+class Finding:
+    """Something that check() found: how severe ("note", "warning", "error"), one line of what and one of what to do; joint, other: -1 for none;
+    vertices that it is about; value was measured, above `bound` it is a finding."""
+
+    rule: str
+    severity: declarations.CheckSeverity
+    what: str
+    cure: str
+    joint: int
+    other: int
+    vertices: np.ndarray
+    value: float
+    bound: float
+
+
+@dataclass
+class Checked:
+    """What check() says: errors first; "checked: 0 findings"; score 0 to 100, where it was asked for."""
+
+    findings: List[Finding]
+    line: str
+    score: Optional[float] = None
+
+
+@dataclass
+class LevelOfDetail:
+    """What lod() made: distances from the whole character at rest and in the worst of the bent poses, shares of its height."""
+
+    triangles: int
+    rest_error: float
+    posed_error: float
+    mean_error: float
 
 
 @dataclass
@@ -245,16 +281,31 @@ class OpenCharacter:
         _check(binding.character_library().sinew_character_write(self.pointer, name.encode(), ctypes.byref(files), ctypes.byref(count)), self)
         return {files[i].name.decode(): ctypes.string_at(files[i].bytes, files[i].size_bytes) for i in range(count.value)}
 
-    def set_profile(self, profile: Optional[str], *, authors: Sequence[str] = (), licence: str = "", title: str = "", keep_axes: bool = False) -> None:
+    def set_profile(self, profile: Optional[str], *, authors: Sequence[str] = (), licence: str = "", title: str = "", keep_axes: bool = False,
+                    controls: bool = False) -> None:
         """What save() and write() write from now on: a program or format that `sinew rig --for` lists, None for files as they were read.
-        authors, licence and title are of a VRM. The rest pose stays: that is to_pose of bind and rig."""
+        authors, licence and title are of a VRM; controls: a glTF says in its extras what controls() says. The rest pose stays: that is
+        to_pose of bind and rig."""
         options = binding.init(declarations.sinew_character_profile_options)
         names = [author.encode() for author in authors]
         options.profile = profile.encode() if profile else None
         options.licence, options.title = licence.encode() or None, title.encode() or None
         options.authors = (ctypes.c_char_p * len(names))(*names) if names else None
-        options.author_count, options.keep_axes = len(names), int(keep_axes)
+        options.author_count, options.keep_axes, options.controls = len(names), int(keep_axes), int(controls)
         _check(binding.character_library().sinew_character_set_profile(self.pointer, ctypes.byref(options)), self)
+
+    def controls(self) -> Dict[str, Any]:
+        """Which joints controls of an animator move (formats/spec/controls.md): `sinew rig --controls`."""
+        text = ctypes.c_char_p()
+        _check(binding.character_library().sinew_character_controls(self.pointer, ctypes.byref(text)), self)
+        return json.loads((text.value or b"").decode())
+
+    def place(self, *, turns: Sequence[str] = (), height: float = 0, floor: bool = False, up: UpAxis = "y") -> None:
+        """Turns the character as a whole by quarters ("x", "-x", "y", ...), scales it to a height in metres, puts it on the floor."""
+        options = binding.init(declarations.sinew_character_place_options)
+        options.turns = (ctypes.c_char_p * len(turns))(*[turn.encode() for turn in turns])
+        options.turn_count, options.height, options.floor, options.up = len(turns), height, int(floor), UP_AXES[chosen(up, UP, "up")]
+        _check(binding.character_library().sinew_character_place(self.pointer, ctypes.byref(options)), self)
 
     @property
     def notes(self) -> List[str]:
@@ -649,6 +700,36 @@ class OpenCharacter:
         into = np.zeros(max(self._view().joint_count, 1), np.uint32)
         _check(binding.character_library().sinew_character_simplify(self.pointer, ctypes.byref(options), into.ctypes.data), self)
         return into
+
+    def lod(self, *, levels: int = 3, ratio: float = 0.5, fewer_joints: bool = False) -> List[Tuple["OpenCharacter", LevelOfDetail]]:
+        """Copies with fewer and fewer triangles, each with how far it is from this character: `sinew lod`."""
+        options = binding.init(declarations.sinew_character_lod_options)
+        if not 1 <= levels <= declarations.MAX_LOD_LEVELS:
+            raise ValueError(f"levels: expected 1 to {declarations.MAX_LOD_LEVELS}, found {levels}")
+        options.level_count, options.ratio, options.fewer_joints = levels, ratio, int(fewer_joints)
+        handles, figures = (ctypes.c_void_p * levels)(), (declarations.sinew_character_lod_level * levels)()
+        _check(binding.character_library().sinew_character_lod(self.pointer, ctypes.byref(options), handles, figures), self)
+        return [(OpenCharacter(ctypes.c_void_p(handle)), LevelOfDetail(f.triangle_count, f.rest_error, f.posed_error, f.mean_error))
+                for handle, f in zip(handles, figures)]
+
+    def check(self, *, poses: bool = True, clips: bool = True, score: bool = False, bounds: Optional[Mapping[str, float]] = None) -> Checked:
+        """What is wrong with the skeleton, the weights and the animations: `sinew check`. Changes nothing.
+
+        poses, clips  whether the mesh is bent in test poses, whether animations are looked at
+        score         also how near the weights are to those of three methods
+        bounds        {rule: above which it is a finding}, in place of the library's
+        """
+        options, result = binding.init(declarations.sinew_character_check_options), binding.init(declarations.sinew_character_check_result)
+        options.no_poses, options.no_clips, options.score = int(not poses), int(not clips), int(score)
+        said = dict(bounds or {})
+        options.bound_count = len(said)
+        options.bound_rules = (ctypes.c_char_p * len(said))(*[rule.encode() for rule in said])
+        kept = np.array(list(said.values()), np.float64)
+        options.bounds = binding.address(kept) if said else None
+        _check(binding.character_library().sinew_character_check(self.pointer, ctypes.byref(options), ctypes.byref(result)), self)
+        findings = [Finding(f.rule.decode(), declarations.CHECK_SEVERITY[f.severity], f.what.decode(errors="replace"), f.cure.decode(), f.joint, f.other,
+                            _array(f.vertices, np.uint32, (f.vertex_count,)), f.value, f.bound) for f in (result.findings[i] for i in range(result.finding_count))]
+        return Checked(findings, result.line.decode(), result.score if score else None)
 
     def bake(self, *, method: Literal["volume", "xpbd", "delta-mush"] = "volume", cells: int = 0, rounds: int = 0, body_contact: bool = False,
              stiffness: float = 0, tet_weights: declarations.TetWeights = "skin", smoothing: bool = True, poses: int = 0,

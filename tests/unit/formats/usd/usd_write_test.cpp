@@ -64,6 +64,32 @@ TEST_P(UsdWrite, ComesBackWithItsClips) {
   expect_same_clip(walk, again, walking_figure(), 2e-6, 1e-10);
 }
 
+// Colours of vertices with their alpha; what is opaque has none.
+TEST_P(UsdWrite, ComesBackWithTransparentColours) {
+  for (const bool opaque : {false, true}) {
+    GlbBuilder builder = two_joint_strip();
+    std::vector<float> colours;
+    for (int v = 0; v < 10; ++v)
+      for (const float part :
+           {0.1f * static_cast<float>(v), 0.5f, 1.0f, opaque ? 1.0f : 0.25f + 0.05f * static_cast<float>(v)})
+        colours.push_back(part);
+    builder.document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = builder.accessor(colours, "VEC4");
+    write_gltf(out(), read_gltf(folder_.write("strip.glb", builder.glb())));
+    const Character again = read_gltf(out());
+    const tinygltf::Model& model = again.gltf->model;
+    const int accessor = model.meshes.at(0).primitives.at(0).attributes.at("COLOR_0");
+    ASSERT_EQ(model.accessors.at(static_cast<size_t>(accessor)).type, opaque ? TINYGLTF_TYPE_VEC3 : TINYGLTF_TYPE_VEC4);
+    const size_t width = opaque ? 3 : 4;
+    const std::vector<float> found = accessor_floats("", model, accessor, static_cast<int>(width));
+    ASSERT_EQ(found.size(), 10 * width);
+    // Vertices come in another order: each is one of those that were.
+    for (size_t v = 0; v < found.size(); v += width) {
+      const size_t own = static_cast<size_t>(std::lround(found[v] * 10));
+      for (size_t i = 0; i < width; ++i) EXPECT_NEAR(found[v + i], colours.at(4 * own + i), 1e-6);
+    }
+  }
+}
+
 TEST_P(UsdWrite, ComesBackWithAxesShapesAndSeams) {
   // A file with a seam, whose vertices stand elsewhere than its nodes put them.
   const Character strip = read_gltf(folder_.write("strip.glb", two_joint_strip(true).glb()));
