@@ -4,31 +4,18 @@
 //   work_test.mjs DIST_DIR SOURCE_DIR WORK_DIR SINEW_COMMAND
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { join, resolve } from "node:path";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { testClip } from "../src/test_clips.js";
-import { launch, serve } from "./browser.mjs";
-import { apartGlbs, fileOf, made, newPage, pageTools } from "./page.mjs";
+import { apartGlbs, fileOf, made, startPage } from "./page.mjs";
 import { strangeFbx } from "./scene_files.mjs";
 
-const [dist, source, work, sinew] = process.argv.slice(2).map((path) => resolve(path));
-const data = join(source, "samples/data");
-mkdirSync(work, { recursive: true });
-const at = (name) => join(work, name);
-const command = (...args) => execFileSync(sinew, args, { cwd: work, stdio: "pipe" }).toString();
-const file = (name) => fileOf(join(data, name));
-
-const server = await serve(dist);
-const browser = await launch();
-const troubles = [];
-const page = await newPage(browser, troubles);
+const { dist, work, data, server, browser, troubles, page, at, command, file, undoName, settled, shoot, errorLine, hash, joints, positions, pick, give, slide, downloaded, go, step } = await startPage("work_");
 const asked = []; // addresses until the first character walks
 const note = (request) => request.serviceWorker() === null && asked.push(request.url());
 browser.context.on("request", note); // those of workers too
-const { settled, shoot, errorLine, hash, joints, positions, pick, give, slide, downloaded, go, step } = pageTools(() => page, { troubles, work, prefix: "work_" });
 const shown = () => page.evaluate(() => [...document.querySelectorAll("button, input, select, summary, a")].filter((one) => one.checkVisibility({ contentVisibilityAuto: true }) && !one.closest("[hidden]")).map((one) => one.id || one.textContent));
-const undoName = async () => (await page.getAttribute("#undo", "title")).replace(/^Undo: | \(Ctrl\+Z\)$/g, "");
 const clips = () => page.locator("#clips li").count();
 const wideAs = (width, height) => page.setViewportSize({ width, height });
 const fits = () =>
@@ -39,7 +26,6 @@ const fits = () =>
 
 try {
   await step("the page starts with a card and few things", async () => {
-    await page.emulateMedia({ reducedMotion: "reduce" });
     await wideAs(1366, 768);
     await page.goto(server.address);
     await settled();
@@ -87,6 +73,22 @@ try {
     tell("a bare mesh, walking", all);
     assert.ok(!all.some((name) => /scenes|hands/.test(name)), "what nobody asked for is not fetched");
     assert.ok(!first.some((name) => /look-|box_tree/.test(name)), `${first}`);
+  });
+
+  await step("nothing in the picture lies on something else", async () => {
+    for (const [width, height] of [[1366, 768], [1000, 700], [800, 700], [390, 844]]) {
+      await wideAs(width, height);
+      for (const name of ["mesh", "skeleton", "weights", "motion", "export"]) {
+        await go(name);
+        const apart = await page.evaluate(() => {
+          const boxes = ["view-switch", "brush", "legend", "said", "tools", "status"].map((id) => [id, document.getElementById(id).getBoundingClientRect()]).filter(([, box]) => box.width * box.height > 0);
+          return boxes.flatMap(([one, a], i) => boxes.slice(i + 1).flatMap(([other, b]) => (a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom ? [`${one} on ${other}`] : [])));
+        });
+        assert.deepEqual(apart, [], `${name} at ${width} x ${height}`);
+      }
+      await shoot(`motion_${width}`);
+    }
+    await wideAs(1366, 768);
   });
 
   await step("every step fits its window", async () => {
