@@ -3,11 +3,13 @@
 import { at, engine, models } from "./state.js";
 
 // A model of weights, of skeletons or of hands.
+/** @param {string} name */
 export async function useModel(name) {
   const { task, ...model } = await engine.call("model", { name });
   models[task] = { name, ...model };
 }
 
+/** @param {string} name */
 export async function fetchModel(name) {
   const response = await fetch(name);
   if (!response.ok) throw new Error(`${name}: ${response.status} ${response.statusText}; build the page with samples/web/build.sh`);
