@@ -22,7 +22,8 @@ for kind in simd scalar; do split_module "$kind" "$out"; done
 cp "$scenes/scenes.wasm" "$out/sinew-scenes.wasm"
 
 step "scripts and pages"
-[ -d "$here/node_modules/three" ] && [ -d "$here/node_modules/esbuild" ] && [ -d "$here/node_modules/@comfyorg" ] && [ -d "$here/node_modules/three-mesh-bvh" ] || npm ci --silent --no-audit --no-fund --prefix "$here"
+node_modules_has() { local name; for name in "$@"; do [ -d "$here/node_modules/$name" ] || return 1; done; }
+node_modules_has three esbuild @comfyorg three-mesh-bvh typescript eslint || npm ci --silent --no-audit --no-fund --prefix "$here"
 cd "$here"
 rm -f "$out"/*.js
 # What writes FBX, what reads it and what shows materials are files of their own, loaded when they are asked for.
