@@ -32,11 +32,12 @@ node_modules/.bin/esbuild src/main.js src/worker.js src/fbx_worker.js --bundle -
   --alias:sinew-simd="$build/simd/sinew_web.mjs" --alias:sinew-scalar="$build/scalar/sinew_web.mjs"
 cp src/index.html src/style.css src/icon.svg src/manifest.webmanifest src/sw.js "$out"
 cp "$root"/samples/data/sinew_{default,rig,hands,front}.sinew "$out"
+node wasm/pack_models.mjs "$out" "$out"/*.sinew
 mkdir -p "$out/samples" "$out/thumbs"
 cp src/thumbs/*.webp "$out/thumbs"
 node samples/clothed.mjs "$out/samples/biped__clothed.glb"
 cp "$root"/samples/data/*.{obj,rig.txt,gltf} "$root"/samples/data/drawing__child.png "$out/samples"
 # What sw.js keeps for a page without a network; the rest is kept when it is used.
-(cd "$out" && ls -- *.html *.css *.svg *.js *.webmanifest thumbs/*.webp sinew-simd{,-rest}.wasm sinew_{default,rig,front}.sinew) | grep -v '^sw\.js$' |
+(cd "$out" && ls -- *.html *.css *.svg *.js *.webmanifest thumbs/*.webp sinew-simd{,-rest}.wasm sinew_{default,rig,front}.sinew.packed) | grep -v '^sw\.js$' |
   sed 's/.*/"&"/' | paste -sd, | sed 's/.*/[&]/' >"$out/files.json"
 echo "web: built $out"

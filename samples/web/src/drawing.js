@@ -62,7 +62,10 @@ async function useMask(file) {
 export function listenForDrawings() {
   at.view.onDragOutline = dragOutline;
   $("flat").onchange = () => changeDrawing($("flat").checked ? "flat" : "round", { flat: $("flat").checked });
-  $("figure").onchange = () => changeDrawing(`figure ${$("figure").value}`, { figure: Number($("figure").value), outline: [], mask: "" });
+  $("figure").onchange = async () => {
+    await changeDrawing(`figure ${$("figure").value}`, { figure: Number($("figure").value), outline: [], mask: "" });
+    at.view.frame(); // it stands elsewhere
+  };
   $("outline-found").onclick = () => changeDrawing("outline as found", { outline: [], mask: "", figure: 0 });
   $("open-mask").onclick = () => $("mask-file").click();
   $("mask-file").onchange = () => {

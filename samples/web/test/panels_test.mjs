@@ -6,6 +6,7 @@ import { treeOrder } from "../src/joint_list.js";
 import { pinned, unpinned } from "../src/map_panel.js";
 import { clipFigures, clipText } from "../src/methods.js";
 import { draggable, dragged, longestSide } from "../src/outline.js";
+import { fromPlanes, toPlanes } from "../src/planes.js";
 import { turnsOf } from "../src/pose_panel.js";
 
 assert.deepEqual([100, 93, 107, 92, 108, 85, 115, 84, 116, -20].map(bendGrade), ["good", "good", "good", "fair", "fair", "fair", "fair", "poor", "poor", "poor"]);
@@ -62,6 +63,13 @@ const gone = away.flatMap((place, i) => (place === side.line[i] ? [] : [i]));
 assert.deepEqual([gone[0], gone.at(-1)], [side.points[corner - 1] + 1, side.points[corner + 1] - 1]);
 assert.ok(gone.every((i) => away[i][0] - side.line[i][0] > 0 && away[i][0] - side.line[i][0] <= 20));
 assert.equal(dragged(side, 0, [-5, -5]).filter((place, i) => place !== side.line[i]).length, gone.length, "the first point has a last one beside it");
+
+// Words with their bytes apart, and back.
+assert.deepEqual([...toPlanes(Uint8Array.of(1, 2, 3, 4, 5))], [1, 3, 2, 4, 5]);
+for (const length of [0, 1, 2, 7, 8]) {
+  const bytes = Uint8Array.from({ length }, (_, i) => i * 3);
+  assert.deepEqual(fromPlanes(toPlanes(bytes)), bytes);
+}
 
 assert.deepEqual(treeOrder(skeleton), [0, 1, 3, 2]);
 console.log("panels: ok");

@@ -6,7 +6,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { gzipSync } from "node:zlib";
+import { brotliCompressSync, gzipSync } from "node:zlib";
 import { testClip } from "../src/test_clips.js";
 import { apartGlbs, fileOf, made, startPage } from "./page.mjs";
 import { strangeFbx } from "./scene_files.mjs";
@@ -64,12 +64,13 @@ try {
     const filesOf = (list) => [...new Set(list.map((url) => new URL(url).pathname.slice(1) || "index.html"))].filter((name) => existsSync(join(dist, name)));
     const tell = (what, files) => {
       const packed = files.map((name) => [name, gzipSync(readFileSync(join(dist, name)), { level: 9 }).length]);
-      const total = packed.reduce((sum, [, bytes]) => sum + bytes, 0);
-      console.log(`  ${what}: ${Math.round(total / 1e3)} kB packed by gzip: ${packed.filter(([, bytes]) => bytes > 1e4).map(([name, bytes]) => `${name} ${Math.round(bytes / 1e3)}`).join(", ")}`);
+      const kilobytes = (list) => Math.round(list.reduce((sum, bytes) => sum + bytes, 0) / 1e3);
+      const byBrotli = kilobytes(files.map((name) => brotliCompressSync(readFileSync(join(dist, name))).length));
+      console.log(`  ${what}: ${kilobytes(packed.map(([, bytes]) => bytes))} kB packed by gzip, ${byBrotli} by brotli: ${packed.filter(([, bytes]) => bytes > 1e4).map(([name, bytes]) => `${name} ${Math.round(bytes / 1e3)}`).join(", ")}`);
     };
     const [first, all] = [filesOf(asked.slice(0, asked.findIndex((url) => url.includes("-rest.wasm")))), filesOf(asked)];
     tell("a bare mesh, bound", first);
-    tell("a mesh with a skeleton, bound", first.filter((name) => !/_(rig|front)\.sinew$/.test(name)));
+    tell("a mesh with a skeleton, bound", first.filter((name) => !/_(rig|front)\.sinew/.test(name)));
     tell("a bare mesh, walking", all);
     assert.ok(!all.some((name) => /scenes|hands/.test(name)), "what nobody asked for is not fetched");
     assert.ok(!first.some((name) => /look-|box_tree/.test(name)), `${first}`);
