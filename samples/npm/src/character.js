@@ -81,7 +81,7 @@ export class CharacterFile {
    */
   retarget(motion, options = {}) {
     if (motion !== null && !(motion instanceof CharacterFile)) throw new SinewError("retarget: expected what open() gave for the motion's file");
-    return this.#job("retarget", RETARGET, options, (at, text) => this.#house.module._character_animate(at, motion?.#at("retarget") ?? 0, text));
+    return this.#job("retarget", RETARGET, options, (at, text) => this.#house.module._character_animate(at, motion ? motion.#at("retarget") : 0, text));
   }
 
   /** What was found in the picture that it is of: class, view and certainty once it is rigged, the outline as lines of x, y. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The panel of bends: how the mesh follows its joints, and how much of its volume every bend keeps by it.
+import { $, all } from "./elements.js";
 
-const $ = (id) => document.getElementById(id);
 const mostRows = 6;
 const fullBar = 150; // percent of the volume that fill a bar
 const playedMilliseconds = 250; // figures that change faster cannot be read
@@ -13,25 +13,27 @@ export const bendGrade = (percent) => (Math.abs(percent - 100) <= 7 ? "good" : M
 export const worstFirst = (bends) => [...bends].sort((a, b) => Math.abs(b.kept - 1) - Math.abs(a.kept - 1) || a.joint - b.joint).slice(0, mostRows);
 
 export class BendPanel {
+  /** @type {(...of: any[]) => any} */
   onChange = () => {}; // another way of skinning
+  /** @type {(...of: any[]) => any} */
   onPick = () => {}; // joint
   #shown = -Infinity; // when the list was written
 
   constructor() {
     $("skinning").onchange = () => this.onChange();
     $("bends").onclick = ({ target }) => {
-      const row = target.closest("button");
-      if (row) this.onPick(Number(row.dataset.joint));
+      const button = target.closest("button");
+      if (button) this.onPick(Number(button.dataset.joint));
     };
   }
 
   // SkinMethod of skinning.hpp.
   get skinning() {
-    return Number(document.querySelector("#skinning input:checked").value);
+    return Number(all("#skinning input:checked")[0].value);
   }
 
   next() {
-    const inputs = [...document.querySelectorAll("#skinning input")];
+    const inputs = all("#skinning input");
     inputs[(this.skinning + 1) % inputs.length].checked = true;
     this.onChange();
   }

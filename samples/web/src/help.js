@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Help inside the page: what the steps are for, and the keys.
+import { $ } from "./elements.js";
 
-const $ = (id) => document.getElementById(id);
 const does = [
   ["Drop a mesh", "It gets joints and weights at once. Red limbs may be wrong: Skeleton, Next; drag a joint, its mirror partner follows. Or mark parts of the body (Markers) and rig again."],
   ["It lies or is too large", "Mesh: turn by 90°, height in metres, on the floor. Skeleton: T pose."],

@@ -82,6 +82,7 @@ export function middleNear(stretches, at) {
 //   forward            what the eye looks along: without more, the joint stays as far away as it was
 //   plane              null, or {axis, at} for a joint that stands for both sides: it stays on that plane
 //   surface            null, or {positions, triangles}: the joint goes to the middle of what the ray passes through there
+/** @param {{ origin: number[], direction: number[], forward: number[], from: number[], plane?: { axis: number, at: number } | null, surface?: any }} ray */
 export function draggedTo({ origin, direction, forward, from, plane = null, surface = null }) {
   const t = dot(minus(from, origin), forward) / dot(direction, forward);
   const free = along(origin, direction, t);

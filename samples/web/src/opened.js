@@ -22,6 +22,18 @@ export async function loadPlaced(placement) {
   showOpened(loaded);
 }
 
+// The open drawing by other wishes: without joints and weights.
+export async function loadDrawn(wishes) {
+  const { source, name, up } = at.character;
+  const { mesh, number } = source;
+  const loaded = await whileBusy(`Opening ${name}`, () => engine.call("picture", { mesh, wishes: wishes ?? { class: "" }, number })); // without any it would be the one that is open
+  source.pictureWishes = wishes;
+  at.character = { ...loaded, name, up, upAxis: upOf(loaded, up), source, result: null, size: longestSide(loaded.buffers.positions), placeable: false };
+  source.locked = new Set(); // with the rows that were locked
+  source.kept = 0;
+  showOpened(loaded);
+}
+
 export function remark(line) {
   $("remarks").textContent += `${$("remarks").textContent && "\n"}${line}`;
   $("remarks").hidden = false;

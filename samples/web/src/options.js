@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What the user wants of a bind, beside answers: the options of `sinew bind`, and which joints and vertices are switched off, locked or
 // painted. Sets of names live with a character (its `source`) while its tab is open.
-
-const $ = (id) => document.getElementById(id);
+import { $ } from "./elements.js";
 
 // What a change of each is called in the history.
 const words = { method: "weights from", symmetric: "symmetric weights", "rigid-parts": "rigid parts", influences: "influences", softness: "softness", "t-pose": "T pose" };
 
 export class BindOptions {
+  /** @type {(...of: any[]) => any} */
   onChange = () => {};
   #first; // values as the page begins
 
@@ -33,9 +33,11 @@ export class BindOptions {
   }
 
   // The rest pose that is shown and saved: "t", or "" as the mesh stands.
+  /** @returns {string} */
   get toPose() {
     return $("t-pose").ariaPressed === "true" ? "t" : "";
   }
+  /** @param {string} pose */
   set toPose(pose) {
     $("t-pose").ariaPressed = String(pose === "t");
   }

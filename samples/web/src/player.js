@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The panel that plays motions: clips, time and speed. What a frame looks like is the page's business.
-
-const $ = (id) => document.getElementById(id);
+import { $ } from "./elements.js";
 
 export class MotionPlayer {
+  /** @type {(...of: any[]) => any} */
   onClose = () => {};
+  /** @type {(...of: any[]) => any} */
   onFrame = () => {}; // the clip or the time has changed
+  /** @type {(...of: any[]) => any} */
   onClip = () => {};
 
+  /** @type {any} */
   #motion = null; // as the module describes it, with {own, method, pins}
   #seconds = 0;
   #playing = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Contacts in the picture: where feet stand, hands touch, and arms lie in the body.
-import { Color, Mesh, MeshBasicMaterial, SphereGeometry } from "three";
+import { Color, Group, Mesh, MeshBasicMaterial, SphereGeometry } from "three";
 
 const inside = 3; // SINEW_SPOT_INSIDE
 const stands = 1; // SINEW_SPOT_STANDS
@@ -16,11 +16,15 @@ export function spotGrade({ kind, error }) {
 
 export class ContactSpots {
   #balls = [];
-  #parent;
+  #group = new Group();
   #geometry = new SphereGeometry(1, 16, 10);
 
   constructor(parent) {
-    this.#parent = parent;
+    parent.add(this.#group);
+  }
+
+  set visible(visible) {
+    this.#group.visible = visible;
   }
 
   // spots: of the module's frame, in the model's axes; radius: of the character.
@@ -46,6 +50,6 @@ export class ContactSpots {
     const ball = new Mesh(this.#geometry, new MeshBasicMaterial({ transparent: true, opacity: 0.85, depthTest: false, depthWrite: false }));
     ball.renderOrder = 3;
     this.#balls.push(ball);
-    this.#parent.add(ball);
+    this.#group.add(ball);
   }
 }

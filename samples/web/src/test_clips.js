@@ -2,6 +2,7 @@
 // Motions to try a character with, as BVH of a human body of 1.7 units: they show hips, knees, shoulders and elbows.
 
 // name, parent, offset from the parent; a T-pose that looks along +z.
+/** @type {[string, number, number[]][]} */
 const body = [
   ["Hips", -1, [0, 0.96, 0]],
   ["Spine", 0, [0, 0.12, 0]],
@@ -67,6 +68,7 @@ function armsUp(t) {
     Spine1: [-6 * up, 0, 0], Head: [-10 * up, 0, 0],
   };
 }
+/** @type {Record<string, { seconds: number, pose: (t: number) => Record<string, number[]> }>} */
 const clips = {
   walk: { seconds: 1.1, pose: walk },
   squat: { seconds: 3, pose: squat },

@@ -8,7 +8,6 @@ const still = matchMedia("(prefers-reduced-motion: reduce)");
 
 export class ViewCube {
   #helper;
-  #camera;
   #canvas;
   #orbit;
   #redraw;
@@ -19,7 +18,7 @@ export class ViewCube {
     this.#helper = new ViewHelper(camera, canvas);
     Object.assign(this.#helper.location, corner);
     this.#helper.setLabels("X", "Y", "Z");
-    [this.#camera, this.#canvas, this.#orbit, this.#redraw] = [camera, canvas, orbit, redraw];
+    [this.#canvas, this.#orbit, this.#redraw] = [canvas, orbit, redraw];
     // Before the canvas hears of it: the axes are in front of the character.
     host.addEventListener("pointerdown", (event) => this.#press(event), true);
   }
