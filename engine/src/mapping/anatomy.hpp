@@ -86,6 +86,7 @@ struct Anatomy {
   void find_short_legs();
   void find_hip();
   void climb_to_trunk();
+  void climb_to_chest();
   void join_feet();
   void find_front(bool flip_it);
   void flip();
@@ -99,6 +100,9 @@ struct Anatomy {
 
   double drop(const LimbPair& pair) const;
   double low(const LimbPair& pair) const;
+  double start_height(const LimbPair& pair) const;
+  void leave_out_arms();
+  bool are_fins() const;
   int32_t common_attach(const LimbPair& pair) const;
   // Marks what lies on ways from the hips through the plane to a leaf, end markers aside.
   void open_paths();

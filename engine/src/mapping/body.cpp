@@ -80,6 +80,7 @@ int32_t Anatomy::pick_spine() {
       if (ahead(at(leaf)) > last - 0.15 * (last - first)) score += 1;
     }
     score += path_names(leaf);
+    if (lying && !(forward > 0)) continue;  // a tail alone
     if (best >= 0 && !(score > most + 1e-9)) continue;
     best = leaf;
     most = score;
@@ -155,6 +156,7 @@ void Anatomy::find_chest() {
         chest = k;
         nearest = d;
       }
+      if (chest > 0 && chest == spine_count - 1 && !quad) --chest;  // something is left for the head
     }
   }
   const auto above_chest = [&](int32_t joint) {

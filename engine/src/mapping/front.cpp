@@ -97,10 +97,11 @@ class FrontVotes {
       last_leg_ = k == 0 ? at : greater(last_leg_, at);
       leg += a_.limb(a_.legs[k].a).length;
     }
-    if (a_.leg_count >= 2) a_.quad = last_leg_ - first_leg_ > 0.5 * leg / a_.leg_count;
+    if (a_.leg_count >= 2) a_.quad = last_leg_ - first_leg_ > 0.35 * leg / a_.leg_count;
   }
 
   double path_weight(int32_t leaf) const {
+    if (a_.leg_count == 0) return a_.path_length(leaf) / size_ + a_.path_names(leaf);  // a tail, whatever hangs on the head
     double limbs = 0, top = a_.height[leaf];
     int32_t inner = 0;
     for (int32_t i = leaf; i != a_.hip; i = rig_.parent[i]) {
@@ -114,6 +115,7 @@ class FrontVotes {
     if (a_.quad) {  // the spine runs from the hind legs to the fore legs, the tail does not
       weight += 0.5 * inner;
       if (!a_.is_inner(a_.ahead(a_.at(leaf)), first_leg_, last_leg_)) weight += 1;
+      weight += 0.6 * (a_.height[leaf] - a_.height[a_.hip]) / size_;  // tails hang
     }
     return weight + a_.path_names(leaf);
   }
