@@ -94,6 +94,7 @@ struct Anatomy {
   void find_lying();
   void find_others();
   void find_arms();
+  bool is_on_face(int32_t number) const;
   void find_chest();
   void find_head();
   void find_features();
@@ -108,6 +109,8 @@ struct Anatomy {
   void open_paths();
   bool is_path_end(int32_t joint) const;
   double path_length(int32_t leaf) const;
+  // Whether the way from the hips to a leaf is that to a pelvis below them, which the legs hang on.
+  bool leads_to_legs(int32_t leaf) const;
   // How much names on the way to a leaf speak for a spine.
   double path_names(int32_t leaf) const;
   // Middle of the first points of a pair, ahead.

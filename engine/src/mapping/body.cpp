@@ -80,6 +80,7 @@ int32_t Anatomy::pick_spine() {
       if (ahead(at(leaf)) > last - 0.15 * (last - first)) score += 1;
     }
     score += path_names(leaf);
+    if (leads_to_legs(leaf)) score -= 3;
     if (lying && !(forward > 0)) continue;  // a tail alone
     if (best >= 0 && !(score > most + 1e-9)) continue;
     best = leaf;
@@ -124,13 +125,21 @@ void Anatomy::find_others() {
   limbs.grow(r, side, others_first);
 }
 
+// Whiskers, ears: what hangs on something that is called a head or a jaw is no arm.
+bool Anatomy::is_on_face(int32_t number) const {
+  const int32_t attach = limb(number).attach;
+  if (!rig->has_names || attach < 0) return false;
+  const Part part = rig->part(attach);
+  return part == Part::kHead || part == Part::kJaw || part == Part::kHair;
+}
+
 void Anatomy::find_arms() {
   arms = LimbPair();
   double best = 0;
   for (int32_t k = 0; k < limbs.pair_count; ++k) {
     const LimbPair& pair = limbs.pairs[k];
     const Limb& a = limb(pair.a);
-    if (pair.a == hip_pair.a || (is_leg(pair.a) && !quad)) continue;
+    if (pair.a == hip_pair.a || (is_leg(pair.a) && !quad) || is_on_face(pair.a)) continue;
     const double own = 0.02 * a.tree + a.length / rig->size;
     if (arms.a >= 0 && !(own > best || (own == best && limbs.joint(a, 0) < limbs.joint(limb(arms.a), 0)))) continue;
     best = own;
@@ -212,10 +221,16 @@ void Anatomy::find_head() {
   const int32_t upper = chest >= 0  ? spine[chest]
                         : head >= 0 ? spine[head]
                                     : (spine_count > 0 ? spine[spine_count - 1] : hip);
-  trunk = greater(r.bone(hip, upper), 0.05 * r.size);
+  Point top = at(upper);
+  if (chest >= 0 && !quad && arms.a >= 0) {  // one long bone from the hips to the shoulders: the chest is where arms begin
+    const Point shoulders = 0.5 * (limbs.point(limb(arms.a), 0) + limbs.point(limb(arms.b), 0));
+    const double level = dot(shoulders - at(hip), frame.up);
+    if (level > 0.1 * tall && dot(top - at(hip), frame.up) < 0.6 * level) top = at(hip) + level * frame.up;
+  }
+  trunk = greater(distance(at(hip), top), 0.05 * r.size);
   if (head >= 0 && !r.has_names && head - 1 >= first && head == spine_count - 1 && !r.has_end_kid(spine[head]))
     other_head = head - 1;
-  if (chest >= 0) line[line_count++] = at(spine[chest]);
+  if (chest >= 0) line[line_count++] = top;
   if (head >= 0) line[line_count++] = at(spine[head]);
 }
 

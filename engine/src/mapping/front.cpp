@@ -21,6 +21,13 @@ bool Anatomy::is_path_end(int32_t joint) const {
   return true;
 }
 
+bool Anatomy::leads_to_legs(int32_t leaf) const {
+  if (hip_pair.a < 0) return false;
+  const int32_t attach = limb(hip_pair.a).attach;
+  while (rig->parent[leaf] != hip) leaf = rig->parent[leaf];
+  return attach >= 0 && attach != hip && rig->holds(leaf, attach);
+}
+
 double Anatomy::path_length(int32_t leaf) const {
   double sum = 0;
   for (int32_t i = leaf; i != hip; i = rig->parent[i]) sum += rig->bone(i, rig->parent[i]);
@@ -132,7 +139,7 @@ class FrontVotes {
     a_.open_paths();
     int32_t best = -1;
     each_path([&](int32_t leaf) {
-      const double weight = path_weight(leaf);
+      const double weight = path_weight(leaf) - (a_.leads_to_legs(leaf) ? 3 : 0);
       if (best >= 0 && !(weight > spine_weight_)) return;
       best = leaf;
       spine_weight_ = weight;
@@ -291,14 +298,15 @@ class FrontVotes {
 
   // What is small and paired, or in the plane, on the upper half of the spine lies ahead of it.
   void faces() {
-    for (int32_t k = a_.spine_count / 2; k < a_.spine_count; ++k) {
+    const bool tail = a_.leg_count == 0 && named_tail() > 0;  // the spine in hand leads away from the head
+    for (int32_t k = a_.spine_count / 2; k < a_.spine_count && !tail; ++k) {
       for (int32_t b = a_.limb_head[a_.spine[k]]; b >= 0; b = a_.limb_next[b]) {
         const Limb& limb = a_.limb(b);
         if (!(limb.length < 0.1 * size_) || limb.mate < 0) continue;
         add(a_.ahead(a_.limbs.last_point(limb) - a_.at(a_.spine[k])) / size_ / 0.05, 0.3);
       }
     }
-    for (int32_t k = a_.spine_count / 2; k <= a_.spine_count; ++k) {
+    for (int32_t k = tail ? a_.spine_count : a_.spine_count / 2; k <= a_.spine_count; ++k) {
       if (k == a_.spine_count && a_.leg_count > 0) break;
       const int32_t i = k < a_.spine_count ? a_.spine[k] : a_.hip;
       each_kid(rig_, i, [&](int32_t kid) {

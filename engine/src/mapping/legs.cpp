@@ -190,7 +190,7 @@ void Anatomy::climb_to_trunk() {
     return;
   }
   // With something in the plane of its own, which may be a tail, it gives way to a joint in the same place alone.
-  const double near = central > 0 ? 0.05 * r.size : r.size;
+  const double near = central > 0 && !quad ? 0.05 * r.size : r.size;
   int32_t from = hip;
   for (int32_t up = r.parent[hip]; up >= 0 && side[up] == 0; up = r.parent[up]) {
     if (leads_on(up, from) > 0) {

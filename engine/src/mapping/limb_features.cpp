@@ -23,7 +23,7 @@ void Anatomy::find_features() {
     f.grounded = (f.point && is_leg(k)) || (low < ground + 0.12 * tall && dot(start, frame.up) - low > 0.1 * tall);
     f.hip = hip_pair.a == k || hip_pair.b == k;
     f.arm = arms.a == k || arms.b == k;
-    if (f.arm && !quad && line_count > 1) f.attach = clamped(f.attach, 0.7, 1.3);  // by definition at the chest
+    if (f.arm && !quad && leg_count > 0 && line_count > 1) f.attach = clamped(f.attach, 0.7, 1.3);  // by definition at the chest
     f.first_hash = hashes_used;
     if (!r.has_names) continue;
     for (int32_t i = 0; i < l.joint_count; ++i) {
