@@ -95,6 +95,7 @@ struct Anatomy {
   void find_others();
   void find_arms();
   bool is_on_face(int32_t number) const;
+  bool is_at_end(int32_t number) const;
   void find_chest();
   void find_head();
   void find_features();

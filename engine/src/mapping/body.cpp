@@ -80,7 +80,7 @@ int32_t Anatomy::pick_spine() {
       if (ahead(at(leaf)) > last - 0.15 * (last - first)) score += 1;
     }
     score += path_names(leaf);
-    if (leads_to_legs(leaf)) score -= 3;
+    if (leads_to_legs(leaf)) score -= 20;
     if (lying && !(forward > 0)) continue;  // a tail alone
     if (best >= 0 && !(score > most + 1e-9)) continue;
     best = leaf;
@@ -133,13 +133,19 @@ bool Anatomy::is_on_face(int32_t number) const {
   return part == Part::kHead || part == Part::kJaw || part == Part::kHair;
 }
 
+// What is short and hangs where the spine ends: a bird's whiskers.
+bool Anatomy::is_at_end(int32_t number) const {
+  return leg_count > 0 && spine_count > 3 && limb(number).attach == spine[spine_count - 1] &&
+         limb(number).length < 0.25 * limb(hip_pair.a).length;
+}
+
 void Anatomy::find_arms() {
   arms = LimbPair();
   double best = 0;
   for (int32_t k = 0; k < limbs.pair_count; ++k) {
     const LimbPair& pair = limbs.pairs[k];
     const Limb& a = limb(pair.a);
-    if (pair.a == hip_pair.a || (is_leg(pair.a) && !quad) || is_on_face(pair.a)) continue;
+    if (pair.a == hip_pair.a || (is_leg(pair.a) && !quad) || is_on_face(pair.a) || is_at_end(pair.a)) continue;
     const double own = 0.02 * a.tree + a.length / rig->size;
     if (arms.a >= 0 && !(own > best || (own == best && limbs.joint(a, 0) < limbs.joint(limb(arms.a), 0)))) continue;
     best = own;

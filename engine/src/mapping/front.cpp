@@ -139,7 +139,7 @@ class FrontVotes {
     a_.open_paths();
     int32_t best = -1;
     each_path([&](int32_t leaf) {
-      const double weight = path_weight(leaf) - (a_.leads_to_legs(leaf) ? 3 : 0);
+      const double weight = path_weight(leaf) - (a_.leads_to_legs(leaf) ? 20 : 0);
       if (best >= 0 && !(weight > spine_weight_)) return;
       best = leaf;
       spine_weight_ = weight;

@@ -20,10 +20,9 @@ void Anatomy::find_features() {
     f.axis = {dot(axis, frame.across) * (l.side != 0 ? l.side : 1), dot(axis, frame.up), ahead(axis)};
     const double low = limbs.lowest(l, frame.up);
     f.point = l.point_count == 1;
-    f.grounded = (f.point && is_leg(k)) || (low < ground + 0.12 * tall && dot(start, frame.up) - low > 0.1 * tall);
+    f.grounded = is_leg(k) || (!lying && low < ground + 0.12 * tall && dot(start, frame.up) - low > 0.1 * tall);
     f.hip = hip_pair.a == k || hip_pair.b == k;
     f.arm = arms.a == k || arms.b == k;
-    if (f.arm && !quad && leg_count > 0 && line_count > 1) f.attach = clamped(f.attach, 0.7, 1.3);  // by definition at the chest
     f.first_hash = hashes_used;
     if (!r.has_names) continue;
     for (int32_t i = 0; i < l.joint_count; ++i) {

@@ -102,7 +102,12 @@ double Matcher::limb_pins(const Limb& a, const Limb& b) const {
 
 double Matcher::limb_cost(int32_t la, int32_t lb) const {
   const LimbFeatures &a = a_->features[la], &b = b_->features[lb];
-  double cost = lesser(absolute(a.attach - b.attach), 1.5) + (a.grounded != b.grounded ? 1 : 0) +
+  // Arms of two people hang on the chest, wherever that joint lies.
+  const auto has_arm = [](const Anatomy& rig, const LimbFeatures& f) { return f.arm && !rig.quad && rig.leg_count > 0; };
+  const double farthest = has_arm(*a_, a) && has_arm(*b_, b) ? 0.15 : 1.5;
+  // The tail of a fish begins wherever its root lies.
+  const bool tails = a_->lying && b_->lying && a_->limb(la).side == 0 && b_->limb(lb).side == 0;
+  double cost = lesser(absolute(a.attach - b.attach), farthest) * (tails ? 0.3 : 1) + (a.grounded != b.grounded ? 1 : 0) +
                 0.2 * absolute(a.log_tree - b.log_tree);
   if (!a.point && !b.point)  // a limb of one joint has no length and points nowhere
     cost += 0.4 * absolute(a.log_length - b.log_length) + 0.5 * (1 - dot(a.axis, b.axis));
