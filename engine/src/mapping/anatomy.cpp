@@ -71,7 +71,9 @@ void Anatomy::find_sides() {
   for (int32_t i = 0; i < r.n; ++i) {
     side[i] = 0;
     if (!mirrored) continue;  // one chain, however it bends
-    if (absolute(x[i]) > limit(i)) {
+    if (frame.posed) {
+      side[i] = frame.side[i];
+    } else if (absolute(x[i]) > limit(i)) {
       const int32_t less = left[i] < right[i] ? left[i] : right[i], more = left[i] + right[i] - less;
       if (!(less > 0 && 3 * less >= more)) side[i] = x[i] > 0 ? 1 : -1;
     } else if (one_sided(i) &&
@@ -138,6 +140,7 @@ bool Anatomy::pair_limbs(Arena& arena) {
       both.at(i, j) = distance(image, limbs.mean_point(b)) / rig->size +
                       0.3 * absolute(logarithm(static_cast<double>(a.tree) / b.tree)) +
                       (a.attach == b.attach ? 0 : 0.05);
+      if (frame.posed && frame.mate[limbs.joint(a, 0)] == limbs.joint(b, 0)) both.at(i, j) = 0;
     }
   }
   both.solve(32);  // no limb stays alone by choice

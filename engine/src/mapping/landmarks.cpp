@@ -64,12 +64,12 @@ void Matcher::find_landmarks(const Anatomy& rig, int32_t number, bool leg, doubl
         score += 0.25 * (c - a - 2);
         score += greater(0, (t[a] - t[0]) / greater(whole, 1e-9) - 0.3);
         // A clavicle leads outwards; what already begins out there is the upper arm.
-        if (!leg && a > 0 && t[a] - t[0] > 0.06 * whole) score += 1.5 * greater(0, 0.5 - (off(a) - off(0)) / (t[a] - t[0]));
+        if (!leg && !rig.frame.posed && a > 0 && t[a] - t[0] > 0.06 * whole) score += 1.5 * greater(0, 0.5 - (off(a) - off(0)) / (t[a] - t[0]));
         // Of joints on one spot the last begins the bone, the first ends it.
         if (a + 1 < b && t[a + 1] - t[a] < 0.06 * whole) score += 0.4;
         if (c - 1 > b && t[c] - t[c - 1] < 0.03 * whole) score += 0.4;
         if (leg && c < real && dot(point(c - 1) - point(c), up) < 0.6 * distance(point(c - 1), point(c))) score += 0.8;
-        if (b < real) score += greater(0, 0.3 - off(a) / greater(off(b), 1e-9)) / 0.3;
+        if (b < real && !rig.frame.posed) score += greater(0, 0.3 - off(a) / greater(off(b), 1e-9)) / 0.3;
         if (names_) {
           const auto one_of = [](Part w, Part x, Part y) { return w == x || w == y ? 1 : 0; };
           score -= 0.8 * (one_of(word(a), Part::kUpperArm, Part::kUpLeg) +
