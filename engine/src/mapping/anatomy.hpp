@@ -14,6 +14,7 @@ struct LimbFeatures {
   double log_length = 0;  // against the trunk's
   Point axis;             // start to end, outward, up, front; of length 1
   double log_tree = 0;    // joints
+  double rank = -1;       // of three or more pairs of legs: 0 the hindmost, 1 the first
   bool point = false, grounded = false, hip = false, arm = false;
   uint64_t parts = 0;                      // bit per Part, arms and legs as one each
   int32_t first_hash = 0, hash_count = 0;  // in Anatomy::hashes
@@ -99,6 +100,7 @@ struct Anatomy {
   void find_chest();
   void find_head();
   void find_features();
+  double leg_rank(int32_t number) const;
 
   double drop(const LimbPair& pair) const;
   double low(const LimbPair& pair) const;

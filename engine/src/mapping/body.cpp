@@ -74,6 +74,7 @@ int32_t Anatomy::pick_spine() {
     double score = 2 * carried;
     score += quad ? (0.4 * path + 0.8 * rise + 1.5 * forward) / size : (0.6 * path + 1.5 * rise + 0.3 * forward) / size;
     if (lying) score = forward / size + 0.01 * path / size;  // what leads to the head
+    if (leg_count > 2) score = 10 * carried + forward / size;  // of insects what carries jaws and feelers
     if (leg_count == 0 && !lying) score += 1.5 * path / size;
     if (quad) {
       score += 0.5 * inner;

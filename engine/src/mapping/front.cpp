@@ -71,6 +71,11 @@ class FrontVotes {
   double sum() {
     measure_legs();
     choose_spine();
+    if (a_.leg_count > 2) {  // an insect's feet and knees point everywhere
+      if (a_.spine_count > 0) add(a_.ahead(a_.at(a_.spine[a_.spine_count - 1]) - a_.at(a_.hip)) / size_ / 0.05, 2);
+      faces();
+      return sum_;
+    }
     if (a_.leg_count > 0) feet();
     if (a_.quad && a_.spine_count > 0) {
       animal();
@@ -117,6 +122,8 @@ class FrontVotes {
       top = greater(top, a_.height[i]);
       inner += a_.is_inner(a_.ahead(a_.at(i)), first_leg_, last_leg_) ? 1 : 0;
     }
+    // Of insects the abdomen is longer and higher than the head, which carries jaws and feelers.
+    if (a_.leg_count > 2) return 20 * limbs + 0.3 * a_.path_length(leaf) / size_ + a_.path_names(leaf);
     double weight = limbs * 3 / greater(1, root(rig_.n)) + 0.3 * a_.path_length(leaf) / size_ +
                     0.6 * (top - a_.height[a_.hip]) / size_;
     if (a_.quad) {  // the spine runs from the hind legs to the fore legs, the tail does not
@@ -166,7 +173,7 @@ class FrontVotes {
           if (lesser(start, stop) < a_.ground + 0.08 * a_.tall && start < a_.ground + 0.35 * a_.tall &&
               absolute(a_.ahead(bone)) > 0.5 * absolute(dot(bone, a_.frame.up))) {
             const double weight = a_.quad ? 0.6 : 1.2;
-            add(a_.ahead(bone) / size_ / 0.04, start < a_.ground + 0.2 * a_.tall ? weight : 0.5 * weight);
+            add(a_.ahead(bone) / size_ / 0.04, a_.quad || start < a_.ground + 0.2 * a_.tall ? weight : 0.5 * weight);
           }
         }
       }

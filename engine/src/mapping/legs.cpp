@@ -10,6 +10,13 @@ double Anatomy::low(const LimbPair& pair) const {
     limbs.each_end_sub(limb(pair.of(s)),
                        [&](int32_t toe) { least = lesser(least, limbs.lowest(limb(toe), frame.up)); });
   }
+  for (int s = 0; s < 2; ++s) {  // a last bone whose end is no joint goes on
+    const Limb& leg = limb(pair.of(s));
+    if (leg.point_count < 2 || leg.point_count > leg.joint_count || leg.first_sub >= 0) continue;
+    const double end = dot(limbs.last_point(leg), frame.up);
+    const double bone = dot(limbs.point(leg, leg.point_count - 2), frame.up) - end;
+    if (bone > 0) least = lesser(least, greater(ground, end - 0.5 * bone));
+  }
   return least;
 }
 

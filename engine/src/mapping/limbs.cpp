@@ -112,6 +112,17 @@ int32_t first_kid(const Hierarchy& rig, const int8_t* side, int32_t joint, bool*
   *leads = own >= 2 * rest || (own > rest && path > 2.5 * other) || path > 4 * other;
   // A thumb that begins where the hand does.
   if (kids == 2 && own > rest && gap < 0.02 * rig.bone(joint, first)) *leads = true;
+  // A hand with its fingers, and a thumb of as many joints on the same spot: the hand goes on where the arm points.
+  if (kids == 2 && own == rest && own >= 2 && gap < 0.02 * rig.bone(joint, first)) {
+    const auto in_line = [&](int32_t k) {
+      return rig.kid_count(k) > 0 ? dot(direction(rig.at[k] - rig.at[joint]), direction(rig.at[rig.kid(k, 0)] - rig.at[k]))
+                                  : -1;
+    };
+    each_kid(rig, joint, [&](int32_t k) {
+      if (is_limb_kid(rig, side, joint, k) && in_line(k) > in_line(first) + 1e-9) first = k;
+    });
+    *leads = true;
+  }
   // A tail with fins of a joint or two.
   if (side[joint] == 0 && own > rest && path > 1.2 * other) *leads = true;
   const int32_t called = named_kid(rig, side, joint);
