@@ -71,7 +71,7 @@ void Anatomy::leave_out_arms() {
   for (int32_t k = 0; k < leg_count; ++k) {
     bool hangs = false;
     for (int32_t m = 0; m < leg_count; ++m) {
-      hangs = hangs || (start_height(legs[k]) > start_height(legs[m]) + 0.3 * tall &&
+      hangs = hangs || (start_height(legs[k]) > start_height(legs[m]) + 0.2 * tall &&
                         absolute(pair_ahead(legs[k]) - pair_ahead(legs[m])) < 0.15 * rig->size);
     }
     if (hangs) continue;

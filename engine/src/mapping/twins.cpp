@@ -77,7 +77,7 @@ void take_twins(const Hierarchy& rig, const Point* up, int32_t* twin, Frame* fra
   twins.find();
   int32_t mirrored = 0;
   for (int32_t i = 0; i < rig.n; ++i) mirrored += twin[i] >= 0 && frame->mate[i] == twin[i] ? 1 : 0;
-  frame->posed = twins.root_count >= 2 && 5 * twins.joints >= 2 * rig.n && 4 * mirrored < twins.joints;
+  frame->posed = twins.root_count >= 2 && 5 * twins.joints >= 2 * rig.n && 3 * mirrored < twins.joints;
   if (!frame->posed) return;
   Point sum, middle;
   for (int32_t k = 0; k < twins.root_count; ++k) {
