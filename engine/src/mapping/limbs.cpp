@@ -125,6 +125,18 @@ int32_t first_kid(const Hierarchy& rig, const int8_t* side, int32_t joint, bool*
   }
   // A tail with fins of a joint or two.
   if (side[joint] == 0 && own > rest && path > 1.2 * other) *leads = true;
+  if (side[joint] == 0 && !*leads && rig.parent[joint] >= 0) {  // of fins and a tail of as many joints, what is straight on
+    const Point ahead = direction(rig.at[joint] - rig.at[rig.parent[joint]]);
+    const auto straight = [&](int32_t k) { return dot(ahead, direction(rig.at[k] - rig.at[joint])); };
+    int32_t best = first;
+    each_kid(rig, joint, [&](int32_t k) {
+      if (is_limb_kid(rig, side, joint, k) && rig.count[k] == own && straight(k) > straight(best) + 1e-9) best = k;
+    });
+    if (own > 1 && straight(best) > 0.95) {
+      first = best;
+      *leads = true;
+    }
+  }
   const int32_t called = named_kid(rig, side, joint);
   if (called >= 0) *leads = true;
   return called >= 0 ? called : first;

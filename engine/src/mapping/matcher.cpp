@@ -110,11 +110,12 @@ double Matcher::limb_cost(int32_t la, int32_t lb) const {
   const bool many_legs = a.rank >= 0 && b.rank >= 0;
   const double apart = many_legs ? 1.2 * absolute(a.rank - b.rank) : lesser(absolute(a.attach - b.attach), farthest);
   double cost = apart * (tails ? 0.3 : 1) + (a.grounded != b.grounded ? 1 : 0) +
-                0.2 * absolute(a.log_tree - b.log_tree);
+                (tails ? 0 : 0.2) * absolute(a.log_tree - b.log_tree);
   if (!a.point && !b.point)  // a limb of one joint has no length and points nowhere
     cost += 0.4 * absolute(a.log_length - b.log_length) + 0.5 * (1 - dot(a.axis, b.axis));
   else
     cost += kPointLimb;
+  if (tails && a.point != b.point) cost += 0.5;  // a fin
   if (many_legs) return cost + limb_pins(a_->limb(la), b_->limb(lb));
   if (a.hip != b.hip) cost += 0.8;
   if (a.hip && b.hip) cost -= 0.5;
