@@ -89,6 +89,30 @@ void Matcher::find_landmarks(const Anatomy& rig, int32_t number, bool leg, doubl
   }
 }
 
+// What is alike on both sides is decided once for both: the mean of their scores.
+//   t      out  as of find_landmarks()
+//   other  scratch of the same size
+void Matcher::find_pair_landmarks(const Anatomy& rig, int32_t number, bool leg, double* t, double* other,
+                                  Landmarks* found) const {
+  find_landmarks(rig, number, leg, t, found);
+  const int32_t mate = rig.limb(number).mate;
+  if (mate < 0 || rig.limb(mate).joint_count != rig.limb(number).joint_count ||
+      rig.limb(mate).point_count != rig.limb(number).point_count) {
+    return;
+  }
+  Landmarks image;
+  find_landmarks(rig, mate, leg, other, &image);
+  for (int k = 0; k < found->count && image.count > 0; ++k) {
+    Landmark& own = found->at[k];
+    int64_t score = image.at[image.count - 1].score;  // at least as bad, where it is not among the best
+    for (int m = 0; m < image.count; ++m) {
+      const Landmark& its = image.at[m];
+      if (its.a == own.a && its.b == own.b && its.c == own.c) score = its.score;
+    }
+    own.score = (own.score + score) / 2;
+  }
+}
+
 // Place of every joint: below 1 before the first landmark, 1..2 and 2..3 on the two long bones, beyond 3 the rest.
 void Matcher::long_bone_positions(const Anatomy& rig, const Limb& limb, const double* t, const Landmark& at,
                                   double* positions) {
@@ -118,8 +142,8 @@ void Matcher::match_limbs(int32_t la, int32_t lb, bool leg, bool arm, double cos
   limb_doubt_ = greater(0, cost);
   Landmarks ma, mb;
   if ((leg || arm) && !a_->quad && !b_->quad) {
-    find_landmarks(*a_, la, leg, ta_, &ma);
-    find_landmarks(*b_, lb, leg, tb_, &mb);
+    find_pair_landmarks(*a_, la, leg, ta_, ua_, &ma);
+    find_pair_landmarks(*b_, lb, leg, tb_, ub_, &mb);
   }
   if (ma.count > 0 && mb.count > 0) {
     // Both at once: the same pattern of joints is preferred.
