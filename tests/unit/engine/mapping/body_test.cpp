@@ -42,5 +42,38 @@ TEST(MapBody, WhatHasNoLegsAndIsLongLies) {
   EXPECT_EQ(read.anatomy.leg_count, 0);
 }
 
+TEST(MapBody, OfARigThatBeginsAtTheChestTheSpineLeadsToTheHeadNotToThePelvis) {
+  HumanRig human;
+  human.parents[HumanRig::kChest] = -1;
+  human.parents[HumanRig::kSpine] = HumanRig::kChest;
+  human.parents[HumanRig::kHips] = HumanRig::kSpine;
+  const Read read(&human);
+  const Anatomy& a = read.anatomy;
+  EXPECT_EQ(a.hip, HumanRig::kChest);
+  ASSERT_EQ(a.spine_count, 2);
+  EXPECT_EQ(a.spine[1], HumanRig::kHead);
+  EXPECT_EQ(read.first(a.hip_pair.a), HumanRig::kThigh);
+}
+
+TEST(MapBody, OneChainFromTheHeadBackwardsIsATailHoweverItBends) {
+  SmallRig fish;
+  fish.positions = {0.3f, 0.5f, 1, 0.3f, 0.5f, 0.3f, 0, 0.5f, -0.3f, -0.4f, 0.5f, -1};
+  fish.parents = {-1, 0, 1, 2};
+  const Read read(&fish);
+  EXPECT_EQ(read.anatomy.spine_count, 0);
+  ASSERT_EQ(read.anatomy.others_count, 1);
+  EXPECT_EQ(read.anatomy.limb(read.anatomy.others_first).joint_count, 3);
+}
+
+TEST(MapBody, WhiskersAtTheEndOfALongNeckAreNoArms) {
+  HumanRig bird;  // its arms become whiskers of the head
+  for (const size_t joint : {5, 6, 7, 8, 9, 10}) {
+    bird.positions[3 * joint] *= 0.1f;
+    bird.positions[3 * joint + 1] = 1.7f;
+  }
+  bird.parents[HumanRig::kUpperArm] = bird.parents[HumanRig::kUpperArm + HumanRig::kRightArm] = HumanRig::kHead;
+  EXPECT_EQ(Read(&bird).anatomy.arms.a, -1);
+}
+
 }  // namespace
 }  // namespace sinew::mapping
