@@ -59,7 +59,7 @@ TEST_F(CliLod, LevelsInOneFile) {
   good("bind " + kRobed + " --skeleton " + kRobedRig + " -o whole.glb");
   good("lod whole.glb --levels 2 -o far.glb");
   EXPECT_NE(good("lod whole.glb --levels 2 --one-file").out.find("wrote whole.lods.glb"), std::string::npos);
-  expect_same_character(read_gltf(in("whole.glb")), read_gltf(in("whole.lods.glb")), 0);
+  expect_same_character(read_gltf(in("whole.glb")), read_gltf(in("whole.lods.glb")), 1e-6);
   const std::string bytes = slurp(in("whole.lods.glb"));
   uint32_t size = 0;
   std::memcpy(&size, bytes.data() + 12, 4);

@@ -499,7 +499,7 @@ TEST_F(Cli, DatasetCommands) {
   EXPECT_NE(good("dataset check " + kData).out.find("biped__robed"), std::string::npos);
   const std::string checks = good("dataset check " + kData + " --json").out;
   EXPECT_EQ(std::count(checks.begin(), checks.end(), '\n'), 7) << "a line a character";
-  EXPECT_EQ(checks.rfind("{\"file\":", 0), 0u);
+  EXPECT_EQ(checks.rfind("{\"sinew_dataset\":1,\"about\":\"check\",\"file\":", 0), 0u);
   put(in("cycle.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   put(in("cycle.rig.txt"),
       "joints a 0 0 0\njoints b 0 1 0\nroot a\nhier a b\nhier b a\nskin 0 a 1\nskin 1 a 1\nskin 2 b 1\n");

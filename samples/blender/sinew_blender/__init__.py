@@ -11,7 +11,7 @@ bl_info = {
     "category": "Rigging",
 }
 
-from . import bind, check, control_rig, controls, correct, look, panel, retarget, rig, transfer  # noqa: E402, F401
+from . import bind, check, controls, correct, look, panel, retarget, rig, transfer  # noqa: E402
 
 _MODULES = (bind, rig, transfer, retarget, look, correct, controls, check, panel)
 

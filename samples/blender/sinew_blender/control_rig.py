@@ -8,11 +8,11 @@ import bpy
 import numpy as np
 from mathutils import Matrix, Quaternion, Vector
 
+from .control_shapes import LAYERS, lay_out
 from .work import Problem
 
 CONTROLS = "sinew_controls"  # property of the controls' object
 CONSTRAINT = "sinew controls"
-_LAYERS = ("Controls", "FK", "Mechanism")
 _BALL_DEGREES = 45  # the ball lifts the heel so far, then the foot goes onto its tip
 _PRE_BEND = math.radians(1)  # of a straight limb: says the solver to which side it bends
 
@@ -254,6 +254,43 @@ class _Builder:
             self.drive(pose[name], "rotation_euler", 0, control, "roll", f"{math.pi / 180:.9f} * ({expression})")
         self.copy("COPY_ROTATION", pose[ball], toes, control)
 
+    def take_pose(self, seen):
+        """Controls go where the armature stands. Limbs begin with FK then, as two bones that are pulled cannot stand in any pose.
+
+        seen  {joint: 4x4} of the armature before
+        """
+        moved = {name: seen[name] @ self.rest[name].inverted() for name in seen}
+        if all((moved[name].translation.length < 1e-5 * self.size and moved[name].to_quaternion().angle < 1e-5) for name in moved):
+            return  # at rest
+        pose = self.object.pose.bones
+        wanted = {}
+        for name in self.order():
+            self.put(pose[name], moved[name], wanted)
+        for limb in self.limbs:
+            self.put(pose[label("IK", limb["name"])], moved[limb["joints"][-1]], wanted)
+            pose[label("IK", limb["name"])]["FK"] = 1.0
+            if label("pole", limb["name"]) in pose:
+                self.put(pose[label("pole", limb["name"])], self.pole_moved(limb, seen, moved, pose), wanted)
+
+    def pole_moved(self, limb, seen, moved, pose):
+        """To where a bent knee or elbow points; of a straight limb as the bone above it turns."""
+        first, middle, last = (seen[name].translation for name in (limb["joints"][0], limb["middle"], limb["joints"][-1]))
+        along = (last - first).normalized()
+        aside = middle - first - (middle - first).dot(along) * along
+        reach = (middle - first).length + (last - middle).length
+        if aside.length < 0.02 * reach:
+            return moved[limb["joints"][0]]
+        rest = pose[label("pole", limb["name"])].bone.head_local
+        return Matrix.Translation(middle + aside.normalized() * reach - rest)
+
+    @staticmethod
+    def put(bone, moved, wanted):
+        """A bone is moved from its rest; `wanted` has those that were."""
+        rest, parent = bone.bone.matrix_local, bone.parent
+        wanted[bone.name] = moved @ rest
+        bone.matrix_basis = bone.bone.convert_local_to_pose(
+            wanted[bone.name], rest, invert=True, parent_matrix=wanted.get(parent.name, parent.bone.matrix_local), parent_matrix_local=parent.bone.matrix_local)
+
     def known(self, joints):
         missing = [name for name in joints if name and name not in self.head]
         if missing:
@@ -261,6 +298,9 @@ class _Builder:
         return not missing
 
     def run(self, context):
+        seen = poses_now(context, self.armature)
+        if self.armature.animation_data is not None and self.armature.animation_data.action is not None:
+            self.notes.append(f"its action {self.armature.animation_data.action.name} is not seen while it follows controls")
         data = bpy.data.armatures.new(f"{self.armature.name} controls")
         self.object = bpy.data.objects.new(data.name, data)
         self.object[CONTROLS] = 1
@@ -273,7 +313,7 @@ class _Builder:
         self.object.select_set(True)
         context.view_layer.objects.active = self.object
         bpy.ops.object.mode_set(mode="EDIT")
-        self.bones, self.layers, self.follow = data.edit_bones, {name: [] for name in _LAYERS}, {}
+        self.bones, self.layers, self.follow = data.edit_bones, {name: [] for name in LAYERS}, {}
         low = min((self.up.dot(p) for p in self.head.values()))
         middle = sum(self.head.values(), Vector()) / len(self.head)
         floor = middle - (self.up.dot(middle) - low) * self.up
@@ -293,6 +333,7 @@ class _Builder:
         pose = self.object.pose.bones
         for constrain in self.later:
             constrain(pose)
+        self.take_pose(seen)
         lay_out(self.object, self.layers, self.controls["hips"])
         for bone in self.armature.pose.bones:
             one = bone.constraints.new("COPY_TRANSFORMS")
@@ -324,40 +365,11 @@ def pole_angle(first, second, pole):
     return -angle if x.cross(wanted).dot(along) > 0 else angle
 
 
-def lay_out(item, layers, hips):
-    """Bones of a kind together; controls as lines that are easy to hit."""
-    data = item.data
-    data.display_type, item.show_in_front = "STICK", True
-    if hips in data.bones:
-        layers["FK"].remove(hips)
-        layers["Controls"].append(hips)
-    for number, (kind, names) in enumerate(layers.items()):
-        if hasattr(data, "collections"):  # Blender 4
-            collection = data.collections.new(kind)
-            collection.is_visible = kind != "Mechanism"
-            for name in names:
-                collection.assign(data.bones[name])
-        else:
-            for name in names:
-                data.bones[name].layers = [layer == number for layer in range(32)]
-            data.layers[number] = kind != "Mechanism"
-    for name in layers["Controls"]:
-        item.pose.bones[name].custom_shape = _shape("cube" if name.startswith("IK ") else "circle")
-
-
-def _shape(kind):
-    name = f"sinew {kind}"
-    if name in bpy.data.objects:
-        return bpy.data.objects[name]
-    if kind == "cube":
-        points = [(x, y, z) for x in (-0.25, 0.25) for y in (0, 1) for z in (-0.15, 0.15)]
-        edges = [(a, b) for a in range(8) for b in range(a) if bin(a ^ b).count("1") == 1]
-    else:
-        points = [(0.5 * math.cos(math.pi * k / 12), 0, 0.5 * math.sin(math.pi * k / 12)) for k in range(24)]
-        edges = [(k, (k + 1) % 24) for k in range(24)]
-    mesh = bpy.data.meshes.new(name)
-    mesh.from_pydata(points, edges, [])
-    return bpy.data.objects.new(name, mesh)
+def poses_now(context, armature):
+    """{bone: 4x4 in the armature's space} as it is seen."""
+    context.view_layer.update()
+    seen = armature.evaluated_get(context.evaluated_depsgraph_get())
+    return {bone.name: bone.matrix.copy() for bone in seen.pose.bones}
 
 
 def poses_of(context, armature, controls):
@@ -370,9 +382,7 @@ def poses_of(context, armature, controls):
     for frame in frames:
         if action is not None:
             context.scene.frame_set(frame)
-        context.view_layer.update()
-        seen = armature.evaluated_get(context.evaluated_depsgraph_get())
-        poses.append({bone.name: bone.matrix.copy() for bone in seen.pose.bones})
+        poses.append(poses_now(context, armature))
     if action is not None:
         context.scene.frame_set(now)
     return frames, poses

@@ -82,6 +82,28 @@ class Controls(unittest.TestCase):
             self.assertFalse(bone.use_deform)
         self.assertEqual({len(b.constraints) for b in armature.pose.bones}, {1})
 
+    def test_a_pose_stays(self):
+        _, armature = person()
+        for name, turn in (("LeftArm", (0.4, 0.2, -0.3)), ("LeftForeArm", (0.1, 0.5, 0.6)), ("RightUpLeg", (0.5, 0.1, 0.1)), ("RightLeg", (-0.6, 0, 0)),
+                           ("Spine1", (0.2, 0.1, 0)), ("Head", (0.1, 0.4, 0)), ("LeftHandIndex2", (0.3, 0, 0.2))):
+            bone = armature.pose.bones["mixamorig:" + name]
+            bone.rotation_mode = "XYZ"
+            bone.rotation_euler = turn
+        armature.pose.bones["mixamorig:Hips"].location = (0.05, 0.1, 0)
+        before = matrices(armature)
+        self.assertEqual(bpy.ops.sinew.controls(), {"FINISHED"})
+        off = largest(before, matrices(armature)) / size_of(armature)
+        controls = control_rig.controls_of(armature)
+        for name in limbs(armature):
+            self.assertEqual(controls.pose.bones[control_rig.label("IK", name)]["FK"], 1)
+            controls.pose.bones[control_rig.label("IK", name)]["FK"] = 0.0
+        changed(controls)
+        pulled, ends = heads(armature), [n for limb in limbs(armature).values() for n in (limb["middle"], limb["joints"][-1])]
+        near = max(np.linalg.norm(pulled[n] - before[n][:3, 3]) for n in ends) / size_of(armature)
+        print(f"posed bones are off by {off:.2e} of the size, knees, elbows, feet and hands that are pulled by {near:.2e}")
+        self.assertLess(off, 1e-4)
+        self.assertLess(near, 1e-3)
+
     def test_limbs_follow_and_bones_keep_their_lengths(self):
         _, armature, controls, _ = controlled()
         size, before = size_of(armature), lengths(armature)
