@@ -11,7 +11,7 @@ const web = join(dirname(fileURLToPath(import.meta.url)), "..");
 const withoutTypes = [
   ...["clip_list", "editing", "joint_list", "loading", "look", "main", "map_panel", "markers", "methods", "motions"].map((name) => `src/${name}.js`),
   ...["pointer", "pose_panel", "questions", "skeleton", "view"].map((name) => `src/${name}.js`),
-  ...["buffers", "character", "engine", "memory", "scenes", "shapes", "three", "worker"].map((name) => `../npm/src/${name}.js`),
+  ...["character", "engine", "scenes", "three", "worker"].map((name) => `../npm/src/${name}.js`),
 ];
 
 // What a program of node_modules prints, line by line.
