@@ -7,9 +7,12 @@ const fullBar = 150; // percent of the volume that fill a bar
 const playedMilliseconds = 250; // figures that change faster cannot be read
 
 // How good it is to keep that many percent, as a class of style.css.
+/** @typedef {{ joint: number, degrees: number, kept: number }} Bend */
+/** @type {(percent: number) => string} */
 export const bendGrade = (percent) => (Math.abs(percent - 100) <= 7 ? "good" : Math.abs(percent - 100) <= 15 ? "fair" : "poor");
 
 // Those farthest from keeping all first. bends: [{joint, kept}].
+/** @type {(bends: Bend[]) => Bend[]} */
 export const worstFirst = (bends) => [...bends].sort((a, b) => Math.abs(b.kept - 1) - Math.abs(a.kept - 1) || a.joint - b.joint).slice(0, mostRows);
 
 export class BendPanel {
@@ -21,7 +24,7 @@ export class BendPanel {
 
   constructor() {
     $("skinning").onchange = () => this.onChange();
-    $("bends").onclick = ({ target }) => {
+    $("bends").onclick = (/** @type {any} */ { target }) => {
       const button = target.closest("button");
       if (button) this.onPick(Number(button.dataset.joint));
     };
@@ -39,6 +42,7 @@ export class BendPanel {
   }
 
   // bends: of the module's last pose; playing: a motion runs, so that the list is written now and then.
+  /** @param {Bend[]} bends @param {{ name: string }[]} joints @param {boolean} playing */
   show(bends, joints, playing) {
     const now = performance.now();
     if (playing && now - this.#shown < playedMilliseconds) return;
@@ -59,12 +63,13 @@ export class BendPanel {
   }
 }
 
+/** @param {Bend} bend @param {string} name */
 function row({ joint, degrees, kept }, name) {
   const percent = Math.round(100 * kept);
   const li = document.createElement("li");
   li.className = bendGrade(percent);
   const button = Object.assign(document.createElement("button"), { type: "button", title: `${name}: turned by ${Math.round(degrees)}°, its bend has ${percent} % of its volume at rest` });
-  button.dataset.joint = joint;
+  button.dataset.joint = String(joint);
   const bar = document.createElement("i");
   bar.style.setProperty("--share", `${Math.min(100, Math.max(0, (100 * percent) / fullBar))}%`);
   button.append(Object.assign(document.createElement("span"), { className: "name", textContent: name }), bar, Object.assign(document.createElement("b"), { textContent: `${percent} %` }));
@@ -72,6 +77,7 @@ function row({ joint, degrees, kept }, name) {
   return li;
 }
 
+/** @param {any} old @param {any} wanted */
 function update(old, wanted) {
   if (old.className === "none" || wanted.className === "none") return old.replaceWith(wanted);
   old.className = wanted.className;

@@ -19,13 +19,14 @@ const keys = [
   ["Space, comma, dot", "play, a frame back and on"], ["C", "method of retargeting"],
 ];
 
+/** @type {(tag: string, text: string) => HTMLElement} */
 const cell = (tag, text) => Object.assign(document.createElement(tag), { textContent: text });
 
 export function showHelp() {
   const page = $("help-page");
   if (page.open) return page.close();
   if (page.childElementCount === 0) {
-    const table = (rows, head) => {
+    const table = (/** @type {string[][]} */ rows, /** @type {boolean} */ head) => {
       const made = document.createElement("table");
       made.append(...rows.map(([a, b]) => {
         const tr = document.createElement("tr");

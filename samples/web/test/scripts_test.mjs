@@ -9,9 +9,9 @@ import { fileURLToPath } from "node:url";
 const web = join(dirname(fileURLToPath(import.meta.url)), "..");
 // Whose parameters have no types yet: all else of `strict` is asked of them, too.
 const withoutTypes = [
-  ...["bends", "clip_list", "editing", "facts", "help", "joint_list", "limbs", "loading", "look", "main", "map_panel", "markers", "marking", "methods"].map((name) => `src/${name}.js`),
-  ...["motions", "opened", "options", "player", "pointer", "pose_panel", "questions", "skeleton", "spots", "test_clips", "view", "view_cube"].map((name) => `src/${name}.js`),
-  ...["buffers", "character", "engine", "memory", "scenes", "shapes", "three", "worker"].map((name) => `../npm/src/${name}.js`),
+  ...["clip_list", "editing", "joint_list", "loading", "look", "main", "map_panel", "markers", "methods", "motions"].map((name) => `src/${name}.js`),
+  ...["pointer", "pose_panel", "questions", "skeleton", "view"].map((name) => `src/${name}.js`),
+  ...["character", "engine", "scenes", "three", "worker"].map((name) => `../npm/src/${name}.js`),
 ];
 
 // What a program of node_modules prints, line by line.
