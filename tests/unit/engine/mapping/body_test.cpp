@@ -87,7 +87,7 @@ TEST(MapBody, ATailGoesStraightOnBetweenFinsOfAsManyJoints) {
 TEST(MapBody, WhiskersAtTheEndOfALongNeckAreNoArms) {
   HumanRig bird;  // its arms become whiskers of the head
   for (const size_t joint : {5, 6, 7, 8, 9, 10}) {
-    bird.positions[3 * joint] *= 0.1f;
+    bird.positions[3 * joint] *= 0.3f;
     bird.positions[3 * joint + 1] = 1.7f;
   }
   bird.parents[HumanRig::kUpperArm] = bird.parents[HumanRig::kUpperArm + HumanRig::kRightArm] = HumanRig::kHead;
