@@ -53,7 +53,7 @@ TEST(MapLegs, OfAnInsectAllAreFoundAlthoughTheirKneesAreHigh) {
 
 TEST(MapLegs, FinsUnderABellyAreNoLegs) {
   SmallRig fish;
-  fish.positions = {0, 0.5f, 0.8f, 0, 0.5f, 0, 0, 0.5f, -0.8f};
+  fish.positions = {0, 0.7f, 0.8f, 0, 0.7f, 0, 0, 0.7f, -0.8f};
   fish.parents = {-1, 0, 1};
   for (const float y : {0.1f, 0.12f}) {
     for (const float x : {0.1f, -0.1f}) {
