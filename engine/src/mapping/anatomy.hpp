@@ -104,6 +104,7 @@ struct Anatomy {
 
   double drop(const LimbPair& pair) const;
   double low(const LimbPair& pair) const;
+  double low_end(const LimbPair& pair) const;
   double start_height(const LimbPair& pair) const;
   void leave_out_arms();
   bool are_fins() const;

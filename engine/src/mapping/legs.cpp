@@ -10,7 +10,13 @@ double Anatomy::low(const LimbPair& pair) const {
     limbs.each_end_sub(limb(pair.of(s)),
                        [&](int32_t toe) { least = lesser(least, limbs.lowest(limb(toe), frame.up)); });
   }
-  for (int s = 0; s < 2; ++s) {  // a last bone whose end is no joint goes on
+  return least;
+}
+
+// As low(), where a last bone whose end is no joint goes on by half its length.
+double Anatomy::low_end(const LimbPair& pair) const {
+  double least = low(pair);
+  for (int s = 0; s < 2; ++s) {
     const Limb& leg = limb(pair.of(s));
     if (leg.point_count < 2 || leg.point_count > leg.joint_count || leg.first_sub >= 0) continue;
     const double end = dot(limbs.last_point(leg), frame.up);
@@ -90,7 +96,7 @@ void Anatomy::find_pairs_on_ground() {
   int32_t few = 0;
   for (int32_t k = 0; k < limbs.pair_count; ++k) {
     const LimbPair& p = pairs[k];
-    const bool near_ground = low(p) < ground + greater(0.15 * tall, 0.05 * size);
+    const bool near_ground = low_end(p) < ground + greater(0.15 * tall, 0.05 * size);
     if (near_ground) feet[foot_count++] = p;
     if (near_ground && drop(p) > 0.12 * tall && drop(p) > 0.06 * size) legs[leg_count++] = p;
     few += limb(p.a).joint_count == 1 && limb(p.b).joint_count == 1 ? 1 : 0;

@@ -72,7 +72,7 @@ struct InsectRig : SmallRig {
     for (const float z : {-0.5f, 0.0f, 0.5f}) {
       for (const float x : {1.0f, -1.0f}) {
         const int32_t first = static_cast<int32_t>(parents.size());
-        positions.insert(positions.end(), {x * 0.1f, 0.3f, 0, x * 0.5f, 0.5f, 0.5f * z, x * 0.9f, 0.1f, z});
+        positions.insert(positions.end(), {x * 0.1f, 0.13f, 0, x * 0.5f, 0.5f, 0.5f * z, x * 0.9f, 0.1f, z});
         parents.insert(parents.end(), {kBody, first, first + 1});
       }
     }

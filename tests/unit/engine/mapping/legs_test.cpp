@@ -53,9 +53,9 @@ TEST(MapLegs, OfAnInsectAllAreFoundAlthoughTheirKneesAreHigh) {
 
 TEST(MapLegs, FinsUnderABellyAreNoLegs) {
   SmallRig fish;
-  fish.positions = {0, 0.5f, 0.8f, 0, 0.5f, 0, 0, 0.5f, -0.8f};
+  fish.positions = {0, 0.7f, 0.8f, 0, 0.7f, 0, 0, 0.7f, -0.8f};
   fish.parents = {-1, 0, 1};
-  for (const float y : {0.1f, 0.2f}) {
+  for (const float y : {0.1f, 0.12f}) {
     for (const float x : {0.1f, -0.1f}) {
       fish.positions.insert(fish.positions.end(), {x, y, 0.4f, 2 * x, y - 0.1f, 0.4f});
       fish.parents.insert(fish.parents.end(), {0, static_cast<int32_t>(fish.parents.size())});
