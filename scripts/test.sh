@@ -44,6 +44,7 @@ build() {  # PRESET ARGUMENT_OF_CMAKE...
 # clang needs two thirds of GCC's time for code with sanitizers, where its runtime is installed.
 with_clang() {
   if echo 'int main() {}' | clang++ -fsanitize=address,undefined -x c++ - -o "$(mktemp)" 2>/dev/null; then
+    grep -q '^CMAKE_CXX_COMPILER:.*clang++' build/sanitize/CMakeCache.txt 2>/dev/null || rm -rf build/sanitize  # of another compiler
     echo -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++
   fi
 }
