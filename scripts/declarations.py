@@ -397,8 +397,8 @@ def javascript_text(h: Headers) -> str:
     out = ["// SPDX-License-Identifier: MIT", f"// The engine's structs on wasm32, constants and words of enumerations. {GENERATOR}",
            "// A member is name@offset:type, or name@offset:typexCOUNT for an array in a struct; a struct in a struct has its members here,",
            "// those of an array of them as name_0_member. Addresses are u32.",
-           "const layout = (size, text) => ({", "  size,", '  members: text.split(" ").map((word) => {',
-           "    const [, name, offset, type, count] = /^(\\w+)@(\\d+):([uif]\\d+)(?:x(\\d+))?$/.exec(word);",
+           "/** @type {(size: number, text: string) => any} */", "const layout = (size, text) => ({", "  size,", '  members: text.split(" ").map((word) => {',
+           "    const [, name, offset, type, count] = /^(\\w+)@(\\d+):([uif]\\d+)(?:x(\\d+))?$/.exec(word) ?? [];",
            "    return { name, offset: Number(offset), type, count: Number(count ?? 0) };", "  }),", "});", "",
            "export const LAYOUTS = {"]
     for s in h.structs:

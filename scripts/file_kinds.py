@@ -41,9 +41,10 @@ def javascript_text(rows):
     for extension, name, uses, reader in rows:
         words = ", ".join(f'"{use}"' for use in uses)
         out.append(f'  {{ extension: "{extension}", name: "{name}", reader: "{reader}", uses: [{words}] }},')
-    out += ["];", "", "/** The row of a file's extension, without regard to case. */",
+    out += ["];", "", "/**", " * The row of a file's extension, without regard to case.", " * @param {string} file", " */",
             "export const fileKind = (file) => fileKinds.find(({ extension }) => file.toLowerCase().endsWith(extension));", "",
-            "/** Extensions of the files that have all these uses: readsMesh, readsSkeleton, readsMotion, readsWhole, ..., offered. */",
+            "/**", " * Extensions of the files that have all these uses: readsMesh, readsSkeleton, readsMotion, readsWhole, ..., offered.",
+            " * @param {...string} uses", " */",
             "export const extensionsOf = (...uses) =>",
             "  fileKinds.filter((kind) => uses.every((use) => kind.uses.includes(use))).map(({ extension }) => extension);"]
     return "\n".join(out) + "\n"

@@ -14,6 +14,7 @@ set(sinew_picture_sources
   outline/find_figure
   outline/foreground
   outline/holes
+  outline/inner_lines
   outline/lab
   outline/outline
   outline/raster

@@ -5,19 +5,17 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "animate_report.hpp"
 #include "commands.hpp"
-#include "deform_options.hpp"
+#include "dataset.hpp"
+#include "folder_files.hpp"
 #include "motion_sheet.hpp"
 #include "options.hpp"
-#include "picture_options.hpp"
-#include "profile_options.hpp"
 #include "progress.hpp"
-#include "sinew_character/animate_job.hpp"
 #include "sinew_character/checked_note.hpp"
 #include "sinew_character/motion_file.hpp"
 #include "sinew_character/plane_motion.hpp"
@@ -26,28 +24,12 @@
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion_layout.hpp"
 #include "sinew_formats/print.hpp"
-#include "sprite_options.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-struct Settings {
-  std::string character, output, map, method = "auto", up = "auto", motion_up = "auto", sheet, layout, actor, limits;
-  std::vector<std::string> motions;
-  DeformSettings deform;
-  PictureOptions picture;
-  SpriteSettings sprites;
-  ProfileSettings profile;
-  size_t shapes = 16;
-  double fps = 0, from = 0, to = 1e9;
-  uint32_t area_power = 3;
-  double falloff = 0.05;
-  bool own_limb = false, legs = false, head = false, torso = false, source_points = false, range = true;
-  bool in_place = false, json = false, report = false, force = false, translations = false, depth = false;
-};
+using Settings = AnimateSettings;
 
 struct MotionChoice {
   std::string file, clip;
@@ -72,10 +54,6 @@ std::vector<MotionChoice> parse_choices(const std::vector<std::string>& texts) {
   }
   return choices;
 }
-
-struct Animated : AnimatedCharacter {
-  std::optional<PictureCharacter> picture;  // what it was made of
-};
 
 // A bound character as it is; a mesh without a skeleton gets one, a picture a mesh as well.
 Animated read_animated(const Settings& s) {
@@ -149,12 +127,6 @@ void add_motion_file(const Settings& s, const MotionChoice& choice, const std::a
     add_motion(animate_options(s), input, steps, out);
 }
 
-Json limb_json(const sinew_limb_measure& limb) {
-  return {{"deep_frames", limb.deep_frames},       {"depth", limb.depth}, {"greatest_depth", limb.greatest_depth},
-          {"contact_frames", limb.contact_frames}, {"error", limb.error}, {"greatest_error", limb.greatest_error},
-          {"range_frames", limb.range_frames}};
-}
-
 // What a folder has that is no motion, or none for this character, is left out and told.
 void add_motions(const Settings& s, const std::atomic<bool>& stop, Animated* out) {
   std::string first_error;
@@ -177,85 +149,37 @@ void add_motions(const Settings& s, const std::atomic<bool>& stop, Animated* out
   if (out->motion.clips.empty()) throw Error(first_error);
 }
 
-// A line a limb: copied, then as the method left it.
-void tell_report(const Character& character, const ClipReport& report) {
-  if (report.before.empty()) std::printf("  no arms or legs to measure\n");
-  for (size_t i = 0; i < report.before.size(); ++i) {
-    const sinew_limb_measure &a = report.before[i], &b = report.after[i];
-    const auto percent = [](float share) { return 100 * static_cast<double>(share); };
-    const bool leg = a.leg != 0;
-    std::printf("  %s: %s in %u of %u frames -> %u, at most %.2f %% of the height -> %.2f",
-                printable(character.joints[a.joint].name).c_str(), leg ? "under the floor" : "in the body",
-                a.deep_frames, a.frames, b.deep_frames, percent(a.greatest_depth), percent(b.greatest_depth));
-    if (a.contact_frames > 0)
-      std::printf("; %s in %u, %s %.3f %% -> %.3f", leg ? "stands" : "touches", a.contact_frames,
-                  leg ? "slides a frame" : "distance off by", percent(a.error), percent(b.error));
-    if (a.range_frames + b.range_frames > 0)
-      std::printf("; %s out of range in %u -> %u", leg ? "knee" : "elbow", a.range_frames, b.range_frames);
-    std::printf("\n");
-  }
-}
+// A picture's clips alone.
+bool is_loop(const Settings& s) { return is_picture(s.character) && has_extension(s.output, ".apng"); }
 
-void tell(const Settings& s, const Animated& animated) {
-  const size_t joints = animated.character.joints.size();
-  if (s.json) {
-    Json json = {{"sinew_animate", 1}};
-    json["character"] = s.character;
-    json["output"] = s.output;
-    json["joints"] = joints;
-    json["rigged"] = animated.rigged;
-    if (animated.picture) json["picture"] = picture_json(*animated.picture);
-    for (const AnimatedClip& one : animated.made) {
-      json["clips"].push_back({{"motion", one.file},
-                               {"name", one.clip},
-                               {"frames", one.frames},
-                               {"fps", 1 / one.frame_time},
-                               {"mapped", one.mapped},
-                               {"map", one.map}});
-      for (size_t i = 0; i < one.report.before.size(); ++i)
-        json["clips"].back()["report"].push_back({{"joint", animated.character.joints[one.report.before[i].joint].name},
-                                                  {"limb", one.report.before[i].leg != 0 ? "leg" : "arm"},
-                                                  {"before", limb_json(one.report.before[i])},
-                                                  {"after", limb_json(one.report.after[i])}});
-      if (s.deform.method.empty()) continue;
-      json["clips"].back()["shapes"] = one.shapes;
-      json["clips"].back()["error"] = {{"linear", one.error.linear}, {"baked", one.error.baked}};
-    }
-    json["notes"] = animated.motion.notes;
-    std::printf("%s\n", json_line(json).c_str());
-    return;
-  }
-  if (animated.rigged)
-    std::printf("%s: had no skeleton and got one of %zu joints\n", printable(s.character).c_str(), joints);
-  for (const AnimatedClip& one : animated.made) {
-    std::printf("%s, %s: %zu frames, %.4g a second; %zu of %zu joints move by %s\n", printable(one.file).c_str(),
-                printable(one.clip).c_str(), one.frames, 1 / one.frame_time, one.mapped, joints,
-                printable(one.map).c_str());
-    if (s.report) tell_report(animated.character, one.report);
-  }
-  for (const AnimatedClip& one : animated.made)
-    if (!s.deform.method.empty())
-      std::printf("  %s: %zu shapes, %.3f %% of the size from the corrected poses, linear skinning alone %.3f %%\n",
-                  printable(one.clip).c_str(), one.shapes, 100 * one.error.baked, 100 * one.error.linear);
-  for (const std::string& note : animated.motion.notes) std::printf("  %s\n", printable(note).c_str());
-  std::printf("wrote %s\n", printable(s.output).c_str());
-}
-
-void run(const Settings& s) {
-  settle_profile(s.profile, nullptr);
-  if (s.motions.empty() && !is_picture(s.character)) throw UsageError("--motion is required");
-  if (s.depth && !is_picture(s.character)) throw UsageError("--depth is for pictures, and " + s.character + " is none");
-  check_output(s.output, kWritesMotion);
+// What needs no file to be told. Of a folder the one that is written into is made later.
+void check_settings(const Settings& s, bool of_folder) {
+  const bool picture = is_picture(s.character);
+  if (s.motions.empty() && !picture) throw UsageError("--motion is required");
+  for (const auto& [given, option] : {std::pair{!s.picture.body.empty(), "--class"}, std::pair{s.picture.cut, "--cut"},
+                                      std::pair{s.depth, "--depth"}})
+    if (given && !picture)
+      throw UsageError(std::string(option) + " is for pictures (" + picture_files() + "), and " + s.character +
+                       " is none");
+  if (!is_loop(s) && (!of_folder || has_extension(s.output, ".apng")))
+    check_output(s.output, kWritesMotion);
+  else if (is_loop(s) && (!s.sprites.loop.empty() || !s.profile.profile.empty() || !s.profile.controls.empty()))
+    throw UsageError(s.output +
+                     ": is a picture that moves, without a character: leave --loop, --for and --controls out, "
+                     "or write a .glb");
   check_sprite_options(s.sprites, s.character);
   if (!s.sheet.empty()) check_output(s.sheet, {".png"});
   if (!(s.from <= s.to)) throw UsageError(print("--start %g is behind --end %g", s.from, s.to));
+  if (has_extension(s.output, ".bvh") && !s.profile.controls.empty())
+    throw UsageError(s.output + ": a BVH has no character that --controls could be of; write a .glb");
+  if (!s.deform.method.empty() && has_extension(s.output, ".bvh") && s.sheet.empty())
+    throw UsageError(s.output + ": a BVH has no mesh that --deform could correct; write a .glb, or a --sheet");
+}
+
+// Reads, moves and writes one character.
+Animated animate_one(const Settings& s, const std::atomic<bool>& stop) {
   const bool as_bvh = has_extension(s.output, ".bvh");
   const std::optional<sinew_deform_options> deform = deform_options(s.deform);
-  if (as_bvh && !s.profile.controls.empty())
-    throw UsageError(s.output + ": a BVH has no character that --controls could be of; write a .glb");
-  if (deform && as_bvh && s.sheet.empty())
-    throw UsageError(s.output + ": a BVH has no mesh that --deform could correct; write a .glb, or a --sheet");
-  const std::atomic<bool>& stop = stop_on_signals();
   Animated animated = read_animated(s);
   add_motions(s, stop, &animated);
   if (as_bvh && animated.motion.clips.size() != 1)
@@ -265,20 +189,22 @@ void run(const Settings& s) {
   if (deform && !as_bvh) bake_clips(*deform, s.shapes, counted("corrected poses", stop), &animated);
   if (std::string note = checked_note(animated.character, &animated.motion); !note.empty())
     animated.motion.notes.push_back(std::move(note));
+  SpriteSettings wanted = s.sprites;
+  if (is_loop(s)) wanted.loop = s.output;
   std::vector<uint8_t> sheet;
   std::optional<CharacterDeformer> deformer;
-  if (deform && (!s.sheet.empty() || wants_sprites(s.sprites))) deformer.emplace(animated.character, *deform);
+  if (deform && (!s.sheet.empty() || wants_sprites(wanted))) deformer.emplace(animated.character, *deform);
   if (!s.sheet.empty())
     sheet = encode_png(motion_sheet(animated.character, animated.motion, s.up == "z", deformer ? &*deformer : nullptr,
                                     animated.picture ? animated.picture->picture.get() : nullptr));
   std::vector<NamedBytes> sprites;
   if (animated.picture)
-    sprites = sprite_files(s.sprites, s.output, *animated.picture->picture, animated.character, animated.motion,
+    sprites = sprite_files(wanted, s.output, *animated.picture->picture, animated.character, animated.motion,
                            deformer ? &*deformer : nullptr);
   if (stop) throw Error(s.output + ": cannot write, the work was interrupted");
   if (as_bvh) {
     write_bvh(s.output, animated.motion, animated.motion.clips[0]);
-  } else {
+  } else if (!is_loop(s)) {
     GlbOptions options;
     options.keep_skin = !animated.rigged;
     options.motion = &animated.motion;
@@ -287,15 +213,58 @@ void run(const Settings& s) {
   if (!s.sheet.empty()) write_file(s.sheet, sheet);
   if (animated.picture) write_mask(s.picture, *animated.picture);
   if (!sprites.empty()) write_files(sprites);
-  tell(s, animated);
+  return animated;
+}
+
+void run_folder(Settings s, const std::atomic<bool>& stop) {
+  for (const auto& [given, option] :
+       {std::pair{!s.sheet.empty(), "--sheet"}, std::pair{!s.sprites.loop.empty(), "--loop"},
+        std::pair{!s.profile.controls.empty(), "--controls"}})
+    if (given) throw UsageError(std::string(option) + " is for one character, and " + s.character + " is a folder");
+  const std::string output = s.output;
+  const std::vector<FolderFile> files = folder_files(s.character, output, "." + s.format, true);
+  const auto settings_of = [&s](const FolderFile& file) {
+    Settings one = s;
+    one.character = file.mesh;
+    one.output = file.output;
+    return one;
+  };
+  for (const FolderFile& file : files) check_settings(settings_of(file), true);
+  Progress progress(files.size(), "characters");
+  size_t failed = 0;
+  for (const FolderFile& file : files) {
+    const Settings one = settings_of(file);
+    try {
+      make_folder(std::filesystem::path(file.output).parent_path().string());
+      const Animated animated = animate_one(one, stop);
+      if (s.json) progress.say(stdout, json_line(animate_json(one, animated)));
+    } catch (const Error& error) {
+      if (stop) throw;
+      ++failed;
+      progress.say(stderr, "sinew: error: " + printable(error.what()));
+    }
+    progress.step();
+  }
+  if (failed > 0)
+    throw Error(std::to_string(failed) + " of " + std::to_string(files.size()) + " characters failed, see above");
+  if (!s.json) std::printf("wrote %zu files to %s\n", files.size(), printable(output).c_str());
+}
+
+void run(const Settings& s) {
+  settle_profile(s.profile, nullptr);
+  const std::atomic<bool>& stop = stop_on_signals();
+  std::error_code ignored;
+  if (std::filesystem::is_directory(s.character, ignored)) return run_folder(s, stop);
+  check_settings(s, false);
+  tell_animated(s, animate_one(s, stop));
 }
 
 void add_inputs(CLI::App* sub, Settings* s) {
   sub->add_option("character", s->character,
-                  "Skinned file, NAME.obj with NAME.rig.txt beside it, a bare mesh, or a picture of a character (" +
-                      picture_files() + "). What has no skeleton gets one first; " + mesh_files())
+                  "Skinned file, NAME.obj with NAME.rig.txt beside it, a bare mesh, a picture of a character (" +
+                      picture_files() + "), or a folder of them. What has no skeleton gets one first; " + mesh_files())
       ->required()
-      ->type_name("CHARACTER");
+      ->type_name("CHARACTER|DIR");
   sub->add_option(
          "--motion", s->motions,
          "Motion: all animations of a file or the one behind #, of every file of a folder, or a clip that ships: "
@@ -304,7 +273,9 @@ void add_inputs(CLI::App* sub, Settings* s) {
       ->type_name("FILE[#CLIP]|FOLDER")
       ->allow_extra_args(false);
   shared_option(sub, "-o,--output", s->output,
-                "The character with its new animations, or one clip as .bvh: " + extensions_text(kWritesMotion))
+                "The character with its new animations, one clip as .bvh, a picture's clips as .apng, for a folder "
+                "another folder: " +
+                    extensions_text(kWritesMotion))
       ->required();
   shared_option(sub, "--map", s->map, "By anatomy and names unless given");
   shared_option(
@@ -328,6 +299,11 @@ void add_inputs(CLI::App* sub, Settings* s) {
                 "contacts, sliding, frames out of the natural range");
   sub->add_flag("--force", s->force,
                 "Play a motion that does not fit the character, such as a person's on a horse. Refused unless given");
+  std::vector<std::string> formats = format_names(kWritesMotion);
+  formats.emplace_back("apng");
+  shared_option(sub, "--format", s->format, "With a folder; apng is for pictures")
+      ->check(CLI::IsMember(formats))
+      ->capture_default_str();
   shared_flag(sub, "--json", s->json);
 }
 
@@ -390,6 +366,7 @@ void add_animate(CLI::App& app) {
   add_clip_options(sub, s.get());
   add_picture_options(sub, &s->picture);
   add_picture_class(sub, &s->picture);
+  shared_flag(sub, "--cut", s->picture.cut, kPictureCut);
   sub->add_flag("--depth", s->depth, "Bones of a picture's character leave its plane as the motion's do");
   add_sprite_options(sub, &s->sprites);
   add_corrections(sub, s.get());
@@ -400,13 +377,12 @@ void add_animate(CLI::App& app) {
       "Examples:\n  sinew animate hero.glb --motion walk.bvh -o walking.glb --sheet walking.png\n"
       "  sinew animate hero.glb --motion walk.bvh --motion moves.glb#jump --map map.txt -o moves.glb\n"
       "  sinew animate mesh.obj --motion builtin:walk -o walking.glb\n"
-      "  sinew animate drawing.png -o drawing.glb --sheet drawing-frames.png\n\n"
+      "  sinew animate drawing.png -o drawing.glb --sheet drawing-frames.png\n"
+      "  sinew animate drawing.png -o drawing.apng\n\n"
       "  sinew animate broad.glb --motion walking.glb --method reference-points -o other.glb\n"
       "  sinew animate hero.glb --motion walk.bvh --deform volume -o walking.glb");
   sub->callback([s, of_reference, sub] {
     check_picture_options(*sub, s->character);
-    if (!s->picture.body.empty() && !is_picture(s->character))
-      throw UsageError("--class is for pictures (" + picture_files() + "), and " + s->character + " is none");
     for (const CLI::Option* option : of_reference)
       if (option->count() > 0 && s->method != "reference-points")
         throw UsageError(option->get_name() + " goes with --method reference-points");

@@ -51,6 +51,7 @@ PictureJobOptions picture_job(const PictureOptions& options) {
   PictureJobOptions job;
   job.mask = options.mask;
   job.figure.number = options.figure;
+  job.figure.cut = options.cut;
   job.mesh.pixels = options.units == "pixels";
   job.mesh.flat = options.flat;
   if (!options.body.empty()) job.body = body_class_of(options.body);

@@ -20,8 +20,11 @@ constexpr const char* kClassMeaning =
 struct PictureOptions {
   std::string mask, mask_out, units = "figure", body;
   uint32_t figure = 0;
-  bool flat = false;
+  bool flat = false, cut = false;
 };
+// Of --cut, which a command may have for meshes as well.
+constexpr const char* kPictureCut =
+    "Of pictures along lines that are drawn into the figure from its outline, as a guess: a leg before a leg";
 // Without --class, which a command may have for meshes as well.
 void add_picture_options(CLI::App* sub, PictureOptions* options);
 void add_picture_class(CLI::App* sub, PictureOptions* options);

@@ -115,7 +115,10 @@ Rigged rig_one(const Settings& s, const Models& models, const std::string& path)
   const auto opened = [](const std::unique_ptr<LoadedModel>& model) { return model ? &model->model : nullptr; };
   const RigModels ready = {opened(models.rig), opened(models.bind), opened(models.hands), opened(models.front)};
   if (is_picture(path)) {
-    PictureCharacter made = rig_picture(path, picture_job(s.picture), job_options(s), ready);
+    PictureJobOptions figure = picture_job(s.picture);
+    RigJobOptions job = job_options(s);
+    std::swap(figure.figure.cut, job.cut);  // its figure is cut, not its mesh
+    PictureCharacter made = rig_picture(path, figure, job, ready);
     Rigged rigged = {std::move(made.rigged), {}};
     rigged.picture = std::move(made);
     return rigged;
@@ -268,7 +271,7 @@ void run(Settings s) {
   if (s.keep_lengths && s.skeleton.empty())
     throw UsageError("--keep-lengths is for a skeleton of your own: give --skeleton");
   if (!s.to_pose.empty() && s.no_bind) throw UsageError("--to-pose moves the mesh by its weights: leave --no-bind out");
-  if (s.cut && s.no_bind) throw UsageError("--cut finds seams by weights: leave --no-bind out");
+  if (s.cut && s.no_bind && !is_picture(s.mesh)) throw UsageError("--cut finds seams by weights: leave --no-bind out");
   if (!s.hands_model.empty() && s.detail == "body")
     throw UsageError("--hands-model is for fingers: give --detail hands or full");
   if (s.front.size() == 2 && s.front[1] == s.up[0])
@@ -289,7 +292,7 @@ void run(Settings s) {
   if (!s.png.empty()) check_output(s.png, {".png"});
   if (s.output == "-" && s.json)
     throw UsageError("-o - and --json both want standard output: give the skeleton a file name");
-  if (s.cut && !has_use(s.output, kReadsMesh))
+  if (s.cut && !has_use(s.output, kReadsMesh) && !is_picture(s.mesh))
     throw UsageError("--cut changes the mesh, and rig.txt has none: write a .glb");
   check_skeleton_source(s.skeleton);
   Rigged rigged = rig_one(s, load_models(s), s.mesh);
@@ -353,7 +356,7 @@ void add_shape_options(CLI::App* sub, Settings* s) {
       ->type_name("N");
   sub->add_flag("--no-toes", s->no_toes, "Feet without toe joints");
   sub->add_flag("--no-ends", s->no_ends, "No NAME_end joints where chains end");
-  shared_flag(sub, "--cut", s->cut);
+  shared_flag(sub, "--cut", s->cut, kPictureCut);
   shared_option(
       sub, "--to-pose", s->to_pose,
       "The mesh follows, its bends keep their volume, and what is written is bound in that pose; what has grown "

@@ -123,8 +123,9 @@ namespace Sinew
         public BodyClass BodyClass;
         /// <summary>Of several figures, from left to right, from 1 on; 0: the largest.</summary>
         public int Figure;
-        /// <summary>Flat: a card. Pixels: places are the picture's, x right, y up from the bottom edge.</summary>
-        public bool Flat, Pixels;
+        /// <summary>Flat: a card. Pixels: places are the picture's, x right, y up from the bottom edge. Cut: opened along lines that are drawn into it
+        /// from its outline, as a guess.</summary>
+        public bool Flat, Pixels, Cut;
         /// <summary>A picture that is bright where the figure is, a path or the name of a file beside; null: found.</summary>
         public string Mask;
         /// <summary>Closed lines round the figure, x and y by turns, as PictureInfo has them; null: found.</summary>
@@ -299,7 +300,7 @@ namespace Sinew
             return pins.Of(new Native.sinew_character_picture_options
             {
                 struct_size = Size<Native.sinew_character_picture_options>(), body_class = (uint)settings.BodyClass, figure = (uint)settings.Figure,
-                flat = One(settings.Flat), pixels = One(settings.Pixels), mask = pins.Of(settings.Mask), line_count = (uint)offsets.Count - 1,
+                flat = One(settings.Flat), cut = One(settings.Cut), pixels = One(settings.Pixels), mask = pins.Of(settings.Mask), line_count = (uint)offsets.Count - 1,
                 line_offsets = drawn ? pins.Of(offsets.ToArray()) : IntPtr.Zero, outline = drawn ? pins.Of(places.ToArray()) : IntPtr.Zero
             });
         }

@@ -421,6 +421,7 @@ namespace Sinew
         {
             public uint struct_size, body_class, figure, flat, pixels, line_count;
             public IntPtr mask, line_offsets, outline;
+            public uint cut, reserved;
         }
 
         [StructLayout(LayoutKind.Sequential)]

@@ -22,7 +22,8 @@ for kind in simd scalar; do split_module "$kind" "$out"; done
 cp "$scenes/scenes.wasm" "$out/sinew-scenes.wasm"
 
 step "scripts and pages"
-[ -d "$here/node_modules/three" ] && [ -d "$here/node_modules/esbuild" ] && [ -d "$here/node_modules/@comfyorg" ] && [ -d "$here/node_modules/three-mesh-bvh" ] || npm ci --silent --no-audit --no-fund --prefix "$here"
+node_modules_has() { local name; for name in "$@"; do [ -d "$here/node_modules/$name" ] || return 1; done; }
+node_modules_has three esbuild @comfyorg three-mesh-bvh typescript eslint || npm ci --silent --no-audit --no-fund --prefix "$here"
 cd "$here"
 rm -f "$out"/*.js
 # What writes FBX, what reads it and what shows materials are files of their own, loaded when they are asked for.
@@ -31,11 +32,12 @@ node_modules/.bin/esbuild src/main.js src/worker.js src/fbx_worker.js --bundle -
   --alias:sinew-simd="$build/simd/sinew_web.mjs" --alias:sinew-scalar="$build/scalar/sinew_web.mjs"
 cp src/index.html src/style.css src/icon.svg src/manifest.webmanifest src/sw.js "$out"
 cp "$root"/samples/data/sinew_{default,rig,hands,front}.sinew "$out"
+node wasm/pack_models.mjs "$out" "$out"/*.sinew
 mkdir -p "$out/samples" "$out/thumbs"
 cp src/thumbs/*.webp "$out/thumbs"
 node samples/clothed.mjs "$out/samples/biped__clothed.glb"
 cp "$root"/samples/data/*.{obj,rig.txt,gltf} "$root"/samples/data/drawing__child.png "$out/samples"
 # What sw.js keeps for a page without a network; the rest is kept when it is used.
-(cd "$out" && ls -- *.html *.css *.svg *.js *.webmanifest thumbs/*.webp sinew-simd{,-rest}.wasm sinew_{default,rig,front}.sinew) | grep -v '^sw\.js$' |
+(cd "$out" && ls -- *.html *.css *.svg *.js *.webmanifest thumbs/*.webp sinew-simd{,-rest}.wasm sinew_{default,rig,front}.sinew.packed) | grep -v '^sw\.js$' |
   sed 's/.*/"&"/' | paste -sd, | sed 's/.*/[&]/' >"$out/files.json"
 echo "web: built $out"

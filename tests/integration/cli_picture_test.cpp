@@ -90,6 +90,24 @@ TEST_F(CliPicture, FramesForOtherPrograms) {
             std::string::npos);
 }
 
+TEST_F(CliPicture, AnAnimatedPictureAlone) {
+  good("animate " + kChild + " -o child.apng");
+  EXPECT_NE(slurp(in("child.apng")).find("acTL"), std::string::npos);
+  EXPECT_NE(bad(2, "animate " + kChild + " -o b.apng --for unreal").error.find("leave --loop, --for and"),
+            std::string::npos);
+  EXPECT_NE(bad(2, "animate " + kCaped + " --motion builtin:walk -o b.apng").error.find("b.apng"), std::string::npos);
+  EXPECT_FALSE(fs::exists(in("b.apng")));
+}
+
+TEST_F(CliPicture, LinesInsideAreCutOnDemand) {
+  const auto cut =
+      nlohmann::json::parse(good("rig " + kCat + " --cut --no-bind --mask-out cut.png --json -o cut.glb").out);
+  good("rig " + kCat + " --no-bind --mask-out whole.png -o whole.glb");
+  EXPECT_NE(cut["notes"].dump().find("cut"), std::string::npos) << cut["notes"];
+  EXPECT_NE(bad(2, "animate " + kCaped + " --motion builtin:walk --cut -o a.glb").error.find("--cut is for pictures"),
+            std::string::npos);
+}
+
 TEST_F(CliPicture, AFolderOfPictures) {
   fs::create_directory(in("drawings"));
   put(in("drawings/child.png"), slurp(kChild));
@@ -98,6 +116,16 @@ TEST_F(CliPicture, AFolderOfPictures) {
   EXPECT_TRUE(fs::exists(in("rigged/child.glb")));
   EXPECT_TRUE(fs::exists(in("rigged/cat.glb")));
   EXPECT_NE(bad(2, "rig drawings -o rigged --figure 1").error.find("--figure is for one picture"), std::string::npos);
+  good("animate drawings --format apng -o moving");
+  EXPECT_TRUE(fs::exists(in("moving/child.apng")));
+  EXPECT_TRUE(fs::exists(in("moving/cat.apng")));
+  put(in("drawings/empty.png"), "");
+  const Outcome some = run("animate drawings -o moved");
+  EXPECT_EQ(some.status, 1);
+  EXPECT_NE(some.error.find("error: 1 of 3 characters failed"), std::string::npos) << some.error;
+  EXPECT_TRUE(fs::exists(in("moved/cat.glb")));
+  EXPECT_NE(bad(2, "animate drawings -o other --sheet a.png").error.find("--sheet is for one character"),
+            std::string::npos);
 }
 
 TEST_F(CliPicture, WhatIsNoPictureOfACharacterIsALine) {

@@ -49,7 +49,9 @@ void Anatomy::find_sides() {
   const double near = 0.02 * r.size;
   // Joints off the plane on either side of it, in a subtree. `path_open` and the scratch below are free until the trunk.
   int32_t* const left = spine;
+  bool mirrored = false;
   for (int32_t i = 0; i < r.n; ++i) {
+    mirrored = mirrored || frame.mate[i] >= 0;
     x[i] = dot(r.at[i], frame.across) - frame.plane;
     height[i] = dot(r.at[i], frame.up);
   }
@@ -68,7 +70,10 @@ void Anatomy::find_sides() {
   const auto one_sided = [&](int32_t i) { return (left[i] > 0) != (right[i] > 0); };
   for (int32_t i = 0; i < r.n; ++i) {
     side[i] = 0;
-    if (absolute(x[i]) > limit(i)) {
+    if (!mirrored) continue;  // one chain, however it bends
+    if (frame.posed) {
+      side[i] = frame.side[i];
+    } else if (absolute(x[i]) > limit(i)) {
       const int32_t less = left[i] < right[i] ? left[i] : right[i], more = left[i] + right[i] - less;
       if (!(less > 0 && 3 * less >= more)) side[i] = x[i] > 0 ? 1 : -1;
     } else if (one_sided(i) &&
@@ -135,6 +140,7 @@ bool Anatomy::pair_limbs(Arena& arena) {
       both.at(i, j) = distance(image, limbs.mean_point(b)) / rig->size +
                       0.3 * absolute(logarithm(static_cast<double>(a.tree) / b.tree)) +
                       (a.attach == b.attach ? 0 : 0.05);
+      if (frame.posed && frame.mate[limbs.joint(a, 0)] == limbs.joint(b, 0)) both.at(i, j) = 0;
     }
   }
   both.solve(32);  // no limb stays alone by choice

@@ -14,6 +14,7 @@ struct LimbFeatures {
   double log_length = 0;  // against the trunk's
   Point axis;             // start to end, outward, up, front; of length 1
   double log_tree = 0;    // joints
+  double rank = -1;       // of three or more pairs of legs: 0 the hindmost, 1 the first
   bool point = false, grounded = false, hip = false, arm = false;
   uint64_t parts = 0;                      // bit per Part, arms and legs as one each
   int32_t first_hash = 0, hash_count = 0;  // in Anatomy::hashes
@@ -86,6 +87,7 @@ struct Anatomy {
   void find_short_legs();
   void find_hip();
   void climb_to_trunk();
+  void climb_to_chest();
   void join_feet();
   void find_front(bool flip_it);
   void flip();
@@ -93,17 +95,26 @@ struct Anatomy {
   void find_lying();
   void find_others();
   void find_arms();
+  bool is_on_face(int32_t number) const;
+  bool is_at_end(int32_t number) const;
   void find_chest();
   void find_head();
   void find_features();
+  double leg_rank(int32_t number) const;
 
   double drop(const LimbPair& pair) const;
   double low(const LimbPair& pair) const;
+  double low_end(const LimbPair& pair) const;
+  double start_height(const LimbPair& pair) const;
+  void leave_out_arms();
+  bool are_fins() const;
   int32_t common_attach(const LimbPair& pair) const;
   // Marks what lies on ways from the hips through the plane to a leaf, end markers aside.
   void open_paths();
   bool is_path_end(int32_t joint) const;
   double path_length(int32_t leaf) const;
+  // Whether the way from the hips to a leaf is that to a pelvis below them, which the legs hang on.
+  bool leads_to_legs(int32_t leaf) const;
   // How much names on the way to a leaf speak for a spine.
   double path_names(int32_t leaf) const;
   // Middle of the first points of a pair, ahead.

@@ -73,13 +73,16 @@ int32_t Anatomy::pick_spine() {
     const double path = path_length(leaf), rise = top - height[hip], forward = ahead(at(leaf) - at(hip));
     double score = 2 * carried;
     score += quad ? (0.4 * path + 0.8 * rise + 1.5 * forward) / size : (0.6 * path + 1.5 * rise + 0.3 * forward) / size;
-    if (lying) score = forward / size + 0.01 * path / size;  // what leads to the head
+    if (lying) score = forward / size + 0.01 * path / size;    // what leads to the head
+    if (leg_count > 2) score = 10 * carried + forward / size;  // of insects what carries jaws and feelers
     if (leg_count == 0 && !lying) score += 1.5 * path / size;
     if (quad) {
       score += 0.5 * inner;
       if (ahead(at(leaf)) > last - 0.15 * (last - first)) score += 1;
     }
     score += path_names(leaf);
+    if (leads_to_legs(leaf)) score -= 20;
+    if (lying && !(forward > 0)) continue;  // a tail alone
     if (best >= 0 && !(score > most + 1e-9)) continue;
     best = leaf;
     most = score;
@@ -123,13 +126,27 @@ void Anatomy::find_others() {
   limbs.grow(r, side, others_first);
 }
 
+// Whiskers, ears: what hangs on something that is called a head or a jaw is no arm.
+bool Anatomy::is_on_face(int32_t number) const {
+  const int32_t attach = limb(number).attach;
+  if (!rig->has_names || attach < 0) return false;
+  const Part part = rig->part(attach);
+  return part == Part::kHead || part == Part::kJaw || part == Part::kHair;
+}
+
+// What is short and hangs where the spine ends: a bird's whiskers.
+bool Anatomy::is_at_end(int32_t number) const {
+  return leg_count > 0 && spine_count > 3 && limb(number).attach == spine[spine_count - 1] &&
+         limb(number).length < 0.25 * limb(hip_pair.a).length;
+}
+
 void Anatomy::find_arms() {
   arms = LimbPair();
   double best = 0;
   for (int32_t k = 0; k < limbs.pair_count; ++k) {
     const LimbPair& pair = limbs.pairs[k];
     const Limb& a = limb(pair.a);
-    if (pair.a == hip_pair.a || (is_leg(pair.a) && !quad)) continue;
+    if (pair.a == hip_pair.a || (is_leg(pair.a) && !quad) || is_on_face(pair.a) || is_at_end(pair.a)) continue;
     const double own = 0.02 * a.tree + a.length / rig->size;
     if (arms.a >= 0 && !(own > best || (own == best && limbs.joint(a, 0) < limbs.joint(limb(arms.a), 0)))) continue;
     best = own;
@@ -155,6 +172,7 @@ void Anatomy::find_chest() {
         chest = k;
         nearest = d;
       }
+      if (chest > 0 && chest == spine_count - 1 && !quad) --chest;  // something is left for the head
     }
   }
   const auto above_chest = [&](int32_t joint) {
@@ -210,10 +228,17 @@ void Anatomy::find_head() {
   const int32_t upper = chest >= 0  ? spine[chest]
                         : head >= 0 ? spine[head]
                                     : (spine_count > 0 ? spine[spine_count - 1] : hip);
-  trunk = greater(r.bone(hip, upper), 0.05 * r.size);
+  Point top = at(upper);
+  if (chest >= 0 && !quad &&
+      arms.a >= 0) {  // one long bone from the hips to the shoulders: the chest is where arms begin
+    const Point shoulders = 0.5 * (limbs.point(limb(arms.a), 0) + limbs.point(limb(arms.b), 0));
+    const double level = dot(shoulders - at(hip), frame.up);
+    if (level > 0.1 * tall && dot(top - at(hip), frame.up) < 0.6 * level) top = at(hip) + level * frame.up;
+  }
+  trunk = greater(distance(at(hip), top), 0.05 * r.size);
   if (head >= 0 && !r.has_names && head - 1 >= first && head == spine_count - 1 && !r.has_end_kid(spine[head]))
     other_head = head - 1;
-  if (chest >= 0) line[line_count++] = at(spine[chest]);
+  if (chest >= 0) line[line_count++] = top;
   if (head >= 0) line[line_count++] = at(spine[head]);
 }
 

@@ -3,6 +3,7 @@
 #include "mapping/frame.hpp"
 
 #include "core/sort.hpp"
+#include "mapping/twins.hpp"
 
 namespace sinew::mapping {
 namespace {
@@ -230,6 +231,7 @@ struct UpFinder {
 
 bool Frame::allocate(Arena& arena, uint32_t joints) {
   mate = arena.alloc<int32_t>(joints);
+  side = arena.alloc<int8_t>(joints);
   return arena.ok();
 }
 
@@ -263,6 +265,7 @@ bool find_frame(const Hierarchy& rig, const Point* up, Arena& arena, Frame* fram
     frame->across = normal;
     for (int32_t i = 0; i < rig.n; ++i) frame->mate[i] = mirror.mate[i];
   }
+  take_twins(rig, up, mirror.trial, frame);
   if (up != nullptr) {
     frame->up = *up;
   } else {

@@ -12,6 +12,8 @@ struct Frame {
   double plane = 0;         // the mirror plane lies at P.across = plane
   double symmetry = 0;      // how many joints have a mirror image, each at most 1
   int32_t* mate = nullptr;  // [n] the joint's mirror image, -1 = none
+  bool posed = false;       // `mate` is by bones of the same lengths (twins.hpp): images are elsewhere
+  int8_t* side = nullptr;   // [n] of a posed rig, 1 and -1 where its sides begin, else 0
 
   bool allocate(Arena& arena, uint32_t joints);
 };

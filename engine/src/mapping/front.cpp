@@ -21,6 +21,13 @@ bool Anatomy::is_path_end(int32_t joint) const {
   return true;
 }
 
+bool Anatomy::leads_to_legs(int32_t leaf) const {
+  if (hip_pair.a < 0) return false;
+  const int32_t attach = limb(hip_pair.a).attach;
+  while (rig->parent[leaf] != hip) leaf = rig->parent[leaf];
+  return attach >= 0 && attach != hip && rig->holds(leaf, attach);
+}
+
 double Anatomy::path_length(int32_t leaf) const {
   double sum = 0;
   for (int32_t i = leaf; i != hip; i = rig->parent[i]) sum += rig->bone(i, rig->parent[i]);
@@ -64,6 +71,11 @@ class FrontVotes {
   double sum() {
     measure_legs();
     choose_spine();
+    if (a_.leg_count > 2) {  // an insect's feet and knees point everywhere
+      if (a_.spine_count > 0) add(a_.ahead(a_.at(a_.spine[a_.spine_count - 1]) - a_.at(a_.hip)) / size_ / 0.05, 2);
+      faces();
+      return sum_;
+    }
     if (a_.leg_count > 0) feet();
     if (a_.quad && a_.spine_count > 0) {
       animal();
@@ -97,10 +109,12 @@ class FrontVotes {
       last_leg_ = k == 0 ? at : greater(last_leg_, at);
       leg += a_.limb(a_.legs[k].a).length;
     }
-    if (a_.leg_count >= 2) a_.quad = last_leg_ - first_leg_ > 0.5 * leg / a_.leg_count;
+    if (a_.leg_count >= 2) a_.quad = last_leg_ - first_leg_ > 0.35 * leg / a_.leg_count;
   }
 
   double path_weight(int32_t leaf) const {
+    if (a_.leg_count == 0)
+      return a_.path_length(leaf) / size_ + a_.path_names(leaf);  // a tail, whatever hangs on the head
     double limbs = 0, top = a_.height[leaf];
     int32_t inner = 0;
     for (int32_t i = leaf; i != a_.hip; i = rig_.parent[i]) {
@@ -109,11 +123,14 @@ class FrontVotes {
       top = greater(top, a_.height[i]);
       inner += a_.is_inner(a_.ahead(a_.at(i)), first_leg_, last_leg_) ? 1 : 0;
     }
+    // Of insects the abdomen is longer and higher than the head, which carries jaws and feelers.
+    if (a_.leg_count > 2) return 20 * limbs + 0.3 * a_.path_length(leaf) / size_ + a_.path_names(leaf);
     double weight = limbs * 3 / greater(1, root(rig_.n)) + 0.3 * a_.path_length(leaf) / size_ +
                     0.6 * (top - a_.height[a_.hip]) / size_;
     if (a_.quad) {  // the spine runs from the hind legs to the fore legs, the tail does not
       weight += 0.5 * inner;
       if (!a_.is_inner(a_.ahead(a_.at(leaf)), first_leg_, last_leg_)) weight += 1;
+      weight += 0.6 * (a_.height[leaf] - a_.height[a_.hip]) / size_;  // tails hang
     }
     return weight + a_.path_names(leaf);
   }
@@ -130,7 +147,7 @@ class FrontVotes {
     a_.open_paths();
     int32_t best = -1;
     each_path([&](int32_t leaf) {
-      const double weight = path_weight(leaf);
+      const double weight = path_weight(leaf) - (a_.leads_to_legs(leaf) ? 20 : 0);
       if (best >= 0 && !(weight > spine_weight_)) return;
       best = leaf;
       spine_weight_ = weight;
@@ -154,10 +171,11 @@ class FrontVotes {
         for (int32_t i = from > 1 ? from : 1; i < count; ++i) {
           const Point bone = point(i) - point(i - 1);
           const double start = dot(point(i - 1), a_.frame.up), stop = dot(point(i), a_.frame.up);
-          if (lesser(start, stop) < a_.ground + 0.08 * a_.tall && start < a_.ground + 0.35 * a_.tall &&
+          if (lesser(start, stop) < a_.ground + 0.08 * a_.tall &&
+              start < a_.ground + (a_.quad ? 0.5 : 0.35) * a_.tall &&
               absolute(a_.ahead(bone)) > 0.5 * absolute(dot(bone, a_.frame.up))) {
             const double weight = a_.quad ? 0.6 : 1.2;
-            add(a_.ahead(bone) / size_ / 0.04, start < a_.ground + 0.2 * a_.tall ? weight : 0.5 * weight);
+            add(a_.ahead(bone) / size_ / 0.04, a_.quad || start < a_.ground + 0.2 * a_.tall ? weight : 0.5 * weight);
           }
         }
       }
@@ -289,14 +307,15 @@ class FrontVotes {
 
   // What is small and paired, or in the plane, on the upper half of the spine lies ahead of it.
   void faces() {
-    for (int32_t k = a_.spine_count / 2; k < a_.spine_count; ++k) {
+    const bool tail = a_.leg_count == 0 && named_tail() > 0;  // the spine in hand leads away from the head
+    for (int32_t k = a_.spine_count / 2; k < a_.spine_count && !tail; ++k) {
       for (int32_t b = a_.limb_head[a_.spine[k]]; b >= 0; b = a_.limb_next[b]) {
         const Limb& limb = a_.limb(b);
         if (!(limb.length < 0.1 * size_) || limb.mate < 0) continue;
         add(a_.ahead(a_.limbs.last_point(limb) - a_.at(a_.spine[k])) / size_ / 0.05, 0.3);
       }
     }
-    for (int32_t k = a_.spine_count / 2; k <= a_.spine_count; ++k) {
+    for (int32_t k = tail ? a_.spine_count : a_.spine_count / 2; k <= a_.spine_count; ++k) {
       if (k == a_.spine_count && a_.leg_count > 0) break;
       const int32_t i = k < a_.spine_count ? a_.spine[k] : a_.hip;
       each_kid(rig_, i, [&](int32_t kid) {

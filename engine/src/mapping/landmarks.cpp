@@ -63,11 +63,14 @@ void Matcher::find_landmarks(const Anatomy& rig, int32_t number, bool leg, doubl
         }
         score += 0.25 * (c - a - 2);
         score += greater(0, (t[a] - t[0]) / greater(whole, 1e-9) - 0.3);
+        // A clavicle leads outwards; what already begins out there is the upper arm.
+        if (!leg && !rig.frame.posed && a > 0 && t[a] - t[0] > 0.06 * whole)
+          score += 1.5 * greater(0, 0.5 - (off(a) - off(0)) / (t[a] - t[0]));
         // Of joints on one spot the last begins the bone, the first ends it.
         if (a + 1 < b && t[a + 1] - t[a] < 0.06 * whole) score += 0.4;
         if (c - 1 > b && t[c] - t[c - 1] < 0.03 * whole) score += 0.4;
         if (leg && c < real && dot(point(c - 1) - point(c), up) < 0.6 * distance(point(c - 1), point(c))) score += 0.8;
-        if (b < real) score += greater(0, 0.3 - off(a) / greater(off(b), 1e-9)) / 0.3;
+        if (b < real && !rig.frame.posed) score += greater(0, 0.3 - off(a) / greater(off(b), 1e-9)) / 0.3;
         if (names_) {
           const auto one_of = [](Part w, Part x, Part y) { return w == x || w == y ? 1 : 0; };
           score -= 0.8 * (one_of(word(a), Part::kUpperArm, Part::kUpLeg) +
@@ -84,6 +87,30 @@ void Matcher::find_landmarks(const Anatomy& rig, int32_t number, bool leg, doubl
         found->at[at] = one;
       }
     }
+  }
+}
+
+// What is alike on both sides is decided once for both: the mean of their scores.
+//   t      out  as of find_landmarks()
+//   other  scratch of the same size
+void Matcher::find_pair_landmarks(const Anatomy& rig, int32_t number, bool leg, double* t, double* other,
+                                  Landmarks* found) const {
+  find_landmarks(rig, number, leg, t, found);
+  const int32_t mate = rig.limb(number).mate;
+  if (mate < 0 || rig.limb(mate).joint_count != rig.limb(number).joint_count ||
+      rig.limb(mate).point_count != rig.limb(number).point_count) {
+    return;
+  }
+  Landmarks image;
+  find_landmarks(rig, mate, leg, other, &image);
+  for (int k = 0; k < found->count && image.count > 0; ++k) {
+    Landmark& own = found->at[k];
+    int64_t score = image.at[image.count - 1].score;  // at least as bad, where it is not among the best
+    for (int m = 0; m < image.count; ++m) {
+      const Landmark& its = image.at[m];
+      if (its.a == own.a && its.b == own.b && its.c == own.c) score = its.score;
+    }
+    own.score = (own.score + score) / 2;
   }
 }
 
@@ -116,8 +143,8 @@ void Matcher::match_limbs(int32_t la, int32_t lb, bool leg, bool arm, double cos
   limb_doubt_ = greater(0, cost);
   Landmarks ma, mb;
   if ((leg || arm) && !a_->quad && !b_->quad) {
-    find_landmarks(*a_, la, leg, ta_, &ma);
-    find_landmarks(*b_, lb, leg, tb_, &mb);
+    find_pair_landmarks(*a_, la, leg, ta_, ua_, &ma);
+    find_pair_landmarks(*b_, lb, leg, tb_, ub_, &mb);
   }
   if (ma.count > 0 && mb.count > 0) {
     // Both at once: the same pattern of joints is preferred.

@@ -5,11 +5,38 @@
 namespace sinew::mapping {
 
 double Anatomy::low(const LimbPair& pair) const {
-  return lesser(limbs.lowest(limb(pair.a), frame.up), limbs.lowest(limb(pair.b), frame.up));
+  double least = lesser(limbs.lowest(limb(pair.a), frame.up), limbs.lowest(limb(pair.b), frame.up));
+  for (int s = 0; s < 2; ++s) {  // toes
+    limbs.each_end_sub(limb(pair.of(s)),
+                       [&](int32_t toe) { least = lesser(least, limbs.lowest(limb(toe), frame.up)); });
+  }
+  return least;
+}
+
+// As low(), where a last bone whose end is no joint goes on by half its length.
+double Anatomy::low_end(const LimbPair& pair) const {
+  double least = low(pair);
+  for (int s = 0; s < 2; ++s) {
+    const Limb& leg = limb(pair.of(s));
+    if (leg.point_count < 2 || leg.point_count > leg.joint_count || leg.first_sub >= 0) continue;
+    const double end = dot(limbs.last_point(leg), frame.up);
+    const double bone = dot(limbs.point(leg, leg.point_count - 2), frame.up) - end;
+    if (bone > 0) least = lesser(least, greater(ground, end - 0.5 * bone));
+  }
+  return least;
 }
 
 double Anatomy::drop(const LimbPair& pair) const {
-  return greater(dot(limbs.point(limb(pair.a), 0), frame.up), dot(limbs.point(limb(pair.b), 0), frame.up)) - low(pair);
+  double top = dot(limbs.point(limb(pair.a), 0), frame.up);
+  for (int s = 0; s < 2; ++s) {  // a spider's legs go up first
+    const Limb& leg = limb(pair.of(s));
+    for (int32_t k = 0; k < leg.point_count; ++k) top = greater(top, dot(limbs.point(leg, k), frame.up));
+  }
+  return top - low(pair);
+}
+
+double Anatomy::start_height(const LimbPair& pair) const {
+  return 0.5 * dot(limbs.point(limb(pair.a), 0) + limbs.point(limb(pair.b), 0), frame.up);
 }
 
 int32_t Anatomy::common_attach(const LimbPair& pair) const {
@@ -33,12 +60,32 @@ void Anatomy::find_legs() {
     for (int32_t k = 0; k < leg_count; ++k) longest = greater(longest, both(legs[k]));
     int32_t kept = 0;
     for (int32_t k = 0; k < leg_count; ++k) {
-      if (both(legs[k]) >= 0.35 * longest) legs[kept++] = legs[k];
+      if (both(legs[k]) >= (start_height(legs[k]) < ground + 0.25 * tall ? 0.35 : 0.25) * longest) {
+        legs[kept++] = legs[k];
+      }
     }
     leg_count = kept;
+    leave_out_arms();
   }
   join_feet();
   find_hip();
+}
+
+// Arms that hang down to the ground: they begin high above other legs, not before or behind them.
+void Anatomy::leave_out_arms() {
+  int32_t kept = 0;
+  for (int32_t k = 0; k < leg_count; ++k) {
+    bool hangs = false;
+    for (int32_t m = 0; m < leg_count; ++m) {
+      hangs = hangs || (start_height(legs[k]) > start_height(legs[m]) + 0.2 * tall &&
+                        absolute(pair_ahead(legs[k]) - pair_ahead(legs[m])) < 0.15 * rig->size);
+    }
+    if (hangs) continue;
+    const LimbPair leg = legs[k];
+    legs[k] = legs[kept];
+    legs[kept++] = leg;
+  }
+  leg_count = kept;
 }
 
 // Fills legs and feet.
@@ -49,7 +96,7 @@ void Anatomy::find_pairs_on_ground() {
   int32_t few = 0;
   for (int32_t k = 0; k < limbs.pair_count; ++k) {
     const LimbPair& p = pairs[k];
-    const bool near_ground = low(p) < ground + 0.15 * tall;
+    const bool near_ground = low_end(p) < ground + greater(0.15 * tall, 0.05 * size);
     if (near_ground) feet[foot_count++] = p;
     if (near_ground && drop(p) > 0.12 * tall && drop(p) > 0.06 * size) legs[leg_count++] = p;
     few += limb(p.a).joint_count == 1 && limb(p.b).joint_count == 1 ? 1 : 0;
@@ -57,6 +104,14 @@ void Anatomy::find_pairs_on_ground() {
   if (leg_count == 1 && tall <= 0.3 * size && drop(legs[0]) <= (limb(legs[0].a).joint_count <= 2 ? 0.2 : 0.1) * size)
     leg_count = 0;  // fins under a flat body
   if (leg_count == 0 && (tall > 0.3 * size || few >= 2)) find_short_legs();
+}
+
+// Whether all of several pairs that seem to be legs begin at one place along the body: belly fins.
+bool Anatomy::are_fins() const {
+  for (int32_t k = 1; k < leg_count; ++k) {
+    if (absolute(pair_ahead(legs[k]) - pair_ahead(legs[0])) > 0.1 * rig->size) return false;
+  }
+  return true;
 }
 
 // Legs of one joint or two: the lowest pairs.
@@ -77,8 +132,11 @@ void Anatomy::find_short_legs() {
   }
   if (!any || !(least < ground + 0.5 * tall)) return;
   for (int32_t k = 0; k < pair_count; ++k) {
-    if (short_leg(pairs[k]) && low(pairs[k]) < least + 0.12 * tall) legs[leg_count++] = pairs[k];
+    if (short_leg(pairs[k]) && low(pairs[k]) < least + greater(0.12 * tall, 0.06 * rig->size)) {
+      legs[leg_count++] = pairs[k];
+    }
   }
+  if (leg_count > 1 && are_fins()) leg_count = 0;
   if (leg_count != 1 || limb(legs[0].a).joint_count != 1) return;
   // Feet alone under the root: the legs above them.
   const Point& foot = limbs.point(limb(legs[0].a), 0);
@@ -125,26 +183,51 @@ void Anatomy::find_hip() {
 // A pelvis that carries the legs, perhaps a tail, and hangs beside the spine: the hips are what carries both.
 void Anatomy::climb_to_trunk() {
   const Hierarchy& r = *rig;
-  const auto leads_on = [&](int32_t joint, int32_t but) {  // to a trunk with limbs
-    bool does = false;
+  const auto leads_on = [&](int32_t joint, int32_t but) {  // to a trunk with limbs: how many joints these have
+    int32_t joints = 0;
     each_kid(r, joint, [&](int32_t kid) {
       if (kid == but || side[kid] != 0 || r.end[kid] != 0) return;
       for (int32_t k = 0; k < limbs.pair_count; ++k) {
         const int32_t attach = limb(limbs.pairs[k].a).attach;
-        does = does || (attach >= 0 && (attach == kid || r.holds(kid, attach)));
+        if (attach >= 0 && (attach == kid || r.holds(kid, attach))) joints += limb(limbs.pairs[k].a).tree;
       }
     });
-    return does;
+    return joints;
   };
   int32_t central = 0;
   each_kid(r, hip, [&](int32_t kid) { central += side[kid] == 0 && r.end[kid] == 0 ? 1 : 0; });
-  if (leads_on(hip, -1)) return;
+  const int32_t own = leads_on(hip, -1);
+  if (own > 0) {  // to a tail with feathers, where a joint on the same spot leads to more
+    const int32_t above = r.parent[hip];
+    if (above >= 0 && side[above] == 0 && r.bone(above, hip) < 0.01 * r.size && leads_on(above, hip) > own) hip = above;
+    return;
+  }
   // With something in the plane of its own, which may be a tail, it gives way to a joint in the same place alone.
-  const double near = central > 0 ? 0.05 * r.size : r.size;
+  const double near = central > 0 && !quad ? 0.05 * r.size : r.size;
   int32_t from = hip;
   for (int32_t up = r.parent[hip]; up >= 0 && side[up] == 0; up = r.parent[up]) {
-    if (leads_on(up, from)) {
+    if (leads_on(up, from) > 0) {
       if (r.bone(up, hip) <= near) hip = up;
+      return;
+    }
+    from = up;
+  }
+  if (central == 0) climb_to_chest();
+}
+
+// A rig that begins at the chest: nothing but legs hangs on the pelvis, arms and head on what carries it.
+void Anatomy::climb_to_chest() {
+  const Hierarchy& r = *rig;
+  int32_t from = hip;
+  bool arms_passed = false;
+  for (int32_t up = r.parent[hip]; up >= 0 && side[up] == 0; up = r.parent[up]) {
+    bool neck = false;
+    each_kid(r, up, [&](int32_t kid) { neck = neck || (kid != from && side[kid] == 0 && r.end[kid] == 0); });
+    for (int32_t k = 0; k < limbs.pair_count; ++k) {
+      arms_passed = arms_passed || (limb(limbs.pairs[k].a).attach == up && !is_leg(limbs.pairs[k].a));
+    }
+    if (neck && arms_passed && height[up] > ground + 0.2 * tall) {
+      hip = up;
       return;
     }
     from = up;

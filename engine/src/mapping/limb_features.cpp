@@ -4,6 +4,21 @@
 
 namespace sinew::mapping {
 
+// Legs of an insect may hang on one joint: they are told apart by where they end.
+double Anatomy::leg_rank(int32_t number) const {
+  if (leg_count < 3 || !is_leg(number)) return -1;
+  const auto reach = [&](int32_t k) {
+    return ahead(limbs.last_point(limb(legs[k].a)) + limbs.last_point(limb(legs[k].b)));
+  };
+  double own = 0;
+  for (int32_t k = 0; k < leg_count; ++k) {
+    if (legs[k].a == number || legs[k].b == number) own = reach(k);
+  }
+  int32_t behind = 0;
+  for (int32_t k = 0; k < leg_count; ++k) behind += reach(k) < own ? 1 : 0;
+  return static_cast<double>(behind) / (leg_count - 1);
+}
+
 void Anatomy::find_features() {
   const Hierarchy& r = *rig;
   hashes_used = 0;
@@ -20,9 +35,10 @@ void Anatomy::find_features() {
     f.axis = {dot(axis, frame.across) * (l.side != 0 ? l.side : 1), dot(axis, frame.up), ahead(axis)};
     const double low = limbs.lowest(l, frame.up);
     f.point = l.point_count == 1;
-    f.grounded = (f.point && is_leg(k)) || (low < ground + 0.12 * tall && dot(start, frame.up) - low > 0.1 * tall);
+    f.grounded = is_leg(k) || (!lying && low < ground + 0.12 * tall && dot(start, frame.up) - low > 0.1 * tall);
     f.hip = hip_pair.a == k || hip_pair.b == k;
     f.arm = arms.a == k || arms.b == k;
+    f.rank = leg_rank(k);
     f.first_hash = hashes_used;
     if (!r.has_names) continue;
     for (int32_t i = 0; i < l.joint_count; ++i) {

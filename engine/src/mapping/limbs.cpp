@@ -72,6 +72,19 @@ bool has_limb_kid(const Hierarchy& rig, int32_t joint) {
   return false;
 }
 
+// The only child that is called as a long bone's end is, such as a hand beside a thumb of as many joints; -1 = none.
+int32_t named_kid(const Hierarchy& rig, const int8_t* side, int32_t joint) {
+  int32_t found = -1, count = 0;
+  each_kid(rig, joint, [&](int32_t k) {
+    if (!rig.has_names || !is_limb_kid(rig, side, joint, k)) return;
+    const Part part = names::limb_part(rig.part(k));
+    if (part != Part::kLowerArm && part != Part::kHand && part != Part::kLowLeg && part != Part::kFoot) return;
+    found = k;
+    ++count;
+  });
+  return count == 1 ? found : -1;
+}
+
 // The child that carries most, or reaches furthest of those; -1 = none. `leads`: it carries or reaches so much more than
 // the others that a limb goes on with it.
 int32_t first_kid(const Hierarchy& rig, const int8_t* side, int32_t joint, bool* leads) {
@@ -99,7 +112,36 @@ int32_t first_kid(const Hierarchy& rig, const int8_t* side, int32_t joint, bool*
   *leads = own >= 2 * rest || (own > rest && path > 2.5 * other) || path > 4 * other;
   // A thumb that begins where the hand does.
   if (kids == 2 && own > rest && gap < 0.02 * rig.bone(joint, first)) *leads = true;
-  return first;
+  // A hand with its fingers, and a thumb of as many joints on the same spot: the hand goes on where the arm points.
+  if (kids == 2 && own == rest && own >= 2 && gap < 0.02 * rig.bone(joint, first)) {
+    const auto in_line = [&](int32_t k) {
+      return rig.kid_count(k) > 0
+                 ? dot(direction(rig.at[k] - rig.at[joint]), direction(rig.at[rig.kid(k, 0)] - rig.at[k]))
+                 : -1;
+    };
+    each_kid(rig, joint, [&](int32_t k) {
+      if (is_limb_kid(rig, side, joint, k) && in_line(k) > in_line(first) + 1e-9) first = k;
+    });
+    *leads = true;
+  }
+  // A tail with fins of a joint or two.
+  if (side[joint] == 0 && own > rest && path > 1.2 * other) *leads = true;
+  if (side[joint] == 0 && !*leads &&
+      rig.parent[joint] >= 0) {  // of fins and a tail of as many joints, what is straight on
+    const Point ahead = direction(rig.at[joint] - rig.at[rig.parent[joint]]);
+    const auto straight = [&](int32_t k) { return dot(ahead, direction(rig.at[k] - rig.at[joint])); };
+    int32_t best = first;
+    each_kid(rig, joint, [&](int32_t k) {
+      if (is_limb_kid(rig, side, joint, k) && rig.count[k] == own && straight(k) > straight(best) + 1e-9) best = k;
+    });
+    if (own > 1 && straight(best) > 0.95) {
+      first = best;
+      *leads = true;
+    }
+  }
+  const int32_t called = named_kid(rig, side, joint);
+  if (called >= 0) *leads = true;
+  return called >= 0 ? called : first;
 }
 
 }  // namespace

@@ -102,12 +102,21 @@ double Matcher::limb_pins(const Limb& a, const Limb& b) const {
 
 double Matcher::limb_cost(int32_t la, int32_t lb) const {
   const LimbFeatures &a = a_->features[la], &b = b_->features[lb];
-  double cost = lesser(absolute(a.attach - b.attach), 1.5) + (a.grounded != b.grounded ? 1 : 0) +
-                0.2 * absolute(a.log_tree - b.log_tree);
+  // Arms of two people hang on the chest, wherever that joint lies.
+  const auto has_arm = [](const Anatomy& rig, const LimbFeatures& f) { return f.arm && rig.leg_count > 0; };
+  const double farthest = has_arm(*a_, a) && has_arm(*b_, b) ? 0.15 : 1.5;
+  // The tail of a fish begins wherever its root lies.
+  const bool tails = a_->lying && b_->lying && a_->limb(la).side == 0 && b_->limb(lb).side == 0;
+  const bool many_legs = a.rank >= 0 && b.rank >= 0;
+  const double apart = many_legs ? 1.2 * absolute(a.rank - b.rank) : lesser(absolute(a.attach - b.attach), farthest);
+  double cost = apart * (tails ? 0.3 : 1) + (a.grounded != b.grounded ? 1 : 0) +
+                (tails ? 0 : 0.2) * absolute(a.log_tree - b.log_tree);
   if (!a.point && !b.point)  // a limb of one joint has no length and points nowhere
     cost += 0.4 * absolute(a.log_length - b.log_length) + 0.5 * (1 - dot(a.axis, b.axis));
   else
     cost += kPointLimb;
+  if (tails && a.point != b.point) cost += 0.5;  // a fin
+  if (many_legs) return cost + limb_pins(a_->limb(la), b_->limb(lb));
   if (a.hip != b.hip) cost += 0.8;
   if (a.hip && b.hip) cost -= 0.5;
   if (a.arm && b.arm) cost -= 0.4;

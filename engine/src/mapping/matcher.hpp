@@ -57,6 +57,8 @@ class Matcher {
   void match_others();
   void match_limbs(int32_t la, int32_t lb, bool leg, bool arm, double cost);
   void find_landmarks(const Anatomy& rig, int32_t limb, bool leg, double* t, Landmarks* found) const;
+  void find_pair_landmarks(const Anatomy& rig, int32_t limb, bool leg, double* t, double* other,
+                           Landmarks* found) const;
   void long_bone_positions(const Anatomy& rig, const Limb& limb, const double* t, const Landmark& at,
                            double* positions);
   void match_all_fingers();

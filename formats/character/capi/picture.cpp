@@ -29,6 +29,7 @@ PictureJobOptions job_of(const sinew_character_picture_options& options) {
   if (options.mask != nullptr) job.mask = options.mask;
   job.outline = outline_given(options);
   job.figure.number = options.figure;
+  job.figure.cut = options.cut != 0;
   job.mesh.flat = options.flat != 0;
   job.mesh.pixels = options.pixels != 0;
   if (options.body_class != 0) job.body = static_cast<BodyClass>(options.body_class - 1);

@@ -51,7 +51,7 @@ struct GlbOptions {
   bool keep_skin = false;          // the skin of the input's own document stays as it is, to the byte
   bool drop_animations = false;    // those of the input's own document go
   const Motion* motion = nullptr;  // of the character's joints, in their order: its clips become animations
-  std::string extras = {};         // JSON object whose members go into the document's extras; empty: none
+  std::string extras{};            // JSON object whose members go into the document's extras; empty: none
 };
 void write_gltf(const std::string& path, const Character& character, const GlbOptions& options = {});
 inline void write_glb(const std::string& path, const Character& character, const GlbOptions& options = {}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Skin weights: the calls that a module with nothing else has too.
-import { Calls, Model } from "./calls.js";
+import { Model } from "./calls.js";
 import { LAYOUTS, WORDS } from "./layouts.js";
 import { Blocks, SinewError } from "./memory.js";
 import { choice, meshOf, skeletonOf, skinOf, typed } from "./shapes.js";
@@ -18,7 +18,7 @@ export class Binder {
   /** The model that bind() and transfer() use where their options name none. @type {Model | null} */
   model = null;
 
-  /** @param {Calls} calls */
+  /** @param {import("./calls.js").Calls} calls */
   constructor(calls) {
     this.#calls = calls;
     const blocks = new Blocks(calls.wasm);
@@ -27,19 +27,25 @@ export class Binder {
     this.kernel = blocks.text(calls.wasm.sinew_kernel_name(calls.wasm.sinew_kernel_select(0)) >>> 0, 32);
   }
 
-  /** Checks a model file and keeps it. */
+  /**
+   * Checks a model file and keeps it.
+   * @param {ArrayBuffer | ArrayBufferView} bytes
+   */
   openModel(bytes) {
     return new Model(this.#calls.wasm, bytes);
   }
 
   /**
    * Which joints may get weight, by their names and places, as the command's `--joints names` has it.
+   * @param {import("./index.js").Mesh} mesh
+   * @param {import("./index.js").Skeleton} skeleton
    * @returns {{flags: Uint8Array, tips: Uint8Array}} [J] flags for the engine; 1 for joints that hand their weight to their parents
    */
   chooseJoints(mesh, skeleton) {
     return this.#choose(meshOf(mesh), skeletonOf(skeleton));
   }
 
+  /** @param {any} m of meshOf() @param {any} s of skeletonOf() */
   #choose(m, s) {
     return this.#calls.with(null, (blocks) => {
       const flags = blocks.room(Uint8Array, s.jointCount), tips = blocks.room(Uint8Array, s.jointCount);
@@ -50,8 +56,9 @@ export class Binder {
   }
 
   // Joints that given rows and answers name are neither left out nor tips, but for those that the user forbids.
+  /** @param {any} s @param {{ flags: Uint8Array, tips: Uint8Array }} chosen @param {Iterable<number>} named */
   #takeBack(s, chosen, named) {
-    const onlyDeforming = s.flags?.some((flag) => flag & FLAG_DEFORMS);
+    const onlyDeforming = s.flags?.some((/** @type {number} */ flag) => flag & FLAG_DEFORMS);
     for (const joint of named) {
       if (joint >= s.jointCount || onlyDeforming || (s.flags?.[joint] & FLAG_NEVER) !== 0) continue;
       chosen.flags[joint] &= ~FLAG_NEVER;
@@ -80,7 +87,7 @@ export class Binder {
     const model = method === 0 ? this.#calls.modelOf("bind", options, "weights", this.model) : 0;
     const locked = options.locked == null ? null : typed(Uint8Array, options.locked, "bind: options.locked", m.vertexCount);
     const hints = options.hints == null ? null : typed(Uint8Array, options.hints, "bind: options.hints", m.vertexCount);
-    const isGiven = (v) => Boolean(locked?.[v] || hints?.[v]);
+    const isGiven = (/** @type {number} */ v) => Boolean(locked?.[v] || hints?.[v]);
     let given = null;
     if (locked || hints) {
       given = skinOf(options.given, m.vertexCount, s.jointCount, "bind: options.given");
@@ -151,8 +158,10 @@ export class Binder {
         this.#calls.wasm.skin_fold_tips(at.mesh, at.skeleton, blocks.copy(chosen.flags), blocks.copy(chosen.tips), n, joints, weights);
       const told = blocks.read("bindOutputs", outputs);
       const exact = blocks.take(Uint16Array, weights, m.vertexCount * n);
+      /** @type {number[]} */
       const leftOut = [];
-      chosen.flags.forEach((flag, joint) => flag & FLAG_NEVER && leftOut.push(joint));
+      chosen.flags.forEach((/** @type {number} */ flag, /** @type {number} */ joint) => flag & FLAG_NEVER && leftOut.push(joint));
+      /** @type {any} */
       const bound = {
         joints: blocks.take(Uint16Array, joints, m.vertexCount * n),
         weights: asFloat ? Float32Array.from(exact, (weight) => Math.fround(weight / 65535)) : exact,
@@ -172,6 +181,7 @@ export class Binder {
     });
   }
 
+  /** @param {import("./memory.js").Blocks} blocks @param {number} at */
   #question(blocks, at) {
     const words = blocks.take(Uint32Array, at, QUESTION_BYTES / 4);
     const alternatives = [];

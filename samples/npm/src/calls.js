@@ -8,6 +8,7 @@ const MODEL_BYTES = LAYOUTS.model.size;
 /** A model in the module's memory, checked and packed once. free() gives the memory back. */
 export class Model {
   #blocks;
+  /** @param {any} wasm @param {ArrayBuffer | ArrayBufferView} bytes */
   constructor(wasm, bytes) {
     this.#blocks = new Blocks(wasm);
     const data = bytes instanceof ArrayBuffer ? new Uint8Array(bytes) : new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -40,17 +41,24 @@ export class Model {
 
 /** The module and what a call does before and after it. */
 export class Calls {
+  /** @param {any} wasm @param {any} report */
   constructor(wasm, report) {
     this.wasm = wasm;
     this.report = report;
   }
 
+  /** @param {string} call @param {number} status */
   check(call, status) {
     if (status === 0) return;
     throw new SinewError(`${call}: ${new Blocks(this.wasm).text(this.wasm.sinew_status_text(status) >>> 0)}`, status);
   }
 
   // Runs a call with memory that is given back whatever happens.
+  /**
+   * @template Result
+   * @param {((share: number) => unknown) | null | undefined} onProgress
+   * @param {(blocks: Blocks) => Result} body
+   */
   with(onProgress, body) {
     const blocks = new Blocks(this.wasm);
     this.report.progress = onProgress ?? null;
@@ -63,12 +71,19 @@ export class Calls {
   }
 
   // A size that a query writes: query(address of the size) -> status.
+  /** @param {string} call @param {Blocks} blocks @param {(size: number) => number} query */
   size(call, blocks, query) {
     const at = blocks.room(Uint32Array, 1);
     this.check(call, query(at));
     return blocks.view(Uint32Array, at, 1)[0];
   }
 
+  /**
+   * @param {string} call
+   * @param {{ model?: any }} options what openModel() gave, anyone may say
+   * @param {string} task
+   * @param {any} own
+   */
   modelOf(call, options, task, own = null) {
     const model = options.model ?? own;
     if (model == null) throw new SinewError(`${call}: no model is open; give load() or the options the bytes of @sinew/skin/model`);
@@ -77,6 +92,7 @@ export class Calls {
     return model.address;
   }
 
+  /** @param {Blocks} blocks @param {any} mesh of meshOf() */
   mesh(blocks, mesh) {
     return blocks.struct("mesh", {
       positions: blocks.copy(mesh.positions),
@@ -88,6 +104,7 @@ export class Calls {
     });
   }
 
+  /** @param {Blocks} blocks @param {any} skeleton of skeletonOf() @param {Uint8Array | null} flags [J] @param {number} up */
   skeleton(blocks, skeleton, flags, up = 0) {
     return blocks.struct("skeleton", {
       up,
@@ -98,6 +115,7 @@ export class Calls {
     });
   }
 
+  /** @param {Blocks} blocks @param {string[] | null} names */
   names(blocks, names) {
     return names == null ? 0 : blocks.texts(names).address;
   }

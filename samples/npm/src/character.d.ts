@@ -96,6 +96,8 @@ export interface PictureOptions {
   figure?: number;
   /** a card instead of a body as thick as it is wide */
   flat?: boolean;
+  /** the figure is opened along lines that are drawn into it from its outline, as a guess: a leg before a leg */
+  cut?: boolean;
   /** figure: its longest side is 1; pixels: places are the picture's, x right, y up from the bottom edge */
   units?: "figure" | "pixels";
   /** name of a file beside it, a picture that is bright where the figure is; found where it is missing */

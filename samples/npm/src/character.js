@@ -23,7 +23,7 @@ const RETARGET = {
   clip: "clip", layout: "layout", actor: "actor", limits: "limits", depth: "depth", stiffness: "stiffness", tetWeights: WORDS.tetWeights, smoothing: "!no_smoothing",
 };
 const TRANSFER = { method: WORDS.transferMethod, influences: "influence_count", targetUp: WORDS.up, sourceUp: WORDS.up, garment: "garment", heat: "heat" };
-const PICTURE = { bodyClass: WORDS.bodyClass, figure: "figure", flat: "flat", units: ["figure", "pixels"], mask: "mask", outline: "outline" };
+const PICTURE = { bodyClass: WORDS.bodyClass, figure: "figure", flat: "flat", cut: "cut", units: ["figure", "pixels"], mask: "mask", outline: "outline" };
 const MEMBERS = { bodyClass: "body_class", units: "pixels",  rigidParts: "rigid_parts", targetUp: "target_up", sourceUp: "source_up", motionUp: "motion_up", tetWeights: "tet_weights" };
 
 function wishOf(call, known, options) {
@@ -81,7 +81,7 @@ export class CharacterFile {
    */
   retarget(motion, options = {}) {
     if (motion !== null && !(motion instanceof CharacterFile)) throw new SinewError("retarget: expected what open() gave for the motion's file");
-    return this.#job("retarget", RETARGET, options, (at, text) => this.#house.module._character_animate(at, motion?.#at("retarget") ?? 0, text));
+    return this.#job("retarget", RETARGET, options, (at, text) => this.#house.module._character_animate(at, motion ? motion.#at("retarget") : 0, text));
   }
 
   /** What was found in the picture that it is of: class, view and certainty once it is rigged, the outline as lines of x, y. */

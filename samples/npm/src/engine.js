@@ -80,7 +80,7 @@ export class Skin extends Binder {
         plane: told.plane,
         spread: told.spread,
         front: Array.from(told.front),
-        up: WORDS.up[told.up],
+        up: /** @type {"y" | "z"} */ (WORDS.up[told.up]),
         frontCertainty: told.front_confidence,
         upCertainty: told.up_confidence,
       };
@@ -199,7 +199,7 @@ export class Skin extends Binder {
       const status = this.#calls.wasm.sinew_retarget_create(...inputs, memory, size, plan);
       if (status !== 0) kept.free();
       this.#calls.check("retarget", status);
-      return new Retarget(this.#calls.wasm, (...call) => this.#calls.check(...call), kept, blocks.view(Uint32Array, plan, 1)[0], from.jointCount, to.jointCount, sources, classes);
+      return new Retarget(this.#calls.wasm, (name, code) => this.#calls.check(name, code), kept, blocks.view(Uint32Array, plan, 1)[0], from.jointCount, to.jointCount, sources, classes);
     });
   }
 
@@ -222,7 +222,7 @@ export class Skin extends Binder {
         const stream = blocks.room(Uint32Array, 1);
         const view = body == null ? 0 : bodyStruct(kept, body);
         this.#calls.check("retarget", this.#calls.wasm.sinew_retarget_stream_create(...inputs, view, settings, kept.bytes(size, 64), size, stream));
-        return new RetargetStream(this.#calls.wasm, (...call) => this.#calls.check(...call), kept, blocks.view(Uint32Array, stream, 1)[0], from.jointCount, to.jointCount, sources, classes);
+        return new RetargetStream(this.#calls.wasm, (name, code) => this.#calls.check(name, code), kept, blocks.view(Uint32Array, stream, 1)[0], from.jointCount, to.jointCount, sources, classes);
       });
     } catch (error) {
       kept.free();
@@ -270,7 +270,7 @@ export class Skin extends Binder {
       const status = this.#calls.wasm.sinew_deform_create(meshAt, this.#calls.skeleton(blocks, s, null), rows, settings, memory, size, deformer);
       if (status !== 0) kept.free();
       this.#calls.check("deformer", status);
-      return new Deformer(this.#calls.wasm, (...call) => this.#calls.check(...call), kept, deformer);
+      return new Deformer(this.#calls.wasm, (name, code) => this.#calls.check(name, code), kept, deformer);
     });
   }
 

@@ -29,9 +29,15 @@ export const fileKinds = [
   { extension: ".jpeg", name: "JPEG", reader: "picture", uses: ["offered", "readsPicture"] },
 ];
 
-/** The row of a file's extension, without regard to case. */
+/**
+ * The row of a file's extension, without regard to case.
+ * @param {string} file
+ */
 export const fileKind = (file) => fileKinds.find(({ extension }) => file.toLowerCase().endsWith(extension));
 
-/** Extensions of the files that have all these uses: readsMesh, readsSkeleton, readsMotion, readsWhole, ..., offered. */
+/**
+ * Extensions of the files that have all these uses: readsMesh, readsSkeleton, readsMotion, readsWhole, ..., offered.
+ * @param {...string} uses
+ */
 export const extensionsOf = (...uses) =>
   fileKinds.filter((kind) => uses.every((use) => kind.uses.includes(use))).map(({ extension }) => extension);

@@ -3,7 +3,10 @@
 import { readFile } from "node:fs/promises";
 import { parentPort } from "node:worker_threads";
 
-/** Bytes of a file: address. */
+/**
+ * Bytes of a file: address.
+ * @param {URL} address
+ */
 export const readFileAt = (address) => readFile(address);
 /** A worker's way to who started it, or null. */
 export const ownPort = () => parentPort;

@@ -2,10 +2,11 @@
 // The engine's structs on wasm32, constants and words of enumerations. Generated from the C headers by scripts/declarations.py; a test compares.
 // A member is name@offset:type, or name@offset:typexCOUNT for an array in a struct; a struct in a struct has its members here,
 // those of an array of them as name_0_member. Addresses are u32.
+/** @type {(size: number, text: string) => any} */
 const layout = (size, text) => ({
   size,
   members: text.split(" ").map((word) => {
-    const [, name, offset, type, count] = /^(\w+)@(\d+):([uif]\d+)(?:x(\d+))?$/.exec(word);
+    const [, name, offset, type, count] = /^(\w+)@(\d+):([uif]\d+)(?:x(\d+))?$/.exec(word) ?? [];
     return { name, offset: Number(offset), type, count: Number(count ?? 0) };
   }),
 });
@@ -101,9 +102,9 @@ export const LAYOUTS = {
     "progress_user@28:u32 own_limb@32:u32 head@36:u32 torso@40:u32 source_points@44:u32"),
   simplifyOptions: layout(20, "struct_size@0:u32 level@4:u32 joint_count@8:u32 reserved@12:u32 centroids@16:u32"),
   file: layout(12, "name@0:u32 bytes@4:u32 size_bytes@8:u32"),
-  characterPictureOptions: layout(36,
+  characterPictureOptions: layout(44,
     "struct_size@0:u32 body_class@4:u32 figure@8:u32 flat@12:u32 pixels@16:u32 line_count@20:u32 mask@24:u32 " +
-    "line_offsets@28:u32 outline@32:u32"),
+    "line_offsets@28:u32 outline@32:u32 cut@36:u32 reserved@40:u32"),
   characterPictureInfo: layout(48,
     "struct_size@0:u32 width@4:u32 height@8:u32 figure_count@12:u32 figure@16:u32 body_class@20:u32 view@24:u32 " +
     "certainty@28:f32 line_count@32:u32 reserved@36:u32 line_offsets@40:u32 outline@44:u32"),

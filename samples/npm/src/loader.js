@@ -11,13 +11,15 @@ const simdProbe = new Uint8Array([
 export const hasSimd = () => WebAssembly.validate(simdProbe);
 
 // Compiled while it arrives, where the server names its kind.
+/** @param {Response} response */
 async function compileResponse(response) {
   if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}, expected a WebAssembly file`);
-  const streams = WebAssembly.compileStreaming && response.headers.get("content-type") === "application/wasm";
+  const streams = "compileStreaming" in WebAssembly && response.headers.get("content-type") === "application/wasm";
   return streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
 // http(s) and data by fetch(), file: (node) from the disk.
+/** @param {string | URL} url */
 async function compileAt(url) {
   const address = new URL(url, globalThis.location?.href ?? import.meta.url);
   return address.protocol === "file:" ? WebAssembly.compile(await readFileAt(address)) : compileResponse(await fetch(address));
@@ -32,7 +34,7 @@ export async function compile(source) {
   if (given instanceof WebAssembly.Module) return given;
   if (typeof Response !== "undefined" && given instanceof Response) return compileResponse(given);
   if (typeof given === "string" || given instanceof URL) return compileAt(given);
-  return WebAssembly.compile(given);
+  return WebAssembly.compile(/** @type {BufferSource} */ (given));
 }
 
 /**
@@ -43,6 +45,7 @@ export async function compile(source) {
  * @returns {Promise<WebAssembly.Exports>}
  */
 export async function instantiate(module, imports) {
+  /** @type {Record<string, any>} */
   const all = {};
   for (const { module: from, name, kind } of WebAssembly.Module.imports(module)) {
     if (kind !== "function") throw new Error(`the module imports ${from}.${name}, a ${kind}, expected functions alone`);
@@ -53,13 +56,17 @@ export async function instantiate(module, imports) {
     (all[from] ??= {})[name] = imports[from]?.[name] ?? quiet;
   }
   const { exports } = await WebAssembly.instantiate(module, all);
-  exports._initialize?.();
+  const initialize = exports._initialize;
+  if (typeof initialize === "function") initialize();
   return exports;
 }
 
-/** Bytes of base64 text. */
+/**
+ * Bytes of base64 text.
+ * @param {string} text
+ */
 export function decodeBase64(text) {
-  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
+  if ("fromBase64" in Uint8Array && typeof Uint8Array.fromBase64 === "function") return Uint8Array.fromBase64(text);
   const binary = atob(text);
   const bytes = new Uint8Array(binary.length);
   for (let i = 0; i < bytes.length; ++i) bytes[i] = binary.charCodeAt(i);

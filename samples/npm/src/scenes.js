@@ -2,7 +2,7 @@
 // FBX and COLLADA by the module of wasm/scenes: Assimp, as the command has it. It is started when the first such file is there.
 import { fileKind } from "./file_kinds.js";
 
-export const isScene = (name) => fileKind(name)?.reader === "scene" && fileKind(name).uses.includes("offered");
+export const isScene = (name) => fileKind(name)?.reader === "scene" && fileKind(name)?.uses.includes("offered") === true;
 // Of all that pictures are dropped as; those that glTF cannot hold are told of by the reader.
 const isPicture = (name) => /\.(png|jpe?g|webp|tga|bmp|tiff?|gif|psd|dds|ktx2?|exr|hdr)$/i.test(name);
 
@@ -36,7 +36,7 @@ export async function readScenesBy(module, scenes, compiled) {
       const glb = said.startsWith('{"error"') ? null : reader.FS.readFile("/scene.glb");
       return { said, glb };
     } finally {
-      for (const name of [...names.map((name) => inside + name), "/scene.glb"]) if (reader.FS.analyzePath(name).exists) reader.FS.unlink(name);
+      for (const name of [...names.map((one) => inside + one), "/scene.glb"]) if (reader.FS.analyzePath(name).exists) reader.FS.unlink(name);
     }
   };
   module.readScene = (path, glb) => {

@@ -2,9 +2,17 @@
 // Arguments as the engine reads them: typed arrays of the right lengths, or an error that names the argument.
 import { SinewError } from "./memory.js";
 
+/** @type {(value: any) => string} */
 const found = (value) => (value == null ? String(value) : `${value.constructor?.name ?? typeof value} of ${value.length ?? "no"} elements`);
 
-/** `value` as a typed array, copied only where its type differs. `length`: how many elements it must have, or a text for "any". */
+/**
+ * `value` as a typed array, copied only where its type differs. `length`: how many elements it must have, or a text for "any".
+ * @param {any} type of the array
+ * @param {any} value
+ * @param {string} name
+ * @param {number} [length]
+ * @returns {any}
+ */
 export function typed(type, value, name, length) {
   if (value == null || typeof value === "string" || typeof value.length !== "number")
     throw new SinewError(`${name}: expected ${type.name} or an array of numbers, found ${value === null ? "null" : typeof value}`);
@@ -12,6 +20,7 @@ export function typed(type, value, name, length) {
   return value.constructor === type ? value : type.from(value);
 }
 
+/** @param {any} value @param {string} name @param {number} limit */
 function indices(value, name, limit) {
   const array = typed(Uint32Array, value, name);
   for (let i = 0; i < array.length; ++i)
@@ -19,6 +28,7 @@ function indices(value, name, limit) {
   return array;
 }
 
+/** @param {any} value @param {string} name */
 function triples(value, name) {
   const array = typed(Float32Array, value, name);
   if (array.length === 0 || array.length % 3 !== 0)
@@ -26,7 +36,10 @@ function triples(value, name) {
   return array;
 }
 
-/** {positions, indices | faceOffsets and faceVertices} checked, with counts. */
+/**
+ * {positions, indices | faceOffsets and faceVertices} checked, with counts.
+ * @param {any} mesh
+ */
 export function meshOf(mesh, name = "mesh") {
   if (mesh == null) throw new SinewError(`${name}: expected {positions, indices}, found ${mesh}`);
   const positions = triples(mesh.positions, `${name}.positions`);
@@ -43,13 +56,16 @@ export function meshOf(mesh, name = "mesh") {
   return { positions, vertexCount, faceOffsets: null, faceVertices, faceCount: faceVertices.length / 3, cornerCount: faceVertices.length };
 }
 
-/** {positions, parents, names?, flags?} checked, with jointCount. */
+/**
+ * {positions, parents, names?, flags?} checked, with jointCount.
+ * @param {any} skeleton
+ */
 export function skeletonOf(skeleton, name = "skeleton") {
   if (skeleton == null) throw new SinewError(`${name}: expected {positions, parents}, found ${skeleton}`);
   const positions = triples(skeleton.positions, `${name}.positions`);
   const jointCount = positions.length / 3;
   const parents = typed(Int32Array, skeleton.parents, `${name}.parents`, jointCount);
-  parents.forEach((parent, joint) => {
+  parents.forEach((/** @type {number} */ parent, /** @type {number} */ joint) => {
     if (parent < -1 || parent >= jointCount)
       throw new SinewError(`${name}.parents: expected -1 or a joint below ${jointCount}, found ${parent} at ${joint}`);
     let up = parent;
@@ -62,7 +78,12 @@ export function skeletonOf(skeleton, name = "skeleton") {
   return { positions, parents, flags, names: skeleton.names == null ? null : Array.from(skeleton.names), jointCount };
 }
 
-/** {joints, weights, influenceCount} checked; weights as unorm16 with full rows, as the engine's poses want them. */
+/**
+ * {joints, weights, influenceCount} checked; weights as unorm16 with full rows, as the engine's poses want them.
+ * @param {any} skin
+ * @param {number} vertexCount
+ * @param {number} jointCount
+ */
 export function skinOf(skin, vertexCount, jointCount, name = "skin") {
   if (skin == null) throw new SinewError(`${name}: expected {joints, weights, influenceCount}, found ${skin}`);
   const influenceCount = skin.influenceCount ?? 4;
@@ -84,7 +105,12 @@ export function skinOf(skin, vertexCount, jointCount, name = "skin") {
   return { joints, weights, influenceCount };
 }
 
-/** The number of a choice by name. */
+/**
+ * The number of a choice by name.
+ * @param {any} value
+ * @param {string[]} names
+ * @param {string} name
+ */
 export function choice(value, names, name) {
   if (value === undefined) return 0;
   const at = names.indexOf(value);

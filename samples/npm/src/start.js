@@ -3,6 +3,7 @@
 import { Calls } from "./calls.js";
 import { compile, decodeBase64, hasSimd, instantiate } from "./loader.js";
 
+/** @type {(source: any) => boolean} */
 const isPair = (source) => source != null && typeof source === "object" && "simd" in source && "scalar" in source;
 
 /**
@@ -12,11 +13,14 @@ const isPair = (source) => source != null && typeof source === "object" && "simd
  */
 export async function start(type, options, copies) {
   const simd = !options.scalar && hasSimd();
-  let source = isPair(options.wasm) ? options.wasm[simd ? "simd" : "scalar"] : options.wasm;
+  /** @type {any} */
+  const { wasm } = options;
+  let source = isPair(wasm) ? wasm[simd ? "simd" : "scalar"] : wasm;
   if (source == null) source = decodeBase64((await copies(simd)).default);
+  /** @type {{ progress: ((share: number) => boolean | void) | null }} */
   const report = { progress: null };
   const exports = await instantiate(await compile(source), {
-    sinew: { progress: (permille) => (report.progress?.(permille / 1000) === true ? 1 : 0) },
+    sinew: { progress: (/** @type {number} */ permille) => (report.progress?.(permille / 1000) === true ? 1 : 0) },
   });
   const engine = new type(new Calls(exports, report));
   if (options.model != null) engine.model = engine.openModel(options.model);

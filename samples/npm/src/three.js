@@ -61,7 +61,7 @@ export function skeletonOfBones(bones) {
   const matrix = new Matrix4(), place = new Vector3(), turn = new Quaternion(), scale = new Vector3();
   list.forEach((bone, j) => {
     if (list !== bones) {
-      matrix.copy(bones.boneInverses[j]).invert();
+      matrix.copy(/** @type {Skeleton} */ (bones).boneInverses[j]).invert();
     } else {
       bone.updateWorldMatrix(true, false);
       matrix.copy(bone.matrixWorld);

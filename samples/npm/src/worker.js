@@ -42,6 +42,7 @@ export function serve() {
     if (KEPT in value) return kept.get(value[KEPT]);
     return Object.fromEntries(Object.entries(value).map(([name, one]) => [name, resolve(one)]));
   };
+  /** @type {any} */
   const port = ownPort();
   if (!port) throw new Error("serve() belongs into a worker's script; call load() of @sinew/skin elsewhere");
   const take = async ({ id, call, on, args, wantsProgress }) => {
@@ -94,8 +95,9 @@ export async function connect(worker, options = {}) {
     if (error) call.reject(new SinewError(error.message, error.status));
     else call.resolve(result);
   });
+  /** @param {any} event */
   const broken = (event) => fail(`the worker stopped: ${event.message ?? event}`);
-  if (typeof worker.on === "function") worker.on("error", broken);
+  if ("on" in worker && typeof worker.on === "function") worker.on("error", broken);
   else worker.addEventListener("error", broken);
 
   const plain = (value) => {

@@ -5,6 +5,7 @@ import { record } from "./recording.js";
 import { poseChanged } from "./showing.js";
 
 // A command that needs the engine. name: of its step, or a function that says it afterwards.
+/** @type {(name: string | (() => string), job: () => any) => Promise<any>} */
 export const act = (name, job) =>
   run(async () => {
     clearError();
@@ -13,6 +14,10 @@ export const act = (name, job) =>
   });
 
 // After a change of the pose: shown at once, a step of the history.
+/**
+ * @param {string} name
+ * @param {boolean} goesOn
+ */
 export function posed(name, goesOn = false) {
   poseChanged();
   record(name, { goesOn });

@@ -18,6 +18,7 @@ export function lookText() {
   return `${at.previewing ? "Preview" : "Answered"}: ${partName(question)}: ${answerText(answer)}${alike}`;
 }
 
+/** @param {number} [focus] a part, see Questions.show() */
 export function listQuestions(focus) {
   const { answers } = at.character.source;
   const list = at.character.result?.questions ?? [];

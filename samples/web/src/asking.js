@@ -11,6 +11,7 @@ import { asNumbers, how } from "./wishes.js";
 
 const lookMilliseconds = 90; // the pointer stays that long on what is shown
 
+/** @param {any} wanted */
 export function lookAt(wanted) {
   if (wanted === at.look) return;
   at.look = wanted;
@@ -37,14 +38,17 @@ async function showLook() {
   if (isPreview || wasPreview) await sendPose();
 }
 
+/** @param {import("./types.js").Answer} answer */
 export function take(answer) {
   act(`answer ${partName(answer.question)}`, () => bind([...at.character.source.answers, answer], answer.question.part));
 }
 
+/** @param {import("./types.js").Answer} answer */
 export function takeBack(answer) {
   act(`take back ${partName(answer.question)}`, () => bind(at.character.source.answers.filter((other) => other !== answer), answer.question.part));
 }
 
+/** @param {string} file "" for none */
 export async function useStyle(file) {
   await engine.call("style", { name: file });
   at.style = file === "" ? null : { name: file };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Work is kept in the browser's own database a moment after every step, and offered when the page is opened again.
-import { $, at, engine } from "./state.js";
+import { at, engine } from "./state.js";
 import { filesOf, projectOf } from "./project.js";
 
 const delay = 700; // milliseconds after a step
@@ -14,6 +14,7 @@ function database() {
   });
 }
 
+/** @param {IDBTransactionMode} mode @param {(store: IDBObjectStore) => any} use */
 async function transact(mode, use) {
   const opened = await database();
   try {
@@ -31,11 +32,13 @@ async function transact(mode, use) {
 // The open character as a project, with its files.
 export async function presentProject() {
   const { character } = at;
-  const state = character.source.history.now;
-  const keeps = character.result.lockedVertices > 0 || character.result.paintedVertices > 0;
+  const { result, source } = character;
+  if (!result || !source.history) throw new Error("nothing is bound yet");
+  const state = source.history.now;
+  const keeps = result.lockedVertices > 0 || result.paintedVertices > 0;
   const rows = keeps ? await engine.call("rows") : null;
   const project = projectOf(character, state, rows, at.beside);
-  return { project, files: filesOf(project).flatMap((name) => (at.files.has(name) ? [at.files.get(name)] : [])) };
+  return { project, files: filesOf(project).flatMap((name) => at.files.get(name) ?? []) };
 }
 
 let timer = 0;

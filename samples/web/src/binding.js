@@ -11,6 +11,7 @@ import { at, engine } from "./state.js";
 import { asNumbers, how, isOff, pending } from "./wishes.js";
 
 // answers: those of the character from now on, if they can be had. focus: see Questions.show().
+/** @param {import("./types.js").Answer[]} answers @param {number} [focus] */
 export async function bind(answers = at.character.source.answers, focus) {
   if (at.character.joints.length === 0) return;
   const before = answers === at.character.source.answers ? null : at.character.result;
@@ -22,9 +23,8 @@ export async function bind(answers = at.character.source.answers, focus) {
     const result = await whileBusy(`Binding ${at.character.name}`, () => engine.call("bind", { ...how(), answers: asNumbers(answers) }));
     if (at.firstAlone === null) at.onFirstBound();
     at.firstAlone ??= result.alone;
-    at.character.result = { ...result, wallSeconds: (performance.now() - started) / 1e3, strongest: result.buffers.strongest };
-    at.character.shown = at.character.result;
-    result.questions.forEach((question, number) => (question.members = { of: result.buffers.vertexQuestions, number }));
+    at.character.result = at.character.shown = { ...result, wallSeconds: (performance.now() - started) / 1e3, strongest: result.buffers.strongest };
+    result.questions.forEach((/** @type {import("./types.js").Question} */ question, /** @type {number} */ number) => (question.members = { of: result.buffers.vertexQuestions, number }));
     at.character.source.answers = answers;
     usePlaces(result.places);
   } catch (error) {
@@ -56,6 +56,7 @@ export async function bindOtherwise() {
 }
 
 // Joints of another rest pose are elsewhere, and are not edited there.
+/** @param {number[][]} places */
 function usePlaces(places) {
   const { character } = at;
   const posed = at.options.toPose !== "";
@@ -64,10 +65,11 @@ function usePlaces(places) {
   character.posed = posed;
   character.joints = character.joints.map((joint, j) => ({ ...joint, position: places[j] }));
   at.view.moveSkeleton(character.joints);
-  at.view.draggable = character.editable && !posed;
+  at.view.draggable = Boolean(character.editable) && !posed;
   at.editor.show(character, at.view.selected);
 }
 
+/** @param {number} joint */
 export async function switchJoint(joint) {
   const { source } = at.character;
   const { never, always } = source;
@@ -81,6 +83,7 @@ export async function switchJoint(joint) {
   }
 }
 
+/** @param {number} joint */
 export async function lockJoint(joint) {
   const { source, joints } = at.character;
   const { name } = joints[joint];

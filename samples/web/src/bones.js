@@ -8,16 +8,21 @@ const doubtColour = new Color(0xff4433);
 
 export class Bones {
   #group = new Group();
+  /** @type {InstancedMesh[]} */
+  #parts = []; // bones and balls, once there are joints
+  /** @type {{ parent: number }[]} */
   #joints = [];
   #positions = new Float32Array();
   #sizeOf;
   #thickness = 1;
   #chosen = -1;
   #also = new Set();
+  /** @type {any} */
   #colours = null;
   #doubts = new Set();
 
   // sizeOf: () => that of the character, which thicknesses follow
+  /** @param {import("three").Object3D} model @param {() => number} sizeOf */
   constructor(model, sizeOf) {
     model.add(this.#group);
     this.#sizeOf = sizeOf;
@@ -39,13 +44,14 @@ export class Bones {
   }
 
   // joints: [{parent}]; positions: [J x 3]
+  /** @param {{ parent: number }[]} joints @param {Float32Array<ArrayBuffer>} positions */
   make(joints, positions) {
     this.#joints = joints;
     this.#positions = positions;
     this.#colours = null;
-    for (const child of [...this.#group.children]) {
-      child.removeFromParent();
-      child.dispose();
+    for (const part of this.#parts) {
+      part.removeFromParent();
+      part.dispose();
     }
     const material = () => new MeshBasicMaterial({ transparent: true, opacity: 0.9, depthTest: false, depthWrite: false });
     const bone = new OctahedronGeometry(1, 0);
@@ -60,7 +66,8 @@ export class Bones {
     const balls = new InstancedMesh(new SphereGeometry(1, 12, 8), material(), Math.max(1, this.#joints.length));
     bones.renderOrder = 1;
     balls.renderOrder = 2;
-    for (const mesh of [bones, balls]) {
+    this.#parts = [bones, balls];
+    for (const mesh of this.#parts) {
       mesh.count = this.#joints.length;
       mesh.frustumCulled = false;
       this.#group.add(mesh);
@@ -71,8 +78,8 @@ export class Bones {
   // positions: [J x 3]
   place(positions = this.#positions) {
     this.#positions = positions;
-    if (this.#group.children.length === 0) return;
-    const [bones, balls] = this.#group.children;
+    if (this.#parts.length === 0) return;
+    const [bones, balls] = this.#parts;
     const at = new Vector3();
     const from = new Vector3();
     const along = new Vector3();
@@ -104,8 +111,8 @@ export class Bones {
   // chosen: a joint or -1; also: Set of joints beside it; colours: of joints, or null; doubts: Set of those that may be wrong.
   paint({ chosen = this.#chosen, also = this.#also, colours = this.#colours, doubts = this.#doubts } = {}) {
     [this.#chosen, this.#also, this.#colours, this.#doubts] = [chosen, also, colours, doubts];
-    if (this.#group.children.length === 0) return;
-    const [bones, balls] = this.#group.children;
+    if (this.#parts.length === 0) return;
+    const [bones, balls] = this.#parts;
     this.#joints.forEach(({ parent }, j) => {
       balls.setColorAt(j, j === chosen || also.has(j) ? chosenColour : doubts.has(j) ? doubtColour : (colours?.[j] ?? bonesColour));
       bones.setColorAt(j, parent === chosen && parent >= 0 ? chosenColour : doubts.has(j) ? doubtColour : bonesColour);

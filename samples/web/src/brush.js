@@ -3,14 +3,14 @@
 import { number } from "./facts.js";
 import { showError } from "./jobs.js";
 import { Latest } from "./latest.js";
-import { $, at, engine, modes } from "./state.js";
+import { $, all, at, engine, modes } from "./state.js";
 
-const brushKind = () => document.querySelector("#brush-kind input:checked").value;
+const brushKind = () => all("#brush-kind input:checked")[0].value;
 
 export function showBrush() {
   const kind = brushKind();
   const ready = Boolean(at.character?.result) && !at.view.editing;
-  at.view.onStroke = ready && (kind === "smooth" || (kind === "add" && at.view.selected >= 0)) ? (vertex) => strokes.want(vertex).catch((error) => showError(error.message)) : null;
+  at.view.onStroke = ready && (kind === "smooth" || (kind === "add" && at.view.selected >= 0)) ? (/** @type {number} */ vertex) => strokes.want(vertex).catch((error) => showError(error.message)) : null;
   for (const id of ["brush-size", "brush-strength"]) $(id).nextElementSibling.textContent = `${$(id).value} %`;
   const painted = at.character?.result?.paintedVertices ?? 0;
   $("brush-settings").hidden = kind === "none" && painted === 0;
@@ -19,7 +19,7 @@ export function showBrush() {
 }
 
 // The newest place of the brush; the next bind has what it left as hints.
-export const strokes = new Latest(async (vertex) => {
+export const strokes = new Latest(async (/** @type {number} */ vertex) => {
   if (!at.character?.result) return;
   const stroke = {
     vertex,
@@ -33,7 +33,7 @@ export const strokes = new Latest(async (vertex) => {
 });
 
 export function nextBrush() {
-  const kinds = [...document.querySelectorAll("#brush-kind input")];
+  const kinds = all("#brush-kind input");
   kinds[(kinds.findIndex(({ checked }) => checked) + 1) % kinds.length].checked = true;
   showBrush();
 }

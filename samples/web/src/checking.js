@@ -4,6 +4,7 @@ import { run, whileBusy } from "./jobs.js";
 import { choose } from "./showing.js";
 import { $, at, engine } from "./state.js";
 
+/** @type {object | null} */
 let checked = null; // the result that the list is of
 
 async function check() {
@@ -15,6 +16,7 @@ async function check() {
   $("findings").replaceChildren(...findings.map(item));
 }
 
+/** @param {{ severity: string, what: string, cure: string, joint: number }} finding */
 function item({ severity, what, cure, joint }) {
   const li = document.createElement("li");
   const button = Object.assign(document.createElement("button"), { type: "button", title: cure });

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Motions to try, each a button with a tick, and the list of clips that the character has: all of them are exported.
+import { $ } from "./elements.js";
 import { testClips } from "./test_clips.js";
 
-const $ = (id) => document.getElementById(id);
 // Clips that ship: builtin:NAME, which finds the kind of body by itself.
 const shipped = ["walk", "run", "idle", "wave", "jump", "sit", "trot", "flap", "swim", "crawl"];
 const own = testClips.filter((name) => !shipped.includes(name));
@@ -13,8 +13,11 @@ const isClip = (file, name) => file === fileOfClip(name) || (file.startsWith("bu
 export const clipName = (file) => file.replace(/^builtin:/, "");
 
 export class ClipList {
+  /** @type {(...of: any[]) => any} */
   onTry = () => {}; // name, its file, whether it is wanted
+  /** @type {(...of: any[]) => any} */
   onPlay = () => {}; // number of a clip
+  /** @type {(...of: any[]) => any} */
   onRemove = () => {}; // file
 
   constructor() {
@@ -27,9 +30,9 @@ export class ClipList {
       }),
     );
     $("clips").onclick = ({ target }) => {
-      const row = target.closest("li");
-      if (target.closest(".remove")) this.onRemove(row.dataset.file);
-      else if (target.closest("button")) this.onPlay(Number(row.dataset.clip));
+      const { file, clip } = target.closest("li")?.dataset ?? {};
+      if (target.closest(".remove")) this.onRemove(file);
+      else if (target.closest("button")) this.onPlay(Number(clip));
     };
   }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What the mesh's colours show, and the legend.
 import { lookText } from "./asked.js";
-import { glbOf } from "./export.js";
+import { glbOf } from "./look_file.js";
 import { run } from "./jobs.js";
 import { sureColour } from "./skeleton.js";
-import { $, at, engine, modes } from "./state.js";
+import { $, all, at, engine, modes } from "./state.js";
 
 const asked = [240, 120, 20]; // sRGB of the part that a question is about, as in the command's pictures
 const dimmed = [52, 58, 67]; // and what the rest fades to
@@ -14,7 +14,7 @@ export async function colour() {
   const isArtists = at.mode === modes.artist || at.mode === modes.artistField;
   if ((isArtists || at.mode === modes.difference) && !at.character?.hasReference) at.mode = modes.joints;
   const shows = isArtists ? modes.artist : at.mode === modes.field ? modes.joints : at.mode;
-  for (const input of document.querySelectorAll("#mode input, #artist input")) {
+  for (const input of all("#mode input, #artist input")) {
     input.checked = Number(input.value) === shows;
     input.disabled = !at.character?.result;
   }
@@ -48,6 +48,7 @@ async function showLookOfFile() {
 }
 
 // The part that is looked at, orange where it is only asked about, and the rest dimmed.
+/** @param {Uint8Array} colours */
 function emphasised(colours) {
   const members = at.shownLook?.question.members; // answers of a project have none
   if (!members) return colours;
@@ -93,6 +94,7 @@ export function showSure() {
 }
 
 // As the user chooses it; it stays for the step.
+/** @param {number} wanted */
 export function setMode(wanted) {
   if (!at.character?.result || (wanted === modes.field && at.view.selected < 0)) return;
   if ((wanted === modes.artist || wanted === modes.difference) && !at.character.hasReference) return;

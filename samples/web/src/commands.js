@@ -4,12 +4,13 @@ import { autosave } from "./autosave.js";
 import { bind } from "./binding.js";
 import { restoreRig } from "./editing.js";
 import { clearError, run } from "./jobs.js";
-import { loadPlaced } from "./opened.js";
+import { loadDrawn, loadPlaced } from "./opened.js";
 import { showMarkers } from "./markers.js";
 import { keepRig, showHistory } from "./recording.js";
 import { sendPose, showPose } from "./showing.js";
 import { $, at, engine } from "./state.js";
 
+/** @param {boolean} forward */
 export function undo(forward) {
   if (at.view.dragging || at.character === null) return undefined;
   return run(async () => {
@@ -28,17 +29,22 @@ export function undo(forward) {
 }
 
 // The open character as it was in that state. before: what it is now; null where the module has it from its file alone.
+/**
+ * @param {import("./types.js").State} state
+ * @param {any} before a state with what may differ
+ */
 export async function restore(state, before) {
   const { source } = at.character;
-  const sameRig = before !== null && state.placement === before.placement && state.kept === before.kept && state.epoch === before.epoch;
+  const sameRig = before !== null && state.placement === before.placement && state.pictureWishes === before.pictureWishes && state.kept === before.kept && state.epoch === before.epoch;
   at.options.values = state.options;
   $("up").value = String(state.up);
   if (before && JSON.stringify(state.placement) !== JSON.stringify(before.placement)) await loadPlaced(state.placement);
+  if (before && state.pictureWishes !== before.pictureWishes) await loadDrawn(state.pictureWishes);
   const { never, always, locked, answers, style, motion, markers } = state;
   if (!sameRig) await restoreRig(state);
   Object.assign(source, { never, always, locked, answers, style, motion, markers, kept: state.epoch === engine.epoch ? state.kept : 0 });
   if (state.pose.length === at.pose.turns.length) at.pose.turns.set(state.pose);
-  const onlyPosed = sameRig && ["never", "always", "locked", "answers", "motion", "up"].every((key) => state[key] === before[key]) && JSON.stringify(state.options) === JSON.stringify(before.options);
+  const onlyPosed = sameRig && /** @type {const} */ (["never", "always", "locked", "answers", "motion", "up"]).every((key) => state[key] === before[key]) && JSON.stringify(state.options) === JSON.stringify(before.options);
   if (onlyPosed) {
     showPose();
     await sendPose();

@@ -10,14 +10,14 @@ import { fetchModel } from "./models.js";
 import { Pose } from "./pose.js";
 import { kinds } from "./questions.js";
 import { record, rigChanged } from "./recording.js";
-import { choose, listJoints, sendPose, showFacts, showPose } from "./showing.js";
+import { choose, listJoints, showFacts, showPose } from "./showing.js";
 import { answersFor, editKinds, movedJoints } from "./skeleton.js";
 import { $, at, engine, models } from "./state.js";
 import { asNumbers, how, pending } from "./wishes.js";
 
 // Joints, their list and the panels, after any change of them.
 export function showSkeleton() {
-  at.view.draggable = at.character.editable && !at.character.posed;
+  at.view.draggable = Boolean(at.character.editable) && !at.character.posed;
   listJoints();
   showPose();
   at.editor.show(at.character, at.view.selected);
@@ -36,11 +36,13 @@ export function setEditing(editing) {
 
 // What a bind takes for up, 0 = Y, 1 = Z. That of a predicted skeleton was found or told with it; others are told, and stand on Y unless they are,
 // as the command has them. told: 0, 1, or 2 where nobody said.
+/** @type {(rig: { upAxis?: number }, told: number) => number} */
 export const upOf = ({ upAxis }, told) => upAxis ?? (told === 1 ? 1 : 0);
 
 // rig: as the module describes it. chosen: the name of the joint that is chosen then.
-function useRig({ joints, ...rig }, chosen) {
+function useRig({ joints, picture, ...rig }, chosen) {
   const { source } = at.character;
+  if (picture) at.character.picture = { ...at.character.picture, ...picture }; // its class and clip are known now
   const isSame = joints.length === at.character.joints.length && joints.every(({ parent }, j) => parent === at.character.joints[j].parent);
   source.answers = answersFor(source.answers, at.character.joints, joints, kinds.rigid);
   Object.assign(at.character, { mirrored: false, doubtful: false, upAxis: upOf(rig, at.character.up) }, rig, { joints });
@@ -83,7 +85,6 @@ export async function predict(wishes = at.editor.wishes) {
   const rig = await whileBusy("Finding the joints", () => askForRig(told));
   at.character.source.recipe = { wishes: told, edits: [] };
   rigChanged();
-  if (rig.picture) at.character.picture = rig.picture; // its class and clip are known now
   useRig(rig, chosen);
 }
 
@@ -109,6 +110,7 @@ export async function editSkeleton(edits, chosen) {
 }
 
 // What edits are called in the history.
+/** @type {(edits: import("./types.js").Edit[]) => string} */
 export const editName = ([{ kind, joint, other }]) => [`move ${joint}`, `add ${joint}`, `remove ${joint}`, `hang ${joint} elsewhere`, `rename ${joint} to ${other}`][kind];
 
 // The skeleton of a state of the history: the module kept it, or its recipe makes it anew from the file.
@@ -169,6 +171,7 @@ export function endDrag() {
     showSkeleton();
     if (!ended.moved) return;
     const { source } = at.character;
+    if (!ended.done) return;
     source.recipe = withEdits(source.recipe, ended.done, at.editor.alike);
     rigChanged();
     await bind();

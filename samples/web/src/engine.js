@@ -4,11 +4,14 @@
 export class Stopped extends Error {}
 
 export class Engine {
-  #worker;
+  /** @type {Worker} */
+  #worker = new Worker("worker.js", { type: "module" });
+  /** @type {Map<number, { resolve: (reply: any) => void, reject: (error: Error) => void }>} */
   #waiting = new Map();
   #last = 0;
   #isStarted = false;
   epoch = 0; // of workers: what one knew the next does not
+  /** @type {(share: number) => void} */
   onProgress = () => {};
 
   constructor() {
@@ -16,6 +19,12 @@ export class Engine {
   }
 
   // Until a new worker is started, what an ended job still asks is rejected.
+  /**
+   * @param {string} call
+   * @param {object} options
+   * @param {Transferable[]} transfer
+   * @returns {Promise<any>}
+   */
   call(call, options = {}, transfer = []) {
     if (call === "start") this.#isStarted = true;
     else if (!this.#isStarted) return Promise.reject(new Stopped("stopped"));
@@ -30,19 +39,19 @@ export class Engine {
   stop() {
     this.#worker.terminate();
     this.#rejectAll(new Stopped("stopped"));
+    this.#worker = new Worker("worker.js", { type: "module" });
     this.#begin();
   }
 
   #begin() {
     ++this.epoch;
     this.#isStarted = false;
-    this.#worker = new Worker("worker.js", { type: "module" });
     this.#worker.onmessage = ({ data }) => {
       if (data.progress !== undefined) return this.onProgress(data.progress);
-      const { resolve, reject } = this.#waiting.get(data.id);
+      const asked = this.#waiting.get(data.id);
       this.#waiting.delete(data.id);
-      if (data.error !== undefined) reject(new Error(data.error));
-      else resolve(data.reply);
+      if (data.error !== undefined) asked?.reject(new Error(data.error));
+      else asked?.resolve(data.reply);
     };
     this.#worker.onerror = (event) => {
       event.preventDefault();
@@ -50,6 +59,7 @@ export class Engine {
     };
   }
 
+  /** @param {Error} error */
   #rejectAll(error) {
     for (const { reject } of this.#waiting.values()) reject(error);
     this.#waiting.clear();

@@ -1,34 +1,52 @@
 // SPDX-License-Identifier: MIT
 // Files out: the character as GLB, FBX, VRM or text, and the project.
+import { bind } from "./binding.js";
 import { run, save, whileBusy } from "./jobs.js";
 import { $, at, engine } from "./state.js";
 
 const wishOf = (profile = "") => ({
   clips: $("with-clips").checked, profile, author: $("author").value.trim(), title: "", licence: $("licence").value,
 });
+/** @type {(kind: string, profile?: string) => Promise<Uint8Array<ArrayBuffer>>} */
 const written = async (kind, profile) => (await engine.call("file", { name: at.character.name, kind, wish: wishOf(profile) })).buffers.bytes;
+/** @type {(extension: string) => string} */
 const fileName = (extension) => `${at.character.name}.${at.character.predicted ? "rigged" : "bound"}.${extension}`;
 
-// As the file's look is shown, whatever is to be exported.
-export const glbOf = async (name) => (await engine.call("file", { name, kind: "glb", wish: { clips: false, profile: "" } })).buffers.bytes;
-
+/** @param {Uint8Array} glb @returns {Promise<Uint8Array<ArrayBuffer>>} */
 function fbxOf(glb) {
   return new Promise((resolve, reject) => {
     const worker = new Worker("fbx_worker.js", { type: "module" });
-    const end = (use) => (event) => (worker.terminate(), use(event));
+    const end = (/** @type {(event: any) => void} */ use) => (/** @type {Event} */ event) => (worker.terminate(), use(event));
     worker.onmessage = end(({ data }) => (data.error ? reject(new Error(`cannot be written as FBX: ${data.error}`)) : resolve(data.bytes)));
     worker.onerror = end((event) => (event.preventDefault(), reject(new Error(`cannot be written as FBX: ${event.message}`))));
     worker.postMessage(glb, [glb.buffer]);
   });
 }
 
+// In the rest pose that files of a profile have, where the user chose none; the character stands as before afterwards.
+/** @param {string} profile */
+async function writtenFor(profile) {
+  const { pose } = await engine.call("profile", { name: profile });
+  if (pose === "" || at.options.toPose !== "") return written(profile, profile);
+  at.options.toPose = pose;
+  try {
+    await bind();
+    return await written(profile, profile);
+  } finally {
+    at.options.toPose = "";
+    await bind();
+  }
+}
+
+/** @type {Record<string, () => Promise<void>>} */
 const writers = {
   glb: async () => save(await written("glb"), "model/gltf-binary", fileName("glb")),
   fbx: async () => save(await fbxOf(await written("glb")), "application/octet-stream", fileName("fbx")),
-  vrm: async () => save(await written("vrm", "vrm"), "model/gltf-binary", fileName("vrm")),
+  vrm: async () => save(await writtenFor("vrm"), "model/gltf-binary", fileName("vrm")),
   rig: async () => save((await engine.call("rigText", { name: at.character.name })).buffers.bytes, "text/plain", `${at.character.name}.rig.txt`),
 };
 
+/** @type {(kind: string) => Promise<any>} */
 export const exportAs = (kind) =>
   run(async () => {
     if (!at.character?.result) return;

@@ -2,9 +2,12 @@
 // The line at the bottom: the character, its bind, models, engine and the result's hash.
 
 export const number = new Intl.NumberFormat("en");
+/** @type {(n: number) => string} */
 const bytes = (n) => (n < 1e6 ? `${(n / 1e3).toFixed(1)} kB` : `${(n / 1e6).toFixed(2)} MB`);
+/** @type {(s: number) => string} */
 const milliseconds = (s) => (s < 10 ? `${number.format(Math.round(s * 1e3))} ms` : `${s.toFixed(1)} s`);
 
+/** @param {string} label @param {string} value */
 function part(label, value, title = "", tag = "b") {
   const one = document.createElement("span");
   one.title = title;
@@ -12,6 +15,7 @@ function part(label, value, title = "", tag = "b") {
   return one;
 }
 
+/** @param {any} character @param {any} result */
 function* ofCharacter(character, result) {
   yield part("", character.name);
   yield part("", `${number.format(character.vertices)} vertices, ${number.format(character.faces)} faces, ${number.format(character.joints.length)} joints`);
@@ -31,12 +35,14 @@ function* ofCharacter(character, result) {
 }
 
 // models: those that were used, {name, bytes, parameters, layers}.
+/** @param {{ name: string, bytes: number, parameters: number, layers: number }[]} models */
 function ofModels(models) {
-  const about = ({ name, parameters, layers }) => `${name}: ${number.format(parameters)} int16 parameters in ${layers} layers`;
+  const about = (/** @type {{ name: string, parameters: number, layers: number }} */ { name, parameters, layers }) => `${name}: ${number.format(parameters)} int16 parameters in ${layers} layers`;
   return part(models.length > 1 ? "models " : "model ", models.map((model) => bytes(model.bytes)).join(", "), models.map(about).join("\n"));
 }
 
 // engine: {kernel, version, moduleBytes}; models: by their task; result: what the line says of the bind, null while there is none.
+/** @param {{ character: any, result: any, engine: any, models: any }} of */
 export function factsOf({ character, result, engine, models }) {
   const parts = character ? [...ofCharacter(character, result)] : [];
   const used = [models.weights, ...(character?.predicted ? [models.skeletons, models.hands] : [])].filter(Boolean);

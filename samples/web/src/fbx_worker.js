@@ -4,6 +4,7 @@ import { FBXExporter } from "@comfyorg/fbx-exporter-three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
 // Bytes of a binary FBX of a GLB, for Blender, Maya, Unity and Unreal.
+/** @param {Uint8Array<ArrayBuffer>} glb */
 async function glbToFbx(glb) {
   const gltf = await new GLTFLoader().parseAsync(glb.buffer, "");
   return new FBXExporter().parseAsync(gltf.scene, { animations: gltf.animations, creator: "sinew" });

@@ -2,32 +2,55 @@
 // Which of the dropped files make a character together: names alone decide, contents are the module's business.
 import { extensionsOf, fileKind } from "../../npm/src/file_kinds.js";
 
+/** @type {(name: string) => string} */
 const lower = (name) => name.toLowerCase();
-const isOffered = (name, use) => fileKind(name)?.uses.includes(use) === true && fileKind(name).uses.includes("offered");
+/** @type {(name: string, use: string) => boolean} */
+const isOffered = (name, use) => {
+  const uses = fileKind(name)?.uses ?? [];
+  return uses.includes(use) && uses.includes("offered");
+};
+/** @type {(name: string) => boolean} */
 export const isMesh = (name) => isOffered(name, "readsMesh");
+/** @type {(name: string) => boolean} */
 export const isWhole = (name) => isOffered(name, "readsWhole");
+/** @type {(name: string) => boolean} */
 export const isRig = (name) => fileKind(name)?.reader === "rig";
+/** @type {(name: string) => boolean} */
 export const isModel = (name) => lower(name).endsWith(".sinew");
+/** @type {(name: string) => boolean} */
 export const isStyle = (name) => lower(name).endsWith(".style");
+/** @type {(name: string) => boolean} */
 export const mayMove = (name) => isOffered(name, "readsMotion") && isMesh(name); // what it is for shows in it
+/** @type {(name: string) => boolean} */
 export const isMotion = (name) => isOffered(name, "readsMotion") && !isMesh(name);
+/** @type {(name: string) => boolean} */
 export const isBeside = (name) => /\.(bin|png|jpe?g|webp|ktx2|mtl|tga|bmp|tiff?|gif|psd|dds)$/.test(lower(name)); // parts of a .gltf, .obj, .fbx or .dae
 
+/** @type {(name: string) => boolean} */
 export const isPicture = (name) => isOffered(name, "readsPicture"); // a drawing, where it is alone; else a part
 
 // What the page's file dialogs offer.
 export const allFiles = [...extensionsOf("offered"), ".txt", ".bin", ".tga", ".sinew", ".style", ".zip", ".sinewproject"].join(",");
 export const motionFiles = extensionsOf("readsMotion", "offered").join(",");
 
+/** @param {string} name */
 export function stem(name) {
   return name.replace(/(\.rig\.txt|\.[^.]*)$/i, "");
 }
+
+/** @typedef {{ mesh?: string, rig?: string }} Waiting */
 
 // names: of the files now dropped. waiting: {mesh, rig} names of earlier files that a skeleton, or a mesh, may still follow:
 // a lone .obj is a character without skeleton until then.
 // moving: those of the names that could hold a mesh and are motions here.
 // Returns {characters: [{name, mesh, skeleton}], model, style, motions, waiting, problems: [one line each]}.
+/**
+ * @param {string[]} names
+ * @param {Waiting} waiting
+ * @param {string[]} moving
+ */
 export function pairFiles(names, waiting = {}, moving = []) {
+  /** @type {{ characters: { name: string, mesh: string, skeleton: string }[], model: string, style: string, motions: string[], waiting: Waiting, problems: string[] }} */
   const none = { characters: [], model: "", style: "", motions: [], waiting: {}, problems: [] };
   const problems = [];
   const others = names.filter((n) => !isMesh(n) && !isRig(n) && !isModel(n) && !isStyle(n) && !isMotion(n) && !isBeside(n));
@@ -43,6 +66,7 @@ export function pairFiles(names, waiting = {}, moving = []) {
   if (waiting.mesh && rigs.length > 0 && meshes.length === 0) meshes.push(waiting.mesh);
   if (waiting.rig && meshes.length > 0 && rigs.length === 0) rigs.push(waiting.rig);
   const characters = [];
+  /** @type {Waiting} */
   const next = {};
   const used = new Set();
   for (const mesh of meshes) {
@@ -52,7 +76,7 @@ export function pairFiles(names, waiting = {}, moving = []) {
   }
   const free = rigs.filter((r) => !used.has(r));
   const bare = characters.filter(({ skeleton }) => skeleton === "");
-  const lonely = bare.filter(({ mesh }) => fileKind(mesh).reader === "obj");
+  const lonely = bare.filter(({ mesh }) => fileKind(mesh)?.reader === "obj");
   if (free.length === 1 && lonely.length === 1) {
     lonely[0].skeleton = free[0]; // one of each: they belong together
   } else if (free.length === 1 && characters.length === 1 && bare.length === 1) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Help inside the page: what the steps are for, and the keys.
+import { $ } from "./elements.js";
 
-const $ = (id) => document.getElementById(id);
 const does = [
   ["Drop a mesh", "It gets joints and weights at once. Red limbs may be wrong: Skeleton, Next; drag a joint, its mirror partner follows. Or mark parts of the body (Markers) and rig again."],
   ["It lies or is too large", "Mesh: turn by 90°, height in metres, on the floor. Skeleton: T pose."],
@@ -19,13 +19,14 @@ const keys = [
   ["Space, comma, dot", "play, a frame back and on"], ["C", "method of retargeting"],
 ];
 
+/** @type {(tag: string, text: string) => HTMLElement} */
 const cell = (tag, text) => Object.assign(document.createElement(tag), { textContent: text });
 
 export function showHelp() {
   const page = $("help-page");
   if (page.open) return page.close();
   if (page.childElementCount === 0) {
-    const table = (rows, head) => {
+    const table = (/** @type {string[][]} */ rows, /** @type {boolean} */ head) => {
       const made = document.createElement("table");
       made.append(...rows.map(([a, b]) => {
         const tr = document.createElement("tr");

@@ -5,11 +5,15 @@
 const mostSteps = 100;
 const oneStep = 1200; // milliseconds within which the same kind of step goes on, as arrow keys on a slider do
 
+/** @typedef {import("./types.js").State} State */
+
 export class History {
+  /** @type {{ name: string, state: State }[]} */
   #steps; // [{name, state}], the first one without a name
   #at = 0;
   #last = { name: "", time: -Infinity };
 
+  /** @param {State} state */
   constructor(state) {
     this.#steps = [{ name: "", state }];
   }
@@ -29,6 +33,11 @@ export class History {
   }
 
   // goesOn: such a step right after one of the same name is that one.
+  /**
+   * @param {string} name
+   * @param {State} state
+   * @param {{ goesOn?: boolean, time?: number }} how
+   */
   add(name, state, { goesOn = false, time = Date.now() } = {}) {
     const same = goesOn && this.#at > 0 && this.#last.name === name && time - this.#last.time < oneStep && this.#at === this.#steps.length - 1;
     this.#last = { name, time };
@@ -42,6 +51,7 @@ export class History {
   }
 
   // The present step with another state, as when what it holds was made anew.
+  /** @param {State} state */
   replace(state) {
     this.#steps[this.#at] = { ...this.#steps[this.#at], state };
   }
@@ -54,6 +64,7 @@ export class History {
     return this.#go(1);
   }
 
+  /** @param {number} by */
   #go(by) {
     const to = this.#steps[this.#at + by];
     if (!to) return null;

@@ -5,14 +5,17 @@ import { $, at, engine } from "./state.js";
 
 const saidAfter = 350; // milliseconds: what is done sooner needs no words
 
+/** @type {Promise<any>} */
 export let queue = Promise.resolve();
 // Runs a job after those before it. What it throws is shown, and the page goes on.
+/** @param {() => any} job */
 export function run(job) {
   const done = queue.then(job);
-  queue = done.catch((error) => error instanceof Stopped || showError(error.message));
+  queue = done.catch((/** @type {Error} */ error) => error instanceof Stopped || showError(error.message));
   return queue;
 }
 
+/** @param {string} line */
 export function showError(line) {
   $("error").firstElementChild.textContent = line;
   $("error").hidden = false;
@@ -24,6 +27,11 @@ export function clearError() {
 
 let doing = 0;
 // A long job: its words stand in the picture, with a share where the engine tells one, and Esc stops it.
+/**
+ * @template Result
+ * @param {string} words
+ * @param {() => Promise<Result>} job
+ */
 export async function whileBusy(words, job) {
   engine.onProgress(0);
   $("busy-said").textContent = words;
@@ -48,6 +56,7 @@ export function stopJobs() {
   return true;
 }
 
+/** @param {BlobPart} content @param {string} type @param {string} name */
 export function save(content, type, name) {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(new Blob([content], { type }));

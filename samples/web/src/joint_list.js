@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The list of joints: a tree while nothing is searched, with each joint's colour and share of all weight.
-
-const $ = (id) => document.getElementById(id);
+import { $ } from "./elements.js";
 
 function depth(joints, joint) {
   let d = 0;
@@ -31,7 +30,9 @@ function shareText(share, isOff) {
 }
 
 export class JointList {
+  /** @type {(...of: any[]) => any} */
   onPick = () => {}; // joint, whether beside the chosen one
+  /** @type {any} */
   #character = null;
 
   constructor() {

@@ -5,6 +5,7 @@ const typed = "input[type=search], input[type=text], input[type=number], select,
 const pressed = "button, summary, a[href], input, select, [role=tab], [role=option]";
 
 // Whether a key is the element's own, and none of the page's.
+/** @param {Element} element @param {string} key */
 export function isOwnKey(element, key) {
   if (element.matches(typed)) return true;
   if (key === " " || key === "Enter") return element.matches(pressed);
@@ -12,16 +13,18 @@ export function isOwnKey(element, key) {
 }
 
 // actions: by key, lower case; onUndo: called with whether it is redo; onEscape.
+/** @param {Record<string, () => any>} actions @param {{ onUndo: (forward: boolean) => any, onEscape: (event: KeyboardEvent) => any }} more */
 export function listenForKeys(actions, { onUndo, onEscape }) {
   addEventListener("keydown", (event) => {
+    const target = /** @type {Element} */ (event.target);
     const key = event.key.toLowerCase();
-    const typing = event.target.matches(typed) && !event.target.matches("select");
+    const typing = target.matches(typed) && !target.matches("select");
     if ((event.ctrlKey || event.metaKey) && !event.altKey && (key === "z" || key === "y") && !typing) {
       event.preventDefault();
       return onUndo(key === "y" || event.shiftKey);
     }
     if (event.key === "Escape") return onEscape(event);
-    if (event.ctrlKey || event.metaKey || event.altKey || isOwnKey(event.target, event.key)) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || isOwnKey(target, event.key)) return;
     const action = actions[key];
     if (!action) return;
     event.preventDefault();

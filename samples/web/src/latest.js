@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Work that is wanted faster than it can be done: what is wanted last is done next, what came between is left out.
 
+/** @template Wanted */
 export class Latest {
   #job;
-  #wanted;
+  /** @type {{ what: any } | null} */
+  #wanted = null;
+  /** @type {Promise<void> | null} */
   #running = null;
 
-  // job: async function of what is wanted
+  /** @param {(what: Wanted) => Promise<any>} job */
   constructor(job) {
     this.#job = job;
   }
@@ -26,6 +29,7 @@ export class Latest {
   }
 
   // Resolves when nothing is wanted any more; rejects with the first error, which ends what was wanted after it too.
+  /** @param {Wanted} [what] */
   want(what) {
     this.#wanted = { what };
     this.#running ??= this.#run();

@@ -2,12 +2,16 @@
 // Where a joint goes that is dragged: along the picture's plane, or to the middle of the limb behind the pointer. Plain
 // numbers, no picture: points and directions are [x, y, z].
 
+/** @type {(a: number[], b: number[]) => number} */
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+/** @type {(from: number[], direction: number[], t: number) => number[]} */
 const along = (from, direction, t) => from.map((x, axis) => x + direction[axis] * t);
+/** @type {(a: number[], b: number[]) => number[]} */
 const minus = (a, b) => a.map((x, axis) => x - b[axis]);
 
 // Where a ray meets a surface, by distance: [{t, enters}]. positions: [V x 3]; triangles: [T x 3], corners counter-clockwise
 // from outside. Distances are in lengths of the direction and may be negative. Moeller and Trumbore's test.
+/** @param {{ positions: ArrayLike<number>, triangles: ArrayLike<number> }} surface @param {number[]} origin @param {number[]} direction */
 export function crossings({ positions, triangles }, origin, direction) {
   const [ox, oy, oz] = origin;
   const [dx, dy, dz] = direction;
@@ -48,11 +52,13 @@ export function crossings({ positions, triangles }, origin, direction) {
 // The stretches of a ray that lie within the surface: [[from, to]]. Parts that overlap are one stretch; a surface met
 // twice at one place, on the edge of two triangles, counts once; sheets that are never left count for nothing. A mesh
 // whose faces are all turned inwards is read backwards.
+/** @param {{ t: number, enters: boolean }[]} met */
 export function insides(met) {
-  if (met.length < 2) return [];
-  const near = 1e-6 * Math.max(met.at(-1).t - met[0].t, Math.abs(met.at(-1).t) * 1e-3);
+  const last = met.at(-1);
+  if (met.length < 2 || !last) return [];
+  const near = 1e-6 * Math.max(last.t - met[0].t, Math.abs(last.t) * 1e-3);
   const once = met.filter(({ t, enters }, i) => !met.slice(Math.max(0, i - 8), i).some((other) => other.enters === enters && t - other.t <= near));
-  const inverted = !once[0].enters && once.at(-1).enters;
+  const inverted = !once[0].enters && (once.at(-1) ?? last).enters;
   const stretches = [];
   let depth = 0;
   let from = 0;
@@ -67,6 +73,7 @@ export function insides(met) {
 }
 
 // The middle of the stretch that holds `at`, else of the nearest one; null where the ray meets no inside.
+/** @param {number[][]} stretches @param {number} at @returns {number | null} */
 export function middleNear(stretches, at) {
   let best = null;
   let nearest = Infinity;
@@ -82,6 +89,7 @@ export function middleNear(stretches, at) {
 //   forward            what the eye looks along: without more, the joint stays as far away as it was
 //   plane              null, or {axis, at} for a joint that stands for both sides: it stays on that plane
 //   surface            null, or {positions, triangles}: the joint goes to the middle of what the ray passes through there
+/** @param {{ origin: number[], direction: number[], forward: number[], from: number[], plane?: { axis: number, at: number } | null, surface?: any }} ray */
 export function draggedTo({ origin, direction, forward, from, plane = null, surface = null }) {
   const t = dot(minus(from, origin), forward) / dot(direction, forward);
   const free = along(origin, direction, t);

@@ -57,7 +57,7 @@ export async function openFiles(dropped, { asMotions = false } = {}) {
   const list = await unpacked(dropped);
   const names = list.map(({ name }) => name);
   const isProject = names.includes("project.json");
-  if (isProject) return openProject(dropped[0].name, await list.find(({ name }) => name === "project.json").text(), list);
+  if (isProject) return openProject(dropped[0].name, (await list.find(({ name }) => name === "project.json")?.text()) ?? "", list);
   await giveFiles(list);
   if (names.every(isPicture) && names.some(isMissing)) return run(() => load(at.character.source)); // of the file that is open
   const moving = asMotions ? names.filter(mayMove) : await motionsAmong(names);
@@ -131,7 +131,7 @@ export async function reopen() {
     await useModel(file.name);
   }
   if (at.lastDone) return load(at.lastDone);
-  at.character = null;
+  Object.assign(at, { character: null });
   document.body.classList.add("start");
 }
 
@@ -146,7 +146,7 @@ function showCharacters() {
       tab.textContent = one.name;
       tab.title = one.name;
       tab.ariaSelected = String(one.name === at.character?.name);
-      tab.onclick = () => run(async () => (clearError(), load(one)));
+      tab.onclick = () => run(() => (clearError(), load(one)));
       return tab;
     }),
   );
@@ -154,17 +154,18 @@ function showCharacters() {
 
 // state: what it is to be like, of a project, with its rows; else as its history last had it, else as its file has it.
 export async function load(source, state = null, rows = null) {
-  const { name, mesh, skeleton } = source;
+  const { name, mesh } = source;
   at.player.pause();
   const isKnown = source.history && source.history.now.epoch === engine.epoch;
   if (!isKnown) source.number = ++at.lastNumber;
   const wanted = state ?? source.history?.now ?? null;
   source.placement = wanted?.placement ?? source.placement ?? unplaced;
+  if (wanted) source.pictureWishes = wanted.pictureWishes;
   const loaded = await whileBusy(`Opening ${name}`, () =>
     source.pictureWishes ? engine.call("picture", { mesh, wishes: source.pictureWishes, number: source.number }) : engine.call("load", asLoaded(source)),
   );
   // From here on the module has the new character, whether it can be bound or not.
-  if (!wanted) forgetOptions(source);
+  if (!wanted) forgetOptions();
   const up = Number($("up").value);
   const upAxis = upOf(loaded, up);
   at.character = { ...loaded, name, up, upAxis, source, result: null, size: longestSide(loaded.buffers.positions), placeable: !loaded.picture };
@@ -181,7 +182,7 @@ export async function load(source, state = null, rows = null) {
     if (loaded.picture) await moveDrawing();
     if (isWhole(mesh) && source.motion === undefined && !at.character.predicted) await at.motions.open([mesh]).catch(() => {}); // most files have no animations
   }
-  const { rigidParts } = at.character.result;
+  const { rigidParts } = at.character.result ?? { rigidParts: 0 };
   if (rigidParts) remark(`Its ${rigidParts} parts hang on joints as they are; here they are bound like a skin.`);
   record("");
   setStep(source.step ?? firstStep(at.character, Boolean(at.player.motion)), { view: false });
@@ -191,32 +192,20 @@ export async function load(source, state = null, rows = null) {
 }
 
 // What was asked for the character before says nothing of this one.
-function forgetOptions({ pictureWishes }) {
+function forgetOptions() {
   at.options.reset();
   at.editor.showWishes(null);
-  $("kind").value = String(1 + bodyWords.indexOf(pictureWishes?.class)); // a drawing is read anew for it
   $("up").value = "2";
 }
 
 // A drawing moves at once, as its class does.
 async function moveDrawing() {
   const { picture } = at.character;
-  if (!picture.clip) return;
+  if (!picture?.clip) return;
   at.view.frame([0, 0.05, 1]); // it is flat
   await at.motions.open([picture.clip]);
   if (!at.player.playing && !matchMedia("(prefers-reduced-motion: reduce)").matches) at.player.toggle();
 }
-
-// A drawing by the kind of body that its user says: read anew.
-export async function changeKind() {
-  const { source, picture } = at.character;
-  if (!picture) return undefined;
-  const word = $("kind").selectedOptions[0].value === "0" ? null : bodyWords[Number($("kind").value) - 1];
-  source.pictureWishes = word ? { class: word } : undefined;
-  Object.assign(source, { history: undefined, motion: undefined, recipe: undefined, answers: [], markers: [], step: undefined });
-  return load(source);
-}
-const bodyWords = ["biped", "quadruped", "bird", "fish", "snake", "many-legged"];
 
 // The character that was just loaded, as it was in that state.
 async function bring(state, rows) {

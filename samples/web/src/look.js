@@ -8,25 +8,37 @@ import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 const isPlain = ({ color, map, vertexColors, emissive }) => color && !map && !vertexColors && color.r === 1 && color.g === 1 && color.b === 1 && !emissive?.r;
 
 export class Look {
+  /** @type {import("three").Group} */
+  root;
+  /** @type {import("three").AnimationClip[]} */
+  animations;
+  /** @type {object | null} */
+  result = null; // of the bind that the file is of
+  /** @type {any} */
   #bones; // per joint of the page: its node, or undefined
+  /** @type {any} */
   #room = null;
+  /** @type {any} */
   #restOf; // per bone: where it is at rest
+
+  constructor({ scene, animations }) {
+    this.root = scene;
+    this.animations = animations;
+  }
 
   // glb: bytes; names: of the page's joints.
   static async of(glb, names) {
-    const look = new Look();
     const gltf = await new GLTFLoader().parseAsync(glb.buffer.slice(glb.byteOffset, glb.byteOffset + glb.byteLength), "");
     const { json, associations } = gltf.parser;
     const nodes = new Map();
-    for (const [object, at] of associations) if (at?.nodes !== undefined && object.isObject3D) nodes.set(at.nodes, object);
+    for (const [object, at] of associations) if (at?.nodes !== undefined && "isObject3D" in object) nodes.set(at.nodes, object);
     const joints = [...new Set((json.skins ?? []).flatMap((skin) => skin.joints))];
     const named = new Map(joints.map((index) => [json.nodes[index].name, nodes.get(index)]));
-    look.root = gltf.scene;
-    look.animations = gltf.animations;
+    const look = new Look(gltf);
     look.#bones = names.map((name, j) => named.get(name) ?? (joints.length === names.length ? nodes.get(joints[j]) : undefined));
     look.root.updateMatrixWorld(true);
     look.#restOf = look.#bones.map((bone) => bone?.matrixWorld.clone());
-    look.root.traverse((object) => {
+    look.root.traverse((/** @type {any} */ object) => {
       object.frustumCulled = false;
       for (const one of [object.material].flat()) {
         if (one?.isMeshBasicMaterial) one.toneMapped = false; // a drawing's colours are what they are
@@ -68,7 +80,7 @@ export class Look {
   dispose() {
     this.#room?.dispose();
     this.root.removeFromParent();
-    this.root.traverse(({ geometry, material }) => {
+    this.root.traverse((/** @type {any} */ { geometry, material }) => {
       geometry?.dispose();
       for (const one of [material].flat()) {
         for (const value of Object.values(one ?? {})) if (value?.isTexture) value.dispose();

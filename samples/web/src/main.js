@@ -9,6 +9,7 @@ import { nextBrush, showBrush, strokes } from "./brush.js";
 import { listenForChecks } from "./checking.js";
 import { setMode, showLegend } from "./colours.js";
 import { undo } from "./commands.js";
+import { changeKind, listenForDrawings } from "./drawing.js";
 import { dragJoint, editName, editSkeleton, endDrag, moves, predict, toMiddle, upOf } from "./editing.js";
 import { exportAs } from "./export.js";
 import { allFiles, motionFiles } from "./files.js";
@@ -16,7 +17,7 @@ import { showHelp } from "./help.js";
 import { clearError, queue, run, save, showError, stopJobs, whileBusy } from "./jobs.js";
 import { JointList } from "./joint_list.js";
 import { listenForKeys } from "./keys.js";
-import { changeKind, changeMotion, motionChanged, openFiles, openProject, openSample, reopen, tryClip } from "./loading.js";
+import { changeMotion, motionChanged, openFiles, openProject, openSample, reopen, tryClip } from "./loading.js";
 import { listenForMarkers } from "./marking.js";
 import { fetchModel } from "./models.js";
 import { Motions } from "./motions.js";
@@ -28,7 +29,7 @@ import { showSteps } from "./rail.js";
 import { samples, thumbOf } from "./samples.js";
 import { choose, poseChanged, poses, sendPose } from "./showing.js";
 import { SkeletonEditor } from "./skeleton.js";
-import { $, at, engine, modes, views } from "./state.js";
+import { $, all, at, engine, modes, views } from "./state.js";
 import { goTo, setStep } from "./steps.js";
 import { View } from "./view.js";
 import { zip } from "./zip.js";
@@ -52,11 +53,11 @@ function listenForFiles() {
     const sample = samples.find(({ name }) => name === $("sample").value);
     if (sample) run(() => openSample(sample));
   };
-  for (const thumbs of document.querySelectorAll("[data-samples]")) {
+  for (const thumbs of all("[data-samples]")) {
     thumbs.append(
       ...samples.filter(({ shown }) => shown).map((sample) => {
         const button = Object.assign(document.createElement("button"), { type: "button", title: sample.name, onclick: () => run(() => openSample(sample)) });
-        button.append(Object.assign(document.createElement("img"), { src: thumbOf(sample), alt: "", loading: "lazy" }), sample.shown);
+        button.append(Object.assign(document.createElement("img"), { src: thumbOf(sample), alt: "", loading: "lazy" }), sample.shown ?? "");
         return button;
       }),
     );
@@ -73,6 +74,7 @@ function listenForFiles() {
   $("motion-files").accept = motionFiles;
   choosing("files", ["open", "open-more"], {});
   choosing("motion-files", ["open-motion"], { asMotions: true });
+  choosing("camera", ["photograph", "photograph-more"], {});
 
   // A drag passes over many elements; the count says when it has left the page.
   let over = 0;
@@ -86,7 +88,7 @@ function listenForFiles() {
   addEventListener("drop", (event) => {
     event.preventDefault();
     drag(-over);
-    const list = [...event.dataTransfer.files];
+    const list = [...(event.dataTransfer?.files ?? [])];
     run(() => (list.length > 0 ? openFiles(list) : Promise.reject(new Error("the drop held no files"))));
   });
 }
@@ -110,10 +112,11 @@ async function saveProject() {
 function listenForSkeleton() {
   at.editor = new SkeletonEditor();
   at.editor.onEdit = (edits, chosen) => act(editName(edits), () => editSkeleton(edits, chosen));
-  at.editor.onPredict = (wishes, id) => at.character && (id === "kind" && at.character.picture ? run(changeKind) : act("new skeleton", async () => (await predict(wishes), await bind())));
+  at.editor.onPredict = (wishes, id) => at.character && (id === "kind" && at.character.picture ? changeKind() : act("new skeleton", async () => (await predict(wishes), await bind())));
   at.editor.onMiddle = toMiddle;
   listenForMarkers();
   listenForPlacement();
+  listenForDrawings();
   at.jointList = new JointList();
   at.jointList.onPick = choose;
   $("next-doubt").onclick = nextDoubt;
@@ -133,11 +136,11 @@ function nextDoubt() {
   at.view.lookAtJoints(doubts[next].joints);
 }
 
-async function changeUp() {
+function changeUp() {
   const { character } = at;
   character.up = Number($("up").value);
   if (character.predicted) return predict().then(() => bind());
-  character.upAxis = upOf({}, character.up);
+  character.upAxis = upOf({ upAxis: undefined }, character.up);
   at.view.setUp(character.upAxis);
   return bind();
 }
@@ -315,7 +318,7 @@ try {
   showError(`this browser shows no 3D picture (${error.message}); turn on WebGL or try another browser`);
 }
 // What the tests ask: everything that was started is done, and the state that no element shows.
-window.sinewPage = {
+Object.assign(window, { sinewPage: {
   async settled() {
     while (true) {
       const last = queue;
@@ -328,7 +331,7 @@ window.sinewPage = {
   forgetWork,
   // The step and the folded part that an element is in.
   reveal(id) {
-    const wanted = document.getElementById(id);
+    const wanted = $(id);
     const part = wanted?.closest("[data-steps]");
     const body = wanted?.closest("#panel-body, #brush");
     if (!body || !part) return;
@@ -348,4 +351,4 @@ window.sinewPage = {
   get firstAlone() {
     return at.firstAlone;
   },
-};
+} });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The table of which joint moves as which joint of a motion. What the user says stays, and the rest is mapped again around it.
+import { $ } from "./elements.js";
 
-const $ = (id) => document.getElementById(id);
 const found = "found"; // the option that takes the user's word back
 
 // pins: a Map, joint -> joint of the motion or -1; with this word, and without others that gave the same joint away.
@@ -14,8 +14,11 @@ export function unpinned(pins, joint) {
 }
 
 export class MapPanel {
+  /** @type {(...of: any[]) => any} */
   onPins = () => {}; // Map
+  /** @type {(...of: any[]) => any} */
   onPick = () => {}; // joint
+  /** @type {any} */
   #motion = null;
   #joints = [];
   #pins = new Map();
@@ -50,10 +53,10 @@ export class MapPanel {
 
   #fill() {
     if (!$("map").open || !this.#motion) return;
-    const focused = document.activeElement.closest?.("#map-rows tr")?.dataset.joint;
+    const focused = /** @type {any} */ (document.activeElement)?.closest("#map-rows tr")?.dataset.joint;
     const rows = this.#joints.map(({ name }, j) => this.#row(name, j));
     $("map-rows").replaceChildren(...rows);
-    if (focused !== undefined) rows[Number(focused)]?.querySelector("select").focus();
+    if (focused !== undefined) rows[Number(focused)]?.querySelector("select")?.focus();
   }
 
   #row(name, joint) {

@@ -5,17 +5,26 @@ import { Color, Mesh, MeshBasicMaterial, SphereGeometry } from "three";
 const colour = new Color(0x2ec4ff);
 const chosenColour = new Color(0xffb02e);
 
+/** @typedef {{ place: number[], chosen?: boolean, image?: boolean }} Shown */
+
 export class MarkerBalls {
+  /** @type {Mesh<SphereGeometry, MeshBasicMaterial>[]} */
   #balls = [];
   #parent;
   #geometry = new SphereGeometry(1, 16, 10);
+  /** @type {Shown[]} */
   #markers = [];
 
+  /** @param {import("three").Object3D} parent */
   constructor(parent) {
     this.#parent = parent;
   }
 
   // markers: [{place: [x, y, z], chosen, image}] in the model's axes, image: that of another one; radius: of the character.
+  /**
+   * @param {Shown[]} markers
+   * @param {number} radius
+   */
   show(markers, radius) {
     this.#markers = markers;
     while (this.#balls.length < markers.length) this.#add();
@@ -23,7 +32,7 @@ export class MarkerBalls {
       const marker = markers[i];
       ball.visible = Boolean(marker);
       if (!marker) return;
-      ball.position.set(...marker.place);
+      ball.position.fromArray(marker.place);
       ball.scale.setScalar((marker.chosen ? 0.03 : 0.022) * radius);
       ball.material.color.copy(marker.chosen ? chosenColour : colour);
       ball.material.opacity = marker.image ? 0.35 : 0.9;

@@ -26,9 +26,9 @@ export function withMarker(markers, joint, place) {
 
 // The part to mark next: the first after this one that has no marker. alike: those of the other side follow by themselves.
 export function nextPart(markers, joint, alike) {
-  const at = parts.findIndex((part) => part.joint === joint);
+  const index = parts.findIndex((part) => part.joint === joint);
   const other = alike && /^(Left|Right)/.test(joint) ? (joint.startsWith("Left") ? "Right" : "Left") : null;
-  const free = parts.slice(at + 1).find((part) => !markers.some((one) => one.joint === part.joint) && !(other && part.joint.startsWith(other)));
+  const free = parts.slice(index + 1).find((part) => !markers.some((one) => one.joint === part.joint) && !(other && part.joint.startsWith(other)));
   return free?.joint ?? joint;
 }
 
@@ -43,12 +43,19 @@ export function shownMarkers(markers, chosen, mirror) {
 }
 
 export class MarkerPanel {
+  /** @type {(...of: any[]) => any} */
   onMark = () => {}; // joint, place
+  /** @type {(...of: any[]) => any} */
   onRemove = () => {}; // joint
+  /** @type {(...of: any[]) => any} */
   onClick = () => {}; // place
+  /** @type {(...of: any[]) => any} */
   onRig = () => {};
+  /** @type {(...of: any[]) => any} */
   onPlacing = () => {}; // whether a click on the mesh is a marker now; another part was chosen
+  /** @type {any} */
   #markers = [];
+  /** @type {any} */
   #character = null;
 
   constructor() {

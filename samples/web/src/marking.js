@@ -6,6 +6,7 @@ import { predict } from "./editing.js";
 import { MarkerPanel, nextPart, partOf, showMarkers, shownMarkers, withMarker } from "./markers.js";
 import { $, at } from "./state.js";
 
+/** @param {string} name @param {import("./types.js").Marker[]} markers */
 function setMarkers(name, markers) {
   return act(name, () => {
     at.character.source.markers = markers;
@@ -13,17 +14,20 @@ function setMarkers(name, markers) {
   });
 }
 
+/** @param {string} joint @param {number[]} place */
 function mark(joint, place) {
   return setMarkers(`mark ${partOf(joint)}`, withMarker(at.character.source.markers, joint, place));
 }
 
 // A click on the mesh: the chosen part is in the middle of what is there, and the next one is chosen.
+/** @param {number[]} place */
 function markAt(place) {
   const { part } = at.markers;
   mark(part, place);
   at.markers.choose(nextPart(withMarker(at.character.source.markers, part, place), part, at.editor.alike && at.character.mirrored));
 }
 
+/** @param {number} index @param {number[]} place @param {boolean} ended */
 function dragMarker(index, place, ended) {
   const { markers } = at.character.source;
   const { joint } = markers[index];

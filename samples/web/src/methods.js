@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The switch between methods of retargeting while a motion plays, what each leaves to be mended, and whether contacts are shown.
+import { $, all } from "./elements.js";
 
-const $ = (id) => document.getElementById(id);
 export const motionMethods = { contacts: 0, copy: 1, referencePoints: 2 }; // MotionMethod of player.hpp
 
 const percent = (share, digits = 0) => `${(100 * share).toFixed(digits)} %`;
@@ -37,7 +37,9 @@ export function clipText(clip) {
 }
 
 export class MethodPanel {
+  /** @type {(...of: any[]) => any} */
   onMethod = () => {}; // MotionMethod
+  /** @type {(...of: any[]) => any} */
   onSpots = () => {};
 
   constructor() {
@@ -52,7 +54,7 @@ export class MethodPanel {
   // The next method.
   next() {
     if ($("motion-method").hidden) return;
-    const inputs = [...document.querySelectorAll("#motion-method input")];
+    const inputs = all("#motion-method input");
     const at = inputs.findIndex(({ checked }) => checked);
     this.onMethod(Number(inputs[(at + 1) % inputs.length].value));
   }
@@ -62,7 +64,7 @@ export class MethodPanel {
     $("methods").hidden = !motion;
     if (!motion) return;
     $("motion-method").hidden = motion.own; // its file's own frames are as they are
-    for (const input of document.querySelectorAll("#motion-method input")) input.checked = Number(input.value) === motion.method;
+    for (const input of all("#motion-method input")) input.checked = Number(input.value) === motion.method;
     const { notes } = motion.files[motion.clips[clip].file];
     $("motion-report").textContent = [clipText(motion.clips[clip]), ...notes].filter(Boolean).map((line) => `${line[0].toUpperCase()}${line.slice(1)}.`).join(" ");
   }

@@ -9,9 +9,11 @@ import { $, at, engine, modes } from "./state.js";
 import { firstStep, setStep } from "./steps.js";
 
 export const unplaced = { turns: [], height: 0, floor: false };
+/** @type {(source: import("./types.js").Source) => object} */
 export const asLoaded = ({ mesh, skeleton, number, placement }) => ({ mesh, skeleton, number, place: { ...placement, up: Number($("up").value) === 1 ? 1 : 0 } });
 
 // The open character turned or scaled as a whole: with the joints of its file, without weights.
+/** @param {import("./types.js").Placement} placement */
 export async function loadPlaced(placement) {
   const { source, name, up } = at.character;
   const loaded = await whileBusy(`Turning ${name}`, () => engine.call("load", asLoaded({ ...source, placement })));
@@ -22,11 +24,26 @@ export async function loadPlaced(placement) {
   showOpened(loaded);
 }
 
+// The open drawing by other wishes: without joints and weights.
+/** @param {import("./types.js").PictureWishes | undefined} wishes */
+export async function loadDrawn(wishes) {
+  const { source, name, up } = at.character;
+  const { mesh, number } = source;
+  const loaded = await whileBusy(`Opening ${name}`, () => engine.call("picture", { mesh, wishes: wishes ?? { class: "" }, number })); // without any it would be the one that is open
+  source.pictureWishes = wishes;
+  at.character = { ...loaded, name, up, upAxis: upOf(loaded, up), source, result: null, size: longestSide(loaded.buffers.positions), placeable: false };
+  source.locked = new Set(); // with the rows that were locked
+  source.kept = 0;
+  showOpened(loaded);
+}
+
+/** @param {string} line */
 export function remark(line) {
   $("remarks").textContent += `${$("remarks").textContent && "\n"}${line}`;
   $("remarks").hidden = false;
 }
 
+/** @param {any} loaded as the module tells it */
 export function showOpened(loaded) {
   document.body.classList.remove("start");
   $("artist").hidden = !loaded.hasReference;
@@ -46,6 +63,7 @@ export function showOpened(loaded) {
   showFacts();
 }
 
+/** @param {Float32Array} positions [V x 3] */
 export function longestSide(positions) {
   const least = [Infinity, Infinity, Infinity];
   const most = [-Infinity, -Infinity, -Infinity];

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What the user wants of a bind, beside answers: the options of `sinew bind`, and which joints and vertices are switched off, locked or
 // painted. Sets of names live with a character (its `source`) while its tab is open.
-
-const $ = (id) => document.getElementById(id);
+import { $ } from "./elements.js";
 
 // What a change of each is called in the history.
+/** @type {Record<string, string>} */
 const words = { method: "weights from", symmetric: "symmetric weights", "rigid-parts": "rigid parts", influences: "influences", softness: "softness", "t-pose": "T pose" };
 
 export class BindOptions {
+  /** @type {(...of: any[]) => any} */
   onChange = () => {};
   #first; // values as the page begins
 
@@ -33,9 +34,11 @@ export class BindOptions {
   }
 
   // The rest pose that is shown and saved: "t", or "" as the mesh stands.
+  /** @returns {string} */
   get toPose() {
     return $("t-pose").ariaPressed === "true" ? "t" : "";
   }
+  /** @param {string} pose */
   set toPose(pose) {
     $("t-pose").ariaPressed = String(pose === "t");
   }
@@ -60,8 +63,9 @@ export class BindOptions {
   }
 
   // As web.cpp reads it. joints: of the character; source: {never, always} sets of names.
+  /** @param {any} character that is open */
   wish({ joints, upAxis, source }) {
-    const numbers = (names) => joints.flatMap(({ name }, j) => (names?.has(name) ? [j] : []));
+    const numbers = (/** @type {Set<string>} */ names) => joints.flatMap((/** @type {{ name: string }} */ { name }, /** @type {number} */ j) => (names?.has(name) ? [j] : []));
     return {
       method: Number($("method").value),
       upAxis,
@@ -82,6 +86,7 @@ export class BindOptions {
 }
 
 // source with the joint switched the other way round: {never, always}. isOff: as the last bind had it.
+/** @param {{ never?: Set<string>, always?: Set<string> }} source @param {string} name @param {boolean} isOff */
 export function switched({ never = new Set(), always = new Set() }, name, isOff) {
   const [off, on] = [new Set(never), new Set(always)];
   if (isOff && !off.delete(name)) on.add(name);

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The panel that plays motions: clips, time and speed. What a frame looks like is the page's business.
-
-const $ = (id) => document.getElementById(id);
+import { $ } from "./elements.js";
 
 export class MotionPlayer {
+  /** @type {(...of: any[]) => any} */
   onClose = () => {};
+  /** @type {(...of: any[]) => any} */
   onFrame = () => {}; // the clip or the time has changed
+  /** @type {(...of: any[]) => any} */
   onClip = () => {};
 
+  /** @type {any} */
   #motion = null; // as the module describes it, with {own, method, pins}
   #seconds = 0;
   #playing = false;
@@ -41,8 +44,9 @@ export class MotionPlayer {
   }
 
   // motion: as the module describes it; null for none. With clips of the same names as before it stays at the same place.
+  /** @param {any} motion */
   show(motion) {
-    const names = (of) => of?.clips.map(({ name }) => name).join("\n");
+    const names = (/** @type {any} */ of) => of?.clips.map((/** @type {{ name: string }} */ { name }) => name).join("\n");
     const isSame = motion && names(motion) === names(this.#motion);
     if (!motion) this.pause();
     this.#motion = motion;
@@ -52,12 +56,13 @@ export class MotionPlayer {
       this.#sayAbout();
       return this.#to(Math.min(this.#seconds, this.#length));
     }
-    $("clip").replaceChildren(...motion.clips.map(({ name, seconds }) => new Option(`${name || "clip"}, ${seconds.toFixed(1)} s`)));
+    $("clip").replaceChildren(...motion.clips.map((/** @type {{ name: string, seconds: number }} */ { name, seconds }) => new Option(`${name || "clip"}, ${seconds.toFixed(1)} s`)));
     $("clip").hidden = motion.clips.length < 2;
     this.choose(0);
   }
 
   // Another clip, from its beginning.
+  /** @param {number} clip */
   choose(clip) {
     $("clip").selectedIndex = clip;
     this.#sayAbout();
@@ -91,6 +96,7 @@ export class MotionPlayer {
   }
 
   // By so many frames; pauses.
+  /** @param {number} frames */
   step(frames) {
     if (!this.#motion) return;
     this.pause();
@@ -104,7 +110,7 @@ export class MotionPlayer {
     this.#showPlaying();
     if (this.#seconds >= this.#length) this.#to(0);
     this.#last = performance.now();
-    const next = (now) => {
+    const next = (/** @type {number} */ now) => {
       if (!this.#playing) return;
       const passed = Math.max(0, (now - this.#last) / 1e3) * Number($("speed").value);
       this.#last = now;
@@ -124,6 +130,7 @@ export class MotionPlayer {
     $("play").ariaPressed = String(this.#playing);
   }
 
+  /** @param {number} seconds */
   #to(seconds) {
     this.#seconds = seconds;
     $("time").max = String(this.#length);

@@ -10,13 +10,19 @@ const touchPixels = 24; // a finger hides what it is on
 const dragPixels = 3; // less is a click
 
 export class Pointer {
+  /** @type {any} */
   #view;
+  /** @type {any} */
   #canvas;
+  /** @type {any} */
   #camera;
+  /** @type {any} */
   #model;
+  /** @type {any} */
   #mesh;
   #stroking = false;
-  #drag = null; // {joint, offset, start, from, moved}
+  /** @type {any} */
+  #drag = null; // {joint, marker or outline, offset, start, from, moved}
 
   // view: the View; its handlers are called. mesh: () => the shown mesh, or nothing.
   constructor(view, { host, canvas, camera, model, mesh }) {
@@ -45,14 +51,15 @@ export class Pointer {
     return best;
   }
 
-  // The marker that is nearest to the pointer, -1 where none is near.
-  markerAt({ clientX: x, clientY: y, pointerType }) {
-    let best = -1;
+  // The marker that is nearest to the pointer, or the point of an outline: {marker: index, place} or {outline: {of, point}, place}; null where none is near.
+  handleAt({ clientX: x, clientY: y, pointerType }) {
+    const handles = [...this.#view.markers.map(({ place, index }) => ({ place, marker: index })), ...this.#view.outlineHandles.map(({ place, ...outline }) => ({ place, outline }))];
+    let best = null;
     let nearest = pointerType === "touch" ? touchPixels : pickPixels;
-    for (const { place, index } of this.#view.markers) {
-      const at = this.#view.onScreen(place);
+    for (const handle of handles) {
+      const at = this.#view.onScreen(handle.place);
       const distance = Math.hypot(at.x - x, at.y - y);
-      if (!at.behind && distance <= nearest) [best, nearest] = [index, distance];
+      if (!at.behind && distance <= nearest) [best, nearest] = [handle, distance];
     }
     return best;
   }
@@ -60,7 +67,7 @@ export class Pointer {
   // The middle of the limb under the pointer, null beside the mesh.
   #middleAt({ clientX, clientY }) {
     const hit = firstHit(this.#rayThrough(clientX, clientY), this.#mesh());
-    return hit ? this.place(-1, this.#mesh().worldToLocal(hit.point.clone()).toArray(), clientX, clientY, true) : null;
+    return hit ? this.place(this.#mesh().worldToLocal(hit.point.clone()).toArray(), clientX, clientY, { toMiddle: true }) : null;
   }
 
   // The shown vertex under the pointer, -1 beside the mesh.
@@ -84,8 +91,14 @@ export class Pointer {
     return ray;
   }
 
-  // Where a joint that is at `from` goes when it is dragged to a place of the page.
-  place(joint, from, x, y, toMiddle) {
+  // Where what is at `from` goes when it is dragged to a place of the page. plane: that it stays on, {axis, at}, or null; toMiddle: of the limb there.
+  /**
+   * @param {number[]} from
+   * @param {number} x
+   * @param {number} y
+   * @param {{ plane?: { axis: number, at: number } | null, toMiddle?: boolean }} how
+   */
+  place(from, x, y, { plane = null, toMiddle = false }) {
     const { origin, direction } = this.#rayThrough(x, y).ray;
     const toModel = new Matrix4().copy(this.#model.matrixWorld).invert(); // turned at most, so lengths stay
     const { geometry } = this.#mesh();
@@ -94,7 +107,7 @@ export class Pointer {
       direction: direction.transformDirection(toModel).toArray(),
       forward: this.#camera.getWorldDirection(new Vector3()).transformDirection(toModel).toArray(),
       from,
-      plane: joint < 0 ? null : this.#view.planeOf(joint),
+      plane,
       surface: toMiddle ? { positions: geometry.getAttribute("position").array, triangles: geometry.index.array } : null,
     });
   }
@@ -111,35 +124,45 @@ export class Pointer {
           this.#view.onStroke(this.surfaceAt(event));
           return;
         }
-        const marker = event.button === 0 && event.target === this.#canvas && !this.#drag ? this.markerAt(event) : -1;
-        if (marker >= 0) return this.#beginMarker(marker, event);
-        if (!this.#view.editing || !this.#view.draggable || this.#view.onMark || event.button !== 0 || event.target !== this.#canvas || this.#drag) return;
+        const handle = event.button === 0 && event.target === this.#canvas && !this.#drag ? this.handleAt(event) : null;
+        if (handle) return this.#begin(event, handle.place, handle);
+        if (this.#view.drawingShown || !this.#view.editing || !this.#view.draggable || this.#view.onMark || event.button !== 0 || event.target !== this.#canvas || this.#drag) return;
         const joint = this.jointAt(event);
         if (joint < 0) return;
-        this.#view.orbiting = false;
-        this.#view.hold();
-        const at = this.#view.jointOnScreen(joint);
-        this.#drag = {
-          joint,
-          offset: [at.x - event.clientX, at.y - event.clientY],
-          start: [event.clientX, event.clientY],
-          from: this.#view.jointPosition(joint),
-          moved: false,
-        };
-        event.target.setPointerCapture(event.pointerId);
+        this.#begin(event, this.#view.jointPosition(joint), { joint });
       },
       true,
     );
     this.#listenForMoves(this.#canvas);
   }
 
-  #beginMarker(marker, event) {
-    const { place } = this.#view.markers.find(({ index }) => index === marker);
-    const at = this.#view.onScreen(place);
+  // what: {joint}, or as handleAt() has it.
+  #begin(event, from, what) {
+    const at = this.#view.onScreen(from);
     this.#view.orbiting = false;
     this.#view.hold();
-    this.#drag = { marker, offset: [at.x - event.clientX, at.y - event.clientY], start: [event.clientX, event.clientY], from: place, moved: false };
+    this.#drag = { ...what, offset: [at.x - event.clientX, at.y - event.clientY], start: [event.clientX, event.clientY], from, moved: false };
     event.target.setPointerCapture(event.pointerId);
+  }
+
+  #dragTo(x, y, drag, altKey) {
+    if (drag.outline) return this.place(drag.from, x, y, { plane: { axis: 2, at: 0 } });
+    return this.place(drag.from, x, y, { plane: drag.joint === undefined ? null : this.#view.planeOf(drag.joint), toMiddle: this.#view.toMiddle !== altKey });
+  }
+
+  // Tells what is dragged where it is now.
+  #tell({ joint, marker, outline, from }, ended) {
+    if (outline) this.#view.onDragOutline(outline, this.#view.pixelAt(from), ended);
+    else if (marker !== undefined) this.#view.onDragMarker(marker, from, ended);
+    else if (ended) this.#view.onDragEnd();
+    else this.#view.onDrag(joint, from);
+  }
+
+  #cursorFor(event) {
+    if (this.handleAt(event)) return "move";
+    if (this.#view.drawingShown) return "";
+    if (this.#view.onMark) return "crosshair";
+    return this.#view.editing && this.#view.draggable && this.jointAt(event) >= 0 ? "move" : "";
   }
 
   #listenForMoves(canvas) {
@@ -151,15 +174,14 @@ export class Pointer {
         return;
       }
       if (!drag) {
-        canvas.style.cursor = this.markerAt(event) >= 0 ? "move" : this.#view.onMark ? "crosshair" : this.#view.editing && this.#view.draggable && this.jointAt(event) >= 0 ? "move" : "";
+        canvas.style.cursor = this.#cursorFor(event);
         return;
       }
       const { clientX: x, clientY: y } = event;
       if (!drag.moved && Math.hypot(x - drag.start[0], y - drag.start[1]) < dragPixels) return;
       drag.moved = true;
-      drag.from = this.place(drag.joint ?? -1, drag.from, x + drag.offset[0], y + drag.offset[1], this.#view.toMiddle !== event.altKey);
-      if (drag.marker !== undefined) this.#view.onDragMarker(drag.marker, drag.from, false);
-      else this.#view.onDrag(drag.joint, drag.from);
+      drag.from = this.#dragTo(x + drag.offset[0], y + drag.offset[1], drag, event.altKey);
+      this.#tell(drag, false);
     });
     const end = () => {
       if (this.#stroking) {
@@ -168,11 +190,10 @@ export class Pointer {
         return this.#view.onStrokeEnd();
       }
       if (!this.#drag) return;
-      const { moved, marker, from } = this.#drag;
+      const drag = this.#drag;
       this.#drag = null;
       this.#view.orbiting = true;
-      if (moved && marker !== undefined) this.#view.onDragMarker(marker, from, true);
-      else if (moved) this.#view.onDragEnd();
+      if (drag.moved) this.#tell(drag, true);
     };
     canvas.addEventListener("pointerup", end);
     canvas.addEventListener("pointercancel", end);
@@ -187,7 +208,7 @@ export class Pointer {
     });
     canvas.addEventListener("pointerup", (event) => {
       if (!down || !this.#mesh() || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > 4) return;
-      if (this.markerAt(event) >= 0) return; // it was taken, and let go
+      if (this.handleAt(event) || this.#view.drawingShown) return; // it was taken, and let go; nothing else is there
       if (this.#view.onMark) {
         const place = this.#middleAt(event);
         if (place) this.#view.onMark(place);

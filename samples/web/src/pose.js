@@ -4,10 +4,12 @@
 export class Pose {
   turns;
 
+  /** @param {number} jointCount */
   constructor(jointCount) {
     this.turns = new Float32Array(jointCount * 3);
   }
 
+  /** @param {number} joint */
   of(joint) {
     return this.turns.subarray(joint * 3, joint * 3 + 3);
   }
@@ -16,6 +18,7 @@ export class Pose {
     return this.turns.every((t) => t === 0);
   }
 
+  /** @param {number} joint @param {number} x @param {number} y @param {number} z */
   set(joint, x, y, z) {
     this.turns.set([x, y, z], joint * 3);
   }

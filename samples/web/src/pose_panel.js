@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The panel that turns the chosen joint by sliders, with those that turn along: others that were chosen, and mirror images.
+import { $ } from "./elements.js";
 
-const $ = (id) => document.getElementById(id);
 const axes = ["x", "y", "z"];
 
 // The joint on the other side, by the skeleton's mirror or by its name; -1 for none.
@@ -17,9 +17,13 @@ export function turnsOf(skeleton, joints, turn, mirrored, axis = 0) {
 }
 
 export class PosePanel {
+  /** @type {(...of: any[]) => any} */
   onChange = () => {};
+  /** @type {(...of: any[]) => any} */
   onStep = () => {}; // the name of what was done, and whether it goes on
+  /** @type {any} */
   #character = null;
+  /** @type {any} */
   #pose = null;
   #joint = -1;
   #also = new Set();

@@ -4,6 +4,7 @@
 const format = 1;
 
 // character: as the page has it; state: of its history; rows: of the module, or null. Answers keep their questions, pictures of them do not.
+/** @param {import("./types.js").Character} character @param {import("./types.js").State} state @param {object | null} rows @param {string[]} beside @returns {any} */
 export function projectOf({ name, source }, state, rows, beside) {
   const { recipe, up, options, pose, never, always, locked, answers, motion, markers, placement } = state;
   return {
@@ -17,10 +18,12 @@ export function projectOf({ name, source }, state, rows, beside) {
 }
 
 // Names of the files that it needs.
-export const filesOf = ({ mesh, skeleton, beside, state }) =>
-  [...new Set([mesh, skeleton, ...beside, ...(state.motion?.files ?? [])])].filter((file) => file !== "" && !file.startsWith("builtin:"));
+/** @type {(project: { mesh: string, skeleton: string, beside: string[], pictureWishes?: import("./types.js").PictureWishes, state: { motion: import("./types.js").Motion | null } }) => string[]} */
+export const filesOf = ({ mesh, skeleton, beside, pictureWishes, state }) =>
+  [...new Set([mesh, skeleton, ...beside, pictureWishes?.mask ?? "", ...(state.motion?.files ?? [])])].filter((file) => file !== "" && !file.startsWith("builtin:"));
 
 // {name, mesh, skeleton, step, state, rows} of a project's text. Throws Error for anything else.
+/** @param {string} name @param {string} text */
 export function readProject(name, text) {
   let project;
   try {
@@ -32,6 +35,6 @@ export function readProject(name, text) {
   const { state } = project;
   return {
     ...project,
-    state: { ...state, kept: 0, markers: state.markers ?? [], epoch: 0, style: null, pose: Float32Array.from(state.pose), never: new Set(state.never), always: new Set(state.always), locked: new Set(state.locked) },
+    state: { ...state, pictureWishes: project.pictureWishes, kept: 0, markers: state.markers ?? [], epoch: 0, style: null, pose: Float32Array.from(state.pose), never: new Set(state.never), always: new Set(state.always), locked: new Set(state.locked) },
   };
 }

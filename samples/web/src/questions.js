@@ -32,9 +32,13 @@ function element(name, properties, ...children) {
 const button = (className, text, properties) => element("button", { type: "button", className, ...properties }, text);
 
 export class Questions {
+  /** @type {(...of: any[]) => any} */
   onLook = () => {}; // null, a question: {question}, an alternative: {question, kind, joint, answer}, or what was taken
+  /** @type {(...of: any[]) => any} */
   onTake = () => {}; // {question, kind, joint, answer}
+  /** @type {(...of: any[]) => any} */
   onTakeBack = () => {}; // what was taken
+  /** @type {(...of: any[]) => any} */
   pictureOf = () => null; // of a question: an image's address
 
   #host;
@@ -167,7 +171,7 @@ export class Questions {
   // Keys step through the joints, so that it is the button beside them that takes one.
   #anyJoint(question) {
     const choice = element("select", { ariaLabel: `Joint that ${partName(question)} follows` });
-    choice.append(new Option("follow another joint…", ""), ...this.#joints.map(({ name }, j) => new Option(name, j)));
+    choice.append(new Option("follow another joint…", ""), ...this.#joints.map(({ name }, j) => new Option(name, String(j))));
     const take = button("take", "Take", { disabled: true, title: meanings.rigid });
     const row = element("div", { className: "any" }, choice, take);
     choice.onchange = () => {

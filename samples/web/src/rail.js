@@ -2,9 +2,11 @@
 // The rail of steps with its ticks, and what the panel says of the present one.
 import { $, at } from "./state.js";
 
+/** @type {Record<string, () => string>} */
 const sentences = {
   mesh: () => {
-    const { vertices, faces, size } = at.character;
+    const { vertices, faces, size, picture } = at.character;
+    if (picture) return `Drag the points to where the figure ends: it is made anew, ${count(vertices)} vertices now.`;
     return `${count(vertices)} vertices, ${count(faces)} faces, ${size < 10 ? size.toFixed(2) : Math.round(size)} along its longest side.`;
   },
   skeleton: () => {
@@ -23,9 +25,10 @@ const sentences = {
   },
   export: () => "A file for other programs, or the work as it is, to go on with later.",
 };
-const count = (n) => n.toLocaleString("en");
+const count = (/** @type {number} */ n) => n.toLocaleString("en");
 
 // Whether a step has what it is for.
+/** @type {Record<string, () => boolean>} */
 const isDone = {
   mesh: () => Boolean(at.character),
   skeleton: () => Boolean(at.character?.joints.length) && !at.character.doubts?.length,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Rays against the shown mesh by a tree of boxes (three-mesh-bvh), which is fetched by the first ray; until it is there, every triangle is tried.
+/** @type {typeof import("./box_tree.js") | null} */
 let library = null;
+/** @type {Promise<any> | null} */
 let asked = null;
 
 function fetchTree() {
@@ -11,11 +13,13 @@ function fetchTree() {
 }
 
 // The vertices were moved: boxes are fitted anew by the next ray.
+/** @param {import("three").BufferGeometry} geometry */
 export function moved(geometry) {
   geometry.userData.fits = false;
 }
 
 // As raycaster.intersectObject(mesh), the nearest alone.
+/** @param {import("three").Raycaster} raycaster @param {any} mesh @returns {any} */
 export function firstHit(raycaster, mesh) {
   const { geometry } = mesh;
   if (!library) {

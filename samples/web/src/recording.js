@@ -19,6 +19,7 @@ function capture() {
     motion: source.motion ?? null,
     markers: source.markers,
     placement: source.placement,
+    pictureWishes: source.pictureWishes,
   };
 }
 
@@ -34,7 +35,14 @@ export function keepRig() {
   engine.call("keep", { number: source.kept }).catch(() => {}); // in the order of the calls
 }
 
+/** @param {import("./types.js").Source} source */
+export function historyOf({ history }) {
+  if (!history) throw new Error("nothing was bound yet");
+  return history;
+}
+
 // What was done is a step of the history from now on. goesOn: see History.add().
+/** @param {string} name @param {{ goesOn?: boolean }} how */
 export function record(name, { goesOn = false } = {}) {
   if (!at.character?.result) return;
   const { source } = at.character;
@@ -53,14 +61,15 @@ export function record(name, { goesOn = false } = {}) {
 
 // What no history goes back to any more.
 function forgetKept() {
-  const alive = new Set(at.open.flatMap((source) => [source.kept, ...(source.history?.states.map(({ kept }) => kept) ?? [])]));
+  const alive = new Set(at.open.flatMap((source) => [source.kept, ...(source.history?.states.map((state) => state.kept) ?? [])]));
   const gone = [...kept].filter((number) => !alive.has(number));
   for (const number of gone) kept.delete(number);
   if (gone.length > 0) engine.call("drop", { numbers: gone }).catch(() => {});
 }
 
+/** @type {(a: any, b: any) => boolean} */
 const isSame = (a, b) =>
-  Object.keys(a).every((key) => key === "kept" || a[key] === b[key] || (key === "options" && JSON.stringify(a[key]) === JSON.stringify(b[key])) || (key === "pose" && a.pose.length === b.pose.length && a.pose.every((x, i) => x === b.pose[i]))) &&
+  Object.keys(a).every((key) => key === "kept" || a[key] === b[key] || (key === "options" && JSON.stringify(a[key]) === JSON.stringify(b[key])) || (key === "pose" && a.pose.length === b.pose.length && a.pose.every((/** @type {number} */ x, /** @type {number} */ i) => x === b.pose[i]))) &&
   a.kept === b.kept;
 
 export function showHistory() {

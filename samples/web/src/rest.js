@@ -2,22 +2,27 @@
 // The part of the module that the first bind does not need, as `wasm-split` made it: fetched afterwards, or when one of its functions is called before.
 import { compile } from "@sinew/skin/loader";
 
+/** @type {(address: string, status: number) => Error} */
 const missing = (address, status) => new Error(`${address}: ${status}; build the page with samples/web/build.sh`);
 
 export class Rest {
+  /** @type {any} */
   primary; // exports of the first part
   #address;
+  /** @type {any} */
   #loading = null;
   #isThere = false;
   wasAsked = false;
 
+  /** @param {string} address */
   constructor(address) {
     this.#address = address;
   }
 
   // imports with a function for each that is not there yet; its name is its place in the table.
+  /** @param {any} imports */
   withPlaceholders(imports) {
-    const functions = new Proxy({}, { get: (_, place) => (...args) => (this.#loadNow(), this.#table.get(Number(place))(...args)) });
+    const functions = new Proxy({}, { get: (_, place) => (/** @type {any[]} */ ...args) => (this.#loadNow(), this.#table?.get(Number(place))(...args)) });
     return { ...imports, placeholder: functions };
   }
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The sample characters beside the page, some with a picture.
+/** @typedef {{ name: string, shown?: string, files: string[] }} Sample */
+/** @type {(name: string, shown?: string) => Sample} */
 const pair = (name, shown) => ({ name, shown, files: [`${name}.obj`, `${name}.rig.txt`] });
+/** @type {(of: string, shown?: string) => Sample} */
 const bare = (of, shown) => ({ name: `${of}, a bare mesh`, shown, files: [`${of}.obj`] });
 
 // shown: what its picture is called, thumbs/FIRST FILE.webp
+/** @type {Sample[]} */
 export const samples = [
   { name: "biped__clothed", shown: "Person", files: ["biped__clothed.glb"] },
   { name: "biped__caped", shown: "Cape", files: ["biped__caped.gltf"] },
@@ -16,9 +20,11 @@ export const samples = [
   pair("biped__robed"),
   pair("snake__long"),
 ];
+/** @type {(sample: Sample) => string} */
 export const thumbOf = ({ files }) => (files[0].endsWith(".png") ? `samples/${files[0]}` : `thumbs/${files[0].split(".")[0]}.webp`);
 
 // The files of one. Throws where the server has them not.
+/** @type {(sample: Sample) => Promise<File[]>} */
 export const sampleFiles = ({ files }) =>
   Promise.all(
     files.map(async (file) => {

@@ -6,7 +6,7 @@ import { factsOf } from "./facts.js";
 import { run, showError } from "./jobs.js";
 import { Latest } from "./latest.js";
 import { showSteps } from "./rail.js";
-import { $, at, engine, models, modes } from "./state.js";
+import { $, all, at, engine, models, modes } from "./state.js";
 import { isOff } from "./wishes.js";
 
 export const poses = new Latest(async () => {
@@ -34,10 +34,11 @@ export const sendPose = () => poses.want();
 
 export function poseChanged() {
   showPose();
-  sendPose().catch((error) => showError(error.message));
+  sendPose().catch((/** @type {Error} */ error) => showError(error.message));
 }
 
 // more: beside the chosen joint, to turn with it.
+/** @param {number} joint @param {boolean} more */
 export function choose(joint, more = false) {
   if (!at.character || joint >= at.character.joints.length) return;
   if (more && joint >= 0 && at.view.selected >= 0 && joint !== at.view.selected) {
@@ -72,7 +73,7 @@ export function showPose() {
 // result: what the line says of the bind, null while there is none.
 export function showFacts(result = at.character?.result) {
   $("facts").replaceChildren(...factsOf({ character: at.character, result, engine: at.engineFacts, models }));
-  for (const button of document.querySelectorAll("[data-needs=bound]")) button.disabled = !at.character?.result;
+  for (const button of all("[data-needs=bound]")) button.disabled = !at.character?.result;
   showStatus();
   showPlacement();
 }
@@ -80,7 +81,7 @@ export function showFacts(result = at.character?.result) {
 // The line below the picture; the rest is behind its i.
 function showStatus() {
   const { character } = at;
-  const count = (n) => n.toLocaleString("en");
+  const count = (/** @type {number} */ n) => n.toLocaleString("en");
   const parts = character ? [`${count(character.vertices)} vertices`, `${character.joints.length} joints`, character.result ? "bound" : "binding…"] : [];
   $("status-said").textContent = parts.join(" · ");
   showSteps();

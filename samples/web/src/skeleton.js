@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The panel in which a skeleton is edited: what the chosen joint is, and the user's wishes as edits. Joints are the module's:
 // {name, parent, position, side, end, partner, confidence}; edits are its SkeletonEdit.
+import { $ } from "./elements.js";
 
 export const editKinds = { move: 0, add: 1, remove: 2, parent: 3, rename: 4, at: 5 };
 const sureSpread = 0.03; // of the votes, share of the longest side: good, says sinew/rig.h
@@ -35,6 +36,13 @@ export function possibleParents(joints, joint) {
 
 // The joints as the module will have them when one is moved, to be shown until it has answered: bone ends go along, a
 // joint on the mirror plane stays there, and where both sides are alike its partner goes to the mirror image.
+/**
+ * @param {import("./types.js").Joint[]} joints
+ * @param {number} joint
+ * @param {number[]} place
+ * @param {{ mirrored?: boolean, axis: number, plane: number }} mirror
+ * @param {boolean} alike
+ */
 export function movedJoints(joints, joint, place, { mirrored, axis, plane }, alike) {
   const isMirrored = Boolean(mirrored) && alike;
   const image = (p) => p.map((x, i) => (i === axis ? 2 * plane - x : x));
@@ -85,13 +93,16 @@ export function answersFor(answers, before, after, rigid) {
   });
 }
 
-const $ = (id) => document.getElementById(id);
 const axes = ["x", "y", "z"];
 
 export class SkeletonEditor {
+  /** @type {(...of: any[]) => any} */
   onEdit = () => {}; // [edits], the name of the joint that is chosen then
+  /** @type {(...of: any[]) => any} */
   onPredict = () => {}; // wishes
+  /** @type {(...of: any[]) => any} */
   onMiddle = () => {}; // the chosen joint to the middle of its limb
+  /** @type {any} */
   #character = null;
   #joint = -1;
   #first; // wishes as the page begins
@@ -117,7 +128,7 @@ export class SkeletonEditor {
         this.move(this.#character.joints[this.#joint].position.map((x, other) => (other === i ? target.valueAsNumber : x)));
       };
     });
-    for (let count = 1; count <= 16; ++count) $("spine").append(new Option(count, count));
+    for (let count = 1; count <= 16; ++count) $("spine").append(new Option(String(count), String(count)));
     $("add-joint").onclick = () => this.add();
     $("remove-joint").onclick = () => this.remove();
     $("to-middle").onclick = () => this.onMiddle();

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The five steps of a character: one is worked on at a time, the panel has what it needs and nothing else.
 import { colour } from "./colours.js";
+import { showDrawing } from "./drawn.js";
 import { setEditing, showSkeleton } from "./editing.js";
 import { run } from "./jobs.js";
 import { showSteps } from "./rail.js";
 import { sendPose } from "./showing.js";
-import { $, at, modes } from "./state.js";
+import { $, all, at, modes } from "./state.js";
 
 // The panel of a step, and what the picture shows for it.
+/** @param {string} step @param {{ view?: boolean }} how */
 export function setStep(step, { view = true } = {}) {
   at.step = step;
   document.body.dataset.step = step;
-  for (const part of document.querySelectorAll("[data-steps]")) part.classList.toggle("elsewhere", !part.dataset.steps.split(" ").includes(step));
+  for (const part of all("[data-steps]")) part.classList.toggle("elsewhere", !part.dataset.steps.split(" ").includes(step));
   $("panel").scrollTop = 0;
   showSteps();
   if (!at.character) return;
@@ -20,10 +22,12 @@ export function setStep(step, { view = true } = {}) {
     at.mode = step === "weights" || step === "skeleton" ? (at.view.selected >= 0 ? modes.field : modes.joints) : modes.material;
   }
   setEditing(step === "skeleton");
+  showDrawing();
   showSkeleton();
 }
 
 // As the user does it.
+/** @param {string} step */
 export function goTo(step) {
   if (!at.character || step === at.step) return;
   at.character.source.step = step; // a tab that is opened again shows it
@@ -33,4 +37,5 @@ export function goTo(step) {
 }
 
 // The step that a file begins with.
+/** @type {(character: { predicted?: boolean, joints: object[], picture?: object }, moves: boolean) => string} */
 export const firstStep = ({ predicted, joints, picture }, moves) => (picture && moves ? "motion" : predicted || joints.length === 0 ? "skeleton" : moves ? "motion" : "weights");

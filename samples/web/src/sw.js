@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The page without a network: what it was made of last is kept, and given where the network gives nothing. build.sh lists the files.
 const kept = "sinew";
+const worker = /** @type {any} */ (self);
 
-addEventListener("install", (event) => {
-  skipWaiting();
+worker.addEventListener("install", (/** @type {any} */ event) => {
+  worker.skipWaiting();
   event.waitUntil(
     (async () => {
       const files = await (await fetch("files.json")).json();
@@ -13,10 +14,10 @@ addEventListener("install", (event) => {
   );
 });
 
-addEventListener("activate", (event) => event.waitUntil(clients.claim()));
+worker.addEventListener("activate", (/** @type {any} */ event) => event.waitUntil(worker.clients.claim()));
 
 // The network first, so that a new page is never half an old one.
-addEventListener("fetch", (event) => {
+worker.addEventListener("fetch", (/** @type {any} */ event) => {
   const { request } = event;
   if (request.method !== "GET" || !request.url.startsWith(location.origin)) return;
   event.respondWith(

@@ -8,18 +8,21 @@ const still = matchMedia("(prefers-reduced-motion: reduce)");
 
 export class ViewCube {
   #helper;
-  #camera;
+  /** @type {HTMLElement} */
   #canvas;
+  /** @type {any} */
   #orbit;
+  /** @type {() => void} */
   #redraw;
   #last = 0;
 
   // redraw: draws the picture soon.
+  /** @param {{ camera: import("three").Camera, canvas: HTMLElement, orbit: any, host: HTMLElement, redraw: () => void }} of */
   constructor({ camera, canvas, orbit, host, redraw }) {
     this.#helper = new ViewHelper(camera, canvas);
     Object.assign(this.#helper.location, corner);
     this.#helper.setLabels("X", "Y", "Z");
-    [this.#camera, this.#canvas, this.#orbit, this.#redraw] = [camera, canvas, orbit, redraw];
+    [this.#canvas, this.#orbit, this.#redraw] = [canvas, orbit, redraw];
     // Before the canvas hears of it: the axes are in front of the character.
     host.addEventListener("pointerdown", (event) => this.#press(event), true);
   }
@@ -29,11 +32,13 @@ export class ViewCube {
   }
 
   // upAxis 1: the picture turns the model, z is up in it.
+  /** @param {number} upAxis */
   set up(upAxis) {
     this.#helper.setLabels("X", ...(upAxis === 1 ? ["Z", "−Y"] : ["Y", "Z"]));
   }
 
   // After the picture.
+  /** @param {import("three").WebGLRenderer} renderer */
   render(renderer) {
     if (!this.shown) return;
     const clears = renderer.autoClear;
@@ -42,6 +47,7 @@ export class ViewCube {
     renderer.autoClear = clears;
   }
 
+  /** @param {PointerEvent} event */
   #press(event) {
     if (!this.shown || event.button !== 0 || event.target !== this.#canvas) return;
     this.#helper.center.copy(this.#orbit.target);
@@ -51,6 +57,7 @@ export class ViewCube {
     this.#turn(still.matches ? Infinity : 0);
   }
 
+  /** @param {number} seconds */
   #turn(seconds) {
     this.#helper.update(Number.isFinite(seconds) ? seconds : 10);
     this.#redraw();

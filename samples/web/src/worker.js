@@ -5,14 +5,19 @@ import { compile, hasSimd } from "@sinew/skin/loader";
 import { isScene, readScenesBy } from "@sinew/skin/scenes";
 import { Rest } from "./rest.js";
 
+/** @type {Record<string, number>} */
 const kinds = { triangles: 0, vertexOf: 1, positions: 2, normals: 3, colours: 4, jointPositions: 5, strongest: 6, vertexQuestions: 7, palette: 8 };
+/** @type {Record<string, any>} */
 const arrays = { triangles: Uint32Array, vertexOf: Uint32Array, colours: Uint8Array, strongest: Uint16Array, vertexQuestions: Uint32Array };
 const posed = ["positions", "normals", "jointPositions", "palette"];
 
+/** @type {any} */
 let module;
 let moduleBytes = 0;
+/** @type {Rest} */
 let rest; // of the module
 
+/** @param {string} name */
 async function fetchModule(name) {
   const response = await fetch(name);
   if (!response.ok) throw new Error(`${name}: ${response.status} ${response.statusText}; build the page with samples/web/build.sh`);
@@ -20,7 +25,9 @@ async function fetchModule(name) {
 }
 
 // What reads FBX and COLLADA, once there is such a file.
+/** @type {Promise<any> | null} */
 let scenes = null;
+/** @param {string} name */
 function needScenes(name) {
   if (!isScene(name)) return null;
   scenes ??= Promise.all([import("sinew-scenes"), fetchModule("sinew-scenes.wasm").then(compile)]).then(([glue, compiled]) => readScenesBy(module, glue.default, compiled));
@@ -28,6 +35,7 @@ function needScenes(name) {
   return scenes;
 }
 
+/** @param {{ forceScalar: boolean }} how */
 async function start({ forceScalar }) {
   const kind = !forceScalar && hasSimd() ? "simd" : "scalar";
   const glue = kind === "simd" ? import("sinew-simd") : import("sinew-scalar"); // fetched beside the module
@@ -36,6 +44,7 @@ async function start({ forceScalar }) {
   const compiled = await compile(bytes);
   rest = new Rest(`sinew-${kind}-rest.wasm`);
   module = await (await glue).default({
+    /** @type {(imports: any, done: any) => object} */
     instantiateWasm(imports, done) {
       WebAssembly.instantiate(compiled, rest.withPlaceholders(imports)).then((instance) => {
         rest.primary = instance.exports;
@@ -43,7 +52,7 @@ async function start({ forceScalar }) {
       });
       return {};
     },
-    onProgress: (share) => postMessage({ progress: share }),
+    onProgress: (/** @type {number} */ share) => postMessage({ progress: share }),
     print: () => {},
     printErr: () => {},
   });
@@ -53,8 +62,15 @@ async function start({ forceScalar }) {
   return { kernel: text(module._web_kernel()), version: text(module._web_version()), moduleBytes };
 }
 
+/** @type {(at: number) => string} */
 const text = (at) => module.UTF8ToString(at);
 
+/**
+ * @template Result
+ * @param {string} value
+ * @param {(at: number) => Result} use
+ * @returns {Result}
+ */
 function withText(value, use) {
   const bytes = module.lengthBytesUTF8(value) + 1;
   const at = module._malloc(bytes);
@@ -67,8 +83,10 @@ function withText(value, use) {
 }
 
 // Arguments as JSON.
+/** @type {<Result>(one: any, other: any, use: (a: number, b: number) => Result) => Result} */
 const withTexts = (one, other, use) => withText(JSON.stringify(one), (a) => withText(JSON.stringify(other), (b) => use(a, b)));
 
+/** @param {number} at */
 function checked(at) {
   const reply = JSON.parse(text(at));
   if (reply.error) throw new Error(reply.error);
@@ -76,7 +94,9 @@ function checked(at) {
 }
 
 // Copies: the module's memory moves when it grows.
+/** @param {string[]} names */
 function take(names) {
+  /** @type {Record<string, any>} */
   const buffers = {};
   const size = module._malloc(4);
   for (const name of names) {
@@ -90,14 +110,17 @@ function take(names) {
 }
 
 // A name out of a dropped folder may hold anything; only its last part becomes a file.
-const plain = (name) => name.split(/[/\\]/).pop();
+/** @type {(name: string) => string} */
+const plain = (name) => name.split(/[/\\]/).pop() ?? name;
 
+/** @param {string} file */
 function readOnce(file) {
   const bytes = module.FS.readFile(file);
   module.FS.unlink(file);
   return bytes;
 }
 
+/** @type {Record<string, (options: any) => any>} */
 const calls = {
   start,
   write({ files }) {
@@ -141,7 +164,7 @@ const calls = {
   edit: ({ edits, mirror, continues }) => withText(JSON.stringify(edits), (at) => checked(module._web_edit(at, mirror, continues))),
   // The character as it is now, under a number that restore knows until drop.
   keep: ({ number }) => module._web_keep(number),
-  drop: ({ numbers }) => numbers.forEach((number) => module._web_drop(number)),
+  drop: ({ numbers }) => numbers.forEach((/** @type {number} */ number) => module._web_drop(number)),
   restore: ({ number }) => checked(module._web_restore(number)),
   // Locked and painted rows, for a project and from one.
   rows: () => checked(module._web_rows()),
@@ -194,7 +217,7 @@ const calls = {
   // names: of files with motions, or builtin:NAME; [] for none any more. wish: {up, own, method, pins}
   async motion({ names, wish = {} }) {
     for (const name of names) await needScenes(name);
-    const files = names.map((name) => (name.startsWith("builtin:") ? name : plain(name)));
+    const files = names.map((/** @type {string} */ name) => (name.startsWith("builtin:") ? name : plain(name)));
     return withTexts(files, wish, (n, w) => checked(module._web_motion(n, w)));
   },
   motionMethod: ({ method }) => checked(module._web_motion_method(method)),
@@ -207,6 +230,8 @@ const calls = {
     withText(file, (f) => withText(JSON.stringify(wish), (w) => checked(module._web_write(f, w))));
     return { buffers: { bytes: readOnce(file) } };
   },
+  // {pose} that files of a profile stand in
+  profile: ({ name }) => withText(name, (at) => checked(module._web_profile(at))),
   rigText({ name }) {
     const file = `${plain(name)}.saved.rig.txt`; // not the file that was dropped
     withText(file, (at) => checked(module._web_write_rig(at)));
@@ -217,12 +242,13 @@ const calls = {
 // What a character is opened, rigged and bound with; all else waits for the rest of the module.
 const first = new Set(["start", "write", "remove", "setAside", "model", "load", "rig", "bind", "keep", "drop"]);
 
+/** @param {any} message {id, call, ...} */
 async function answer({ id, call, ...options }) {
   try {
     if (!first.has(call)) await rest.loaded();
     const reply = (await calls[call](options)) ?? {};
     const transfer = Object.values(reply.buffers ?? {}).map((b) => b.buffer);
-    postMessage({ id, reply }, transfer);
+    postMessage({ id, reply }, { transfer });
     if (call === "bind") rest.loaded().catch(() => {}); // the next call says it
   } catch (error) {
     let line = String(error?.message ?? error);

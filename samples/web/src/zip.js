@@ -7,18 +7,21 @@ const table = Uint32Array.from({ length: 256 }, (_, n) => {
   for (let k = 0; k < 8; ++k) n = n & 1 ? 0xedb88320 ^ (n >>> 1) : n >>> 1;
   return n;
 });
+/** @param {Uint8Array} bytes */
 export function crc32(bytes) {
   let crc = 0xffffffff;
   for (const byte of bytes) crc = table[(crc ^ byte) & 255] ^ (crc >>> 8);
   return (crc ^ 0xffffffff) >>> 0;
 }
 
+/** @param {Uint8Array<ArrayBuffer>} bytes */
 async function inflate(bytes) {
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
 // [{name, bytes}] of the files in an archive, folders left out. Throws Error for what is none, or is encrypted or packed in a rare way.
+/** @param {string} name @param {Uint8Array<ArrayBuffer>} bytes */
 export async function unzip(name, bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   let at = bytes.length - 22;
@@ -41,12 +44,13 @@ export async function unzip(name, bytes) {
     const content = bytes.subarray(start, start + packed);
     const whole = method === 0 ? content.slice() : await inflate(content);
     if (whole.length !== size) throw new Error(`${name}: ${file} is damaged`);
-    files.push({ name: file.split("/").pop(), bytes: whole });
+    files.push({ name: file.split("/").pop() ?? file, bytes: whole });
   }
   return files;
 }
 
 // An archive of [{name, bytes}].
+/** @param {{ name: string, bytes: Uint8Array<ArrayBuffer> }[]} files */
 export function zip(files) {
   const parts = [], list = [];
   let offset = 0, listed = 0;
@@ -54,7 +58,7 @@ export function zip(files) {
     const text = new TextEncoder().encode(name);
     const head = new DataView(new ArrayBuffer(46));
     // What both heads have: version 2.0, names in UTF-8, stored, 1 January 1980, checksum, sizes.
-    const common = (at) => {
+    const common = (/** @type {number} */ at) => {
       [20, 0x800, 0, 0, 33].forEach((value, i) => head.setUint16(at + 2 * i, value, true));
       [crc32(bytes), bytes.length, bytes.length].forEach((value, i) => head.setUint32(at + 10 + 4 * i, value, true));
       head.setUint16(at + 22, text.length, true);

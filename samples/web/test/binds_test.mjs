@@ -3,17 +3,13 @@
 // controls, skeletons in other units, meshes on their backs, joints that one word forbids and another names. In a headless Chromium.
 //   binds_test.mjs DIST_DIR SOURCE_DIR WORK_DIR SINEW_COMMAND
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { join, resolve } from "node:path";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { strangeFiles } from "../../npm/test/strange_files.mjs";
-import { launch, serve } from "./browser.mjs";
-import { fileOf, made, newPage, pageTools } from "./page.mjs";
+import { fileOf, made, startPage } from "./page.mjs";
 
-const [dist, source, work, sinew] = process.argv.slice(2).map((path) => resolve(path));
-const data = join(source, "samples/data");
-mkdirSync(work, { recursive: true });
-const command = (...args) => JSON.parse(execFileSync(sinew, [...args, "-o", "command.glb", "--json"], { cwd: work, stdio: "pipe" }));
+const { work, data, server, browser, page, command: run, remarks, settled, shoot, errorLine, hash, pick, give, downloaded, step } = await startPage("binds_");
+const command = (...args) => JSON.parse(run(...args, "-o", "command.glb", "--json"));
 const failed = (...args) => {
   try {
     command(...args);
@@ -23,17 +19,9 @@ const failed = (...args) => {
   return "";
 };
 const wanted = () => readFileSync(join(work, "command.glb"));
-
-const server = await serve(dist);
-const browser = await launch();
-const troubles = [];
-const page = await newPage(browser, troubles);
-const { settled, shoot, errorLine, hash, pick, give, downloaded, step } = pageTools(() => page, { troubles, work, prefix: "binds_" });
-const remarks = async () => ((await page.locator("#remarks").isVisible()) ? page.locator("#remarks").innerText() : "");
 const facts = () => page.locator("#facts").innerText();
 
 try {
-  await page.emulateMedia({ reducedMotion: "reduce" });
   await page.goto(`${server.address}?sample=biped__robot`);
   await settled();
 

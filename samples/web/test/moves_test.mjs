@@ -3,26 +3,14 @@
 // while a motion plays, the map as a table, fingers and faces of new skeletons. Positions, maps and files are the command's.
 //   moves_test.mjs DIST_DIR SOURCE_DIR WORK_DIR SINEW_COMMAND
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { join, resolve } from "node:path";
+import { copyFileSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { testClip } from "../src/test_clips.js";
-import { launch, serve } from "./browser.mjs";
-import { made, newPage, pageTools } from "./page.mjs";
+import { made, startPage } from "./page.mjs";
 
-const [dist, source, work, sinew] = process.argv.slice(2).map((path) => resolve(path));
-const data = join(source, "samples/data");
-mkdirSync(work, { recursive: true });
-const at = (name) => join(work, name);
-const command = (...args) => execFileSync(sinew, args, { stdio: "pipe" }).toString();
-
-const server = await serve(dist);
-const browser = await launch();
-const troubles = [];
+const { data, server, browser, page, at, command, settled, shoot, errorLine, legend, positions, joints, pick, give, slide, downloaded, step } = await startPage("moves_");
 const asked = [];
-const page = await newPage(browser, troubles);
 page.on("request", (request) => asked.push(request.url()));
-const { settled, shoot, errorLine, legend, positions, joints, open, pick, give, slide, downloaded, step } = pageTools(() => page, { troubles, work, prefix: "moves_" });
 const choose = async (label) => {
   await page.locator(label[0], { hasText: label[1] }).click();
   await settled();
@@ -47,7 +35,6 @@ const mapShown = async () => (await page.reveal("#map-rows"), page.locator("#map
 
 try {
   await step("a bend keeps its volume by the way it is skinned", async () => {
-    await page.emulateMedia({ reducedMotion: "reduce" });
     await page.goto(`${server.address}?sample=biped__robed`);
     await settled();
     assert.match(await page.locator("#bends").innerText(), /^Turn a joint/);
@@ -270,7 +257,7 @@ try {
   await step("a new skeleton with fingers, face and props", async () => {
     await give(made("bare.obj", readFileSync(figure)));
     const body = (await joints()).map(({ name }) => name);
-    assert.ok(!asked.some((url) => url.endsWith("sinew_hands.sinew")), "the model of hands is fetched before anyone needs it");
+    assert.ok(!asked.some((url) => url.includes("sinew_hands.sinew")), "the model of hands is fetched before anyone needs it");
     copyFileSync(figure, at("bare.obj"));
     for (const [value, detail] of [["1", "hands"], ["2", "full"]]) {
       await page.selectOption("#detail", value);
@@ -282,7 +269,7 @@ try {
     }
     const full = (await joints()).map(({ name }) => name);
     assert.deepEqual(["LeftEye", "RightEye", "Jaw", "LeftHandProp"].filter((name) => !full.includes(name)), []);
-    assert.ok(asked.some((url) => url.endsWith("sinew_hands.sinew")));
+    assert.ok(asked.some((url) => url.includes("sinew_hands.sinew")));
     await page.locator("#detail").scrollIntoViewIfNeeded();
     await pick("Jaw");
     await shoot("face");

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the page share: a page whose troubles are noted, and what is asked of it and done with it.
+// What the tests of the page share: folders and the command, a page whose troubles are noted, and what is asked of it and done with it.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { join } from "node:path";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { launch, serve } from "./browser.mjs";
 
 // A page of the browser that asks no other host. troubles: [line] of its console and such questions from now on.
 export async function newPage(browser, troubles) {
@@ -50,6 +52,8 @@ export function pageTools(current, { troubles, work, prefix = "" }) {
     shoot: (name) => current().screenshot({ path: join(work, `${prefix}${name}.png`) }),
     errorLine: async () => ((await on("#error").isVisible()) ? on("#error span").innerText() : ""),
     hash: () => on("#facts code").textContent(),
+    undoName: async () => (await current().getAttribute("#undo", "title")).replace(/^Undo: | \(Ctrl\+Z\)$/g, ""),
+    remarks: async () => ((await on("#remarks").isVisible()) ? on("#remarks").innerText() : ""),
     legend: () => on("#legend figcaption").innerText(),
     colours: () => current().evaluate(() => sinewPage.view.shownColours()),
     positions: () => current().evaluate(() => sinewPage.view.shownPositions()),
@@ -104,6 +108,27 @@ export function pageTools(current, { troubles, work, prefix = "" }) {
     },
   };
   return tools;
+}
+
+// What a test begins with: DIST_DIR SOURCE_DIR WORK_DIR SINEW_COMMAND of its own arguments, a server, a browser with a page. Screenshots are prefixNAME.png.
+export async function startPage(prefix) {
+  const [dist, source, work, sinew] = process.argv.slice(2).map((path) => resolve(path));
+  const data = join(source, "samples/data");
+  mkdirSync(work, { recursive: true });
+  const server = await serve(dist);
+  const browser = await launch();
+  const troubles = [];
+  const page = await newPage(browser, troubles);
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  return {
+    dist, source, work, data, server, browser, troubles, page,
+    ...pageTools(() => page, { troubles, work, prefix }),
+    at: (name) => join(work, name),
+    // What the command prints, run in the folder of the test.
+    command: (...args) => execFileSync(sinew, args, { cwd: work, stdio: "pipe" }).toString(),
+    // A sample's file, as give() takes it.
+    file: (name) => fileOf(join(data, name)),
+  };
 }
 
 export const made = (name, content) => ({ name, mimeType: "application/octet-stream", buffer: Buffer.from(content) });

@@ -5,6 +5,8 @@ import { bendGrade, worstFirst } from "../src/bends.js";
 import { treeOrder } from "../src/joint_list.js";
 import { pinned, unpinned } from "../src/map_panel.js";
 import { clipFigures, clipText } from "../src/methods.js";
+import { draggable, dragged, longestSide } from "../src/outline.js";
+import { fromPlanes, toPlanes } from "../src/planes.js";
 import { turnsOf } from "../src/pose_panel.js";
 
 assert.deepEqual([100, 93, 107, 92, 108, 85, 115, 84, 116, -20].map(bendGrade), ["good", "good", "good", "fair", "fair", "fair", "fair", "poor", "poor", "poor"]);
@@ -46,6 +48,28 @@ assert.deepEqual(turnsOf(skeleton, [1], [10, 20, 30], false), [[1, [10, 20, 30]]
 assert.deepEqual(turnsOf(skeleton, [1], [10, 20, 30], true), [[1, [10, 20, 30]], [2, [10, -20, -30]]]);
 assert.deepEqual(turnsOf(skeleton, [1, 2], [10, 20, 30], true), [[1, [10, 20, 30]], [2, [10, 20, 30]]], "what is chosen turns as it is told");
 assert.deepEqual(turnsOf(skeleton, [3], [10, 20, 30], true, 2), [[3, [10, 20, 30]], [2, [-10, -20, 30]]]);
+
+// A square's corners are points, and so are places between them; what lies between two points goes along.
+const square = [[0, 0], [100, 0], [100, 100], [0, 100]];
+assert.equal(longestSide([square]), 100);
+const [side] = draggable([square]);
+const isPoint = ([x, y]) => side.points.some((at) => side.line[at][0] === x && side.line[at][1] === y);
+assert.ok(square.every(isPoint));
+assert.ok(side.points.length > 40 && draggable([square], 2)[0].points.length < side.points.length);
+const corner = side.points.findIndex((at) => side.line[at][0] === 100 && side.line[at][1] === 0);
+const away = dragged(side, corner, [120, -20]);
+assert.deepEqual(away[side.points[corner]], [120, -20]);
+const gone = away.flatMap((place, i) => (place === side.line[i] ? [] : [i]));
+assert.deepEqual([gone[0], gone.at(-1)], [side.points[corner - 1] + 1, side.points[corner + 1] - 1]);
+assert.ok(gone.every((i) => away[i][0] - side.line[i][0] > 0 && away[i][0] - side.line[i][0] <= 20));
+assert.equal(dragged(side, 0, [-5, -5]).filter((place, i) => place !== side.line[i]).length, gone.length, "the first point has a last one beside it");
+
+// Words with their bytes apart, and back.
+assert.deepEqual([...toPlanes(Uint8Array.of(1, 2, 3, 4, 5))], [1, 3, 2, 4, 5]);
+for (const length of [0, 1, 2, 7, 8]) {
+  const bytes = Uint8Array.from({ length }, (_, i) => i * 3);
+  assert.deepEqual(fromPlanes(toPlanes(bytes)), bytes);
+}
 
 assert.deepEqual(treeOrder(skeleton), [0, 1, 3, 2]);
 console.log("panels: ok");

@@ -3,17 +3,14 @@
 // axes, pictures beside the file, blend shapes, animations, files that cannot be read. In a headless Chromium.
 //   scenes_test.mjs DIST_DIR SOURCE_DIR WORK_DIR SINEW_COMMAND
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { join, resolve } from "node:path";
-import { launch, serve } from "./browser.mjs";
-import { made, newPage, pageTools } from "./page.mjs";
+import { join } from "node:path";
+import { made, startPage } from "./page.mjs";
 import { strangeDae, strangeFbx } from "./scene_files.mjs";
 
-const [dist, source, work, sinew] = process.argv.slice(2).map((path) => resolve(path));
-const folder = join(work, "files");
-rmSync(folder, { recursive: true, force: true });
-mkdirSync(folder, { recursive: true });
+const { source, work, server, browser, page, command, remarks, settled, shoot, errorLine, joints, give, downloaded, go, step } = await startPage("scenes_");
+rmSync(work, { recursive: true, force: true }); // pictures of the last time would be found
+mkdirSync(work);
 const picture = Buffer.from("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8/5+hHgAHggJ/PchI7wAAAABJRU5ErkJggg==", "base64");
 const line = (run) => {
   try {
@@ -23,20 +20,12 @@ const line = (run) => {
   }
   return "";
 };
-const command = (...args) => execFileSync(sinew, args, { cwd: folder, stdio: "pipe" });
-
-const server = await serve(dist);
-const browser = await launch();
-const troubles = [];
-const page = await newPage(browser, troubles);
 const asked = [];
 page.on("request", (request) => asked.push(request.url().split("/").pop()));
-const { settled, shoot, errorLine, joints, give, downloaded, go, step } = pageTools(() => page, { troubles, work, prefix: "scenes_" });
-const remarks = async () => ((await page.locator("#remarks").isVisible()) ? page.locator("#remarks").innerText() : "");
 
 // The page's GLB of a file is the command's, with what lies beside it.
 async function same(name, content, ...beside) {
-  for (const [one, bytes] of [[name, content], ...beside]) writeFileSync(join(folder, one), bytes);
+  for (const [one, bytes] of [[name, content], ...beside]) writeFileSync(join(work, one), bytes);
   command("bind", name, "-o", "command.glb");
   await go("mesh"); // where motions are worked on it would move the character that is open
   await give(...[[name, content], ...beside].map(([one, bytes]) => made(one, bytes)));
@@ -44,15 +33,14 @@ async function same(name, content, ...beside) {
   if (await page.locator("#close-motion").isVisible()) await page.click("#close-motion"); // its own clips are in the file anyway
   await settled();
   const { bytes } = await downloaded("#download");
-  const expected = readFileSync(join(folder, "command.glb"));
+  const expected = readFileSync(join(work, "command.glb"));
   assert.ok(bytes.equals(expected), `${name}: ${bytes.length} bytes, the command's ${expected.length}`);
-  for (const [one] of beside) rmSync(join(folder, one));
+  for (const [one] of beside) rmSync(join(work, one));
   return JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)));
 }
 
 try {
   await step("what reads them is fetched when the first one is there", async () => {
-    await page.emulateMedia({ reducedMotion: "reduce" });
     await page.goto(`${server.address}?sample=biped__robot`);
     await settled();
     assert.deepEqual(asked.filter((name) => name.includes("scenes")), []);
@@ -94,7 +82,7 @@ try {
   await step("the motion of an FBX for another character", async () => {
     await page.selectOption("#sample", "biped__robed");
     await settled();
-    writeFileSync(join(folder, "motion.fbx"), strangeFbx());
+    writeFileSync(join(work, "motion.fbx"), strangeFbx());
     await page.setInputFiles("#motion-files", [made("motion.fbx", strangeFbx())]);
     await settled();
     const expected = line(() => command("animate", join(source, "samples/data/biped__robed.obj"), "--motion", "motion.fbx", "--force", "-o", "moved.glb")); // the page plays what the command refuses
@@ -106,7 +94,7 @@ try {
   await step("files that cannot be read say what the command says", async () => {
     const before = (await joints()).map(({ name }) => name);
     for (const [name, content] of [["broken.fbx", "no fbx"], ["empty.fbx", ""], ["broken.dae", "<COLLADA>"], ["cut.fbx", strangeFbx().slice(0, 3000)]]) {
-      writeFileSync(join(folder, name), content);
+      writeFileSync(join(work, name), content);
       const expected = line(() => command("bind", name, "-o", "broken.glb"));
       await give(made(name, content));
       assert.notEqual(expected, "", name);

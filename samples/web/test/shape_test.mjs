@@ -3,25 +3,11 @@
 // is taken back, and comes back from a project.
 //   shape_test.mjs DIST_DIR SOURCE_DIR WORK_DIR SINEW_COMMAND
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { join, resolve } from "node:path";
-import { launch, serve } from "./browser.mjs";
-import { fileOf, made, newPage, pageTools } from "./page.mjs";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { fileOf, made, startPage } from "./page.mjs";
 
-const [dist, source, work, sinew] = process.argv.slice(2).map((path) => resolve(path));
-const data = join(source, "samples/data");
-mkdirSync(work, { recursive: true });
-const at = (name) => join(work, name);
-const command = (...args) => execFileSync(sinew, args, { cwd: work, stdio: "pipe" }).toString();
-const file = (name) => fileOf(join(data, name));
-
-const server = await serve(dist);
-const browser = await launch();
-const troubles = [];
-const page = await newPage(browser, troubles);
-const { settled, shoot, errorLine, hash, joints, positions, give, downloaded, go, step } = pageTools(() => page, { troubles, work, prefix: "shape_" });
-const undoName = async () => (await page.getAttribute("#undo", "title")).replace(/^Undo: | \(Ctrl\+Z\)$/g, "");
+const { dist, data, server, browser, page, at, command, file, undoName, settled, shoot, errorLine, hash, joints, positions, give, downloaded, go, step } = await startPage("shape_");
 const places = async () => (await joints()).map(({ name, position }) => [name, ...position]);
 const key = async (name) => (await page.keyboard.press(name), await settled());
 const marked = () => page.evaluate(() => sinewPage.character.source.markers);
@@ -50,7 +36,6 @@ const views = async (name) => {
 };
 
 try {
-  await page.emulateMedia({ reducedMotion: "reduce" });
   await page.setViewportSize({ width: 1366, height: 768 });
   await page.goto(server.address);
   await settled();
@@ -127,7 +112,7 @@ try {
     await settled();
     const wanted = hand.map((x, i) => x - 0.3 * (x - elbow[i]));
     await press(await onPage(wanted));
-    let [one] = await marked();
+    const [one] = await marked();
     assert.equal(one.joint, "LeftHand");
     assert.ok(Math.hypot(...one.place.map((x, i) => x - wanted[i])) < 0.06, `${one.place} is not ${wanted}`);
     assert.equal(await undoName(), "mark Left wrist");
@@ -176,7 +161,7 @@ try {
     await key("Enter");
     assert.ok(Math.abs((await joints()).find(({ name }) => name === "Head").position[1] - place[1]) < 1e-6);
     // A finger 20 pixels beside the marker drags it.
-    await page.evaluate(async (p) => {
+    await page.evaluate((p) => {
       const { x, y } = sinewPage.view.onScreen(p);
       const canvas = document.querySelector("#stage canvas");
       const send = (kind, dx, dy, buttons) => canvas.dispatchEvent(new PointerEvent(kind, { clientX: x + 18 + dx, clientY: y + dy, pointerId: 7, pointerType: "touch", button: 0, buttons, bubbles: true, isPrimary: true }));
@@ -220,6 +205,16 @@ try {
     await settled();
     assert.deepEqual([await positions(), await places()], standing);
     await same("rig", "robot.obj");
+    // Files for avatars stand in it whatever is shown.
+    await page.click("#download-vrm");
+    await settled();
+    assert.equal(await errorLine(), "a VRM names its author");
+    await page.fill("#author", "somebody");
+    const vrm = (await downloaded("#download-vrm")).bytes;
+    command("rig", "robot.obj", "--for", "vrm", "--author", "somebody", "-o", "command.vrm");
+    assert.ok(vrm.equals(readFileSync(at("command.vrm"))), "the page's VRM differs from that of sinew rig --for vrm");
+    await settled();
+    assert.deepEqual([await positions(), await places()], standing, "the character stands as before");
     await give(file("snake__long.obj"));
     await page.click("#t-pose");
     await settled();

@@ -3,32 +3,21 @@
 // weights, views, poses of several joints, motions to try, FBX in and out, the keyboard alone, a phone's width. Weights are the command's.
 //   studio_test.mjs DIST_DIR SOURCE_DIR WORK_DIR SINEW_COMMAND
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { mkdirSync, writeFileSync } from "node:fs";
-import { join, resolve } from "node:path";
-import { launch, serve } from "./browser.mjs";
-import { made, newPage, pageTools } from "./page.mjs";
+import { writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { made, startPage } from "./page.mjs";
 
-const [dist, source, work, sinew] = process.argv.slice(2).map((path) => resolve(path));
-const data = join(source, "samples/data");
-mkdirSync(work, { recursive: true });
+const { work, data, server, browser, page, command: run, settled, shoot, hash, errorLine, legend, colours, joints, open, pick, give, slide, downloaded, step } = await startPage("studio_");
 const command = (name, ...more) => {
   const args = name === "biped__caped" ? [join(data, `${name}.gltf`)] : [join(data, `${name}.obj`), "--skeleton", join(data, `${name}.rig.txt`)];
-  return JSON.parse(execFileSync(sinew, ["bind", ...args, "-o", join(work, "command.glb"), "--json", ...more], { stdio: "pipe" }));
+  return JSON.parse(run("bind", ...args, "-o", "command.glb", "--json", ...more));
 };
-
-const server = await serve(dist);
-const browser = await launch();
-const troubles = [];
-const page = await newPage(browser, troubles);
-const { settled, shoot, hash, errorLine, legend, colours, joints, open, pick, give, slide, downloaded, step } = pageTools(() => page, { troubles, work, prefix: "studio_" });
 const jointsAt = () => page.evaluate(() => sinewPage.view.shownJoints());
 // The picture's pixels in the middle, to see that it changed.
 const picture = async () => (await page.locator("#stage canvas").screenshot()).toString("base64");
 
 try {
   await step("joints are switched off and on, as --never has it", async () => {
-    await page.emulateMedia({ reducedMotion: "reduce" });
     await page.goto(`${server.address}?sample=biped__robot`);
     await settled();
     const plain = await hash();

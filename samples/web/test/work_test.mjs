@@ -4,31 +4,18 @@
 //   work_test.mjs DIST_DIR SOURCE_DIR WORK_DIR SINEW_COMMAND
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { join, resolve } from "node:path";
-import { gzipSync } from "node:zlib";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { brotliCompressSync, gzipSync } from "node:zlib";
 import { testClip } from "../src/test_clips.js";
-import { launch, serve } from "./browser.mjs";
-import { apartGlbs, fileOf, made, newPage, pageTools } from "./page.mjs";
+import { apartGlbs, fileOf, made, startPage } from "./page.mjs";
 import { strangeFbx } from "./scene_files.mjs";
 
-const [dist, source, work, sinew] = process.argv.slice(2).map((path) => resolve(path));
-const data = join(source, "samples/data");
-mkdirSync(work, { recursive: true });
-const at = (name) => join(work, name);
-const command = (...args) => execFileSync(sinew, args, { cwd: work, stdio: "pipe" }).toString();
-const file = (name) => fileOf(join(data, name));
-
-const server = await serve(dist);
-const browser = await launch();
-const troubles = [];
-const page = await newPage(browser, troubles);
+const { dist, work, data, server, browser, troubles, page, at, command, file, undoName, settled, shoot, errorLine, hash, joints, positions, pick, give, slide, downloaded, go, step } = await startPage("work_");
 const asked = []; // addresses until the first character walks
 const note = (request) => request.serviceWorker() === null && asked.push(request.url());
 browser.context.on("request", note); // those of workers too
-const { settled, shoot, errorLine, hash, joints, positions, pick, give, slide, downloaded, go, step } = pageTools(() => page, { troubles, work, prefix: "work_" });
 const shown = () => page.evaluate(() => [...document.querySelectorAll("button, input, select, summary, a")].filter((one) => one.checkVisibility({ contentVisibilityAuto: true }) && !one.closest("[hidden]")).map((one) => one.id || one.textContent));
-const undoName = async () => (await page.getAttribute("#undo", "title")).replace(/^Undo: | \(Ctrl\+Z\)$/g, "");
 const clips = () => page.locator("#clips li").count();
 const wideAs = (width, height) => page.setViewportSize({ width, height });
 const fits = () =>
@@ -39,7 +26,6 @@ const fits = () =>
 
 try {
   await step("the page starts with a card and few things", async () => {
-    await page.emulateMedia({ reducedMotion: "reduce" });
     await wideAs(1366, 768);
     await page.goto(server.address);
     await settled();
@@ -78,15 +64,32 @@ try {
     const filesOf = (list) => [...new Set(list.map((url) => new URL(url).pathname.slice(1) || "index.html"))].filter((name) => existsSync(join(dist, name)));
     const tell = (what, files) => {
       const packed = files.map((name) => [name, gzipSync(readFileSync(join(dist, name)), { level: 9 }).length]);
-      const total = packed.reduce((sum, [, bytes]) => sum + bytes, 0);
-      console.log(`  ${what}: ${Math.round(total / 1e3)} kB packed by gzip: ${packed.filter(([, bytes]) => bytes > 1e4).map(([name, bytes]) => `${name} ${Math.round(bytes / 1e3)}`).join(", ")}`);
+      const kilobytes = (list) => Math.round(list.reduce((sum, bytes) => sum + bytes, 0) / 1e3);
+      const byBrotli = kilobytes(files.map((name) => brotliCompressSync(readFileSync(join(dist, name))).length));
+      console.log(`  ${what}: ${kilobytes(packed.map(([, bytes]) => bytes))} kB packed by gzip, ${byBrotli} by brotli: ${packed.filter(([, bytes]) => bytes > 1e4).map(([name, bytes]) => `${name} ${Math.round(bytes / 1e3)}`).join(", ")}`);
     };
     const [first, all] = [filesOf(asked.slice(0, asked.findIndex((url) => url.includes("-rest.wasm")))), filesOf(asked)];
     tell("a bare mesh, bound", first);
-    tell("a mesh with a skeleton, bound", first.filter((name) => !/_(rig|front)\.sinew$/.test(name)));
+    tell("a mesh with a skeleton, bound", first.filter((name) => !/_(rig|front)\.sinew/.test(name)));
     tell("a bare mesh, walking", all);
     assert.ok(!all.some((name) => /scenes|hands/.test(name)), "what nobody asked for is not fetched");
     assert.ok(!first.some((name) => /look-|box_tree/.test(name)), `${first}`);
+  });
+
+  await step("nothing in the picture lies on something else", async () => {
+    for (const [width, height] of [[1366, 768], [1000, 700], [800, 700], [390, 844]]) {
+      await wideAs(width, height);
+      for (const name of ["mesh", "skeleton", "weights", "motion", "export"]) {
+        await go(name);
+        const apart = await page.evaluate(() => {
+          const boxes = ["view-switch", "brush", "legend", "said", "tools", "status"].map((id) => [id, document.getElementById(id).getBoundingClientRect()]).filter(([, box]) => box.width * box.height > 0);
+          return boxes.flatMap(([one, a], i) => boxes.slice(i + 1).flatMap(([other, b]) => (a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom ? [`${one} on ${other}`] : [])));
+        });
+        assert.deepEqual(apart, [], `${name} at ${width} x ${height}`);
+      }
+      await shoot(`motion_${width}`);
+    }
+    await wideAs(1366, 768);
   });
 
   await step("every step fits its window", async () => {

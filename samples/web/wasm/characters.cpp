@@ -27,18 +27,21 @@ std::vector<std::vector<Influence>> weights_of_file(const std::string& skeleton,
   }
 }
 
-// What was found in the picture, and how its character would move by itself.
-Json picture_json(const PictureCharacter& picture) {
-  Json outline = Json::array();
-  for (const auto& line : outline_of(picture.figure)) {
-    outline.push_back(Json::array());
-    for (const auto& place : line) outline.back().push_back({place[0], place[1]});
+// Where the picture lies in the mesh's plane, by the mesh's own texture: pixel (x, y) is at ((x - left) scale, (bottom - y) scale).
+Json place_of(const PictureFile& picture, const Character& mesh) {
+  struct Corner {
+    double x, y, px, py;
+  };
+  std::vector<Corner> corners;
+  for (size_t c = 0; c < mesh.face_vertices.size(); ++c) {
+    const Vec3& p = mesh.vertices[mesh.face_vertices[c]];
+    const PicturePlace seen = seen_place(picture, {mesh.corner_uvs[c][0], 1 - mesh.corner_uvs[c][1]});
+    corners.push_back({p.x, p.y, double{seen.u} * picture.pixels.width, double{seen.v} * picture.pixels.height});
   }
-  return {{"width", picture.picture->pixels.width}, {"height", picture.picture->pixels.height},
-          {"figures", picture.figure.count},        {"figure", picture.figure.number},
-          {"class", body_class_word(picture.body)}, {"view", picture_view_text(picture.view)},
-          {"certainty", picture.certainty},         {"clip", default_clip(picture.body)},
-          {"outline", std::move(outline)}};
+  const auto less = [](const Corner& a, const Corner& b) { return a.x < b.x; };
+  const auto [low, high] = std::minmax_element(corners.begin(), corners.end(), less);
+  const double scale = (high->x - low->x) / (high->px - low->px);
+  return {{"scale", scale}, {"left", low->px - low->x / scale}, {"bottom", low->py + low->y / scale}};
 }
 
 PictureJobOptions picture_options(const Json& wishes) {
@@ -47,7 +50,9 @@ PictureJobOptions picture_options(const Json& wishes) {
   if (!word.empty()) options.body = body_class_of(word);
   if (!word.empty() && !options.body) throw Error("class: there is none that is called " + word);
   options.figure.number = wishes.value("figure", 0u);
+  options.figure.cut = wishes.value("cut", false);
   options.mask = wishes.value("mask", "");
+  options.mesh.flat = wishes.value("flat", false);
   for (const Json& line : wishes.value("outline", Json::array())) {
     options.outline.emplace_back();
     for (const Json& place : line)
@@ -114,9 +119,23 @@ Character bare(Character mesh) {
 }  // namespace
 
 std::string without_option(std::string line) {
-  for (const char* option : {" (--no-mirror)", "; --fit mends that", ", --cut opens it", "; --class says what it is"})
+  for (const char* option :
+       {" (--no-mirror)", "; --fit mends that", ", --cut opens it", "; --class says what it is", ": give --author"})
     if (const size_t at = line.find(option); at != std::string::npos) line.erase(at, std::string(option).size());
   return line;
+}
+
+Json picture_json(const PictureCharacter& picture) {
+  Json outline = Json::array();
+  for (const auto& line : outline_of(picture.figure)) {
+    outline.push_back(Json::array());
+    for (const auto& place : line) outline.back().push_back({place[0], place[1]});
+  }
+  return {{"width", picture.picture->pixels.width}, {"height", picture.picture->pixels.height},
+          {"figures", picture.figure.count},        {"figure", picture.figure.number},
+          {"class", body_class_word(picture.body)}, {"view", picture_view_text(picture.view)},
+          {"certainty", picture.certainty},         {"clip", default_clip(picture.body)},
+          {"flat", picture.options.mesh.flat},      {"outline", std::move(outline)}};
 }
 
 // The character has the present rig. Weights stay where joints were moved or renamed, until the next bind.
@@ -227,15 +246,21 @@ Json load_picture(Session& s, const std::string& path, const Json& wishes, uint3
   const auto known = s.pictures_of.find(number);
   if (wishes.empty() && known != s.pictures_of.end()) {  // it is looked at again
     const PictureCharacter& picture = *known->second;
-    mesh = picture_mesh(*picture.picture, picture.figure, picture.options.mesh);
+    mesh = picture_mesh(*picture.picture, picture.figure);
   } else {
-    PictureCharacter picture = open_picture(path, picture_options(wishes));
+    PictureJobOptions options = picture_options(wishes);
+    const bool flat =
+        std::exchange(options.mesh.flat, false);  // strike() makes it so: weights are those of what is round
+    PictureCharacter picture = open_picture(path, options);
+    picture.options.mesh.flat = flat;
     mesh = std::move(picture.rigged.character);
     picture.rigged.character = {};
     s.pictures_of[number] = std::make_shared<const PictureCharacter>(std::move(picture));
   }
+  Json place = place_of(*s.pictures_of[number]->picture, mesh);
   Json reply = start(s, std::move(mesh), {}, {}, number);
   reply["picture"] = picture_json(*s.picture());
+  reply["picture"]["place"] = std::move(place);
   return reply;
 }
 

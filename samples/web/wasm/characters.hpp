@@ -15,6 +15,8 @@ using Json = nlohmann::ordered_json;
 // As web_load() of web.cpp: what is asked of each is said there.
 Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint32_t number, const Json& place);
 Json load_picture(Session& s, const std::string& path, const Json& wishes, uint32_t number);
+// What was found in the picture, and how its character would move by itself.
+Json picture_json(const PictureCharacter& picture);
 Json predict(Session& s, const Json& wishes);
 Json edit(Session& s, const Json& edits, bool mirror, bool continues);
 // The character has the present rig. Weights stay where joints were moved or renamed, until the next bind.

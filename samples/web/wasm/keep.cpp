@@ -24,7 +24,9 @@ std::vector<uint8_t> marks(const Session& s, const Json& vertices) {
 
 }  // namespace
 
-void keep(Session& s, uint32_t number) { s.kept[number] = {s.number, s.rigs().now(), s.began, s.locked, s.hints}; }
+void keep(Session& s, uint32_t number) {
+  s.kept[number] = {s.number, s.rigs().now(), s.began, s.locked, s.hints, s.picture()};
+}
 
 Json restore(Session& s, uint32_t number) {
   const auto at = s.kept.find(number);
@@ -37,6 +39,10 @@ Json restore(Session& s, uint32_t number) {
   if (!kept.rows.empty()) s.character.influences = kept.rows;
   s.locked = kept.locked;
   s.hints = kept.hints;
+  if (kept.picture != nullptr) {
+    s.pictures_of[s.number] = kept.picture;
+    reply["picture"] = picture_json(*kept.picture);
+  }
   return reply;
 }
 

@@ -14,7 +14,8 @@ using Json = nlohmann::ordered_json;
 
 // The present character's rig, with what is locked and painted, under a number of the page.
 void keep(Session& s, uint32_t number);
-// What was kept of the present character; to be bound again. Replies as show_rig(). Throws Error where nothing was kept under that number.
+// What was kept of the present character; to be bound again. Replies as show_rig(), of a picture's character with `picture`, too, whose mesh is the
+// one that the character has by then. Throws Error where nothing was kept under that number.
 Json restore(Session& s, uint32_t number);
 // Locked and painted rows that the last bind began with: {locked: [vertex], painted: [vertex], rows: [[vertex, joint, weight, joint, weight, ...]]}
 Json kept_rows(const Session& s);

@@ -80,8 +80,11 @@ void stand(Session& s) {
 }
 
 void strike(Session& s) {
-  if (s.to_pose.empty() || s.standing) return;
-  Character posed = in_pose(s, s.character);
+  const std::shared_ptr<const PictureCharacter> picture = s.picture();
+  const bool flat = picture != nullptr && picture->options.mesh.flat;
+  if ((s.to_pose.empty() && !flat) || s.standing) return;
+  Character posed = s.to_pose.empty() ? s.character : in_pose(s, s.character);
+  if (flat) flatten(&posed);
   Stance stance = {std::move(posed.vertices), std::move(posed.corner_normals), std::move(posed.joints),
                    std::move(posed.gltf)};
   swap_stance(s, &stance);
@@ -90,7 +93,7 @@ void strike(Session& s) {
 
 Character written(const Session& s) {
   Character character = s.character;
-  if (!s.standing || s.seams.seams.empty()) return character;
+  if (!s.standing || s.to_pose.empty() || s.seams.seams.empty()) return character;
   character.vertices = s.standing->vertices;
   character.corner_normals = s.standing->corner_normals;
   character.joints = s.standing->joints;

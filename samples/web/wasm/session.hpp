@@ -39,9 +39,10 @@ struct Kept {
   Rig rig;
   std::vector<std::vector<Influence>> rows;  // [V] or empty
   std::vector<uint8_t> locked, hints;        // [V] or empty
+  std::shared_ptr<const PictureCharacter> picture;
 };
 
-// Of a character that is shown in another rest pose: how it stands in its file, which binds and edits are of.
+// Of a character that is shown in another rest pose, or flat: how it stands in its file, or round, which binds and edits are of.
 struct Stance {
   std::vector<Vec3> vertices, corner_normals;
   std::vector<Joint> joints;
@@ -67,7 +68,7 @@ struct Session {
   Rigs& rigs() { return rigs_of[number]; }
   const Rigs& rigs() const { return rigs_of.at(number); }
   Surface surface;
-  std::optional<Stance> standing;                 // there is one while `character` is in the pose `to_pose`
+  std::optional<Stance> standing;                 // there is one while `character` is in the pose `to_pose`, or flat
   std::string to_pose;                            // of the last bind: "t", "a", "" as it stands
   uint32_t up_axis = 0;                           // of the last bind
   Seams seams;                                    // of the last bind
@@ -99,7 +100,8 @@ void swap_rows(Session& s, Rows* rows);
 void end_preview(Session& s);
 // The character as its file has it; weights stay.
 void stand(Session& s);
-// The character that stands and has weights in the pose `to_pose`, where there is one. Throws Error; it stands as it did then.
+// The character that stands and has weights in the pose `to_pose`, where there is one, a picture's flat where that is asked for. Throws Error; it
+// stands as it did then.
 void strike(Session& s);
 // What a file of it is: with its seams open where it is in another pose, as the command writes it.
 Character written(const Session& s);

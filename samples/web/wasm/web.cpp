@@ -177,10 +177,11 @@ EMSCRIPTEN_KEEPALIVE const char* web_load(const char* mesh, const char* skeleton
   return answer([&] { return load(session(), mesh, skeleton, number, Json::parse(place)); });
 }
 
-// A PNG or JPEG of a character. wishes: {class, figure, mask (a file), outline: [[[x, y], ...], ...]}, all may be missing: found; places are
+// A PNG or JPEG of a character. wishes: {class, figure, mask (a file), flat, outline: [[[x, y], ...], ...]}, all may be missing: found; places are
 // pixels, x right, y down from the top left corner. Replies as web_load() does, for which a picture is one without wishes, with
-// {picture: {width, height, figures, figure, class, view, certainty, clip, outline}}; certainty is 0 before web_rig(), which replies with
-// it, too. `clip` is what web_motion() plays where the user has none.
+// {picture: {width, height, figures, figure, class, view, certainty, clip, flat, outline, place}}; place: {scale, left, bottom}, where the picture
+// lies behind its mesh: pixel (x, y) is at ((x - left) scale, (bottom - y) scale, 0). certainty is 0 before web_rig(), which replies with
+// `picture` but its place, too. `clip` is what web_motion() plays where the user has none.
 EMSCRIPTEN_KEEPALIVE const char* web_picture(const char* path, const char* wishes, uint32_t number) {
   return answer([&] { return load_picture(session(), path, Json::parse(wishes), number); });
 }
@@ -396,10 +397,19 @@ EMSCRIPTEN_KEEPALIVE const char* web_write(const char* path, const char* wish) {
     if (!author.empty()) more.authors = {author};
     more.title = json.at("title").get<std::string>();
     more.licence = json.at("licence").get<std::string>();
-    check_profile(profile_named(profile), more);
+    try {
+      check_profile(profile_named(profile), more);
+    } catch (const Error& error) {
+      throw Error(without_option(error.what()));
+    }
     write_for_profile(profile_named(profile), more, path, written(s), options);
     return Json::object();
   });
+}
+
+// {pose}: the rest pose that files of a profile have, "" for as it stands.
+EMSCRIPTEN_KEEPALIVE const char* web_profile(const char* name) {
+  return answer([&]() -> Json { return {{"pose", profile_named(name).pose}}; });
 }
 
 EMSCRIPTEN_KEEPALIVE const char* web_write_rig(const char* path) {

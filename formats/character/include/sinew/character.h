@@ -113,6 +113,8 @@ typedef struct sinew_character_picture_options {
   const uint32_t* line_offsets; /* [line_count + 1] CSR into the outline, rising from 0 */
   const float* outline; /* [line_offsets[line_count] x 2] the figure as sinew_character_picture_info has it, in place of
                                  * what is found; or null */
+  uint32_t cut;         /* 1: the figure is opened along lines that are drawn into it from its outline, as a guess */
+  uint32_t reserved;    /* 0 */
 } sinew_character_picture_options;
 
 static inline sinew_character_picture_options sinew_character_picture_options_init(void) {

@@ -12,7 +12,8 @@
 
 namespace sinew {
 
-// Poses one character any number of times. Weights are unorm16, the 12 strongest of a row; a vertex without weight stays where it is.
+// Poses one character any number of times. Corrections do not cross where parts have grown together (find_seams() by the character's own
+// weights). Weights are unorm16, the 12 strongest of a row; a vertex without weight stays where it is.
 class CharacterDeformer {
  public:
   // Throws Error for missing weights, a joint that does not exist, or what the engine refuses. `character` may go away.
@@ -30,7 +31,7 @@ class CharacterDeformer {
  private:
   std::string name_;
   Deformer deformer_;
-  std::vector<float> positions_, matrices_;
+  std::vector<float> all_positions_, positions_, matrices_;  // all: with the vertices that seams double
   bool corrected_ = true;
 };
 

@@ -70,7 +70,9 @@ char found_up(const MapRig& rig, const MapSkeletonOptions& options) {
     for (Joint& joint : read.joints) joint.name.clear();
   if (!options.ends) read.ends.clear();
   const std::optional<UprightBody> body = find_upright_body(read.joints, limb_classes(read, 'a'));
-  if (!body) return 'y';
+  std::vector<Point3> positions;
+  for (const Joint& joint : rig.joints) positions.push_back(point(joint.position));
+  if (!body || !stands(*body, positions)) return 'y';  // a spider laid over a person says nothing
   Point3 legs{};
   for (const UprightLimb& leg : body->legs)
     legs = legs + unit(point(rig.joints[static_cast<size_t>(leg.upper)].position) -

@@ -2,20 +2,37 @@
 // Characters to the engine's deformer and back.
 #include "sinew_character/deform.hpp"
 
+#include <algorithm>
+
 #include "pose/skin_arrays.hpp"
 #include "sinew_character/engine_views.hpp"
+#include "sinew_character/seams.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
+namespace {
+
+// Parts that have grown together move apart: open where they meet. Vertices that this doubles come last.
+Character opened(const Character& character) {
+  Character out = character;
+  out.gltf.reset();  // poses do not need it
+  if (!character.joints.empty()) cut_seams(find_seams(character, character.influences), &out);
+  return out;
+}
+
+}  // namespace
 
 CharacterDeformer::CharacterDeformer(const Character& character, const sinew_deform_options& options)
     : name_(character.name) {
-  const SkinArrays arrays = skin_arrays(character);
-  const EngineViews views(character, {});
+  skin_arrays(character);  // throws for what is no skin
+  const Character open = opened(character);
+  const SkinArrays arrays = skin_arrays(open);
+  const EngineViews views(open, {});
   const sinew_skin skin = {arrays.joints.data(), arrays.weights.data(), arrays.influences, SINEW_WEIGHT_UNORM16};
   const sinew_status status = deformer_.create(views.mesh, views.skeleton, skin, options);
   if (status != SINEW_OK) throw Error(name_ + ": cannot be deformed: " + sinew_status_text(status));
-  positions_.resize(arrays.positions.size());
+  all_positions_.resize(arrays.positions.size());
+  positions_.resize(3 * character.vertices.size());
 }
 
 const std::vector<float>& CharacterDeformer::pose(const std::vector<Affine>& palette) {
@@ -26,12 +43,13 @@ const std::vector<float>& CharacterDeformer::pose(const std::vector<Affine>& pal
   matrices_.clear();
   for (const Affine& m : palette)
     for (const double x : m) matrices_.push_back(static_cast<float>(x));
-  sinew_deform_outputs outputs = sinew_deform_outputs_init(positions_.data());
+  sinew_deform_outputs outputs = sinew_deform_outputs_init(all_positions_.data());
   const sinew_status status = deformer_.pose(matrices_.data(), &outputs);
   if (status == SINEW_ERROR_NOT_FINITE)
     throw Error(name_ + ": a matrix of the pose is not finite; look at where it comes from");
   if (status != SINEW_OK) throw Error(name_ + ": posing failed: " + sinew_status_text(status));
   corrected_ = outputs.corrected != 0;
+  std::copy_n(all_positions_.begin(), positions_.size(), positions_.begin());
   return positions_;
 }
 

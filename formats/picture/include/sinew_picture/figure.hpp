@@ -23,6 +23,7 @@ struct Mask {
 
 struct FigureOptions {
   uint32_t number = 0;  // of several figures, from left to right, from 1 on; 0: the largest
+  bool cut = false;     // where the figure overlaps itself: slits along the lines that are drawn into it, as a guess
 };
 
 enum class FigureSource { kAlpha, kBackground, kMask };  // how it was found

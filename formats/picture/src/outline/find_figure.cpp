@@ -6,6 +6,7 @@
 #include "outline/choose_part.hpp"
 #include "outline/foreground.hpp"
 #include "outline/holes.hpp"
+#include "outline/inner_lines.hpp"
 #include "outline/sheet.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_picture/figure.hpp"
@@ -49,23 +50,17 @@ Figure figure_on(const std::string& name, const Grid<Lab>& colours, const Mask& 
   return out;
 }
 
-}  // namespace
-}  // namespace picture
-
-Figure find_figure(const PictureFile& picture, const FigureOptions& options) {
-  using namespace picture;
-  const uint32_t step = step_of(picture.pixels);
-  const Reduced reduced = reduce(picture.pixels, step);
+Figure figure_in(const std::string& name, const Reduced& reduced, const FigureOptions& options, uint32_t step) {
   const uint32_t width = reduced.alpha.width, height = reduced.alpha.height;
   if (is_cut_out(reduced.alpha)) {
     Mask mask = empty_mask(width, height);
     for (size_t i = 0; i < mask.inside.size(); ++i) mask.inside[i] = reduced.alpha.values[i] >= kOpaque ? 1 : 0;
-    return figure_from(picture.name, mask, options, step, FigureSource::kAlpha);
+    return figure_from(name, mask, options, step, FigureSource::kAlpha);
   }
-  Figure out = figure_on(picture.name, reduced.colours, empty_mask(width, height, 1), options, step);
+  Figure out = figure_on(name, reduced.colours, empty_mask(width, height, 1), options, step);
   if (const std::optional<Mask> sheet = sheet_of(out.mask)) {
     try {
-      Figure on_sheet = figure_on(picture.name, reduced.colours, *sheet, options, step);
+      Figure on_sheet = figure_on(name, reduced.colours, *sheet, options, step);
       on_sheet.notes.push_back("the picture shows a sheet of paper; the figure on it was taken, as a guess");
       return on_sheet;
     } catch (const OutOfMemory&) {
@@ -73,6 +68,17 @@ Figure find_figure(const PictureFile& picture, const FigureOptions& options) {
     } catch (const Error&) {  // an empty sheet is a figure
     }
   }
+  return out;
+}
+
+}  // namespace
+}  // namespace picture
+
+Figure find_figure(const PictureFile& picture, const FigureOptions& options) {
+  const uint32_t step = picture::step_of(picture.pixels);
+  const picture::Reduced reduced = picture::reduce(picture.pixels, step);
+  Figure out = picture::figure_in(picture.name, reduced, options, step);
+  if (options.cut) picture::cut_inner_lines(reduced.colours, &out);
   return out;
 }
 
@@ -94,7 +100,9 @@ Figure figure_of_mask(const PictureFile& picture, const PictureFile& mask, const
       const uint8_t* p = &mask.pixels.rgba[(my * mask.pixels.width + mx) * 4];
       inside.inside[size_t{y} * width + x] = p[0] + p[1] + p[2] > 3 * 127 && p[3] >= kOpaque ? 1 : 0;
     }
-  return figure_from(mask.name, inside, options, step, FigureSource::kMask);
+  Figure out = figure_from(mask.name, inside, options, step, FigureSource::kMask);
+  if (options.cut) cut_inner_lines(reduce(picture.pixels, step).colours, &out);
+  return out;
 }
 
 Mask full_mask(const PictureFile& picture, const Figure& figure) {

@@ -8,6 +8,7 @@
 
 #include "mesh/contour.hpp"
 #include "outline/choose_part.hpp"
+#include "outline/inner_lines.hpp"
 #include "outline/lab.hpp"
 #include "sinew_formats/error.hpp"
 
@@ -78,6 +79,7 @@ Figure figure_of_outline(const PictureFile& picture, const Outline& outline, con
   out.mask = std::move(chosen.mask);
   out.count = chosen.count;
   out.number = chosen.number;
+  if (options.cut) picture::cut_inner_lines(picture::reduce(picture.pixels, out.step).colours, &out);
   return out;
 }
 

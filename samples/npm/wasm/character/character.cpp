@@ -123,6 +123,7 @@ EMSCRIPTEN_KEEPALIVE const char* character_open_picture(const sinew_file* files,
         wish.take("body_class", &o.body_class);
         wish.take("figure", &o.figure);
         wish.take("flat", &o.flat);
+        wish.take("cut", &o.cut);
         wish.take("pixels", &o.pixels);
         wish.take("mask", &o.mask);
         wish.take_lines("outline", &offsets, &places);

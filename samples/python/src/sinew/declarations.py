@@ -322,7 +322,8 @@ class sinew_file(Structure):
 
 class sinew_character_picture_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("body_class", c_uint32), ("figure", c_uint32), ("flat", c_uint32), ("pixels", c_uint32),
-        ("line_count", c_uint32), ("mask", c_char_p), ("line_offsets", c_void_p), ("outline", c_void_p)]
+        ("line_count", c_uint32), ("mask", c_char_p), ("line_offsets", c_void_p), ("outline", c_void_p), ("cut", c_uint32),
+        ("reserved", c_uint32)]
 
 
 class sinew_character_picture_info(Structure):

@@ -171,7 +171,7 @@ def open(source: Source, *, name: str = "", beside: Optional[Mapping[str, bytes]
 
 def open_picture(source: Source, *, name: str = "", beside: Optional[Mapping[str, bytes]] = None,
                  body_class: declarations.BodyClass = "found", figure: int = 0, flat: bool = False, units: Literal["figure", "pixels"] = "figure",
-                 mask_file: Union[None, str, os.PathLike] = None, outline: Optional[Sequence[Any]] = None) -> "OpenCharacter":
+                 mask_file: Union[None, str, os.PathLike] = None, outline: Optional[Sequence[Any]] = None, cut: bool = False) -> "OpenCharacter":
     """Opens a drawing or a photograph of a character, PNG or JPEG: its figure as a mesh with the picture as texture. rig() gives it a
     skeleton in the picture's plane; retarget() does so where it has none, and plays a clip of its class where no motion is given.
 
@@ -182,11 +182,13 @@ def open_picture(source: Source, *, name: str = "", beside: Optional[Mapping[str
     units       "figure": its longest side is 1; "pixels": places are the picture's, x right, y up from the bottom edge
     mask_file   a picture that is bright where the figure is, by path or its name in `beside`; None: found
     outline     closed lines [k, 2] round the figure, as Picture has them, in place of what is found
+    cut         the figure is opened along lines that are drawn into it from its outline, as a guess: a leg before a leg
     """
     library, handle = binding.character_library(), ctypes.c_void_p()
     options = binding.init(declarations.sinew_character_picture_options)
     options.body_class = chosen(body_class, declarations.BODY_CLASS, "body_class")
     options.figure, options.flat, options.pixels = figure, int(flat), chosen(units, ("figure", "pixels"), "units")
+    options.cut = int(cut)
     options.mask = None if mask_file is None else os.fsencode(mask_file)
     lines = [real(line, (None, 2), "outline") for line in outline or ()]
     offsets = np.concatenate(([0], np.cumsum([len(line) for line in lines]))).astype(np.uint32)

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+#include "block_body.hpp"
 #include "expect_error.hpp"
 #include "sinew_character/pose.hpp"
 #include "sinew_formats/io.hpp"
@@ -48,6 +49,25 @@ TEST(CharacterDeformer, KeepsTheRestPoseAndMovesTheBoundVertices) {
   EXPECT_EQ(bent.vertices.back().x, 9);
   EXPECT_TRUE(deformer.corrected());
   EXPECT_NEAR(bent.joints[1].position.y, 2, 1e-6f);
+}
+
+// Thighs that have grown together: one leg swings forward, and the other, whose joints stand still, stays.
+TEST(CharacterDeformer, CorrectionsDoNotCrossSeams) {
+  const Character body = block_body(1, 3);
+  sinew_deform_options options = sinew_deform_options_init();
+  options.method = SINEW_DEFORM_DELTA_MUSH;
+  CharacterDeformer deformer(body, options);
+  const Character posed = deformer.pose_character(body, pose_palette(body, {{kLeftUpLeg, 40, 0, 0}}));
+  ASSERT_EQ(posed.vertices.size(), body.vertices.size());
+  float moved = 0, swung = 0;
+  for (size_t v = 0; v < body.vertices.size(); ++v) {
+    const uint32_t joint = body.influences[v][0].joint;
+    const float off = std::abs(posed.vertices[v].z - body.vertices[v].z);
+    if (joint == kRightUpLeg || joint == kRightLeg) moved = std::max(moved, body.vertices[v].y < 4 ? off : 0);
+    if (joint == kLeftLeg) swung = std::max(swung, off);
+  }
+  EXPECT_GT(swung, 2);
+  EXPECT_LT(moved, 0.05f);
 }
 
 TEST(CharacterDeformer, RefusesWhatDoesNotFit) {

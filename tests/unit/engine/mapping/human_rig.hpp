@@ -61,6 +61,24 @@ struct DogRig : SmallRig {
   }
 };
 
+// A body with a head before it and a longer abdomen behind it, jaws on the head, three pairs of legs whose knees are high.
+struct InsectRig : SmallRig {
+  enum { kBody, kHead, kMouth, kAbdomen, kAbdomenEnd, kJaws, kLegs = 9 };  // legs from the rear, left and right in turn
+
+  InsectRig() {
+    positions = {0,     0.3f, 0,     0,     0.3f, 0.3f,  0,     0.25f, 0.5f,  0,     0.35f, -0.4f, 0,    0.45f,
+                 -0.9f, 0.1f, 0.25f, 0.45f, 0.1f, 0.15f, 0.55f, -0.1f, 0.25f, 0.45f, -0.1f, 0.15f, 0.55f};
+    parents = {-1, 0, 1, 0, 3, kHead, kJaws, kHead, kJaws + 2};
+    for (const float z : {-0.5f, 0.0f, 0.5f}) {
+      for (const float x : {1.0f, -1.0f}) {
+        const int32_t first = static_cast<int32_t>(parents.size());
+        positions.insert(positions.end(), {x * 0.1f, 0.13f, 0, x * 0.5f, 0.5f, 0.5f * z, x * 0.9f, 0.1f, z});
+        parents.insert(parents.end(), {kBody, first, first + 1});
+      }
+    }
+  }
+};
+
 // A rig read as the matcher reads it.
 struct Read {
   explicit Read(SmallRig* small, bool flip = false) {

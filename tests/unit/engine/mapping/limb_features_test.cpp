@@ -35,5 +35,17 @@ TEST(MapLimbFeatures, DoNotDependOnTheSize) {
   EXPECT_NEAR(one.attach, two.attach, 1e-5);
 }
 
+TEST(MapLimbFeatures, LegsOfAnInsectAreCountedFromTheRear) {
+  InsectRig insect;
+  const Read read(&insect);
+  ASSERT_EQ(read.anatomy.leg_count, 3);
+  for (int32_t pair = 0; pair < 3; ++pair) {
+    for (int32_t k = 0; k < read.anatomy.limbs.count; ++k) {
+      if (read.first(k) != InsectRig::kLegs + 6 * pair) continue;
+      EXPECT_NEAR(read.anatomy.features[k].rank, 0.5 * pair, 1e-9);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sinew::mapping

@@ -46,5 +46,20 @@ TEST(MapLimbs, FingersAreSubsOfTheHandAndTwistsAreNot) {
   EXPECT_EQ(twists, 1);
 }
 
+TEST(MapLimbs, AnArmGoesOnWithTheHandBesideAThumbOnTheSameSpot) {
+  HumanRig human;
+  for (const float x : {1.0f, -1.0f}) {
+    const int32_t hand = x > 0 ? HumanRig::kHand : HumanRig::kHand + HumanRig::kRightArm;
+    const int32_t finger = static_cast<int32_t>(human.parents.size());
+    human.positions.insert(human.positions.end(), {x * 0.78f, 1.45f, 0, x * 0.7f, 1.45f, 0, x * 0.72f, 1.42f, 0.07f});
+    human.parents.insert(human.parents.end(),
+                         {hand, hand - 1, finger + 1});  // finger, thumb and its end on the forearm
+  }
+  const Read read(&human);
+  const Limb& arm = read.anatomy.limb(read.anatomy.arms.a);
+  ASSERT_EQ(arm.joint_count, 4);
+  EXPECT_EQ(read.anatomy.limbs.joint(arm, 2), HumanRig::kHand);
+}
+
 }  // namespace
 }  // namespace sinew::mapping

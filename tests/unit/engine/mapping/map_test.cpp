@@ -57,6 +57,28 @@ TEST(Map, BodiesOfOtherPosesAndCountsFindEachOther) {
   }
 }
 
+// Hip joints near the middle, not quite mirrored: as in CMU's skeletons without names.
+TEST(Map, BothLegsBeginAtTheSameJoint) {
+  const TestRig target = humanoid(3, true), body = humanoid(3, true);
+  for (int k = 0; k < 49; ++k) {
+    const float off = 0.01f * static_cast<float>(k % 7), lower = 0.05f * static_cast<float>(k / 7);
+    TestRig source;
+    for (size_t i = 0; i < body.names.size(); ++i) {
+      const std::string& name = body.names[i];
+      int32_t parent = body.parents[i] < 0 ? -1 : source.find(body.names[static_cast<size_t>(body.parents[i])]);
+      const float* const p = &body.places[3 * i];
+      const bool thigh = name.find("UpLeg") != std::string::npos;
+      if (thigh) parent = source.add(name + "Hip", parent, name[0] == 'L' ? off : 0, 1, 0);
+      (void)source.add(name, parent, p[0], thigh ? p[1] - lower : p[1], p[2], body.ends[i] != 0);
+    }
+    MapCall call;
+    ASSERT_EQ(call.run(target, source).status, SINEW_OK);
+    EXPECT_EQ(call.source_of(target, source, "LeftUpLeg") == "LeftUpLeg",
+              call.source_of(target, source, "RightUpLeg") == "RightUpLeg")
+        << off << " " << lower;
+  }
+}
+
 // A pelvis that carries the legs alone, beside the spine: the root above both is the hips.
 TEST(Map, APelvisBesideTheSpineIsNotTheTrunk) {
   const TestRig a = humanoid(2, true);

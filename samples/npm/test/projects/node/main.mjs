@@ -7,7 +7,7 @@ import { load as loadBind } from "@sinew/skin/bind";
 import { bindWasm, wasm } from "@sinew/skin/url";
 import { loadFrontModel, loadHandsModel, loadModel, loadRigModel } from "@sinew/skin/model";
 import { connect } from "@sinew/skin/worker";
-import { bindHash, readObj, readRig, triangles } from "./characters.mjs";
+import { bindHash, readObj, readRig } from "./characters.mjs";
 
 const [folder, ...names] = process.argv.slice(2);
 const read = (name) => ({
@@ -124,8 +124,7 @@ error("never", () => skin.bind(mesh, { ...skeleton, flags: new Uint8Array(skelet
 error("model", () => skin.openModel(new Uint8Array(100)));
 error("task", () => skin.bind(mesh, skeleton, { model: rigModel }));
 error("cancelled", () => skin.bind(mesh, skeleton, { onProgress: () => true }));
-let lastShare = 0;
-error("told", () => skin.bind(mesh, skeleton, { onProgress: (share) => (lastShare = share) }));
+error("told", () => skin.bind(mesh, skeleton, { onProgress: (share) => share }));
 error("goesOn", () => skin.bind(mesh, skeleton, { onProgress: () => false }));
 error("answer", () => skin.bind(mesh, skeleton, { answers: [{ vertex: bound.questions[0].vertex, kind: "proposed" }] }));
 out.again = bindHash(skin.bind(mesh, skeleton, { format: "unorm16" })); // after all of these

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "animate_report.hpp"
+
+#include <cstdio>
+
+#include "options.hpp"
+#include "support.hpp"
+
+namespace sinew::cli {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json limb_json(const sinew_limb_measure& limb) {
+  return {{"deep_frames", limb.deep_frames},       {"depth", limb.depth}, {"greatest_depth", limb.greatest_depth},
+          {"contact_frames", limb.contact_frames}, {"error", limb.error}, {"greatest_error", limb.greatest_error},
+          {"range_frames", limb.range_frames}};
+}
+
+// A line a limb: copied, then as the method left it.
+void tell_report(const Character& character, const ClipReport& report) {
+  if (report.before.empty()) std::printf("  no arms or legs to measure\n");
+  for (size_t i = 0; i < report.before.size(); ++i) {
+    const sinew_limb_measure &a = report.before[i], &b = report.after[i];
+    const auto percent = [](float share) { return 100 * static_cast<double>(share); };
+    const bool leg = a.leg != 0;
+    std::printf("  %s: %s in %u of %u frames -> %u, at most %.2f %% of the height -> %.2f",
+                printable(character.joints[a.joint].name).c_str(), leg ? "under the floor" : "in the body",
+                a.deep_frames, a.frames, b.deep_frames, percent(a.greatest_depth), percent(b.greatest_depth));
+    if (a.contact_frames > 0)
+      std::printf("; %s in %u, %s %.3f %% -> %.3f", leg ? "stands" : "touches", a.contact_frames,
+                  leg ? "slides a frame" : "distance off by", percent(a.error), percent(b.error));
+    if (a.range_frames + b.range_frames > 0)
+      std::printf("; %s out of range in %u -> %u", leg ? "knee" : "elbow", a.range_frames, b.range_frames);
+    std::printf("\n");
+  }
+}
+
+}  // namespace
+
+Json animate_json(const AnimateSettings& s, const Animated& animated) {
+  Json json = {{"sinew_animate", 1}};
+  json["character"] = s.character;
+  json["output"] = s.output;
+  json["joints"] = animated.character.joints.size();
+  json["rigged"] = animated.rigged;
+  if (animated.picture) json["picture"] = picture_json(*animated.picture);
+  for (const AnimatedClip& one : animated.made) {
+    json["clips"].push_back({{"motion", one.file},
+                             {"name", one.clip},
+                             {"frames", one.frames},
+                             {"fps", 1 / one.frame_time},
+                             {"mapped", one.mapped},
+                             {"map", one.map}});
+    for (size_t i = 0; i < one.report.before.size(); ++i)
+      json["clips"].back()["report"].push_back({{"joint", animated.character.joints[one.report.before[i].joint].name},
+                                                {"limb", one.report.before[i].leg != 0 ? "leg" : "arm"},
+                                                {"before", limb_json(one.report.before[i])},
+                                                {"after", limb_json(one.report.after[i])}});
+    if (s.deform.method.empty()) continue;
+    json["clips"].back()["shapes"] = one.shapes;
+    json["clips"].back()["error"] = {{"linear", one.error.linear}, {"baked", one.error.baked}};
+  }
+  json["notes"] = animated.motion.notes;
+  return json;
+}
+
+void tell_animated(const AnimateSettings& s, const Animated& animated) {
+  if (s.json) {
+    std::printf("%s\n", json_line(animate_json(s, animated)).c_str());
+    return;
+  }
+  const size_t joints = animated.character.joints.size();
+  if (animated.rigged)
+    std::printf("%s: had no skeleton and got one of %zu joints\n", printable(s.character).c_str(), joints);
+  for (const AnimatedClip& one : animated.made) {
+    std::printf("%s, %s: %zu frames, %.4g a second; %zu of %zu joints move by %s\n", printable(one.file).c_str(),
+                printable(one.clip).c_str(), one.frames, 1 / one.frame_time, one.mapped, joints,
+                printable(one.map).c_str());
+    if (s.report) tell_report(animated.character, one.report);
+  }
+  for (const AnimatedClip& one : animated.made)
+    if (!s.deform.method.empty())
+      std::printf("  %s: %zu shapes, %.3f %% of the size from the corrected poses, linear skinning alone %.3f %%\n",
+                  printable(one.clip).c_str(), one.shapes, 100 * one.error.baked, 100 * one.error.linear);
+  for (const std::string& note : animated.motion.notes) std::printf("  %s\n", printable(note).c_str());
+  std::printf("wrote %s\n", printable(s.output).c_str());
+}
+
+}  // namespace sinew::cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// What sinew animate is asked for, and how it tells what it did.
+#ifndef SINEW_CLI_ANIMATE_REPORT_HPP
+#define SINEW_CLI_ANIMATE_REPORT_HPP
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "deform_options.hpp"
+#include "picture_options.hpp"
+#include "profile_options.hpp"
+#include "sinew_character/animate_job.hpp"
+#include "sprite_options.hpp"
+
+namespace sinew::cli {
+
+struct AnimateSettings {
+  std::string character, output, map, method = "auto", up = "auto", motion_up = "auto", sheet, layout, actor, limits;
+  std::string format = "glb";
+  std::vector<std::string> motions;
+  DeformSettings deform;
+  PictureOptions picture;
+  SpriteSettings sprites;
+  ProfileSettings profile;
+  size_t shapes = 16;
+  double fps = 0, from = 0, to = 1e9;
+  uint32_t area_power = 3;
+  double falloff = 0.05;
+  bool own_limb = false, legs = false, head = false, torso = false, source_points = false, range = true;
+  bool in_place = false, json = false, report = false, force = false, translations = false, depth = false;
+};
+
+struct Animated : AnimatedCharacter {
+  std::optional<PictureCharacter> picture;  // what it was made of
+};
+
+nlohmann::ordered_json animate_json(const AnimateSettings& settings, const Animated& animated);
+// On standard output.
+void tell_animated(const AnimateSettings& settings, const Animated& animated);
+
+}  // namespace sinew::cli
+#endif

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+// Elements of index.html. Of which kind each is that page says, and no type.
+
+/** @type {(id: string) => any} */
+export const $ = (id) => document.getElementById(id);
+/** @type {(selector: string) => any[]} */
+export const all = (selector) => [...document.querySelectorAll(selector)];

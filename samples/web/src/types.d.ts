@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// What the page's parts hand to each other, for the checker of types alone (tsconfig.json).
+import type { History } from "./history.js";
+
+export interface Joint {
+  name: string;
+  parent: number;
+  position: number[];
+  partner: number; // -1: none
+  side?: number;
+  end?: boolean;
+  confidence?: number;
+  named?: number;
+}
+
+/** As edit() of web.cpp reads them; kinds are editKinds of skeleton.js. */
+export interface Edit {
+  kind: number;
+  joint: string;
+  other?: string;
+  place?: number[];
+}
+
+export interface Placement {
+  turns: string[];
+  height: number;
+  floor: boolean;
+}
+
+export interface Marker {
+  joint: string;
+  place: number[];
+}
+
+export interface Recipe {
+  wishes: Record<string, unknown> | null; // null: the file's own skeleton
+  edits: { edits: Edit[]; mirror: boolean }[];
+}
+
+export interface Question {
+  part: number;
+  mesh: string;
+  joint: string;
+  vertices: number;
+  parts: number;
+  share: number;
+  alternatives: { answer: string; kind: number; joint: number; change: number }[];
+  members?: { of: ArrayLike<number>; number: number };
+}
+
+export interface Answer {
+  question: Question;
+  answer: string;
+  kind: number;
+  joint: number;
+  byStyle?: boolean;
+  number?: number;
+}
+
+export interface Motion {
+  files: string[];
+  method: number;
+  pins: Record<string, Record<string, number>>;
+}
+
+/** As web_picture() of web.cpp reads them. */
+export interface PictureWishes {
+  class?: string;
+  figure?: number;
+  mask?: string;
+  flat?: boolean;
+  outline?: number[][][];
+}
+
+/** As web_picture() of web.cpp tells it. */
+export interface Picture {
+  width: number;
+  height: number;
+  figures: number;
+  figure: number;
+  class: string;
+  view: string;
+  certainty: number;
+  clip: string;
+  flat: boolean;
+  outline: number[][][];
+  place: { scale: number; left: number; bottom: number };
+}
+
+export interface BindValues {
+  toPose: string;
+  method: string;
+  symmetric: boolean;
+  rigidParts: string;
+  softness: string;
+  influences: string;
+}
+
+/** A character as undo brings it back. Sets and lists in it are never changed, others take their place. */
+export interface State {
+  kept: number; // in the module, 0: not there
+  epoch: number; // of the worker that kept it
+  recipe: Recipe;
+  up: number;
+  pose: Float32Array;
+  options: BindValues;
+  never: Set<string>;
+  always: Set<string>;
+  locked: Set<string>;
+  answers: Answer[];
+  style: { name: string } | null;
+  motion: Motion | null;
+  markers: Marker[];
+  placement: Placement;
+  pictureWishes?: PictureWishes;
+}
+
+/** A character that was dropped, and what its user did. */
+export interface Source {
+  name: string;
+  mesh: string;
+  skeleton: string;
+  number: number;
+  step?: string;
+  kept: number;
+  recipe: Recipe;
+  never: Set<string>;
+  always: Set<string>;
+  locked: Set<string>;
+  answers: Answer[];
+  style?: { name: string } | null;
+  motion?: Motion | null;
+  markers: Marker[];
+  placement: Placement;
+  pictureWishes?: PictureWishes;
+  history?: History;
+}
+
+export interface BindResult {
+  hash: string;
+  seconds: number;
+  wallSeconds: number;
+  usedBytes: number;
+  strongest: ArrayLike<number>;
+  questions: Question[];
+  places: number[][];
+  off: number[];
+  lookFirst: number;
+  lookFirstSure: number;
+  leftOut: string[];
+  lockedVertices: number;
+  paintedVertices: number;
+  rigidParts: number;
+  grownTogether: string;
+  keptMeshes: number;
+  alone: boolean;
+  buffers: Record<string, any>;
+}
+
+/** What the module has loaded, with its bind result. */
+export interface Character {
+  name: string;
+  source: Source;
+  joints: Joint[];
+  vertices: number;
+  faces: number;
+  size: number;
+  up: number;
+  upAxis: number;
+  tall: number[];
+  notes: string[];
+  buffers: Record<string, any>;
+  result: BindResult | null;
+  shown?: BindResult;
+  placeable: boolean;
+  posed?: boolean;
+  predicted?: boolean;
+  editable?: boolean;
+  mirrored?: boolean;
+  axis: number;
+  plane: number;
+  doubtful?: boolean;
+  doubts?: { name: string; joint: number; joints: number[] }[];
+  spread: number;
+  seconds: number;
+  hasReference: boolean;
+  picture?: Picture;
+}
+
+/** What is written to a project file. */
+export interface Project {
+  sinewProject: number;
+  name: string;
+  mesh: string;
+  skeleton: string;
+  beside: string[];
+  step?: string;
+  pictureWishes?: PictureWishes;
+  state: Record<string, any>;
+  rows: object | null;
+}
