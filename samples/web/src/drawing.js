@@ -6,7 +6,7 @@ import { bind } from "./binding.js";
 import { restore } from "./commands.js";
 import { choosePoint, pointOfNumber, shownOutline } from "./drawn.js";
 import { predict } from "./editing.js";
-import { isPicture } from "./files.js";
+import { isPicture, pictureFiles } from "./files.js";
 import { clearError, run } from "./jobs.js";
 import { giveFiles } from "./loading.js";
 import { loadDrawn } from "./opened.js";
@@ -75,6 +75,7 @@ export function listenForDrawings() {
     at.view.frame(); // it stands elsewhere
   };
   $("outline-found").onclick = () => changeDrawing("outline as found", { outline: [], mask: "", figure: 0 });
+  $("mask-file").accept = pictureFiles;
   $("open-mask").onclick = () => $("mask-file").click();
   $("mask-file").onchange = () => {
     const [file] = $("mask-file").files;
