@@ -4,9 +4,9 @@
 import { act } from "./acting.js";
 import { bind } from "./binding.js";
 import { restore } from "./commands.js";
-import { shownOutline } from "./drawn.js";
+import { choosePoint, pointOfNumber, shownOutline } from "./drawn.js";
 import { predict } from "./editing.js";
-import { isPicture } from "./files.js";
+import { isPicture, pictureFiles } from "./files.js";
 import { clearError, run } from "./jobs.js";
 import { giveFiles } from "./loading.js";
 import { loadDrawn } from "./opened.js";
@@ -46,6 +46,7 @@ export const changeKind = () => changeDrawing("kind", { class: bodyWords[Number(
 function dragOutline({ of, point }, pixel, ended) {
   const now = shownOutline().map((one, i) => (i === of ? { ...one, line: dragged(one, point, pixel) } : one));
   at.view.setOutline(now);
+  if (ended) choosePoint(pixel);
   if (ended) changeDrawing("outline", { outline: now.map(({ line }) => line), figure: 0, mask: "" });
 }
 
@@ -59,14 +60,22 @@ async function useMask(file) {
   changeDrawing("mask", { mask: mask.name, outline: [], figure: 0 });
 }
 
+function typePoint() {
+  const pixel = ["x", "y"].map((axis) => $(`point-${axis}`).valueAsNumber);
+  if (pixel.every(Number.isFinite)) dragOutline(pointOfNumber(), pixel, true);
+}
+
 export function listenForDrawings() {
   at.view.onDragOutline = dragOutline;
+  $("point").oninput = () => Number.isFinite($("point").valueAsNumber) && choosePoint(pointOfNumber().pixel);
+  $("point-x").onchange = $("point-y").onchange = typePoint;
   $("flat").onchange = () => changeDrawing($("flat").checked ? "flat" : "round", { flat: $("flat").checked });
   $("figure").onchange = async () => {
     await changeDrawing(`figure ${$("figure").value}`, { figure: Number($("figure").value), outline: [], mask: "" });
     at.view.frame(); // it stands elsewhere
   };
   $("outline-found").onclick = () => changeDrawing("outline as found", { outline: [], mask: "", figure: 0 });
+  $("mask-file").accept = pictureFiles;
   $("open-mask").onclick = () => $("mask-file").click();
   $("mask-file").onchange = () => {
     const [file] = $("mask-file").files;

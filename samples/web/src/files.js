@@ -32,6 +32,7 @@ export const isPicture = (name) => isOffered(name, "readsPicture"); // a drawing
 // What the page's file dialogs offer.
 export const allFiles = [...extensionsOf("offered"), ".txt", ".bin", ".tga", ".sinew", ".style", ".zip", ".sinewproject"].join(",");
 export const motionFiles = extensionsOf("readsMotion", "offered").join(",");
+export const pictureFiles = extensionsOf("readsPicture", "offered").join(",");
 
 /** @param {string} name */
 export function stem(name) {

@@ -75,18 +75,37 @@ function cornersBetween(line, lengths, from, to, size) {
  * An outline with points to drag: at its corners, and between them where those are far apart.
  * @param {Place[][]} outline
  * @param {number} spacing how much farther apart they are than usual, where there is little room
+ * @param {Place | null} kept where there is one whatever the line is like: what was moved last
  * @returns {Draggable[]}
  */
-export function draggable(outline, spacing = 1) {
+export function draggable(outline, spacing = 1, kept = null) {
   const longest = longestSide(outline);
   const size = spacing * longest;
-  return outline.map((given) => {
+  const made = outline.map((given) => {
     const line = refined(given, step * longest);
     const lengths = [0];
     for (let i = 0; i < line.length; ++i) lengths.push(lengths[i] + between(line[i], line[(i + 1) % line.length]));
     const far = line.reduce((best, place, i) => (between(place, line[0]) > between(line[best], line[0]) ? i : best), 0);
     return { line, points: [0, ...cornersBetween(line, lengths, 0, far, size), far, ...cornersBetween(line, lengths, far, line.length, size)].filter((point, i, all) => all.indexOf(point) === i) };
   });
+  return kept ? withPoint(made, kept, step * longest) : made;
+}
+
+/**
+ * With a point at the place of a line that is nearest, where it is near.
+ * @param {Draggable[]} outline
+ * @param {Place} kept
+ * @param {number} near
+ */
+function withPoint(outline, kept, near) {
+  let best = { of: -1, at: -1, off: near };
+  outline.forEach(({ line }, of) =>
+    line.forEach((place, at) => {
+      const off = between(place, kept);
+      if (off < best.off) best = { of, at, off };
+    }),
+  );
+  return outline.map((one, of) => (of !== best.of || one.points.includes(best.at) ? one : { ...one, points: [...one.points, best.at].sort((a, b) => a - b) }));
 }
 
 /**

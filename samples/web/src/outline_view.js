@@ -6,6 +6,7 @@ import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshBasicMate
 /** @typedef {{ scale: number, left: number, bottom: number }} Lies where the picture lies in the model's plane, see web_picture() of web.cpp */
 
 const lineColour = 0x1f8fff;
+const chosenColour = 0xff8c00;
 const lineWidth = 0.0035; // of the longest side
 const pointPixels = 9;
 const mostPixels = 2048; // of the texture's longest side
@@ -17,6 +18,7 @@ export class OutlineView {
   #lines = new Mesh(new BufferGeometry(), flat(lineColour));
   #rims = new Points(new BufferGeometry(), new PointsMaterial({ color: lineColour, size: pointPixels + 4, sizeAttenuation: false, depthTest: false, transparent: true }));
   #points = new Points(this.#rims.geometry, new PointsMaterial({ color: 0xffffff, size: pointPixels, sizeAttenuation: false, depthTest: false, transparent: true }));
+  #chosen = new Points(new BufferGeometry(), new PointsMaterial({ color: chosenColour, size: pointPixels + 4, sizeAttenuation: false, depthTest: false, transparent: true }));
   #paper = new Mesh(new BufferGeometry(), flat(0xffffff));
   /** @type {Draggable[]} */
   #outline = [];
@@ -35,7 +37,7 @@ export class OutlineView {
   constructor(parent, redraw) {
     this.#redraw = redraw;
     this.#group.visible = false;
-    [this.#paper, this.#lines, this.#rims, this.#points].forEach((one, i) => {
+    [this.#paper, this.#lines, this.#rims, this.#points, this.#chosen].forEach((one, i) => {
       one.renderOrder = i;
       one.frustumCulled = false;
       this.#group.add(one);
@@ -95,6 +97,13 @@ export class OutlineView {
   // Points that can be dragged: which of which line, and where in the model.
   get handles() {
     return this.#outline.flatMap(({ line, points }, of) => points.map((at, point) => ({ of, point, place: this.#toModel(line[at]) })));
+  }
+
+  // Which of the handles is chosen, -1 for none.
+  /** @param {number} index */
+  choose(index) {
+    this.#chosen.visible = index >= 0;
+    if (index >= 0) this.#chosen.geometry.setAttribute("position", new BufferAttribute(Float32Array.from(this.handles[index].place), 3));
   }
 
   // The pixel that a place of the model's plane shows.

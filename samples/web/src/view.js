@@ -265,6 +265,10 @@ export class View {
   get outlineHandles() {
     return this.#outline.shown ? this.#outline.handles : [];
   }
+  choosePoint(index) {
+    this.#outline.choose(index);
+    this.redraw();
+  }
   pixelAt(place) {
     return this.#outline.toPixel(place);
   }

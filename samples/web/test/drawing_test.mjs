@@ -87,6 +87,26 @@ try {
     assert.equal(await page.isDisabled("#outline-found"), true);
   });
 
+  await step("a point is moved by the keyboard alone", async () => {
+    await page.focus("#point");
+    await page.keyboard.press("Control+a");
+    await page.keyboard.type("1");
+    await page.keyboard.press("Tab");
+    const x = Number(await page.inputValue("#point-x"));
+    await page.keyboard.press("ArrowUp");
+    await page.keyboard.press("Tab");
+    await settled();
+    assert.equal(await undoName(), "outline");
+    assert.notDeepEqual(await positions(), rest);
+    const moved = Number(await page.inputValue("#point-x")) - x;
+    assert.ok(moved > 0 && moved < 12, `the point that was moved is still the chosen one: ${moved}`);
+    await shoot("point");
+    await page.locator("#stage canvas").hover();
+    await page.evaluate(() => document.activeElement.blur());
+    await key("Control+z");
+    assert.deepEqual(await positions(), rest);
+  });
+
   await step("flat, a mask and a kind are the command's", async () => {
     await page.check("#flat");
     await settled();

@@ -62,6 +62,9 @@ assert.deepEqual(away[side.points[corner]], [120, -20]);
 const gone = away.flatMap((place, i) => (place === side.line[i] ? [] : [i]));
 assert.deepEqual([gone[0], gone.at(-1)], [side.points[corner - 1] + 1, side.points[corner + 1] - 1]);
 assert.ok(gone.every((i) => away[i][0] - side.line[i][0] > 0 && away[i][0] - side.line[i][0] <= 20));
+const free = side.line.findIndex((_, i) => !side.points.includes(i));
+assert.deepEqual(draggable([square], 1, side.line[free])[0].points, [...side.points, free].sort((one, other) => one - other), "what was moved last stays a point");
+assert.equal(draggable([square], 1, [50, 50])[0].points.length, side.points.length, "nothing is near");
 assert.equal(dragged(side, 0, [-5, -5]).filter((place, i) => place !== side.line[i]).length, gone.length, "the first point has a last one beside it");
 
 // Words with their bytes apart, and back.

@@ -6,7 +6,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { brotliCompressSync, gzipSync } from "node:zlib";
+import { brotliCompressSync, constants, gzipSync } from "node:zlib";
 import { testClip } from "../src/test_clips.js";
 import { apartGlbs, fileOf, made, startPage } from "./page.mjs";
 import { strangeFbx } from "./scene_files.mjs";
@@ -65,7 +65,7 @@ try {
     const tell = (what, files) => {
       const packed = files.map((name) => [name, gzipSync(readFileSync(join(dist, name)), { level: 9 }).length]);
       const kilobytes = (list) => Math.round(list.reduce((sum, bytes) => sum + bytes, 0) / 1e3);
-      const byBrotli = kilobytes(files.map((name) => brotliCompressSync(readFileSync(join(dist, name))).length));
+      const byBrotli = kilobytes(files.map((name) => brotliCompressSync(readFileSync(join(dist, name)), { params: { [constants.BROTLI_PARAM_QUALITY]: 9 } }).length));
       console.log(`  ${what}: ${kilobytes(packed.map(([, bytes]) => bytes))} kB packed by gzip, ${byBrotli} by brotli: ${packed.filter(([, bytes]) => bytes > 1e4).map(([name, bytes]) => `${name} ${Math.round(bytes / 1e3)}`).join(", ")}`);
     };
     const [first, all] = [filesOf(asked.slice(0, asked.findIndex((url) => url.includes("-rest.wasm")))), filesOf(asked)];
