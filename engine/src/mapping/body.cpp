@@ -73,7 +73,7 @@ int32_t Anatomy::pick_spine() {
     const double path = path_length(leaf), rise = top - height[hip], forward = ahead(at(leaf) - at(hip));
     double score = 2 * carried;
     score += quad ? (0.4 * path + 0.8 * rise + 1.5 * forward) / size : (0.6 * path + 1.5 * rise + 0.3 * forward) / size;
-    if (lying) score = forward / size + 0.01 * path / size;  // what leads to the head
+    if (lying) score = forward / size + 0.01 * path / size;    // what leads to the head
     if (leg_count > 2) score = 10 * carried + forward / size;  // of insects what carries jaws and feelers
     if (leg_count == 0 && !lying) score += 1.5 * path / size;
     if (quad) {
@@ -229,7 +229,8 @@ void Anatomy::find_head() {
                         : head >= 0 ? spine[head]
                                     : (spine_count > 0 ? spine[spine_count - 1] : hip);
   Point top = at(upper);
-  if (chest >= 0 && !quad && arms.a >= 0) {  // one long bone from the hips to the shoulders: the chest is where arms begin
+  if (chest >= 0 && !quad &&
+      arms.a >= 0) {  // one long bone from the hips to the shoulders: the chest is where arms begin
     const Point shoulders = 0.5 * (limbs.point(limb(arms.a), 0) + limbs.point(limb(arms.b), 0));
     const double level = dot(shoulders - at(hip), frame.up);
     if (level > 0.1 * tall && dot(top - at(hip), frame.up) < 0.6 * level) top = at(hip) + level * frame.up;

@@ -113,7 +113,8 @@ class FrontVotes {
   }
 
   double path_weight(int32_t leaf) const {
-    if (a_.leg_count == 0) return a_.path_length(leaf) / size_ + a_.path_names(leaf);  // a tail, whatever hangs on the head
+    if (a_.leg_count == 0)
+      return a_.path_length(leaf) / size_ + a_.path_names(leaf);  // a tail, whatever hangs on the head
     double limbs = 0, top = a_.height[leaf];
     int32_t inner = 0;
     for (int32_t i = leaf; i != a_.hip; i = rig_.parent[i]) {
@@ -170,7 +171,8 @@ class FrontVotes {
         for (int32_t i = from > 1 ? from : 1; i < count; ++i) {
           const Point bone = point(i) - point(i - 1);
           const double start = dot(point(i - 1), a_.frame.up), stop = dot(point(i), a_.frame.up);
-          if (lesser(start, stop) < a_.ground + 0.08 * a_.tall && start < a_.ground + (a_.quad ? 0.5 : 0.35) * a_.tall &&
+          if (lesser(start, stop) < a_.ground + 0.08 * a_.tall &&
+              start < a_.ground + (a_.quad ? 0.5 : 0.35) * a_.tall &&
               absolute(a_.ahead(bone)) > 0.5 * absolute(dot(bone, a_.frame.up))) {
             const double weight = a_.quad ? 0.6 : 1.2;
             add(a_.ahead(bone) / size_ / 0.04, a_.quad || start < a_.ground + 0.2 * a_.tall ? weight : 0.5 * weight);

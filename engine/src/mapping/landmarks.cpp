@@ -64,7 +64,8 @@ void Matcher::find_landmarks(const Anatomy& rig, int32_t number, bool leg, doubl
         score += 0.25 * (c - a - 2);
         score += greater(0, (t[a] - t[0]) / greater(whole, 1e-9) - 0.3);
         // A clavicle leads outwards; what already begins out there is the upper arm.
-        if (!leg && !rig.frame.posed && a > 0 && t[a] - t[0] > 0.06 * whole) score += 1.5 * greater(0, 0.5 - (off(a) - off(0)) / (t[a] - t[0]));
+        if (!leg && !rig.frame.posed && a > 0 && t[a] - t[0] > 0.06 * whole)
+          score += 1.5 * greater(0, 0.5 - (off(a) - off(0)) / (t[a] - t[0]));
         // Of joints on one spot the last begins the bone, the first ends it.
         if (a + 1 < b && t[a + 1] - t[a] < 0.06 * whole) score += 0.4;
         if (c - 1 > b && t[c] - t[c - 1] < 0.03 * whole) score += 0.4;

@@ -115,8 +115,9 @@ int32_t first_kid(const Hierarchy& rig, const int8_t* side, int32_t joint, bool*
   // A hand with its fingers, and a thumb of as many joints on the same spot: the hand goes on where the arm points.
   if (kids == 2 && own == rest && own >= 2 && gap < 0.02 * rig.bone(joint, first)) {
     const auto in_line = [&](int32_t k) {
-      return rig.kid_count(k) > 0 ? dot(direction(rig.at[k] - rig.at[joint]), direction(rig.at[rig.kid(k, 0)] - rig.at[k]))
-                                  : -1;
+      return rig.kid_count(k) > 0
+                 ? dot(direction(rig.at[k] - rig.at[joint]), direction(rig.at[rig.kid(k, 0)] - rig.at[k]))
+                 : -1;
     };
     each_kid(rig, joint, [&](int32_t k) {
       if (is_limb_kid(rig, side, joint, k) && in_line(k) > in_line(first) + 1e-9) first = k;
@@ -125,7 +126,8 @@ int32_t first_kid(const Hierarchy& rig, const int8_t* side, int32_t joint, bool*
   }
   // A tail with fins of a joint or two.
   if (side[joint] == 0 && own > rest && path > 1.2 * other) *leads = true;
-  if (side[joint] == 0 && !*leads && rig.parent[joint] >= 0) {  // of fins and a tail of as many joints, what is straight on
+  if (side[joint] == 0 && !*leads &&
+      rig.parent[joint] >= 0) {  // of fins and a tail of as many joints, what is straight on
     const Point ahead = direction(rig.at[joint] - rig.at[rig.parent[joint]]);
     const auto straight = [&](int32_t k) { return dot(ahead, direction(rig.at[k] - rig.at[joint])); };
     int32_t best = first;

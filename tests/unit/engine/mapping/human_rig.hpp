@@ -66,7 +66,7 @@ struct InsectRig : SmallRig {
   enum { kBody, kHead, kMouth, kAbdomen, kAbdomenEnd, kJaws, kLegs = 9 };  // legs from the rear, left and right in turn
 
   InsectRig() {
-    positions = {0,    0.3f, 0,     0,     0.3f, 0.3f,  0,     0.25f, 0.5f,  0,     0.35f, -0.4f, 0,    0.45f,
+    positions = {0,     0.3f, 0,     0,     0.3f, 0.3f,  0,     0.25f, 0.5f,  0,     0.35f, -0.4f, 0,    0.45f,
                  -0.9f, 0.1f, 0.25f, 0.45f, 0.1f, 0.15f, 0.55f, -0.1f, 0.25f, 0.45f, -0.1f, 0.15f, 0.55f};
     parents = {-1, 0, 1, 0, 3, kHead, kJaws, kHead, kJaws + 2};
     for (const float z : {-0.5f, 0.0f, 0.5f}) {

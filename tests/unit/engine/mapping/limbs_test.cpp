@@ -52,7 +52,8 @@ TEST(MapLimbs, AnArmGoesOnWithTheHandBesideAThumbOnTheSameSpot) {
     const int32_t hand = x > 0 ? HumanRig::kHand : HumanRig::kHand + HumanRig::kRightArm;
     const int32_t finger = static_cast<int32_t>(human.parents.size());
     human.positions.insert(human.positions.end(), {x * 0.78f, 1.45f, 0, x * 0.7f, 1.45f, 0, x * 0.72f, 1.42f, 0.07f});
-    human.parents.insert(human.parents.end(), {hand, hand - 1, finger + 1});  // finger, thumb and its end on the forearm
+    human.parents.insert(human.parents.end(),
+                         {hand, hand - 1, finger + 1});  // finger, thumb and its end on the forearm
   }
   const Read read(&human);
   const Limb& arm = read.anatomy.limb(read.anatomy.arms.a);
