@@ -270,7 +270,8 @@ int32_t Anatomy::head_of(int32_t first, int32_t base) const {
     return k;
   }
   if (count - first == 1) return first;
-  if (!quad) {  // a plait hangs down: the head is before it
+  const Point trunk_way = at(base) - at(hip);
+  if (!quad && dot(trunk_way, frame.up) >= 0.5 * length(trunk_way)) {  // a plait hangs down: the head is before it
     for (int32_t k = first + 1; k < count; ++k) {
       if (height[spine[k]] < height[spine[k - 1]] - 1e-6 * r.size) {
         count = k;

@@ -85,6 +85,29 @@ TEST(Stance, FeetAreFlatAndShouldersAcross) {
   EXPECT_LT(std::hypot(across[1], across[2]), 0.01);
 }
 
+// Pitched this way and that, as a swimmer's: only where the toes are is known, and they are ahead.
+TEST(Stance, AFootThatIsNeverFlatDoesNotTellWhatUpIs) {
+  Motion swim = walking_person();
+  size_t number = 0;
+  for (MotionFrame& frame : swim.clips[0].frames) {
+    const WorldPose pose = world_pose(swim, frame);
+    const double pitch = number++ % 2 == 0 ? 1.75 : -0.35;
+    for (size_t j = 0; j < swim.joints.size(); ++j) {
+      const std::string& name = swim.joints[j].name;
+      if (name != "LeftFoot" && name != "RightFoot") continue;
+      const Quaternion above = conjugate(pose.rotations[static_cast<size_t>(swim.joints[j].parent)]);
+      frame.rotations[j] = multiply(above, axis_rotation(0, pitch));
+    }
+  }
+  const std::optional<Motion> found = standing_motion(with_random_axes(swim));
+  ASSERT_TRUE(found);
+  const std::vector<Joint> rest = rest_joints(*found);
+  for (const std::string side : {"Left", "Right"}) {
+    const Point3 toes = unit(rest_of(rest, side + "ToeBase") - rest_of(rest, side + "Foot"));
+    EXPECT_GT(toes[2], 0.98) << side << " " << toes[0] << " " << toes[1] << " " << toes[2];
+  }
+}
+
 TEST(Stance, IsInTheMotionsOwnWorld) {
   const Motion upright = turned_world(walking_person(), axis_rotation(0, std::acos(0.0)));  // y to z
   for (const Motion& written : {with_random_axes(upright), with_random_axes(numbered(upright))}) {
