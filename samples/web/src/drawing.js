@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A drawing's figure in the step Mesh: its outline with points to drag, which figure, a mask, flat or round. What was asked for is the character's
+// A drawing's figure in the step Mesh: its outline with points to drag, which figure, a mask, flat or round, cut along lines or not. What was asked for is the character's
 // source.pictureWishes, as web_picture() has them; mesh, joints and weights are made anew from it.
 import { act } from "./acting.js";
 import { bind } from "./binding.js";
@@ -70,6 +70,7 @@ export function listenForDrawings() {
   $("point").oninput = () => Number.isFinite($("point").valueAsNumber) && choosePoint(pointOfNumber().pixel);
   $("point-x").onchange = $("point-y").onchange = typePoint;
   $("flat").onchange = () => changeDrawing($("flat").checked ? "flat" : "round", { flat: $("flat").checked });
+  $("cut").onchange = () => changeDrawing($("cut").checked ? "open along lines" : "closed again", { cut: $("cut").checked, outline: [] });
   $("figure").onchange = async () => {
     await changeDrawing(`figure ${$("figure").value}`, { figure: Number($("figure").value), outline: [], mask: "" });
     at.view.frame(); // it stands elsewhere

@@ -46,6 +46,7 @@ export function showDrawing() {
   at.view.setDrawing({ outline, lies: picture.place, width: picture.width, height: picture.height, file: at.files.get(mesh) });
   showPoint();
   $("flat").checked = picture.flat;
+  $("cut").checked = picture.cut;
   $("outline-found").disabled = !wishes?.outline?.length && !wishes?.mask;
   $("figure-field").hidden = picture.figures < 2;
   $("figure").replaceChildren(...Array.from({ length: picture.figures }, (_, i) => new Option(String(i + 1), String(i + 1))));

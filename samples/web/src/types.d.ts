@@ -69,6 +69,7 @@ export interface PictureWishes {
   figure?: number;
   mask?: string;
   flat?: boolean;
+  cut?: boolean;
   outline?: number[][][];
 }
 
@@ -83,6 +84,7 @@ export interface Picture {
   certainty: number;
   clip: string;
   flat: boolean;
+  cut: boolean;
   outline: number[][][];
   place: { scale: number; left: number; bottom: number };
 }

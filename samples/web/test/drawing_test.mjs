@@ -161,6 +161,28 @@ try {
     await shoot("figures");
   });
 
+  await step("arms that are drawn along the trunk are opened", async () => {
+    const person = await drawn("person.png", 450, 550, `
+      context.fillStyle = "#fff"; context.fillRect(0, 0, 450, 550);
+      context.fillStyle = "#5a8cd2"; context.strokeStyle = "#1e191e"; context.lineWidth = 4;
+      context.beginPath(); context.arc(225, 110, 50, 0, 7); context.fill(); context.stroke();
+      context.beginPath(); context.rect(150, 160, 150, 345); context.fill(); context.stroke();
+      for (const [x, top] of [[180, 210], [270, 210]]) { context.beginPath(); context.moveTo(x, top); context.lineTo(x, 505); context.stroke(); }`);
+    await give(person);
+    await go("mesh");
+    const lines = () => page.evaluate(() => sinewPage.character.picture.outline.reduce((sum, line) => sum + line.length, 0));
+    const whole = await lines();
+    await page.check("#cut");
+    await settled();
+    assert.equal(await undoName(), "open along lines");
+    assert.ok((await lines()) > whole + 4, "slits are outline, too");
+    await same("person.png", "--cut");
+    await shoot("cut");
+    await key("Control+z");
+    assert.equal(await lines(), whole);
+    assert.equal(await page.isChecked("#cut"), false);
+  });
+
   await step("on a phone a finger drags, and the camera brings drawings", async () => {
     await page.setViewportSize({ width: 390, height: 844 });
     await give(fileOf(at("child.png")));

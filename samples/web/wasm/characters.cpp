@@ -135,7 +135,8 @@ Json picture_json(const PictureCharacter& picture) {
           {"figures", picture.figure.count},        {"figure", picture.figure.number},
           {"class", body_class_word(picture.body)}, {"view", picture_view_text(picture.view)},
           {"certainty", picture.certainty},         {"clip", default_clip(picture.body)},
-          {"flat", picture.options.mesh.flat},      {"outline", std::move(outline)}};
+          {"flat", picture.options.mesh.flat},      {"cut", picture.options.figure.cut},
+          {"outline", std::move(outline)}};
 }
 
 // The character has the present rig. Weights stay where joints were moved or renamed, until the next bind.
