@@ -80,11 +80,11 @@ TEST_F(PictureC, OptionsAreTheCommands) {
   good_call(sinew_character_rig(cat.get(), nullptr, nullptr), cat);
   expect_command(cat, "cat.glb");
 
-  good("animate " + kCat + " --motion builtin:walk --depth --mask mask.png -o walk.glb");
+  good("animate " + kCat + " --motion builtin:quadruped/walk --depth --mask mask.png -o walk.glb");
   sinew_character_picture_options masked = sinew_character_picture_options_init();
   masked.mask = "mask.png";
   const Handle walking = open_memory({kCat, in("mask.png")}, masked);
-  const Handle walk = open("builtin:walk");
+  const Handle walk = open("builtin:quadruped/walk");
   sinew_character_animate_options depth = sinew_character_animate_options_init();
   depth.depth = 1;
   good_call(sinew_character_animate(walking.get(), walk.get(), &depth, nullptr), walking);

@@ -62,12 +62,13 @@ int32_t Anatomy::pick_spine() {
   for (int32_t k = rig->position[hip]; k < rig->position[hip] + rig->count[hip]; ++k) {
     const int32_t leaf = rig->order[k];
     if (!is_path_end(leaf)) continue;
-    double carried = 0, top = height[leaf];
+    double carried = 0, top = height[leaf], foremost = 0;  // over the hips
     int32_t inner = 0;
     for (int32_t i = leaf; i != hip; i = rig->parent[i]) {
       for (int32_t b = limb_head[i]; b >= 0; b = limb_next[b])
         carried += 0.05 * root(limb(b).tree) + limb(b).length / size;
       top = greater(top, height[i]);
+      foremost = greater(foremost, ahead(at(i) - at(hip)));
       inner += is_inner(ahead(at(i)), first, last) ? 1 : 0;
     }
     const double path = path_length(leaf), rise = top - height[hip], forward = ahead(at(leaf) - at(hip));
@@ -82,7 +83,7 @@ int32_t Anatomy::pick_spine() {
     }
     score += path_names(leaf);
     if (leads_to_legs(leaf)) score -= 20;
-    if (lying && !(forward > 0)) continue;  // a tail alone
+    if (lying && !(foremost > 0)) continue;  // a tail alone
     if (best >= 0 && !(score > most + 1e-9)) continue;
     best = leaf;
     most = score;

@@ -269,7 +269,8 @@ class MapRun {
   sinew_status match_branches() {
     const bool automatic = plan_.options.method == SINEW_MAP_AUTO, asked = plan_.options.method == SINEW_MAP_BRANCHES;
     same_ = automatic && !arena_.measuring() &&
-            is_same_rig(plan_.target, plan_.source, target_.rig, source_.rig, published_.sources, owner_);
+            (is_same_rig(plan_.target, plan_.source, target_.rig, source_.rig, published_.sources, owner_) ||
+             is_same_shape(target_.rig, source_.rig, published_.sources, owner_));
     method_ = SINEW_MAP_SINEW;
     if constexpr (kHasPublished) {
       const ArenaScope scope(arena_);

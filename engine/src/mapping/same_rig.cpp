@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Joint by joint, by its whole name.
+// Joint by joint, by its whole name, or by its place.
 #include "mapping/same_rig.hpp"
 
 #include "core/same_text.hpp"
@@ -48,6 +48,63 @@ bool is_same_rig(const sinew_skeleton& target, const sinew_skeleton& source, con
     if (above >= 0 && other.kid_count(j) > 0) return false;
   }
   return 2 * same >= own.n && 2 * same >= other.n;
+}
+
+namespace {
+
+// Pairs the children of two joints, the most alike first. False where two are not.
+bool pair_kids(const Hierarchy& own, const Hierarchy& other, int32_t i, int32_t j, double scale, int32_t* sources,
+               int32_t* targets) {
+  constexpr double kBone = 0.3, kAnyway = 0.01;  // of a bone and of the size
+  constexpr int32_t kMostKids = 64;              // more are compared in their order
+  const int32_t kids = own.kid_count(i);
+  if (kids != other.kid_count(j)) return false;
+  const auto unlike = [&](int32_t a, int32_t b, double* most) {
+    const Point x = scale * (own.at[a] - own.at[i]), y = other.at[b] - other.at[j];
+    *most = kAnyway * other.size + kBone * greater(length(x), length(y));
+    return length(x - y) + (own.count[a] == other.count[b] ? 0 : kAnyway * other.size);
+  };
+  for (int32_t round = 0; round < kids; ++round) {
+    int32_t best_a = -1, best_b = -1;
+    double least = 0;
+    const int32_t first = kids > kMostKids ? round : 0, end = kids > kMostKids ? round + 1 : kids;
+    for (int32_t k = first; k < end; ++k) {
+      for (int32_t m = first; m < end; ++m) {
+        const int32_t a = own.kid(i, k), b = other.kid(j, m);
+        if (sources[a] >= 0 || targets[b] >= 0) continue;
+        double most = 0;
+        const double off = unlike(a, b, &most);
+        if (best_a >= 0 && !(off < least)) continue;
+        best_a = a;
+        best_b = b;
+        least = off;
+      }
+    }
+    double most = 0;
+    if (unlike(best_a, best_b, &most) > most) return false;
+    sources[best_a] = best_b;
+    targets[best_b] = best_a;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool is_same_shape(const Hierarchy& own, const Hierarchy& other, int32_t* sources, int32_t* targets) {
+  if (own.n != other.n || own.n < 4 || own.kid_count(own.n) != 1 || other.kid_count(other.n) != 1) return false;
+  for (int32_t k = 0; k < own.n; ++k) sources[k] = targets[k] = -1;
+  sources[own.first_root()] = other.first_root();
+  targets[other.first_root()] = own.first_root();
+  int32_t other_parts = 0;
+  for (int32_t k = 0; k < own.n; ++k) {  // parents first
+    const int32_t i = own.order[k], j = sources[i];
+    if (!pair_kids(own, other, i, j, other.size / own.size, sources, targets)) return false;
+    if (!own.has_names || !other.has_names) continue;
+    const JointName &a = own.names[i], &b = other.names[j];
+    if (a.side != 0 && b.side != 0 && a.side != b.side) return false;
+    other_parts += a.plain != Part::kNone && b.plain != Part::kNone && a.plain != b.plain ? 1 : 0;
+  }
+  return 10 * other_parts <= own.n;
 }
 
 }  // namespace sinew::mapping

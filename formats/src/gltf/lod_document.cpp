@@ -14,7 +14,7 @@
 namespace sinew {
 namespace {
 
-constexpr const char* kExtension = "MSFT_lod";
+constexpr const char* kLodExtension = "MSFT_lod";
 
 class LodDocument {
  public:
@@ -41,7 +41,7 @@ class LodDocument {
       copy["name"] = node.value("name", std::string("mesh")) + "_LOD" + std::to_string(level_);
       copy["mesh"] = whole_.document["meshes"].size();
       whole_.document["meshes"].push_back(std::move(mesh));
-      whole_.document["nodes"][n]["extensions"][kExtension]["ids"].push_back(whole_.document["nodes"].size());
+      whole_.document["nodes"][n]["extensions"][kLodExtension]["ids"].push_back(whole_.document["nodes"].size());
       whole_.document["nodes"].push_back(std::move(copy));
     }
   }
@@ -52,11 +52,11 @@ class LodDocument {
     coverage.push_back(0.0);  // however small it is, it is seen
     for (size_t n = 0; n < own_nodes_; ++n) {
       Json& node = whole_.document["nodes"][n];
-      if (!node.contains(Json::json_pointer(std::string("/extensions/") + kExtension))) continue;
+      if (!node.contains(Json::json_pointer(std::string("/extensions/") + kLodExtension))) continue;
       if (!node.contains("extras") || node["extras"].is_object()) node["extras"]["MSFT_screencoverage"] = coverage;
     }
     Json& used = whole_.document["extensionsUsed"];
-    if (std::find(used.begin(), used.end(), kExtension) == used.end()) used.push_back(kExtension);
+    if (std::find(used.begin(), used.end(), kLodExtension) == used.end()) used.push_back(kLodExtension);
     return pack_glb(path_, &whole_.document, std::move(whole_.bytes));
   }
 
