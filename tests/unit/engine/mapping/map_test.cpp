@@ -357,8 +357,10 @@ TEST(Map, NearlyEqualRigsOfTooManyLimbsGoByTheirPlaces) {
   }
   TestRig later = urchin;
   for (size_t i = 0; i < later.places.size(); ++i) later.places[i] *= 1.001f;
-  std::swap_ranges(later.places.begin() + 3, later.places.begin() + 9, later.places.begin() + 1503);  // two spines
   MapCall call;
+  call.run(urchin, later);
+  for (size_t i = 0; i < call.sources.size(); ++i) ASSERT_EQ(call.sources[i], static_cast<int32_t>(i));
+  later.add("c", static_cast<int32_t>(later.count()) - 2, 0.1f, -2, 0);  // a second tip, and it is no twin
   call.method = SINEW_MAP_SINEW;
   call.run(urchin, later);
   EXPECT_LT(call.outputs.mapped, urchin.count() * 6 / 10);
@@ -366,10 +368,7 @@ TEST(Map, NearlyEqualRigsOfTooManyLimbsGoByTheirPlaces) {
   call.method = SINEW_MAP_AUTO;
   call.run(urchin, later);
   EXPECT_EQ(call.outputs.method, static_cast<uint32_t>(SINEW_MAP_BRANCHES));
-  for (size_t i = 0; i < call.sources.size(); ++i) {
-    const size_t own = i == 1 || i == 2 ? i + 500 : i == 501 || i == 502 ? i - 500 : i;
-    ASSERT_EQ(call.sources[i], static_cast<int32_t>(own));
-  }
+  EXPECT_GT(call.outputs.mapped, urchin.count() * 9 / 10);
 }
 
 TEST(Map, OneJointAndBonesWithoutLength) {
