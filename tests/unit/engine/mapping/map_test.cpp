@@ -360,7 +360,7 @@ TEST(Map, NearlyEqualRigsOfTooManyLimbsGoByTheirPlaces) {
   MapCall call;
   call.run(urchin, later);
   for (size_t i = 0; i < call.sources.size(); ++i) ASSERT_EQ(call.sources[i], static_cast<int32_t>(i));
-  later.add("c", static_cast<int32_t>(later.count()) - 2, 0.1f, -2, 0);  // a second tip, and it is no twin
+  for (TestRig* rig : {&urchin, &later}) rig->add("camera", -1, 0, 0, 0);  // of two roots shapes are not compared
   call.method = SINEW_MAP_SINEW;
   call.run(urchin, later);
   EXPECT_LT(call.outputs.mapped, urchin.count() * 6 / 10);
@@ -368,7 +368,7 @@ TEST(Map, NearlyEqualRigsOfTooManyLimbsGoByTheirPlaces) {
   call.method = SINEW_MAP_AUTO;
   call.run(urchin, later);
   EXPECT_EQ(call.outputs.method, static_cast<uint32_t>(SINEW_MAP_BRANCHES));
-  EXPECT_GT(call.outputs.mapped, urchin.count() * 9 / 10);
+  for (size_t i = 0; i + 1 < call.sources.size(); ++i) ASSERT_EQ(call.sources[i], static_cast<int32_t>(i));
 }
 
 TEST(Map, OneJointAndBonesWithoutLength) {
