@@ -43,10 +43,10 @@ void specks(const RigFacts& facts, Findings* findings) {
   const BoneDistance distance(facts.character);
   for (uint32_t v = 0; v < facts.rings.size(); ++v) {
     const std::vector<uint32_t>& ring = facts.rings[v];
-    if (ring.size() < kLeastRing || facts.strongest[v] == kNoJoint) continue;
+    if (ring.size() < kLeastRing || facts.strongest[v] == kNoOne) continue;
     bool alone = true, nearest = true;
     for (size_t n = 0; n < ring.size() && alone; ++n)
-      alone = facts.strongest[ring[n]] != kNoJoint && facts.difference(v, ring[n]) > kUnlike;
+      alone = facts.strongest[ring[n]] != kNoOne && facts.difference(v, ring[n]) > kUnlike;
     if (!alone) continue;
     const Vec3& p = facts.character.vertices[v];
     const double own = distance(p, facts.strongest[v]);

@@ -23,7 +23,7 @@ class PoseCheck {
       : facts_(facts), findings_(findings), volumes_(facts.character), edges_of_(facts.moves.size(), 0) {
     const Character& c = facts.character;
     for (const uint32_t v : c.face_vertices)
-      if (facts.strongest[v] != kNoJoint) ++edges_of_[facts.strongest[v]];
+      if (facts.strongest[v] != kNoOne) ++edges_of_[facts.strongest[v]];
   }
 
   void look(const TestPose& pose) {
@@ -47,10 +47,10 @@ class PoseCheck {
     }
     for (auto& [joints, vertices] : torn) {
       size_t all = 0;
-      for (const uint32_t j : joints) all += j == kNoJoint ? 0 : edges_of_[j];
+      for (const uint32_t j : joints) all += j == kNoOne ? 0 : edges_of_[j];
       RigFinding finding;
-      finding.joint = joints[0] == kNoJoint ? -1 : static_cast<int>(joints[0]);
-      finding.other = joints[1] == kNoJoint || joints[1] == joints[0] ? -1 : static_cast<int>(joints[1]);
+      finding.joint = joints[0] == kNoOne ? -1 : static_cast<int>(joints[0]);
+      finding.other = joints[1] == kNoOne || joints[1] == joints[0] ? -1 : static_cast<int>(joints[1]);
       finding.value = static_cast<double>(vertices.size()) / 2 / static_cast<double>(std::max<size_t>(all, 1));
       finding.what = print("%zu edges tear", vertices.size() / 2) + between(finding);
       unique(&vertices);
@@ -82,12 +82,12 @@ class PoseCheck {
       for (uint32_t k = begin + 2; k < end; ++k) {
         const std::array<uint32_t, 3> t = {c.face_vertices[begin], c.face_vertices[k - 1], c.face_vertices[k]};
         const uint32_t joint = facts_.strongest[t[0]];
-        if (joint == kNoJoint) continue;
+        if (joint == kNoOne) continue;
         const Point3 before = normal(c, t), after = normal(posed, t);
         Point3 expected = {};
         for (const uint32_t v : t) {
           const uint32_t j = facts_.strongest[v];
-          if (j == kNoJoint) continue;
+          if (j == kNoOne) continue;
           const std::array<double, 3> n = transform_normal(pose.palette[j], before[0], before[1], before[2]);
           expected = expected + Point3{n[0], n[1], n[2]};
         }
@@ -121,7 +121,7 @@ class PoseCheck {
         out.vertices = of.vertices;
         for (size_t f = 0; f < of.face_count(); ++f) {
           const uint32_t strongest = facts_.strongest[of.face_vertices[of.face_offsets[f]]];
-          if (strongest == kNoJoint) continue;
+          if (strongest == kNoOne) continue;
           const bool below = facts_.is_below(strongest, joint),
                      near = facts_.is_below(strongest, static_cast<size_t>(parent));
           if (own ? !below : near) continue;

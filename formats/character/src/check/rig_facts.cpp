@@ -73,7 +73,7 @@ RigFacts::RigFacts(const Character& c) : character(c) {
   first = first_at_position(c);
   rings = welded_rings(c, first);
   parts = parts_of(first, rings);
-  strongest.assign(c.vertices.size(), kNoJoint);
+  strongest.assign(c.vertices.size(), kNoOne);
   moves.resize(c.joints.size());
   weight.assign(c.joints.size(), 0);
   if (!bound) return;

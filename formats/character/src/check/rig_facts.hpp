@@ -12,7 +12,7 @@
 
 namespace sinew {
 
-constexpr uint32_t kNoJoint = UINT32_MAX;
+constexpr uint32_t kNoOne = UINT32_MAX;
 
 struct RigFacts {
   explicit RigFacts(const Character& character);  // throws Error, see check_rig()
@@ -26,7 +26,7 @@ struct RigFacts {
   std::vector<uint32_t> first;                  // [V] the first vertex at its place
   std::vector<std::vector<uint32_t>> rings;     // [V] of first vertices, each once, ascending; of others empty
   std::vector<uint32_t> parts;                  // [V] number of the connected piece of the surface
-  std::vector<uint32_t> strongest;              // [V] joint, kNoJoint for a row without weight
+  std::vector<uint32_t> strongest;              // [V] joint, kNoOne for a row without weight
   std::vector<std::vector<uint32_t>> moves;     // [J] vertices that it is the strongest of
   std::vector<double> weight;                   // [J] of all rows, each brought to a sum of 1
 

@@ -32,7 +32,7 @@ void unweighted(const RigFacts& facts, Findings* findings) {
   const std::vector<uint8_t> props = props_of(facts.character);
   RigFinding finding;
   for (uint32_t v = 0; v < facts.strongest.size(); ++v)
-    if (facts.strongest[v] == kNoJoint && props[v] == 0) finding.vertices.push_back(v);
+    if (facts.strongest[v] == kNoOne && props[v] == 0) finding.vertices.push_back(v);
   finding.value = static_cast<double>(finding.vertices.size());
   finding.what = vertices_text(finding.vertices.size()) + " without weight: " + first_of(finding.vertices);
   findings->add("unweighted", std::move(finding));
@@ -43,7 +43,7 @@ void sums(const RigFacts& facts, Findings* findings) {
   double worst_sum = 1;
   const double bound = findings->bound("weight-sum");
   for (uint32_t v = 0; v < facts.strongest.size(); ++v) {
-    if (facts.strongest[v] == kNoJoint) continue;
+    if (facts.strongest[v] == kNoOne) continue;
     const double sum = signed_sum(facts.character.influences[v]), off = std::abs(sum - 1);
     if (off > bound) finding.vertices.push_back(v);
     if (off > finding.value) finding.value = off, worst_sum = sum;
@@ -103,7 +103,7 @@ void cracks(const RigFacts& facts, Findings* findings) {
     if (at.size() != 2) continue;  // of more, layers lie on each other
     for (size_t end = 0; end < 2; ++end) {
       const uint32_t a = at[0][end], b = at[1][end];
-      if (a == b || facts.strongest[a] == kNoJoint || facts.strongest[b] == kNoJoint) continue;
+      if (a == b || facts.strongest[a] == kNoOne || facts.strongest[b] == kNoOne) continue;
       const double apart = facts.difference(a, b);
       finding.value = std::max(finding.value, apart);
       if (!(apart > bound)) continue;

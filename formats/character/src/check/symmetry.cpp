@@ -69,7 +69,7 @@ void joints(const RigFacts& facts, const Twins& twins, Findings* findings) {
   }
 }
 
-// [V] the vertex at its mirror image, kNoJoint where there is none.
+// [V] the vertex at its mirror image, kNoOne where there is none.
 std::vector<uint32_t> images_of(const RigFacts& facts, const Twins& twins) {
   const double cell = kOnePlace * facts.size;
   const auto key = [&](const Vec3& p, int dx, int dy, int dz) {
@@ -80,7 +80,7 @@ std::vector<uint32_t> images_of(const RigFacts& facts, const Twins& twins) {
   std::map<std::array<int64_t, 3>, std::vector<uint32_t>> grid;
   for (uint32_t v = 0; v < facts.first.size(); ++v)
     if (facts.first[v] == v) grid[key(facts.character.vertices[v], 0, 0, 0)].push_back(v);
-  std::vector<uint32_t> images(facts.first.size(), kNoJoint);
+  std::vector<uint32_t> images(facts.first.size(), kNoOne);
   for (uint32_t v = 0; v < facts.first.size(); ++v) {
     if (facts.first[v] != v) continue;
     const Vec3 image = mirrored(facts.character.vertices[v], twins.axis, twins.plane);
@@ -117,7 +117,7 @@ void rows(const RigFacts& facts, const Twins& twins, Findings* findings) {
   for (uint32_t v = 0; v < images.size(); ++v) {
     if (facts.first[v] != v) continue;
     ++all;
-    if (images[v] == kNoJoint || facts.strongest[v] == kNoJoint || facts.strongest[images[v]] == kNoJoint) continue;
+    if (images[v] == kNoOne || facts.strongest[v] == kNoOne || facts.strongest[images[v]] == kNoOne) continue;
     ++paired;
     if (images[v] == v || twins.of[facts.strongest[v]] < 0) continue;
     const double difference = row_difference(facts, twins, v, images[v]);

@@ -28,7 +28,7 @@ class Weigher {
   explicit Weigher(const RigFacts& facts) : facts_(facts), distance_(facts.character) {
     size_t rigid = 0, all = 0;
     for (uint32_t v = 0; v < facts.strongest.size(); ++v) {
-      if (facts.strongest[v] == kNoJoint) continue;
+      if (facts.strongest[v] == kNoOne) continue;
       ++all;
       rigid += facts.weight_of(v, facts.strongest[v]) > 0.99 ? 1 : 0;
     }
@@ -59,15 +59,15 @@ class Weigher {
   // All of its vertices, to the joint that moves each most.
   bool is_close(const RigFinding& f) const {
     return std::all_of(f.vertices.begin(), f.vertices.end(), [&](uint32_t v) {
-      return facts_.strongest[v] != kNoJoint && distance_(facts_.character.vertices[v], facts_.strongest[v]) < kClose;
+      return facts_.strongest[v] != kNoOne && distance_(facts_.character.vertices[v], facts_.strongest[v]) < kClose;
     });
   }
 
   // The weight is for a parent, a child, a grandparent or a grandchild of what moves the vertices most.
   bool is_next(const RigFinding& f) const {
     return std::all_of(f.vertices.begin(), f.vertices.end(), [&](uint32_t v) {
-      return facts_.strongest[v] != kNoJoint && (is_near_above(f.joint, static_cast<int>(facts_.strongest[v])) ||
-                                                 is_near_above(static_cast<int>(facts_.strongest[v]), f.joint));
+      return facts_.strongest[v] != kNoOne && (is_near_above(f.joint, static_cast<int>(facts_.strongest[v])) ||
+                                               is_near_above(static_cast<int>(facts_.strongest[v]), f.joint));
     });
   }
 

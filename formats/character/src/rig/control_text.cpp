@@ -9,11 +9,11 @@
 namespace sinew {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 // Six digits; no -0.
-Json direction_json(const ControlDirection& direction, const Rotation& turn) {
-  Json json = Json::array();
+OrderedJson direction_json(const ControlDirection& direction, const Rotation& turn) {
+  OrderedJson json = OrderedJson::array();
   for (const double x : turned(turn, direction)) json.push_back(std::round(1e6 * x) / 1e6 + 0.0);
   return json;
 }
@@ -25,24 +25,24 @@ class ControlText {
   ControlText(const ControlRig& rig, const std::vector<Joint>& joints, const Rotation& turn)
       : rig_(rig), joints_(joints), turn_(turn) {}
 
-  Json json(const std::string& name) const {
-    Json json = {{"sinew_controls", 1}, {"character", name}};
+  OrderedJson json(const std::string& name) const {
+    OrderedJson json = {{"sinew_controls", 1}, {"character", name}};
     json["up"] = direction_json(rig_.up, turn_);
     json["front"] = direction_json(rig_.front, turn_);
-    json["limbs"] = Json::array();
+    json["limbs"] = OrderedJson::array();
     for (const ControlLimb& limb : rig_.limbs) json["limbs"].push_back(limb_json(limb));
     json["hips"] = named(rig_.hips);
     json["spine"] = names(rig_.spine);
     json["neck"] = names(rig_.neck);
     json["head"] = named(rig_.head);
-    json["fingers"] = Json::array();
+    json["fingers"] = OrderedJson::array();
     for (const ControlFinger& finger : rig_.fingers)
       json["fingers"].push_back({{"name", finger.name},
                                  {"side", side_text(finger.side)},
                                  {"hand", named(finger.hand)},
                                  {"joints", names(finger.joints)},
                                  {"axis", direction_json(finger.axis, turn_)}});
-    json["joints"] = Json::array();
+    json["joints"] = OrderedJson::array();
     for (const Joint& joint : joints_)
       json["joints"].push_back(
           {{"name", joint.name}, {"position", {joint.position.x, joint.position.y, joint.position.z}}});
@@ -52,12 +52,12 @@ class ControlText {
 
  private:
   std::string named(int joint) const { return joint < 0 ? std::string() : joints_[static_cast<size_t>(joint)].name; }
-  Json names(const std::vector<int>& joints) const {
-    Json json = Json::array();
+  OrderedJson names(const std::vector<int>& joints) const {
+    OrderedJson json = OrderedJson::array();
     for (const int joint : joints) json.push_back(named(joint));
     return json;
   }
-  Json limb_json(const ControlLimb& limb) const {
+  OrderedJson limb_json(const ControlLimb& limb) const {
     return {{"name", limb.name},
             {"kind", limb.leg ? "leg" : "arm"},
             {"side", side_text(limb.side)},
@@ -77,13 +77,15 @@ class ControlText {
 std::string controls_text(const ControlRig& rig, const std::string& name, const std::vector<Joint>& joints,
                           const Rotation& turn) {
   // Names of strangers' files need not be UTF-8.
-  return ControlText(rig, joints, turn).json(name).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return ControlText(rig, joints, turn).json(name).dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 std::string controls_text(const Character& character) {
   return controls_text(find_controls(character), character.name, character.joints);
 }
 
-std::string controls_extras(const std::string& text) { return Json({{"sinew_controls", Json::parse(text)}}).dump(); }
+std::string controls_extras(const std::string& text) {
+  return OrderedJson({{"sinew_controls", OrderedJson::parse(text)}}).dump();
+}
 
 }  // namespace sinew
