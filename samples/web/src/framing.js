@@ -12,6 +12,8 @@ export class Framing {
   #orbit;
   /** @type {Vector3 | null} */
   #middle = null; // of the joints in a motion's last frame
+  #box = new Box3(); // what was framed last, and from where
+  #from = slanted;
 
   /** @param {{ camera: import("three").PerspectiveCamera, orbit: import("three/addons/controls/OrbitControls.js").OrbitControls }} of */
   constructor({ camera, orbit }) {
@@ -26,6 +28,8 @@ export class Framing {
    */
   frame(box, from = slanted) {
     const [camera, orbit] = [this.#camera, this.#orbit];
+    this.#box.copy(box);
+    this.#from = from;
     box.getCenter(this.centre);
     this.radius = Math.max(box.getSize(new Vector3()).length() / 2, 1e-6);
     const direction = new Vector3().fromArray(from).normalize();
@@ -39,6 +43,11 @@ export class Framing {
     orbit.maxDistance = this.radius * 30;
     orbit.update();
     this.untouched = true;
+  }
+
+  // The same once more, in a picture of another shape.
+  again() {
+    this.frame(this.#box.clone(), this.#from);
   }
 
   /**
@@ -67,6 +76,7 @@ export class Framing {
       const way = new Vector3().subVectors(middle, this.#middle).setY(0);
       this.#camera.position.add(way);
       this.#orbit.target.add(way);
+      this.#box.translate(way);
       this.#orbit.update();
     }
     this.#middle = moves ? middle : null;

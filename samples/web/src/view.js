@@ -477,7 +477,7 @@ export class View {
     this.#renderer.setSize(width, height);
     this.#camera.aspect = width / height;
     this.#camera.updateProjectionMatrix();
-    if (this.#mesh && this.#framing.untouched) this.frame();
+    if (this.#mesh && this.#framing.untouched) this.#outline.shown ? this.frame() : this.#framing.again();
     this.#draw(); // at once: a canvas that was sized anew is empty
   }
 
