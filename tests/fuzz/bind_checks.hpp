@@ -8,14 +8,8 @@
 
 #include "fuzz.hpp"
 #include "sinew/sinew.h"
+#include "with_asan.hpp"
 
-#if defined(__SANITIZE_ADDRESS__)
-#define SINEW_WITH_ASAN 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define SINEW_WITH_ASAN 1
-#endif
-#endif
 #ifdef SINEW_WITH_ASAN
 #include <sanitizer/asan_interface.h>
 #define SINEW_FORBID(first, size) __asan_poison_memory_region(first, static_cast<size_t>(size))

@@ -15,6 +15,7 @@
 
 #include "open_bundled_model.hpp"
 #include "sinew/sinew.hpp"
+#include "with_asan.hpp"
 
 namespace {
 
@@ -183,7 +184,7 @@ Scene random_scene(Random& random) {
 
 TEST(BindProperty, TenThousandRandomScenes) {
   // Sanitizers are ten times slower; they see the first tenth.
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef SINEW_WITH_ASAN
   const int scenes = 1000;
 #else
   const int scenes = 10000;

@@ -9,6 +9,7 @@
 
 #include "draw.hpp"
 #include "rig_scene.hpp"
+#include "with_asan.hpp"
 
 namespace {
 
@@ -213,7 +214,7 @@ void expect_binds(const MeshScene& scene, const RiggedScene& rigged) {
 
 TEST(RigProperty, RandomMeshesGetSoundSkeletons) {
   const char* const said = std::getenv("SINEW_RIG_MESHES");
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef SINEW_WITH_ASAN
   constexpr uint32_t kFew = 3 * kKinds;
 #else
   constexpr uint32_t kFew = 8 * kKinds;

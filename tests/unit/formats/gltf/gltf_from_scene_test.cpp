@@ -10,9 +10,10 @@
 #include "glb_round.hpp"
 #include "scene_files.hpp"
 #include "sinew_formats/file_names.hpp"
+#include "with_asan.hpp"
 
 // Assimp 5.2.5 forgets parts of its own tree of an FBX: no leak of ours.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef SINEW_WITH_ASAN
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libassimp"; }
 #endif
