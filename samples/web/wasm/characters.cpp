@@ -120,7 +120,8 @@ Character bare(Character mesh) {
 
 std::string without_option(std::string line) {
   for (const char* option :
-       {" (--no-mirror)", "; --fit mends that", ", --cut opens it", "; --class says what it is", ": give --author"})
+       {" (--no-mirror)", "; --fit mends that", ", --cut opens it", "; --class says what it is", ": give --author",
+        " (--mask-out shows where, --mask cuts by hand)", " (--mask cuts by hand)"})
     if (const size_t at = line.find(option); at != std::string::npos) line.erase(at, std::string(option).size());
   return line;
 }
@@ -258,6 +259,7 @@ Json load_picture(Session& s, const std::string& path, const Json& wishes, uint3
     picture.rigged.character = {};
     s.pictures_of[number] = std::make_shared<const PictureCharacter>(std::move(picture));
   }
+  for (std::string& note : mesh.notes) note = without_option(std::move(note));
   Json place = place_of(*s.pictures_of[number]->picture, mesh);
   Json reply = start(s, std::move(mesh), {}, {}, number);
   reply["picture"] = picture_json(*s.picture());
