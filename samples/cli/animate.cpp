@@ -161,12 +161,14 @@ void check_settings(const Settings& s, bool of_folder) {
     if (given && !picture)
       throw UsageError(std::string(option) + " is for pictures (" + picture_files() + "), and " + s.character +
                        " is none");
-  if (!is_loop(s) && (!of_folder || has_extension(s.output, ".apng")))
+  if (is_loop(s)) {
+    if (!s.sprites.loop.empty() || !s.profile.profile.empty() || !s.profile.controls.empty())
+      throw UsageError(s.output +
+                       ": is a picture that moves, without a character: leave --loop, --for and --controls out, "
+                       "or write a .glb");
+  } else if (!of_folder || has_extension(s.output, ".apng")) {
     check_output(s.output, kWritesMotion);
-  else if (is_loop(s) && (!s.sprites.loop.empty() || !s.profile.profile.empty() || !s.profile.controls.empty()))
-    throw UsageError(s.output +
-                     ": is a picture that moves, without a character: leave --loop, --for and --controls out, "
-                     "or write a .glb");
+  }
   check_sprite_options(s.sprites, s.character);
   if (!s.sheet.empty()) check_output(s.sheet, {".png"});
   if (!(s.from <= s.to)) throw UsageError(print("--start %g is behind --end %g", s.from, s.to));

@@ -3,6 +3,7 @@
 #include "sinew_character/deform.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "pose/skin_arrays.hpp"
 #include "sinew_character/engine_views.hpp"
@@ -12,11 +13,14 @@
 namespace sinew {
 namespace {
 
-// Parts that have grown together move apart: open where they meet. Vertices that this doubles come last.
-Character opened(const Character& character) {
+// Parts that have grown together move apart: open where they meet. Vertices that this doubles come last. nullopt: there are none.
+std::optional<Character> opened(const Character& character) {
+  if (character.joints.empty()) return std::nullopt;
+  const Seams seams = find_seams(character, character.influences);
+  if (seams.seams.empty()) return std::nullopt;
   Character out = character;
   out.gltf.reset();  // poses do not need it
-  if (!character.joints.empty()) cut_seams(find_seams(character, character.influences), &out);
+  cut_seams(seams, &out);
   return out;
 }
 
@@ -24,10 +28,10 @@ Character opened(const Character& character) {
 
 CharacterDeformer::CharacterDeformer(const Character& character, const sinew_deform_options& options)
     : name_(character.name) {
-  skin_arrays(character);  // throws for what is no skin
-  const Character open = opened(character);
-  const SkinArrays arrays = skin_arrays(open);
-  const EngineViews views(open, {});
+  SkinArrays arrays = skin_arrays(character);
+  const std::optional<Character> open = opened(character);
+  if (open) arrays = skin_arrays(*open);
+  const EngineViews views(open ? *open : character, {});
   const sinew_skin skin = {arrays.joints.data(), arrays.weights.data(), arrays.influences, SINEW_WEIGHT_UNORM16};
   const sinew_status status = deformer_.create(views.mesh, views.skeleton, skin, options);
   if (status != SINEW_OK) throw Error(name_ + ": cannot be deformed: " + sinew_status_text(status));
