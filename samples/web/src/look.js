@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The character as other programs show it: the GLB that the page would save, read by three.js, with the file's own materials and textures.
-import { Matrix4, PMREMGenerator } from "three";
+import { LightProbe, Matrix4, PMREMGenerator, SphericalHarmonics3, Vector3 } from "three";
 import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
 // A material that its file says nothing of is white by glTF, on which no shape shows: it is grey as clay here.
 const isPlain = ({ color, map, vertexColors, emissive }) => color && !map && !vertexColors && color.r === 1 && color.g === 1 && color.b === 1 && !emissive?.r;
+
+// How a RoomEnvironment lights what is dull, as spherical harmonics, alike for red, green and blue: LightProbeGenerator.fromCubeRenderTarget() of a cube of
+// 64 pixels. What mirrors needs the room itself, whose making costs seconds where no graphics card draws.
+const roomHarmonics = [3.7119, 1.7183, 1.6268, 0.2877, 0.2338, 1.0789, 1.2682, -0.34, -0.6285];
+const mirrors = (/** @type {any} */ { isMeshStandardMaterial, isMeshPhysicalMaterial, metalness, roughness, roughnessMap }) =>
+  isMeshStandardMaterial && (isMeshPhysicalMaterial || metalness > 0 || roughness < 0.5 || roughnessMap);
 
 export class Look {
   /** @type {import("three").Group} */
@@ -18,6 +24,7 @@ export class Look {
   #bones; // per joint of the page: its node, or undefined
   /** @type {any} */
   #room = null;
+  #mirrors = false;
   /** @type {any} */
   #restOf; // per bone: where it is at rest
 
@@ -42,14 +49,23 @@ export class Look {
       object.frustumCulled = false;
       for (const one of [object.material].flat()) {
         if (one?.isMeshBasicMaterial) one.toneMapped = false; // a drawing's colours are what they are
-        else if (one && isPlain(one)) one.color.setScalar(0.42);
+        else if (one && isPlain(one)) {
+          one.color.setScalar(0.42);
+          if (one.roughness === 1) one.metalness = 0; // which is 1 where a file says nothing
+        }
+        if (one && mirrors(one)) look.#mirrors = true;
       }
     });
     return look;
   }
 
-  // What metals mirror: a room. Without one they are black.
-  room(renderer) {
+  // The room that lights the character and that metals mirror, which are black without one; null where nothing mirrors: there a probe among its parts,
+  // `intensity` bright, gives the room's light.
+  room(renderer, intensity) {
+    if (!this.#mirrors) {
+      this.root.add(new LightProbe(new SphericalHarmonics3().set(roomHarmonics.map((of) => new Vector3().setScalar(of))), intensity));
+      return null;
+    }
     const generator = new PMREMGenerator(renderer);
     this.#room = generator.fromScene(new RoomEnvironment(), 0.04);
     generator.dispose();

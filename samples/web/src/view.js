@@ -23,6 +23,7 @@ const toLinear = Float32Array.from({ length: 256 }, (_, i) => {
   return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
 });
 
+const roomIntensity = 0.55; // of the light that materials get from the room around them
 const isLight = matchMedia("(prefers-color-scheme: light)");
 
 export class View {
@@ -287,12 +288,12 @@ export class View {
   setLook(look) {
     this.#look?.dispose();
     this.#look = look;
-    this.#scene.environment = look?.room(this.#renderer) ?? null;
+    this.#scene.environment = look?.room(this.#renderer, roomIntensity) ?? null;
     // Materials are lit by the room, and bright ones keep their colours; what shows weights is lit evenly.
     this.#renderer.toneMapping = look ? NeutralToneMapping : NoToneMapping;
     this.#sky.intensity = look ? 0 : 1.9;
     this.#light.intensity = look ? 0.7 : 1.7;
-    this.#scene.environmentIntensity = 0.55;
+    this.#scene.environmentIntensity = roomIntensity;
     if (look) {
       this.#model.add(look.root);
       if (this.#palette) look.pose(this.#palette);

@@ -343,23 +343,35 @@ try {
     assert.ok((await hash()).length > 8);
   });
 
+  // The picture's middle, which the body fills: [red, green, blue] each.
+  const middle = async () => {
+    const png = (await page.locator("#stage canvas").screenshot()).toString("base64");
+    return page.evaluate(async (picture) => {
+      const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${picture}`)).blob());
+      const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+      context.drawImage(image, 0, 0);
+      const { data: values } = context.getImageData(image.width * 0.45, image.height * 0.4, image.width * 0.1, image.height * 0.2);
+      return Array.from({ length: values.length / 4 }, (_, i) => [...values.slice(4 * i, 4 * i + 3)]);
+    }, png);
+  };
+  const shareOf = (pixels, is) => pixels.filter(is).length / pixels.length;
   await step("materials keep their colours, and clips stay in the picture", async () => {
     await give(file("biped__caped.gltf"));
     await page.keyboard.press("4");
     await settled();
     await page.waitForTimeout(200);
-    const png = (await page.locator("#stage canvas").screenshot()).toString("base64");
-    const white = await page.evaluate(async (picture) => {
-      const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${picture}`)).blob());
-      const canvas = new OffscreenCanvas(image.width, image.height);
-      const context = canvas.getContext("2d");
-      context.drawImage(image, 0, 0);
-      const { data: pixels } = context.getImageData(image.width * 0.45, image.height * 0.4, image.width * 0.1, image.height * 0.2);
-      let count = 0;
-      for (let i = 0; i < pixels.length; i += 4) count += pixels[i] > 250 && pixels[i + 1] > 250 && pixels[i + 2] > 250 ? 1 : 0;
-      return count / (pixels.length / 4);
-    }, png);
+    const white = shareOf(await middle(), (pixel) => Math.min(...pixel) > 250);
     assert.ok(white < 0.02, `${white} of the body is white`);
+    const metal = JSON.parse(readFileSync(join(data, "biped__caped.gltf")));
+    metal.materials = [{ pbrMetallicRoughness: { baseColorFactor: [0.8, 0.8, 0.8, 1], metallicFactor: 1, roughnessFactor: 0.4 } }];
+    for (const mesh of metal.meshes) for (const primitive of mesh.primitives) primitive.material = 0;
+    await give(made("metal.gltf", JSON.stringify(metal)));
+    await page.keyboard.press("4");
+    await settled();
+    await page.waitForTimeout(200);
+    const black = shareOf(await middle(), (pixel) => Math.max(...pixel) < 30);
+    assert.ok(black < 0.02, `${black} of a body of metal, which mirrors a room, is black`);
+    await give(file("biped__caped.gltf"));
     await go("motion");
     await page.click("#clip-grid [data-clip=jump]");
     await settled();
