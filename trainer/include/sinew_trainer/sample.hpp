@@ -35,6 +35,7 @@ Sample make_sample(const Character& character, uint32_t candidates, uint32_t gri
 
 // A network's probabilities [U x K] as rows of influences [V], the `keep` largest, rounded as the engine rounds. Owned
 // vertices follow their owners.
+inline constexpr uint32_t kKeptInfluences = 4;  // of a bind by default: what is validated and measured
 std::vector<std::vector<Influence>> sample_influences(const Sample& sample, const std::vector<float>& probabilities,
                                                       uint32_t keep);
 

@@ -14,8 +14,6 @@ using namespace rigging;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr size_t kWrist = 1;
-
 Matrix3d turn(const Vector3d& by) {
   const double angle = by.norm();
   if (angle < 1e-12) return Matrix3d::Identity();

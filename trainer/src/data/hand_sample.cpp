@@ -24,7 +24,6 @@ using namespace rigging;
 using Eigen::Vector3d;
 
 constexpr double kAround = 3.2;  // of a hand's length: what of the body is kept
-constexpr size_t kWrist = 1;
 
 // Of the longest side. Without an expression of Eigen's, which GCC 12 takes for uninitialised.
 Vector3d share(Vec3i p) {

@@ -11,6 +11,8 @@
 
 namespace sinew {
 
+inline constexpr size_t kWrist = 1;  // of a hand's own joints
+
 // One hand of a character, ready to be bent, stretched, cropped and sampled. Labels follow the joints.
 class HandSource {
  public:

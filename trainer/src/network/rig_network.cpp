@@ -10,9 +10,10 @@ namespace {
 
 using namespace rigging;
 
-class Builder : public PointNetworkBuilder {
+class RigBuilder : public PointNetworkBuilder {
  public:
-  Builder(uint64_t seed, uint32_t feature_set) : PointNetworkBuilder("votes", seed, feature_set, kRigCells, "pnts") {}
+  RigBuilder(uint64_t seed, uint32_t feature_set)
+      : PointNetworkBuilder("votes", seed, feature_set, kRigCells, "pnts") {}
   void far_max(const Region& in, const Region& out) {
     apply(LayerKind::kRingMax, in, out);
     network_.layers.back().flags = kLayerFar;
@@ -22,7 +23,7 @@ class Builder : public PointNetworkBuilder {
 }  // namespace
 
 FloatNetwork make_rig_network(const RigNetworkOptions& options, uint64_t seed) {
-  Builder b(seed, options.hands ? kHandsFeatureSet : kRigFeatureSet);
+  RigBuilder b(seed, options.hands ? kHandsFeatureSet : kRigFeatureSet);
   const auto width = static_cast<uint16_t>(options.width);
   const Region input = b.fresh(Domain::kVertex, kRigChannels);
   constexpr uint32_t kViews = 4;  // itself, near, far, all

@@ -8,9 +8,7 @@
 namespace sinew {
 namespace {
 
-constexpr uint32_t kKeep = 4;  // influences per vertex that validation counts: the default of a bind
-
-const Sample& as_sample(const NetworkSample& sample) { return static_cast<const Sample&>(sample); }
+const Sample& bind_sample_of(const NetworkSample& sample) { return static_cast<const Sample&>(sample); }
 
 }  // namespace
 
@@ -50,16 +48,16 @@ std::vector<std::string> BindTask::loss_names() const { return {"loss", "l1", "k
 
 std::vector<double> BindTask::loss(const NetworkSample& sample, const std::vector<float>& outputs,
                                    std::vector<float>* d_outputs) const {
-  const LossTerms terms = weight_loss(as_sample(sample), loss_, outputs, d_outputs);
+  const LossTerms terms = weight_loss(bind_sample_of(sample), loss_, outputs, d_outputs);
   return {terms.total, terms.l1, terms.kl, terms.regret, terms.part, terms.deformation};
 }
 
 double BindTask::score(const NetworkSample& sample, const std::vector<float>& outputs) const {
-  return sample_l1(as_sample(sample), softmax(as_sample(sample), outputs), kKeep);
+  return sample_l1(bind_sample_of(sample), softmax(bind_sample_of(sample), outputs), kKeptInfluences);
 }
 
 double BindTask::baseline_score(const NetworkSample& sample) const {
-  return sample_l1(as_sample(sample), as_sample(sample).heat, kKeep);
+  return sample_l1(bind_sample_of(sample), bind_sample_of(sample).heat, kKeptInfluences);
 }
 
 std::string BindTask::config_text() const { return train_config_json(config_); }

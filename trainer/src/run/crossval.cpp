@@ -23,7 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr uint32_t kKeep = 4;               // influences per vertex that are measured: the default of a bind
 constexpr size_t kCalibrationSamples = 40;  // as many as quantize and eval take
 
 struct Measured {
@@ -61,7 +60,7 @@ class HeatFigures {
       const auto found = known_.find(&sample);
       if (found != known_.end()) return found->second;
     }
-    const Metrics metrics = measure(character, sample_influences(sample, sample.heat, kKeep), sample.name);
+    const Metrics metrics = measure(character, sample_influences(sample, sample.heat, kKeptInfluences), sample.name);
     const std::lock_guard<std::mutex> lock(mutex_);
     return known_[&sample] = metrics;
   }
@@ -316,7 +315,7 @@ class Crossval {
       const Sample& sample = *samples[i];
       const Character character = read_character(on.paths.at(sample.name));
       const Metrics metrics =
-          measure(character, sample_influences(sample, softmax(sample, logits(sample)), kKeep), sample.name);
+          measure(character, sample_influences(sample, softmax(sample, logits(sample)), kKeptInfluences), sample.name);
       out[i] = {sample.name, sample.family, figures_of(metrics, heat->of(character, sample))};
     });
     return out;

@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-const FrontSample& as_sample(const NetworkSample& sample) { return static_cast<const FrontSample&>(sample); }
+const FrontSample& front_sample_of(const NetworkSample& sample) { return static_cast<const FrontSample&>(sample); }
 
 }  // namespace
 
@@ -27,12 +27,12 @@ std::vector<std::string> FrontTask::loss_names() const { return {"loss", "front"
 
 std::vector<double> FrontTask::loss(const NetworkSample& sample, const std::vector<float>& outputs,
                                     std::vector<float>* d_outputs) const {
-  const FrontLoss l = front_loss(as_sample(sample), outputs, d_outputs);
+  const FrontLoss l = front_loss(front_sample_of(sample), outputs, d_outputs);
   return {l.total, l.front, l.upright, l.angle};
 }
 
 double FrontTask::score(const NetworkSample& sample, const std::vector<float>& outputs) const {
-  return front_loss(as_sample(sample), outputs, nullptr).angle;
+  return front_loss(front_sample_of(sample), outputs, nullptr).angle;
 }
 
 }  // namespace sinew

@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-const RigSample& as_sample(const NetworkSample& sample) { return static_cast<const RigSample&>(sample); }
+const RigSample& rig_sample_of(const NetworkSample& sample) { return static_cast<const RigSample&>(sample); }
 
 }  // namespace
 
@@ -32,12 +32,12 @@ std::vector<std::string> RigTask::loss_names() const {
 
 std::vector<double> RigTask::loss(const NetworkSample& sample, const std::vector<float>& outputs,
                                   std::vector<float>* d_outputs) const {
-  const RigLoss l = rig_loss(as_sample(sample), outputs, d_outputs);
+  const RigLoss l = rig_loss(rig_sample_of(sample), outputs, d_outputs);
   return {l.total, l.start, l.end, l.start_class, l.end_class, l.start_distance, l.end_distance};
 }
 
 double RigTask::score(const NetworkSample& sample, const std::vector<float>& outputs) const {
-  const RigLoss l = rig_loss(as_sample(sample), outputs, nullptr);
+  const RigLoss l = rig_loss(rig_sample_of(sample), outputs, nullptr);
   return 0.5 * (l.start_distance + l.end_distance);
 }
 

@@ -8,7 +8,7 @@
 namespace sinew {
 namespace {
 
-const SlotSample& as_sample(const NetworkSample& sample) { return static_cast<const SlotSample&>(sample); }
+const SlotSample& slot_sample_of(const NetworkSample& sample) { return static_cast<const SlotSample&>(sample); }
 
 }  // namespace
 
@@ -26,12 +26,13 @@ std::vector<std::string> SlotTask::loss_names() const {
 
 std::vector<double> SlotTask::loss(const NetworkSample& sample, const std::vector<float>& outputs,
                                    std::vector<float>* d_outputs) const {
-  const SlotLoss l = slot_loss(as_sample(sample), {config_.balance, config_.losses == "balanced"}, outputs, d_outputs);
+  const SlotLoss l =
+      slot_loss(slot_sample_of(sample), {config_.balance, config_.losses == "balanced"}, outputs, d_outputs);
   return {l.total, l.joints, l.connections, l.distance, l.presence};
 }
 
 double SlotTask::score(const NetworkSample& sample, const std::vector<float>& outputs) const {
-  return slot_loss(as_sample(sample), {config_.balance, config_.losses == "balanced"}, outputs, nullptr).total;
+  return slot_loss(slot_sample_of(sample), {config_.balance, config_.losses == "balanced"}, outputs, nullptr).total;
 }
 
 double SlotTask::baseline_score(const NetworkSample& sample) const {

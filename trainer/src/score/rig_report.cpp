@@ -81,7 +81,7 @@ std::string pictures(const RigReport& report) {
   return out;
 }
 
-constexpr const char* kMeaning =
+constexpr const char* kRigMeaning =
     "Everything times 100. The reference is the target skeleton that sinew dataset target writes; bone ends count as "
     "joints. Lengths are shares of the mesh's longest side. J2J, J2B, B2B: between joints, joints and bones, bones, "
     "nearest and both ways. Precision, recall, IoU: joints in pairs, one to one, at most 0.05 apart. Joined: bones "
@@ -118,7 +118,7 @@ std::string rig_report_html(const RigReport& report) {
   out += "<h2>All figures</h2>\n<details class=\"card\"><summary>" + std::to_string(scores.characters.size()) +
          " characters</summary>\n" + table("character", worst_first(scores)) +
          "</details>\n<h2>How the numbers were made</h2>\n" + html::facts(report.facts) + "<p class=\"soft\">" +
-         kMeaning + "</p>\n";
+         kRigMeaning + "</p>\n";
   return html::page(report.title, out);
 }
 

@@ -126,16 +126,16 @@ struct Column {
   const char *title, *key;
   double StabilityFigures::*value;
 };
-constexpr Column kColumns[] = {{"spread of joints", "spread", &StabilityFigures::spread},
-                               {"in the worst pose", "worst_spread", &StabilityFigures::worst_spread},
-                               {"flips, found anew", "flips", &StabilityFigures::flips},
-                               {"flips, own joints", "own_flips", &StabilityFigures::own_flips}};
+constexpr Column kStabilityColumns[] = {{"spread of joints", "spread", &StabilityFigures::spread},
+                                        {"in the worst pose", "worst_spread", &StabilityFigures::worst_spread},
+                                        {"flips, found anew", "flips", &StabilityFigures::flips},
+                                        {"flips, own joints", "own_flips", &StabilityFigures::own_flips}};
 
 enum class Average { kMean, kMedian };
 
 StabilityFigures average(const std::vector<StabilityFigures>& rows, Average how) {
   StabilityFigures out;
-  for (const Column& column : kColumns) {
+  for (const Column& column : kStabilityColumns) {
     std::vector<double> values;
     for (const StabilityFigures& row : rows) values.push_back(row.*column.value);
     std::sort(values.begin(), values.end());
@@ -175,7 +175,7 @@ Averages averages(const StabilityRows& characters) {
 
 nlohmann::ordered_json figures_json(const StabilityFigures& figures) {
   nlohmann::ordered_json out;
-  for (const Column& column : kColumns) out[column.key] = figures.*column.value;
+  for (const Column& column : kStabilityColumns) out[column.key] = figures.*column.value;
   return out;
 }
 
@@ -205,14 +205,14 @@ StabilityFigures measure_stability(const Character& character, unsigned poses, c
 
 std::string stability_markdown(const StabilityRows& rows) {
   std::string text = "| x 100 | characters |", line = "|---|---|";
-  for (const Column& column : kColumns) {
+  for (const Column& column : kStabilityColumns) {
     text += std::string(" ") + column.title + " |";
     line += "---|";
   }
   text += "\n" + line + "\n";
   const auto row = [&](const std::string& name, size_t count, const StabilityFigures& figures) {
     text += "| " + markdown_cell(name) + print(" | %zu |", count);
-    for (const Column& column : kColumns) text += print(" %.2f |", 100 * (figures.*column.value));
+    for (const Column& column : kStabilityColumns) text += print(" %.2f |", 100 * (figures.*column.value));
     text += "\n";
   };
   std::map<std::string, size_t> sizes;
