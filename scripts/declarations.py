@@ -310,7 +310,7 @@ def _csharp_type(one: Type) -> str:
 def _csharp_parameter(one: Member) -> str:
     if one.type.kind == "number" and one.type.name == "size_t" and one.type.depth == 1:
         return f"out UIntPtr {_csharp_name(one.name)}"
-    if one.type.depth == 2 and one.type.kind in ("opaque", "void"):
+    if one.type.depth == 2 and one.type.kind in ("opaque", "void") and not one.name.endswith("s"):  # several are an array of the caller's
         return f"out IntPtr {_csharp_name(one.name)}"
     return f"{_csharp_type(one.type)} {_csharp_name(one.name)}"
 

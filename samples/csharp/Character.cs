@@ -209,7 +209,7 @@ namespace Sinew
     }
 
     /// <summary>A character. Any number may be worked on at the same time, each by one thread at a time. What failed changed nothing.</summary>
-    public sealed class Character : IDisposable
+    public sealed partial class Character : IDisposable
     {
         IntPtr handle_;
         static bool checked_;

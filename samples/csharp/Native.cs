@@ -993,7 +993,7 @@ namespace Sinew
         public static extern int sinew_character_simplify(IntPtr character, IntPtr options, IntPtr into);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_character_lod(IntPtr character, IntPtr options, out IntPtr levels, IntPtr figures);
+        public static extern int sinew_character_lod(IntPtr character, IntPtr options, IntPtr levels, IntPtr figures);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_check(IntPtr character, IntPtr options, IntPtr result);

@@ -217,6 +217,44 @@ static class Test
         }
     }
 
+    // Placed, bound and saved as `bind --turn y --height 2 --floor --controls` does; then two levels of detail, LEVEL1 and LEVEL2.
+    static int Deliver(string input, string output, string[] levelFiles)
+    {
+        using (Character one = Character.Open(input))
+        {
+            one.Place(new PlaceSettings { Turns = new[] { "y" }, Height = 2, Floor = true });
+            one.Bind();
+            one.SetProfile(new ProfileSettings { Controls = true });
+            one.Save(output);
+            File.WriteAllText(output + ".json", one.Controls);
+            CheckResult told = one.Check(new CheckSettings { NoPoses = true, Score = true });
+            Require(told.Line.StartsWith("checked: ") && told.Score > 0 && told.Score <= 100, "a check says its line and a score: " + told.Line);
+            Require(one.Check(new CheckSettings { NoPoses = true }).Score == null, "no score where none is asked for");
+            var bounds = new Dictionary<string, double> { { "speck", -1 }, { "far-weight", -1 } };
+            CheckResult strict = one.Check(new CheckSettings { NoPoses = true, Bounds = bounds });
+            Require(strict.Findings.Length > told.Findings.Length, "bounds of the user's own");
+            foreach (Finding finding in strict.Findings)
+                Require(Array.IndexOf(Character.CheckRules, finding.Rule) >= 0 && finding.What != "" && finding.Position.Length == 3, "a finding says what and where");
+            Expect<SinewException>("no rule", () => one.Check(new CheckSettings { Bounds = new Dictionary<string, double> { { "none", 1 } } }));
+            Expect<SinewException>("expected x, y, z", () => one.Place(new PlaceSettings { Turns = new[] { "up" } }));
+            Expect<SinewException>("no profile", () => one.SetProfile(new ProfileSettings { Profile = "none" }));
+            Require(Array.IndexOf(Character.Profiles, "mixamo") >= 0, "profiles");
+        }
+        using (Character one = Character.Open(output))
+        {
+            LevelOfDetail[] levels = one.Levels(levelFiles.Length);
+            for (int i = 0; i < levels.Length; ++i)
+            {
+                levels[i].Character.Save(levelFiles[i]);
+                levels[i].Character.Dispose();
+                Require(levels[i].PosedError >= levels[i].RestError && levels[i].MeanError > 0, "figures of a level");
+                Require(i == 0 || levels[i].TriangleCount < levels[i - 1].TriangleCount, "fewer triangles");
+            }
+            Expect<ArgumentException>("levels", () => one.Levels(9));
+        }
+        return 0;
+    }
+
     // The clip of its class, then the outline that was found as a user's own, cut at the middle.
     static int Picture(string input, string output)
     {
@@ -246,6 +284,7 @@ static class Test
                 return 0;
             }
             if (args[0] == "picture") return Picture(args[1], args[2]);
+            if (args[0] == "deliver") return Deliver(args[1], args[2], new[] { args[3], args[4] });
             if (args[0] == "character") return Job(args[1], args[2], args[3], args.Length > 4 ? args[4] : null);
             byte[] file = File.ReadAllBytes(args[1]);
             Mesh mesh = ReadMesh(args[2]);

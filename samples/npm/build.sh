@@ -19,8 +19,8 @@ for kind in simd scalar; do
 done
 
 step "whole characters to WebAssembly"
-build_engine simd && build_host || exit 1
-build_module character "$here/wasm/character" "$host_archive"
+build_engine simd && build_host simd || exit 1
+build_module character "$here/wasm/character" "${host_arguments[@]}"
 build_scenes
 for module in "$build/character/character" "$scenes/scenes"; do
   cp "$module.wasm" "$out/package/wasm"

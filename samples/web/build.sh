@@ -8,6 +8,7 @@ here=$(cd "$(dirname "$0")" && pwd) root=$(cd "$(dirname "$0")/../.." && pwd)
 if [ "${1:-}" = --packages ]; then
   command -v emcc >/dev/null || echo emscripten
   [ -f /usr/include/stb/stb_image.h ] || echo libstb-dev # PNG and JPEG in WebAssembly
+  command -v xz >/dev/null || echo xz-utils
   [ -f /usr/include/utf8.h ] || echo libutfcpp-dev # Assimp's, whose sources samples/npm/wasm/scenes/assimp.sh fetches
   command -v chromium google-chrome google-chrome-stable chromium-browser >/dev/null || echo chromium
   exit 0
@@ -18,8 +19,9 @@ start_build web "${1:-$here/dist}"
 build_modules "$here/wasm" SINEW_WEB_SIMD host
 build_scenes
 step "splitting what the first bind needs from the rest"
+rm -f "$out"/*.{wasm,sinew,lzma}
 for kind in simd scalar; do split_module "$kind" "$out"; done
-cp "$scenes/scenes.wasm" "$out/sinew-scenes.wasm"
+pack_code "$scenes/scenes.wasm" "$out/sinew-scenes.wasm"
 
 step "scripts and pages"
 node_modules_has() { local name; for name in "$@"; do [ -d "$here/node_modules/$name" ] || return 1; done; }
@@ -31,13 +33,12 @@ node_modules/.bin/esbuild src/main.js src/worker.js src/fbx_worker.js --bundle -
   --alias:@sinew/skin/loader="$root/samples/npm/src/loader.js" --alias:@sinew/skin/scenes="$root/samples/npm/src/scenes.js" --alias:sinew-scenes="$scenes/scenes.mjs" \
   --alias:sinew-simd="$build/simd/sinew_web.mjs" --alias:sinew-scalar="$build/scalar/sinew_web.mjs"
 cp src/index.html src/style.css src/icon.svg src/manifest.webmanifest src/sw.js "$out"
-cp "$root"/samples/data/sinew_{default,rig,hands,front}.sinew "$out"
-node wasm/pack_models.mjs "$out" "$out"/*.sinew
+for model in default rig hands front; do pack_model "$root/samples/data/sinew_$model.sinew" "$out/sinew_$model.sinew"; done
 mkdir -p "$out/samples" "$out/thumbs"
 cp src/thumbs/*.webp "$out/thumbs"
 node samples/clothed.mjs "$out/samples/biped__clothed.glb"
 cp "$root"/samples/data/*.{obj,rig.txt,gltf} "$root"/samples/data/drawing__child.png "$out/samples"
 # What sw.js keeps for a page without a network; the rest is kept when it is used.
-(cd "$out" && ls -- *.html *.css *.svg *.js *.webmanifest thumbs/*.webp sinew-simd{,-rest}.wasm sinew_{default,rig,front}.sinew.packed) | grep -v '^sw\.js$' |
+(cd "$out" && ls -- *.html *.css *.svg *.js *.webmanifest thumbs/*.webp sinew-simd{,-rig,-rest}.wasm.lzma sinew_{default,rig,front}.sinew.lzma) | grep -v '^sw\.js$' |
   sed 's/.*/"&"/' | paste -sd, | sed 's/.*/[&]/' >"$out/files.json"
 echo "web: built $out"

@@ -67,7 +67,7 @@ TEST_F(CliServe, IntroducesItselfAndListsItsTools) {
     EXPECT_EQ(tool["inputSchema"]["type"], "object");
     EXPECT_FALSE(tool["inputSchema"]["required"].empty());
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"rig", "bind", "animate", "check", "pose", "inspect"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"rig", "bind", "animate", "check", "lod", "pose", "inspect"}));
   EXPECT_EQ(answers.at(3)["result"], Json::object());
   ASSERT_EQ(answers.at(4)["result"]["resources"].size(), 1u);
   EXPECT_EQ(answers.at(4)["result"]["resources"][0]["uri"], "sinew:///snake.obj");
@@ -97,6 +97,33 @@ TEST_F(CliServe, RigsChecksAndDrawsAsTheCommandDoes) {
     drawn = drawn || (part["type"] == "image" && part["data"].get<std::string>().rfind("iVBORw0KGgo", 0) == 0);
   EXPECT_TRUE(drawn) << then.at(3);
   EXPECT_EQ(then.at(4)["result"]["contents"][0]["text"], slurp(in("served/snake.obj")));
+}
+
+TEST_F(CliServe, PlacesWritesControlsScoresAndMakesLevelsAsTheCommandDoes) {
+  const auto first = ask(call(1, "rig",
+                              {{"mesh", "snake.obj"},
+                               {"output", "snake.glb"},
+                               {"controls", "snake.controls.json"},
+                               {"turn", "y"},
+                               {"height", 2},
+                               {"floor", true}}));
+  EXPECT_EQ(first.at(1)["result"]["isError"], false) << first.at(1);
+  good("rig served/snake.obj --turn y --height 2 --floor --controls alone.controls.json -o alone.glb");
+  EXPECT_EQ(slurp(in("served/snake.glb")), slurp(in("alone.glb")));
+  EXPECT_EQ(slurp(in("served/snake.controls.json")), slurp(in("alone.controls.json")));
+
+  const auto then = ask(call(2, "lod", {{"character", "snake.glb"}, {"output", "deep/far.glb"}, {"levels", 2}}) +
+                        call(3, "check", {{"file", "snake.glb"}, {"no_poses", true}, {"score", true}}) +
+                        call(4, "lod", {{"character", "snake.glb"}, {"output", "../far.glb"}}));
+  EXPECT_EQ(then.at(2)["result"]["isError"], false) << then.at(2);
+  EXPECT_NE(text(then.at(2)).find("\"level\":2,\"output\":\"./deep/far.lod2.glb\""), std::string::npos)
+      << text(then.at(2));
+  EXPECT_EQ(then.at(2)["result"]["content"].size(), 1u) << "no link to a file that was not written";
+  good("lod alone.glb --levels 2 -o far.glb");
+  for (const char* level : {"far.lod1.glb", "far.lod2.glb"})
+    EXPECT_EQ(slurp(in(std::string("served/deep/") + level)), slurp(in(level)));
+  EXPECT_TRUE(then.at(3)["result"]["structuredContent"]["score"].is_number()) << then.at(3);
+  EXPECT_EQ(then.at(4)["result"]["isError"], true) << "outside of the folder";
 }
 
 TEST_F(CliServe, NothingOutsideOfTheFolderIsReadOrWritten) {

@@ -86,6 +86,12 @@ if [ -n "$character" ]; then
   run character bake "$work/strange/plain.glb" "$work/ours.glb"
   "$command" bake "$work/strange/plain.glb" --poses 60 --shapes 2 -o "$work/theirs.glb" > /dev/null
   cmp "$work/ours.glb" "$work/theirs.glb" || fail "baked shapes have other bytes than the command's"
+  "$command" bind "$data/biped__robed.obj" --skeleton "$data/biped__robed.rig.txt" --turn y --height 2 --floor --controls "$work/theirs.json" -o "$work/theirs.glb" > /dev/null
+  run deliver "$data/biped__robed.obj" "$work/ours.glb" "$work/ours1.glb" "$work/ours2.glb"
+  cmp "$work/ours.glb" "$work/theirs.glb" || fail "a character that was placed has other bytes than the command's"
+  cmp "$work/ours.glb.json" "$work/theirs.json" || fail "controls are not the command's"
+  "$command" lod "$work/theirs.glb" --levels 2 -o "$work/theirs.glb" > /dev/null
+  for level in 1 2; do cmp "$work/ours$level.glb" "$work/theirs.lod$level.glb" || fail "level $level has other bytes than the command's"; done
   run picture "$data/drawing__child.png" "$work/ours.glb"
   "$command" animate "$data/drawing__child.png" --units pixels --class biped -o "$work/theirs.glb" > /dev/null
   cmp "$work/ours.glb" "$work/theirs.glb" || fail "a drawing has other bytes than the command's"

@@ -12,7 +12,8 @@
 namespace sinew::cli {
 namespace {
 
-enum class Value { kInput, kOutput, kText, kNumber, kFlag, kRotations };
+// kOutputs: a name that the names of several files are made of.
+enum class Value { kInput, kOutput, kOutputs, kText, kNumber, kFlag, kRotations };
 
 struct Argument {
   std::string name;    // as callers give it
@@ -39,12 +40,30 @@ Argument class_argument() {
           false,        {"biped", "quadruped", "bird", "fish", "snake", "many-legged", "other"}};
 }
 
+Argument controls_argument() {
+  return {"controls", "--controls", Value::kOutput,
+          "Also say which joints an animator's controls move (formats/spec/controls.md): .controls.json"};
+}
+
+std::vector<Argument> with_placement(std::vector<Argument> arguments) {
+  arguments.insert(arguments.end(), {{"turn",
+                                      "--turn",
+                                      Value::kText,
+                                      "Turn the mesh by a quarter before anything else; x brings y to z",
+                                      false,
+                                      {"x", "y", "z", "-x", "-y", "-z"}},
+                                     {"height", "--height", Value::kNumber, "Scale the mesh to be so tall, metres"},
+                                     {"floor", "--floor", Value::kFlag, "Put the lowest vertex at 0"}});
+  return arguments;
+}
+
 Tool rig_tool() {
-  return {"rig",
-          "Make a skeleton",
-          "Makes a skeleton for a bare mesh or a picture of a character and binds it. Answers joints with confidences "
-          "and what is doubtful.",
-          true,
+  return {
+      "rig", "Make a skeleton",
+      "Makes a skeleton for a bare mesh or a picture of a character and binds it. Answers joints with confidences "
+      "and what is doubtful.",
+      true,
+      with_placement(
           {{"mesh", "", Value::kInput,
             "Mesh (" + mesh_files() + ") or picture (" + extensions_text(kReadsPicture) + ")", true},
            output_argument(extensions_text(kSkinOutputs)),
@@ -54,21 +73,21 @@ Tool rig_tool() {
            {"up", "--up", Value::kText, "Axis that points up", false, {"auto", "y", "z"}},
            {"to_pose", "--to-pose", Value::kText, "Put into a rest pose", false, {"t", "a"}},
            {"cut", "--cut", Value::kFlag, "Open what has grown together"},
-           {"picture", "--png", Value::kOutput, "Also draw the mesh with its joints: .png"}}};
+           controls_argument(),
+           {"picture", "--png", Value::kOutput, "Also draw the mesh with its joints: .png"}})};
 }
 
 Tool bind_tool() {
-  return {"bind",
-          "Predict weights",
-          "Predicts the skin weights of a mesh for a skeleton. Answers how sure they are.",
-          true,
-          {{"mesh", "", Value::kInput, "Mesh (" + mesh_files() + ")", true},
-           output_argument(extensions_text(kSkinOutputs)),
-           {"skeleton", "--skeleton", Value::kInput, "Skeleton of another file (" + skeleton_files() + ")"},
-           {"influences", "--influences", Value::kNumber, "Most joints a vertex, 4 unless given"},
-           {"symmetric", "--symmetric", Value::kFlag, "Mirror images get mirrored weights"},
-           {"fit", "--fit", Value::kFlag, "Move a skeleton that stands beside the mesh or in other units"},
-           {"picture", "--png", Value::kOutput, "Also draw the mesh coloured by weight: .png"}}};
+  return {
+      "bind", "Predict weights", "Predicts the skin weights of a mesh for a skeleton. Answers how sure they are.", true,
+      with_placement({{"mesh", "", Value::kInput, "Mesh (" + mesh_files() + ")", true},
+                      output_argument(extensions_text(kSkinOutputs)),
+                      {"skeleton", "--skeleton", Value::kInput, "Skeleton of another file (" + skeleton_files() + ")"},
+                      {"influences", "--influences", Value::kNumber, "Most joints a vertex, 4 unless given"},
+                      {"symmetric", "--symmetric", Value::kFlag, "Mirror images get mirrored weights"},
+                      {"fit", "--fit", Value::kFlag, "Move a skeleton that stands beside the mesh or in other units"},
+                      controls_argument(),
+                      {"picture", "--png", Value::kOutput, "Also draw the mesh coloured by weight: .png"}})};
 }
 
 Tool animate_tool() {
@@ -83,6 +102,7 @@ Tool animate_tool() {
            {"map", "--map", Value::kInput, "Which joint is which: lines TARGET_JOINT SOURCE_JOINT"},
            {"in_place", "--in-place", Value::kFlag, "Stay where the character stands"},
            {"force", "--force", Value::kFlag, "Also a motion that does not fit"},
+           controls_argument(),
            {"sheet", "--sheet", Value::kOutput, "Also draw frames side by side: .png"}}};
 }
 
@@ -94,7 +114,21 @@ Tool check_tool() {
           {{"file", "", Value::kInput, "Character (" + mesh_files() + ")", true},
            {"against", "--against", Value::kInput, "An older version of it: what is new"},
            {"report", "--report", Value::kOutput, "Also write a page with a picture of every finding: .html"},
-           {"no_poses", "--no-poses", Value::kFlag, "Leave out the test poses"}}};
+           {"no_poses", "--no-poses", Value::kFlag, "Leave out the test poses"},
+           {"score", "--score", Value::kFlag, "Also how near the weights are to those of three methods, 0 to 100"}}};
+}
+
+Tool lod_tool() {
+  return {"lod",
+          "Make levels of detail",
+          "Copies of a bound character with fewer and fewer triangles. Answers a line of JSON a level, with its error.",
+          true,
+          {{"character", "", Value::kInput, "Bound character (" + mesh_files() + ")", true},
+           {"output", "-o", Value::kOutputs,
+            "NAME.lod1, NAME.lod2, ... of this name, below the served folder: " + extensions_text(kWholeOutputs), true},
+           {"levels", "--levels", Value::kNumber, "How many, 1 to 8; 3 unless given"},
+           {"triangles", "--triangles", Value::kNumber, "Of a level, as a share of the one before; 0.5 unless given"},
+           {"fewer_joints", "--fewer-joints", Value::kFlag, "Level 2 has fewer joints, further ones still fewer"}}};
 }
 
 Tool pose_tool() {
@@ -120,8 +154,8 @@ Tool inspect_tool() {
 }
 
 const std::vector<Tool>& tools() {
-  static const std::vector<Tool> all = {rig_tool(),   bind_tool(), animate_tool(),
-                                        check_tool(), pose_tool(), inspect_tool()};
+  static const std::vector<Tool> all = {rig_tool(), bind_tool(), animate_tool(), check_tool(),
+                                        lod_tool(), pose_tool(), inspect_tool()};
   return all;
 }
 
@@ -219,6 +253,8 @@ class CommandLine {
         run_.outputs.push_back(path.substr(2));
         return put(argument, path);
       }
+      case Value::kOutputs:
+        return put(argument, folder_.output(text(argument, value)));
       case Value::kText:
         return put(argument, text(argument, value));
       case Value::kNumber:
@@ -259,7 +295,7 @@ OrderedJson tools_json() {
     for (const Argument& argument : tool.arguments) {
       properties[argument.name] = schema_of(argument);
       if (argument.required) required.push_back(argument.name);
-      writes = writes || argument.value == Value::kOutput;
+      writes = writes || argument.value == Value::kOutput || argument.value == Value::kOutputs;
     }
     list.push_back(
         {{"name", tool.name},

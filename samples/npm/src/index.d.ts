@@ -351,6 +351,7 @@ export type WasmSource = WebAssembly.Module | ArrayBuffer | ArrayBufferView | UR
 
 export function load(options?: LoadOptions): Promise<Skin>;
 export function hasSimd(): boolean;
+export function hasExceptions(): boolean;
 export function compile(source: WasmSource): Promise<WebAssembly.Module>;
 export function instantiate(module: WebAssembly.Module, imports: Record<string, Record<string, Function>>): Promise<WebAssembly.Exports>;
 export function decodeBase64(text: string): Uint8Array;

@@ -3,7 +3,7 @@
 import { Skin } from "./engine.js";
 import { start } from "./start.js";
 
-export { compile, decodeBase64, hasSimd, instantiate } from "./loader.js";
+export { compile, decodeBase64, hasExceptions, hasSimd, instantiate } from "./loader.js";
 export { SinewError } from "./memory.js";
 export { babylonBuffers, playcanvasBuffers } from "./buffers.js";
 

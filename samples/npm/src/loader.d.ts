@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: MIT
 // How modules are started, for programs with a module of their own.
-export { compile, decodeBase64, hasSimd, instantiate } from "./index.js";
+export { compile, decodeBase64, hasExceptions, hasSimd, instantiate } from "./index.js";

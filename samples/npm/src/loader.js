@@ -10,6 +10,14 @@ const simdProbe = new Uint8Array([
 /** Whether this browser or node runs WebAssembly's 128-bit SIMD. A module that uses it does not start where it is missing. */
 export const hasSimd = () => WebAssembly.validate(simdProbe);
 
+// A function that catches what it throws, as emscripten writes it.
+const exceptionsProbe = new Uint8Array([
+  0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 10, 8, 1, 6, 0, 6, 64, 25, 11, 11,
+]);
+
+/** Whether this browser or node runs exceptions of WebAssembly's own. A module that has some does not start where they are missing. */
+export const hasExceptions = () => WebAssembly.validate(exceptionsProbe);
+
 // Compiled while it arrives, where the server names its kind.
 /** @param {Response} response */
 async function compileResponse(response) {

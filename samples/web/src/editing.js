@@ -62,8 +62,7 @@ function useRig({ joints, picture, ...rig }, chosen) {
 const chosenName = () => at.character.joints[at.view.selected]?.name;
 
 async function fetchModelsFor({ detail }) {
-  if (!models.skeletons) await fetchModel("sinew_rig.sinew");
-  if (!models.fronts) await fetchModel("sinew_front.sinew");
+  await Promise.all([models.skeletons || fetchModel("sinew_rig.sinew"), models.fronts || fetchModel("sinew_front.sinew")]);
   if (detail > 0 && !models.hands) await fetchModel("sinew_hands.sinew");
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The rings that turn the chosen joint, three's TransformControls, on a skeleton of their own: joints stand where the engine has them.
+// The rings that turn the chosen joint, three's TransformControls, on a skeleton of their own: joints stand where the engine has them. They are fetched
+// when the first joint is chosen.
 import { MathUtils, Object3D, Vector3 } from "three";
-import { TransformControls } from "three/addons/controls/TransformControls.js";
 
 /** @typedef {{ parent: number, position: number[] }} Joint */
+/** @typedef {{ camera: import("three").Camera, canvas: HTMLElement, scene: Object3D, model: Object3D, orbit: { enabled: boolean }, redraw: () => void }} Place */
 
 export class Rings {
   /** @type {(joint: number, x: number, y: number, z: number) => void} */
@@ -13,14 +14,22 @@ export class Rings {
   /** @type {Object3D[]} */
   #handles = []; // per joint
   #joint = -1; // that they are on
-  #gizmo;
+  /** @type {import("three/addons/controls/TransformControls.js").TransformControls | null} */
+  #gizmo = null;
+  /** @type {Promise<void> | null} */
+  #coming = null;
+  #of;
   #model;
 
-  /**
-   * @param {{ camera: import("three").Camera, canvas: HTMLElement, scene: Object3D, model: Object3D, orbit: { enabled: boolean }, redraw: () => void }} of
-   */
-  constructor({ camera, canvas, scene, model, orbit, redraw }) {
-    this.#model = model;
+  /** @param {Place} of */
+  constructor(of) {
+    this.#of = of;
+    this.#model = of.model;
+  }
+
+  async #fetch() {
+    const { TransformControls } = await import("three/addons/controls/TransformControls.js");
+    const { camera, canvas, scene, orbit, redraw } = this.#of;
     const gizmo = new TransformControls(camera, canvas);
     gizmo.setMode("rotate");
     gizmo.setSpace("local");
@@ -37,22 +46,25 @@ export class Rings {
     });
     scene.add(gizmo.getHelper());
     this.#gizmo = gizmo;
+    this.show(this.#joint);
+    redraw();
   }
 
   get helper() {
-    return this.#gizmo.getHelper();
+    return this.#gizmo?.getHelper() ?? null;
   }
   // Whether the pointer is on one.
   get underPointer() {
-    return this.#gizmo.axis !== null;
+    return this.#gizmo !== null && this.#gizmo.axis !== null;
   }
 
   // joint: -1 for none.
   /** @param {number} joint */
   show(joint) {
     this.#joint = joint;
-    if (joint < 0) this.#gizmo.detach();
-    else this.#gizmo.attach(this.#handles[joint]);
+    if (joint < 0) this.#gizmo?.detach();
+    else if (this.#gizmo) this.#gizmo.attach(this.#handles[joint]);
+    else if (!this.#coming) this.#coming = this.#fetch().catch(() => void (this.#coming = null)); // the next joint asks again
   }
 
   /** @param {Joint[]} joints */
@@ -81,7 +93,7 @@ export class Rings {
   /** @param {ArrayLike<number>} turns */
   turn(turns) {
     this.#handles.forEach((handle, j) => {
-      if (this.#gizmo.dragging && j === this.#joint) return;
+      if (this.#gizmo?.dragging && j === this.#joint) return;
       const [x, y, z] = [0, 1, 2].map((axis) => turns[j * 3 + axis] * MathUtils.DEG2RAD);
       handle.rotation.set(x, y, z);
     });

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Runs the module beside the page, so that binding never stops the picture. Messages in: {id, call, ...}; out: {id,
 // reply, buffers} or {progress}.
-import { compile, hasSimd } from "@sinew/skin/loader";
+import { compile, hasExceptions, hasSimd } from "@sinew/skin/loader";
 import { isScene, readScenesBy } from "@sinew/skin/scenes";
-import { Rest } from "./rest.js";
+import { fetchPacked } from "./packed.js";
+import { Parts } from "./parts.js";
 
 /** @type {Record<string, number>} */
 const kinds = { triangles: 0, vertexOf: 1, positions: 2, normals: 3, colours: 4, jointPositions: 5, strongest: 6, vertexQuestions: 7, palette: 8 };
@@ -14,15 +15,8 @@ const posed = ["positions", "normals", "jointPositions", "palette"];
 /** @type {any} */
 let module;
 let moduleBytes = 0;
-/** @type {Rest} */
-let rest; // of the module
-
-/** @param {string} name */
-async function fetchModule(name) {
-  const response = await fetch(name);
-  if (!response.ok) throw new Error(`${name}: ${response.status} ${response.statusText}; build the page with samples/web/build.sh`);
-  return response.arrayBuffer();
-}
+/** @type {Parts} */
+let parts; // of the module
 
 // What reads FBX and COLLADA, once there is such a file.
 /** @type {Promise<any> | null} */
@@ -30,24 +24,24 @@ let scenes = null;
 /** @param {string} name */
 function needScenes(name) {
   if (!isScene(name)) return null;
-  scenes ??= Promise.all([import("sinew-scenes"), fetchModule("sinew-scenes.wasm").then(compile)]).then(([glue, compiled]) => readScenesBy(module, glue.default, compiled));
+  scenes ??= Promise.all([import("sinew-scenes"), fetchPacked("sinew-scenes.wasm").then(compile)]).then(([glue, compiled]) => readScenesBy(module, glue.default, compiled));
   scenes.catch(() => (scenes = null)); // the next file asks again
   return scenes;
 }
 
 /** @param {{ forceScalar: boolean }} how */
 async function start({ forceScalar }) {
-  const kind = !forceScalar && hasSimd() ? "simd" : "scalar";
+  const kind = !forceScalar && hasSimd() && hasExceptions() ? "simd" : "scalar";
   const glue = kind === "simd" ? import("sinew-simd") : import("sinew-scalar"); // fetched beside the module
-  const bytes = await fetchModule(`sinew-${kind}.wasm`);
+  const bytes = await fetchPacked(`sinew-${kind}.wasm`);
   moduleBytes = bytes.byteLength;
   const compiled = await compile(bytes);
-  rest = new Rest(`sinew-${kind}-rest.wasm`);
+  parts = new Parts([`sinew-${kind}-rig.wasm`, `sinew-${kind}-rest.wasm`]);
   module = await (await glue).default({
     /** @type {(imports: any, done: any) => object} */
     instantiateWasm(imports, done) {
-      WebAssembly.instantiate(compiled, rest.withPlaceholders(imports)).then((instance) => {
-        rest.primary = instance.exports;
+      WebAssembly.instantiate(compiled, parts.withPlaceholders(imports)).then((instance) => {
+        parts.primary = instance.exports;
         done(instance, compiled);
       });
       return {};
@@ -154,10 +148,10 @@ const calls = {
     return { ...reply, buffers: take(["triangles", "vertexOf", "positions", "normals"]) };
   },
   // answers: [[vertex, kind, joint], ...]
-  // wish: as BindOptions of options.js has it. Replies whether the rest of the module had no part in it, too.
+  // wish: as BindOptions of options.js has it. Replies whether the last part of the module had none in it, too.
   bind({ wish, answers }) {
     const reply = withTexts(wish, answers, (w, a) => checked(module._web_bind(w, a)));
-    return { ...reply, alone: !rest.wasAsked, buffers: take(["strongest", "vertexQuestions"]) };
+    return { ...reply, alone: !parts.wasLastAsked, buffers: take(["strongest", "vertexQuestions"]) };
   },
   rig: ({ wishes }) => withText(JSON.stringify(wishes), (at) => checked(module._web_rig(at))),
   // edits: [{kind, joint, other, place}, ...]
@@ -239,17 +233,20 @@ const calls = {
   },
 };
 
-// What a character is opened, rigged and bound with; all else waits for the rest of the module.
-const first = new Set(["start", "write", "remove", "setAside", "model", "load", "rig", "bind", "keep", "drop"]);
+// How many of the later parts of the module a call waits for: none to open and bind a character, the first to make it a skeleton, else all.
+/** @type {Map<string, number>} */
+const needs = new Map([...["start", "write", "remove", "setAside", "model", "load", "bind", "keep", "drop"].map((call) => /** @type {const} */ ([call, 0])), ["rig", 1]]);
 
 /** @param {any} message {id, call, ...} */
 async function answer({ id, call, ...options }) {
   try {
-    if (!first.has(call)) await rest.loaded();
+    if (needs.get(call) !== 0) await parts.loaded(needs.get(call));
     const reply = (await calls[call](options)) ?? {};
     const transfer = Object.values(reply.buffers ?? {}).map((b) => b.buffer);
     postMessage({ id, reply }, { transfer });
-    if (call === "bind") rest.loaded().catch(() => {}); // the next call says it
+    // What is next; where that fails the next call says it.
+    if (call === "load" && reply.joints?.length === 0) parts.loaded(1).catch(() => {});
+    if (call === "bind") parts.loaded().catch(() => {});
   } catch (error) {
     let line = String(error?.message ?? error);
     if (error instanceof RangeError) line = "out of memory: the file is too large for this browser; try the sinew command";

@@ -6,7 +6,6 @@ import { treeOrder } from "../src/joint_list.js";
 import { pinned, unpinned } from "../src/map_panel.js";
 import { clipFigures, clipText } from "../src/methods.js";
 import { draggable, dragged, longestSide } from "../src/outline.js";
-import { fromPlanes, toPlanes } from "../src/planes.js";
 import { turnsOf } from "../src/pose_panel.js";
 
 assert.deepEqual([100, 93, 107, 92, 108, 85, 115, 84, 116, -20].map(bendGrade), ["good", "good", "good", "fair", "fair", "fair", "fair", "poor", "poor", "poor"]);
@@ -66,13 +65,6 @@ const free = side.line.findIndex((_, i) => !side.points.includes(i));
 assert.deepEqual(draggable([square], 1, side.line[free])[0].points, [...side.points, free].sort((one, other) => one - other), "what was moved last stays a point");
 assert.equal(draggable([square], 1, [50, 50])[0].points.length, side.points.length, "nothing is near");
 assert.equal(dragged(side, 0, [-5, -5]).filter((place, i) => place !== side.line[i]).length, gone.length, "the first point has a last one beside it");
-
-// Words with their bytes apart, and back.
-assert.deepEqual([...toPlanes(Uint8Array.of(1, 2, 3, 4, 5))], [1, 3, 2, 4, 5]);
-for (const length of [0, 1, 2, 7, 8]) {
-  const bytes = Uint8Array.from({ length }, (_, i) => i * 3);
-  assert.deepEqual(fromPlanes(toPlanes(bytes)), bytes);
-}
 
 assert.deepEqual(treeOrder(skeleton), [0, 1, 3, 2]);
 console.log("panels: ok");

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Writes which functions of the page's module open a character, make it a skeleton and bind it. `wasm-split` keeps these in the module that the page
-// fetches first (split.sh).
-//   first_bind.mjs GLUE.mjs INSTRUMENTED.wasm SAMPLES_DIR PROFILE
+// Writes which functions of the page's module open a character, make it a skeleton where it has none (`bare`; else those are opened alone), and bind it. `wasm-split` keeps these in the
+// part that it makes first (split.sh).
+//   first_bind.mjs skinned|bare GLUE.mjs INSTRUMENTED.wasm SAMPLES_DIR PROFILE
 import { readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
-const [glue, instrumented, samples, profile] = process.argv.slice(2).map((path) => resolve(path));
+const withBare = process.argv[2] === "bare";
+const [glue, instrumented, samples, profile] = process.argv.slice(3).map((path) => resolve(path));
 // What emscripten's glue asks of a worker.
 Object.assign(globalThis, { self: globalThis, importScripts: () => {}, location: { href: "file:///" } });
 const { default: make } = await import(pathToFileURL(glue));
@@ -14,7 +15,10 @@ const bytes = readFileSync(instrumented);
 let exported;
 const module = await make({
   instantiateWasm(imports, done) {
-    WebAssembly.instantiate(bytes, imports).then(({ instance, module: compiled }) => ((exported = instance.exports), done(instance, compiled)));
+    const elsewhere = (_, place) => () => {
+      throw new Error(`function ${String(place)} is in a part of the module that is not there`);
+    };
+    WebAssembly.instantiate(bytes, { ...imports, placeholder: new Proxy({}, { get: elsewhere }) }).then(({ instance, module: compiled }) => ((exported = instance.exports), done(instance, compiled)));
     return {};
   },
   onProgress: () => {},
@@ -41,15 +45,18 @@ const bind = (wish = {}) => call("bind", JSON.stringify({ method: 0, upAxis: 0, 
 const size = module._malloc(4);
 module._web_kernel();
 module._web_version();
-for (const name of ["sinew_default.sinew", "sinew_rig.sinew", "sinew_front.sinew"]) {
+for (const name of ["sinew_default.sinew", ...(withBare ? ["sinew_rig.sinew", "sinew_front.sinew"] : [])]) {
   give(name);
   call("model", name);
 }
-const characters = [["biped__caped.gltf", ""], ["biped__robed.obj", "biped__robed.rig.txt"], ["biped__robot.obj", ""], ["quadruped__tailed.obj", ""]];
+const bare = [["biped__robot.obj", ""], ["quadruped__tailed.obj", ""]];
+const characters = [["biped__caped.gltf", ""], ["biped__robed.obj", "biped__robed.rig.txt"], ...bare];
 for (const [number, [mesh, skeleton]] of characters.entries()) {
   for (const name of [mesh, skeleton]) if (name) give(name);
   call("load", mesh, skeleton, number, JSON.stringify({ turns: [], height: 0, floor: false, up: 0 })); // all as the page writes it
   const isBare = mesh.endsWith(".obj") && skeleton === "";
+  buffers();
+  if (isBare && !withBare) continue; // opened alone
   if (isBare) call("rig", JSON.stringify({ up: 2, category: 0, front: 0, mirror: 0, spine: 0, toes: true, ends: true, detail: 0, at: [], alike: true }));
   buffers();
   bind();
