@@ -321,7 +321,7 @@ namespace Sinew
             public uint struct_size;
             public float fps, ground;
             public uint has_ground, no_contacts, no_range;
-            public IntPtr floor;
+            public IntPtr floor, source;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -796,7 +796,7 @@ namespace Sinew
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_retarget_stream_workspace_size(uint source_joints, uint target_joints, uint body_vertices,
-            out UIntPtr size_bytes);
+            uint body_triangles, out UIntPtr size_bytes);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_retarget_stream_create(IntPtr source, IntPtr target, IntPtr map, IntPtr target_classes,

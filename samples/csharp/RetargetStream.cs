@@ -18,9 +18,13 @@ namespace Sinew
         public float Scale;
         /// <summary>[target joints] sinew_joint_class; null: by names, by those of the sources or by a human body.</summary>
         public byte[] Classes;
-        /// <summary>The target's mesh (triangles) with its weights, whose skin is to be on the floor; null: its joints.</summary>
+        /// <summary>The target's mesh (triangles) with its weights, whose skin is to be on the floor, and which hands do not go
+        /// through; null: its joints.</summary>
         public Mesh Body;
         public Skin BodySkin;
+        /// <summary>The mesh that moves, of the same vertices: hands touch Body as they touch it. null: nobody knows.</summary>
+        public Mesh SourceBody;
+        public Skin SourceBodySkin;
     }
 
     /// <summary>A frame of the source in, a frame of the target out. One thread at a time.</summary>
@@ -51,10 +55,14 @@ namespace Sinew
                 {
                     IntPtr from = pins.Of(Engine.View(source, pins)), to = pins.Of(Engine.View(target, pins));
                     IntPtr sources = pins.Of(map), classes = pins.Of(settings.Classes ?? ClassesOf(from, to, sources));
-                    IntPtr plan = pins.Of(Options.Plan(settings)), live = pins.Of(Options.Live(settings)), body = BodyOf(settings);
+                    IntPtr plan = pins.Of(Options.Plan(settings)), body = BodyOf(settings.Body, settings.BodySkin, "Body");
+                    IntPtr moving = BodyOf(settings.SourceBody, settings.SourceBodySkin, "SourceBody");
+                    IntPtr live = pins.Of(Options.Live(settings, moving));
                     UIntPtr size;
                     uint vertices = settings.Body == null ? 0 : (uint)settings.Body.VertexCount;
-                    Engine.Throw(Native.sinew_retarget_stream_workspace_size((uint)source_, (uint)target_, vertices, out size), "retarget");
+                    uint triangles = settings.Body == null ? 0 : (uint)(settings.Body.FaceVertices.Length / 3);
+                    Engine.Throw(Native.sinew_retarget_stream_workspace_size((uint)source_, (uint)target_, vertices, triangles, out size),
+                        "retarget");
                     memory_ = new Block((long)size);
                     Engine.Throw(Native.sinew_retarget_stream_create(from, to, sources, classes, plan, body, live, memory_.Address, size,
                         out stream_), "retarget");
@@ -112,15 +120,13 @@ namespace Sinew
         }
 
         // The engine borrows it until the stream is disposed of.
-        IntPtr BodyOf(StreamSettings settings)
+        IntPtr BodyOf(Mesh mesh, Skin skin, string name)
         {
-            Mesh mesh = settings.Body;
-            Skin skin = settings.BodySkin;
             if (mesh == null) return IntPtr.Zero;
             mesh.Check();
-            if (mesh.FaceOffsets != null) throw new ArgumentException("StreamSettings.Body: expected triangles, found FaceOffsets");
+            if (mesh.FaceOffsets != null) throw new ArgumentException("StreamSettings." + name + ": expected triangles, found FaceOffsets");
             if (skin == null || skin.Joints.Length != skin.Influences * mesh.VertexCount || skin.Weights.Length != skin.Joints.Length)
-                throw new ArgumentException("StreamSettings.BodySkin: expected a row for every vertex of Body");
+                throw new ArgumentException("StreamSettings." + name + "Skin: expected a row for every vertex of " + name);
             return kept_.Of(new Native.sinew_motion_body
             {
                 positions = kept_.Of(mesh.Positions), triangles = kept_.Of(mesh.FaceVertices),
@@ -143,13 +149,14 @@ namespace Sinew
                 };
             }
 
-            internal static Native.sinew_retarget_stream_options Live(StreamSettings settings)
+            internal static Native.sinew_retarget_stream_options Live(StreamSettings settings, IntPtr moving)
             {
                 return new Native.sinew_retarget_stream_options
                 {
                     struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_retarget_stream_options)),
                     fps = settings.Fps, has_ground = settings.Ground.HasValue ? 1u : 0, ground = settings.Ground ?? 0,
-                    no_contacts = settings.NoContacts ? 1u : 0, no_range = settings.NoRange ? 1u : 0
+                    no_contacts = settings.NoContacts ? 1u : 0, no_range = settings.NoRange ? 1u : 0,
+                    source = moving
                 };
             }
         }

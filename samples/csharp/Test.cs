@@ -109,7 +109,8 @@ static class Test
         var triangles = new Mesh { Positions = mesh.Positions, FaceVertices = new uint[] { 0, 1, 2 } };
         foreach (Mesh body in new[] { null, triangles })
         {
-            using (var stream = new RetargetStream(skeleton, skeleton, map, new StreamSettings { Body = body, BodySkin = skin }))
+            var settings = new StreamSettings { Body = body, BodySkin = skin, SourceBody = body, SourceBodySkin = skin };
+            using (var stream = new RetargetStream(skeleton, skeleton, map, settings))
             {
                 stream.Frame(rotations, translations, to, at);
                 stream.Restart();

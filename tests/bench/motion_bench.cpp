@@ -137,18 +137,40 @@ void measure(uint32_t vertices, uint32_t frames, int repeats) {
         "plan");
   float ground = 0;
   check(sinew_retarget_ground(plan, nullptr, 0, &ground), "ground");
-  Method methods[] = {{"copy"},   {"contacts"},           {"contacts without a body"}, {"reference points"},
-                      {"stream"}, {"stream on the floor"}};
+  Method methods[] = {{"copy"},
+                      {"contacts"},
+                      {"contacts without a body"},
+                      {"reference points"},
+                      {"stream"},
+                      {"stream on the floor"},
+                      {"stream with a body"},
+                      {"stream that knows no hands"}};
   size_t contacts = 0, points = 0;
   check(sinew_retarget_contacts_workspace_size(plan, &target, frames, &contacts), "size");
   check(sinew_retarget_reference_points_workspace_size(plan, &target, &points), "size");
   const sinew::Workspace workspace(contacts > points ? contacts : points);
   sinew_motion_body const* const bodies[] = {nullptr, &source, nullptr, &source};
-  sinew::RetargetStream stream;
-  check(stream.make(source_rig, target_rig, one_to_one(to.count()).data(), to.classes.data(), {}, &target), "stream");
-  check(sinew_retarget_stream_workspace_size(from.count(), to.count(), target.vertex_count, &bytes), "size");
+  sinew::RetargetStream stream, stream_of_body, no_hands;
+  sinew::StreamSettings of_body;
+  of_body.source = &source;
+  sinew_motion_body bare = target;
+  bare.triangle_count = 0;
+  const auto make = [&](sinew::RetargetStream* one, const sinew_motion_body& on,
+                        const sinew::StreamSettings& settings) {
+    check(one->make(source_rig, target_rig, one_to_one(to.count()).data(), to.classes.data(), {}, &on, settings),
+          "stream");
+  };
+  make(&stream, target, {});
+  make(&stream_of_body, target, of_body);
+  make(&no_hands, bare, {});
+  sinew::RetargetStream* const streams[] = {&stream, &stream, &stream_of_body, &no_hands};
+  size_t stream_bytes[4] = {};
+  for (size_t k = 0; k < 4; ++k)
+    check(sinew_retarget_stream_workspace_size(from.count(), to.count(), target.vertex_count,
+                                               k == 3 ? 0 : target.triangle_count, &stream_bytes[k]),
+          "size");
   for (int i = 0; i < repeats; ++i) {
-    for (size_t m = 0; m < 6; ++m) {
+    for (size_t m = 0; m < 8; ++m) {
       std::vector<float> out_rotations(size_t{4} * to.count() * frames),
           out_translations(size_t{3} * to.count() * frames);
       double start = sinew_bench::thread_seconds();
@@ -164,11 +186,12 @@ void measure(uint32_t vertices, uint32_t frames, int repeats) {
         check(sinew_retarget_contacts(plan, bodies[m], &target, &clip, nullptr, workspace.data(), workspace.size()),
               methods[m].name);
       if (m >= 4) {  // with a copy of its own
-        check(stream.restart(), "restart");
+        check(streams[m - 4]->restart(), "restart");
         for (uint32_t f = 0; f < frames; ++f)
-          check(stream.frame(&rotations[size_t{4} * from.count() * f],
-                             &(m == 4 ? translations : sitting)[size_t{3} * from.count() * f],
-                             &out_rotations[size_t{4} * to.count() * f], &out_translations[size_t{3} * to.count() * f]),
+          check(streams[m - 4]->frame(&rotations[size_t{4} * from.count() * f],
+                                      &(m == 5 ? sitting : translations)[size_t{3} * from.count() * f],
+                                      &out_rotations[size_t{4} * to.count() * f],
+                                      &out_translations[size_t{3} * to.count() * f]),
                 "stream");
       }
       if (m == 3)
@@ -176,7 +199,7 @@ void measure(uint32_t vertices, uint32_t frames, int repeats) {
                                               workspace.size()),
               methods[m].name);
       methods[m].seconds.push_back((sinew_bench::thread_seconds() - start) / frames);
-      methods[m].bytes = m == 0 ? 0 : m == 3 ? points : m >= 4 ? bytes : contacts;
+      methods[m].bytes = m == 0 ? 0 : m == 3 ? points : m >= 4 ? stream_bytes[m - 4] : contacts;
       methods[m].hash =
           sinew_bench::fnv1a(sinew_bench::kHashStart, out_rotations.data(), out_rotations.size() * sizeof(float));
     }

@@ -553,7 +553,7 @@ void hash_stream(const char* name, const sinew_skeleton& source, const sinew_ske
     if (on_mesh) options.floor = &floor;
     size_t bytes = 0;
     check(sinew_retarget_stream_workspace_size(target.joint_count, target.joint_count, on_mesh ? body.vertex_count : 0,
-                                               &bytes));
+                                               on_mesh ? body.triangle_count : 0, &bytes));
     Block block(bytes);
     sinew_retarget_stream* stream = nullptr;
     check(sinew_retarget_stream_create(&source, &target, map.data(), classes.data(), nullptr, on_mesh ? &body : nullptr,

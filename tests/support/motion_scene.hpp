@@ -119,6 +119,17 @@ inline Pose rest_pose(const MotionScene& scene) {
   return pose;
 }
 
+// Of body(): the left hand in front of the belly, as far as the upper arm points forward.
+inline Pose reaching_pose(const MotionScene& scene, Vec3d upper_arm) {
+  Pose pose = rest_pose(scene);
+  const Quat upper = sinew::motion::shortest_arc(scene.at(kLeftForearm) - scene.at(kLeftUpperArm), upper_arm);
+  const Quat lower =
+      sinew::motion::shortest_arc(rotate(upper, scene.at(kLeftHand) - scene.at(kLeftForearm)), {-0.9, 0.05, 0.1});
+  pose.set(kLeftUpperArm, upper, vec(&pose.translations[3 * kLeftUpperArm]));
+  pose.set(kLeftForearm, conjugate(upper) * lower * upper, vec(&pose.translations[3 * kLeftForearm]));
+  return pose;
+}
+
 // Every joint turned somehow by at most `most` radians about each axis, the root moved.
 inline Pose random_pose(const MotionScene& scene, uint32_t seed, double most, Vec3d way = {0, 0, 0}) {
   std::mt19937 random(seed);

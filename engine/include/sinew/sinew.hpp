@@ -528,8 +528,9 @@ class RetargetStream {
                     const StreamSettings& settings = {}) {
     stream_ = nullptr;
     size_t bytes = 0;
-    const sinew_status status = sinew_retarget_stream_workspace_size(source.joint_count, target.joint_count,
-                                                                     body == nullptr ? 0 : body->vertex_count, &bytes);
+    const sinew_status status = sinew_retarget_stream_workspace_size(
+        source.joint_count, target.joint_count, body == nullptr ? 0 : body->vertex_count,
+        body == nullptr ? 0 : body->triangle_count, &bytes);
     if (status != SINEW_OK) return status;
     if (!memory_.reserve(bytes)) return SINEW_ERROR_WORKSPACE;
     return sinew_retarget_stream_create(&source, &target, map, target_classes, &plan_settings, body, &settings,

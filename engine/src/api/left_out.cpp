@@ -126,7 +126,7 @@ sinew_status sinew_retarget_contacts(sinew_retarget*, const sinew_motion_body*, 
                                      const sinew_motion_clip*, const sinew_contact_options*, void*, size_t) {
   return SINEW_ERROR_NOT_BUILT;
 }
-sinew_status sinew_retarget_stream_workspace_size(uint32_t, uint32_t, uint32_t, size_t* size_bytes) {
+sinew_status sinew_retarget_stream_workspace_size(uint32_t, uint32_t, uint32_t, uint32_t, size_t* size_bytes) {
   return no_size(size_bytes);
 }
 sinew_status sinew_retarget_stream_create(const sinew_skeleton*, const sinew_skeleton*, const int32_t*, const uint8_t*,

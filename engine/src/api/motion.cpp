@@ -18,7 +18,7 @@
 
 static_assert(sizeof(sinew_retarget_options) == 5 * sizeof(uint32_t), "a hole in sinew_retarget_options");
 static_assert(sizeof(sinew_floor) == 6 * sizeof(uint32_t) + sizeof(void*), "sinew_floor never changes");
-static_assert(sizeof(sinew_retarget_stream_options) == 6 * sizeof(uint32_t) + sizeof(void*),
+static_assert(sizeof(sinew_retarget_stream_options) == 6 * sizeof(uint32_t) + 2 * sizeof(void*),
               "a hole in sinew_retarget_stream_options");
 static_assert(sizeof(sinew_limb_measure) == 12 * sizeof(uint32_t), "sinew_limb_measure never changes");
 static_assert(sizeof(sinew_joint_limit) == 18 * sizeof(uint32_t), "sinew_joint_limit never changes");
@@ -27,6 +27,13 @@ static_assert(sizeof(sinew_reference_options) == 10 * sizeof(uint32_t) + 2 * siz
               "a hole in sinew_reference_options");
 
 namespace {
+
+// Without its triangles, which are the target's.
+sinew_status check_source_body(const sinew_motion_body& source, uint32_t joint_count) {
+  sinew_motion_body same = source;
+  same.triangle_count = 0;
+  return sinew::motion::check_body(same, joint_count);
+}
 
 // What calls on whole clips have in common.
 sinew_status check_clip(const sinew_retarget* plan, const sinew_motion_body* source, const sinew_motion_body* target,
@@ -40,11 +47,7 @@ sinew_status check_clip(const sinew_retarget* plan, const sinew_motion_body* sou
     return SINEW_ERROR_ARGUMENT;
   }
   sinew_status status = sinew::motion::check_body(*target, plan->target.count);
-  if (status == SINEW_OK && source != nullptr) {
-    sinew_motion_body same = *source;
-    same.triangle_count = 0;
-    status = sinew::motion::check_body(same, plan->source.count);
-  }
+  if (status == SINEW_OK && source != nullptr) status = check_source_body(*source, plan->source.count);
   if (status != SINEW_OK) return status;
   if (!sinew::motion::is_finite(static_cast<double>(clip->ground))) return SINEW_ERROR_NOT_FINITE;
   return sinew::is_aligned(workspace) ? SINEW_OK : SINEW_ERROR_WORKSPACE;
@@ -226,12 +229,12 @@ sinew_status sinew_retarget_reference_points(sinew_retarget* plan, const sinew_m
 }
 
 sinew_status sinew_retarget_stream_workspace_size(uint32_t source_joints, uint32_t target_joints,
-                                                  uint32_t body_vertices, size_t* size_bytes) {
+                                                  uint32_t body_vertices, uint32_t body_triangles, size_t* size_bytes) {
   const sinew_status status = sinew_retarget_create_workspace_size(source_joints, target_joints, size_bytes);
   if (status != SINEW_OK) return status;
   *size_bytes = 0;
-  if (body_vertices > SINEW_MAX_VERTICES) return SINEW_ERROR_COUNT;
-  *size_bytes = sinew::motion::measure_stream(source_joints, target_joints, body_vertices);
+  if (body_vertices > SINEW_MAX_VERTICES || body_triangles > sinew::motion::kMostTriangles) return SINEW_ERROR_COUNT;
+  *size_bytes = sinew::motion::measure_stream(source_joints, target_joints, body_vertices, body_triangles);
   return *size_bytes == 0 ? SINEW_ERROR_COUNT : SINEW_OK;
 }
 
@@ -251,9 +254,13 @@ sinew_status sinew_retarget_stream_create(const sinew_skeleton* source, const si
   if (status == SINEW_OK) status = sinew::motion::read_stream_options(options, &live);
   size_t bytes = 0;
   const uint32_t vertices = body == nullptr ? 0 : body->vertex_count;
+  const uint32_t triangles = body == nullptr ? 0 : body->triangle_count;
+  if (status == SINEW_OK && live.source != nullptr && live.source->vertex_count != vertices)
+    status = SINEW_ERROR_ARGUMENT;
   if (status == SINEW_OK)
-    status = sinew_retarget_stream_workspace_size(from.joint_count, to.joint_count, vertices, &bytes);
+    status = sinew_retarget_stream_workspace_size(from.joint_count, to.joint_count, vertices, triangles, &bytes);
   if (status == SINEW_OK && body != nullptr) status = sinew::motion::check_body(*body, to.joint_count);
+  if (status == SINEW_OK && live.source != nullptr) status = check_source_body(*live.source, from.joint_count);
   if (status != SINEW_OK) return status;
   if (memory_bytes < bytes || !sinew::is_aligned(memory)) return SINEW_ERROR_WORKSPACE;
   return sinew::motion::create_stream(from, to, map, target_classes, own, body, live, memory, memory_bytes, stream);

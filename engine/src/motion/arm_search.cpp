@@ -30,7 +30,7 @@ void ArmSearch::allocate(Arena& arena, uint32_t vertices, uint32_t triangles) {
   (void)scratch_.allocate(arena, triangles > vertices ? triangles : vertices);
 }
 
-void ArmSearch::open(const ClipScene& scene) {
+void ArmSearch::open(const ClipScene& scene, uint32_t most) {
   scene_ = &scene;
   for (uint32_t l = 0; l < scene.limbs.count && count_ < kMostArms; ++l) {
     if (!scene.limbs.limbs[l].leg) limbs_[count_++] = l;
@@ -53,6 +53,7 @@ void ArmSearch::open(const ClipScene& scene) {
     const uint32_t hand = hand_end_[a] - begin_[a];
     sort_by_position(end_[a] - begin_[a], scratch_, position, [&](uint32_t i) { return i < hand ? 0u : 1u; });
     for (uint32_t i = begin_[a]; i < end_[a]; ++i) near_[i] = begin_[a] + scratch_.order[i - begin_[a]];
+    if (end_[a] - begin_[a] > most) thin_out(a, most);
   }
   for (uint32_t g = 0; g < body.vertex_count / kGroup + kMostArms; ++g) hints_[g] = 0;
   for (uint32_t t = 0; t < body.triangle_count; ++t) {
@@ -60,6 +61,23 @@ void ArmSearch::open(const ClipScene& scene) {
     any_body_ = any_body_ || masks_[t] == 0;
   }
   order_.sort(scene.target, masks_, scratch_);
+}
+
+// vertices_ become those along near_, which then has them in their order.
+void ArmSearch::thin_out(uint32_t arm, uint32_t most) {
+  const uint32_t begin = begin_[arm], step = (end_[arm] - begin + most - 1) / most;
+  const uint32_t hand = hand_end_[arm] - begin;
+  uint32_t kept = 0, kept_of_hand = 0;
+  for (uint32_t k = 0; k < end_[arm] - begin; k += step) {
+    scratch_.other_order[kept++] = vertices_[near_[begin + k]];
+    if (k < hand) kept_of_hand = kept;
+  }
+  for (uint32_t k = 0; k < kept; ++k) {
+    vertices_[begin + k] = scratch_.other_order[k];
+    near_[begin + k] = begin + k;
+  }
+  hand_end_[arm] = begin + kept_of_hand;
+  end_[arm] = begin + kept;
 }
 
 uint8_t ArmSearch::mask_of(uint32_t triangle) const {

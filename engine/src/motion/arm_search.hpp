@@ -33,14 +33,19 @@ class ArmSearch {
  public:
   // Works with a measuring arena. What open() needs beyond it is given back: no allocation may come between.
   void allocate(Arena& arena, uint32_t vertices, uint32_t triangles);
-  // Lists the arms of a scene that is open; it must outlive this.
-  void open(const ClipScene& scene);
+  // Lists the arms of a scene that is open; it must outlive this. Of an arm with more than `most` vertices, which is above 0, every second
+  // or third ... along their Morton order stands for it.
+  void open(const ClipScene& scene, uint32_t most = UINT32_MAX);
 
   uint32_t count() const { return count_; }
   uint32_t limb(uint32_t arm) const { return limbs_[arm]; }
   // What follows looks at a body's tree, which is filled once a pose; only_deepest: deepest() alone will.
   void fill(const PosedBody& posed, bool only_deepest, TriangleTree* tree) const {
     tree->fill(order_, posed, only_deepest);
+  }
+  // After PosedBody::take_pose(): the listed vertices of an arm alone, for deepest() in a tree that stays as it was filled.
+  void pose_arm(uint32_t arm, PosedBody* posed) const {
+    for (uint32_t i = begin_[arm]; i < end_[arm]; ++i) posed->vertices[vertices_[i]] = posed->skinned(vertices_[i]);
   }
 
   // Of hand and forearm, moved by `moved`, under triangles without a vertex of any arm. `least` where nothing is deeper than that.
@@ -80,6 +85,7 @@ class ArmSearch {
   static constexpr double kRounding = 1 + 1e-9;  // of bounds that are not compared as they are summed
 
   uint8_t mask_of(uint32_t triangle) const;
+  void thin_out(uint32_t arm, uint32_t most);
   // By solid angles of triangles without a vertex of any arm, as seen from afar: not for points near the surface.
   bool is_inside(const TriangleTree& tree, Vec3d p) const;
   // Calls look(middle, area normal, square of the middle's distance from p) for these triangles within the root of `square`.
@@ -114,7 +120,7 @@ class ArmSearch {
   TriangleOrder order_;       // masks: a bit for each arm that has a vertex, the fifth for arms that are not looked at
   uint8_t* masks_ = nullptr;  // [triangles]
   MortonScratch scratch_ = {};    // until open() has returned
-  uint32_t* vertices_ = nullptr;  // [vertices] of each arm those of the hand, then those of the forearm
+  uint32_t* vertices_ = nullptr;  // [vertices] of each arm those of the hand, then those of the forearm; thinned out
   uint32_t* near_ = nullptr;      // [vertices] indices into vertices_, of the same ranges, neighbours together
   uint32_t* hints_ =
       nullptr;             // [vertices / kGroup + kMostArms] of groups of near_ the slot that was nearest the last time

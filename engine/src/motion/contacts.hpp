@@ -40,8 +40,19 @@ struct ContactScene : FloorScene {
   void search_target_at_rest();
 };
 
+// What frames that come one by one leave to the next one.
+struct HandMemory {
+  double rest_depths[kMostArms] = {};  // of arms in the target's body at rest, where no body moves the source; once
+  // In the axes of what the arm hangs on: how far it was moved to the body and out of it, and which way that is.
+  Vec3d touches[kMostArms] = {}, pushes[kMostArms] = {}, ways[kMostArms] = {};
+  bool any = false;  // a frame came before
+};
+
 // SINEW_OK or SINEW_ERROR_CANCELLED.
 sinew_status place_hands(ContactScene* scene);
+// Of a scene whose search is open: what does not change, then its frame alone. What an arm is moved out of the body by fades afterwards.
+void open_hands(ContactScene* scene, HandMemory* memory);
+void place_hands_next(ContactScene* scene, HandMemory* memory);
 
 // Behind sinew_retarget_contacts(); the caller has checked pointers and the source's body against the target's.
 size_t measure_contacts(uint32_t source_joints, uint32_t target_joints, uint32_t vertices, uint32_t triangles,

@@ -8,7 +8,6 @@ namespace sinew::motion {
 namespace {
 
 constexpr double kFloorReach = 0.1;    // share of the source's height up to which the floor is felt
-constexpr double kFade = 0.6;          // of an offset, in a thirtieth of a second
 constexpr double kLeastOffset = 1e-5;  // share of the target's height, below which nothing is left of one
 constexpr double kBend = 0.2;          // share of the upper arm by which an elbow on no side is on its own
 constexpr double kNatural = 0.02;      // and that counts as much as where it is
@@ -18,21 +17,20 @@ constexpr double kMostOffset =
 constexpr double kBendFade = 0.95;  // of the elbows' sides, in a frame
 constexpr uint32_t kRounds = 3;     // of the body's height and its knees and elbows
 
-// kFade to the power of 30 / fps: whole powers and roots of it, which need no libm.
-double fade_at(double fps) {
-  double fade = kFade, rate = kContactFps;
+}  // namespace
+
+double fade_at(double fps, double share) {
+  double rate = kContactFps;
   while (fps >= 2 * rate) {  // twice the frames, the root
-    fade = fade * reciprocal_root(fade);
+    share = share * reciprocal_root(share);
     rate *= 2;
   }
   while (2 * fps <= rate) {
-    fade *= fade;
+    share *= share;
     rate /= 2;
   }
-  return fade;
+  return share;
 }
-
-}  // namespace
 
 bool FloorScene::allocate_floor(Arena& arena, uint32_t target_joints, uint32_t vertices, uint32_t frames) {
   moves = arena.alloc<Vec3d>(size_t{frames} * kMostLimbs);
@@ -72,13 +70,8 @@ void FloorContacts::run() {
   if (memory_ != nullptr) memory_->any = true;
 }
 
-// Of what an arm hangs on.
-Quat FloorContacts::axes_of(const Limb& limb) const {
-  const int32_t above = plan_.target.parents[limb.first];
-  return above < 0 ? kNoRotation : plan_.target_rotations[above];
-}
-// To which side elbows are while hands are on the floor, on average, in those axes; of arms that are straight all the time as they
-// bend by nature.
+// To which side elbows are while hands are on the floor, on average, in the axes of what arms hang on; of arms that are straight all the
+// time as they bend by nature.
 void FloorContacts::find_bends() {
   Hinge found[kMostLimbs];
   if (memory_ == nullptr) find_hinges(s_, found);
@@ -95,7 +88,7 @@ void FloorContacts::find_bends() {
       const Vec3d along = unit(plan_.target_positions[limb.last] - first);
       const Vec3d natural = rotate(plan_.target_rotations[limb.first], hinges[l].side);
       const Vec3d side = way - dot(way, along) * along - (kNatural * length(way)) * natural;
-      bends_[l] = bends_[l] + own * rotate(conjugate(axes_of(limb)), side);
+      bends_[l] = bends_[l] + own * rotate(conjugate(axes_of(limb, plan_)), side);
     }
   }
   for (uint32_t l = 0; l < s_.limbs.count; ++l) {
@@ -187,7 +180,7 @@ void FloorContacts::reach(const Held& held, Vec3d move, uint32_t frame) {
   if (end > 0) {
     const double upper = length(side - plan_.target_positions[limb.first]);
     goal = within_reach(limb, goal);
-    side = side + (end * kBend * upper) * rotate(axes_of(limb), bends_[held.limb]);
+    side = side + (end * kBend * upper) * rotate(axes_of(limb, plan_), bends_[held.limb]);
   }
   move_limb(limb, goal, side, &plan_);
 }
@@ -232,8 +225,8 @@ void FloorContacts::lock_next(const Held& held, bool again) {
     if (length(place.offset) > most) place.offset = most * unit(place.offset);
     place.stand = now + place.offset;
   } else {
-    place.offset =
-        length(place.offset) > kLeastOffset * s_.target.height ? fade_at(s_.in->fps) * place.offset : Vec3d{0, 0, 0};
+    place.offset = length(place.offset) > kLeastOffset * s_.target.height ? fade_at(s_.in->fps, kFade) * place.offset
+                                                                          : Vec3d{0, 0, 0};
   }
   place.stood = stands;
   move = place.offset;
@@ -259,7 +252,7 @@ void FloorContacts::lock(const Held& held) {
 // Outside of the runs what was held fades, on both sides.
 void FloorContacts::fade(uint32_t number) {
   const uint32_t frames = s_.in->frames;
-  const double share = fade_at(s_.in->fps);
+  const double share = fade_at(s_.in->fps, kFade);
   const double least = kLeastOffset * s_.target.height;
   Vec3d held = {0, 0, 0};
   for (uint32_t f = 0; f < frames; ++f) {

@@ -24,6 +24,10 @@ struct FloorScene : ClipScene {
 // x[i] becomes (x[i-1] + 2 x[i] + x[i+1]) / 4, ends stay. stride in elements; scratch [count].
 void smooth_over_time(Vec3d* values, uint32_t count, uint32_t stride, uint32_t passes, Vec3d* scratch);
 
+constexpr double kFade = 0.6;  // of an offset, what is left after a thirtieth of a second
+// And after a frame: `share` to the power of 30 / fps, by whole powers and roots of it, which need no libm.
+double fade_at(double fps, double share);
+
 // A joint that is held where it stands: the ankle with its foot, the wrist with its hand, a knee or an elbow.
 struct Held {
   uint32_t limb = 0;
@@ -60,7 +64,6 @@ class FloorContacts {
     return memory_->places[held.middle ? kMostLimbs + held.limb : held.limb];
   }
 
-  Quat axes_of(const Limb& limb) const;
   SINEW_RARE void find_bends();
   void hold(const Held& held, bool again);
   void find_standing(const Held& held);

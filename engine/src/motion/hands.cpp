@@ -8,9 +8,13 @@ namespace sinew::motion {
 namespace {
 
 constexpr double kSpread = 0.02;  // of the weights of near triangles
-constexpr uint32_t kRounds = 3, kRoundsWithoutBody = 8;
-constexpr double kBlur = 0.12;       // share of the height, of the body that an arm is to leave
-constexpr uint32_t kWayPasses = 32;  // of smoothing directions over frames
+constexpr uint32_t kRounds = 3, kRoundsWithoutBody = 8, kRoundsOfFrame = 2;
+constexpr uint32_t kArmOfFrame = 192;  // vertices of hand and forearm that are looked at in a frame alone
+constexpr double kBlur = 0.12;         // share of the height, of the body that an arm is to leave
+constexpr uint32_t kWayPasses = 32;    // of smoothing directions over frames
+// Of pushes and their directions, where no body moves the source: what is left of them after a thirtieth of a second.
+constexpr double kPushFade = 0.9, kWayFade = 0.8;
+constexpr double kLeastMove = 1e-5;  // share of the height, below which nothing is left of a move
 constexpr double kSteepest = 0.5;    // cosine between a direction and a surface that lies across it
 constexpr double kElbow = 0.4;       // share of a forearm that moves little with its hand
 constexpr double kNoHelp =
@@ -26,7 +30,9 @@ double bell(double x) {
 
 class Hands {
  public:
-  explicit Hands(ContactScene* scene) : s_(*scene), plan_(*scene->plan), search_(scene->search) {
+  // With a memory the clip is the next frame alone, and nothing is smoothed.
+  Hands(ContactScene* scene, HandMemory* memory)
+      : s_(*scene), memory_(memory), plan_(*scene->plan), search_(scene->search) {
     ratio_ = s_.has_source && s_.source.height > 0 ? s_.target.height / s_.source.height : 1;
   }
 
@@ -51,7 +57,51 @@ class Hands {
     return SINEW_OK;
   }
 
+  void open() {
+    if (s_.has_source) return;
+    s_.search_target_at_rest();
+    for (uint32_t a = 0; a < search_.count(); ++a)
+      memory_->rest_depths[a] = search_.deepest(&s_.target_tree, a, {0, 0, 0}, 0).depth;
+  }
+
+  // Touch once: what a push out of the body takes from it is not given back, or arms would tremble between the two.
+  void next() {
+    if (s_.has_source) look_at_source(0);
+    for (uint32_t a = 0; a < search_.count() && !s_.has_source; ++a) {
+      contact(0, a) = HandContact();
+      contact(0, a).depth = memory_->rest_depths[a];
+    }
+    s_.load(0);
+    for (uint32_t a = 0; a < search_.count(); ++a) axes_[a] = axes_of(s_.limbs.limbs[search_.limb(a)], plan_);
+    touch();
+    const double fade = memory_->any ? fade_at(s_.in->fps, kFade) : 0;
+    const double push_fade = s_.has_source ? fade : fade_at(s_.in->fps, kPushFade);
+    memory_->any = true;
+    for (uint32_t a = 0; a < search_.count(); ++a) {
+      keep(a, fade, 1 - fade, &s_.moves[index(0, a)], &memory_->touches[a]);
+      s_.moves[index(0, kMostArms + a)] = {0, 0, 0};
+      keep(a, push_fade, 0, &s_.moves[index(0, kMostArms + a)], &memory_->pushes[a]);
+    }
+    for (uint32_t round = 0; round < kRoundsOfFrame; ++round) {
+      find_depths(round == 0);
+      push_out(round == 0);
+      if (!move(0)) break;
+      for (uint32_t a = 0; a < search_.count(); ++a) {
+        Vec3d& push = s_.moves[index(0, kMostArms + a)];
+        const Vec3d own = rotate(conjugate(axes_[a]), push);
+        memory_->pushes[a] = round == 0 ? own : memory_->pushes[a] + own;
+        push = s_.moves[index(0, a)] = {0, 0, 0};
+      }
+    }
+  }
+
  private:
+  // The move becomes what is kept of the one before and a share of its own, and is kept.
+  void keep(uint32_t arm, double fade, double share, Vec3d* move, Vec3d* kept) const {
+    *kept = fade * *kept + share * rotate(conjugate(axes_[arm]), *move);
+    if (length(*kept) < kLeastMove * s_.target.height) *kept = {0, 0, 0};
+    *move = rotate(axes_[arm], *kept);
+  }
   static size_t index(uint32_t frame, uint32_t slot) { return size_t{frame} * kMostLimbs + slot; }
   HandContact& contact(uint32_t frame, uint32_t arm) { return s_.hands[size_t{frame} * kMostArms + arm]; }
 
@@ -166,12 +216,14 @@ class Hands {
       bool posed = false;
       for (uint32_t a = 0; a < search_.count(); ++a) {
         HandContact& hand = contact(f, a);
-        const Vec3d moved = s_.moves[index(f, a)];
+        Vec3d moved = s_.moves[index(f, a)];
+        if (memory_ != nullptr) moved = moved + s_.moves[index(f, kMostArms + a)];
         const double before = hand.beyond;
         hand.beyond = 0;
         hand.outside = hand.outside && !(squared(moved) > 0);
         if (hand.outside) continue;
-        if (!posed) s_.search_target(f, true);
+        if (!posed && memory_ == nullptr) s_.search_target(f, true);
+        if (!posed && memory_ != nullptr) pose_frame(first_round);
         posed = true;
         const double least = ratio_ * hand.depth;
         const ArmDepth most = s_.has_source ? search_.deepest(&s_.target_tree, a, moved, least)
@@ -184,9 +236,21 @@ class Hands {
           hand.outside = true;
           hand.beyond = 0;
         }
-        if (first_round && !s_.has_source && !hand.outside) hand.way = hand.beyond * way_of_arm(a);
+        if (first_round && !s_.has_source && !hand.outside) hand.way = (hand.beyond + length(moved)) * way_of_arm(a);
       }
     }
+  }
+  // What search_target() does, of a frame alone: as many vertices as are looked at, and the body once, which stays where it is.
+  void pose_frame(bool first_round) {
+    s_.load(0);
+    s_.target.take_pose(plan_.target_rotations, plan_.target_positions);
+    for (uint32_t a = 0; a < search_.count(); ++a) search_.pose_arm(a, &s_.target);
+    if (!first_round) return;
+    for (uint32_t v = 0; v < s_.body->vertex_count; ++v) {
+      const uint32_t limb = s_.limb_of[v];
+      if (limb >= kMostLimbs || s_.limbs.limbs[limb].leg) s_.target.vertices[v] = s_.target.skinned(v);
+    }
+    search_.fill(s_.target, true, &s_.target_tree);
   }
   bool is_at_elbow(uint32_t arm, uint32_t vertex) const {
     const Limb& limb = s_.limbs.limbs[search_.limb(arm)];
@@ -209,12 +273,19 @@ class Hands {
       if (first_round && !s_.has_source) smooth_ways(a, moves);
       for (uint32_t f = 0; f < s_.in->frames; ++f) {
         const double floor = s_.has_source ? 0 : s_.floor_patches.at(f, search_.limb(a)).weight;
-        moves[size_t{f} * kMostLimbs] = (1 - floor) * move_out(contact(f, a));
+        const Vec3d kept = memory_ != nullptr ? moves[size_t{f} * kMostLimbs] : Vec3d{0, 0, 0};
+        moves[size_t{f} * kMostLimbs] = (1 - floor) * (kept + move_out(contact(f, a)));
       }
       smooth_over_time(moves, s_.in->frames, kMostLimbs, 1, s_.smooth);
     }
   }
   void smooth_ways(uint32_t arm, Vec3d* scratch) {
+    if (memory_ != nullptr) {
+      Vec3d& way = memory_->ways[arm];
+      way = fade_at(s_.in->fps, kWayFade) * way + rotate(conjugate(axes_[arm]), contact(0, arm).way);
+      contact(0, arm).way = unit(rotate(axes_[arm], way));
+      return;
+    }
     for (uint32_t f = 0; f < s_.in->frames; ++f) scratch[size_t{f} * kMostLimbs] = contact(f, arm).way;
     smooth_over_time(scratch, s_.in->frames, kMostLimbs, kWayPasses, s_.smooth);
     for (uint32_t f = 0; f < s_.in->frames; ++f) contact(f, arm).way = unit(scratch[size_t{f} * kMostLimbs]);
@@ -227,16 +298,23 @@ class Hands {
   }
 
   ContactScene& s_;
+  HandMemory* memory_;
   sinew_retarget& plan_;
   ArmSearch& search_;
-  double ratio_ = 1;  // lengths of the target's body per length of the source's
+  Quat axes_[kMostArms];  // of a frame alone, see axes_of()
+  double ratio_ = 1;      // lengths of the target's body per length of the source's
 };
 
 }  // namespace
 
 sinew_status place_hands(ContactScene* scene) {
   scene->search.open(*scene);
-  return Hands(scene).run();
+  return Hands(scene, nullptr).run();
 }
+void open_hands(ContactScene* scene, HandMemory* memory) {
+  scene->search.open(*scene, kArmOfFrame);
+  Hands(scene, memory).open();
+}
+void place_hands_next(ContactScene* scene, HandMemory* memory) { Hands(scene, memory).next(); }
 
 }  // namespace sinew::motion

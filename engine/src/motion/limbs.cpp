@@ -57,6 +57,11 @@ LimbList find_limbs(const sinew_retarget& plan) {
   return list;
 }
 
+Quat axes_of(const Limb& limb, const sinew_retarget& plan) {
+  const int32_t above = plan.target.parents[limb.first];
+  return above < 0 ? kNoRotation : plan.target_rotations[above];
+}
+
 void swing(uint32_t pivot, uint32_t end, Quat rotation, sinew_retarget* plan) {
   const MotionRig& rig = plan->target;
   const Vec3d at = plan->target_positions[pivot], before = plan->target_positions[end];

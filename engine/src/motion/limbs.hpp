@@ -26,6 +26,9 @@ struct LimbList {
 // Both long bones mapped; hands that stand on the floor are none. The first kMostLimbs.
 LimbList find_limbs(const sinew_retarget& plan);
 
+// Of what a limb hangs on, in the plan's target pose.
+Quat axes_of(const Limb& limb, const sinew_retarget& plan);
+
 // Brings the limb's end to `goal` in the plan's target pose, the middle joint to the side where `middle` lies, or stays where
 // the limb has none there; the end keeps its turn, what hangs on the limb follows. A goal out of reach is taken as near as a
 // limb that is hardly bent comes, or as straight as it is.

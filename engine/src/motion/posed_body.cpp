@@ -78,7 +78,7 @@ sinew_status check_body(const sinew_motion_body& body, uint32_t joint_count) {
     return SINEW_ERROR_ARGUMENT;
   }
   if (body.vertex_count == 0 || body.vertex_count > SINEW_MAX_VERTICES || body.skin.influence_count == 0 ||
-      body.skin.influence_count > SINEW_MAX_INFLUENCES || body.triangle_count > 8u * SINEW_MAX_VERTICES) {
+      body.skin.influence_count > SINEW_MAX_INFLUENCES || body.triangle_count > kMostTriangles) {
     return SINEW_ERROR_COUNT;
   }
   for (size_t i = 0; i < size_t{3} * body.vertex_count; ++i) {

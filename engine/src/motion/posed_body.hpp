@@ -8,6 +8,8 @@
 
 namespace sinew::motion {
 
+constexpr uint32_t kMostTriangles = 8u * SINEW_MAX_VERTICES;  // of a body
+
 struct PosedBody {
   const sinew_motion_body* body = nullptr;
   const MotionRig* rig = nullptr;

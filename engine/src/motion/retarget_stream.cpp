@@ -20,19 +20,21 @@ struct StreamMemory {
   float* positions = nullptr;
   uint16_t *joints = nullptr, *weights = nullptr;
 
-  bool allocate(Arena& arena, uint32_t source_joints, uint32_t target_joints, uint32_t body_vertices) {
+  bool allocate(Arena& arena, uint32_t source_joints, uint32_t target_joints, uint32_t body_vertices,
+                uint32_t body_triangles) {
     const uint32_t vertices = body_vertices > 0 ? body_vertices : target_joints;
     stream = arena.alloc<sinew_retarget_stream>(1);
     plan_bytes = measure_plan(source_joints, target_joints);
     plan = arena.alloc<uint8_t>(plan_bytes);
-    (void)made.scene.allocate(arena, source_joints, target_joints, vertices, 0);
-    (void)made.scene.allocate_floor(arena, target_joints, vertices, 1);
     if (body_vertices == 0) {
       positions = arena.alloc<float>(size_t{3} * target_joints);
       joints = arena.alloc<uint16_t>(target_joints);
       weights = arena.alloc<uint16_t>(target_joints);
     }
-    return arena.ok();
+    if (body_triangles > 0)
+      return made.scene.allocate_all(arena, source_joints, target_joints, vertices, body_triangles, 1);
+    (void)made.scene.allocate(arena, source_joints, target_joints, vertices, 0);
+    return made.scene.allocate_floor(arena, target_joints, vertices, 1);
   }
 
   sinew_motion_body body_of_joints(const sinew_skeleton& target) {
@@ -49,7 +51,8 @@ struct StreamMemory {
 
 sinew_status read_stream_options(const sinew_retarget_stream_options* options, StreamOptions* out) {
   sinew_retarget_stream_options o = sinew_retarget_stream_options_init();
-  const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, sizeof o, sizeof o, &o);
+  constexpr uint32_t kFirstSize = offsetof(sinew_retarget_stream_options, source);
+  const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstSize, sizeof o, &o);
   if (status != SINEW_OK) return status;
   if (o.has_ground > 1 || o.no_contacts > 1 || o.no_range > 1) return SINEW_ERROR_ARGUMENT;
   *out = StreamOptions();
@@ -60,13 +63,14 @@ sinew_status read_stream_options(const sinew_retarget_stream_options* options, S
   out->has_ground = o.has_ground != 0;
   out->contacts = o.no_contacts == 0;
   out->range = o.no_range == 0;
+  out->source = o.source;
   return out->floor.take(o.floor);
 }
 
-size_t measure_stream(uint32_t source_joints, uint32_t target_joints, uint32_t body_vertices) {
+size_t measure_stream(uint32_t source_joints, uint32_t target_joints, uint32_t body_vertices, uint32_t body_triangles) {
   Arena arena;
   StreamMemory memory;
-  (void)memory.allocate(arena, source_joints, target_joints, body_vertices);
+  (void)memory.allocate(arena, source_joints, target_joints, body_vertices, body_triangles);
   return arena.ok() ? arena.high_water() : 0;
 }
 
@@ -76,24 +80,29 @@ sinew_status create_stream(const sinew_skeleton& source, const sinew_skeleton& t
                            sinew_retarget_stream** stream) {
   Arena arena(memory, memory_bytes);
   StreamMemory room;
-  if (!room.allocate(arena, source.joint_count, target.joint_count, body == nullptr ? 0 : body->vertex_count))
+  if (!room.allocate(arena, source.joint_count, target.joint_count, body == nullptr ? 0 : body->vertex_count,
+                     body == nullptr ? 0 : body->triangle_count))
     return SINEW_ERROR_WORKSPACE;
   sinew_retarget_stream& made = room.made;
   const sinew_status status =
       create_plan(source, target, map, classes, plan_options, room.plan, room.plan_bytes, &made.plan);
   if (status != SINEW_OK) return status;
   made.body = body == nullptr ? room.body_of_joints(target) : *body;
+  if (options.source != nullptr) made.source = *options.source;
   made.inputs.fps = options.fps;
   made.inputs.floor = options.floor;
   made.ground = options.has_ground ? options.ground : static_cast<float>(made.plan->source_floor);
   made.inputs.ground = static_cast<double>(made.ground);
-  made.contacts = options.contacts && !made.plan->same_rig;
   made.range = options.range && !made.plan->same_rig;
   *room.stream = made;
   sinew_retarget_stream& own = *room.stream;
-  (void)own.scene.open(own.plan, nullptr, own.body, own.inputs);  // without a frame nothing can fail
+  // Without a frame nothing can fail.
+  (void)own.scene.open(own.plan, options.source == nullptr ? nullptr : &own.source, own.body, own.inputs);
+  own.contacts = options.contacts && !own.scene.is_same_body();
+  own.has_hands = own.contacts && own.body.triangle_count > 0;
   own.scene.floor_patches.open(&own.scene);
   find_hinges(own.scene, own.memory.hinges);
+  if (own.has_hands) open_hands(&own.scene, &own.hands);
   *stream = room.stream;
   return SINEW_OK;
 }
@@ -103,7 +112,7 @@ sinew_status stream_frame(sinew_retarget_stream* stream, const float* rotations,
   const sinew_status status =
       retarget_frame(stream->plan, rotations, translations, stream->ground, out_rotations, out_translations);
   if (status != SINEW_OK) return status;
-  FloorScene& scene = stream->scene;
+  ContactScene& scene = stream->scene;
   ClipInputs& in = stream->inputs;
   in.frames = 1;
   in.source_rotations = rotations;
@@ -113,6 +122,7 @@ sinew_status stream_frame(sinew_retarget_stream* stream, const float* rotations,
   if (stream->range) keep_range_of_frame(scene, stream->memory.hinges, 0);
   for (uint32_t l = 0; l < scene.limbs.count; ++l) scene.limbs.limbs[l].natural = stream->range;
   if (stream->contacts) FloorContacts(&scene, &stream->memory).run();
+  if (stream->has_hands) place_hands_next(&scene, &stream->hands);
   return SINEW_OK;
 }
 
@@ -120,6 +130,9 @@ void restart_stream(sinew_retarget_stream* stream) {
   FloorMemory fresh;
   for (uint32_t l = 0; l < kMostLimbs; ++l) fresh.hinges[l] = stream->memory.hinges[l];
   stream->memory = fresh;
+  HandMemory empty;
+  for (uint32_t a = 0; a < kMostArms; ++a) empty.rest_depths[a] = stream->hands.rest_depths[a];
+  stream->hands = empty;
 }
 
 }  // namespace sinew::motion

@@ -3,18 +3,19 @@
 #ifndef SINEW_MOTION_RETARGET_STREAM_HPP
 #define SINEW_MOTION_RETARGET_STREAM_HPP
 
-#include "motion/floor_contacts.hpp"
+#include "motion/contacts.hpp"
 #include "sinew/motion_stream.h"
 
 // The type of the interface: the stream is one block of memory, this is its beginning.
 struct sinew_retarget_stream {
   sinew_retarget* plan = nullptr;
-  sinew::motion::FloorScene scene;
+  sinew::motion::ContactScene scene;
   sinew::motion::ClipInputs inputs;  // the frame
   sinew::motion::FloorMemory memory;
-  sinew_motion_body body = {};
+  sinew::motion::HandMemory hands;
+  sinew_motion_body body = {}, source = {};
   float ground = 0;
-  bool contacts = false, range = false;
+  bool contacts = false, range = false, has_hands = false;
 };
 
 namespace sinew::motion {
@@ -25,13 +26,14 @@ struct StreamOptions {
   float ground = 0;
   bool has_ground = false, contacts = true, range = true;
   FloorGrid floor;
+  const sinew_motion_body* source = nullptr;  // not checked
 };
 // Returns SINEW_OK, SINEW_ERROR_ARGUMENT, SINEW_ERROR_VERSION, SINEW_ERROR_COUNT or SINEW_ERROR_NOT_FINITE.
 sinew_status read_stream_options(const sinew_retarget_stream_options* options, StreamOptions* out);
 
-// body_vertices 0: none.
-size_t measure_stream(uint32_t source_joints, uint32_t target_joints, uint32_t body_vertices);
-// As sinew_retarget_stream_create() after its checks of pointers, counts, body and memory. body: or null.
+// body_vertices 0: none; body_triangles 0: hands know nothing of it.
+size_t measure_stream(uint32_t source_joints, uint32_t target_joints, uint32_t body_vertices, uint32_t body_triangles);
+// As sinew_retarget_stream_create() after its checks of pointers, counts, bodies and memory. body: or null.
 sinew_status create_stream(const sinew_skeleton& source, const sinew_skeleton& target, const int32_t* map,
                            const uint8_t* classes, const RetargetOptions& plan_options, const sinew_motion_body* body,
                            const StreamOptions& options, void* memory, size_t memory_bytes,

@@ -210,15 +210,18 @@ export class Skin extends Binder {
       return this.#calls.with(null, (blocks) => {
         const { from, to, sources, classes, inputs } = this.#pair(blocks, source, target, options);
         const body = options.body == null ? null : bodyOf(options.body, to.jointCount);
+        const moving = options.sourceBody == null ? null : bodyOf(options.sourceBody, from.jointCount, "options.sourceBody");
+        const [vertices, triangles] = body == null ? [0, 0] : [body.vertex_count, body.mesh.faceCount];
+        if (moving != null && moving.vertex_count !== vertices) throw new SinewError(`options.sourceBody: expected ${vertices} vertices as options.body has, found ${moving.vertex_count}`);
         const settings = blocks.struct("retargetStreamOptions", {
           fps: options.fps,
           ground: options.ground,
           has_ground: options.ground == null ? 0 : 1,
           no_contacts: options.contacts === false ? 1 : 0,
           no_range: options.range === false ? 1 : 0,
+          source: moving == null ? 0 : bodyStruct(kept, moving),
         });
-        const vertices = body == null ? 0 : body.vertex_count;
-        const size = this.#calls.size("retarget", blocks, (at) => this.#calls.wasm.sinew_retarget_stream_workspace_size(from.jointCount, to.jointCount, vertices, at));
+        const size = this.#calls.size("retarget", blocks, (at) => this.#calls.wasm.sinew_retarget_stream_workspace_size(from.jointCount, to.jointCount, vertices, triangles, at));
         const stream = blocks.room(Uint32Array, 1);
         const view = body == null ? 0 : bodyStruct(kept, body);
         this.#calls.check("retarget", this.#calls.wasm.sinew_retarget_stream_create(...inputs, view, settings, kept.bytes(size, 64), size, stream));
@@ -356,10 +359,10 @@ export class Skin extends Binder {
 }
 
 // A bound mesh as what contacts look at.
-function bodyOf(body, jointCount) {
-  const mesh = meshOf(body, "options.body");
-  if (mesh.faceOffsets != null) throw new SinewError("options.body: expected triangles as `indices`, found polygons");
-  const skin = skinOf(body.skin, mesh.vertexCount, jointCount, "options.body.skin");
+function bodyOf(body, jointCount, name = "options.body") {
+  const mesh = meshOf(body, name);
+  if (mesh.faceOffsets != null) throw new SinewError(`${name}: expected triangles as \`indices\`, found polygons`);
+  const skin = skinOf(body.skin, mesh.vertexCount, jointCount, `${name}.skin`);
   return { mesh, skin, vertex_count: mesh.vertexCount };
 }
 
@@ -450,7 +453,7 @@ export class Retarget {
   }
 }
 
-/** Plays motion of one skeleton on another as it comes; what stands on the floor stays where it came to stand. */
+/** Plays motion of one skeleton on another as it comes; what stands on the floor stays where it came to stand, and hands stay out of the body. */
 export class RetargetStream {
   #wasm;
   #check;

@@ -282,13 +282,15 @@ export class Retarget {
 }
 
 export interface StreamOptions extends RetargetOptions {
-  /** the target's mesh (triangles) with its weights, whose skin is to be on the floor; its joints where it is missing */
+  /** the target's mesh (triangles) with its weights, whose skin is to be on the floor, and which hands do not go through; its joints where it is missing */
   body?: Mesh & { skin: SkinRows };
+  /** the mesh that moves, of the same vertices: hands touch `body` as they touch it */
+  sourceBody?: Mesh & { skin: SkinRows };
   /** 30 */
   fps?: number;
   /** height of a standing ankle of the source; its own at rest where it is missing */
   ground?: number;
-  /** false: nothing is held on the floor */
+  /** false: nothing is held on the floor or on the body */
   contacts?: boolean;
   /** false: knees and elbows may leave their natural range */
   range?: boolean;

@@ -70,8 +70,8 @@ export const LAYOUTS = {
     "joint@0:u32 leg@4:u32 frames@8:u32 deep_frames@12:u32 contact_frames@16:u32 range_frames@20:u32 depth@24:f32 " +
     "greatest_depth@28:f32 error@32:f32 greatest_error@36:f32 reserved@40:u32x2"),
   contactSpot: layout(24, "kind@0:u32 position@4:f32x3 error@16:f32 reserved@20:u32"),
-  retargetStreamOptions: layout(28,
-    "struct_size@0:u32 fps@4:f32 ground@8:f32 has_ground@12:u32 no_contacts@16:u32 no_range@20:u32 floor@24:u32"),
+  retargetStreamOptions: layout(32,
+    "struct_size@0:u32 fps@4:f32 ground@8:f32 has_ground@12:u32 no_contacts@16:u32 no_range@20:u32 floor@24:u32 source@28:u32"),
   rigOptions: layout(60,
     "struct_size@0:u32 up@4:u32 mirror@8:u32 spine_count@12:u32 no_toes@16:u32 no_ends@20:u32 weights_in_place@24:u32 " +
     "kernel@28:u32 progress@32:u32 progress_user@36:u32 method@40:u32 category@44:u32 front_model@48:u32 front@52:u32 " +

@@ -130,6 +130,10 @@ class Retarget(unittest.TestCase):
             np.testing.assert_array_equal(again[1], translations)
         with self.assertRaisesRegex(ValueError, r"rotations: expected \[[0-9]+, 4\]"):
             held.frame(self.clip.rotations, self.clip.translations)
+        moved = sinew.RetargetStream(*skeletons, target_body=self.target, source_body=self.target)  # the joints' numbers are alike
+        self.assertEqual(moved.frame(self.clip.rotations[0], self.clip.translations[0])[0].shape, (len(self.target.skeleton), 4))
+        with self.assertRaisesRegex(ValueError, "source_body: needs a target_body"):
+            sinew.RetargetStream(*skeletons, source_body=self.target)
         with self.assertRaises(sinew.Error):
             sinew.RetargetStream(*skeletons, fps=0.1)
 

@@ -8,6 +8,7 @@
 #include "motion/moving_joints.hpp"
 #include "motion/points.hpp"
 #include "motion/upright_body.hpp"
+#include "sinew_character/joint_verdicts.hpp"
 #include "sinew_character/map_skeleton.hpp"
 
 namespace sinew {
@@ -63,7 +64,11 @@ double asymmetry(const std::vector<std::pair<int, int>>& pairs, const std::vecto
 class StanceFinder {
  public:
   StanceFinder(const Motion& motion, const std::string& up)
-      : motion_(motion), moving_(motion), up_(up), all_(moving_.best_frames(1, [](size_t) { return 0.0; })) {}
+      : motion_(motion),
+        moving_(motion),
+        up_(up),
+        classes_(joint_verdicts(map_rig_of(motion).joints).classes),
+        all_(moving_.best_frames(1, [](size_t) { return 0.0; })) {}
 
   // What the body is that the rest pose does not show; false where nobody can tell, and for what does not go upright.
   bool find_body() {
@@ -260,6 +265,19 @@ class StanceFinder {
       if (!body_.has_arms) continue;
       stretch(joint, body_.arms[k], sign * axes_.left);
       roll_arm(joint, body_.arms[k], sign * axes_.left);
+      if (joint != body_.arms[k].end && is_below(joint, body_.arms[k].end)) lay_finger(joint, sign * axes_.left);
+    }
+  }
+
+  // At rest fingers lie along the arm, thumbs halfway to the front: what hands do in a motion, curled mostly, does not say it. A hand's own
+  // mean says more than that it is straight.
+  void lay_finger(int joint, const Point3& along) {
+    for (size_t j = 0; j < motion_.joints.size(); ++j) {
+      const int child = static_cast<int>(j);
+      if (moving_.parent(child) != joint || !(length(moving_.offset(child)) > 0)) continue;
+      const bool thumb = classes_[static_cast<size_t>(joint)] == SINEW_CLASS_THUMB;
+      swing(joint, moving_.offset(child), thumb ? unit(along + axes_.front) : along);
+      return;
     }
   }
 
@@ -345,6 +363,7 @@ class StanceFinder {
   const Motion& motion_;
   const MovingJoints moving_;
   const std::string up_;
+  const std::vector<uint8_t> classes_;  // [J] sinew_joint_class by names
   UprightBody body_;
   WorldAxes axes_ = {};
   const std::vector<size_t> all_;

@@ -257,7 +257,7 @@ class sinew_contact_spot(Structure):
 
 class sinew_retarget_stream_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("fps", c_float), ("ground", c_float), ("has_ground", c_uint32), ("no_contacts", c_uint32),
-        ("no_range", c_uint32), ("floor", POINTER(sinew_floor))]
+        ("no_range", c_uint32), ("floor", POINTER(sinew_floor)), ("source", POINTER(sinew_motion_body))]
 
 
 class sinew_rig_options(Structure):
@@ -561,7 +561,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
         POINTER(sinew_contact_options), c_void_p, c_size_t, POINTER(sinew_limb_measure), c_void_p]),
     "sinew_retarget_spots": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_body), POINTER(sinew_motion_clip),
         POINTER(sinew_contact_options), c_void_p, c_size_t, POINTER(sinew_limb_measure), c_void_p, POINTER(sinew_contact_spot)]),
-    "sinew_retarget_stream_workspace_size": (c_int, [c_uint32, c_uint32, c_uint32, POINTER(c_size_t)]),
+    "sinew_retarget_stream_workspace_size": (c_int, [c_uint32, c_uint32, c_uint32, c_uint32, POINTER(c_size_t)]),
     "sinew_retarget_stream_create": (c_int, [POINTER(sinew_skeleton), POINTER(sinew_skeleton), c_void_p, c_void_p,
         POINTER(sinew_retarget_options), POINTER(sinew_motion_body), POINTER(sinew_retarget_stream_options), c_void_p, c_size_t,
         POINTER(c_void_p)]),

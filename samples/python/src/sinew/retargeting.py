@@ -104,25 +104,30 @@ class RetargetStream:
     """Motion as it comes: a frame of the source in, a frame of the target out, without delay. The same bytes on every machine.
 
     source .. target_up  as in retarget()
-    target_body  the bound mesh of the target, whose skin is to be on the floor; None: its joints
+    target_body  the bound mesh of the target, whose skin is to be on the floor, and which hands do not go through; None: its joints
+    source_body  the bound mesh that moves, of the same vertices: hands touch the target_body as they touch it
     fps          frames a second
     ground       height of a standing ankle of the source; None: the source's own at rest
-    contacts     False: nothing is held on the floor
+    contacts     False: nothing is held on the floor or on the body
     keep_range   False: knees and elbows may leave their natural range
     """
 
     def __init__(self, source: Skeleton, target: Skeleton, *, joint_map: Union[None, JointMap, np.ndarray] = None, in_place: bool = False,
                  scale: float = 0.0, source_up: declarations.Up = "auto", target_up: declarations.Up = "auto",
-                 target_body: Optional[Character] = None, fps: float = 30.0, ground: Optional[float] = None, contacts: bool = True,
+                 target_body: Optional[Character] = None, source_body: Optional[Character] = None, fps: float = 30.0, ground: Optional[float] = None, contacts: bool = True,
                  keep_range: bool = True) -> None:
         sources, classes, views, plan_options = _pair(source, target, joint_map, in_place, scale, source_up, target_up)
         options = binding.init(binding.sinew_retarget_stream_options)
         options.fps, options.has_ground, options.ground = fps, int(ground is not None), ground or 0.0
         options.no_contacts, options.no_range = int(not contacts), int(not keep_range)
         body = None if target_body is None else _body_view(target_body, "target_body")
+        moving = None if source_body is None else _body_view(source_body, "source_body")
+        if moving is not None:
+            _check_source_body(moving, body)
+            options.source = ctypes.pointer(moving)
         memory = binding.block("sinew_retarget_stream_workspace_size", "retarget", len(source), len(target),
-                               0 if body is None else body.vertex_count)
-        self._counts, self._kept, self._stream = (len(source), len(target)), (memory, body), ctypes.c_void_p()
+                               *((0, 0) if body is None else (body.vertex_count, body.triangle_count)))
+        self._counts, self._kept, self._stream = (len(source), len(target)), (memory, body, moving), ctypes.c_void_p()
         binding.check(binding.library().sinew_retarget_stream_create(
             ctypes.byref(views[0]), ctypes.byref(views[1]), binding.address(sources), binding.address(classes), ctypes.byref(plan_options),
             None if body is None else ctypes.byref(body), ctypes.byref(options), memory.address, memory.size_bytes,
@@ -156,13 +161,20 @@ def _body_view(body: Character, name: str) -> Any:
     return view
 
 
+def _check_source_body(source: Any, target: Any) -> None:
+    if target is None:
+        raise ValueError("source_body: needs a target_body of the same vertices")
+    if source.vertex_count != target.vertex_count:
+        raise ValueError(f"source_body: expected {target.vertex_count} vertices as target_body has, found {source.vertex_count}")
+
+
 def _keep_contacts(plan: ctypes.c_void_p, clip: Clip, out: Clip, ground: float, source_body: Optional[Character],
                    target_body: Character, progress: ProgressFunction) -> None:
     library = binding.library()
     target = _body_view(target_body, "target_body")
     source = None if source_body is None else _body_view(source_body, "source_body")
-    if source is not None and source.vertex_count != target.vertex_count:
-        raise ValueError(f"source_body: expected {target.vertex_count} vertices as target_body has, found {source.vertex_count}")
+    if source is not None:
+        _check_source_body(source, target)
     options = binding.init(binding.sinew_contact_options)
     options.fps = clip.fps
     whole_clip = binding.sinew_motion_clip(binding.address(clip.rotations), binding.address(clip.translations),

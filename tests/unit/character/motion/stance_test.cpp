@@ -108,6 +108,46 @@ TEST(Stance, AFootThatIsNeverFlatDoesNotTellWhatUpIs) {
   }
 }
 
+// Curled in every frame: at rest fingers lie along the arm, thumbs halfway to the front.
+TEST(Stance, FingersAreStretched) {
+  Motion walk = walking_person();
+  const auto add = [&](const std::string& name, const std::string& parent, const Point3& offset) {
+    MotionJoint joint;
+    joint.name = name;
+    joint.offset = offset;
+    for (size_t j = 0; j < walk.joints.size(); ++j)
+      if (walk.joints[j].name == parent) joint.parent = static_cast<int>(j);
+    walk.joints.push_back(joint);
+    for (MotionFrame& frame : walk.clips[0].frames) {
+      const bool curled = name.back() == '1' || name.back() == '2';
+      frame.rotations.push_back(curled ? axis_rotation(2, name[0] == 'L' ? -0.6 : 0.6) : kNoRotation4);
+      frame.translations.push_back(offset);
+    }
+  };
+  for (const std::string side : {"Left", "Right"}) {
+    const double sign = side == "Left" ? 1 : -1;
+    add(side + "HandIndex1", side + "Hand", {0.08 * sign, 0, 0.01});
+    add(side + "HandIndex2", side + "HandIndex1", {0.03 * sign, 0, 0});
+    add(side + "HandIndex3", side + "HandIndex2", {0.02 * sign, 0, 0});
+    add(side + "HandThumb1", side + "Hand", {0.02 * sign, 0, 0.02});
+    add(side + "HandThumb2", side + "HandThumb1", {0.02 * sign, 0, 0.02});
+  }
+  const std::optional<Motion> found = standing_motion(with_random_axes(walk));
+  ASSERT_TRUE(found);
+  expect_same_motion(*found, walk);
+  const std::vector<Joint> rest = rest_joints(*found);
+  for (const std::string side : {"Left", "Right"}) {
+    const double sign = side == "Left" ? 1 : -1, half = std::sqrt(0.5);
+    for (const char* const part : {"2", "3"}) {
+      const std::string before = part[0] == '2' ? "1" : "2";
+      const Point3 bone = unit(rest_of(rest, side + "HandIndex" + part) - rest_of(rest, side + "HandIndex" + before));
+      EXPECT_LT(length(bone - Point3{sign, 0, 0}), 0.01) << side << part;
+    }
+    const Point3 thumb = unit(rest_of(rest, side + "HandThumb2") - rest_of(rest, side + "HandThumb1"));
+    EXPECT_LT(length(thumb - Point3{half * sign, 0, half}), 0.01) << side;
+  }
+}
+
 TEST(Stance, IsInTheMotionsOwnWorld) {
   const Motion upright = turned_world(walking_person(), axis_rotation(0, std::acos(0.0)));  // y to z
   for (const Motion& written : {with_random_axes(upright), with_random_axes(numbered(upright))}) {

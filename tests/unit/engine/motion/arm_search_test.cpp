@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "motion/contacts.hpp"
 #include "motion_clip.hpp"
@@ -17,7 +18,7 @@ using sinew::motion::BodyPart;
 // A scene that is open and searched, over a clip that plays on boxes.
 class Searched {
  public:
-  explicit Searched(uint32_t frames)
+  explicit Searched(uint32_t frames, uint32_t most = UINT32_MAX)
       : clip_(body(20), body(35, 0.9)), boxes_(clip_.target, 0.22, 0.9), body_(boxes_.view()) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> any(-1, 1);
@@ -44,7 +45,7 @@ class Searched {
     inputs_.rotations = clip_.rotations.data();
     inputs_.translations = clip_.translations.data();
     EXPECT_EQ(scene.open(clip_.plan, nullptr, body_, inputs_), SINEW_OK);
-    scene.search.open(scene);
+    scene.search.open(scene, most);
   }
 
   Vec3d place(uint32_t v) const { return scene.target.vertices[v]; }
@@ -130,6 +131,31 @@ TEST(ArmSearch, TheDeepestPointIsThatOfAllVerticesAndTriangles) {
   EXPECT_LE(left_out, 2) << "groups that seem to be outside, beside large triangles";
   EXPECT_GT(deep, 30);
   EXPECT_GT(shallow, 30);
+}
+
+// 13 of 48 and 72 vertices: an edge of a box is missed at most.
+TEST(ArmSearch, AThinnedOutArmIsSeenByAFewOfItsVertices) {
+  Searched own(60), few(60, 13);
+  double seen = 0, all = 0;
+  for (uint32_t arm = 0; arm < 2; ++arm) {
+    std::set<uint32_t> listed;
+    const std::vector<uint32_t> known = own.vertices(arm, false);
+    for (uint32_t f = 0; f < 60; ++f) {
+      own.scene.search_target(f, true);
+      few.scene.search_target(f, true);
+      const sinew::motion::ArmDepth most = own.scene.search.deepest(&own.scene.target_tree, arm, {0, 0, 0}, 0);
+      const sinew::motion::ArmDepth found = few.scene.search.deepest(&few.scene.target_tree, arm, {0, 0, 0}, 0);
+      EXPECT_LE(found.depth, most.depth);
+      all += most.depth;
+      seen += found.depth;
+      if (found.depth > 0) listed.insert(found.vertex);
+    }
+    EXPECT_GT(listed.size(), 2u);
+    EXPECT_LE(listed.size(), 13u);
+    for (const uint32_t v : listed) EXPECT_EQ(std::count(known.begin(), known.end(), v), 1) << v;
+  }
+  EXPECT_GT(seen, 0.7 * all);
+  EXPECT_LT(seen, all);
 }
 
 TEST(ArmSearch, WhatIsInsideIsAsDeepAsItIs) {

@@ -68,18 +68,8 @@ TEST(Contacts, FeetThatStandStayWhereTheyStand) {
   }
 }
 
-// The left hand in front of the belly, as far as the upper arm points forward, in every frame.
 void reach_forward(PlayedClip* clip, Vec3d upper_arm, uint32_t frames = 12) {
-  const MotionScene& scene = clip->source;
-  for (uint32_t f = 0; f < frames; ++f) {
-    Pose pose = rest_pose(scene);
-    const Quat upper = sinew::motion::shortest_arc(scene.at(kLeftForearm) - scene.at(kLeftUpperArm), upper_arm);
-    const Quat lower =
-        sinew::motion::shortest_arc(rotate(upper, scene.at(kLeftHand) - scene.at(kLeftForearm)), {-0.9, 0.05, 0.1});
-    pose.set(kLeftUpperArm, upper, vec(&pose.translations[3 * kLeftUpperArm]));
-    pose.set(kLeftForearm, conjugate(upper) * lower * upper, vec(&pose.translations[3 * kLeftForearm]));
-    clip->add(pose);
-  }
+  for (uint32_t f = 0; f < frames; ++f) clip->add(reaching_pose(clip->source, upper_arm));
 }
 
 // A hand that lies on one belly lies on a thinner or thicker one.

@@ -38,7 +38,8 @@ struct Live {
 TEST(RetargetStream, InTheAirItIsTheRetargetOfAFrame) {
   const MotionScene source = built({}), target = built({0.9, 1.1, 0.9, 1, 0.7});
   const BoxBody boxes(target, 0.07, 0.7);
-  const sinew_motion_body body = boxes.view();
+  sinew_motion_body body = boxes.view();
+  body.triangle_count = 0;  // so hands know nothing of it
   StreamSettings settings;
   settings.no_range = 1;
   Live live(source, target, &body, settings), bare(source, target, nullptr, settings);
@@ -161,6 +162,89 @@ TEST(RetargetStream, FeetThatStandStayAndThenGo) {
   EXPECT_LT(jump, 0.05) << "and leave the floor without a jump";
 }
 
+// A hand that lies on one belly comes to lie on a thinner or thicker one, as in a whole clip.
+TEST(RetargetStream, AHandThatTouchesTouches) {
+  const MotionScene scene = body(20);
+  const Pose pose = reaching_pose(scene, {0.1, -0.8, 0.35});
+  const BoxBody moving(scene, 0.12);
+  const sinew_motion_body source = moving.view();
+  StreamSettings settings;
+  settings.source = &source;
+  for (const double belly : {0.06, 0.10, 0.15}) {
+    const BoxBody boxes(scene, belly);
+    const sinew_motion_body target = boxes.view();
+    Live live(scene, scene, &target, settings);
+    const double copied = placed(scene, pose).places[kLeftHand].z;
+    Placed now, before;
+    for (int f = 0; f < 20; ++f) {
+      before = now;
+      now = placed(scene, live.next(pose));
+      EXPECT_NEAR(now.places[kLeftHand].z - copied, belly - 0.12, 0.015) << belly;
+      if (f > 0) {
+        EXPECT_LT(distance(now.places[kLeftHand], before.places[kLeftHand]), 5e-3) << "and lies there";
+      }
+    }
+    // Where it does not touch, it goes by and by.
+    now = placed(scene, live.next(rest_pose(scene)));
+    for (int f = 0; f < 20; ++f) {
+      before = now;
+      now = placed(scene, live.next(rest_pose(scene)));
+      EXPECT_LT(distance(now.places[kLeftHand], before.places[kLeftHand]), 0.03) << "without a jump";
+    }
+    EXPECT_LT(distance(now.places[kLeftHand], scene.at(kLeftHand)), 1e-4);
+    EXPECT_LT(distance(now.places[kRightHand], scene.at(kRightHand)), 1e-5) << "the other hand stays";
+  }
+}
+
+// In the first frame and all that follow; a hand that left the body goes back without a jump.
+TEST(RetargetStream, AnArmInTheBodyComesOutAtOnce) {
+  const MotionScene scene = body(20), longer = body(20, 1.2);
+  const BoxBody boxes(scene, 0.36);
+  const sinew_motion_body thick = boxes.view();
+  sinew_motion_body bare = thick;
+  bare.triangle_count = 0;
+  Live live(longer, scene, &thick), knows_nothing(longer, scene, &bare);
+  const Pose inside = reaching_pose(longer, {0.05, -0.3, 0.95}), outside = rest_pose(longer);
+  ASSERT_LT(placed(scene, knows_nothing.next(inside)).places[kLeftHand].z, 0.33) << "the test needs that";
+  Placed before;
+  for (int f = 0; f < 12; ++f) {
+    const Placed now = placed(scene, live.next(inside));
+    EXPECT_GT(now.places[kLeftHand].z, 0.358) << f;
+    EXPECT_LT(now.places[kLeftHand].z, 0.46) << "and no farther";
+    EXPECT_LT(distance(now.places[kRightHand], placed(scene, knows_nothing.next(inside)).places[kRightHand]), 1e-6)
+        << "the other hand stays";
+    if (f > 0) {
+      EXPECT_LT(distance(now.places[kLeftHand], before.places[kLeftHand]), f == 1 ? 0.015 : 1e-5) << "no jitter";
+    }
+    before = now;
+  }
+  const Vec3d rest = placed(scene, knows_nothing.next(outside)).places[kLeftHand];
+  double far = 1;
+  for (int f = 0; f < 60; ++f) {
+    const double own = distance(placed(scene, live.next(outside)).places[kLeftHand], rest);
+    EXPECT_LE(own, f == 0 ? 0.2 : 0.95 * far + 1e-6) << f;
+    far = own;
+  }
+  EXPECT_LT(far, 1e-3);
+}
+
+// As deep as at rest is no fault of the motion, and a motion of this very body is left alone.
+TEST(RetargetStream, ArmsMayBeAsDeepAsTheyAreMeantToBe) {
+  const MotionScene scene = body(80), longer = body(80, 1.2);
+  const BoxBody boxes(scene, 0.45);  // over the hands of hanging arms
+  const sinew_motion_body thick = boxes.view();
+  Live live(longer, scene, &thick);
+  for (int f = 0; f < 4; ++f)
+    EXPECT_LT(distance(placed(scene, live.next(rest_pose(longer))).places[kLeftHand], scene.at(kLeftHand)), 1e-4) << f;
+  StreamSettings settings;
+  settings.source = &thick;
+  Live same(scene, scene, &thick, settings);
+  settings.no_contacts = 1;
+  Live copied(scene, scene, &thick, settings);
+  const Pose touching = reaching_pose(scene, {0.1, -0.8, 0.35});
+  EXPECT_EQ(same.next(touching).rotations, copied.next(touching).rotations);
+}
+
 TEST(RetargetStream, SameFramesAgainGiveTheSameBytesAfterARestart) {
   const MotionScene source = built({}), target = built({0.9, 1.1, 0.9, 1.2, 0.7});
   const BoxBody boxes(target, 0.07, 0.7);
@@ -178,11 +262,13 @@ TEST(RetargetStream, SameFramesAgainGiveTheSameBytesAfterARestart) {
   std::vector<float> rounds[3];
   for (int round = 0; round < 3; ++round) {
     for (int f = 0; f < 20; ++f) {
-      const Pose out = (round == 2 ? other : live).next(swaying(f, 0));
+      const Pose pose = f < 15 ? swaying(f, 0) : reaching_pose(source, {0.05, -0.9, 0.3});
+      const Pose out = (round == 2 ? other : live).next(pose);
       rounds[round].insert(rounds[round].end(), out.rotations.begin(), out.rotations.end());
       rounds[round].insert(rounds[round].end(), out.translations.begin(), out.translations.end());
     }
     for (int f = 0; f < 5; ++f) (void)live.next(swaying(f + 7, 0.3));
+    for (int f = 0; f < 3; ++f) (void)live.next(reaching_pose(source, {0.05, -0.3, 0.95}));
     EXPECT_EQ(live.stream.restart(), SINEW_OK);
   }
   EXPECT_EQ(rounds[0], rounds[1]);
@@ -210,15 +296,26 @@ TEST(RetargetStream, MisuseIsAStatus) {
   wrong = {};
   wrong.struct_size = 4;
   EXPECT_EQ(make(wrong, &own), SINEW_ERROR_ARGUMENT);
+  sinew_motion_body moving = own;
+  wrong = {};
+  wrong.source = &moving;
+  EXPECT_EQ(make(wrong, &own), SINEW_OK);
+  EXPECT_EQ(make(wrong, nullptr), SINEW_ERROR_ARGUMENT) << "nothing to touch";
+  --moving.vertex_count;
+  EXPECT_EQ(make(wrong, &own), SINEW_ERROR_ARGUMENT) << "other vertices";
+  ++moving.vertex_count;
+  moving.positions = nullptr;
+  EXPECT_EQ(make(wrong, &own), SINEW_ERROR_ARGUMENT);
   own.vertex_count = 0;
   EXPECT_EQ(make({}, &own), SINEW_ERROR_COUNT);
 
   size_t bytes = 7;
-  EXPECT_EQ(sinew_retarget_stream_workspace_size(0, 17, 0, &bytes), SINEW_ERROR_COUNT);
+  EXPECT_EQ(sinew_retarget_stream_workspace_size(0, 17, 0, 0, &bytes), SINEW_ERROR_COUNT);
   EXPECT_EQ(bytes, 0u);
-  EXPECT_EQ(sinew_retarget_stream_workspace_size(17, 17, SINEW_MAX_VERTICES + 1, &bytes), SINEW_ERROR_COUNT);
-  EXPECT_EQ(sinew_retarget_stream_workspace_size(17, 17, 0, nullptr), SINEW_ERROR_ARGUMENT);
-  ASSERT_EQ(sinew_retarget_stream_workspace_size(17, 17, 0, &bytes), SINEW_OK);
+  EXPECT_EQ(sinew_retarget_stream_workspace_size(17, 17, SINEW_MAX_VERTICES + 1, 0, &bytes), SINEW_ERROR_COUNT);
+  EXPECT_EQ(sinew_retarget_stream_workspace_size(17, 17, 8, 8 * SINEW_MAX_VERTICES + 1, &bytes), SINEW_ERROR_COUNT);
+  EXPECT_EQ(sinew_retarget_stream_workspace_size(17, 17, 0, 0, nullptr), SINEW_ERROR_ARGUMENT);
+  ASSERT_EQ(sinew_retarget_stream_workspace_size(17, 17, 0, 0, &bytes), SINEW_OK);
   const sinew::Workspace memory(bytes);
   const sinew_skeleton rig = scene.view();
   sinew_retarget_stream* stream = nullptr;
