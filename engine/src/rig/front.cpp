@@ -15,7 +15,7 @@ constexpr uint32_t kFrontSets = 2;  // of points, whose answers are added up
 constexpr int64_t kOne = 1 << 28;   // of a Heading
 // What the file's own +z counts beside the network's answer, whose length is about 1 where it is sure; Q15.
 constexpr int64_t kKnownFront = 11469, kUsualFront = 3277;
-constexpr int32_t kUsualUp = 1024;  // the same of y, logit in Q10: most meshes have it up
+constexpr int32_t kUsualUp = 3584;  // the same of y, logit in Q10: most meshes have it up (trainer/configs/RESULTS.md)
 // Logit of an answer of length 1, Q10: what decides, and what is told of a mesh without a mirror plane. Fitted on makers that a network
 // trained without (trainer/configs/RESULTS.md).
 constexpr int64_t kSureness = 2816, kLeaningSureness = 1549;

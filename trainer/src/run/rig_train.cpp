@@ -258,7 +258,11 @@ void train_rig(const RigTrainConfig& config, const TrainOptions& options) {
       for (uint32_t i = 0; i < config.synthetic; ++i) requests.push_back({"", "", plan, 1000 + i});
     };
     for (const BodyPlan plan : kBodyPlans) add_synthetic(plan);
-    for (const BodyPlan plan : kCreaturePlans) add_synthetic(plan);
+    for (const BodyPlan plan : kCreaturePlans) {
+      // A plan that is younger than most configurations: those that do not name it train what they did.
+      const bool asked = plan != BodyPlan::kMascot || config.family_shares.count(body_plan_name(plan)) != 0;
+      if (asked) add_synthetic(plan);
+    }
     const bool quiet = checked.quiet || (checked.ranks != nullptr && checked.ranks->rank() > 0);
     const std::vector<Samples> characters =
         make_samples(requests, config, count_variants(requests, config), checked.threads, quiet);

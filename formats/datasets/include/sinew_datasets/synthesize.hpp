@@ -24,7 +24,8 @@ enum class BodyPlan {
   kBeast,
   kToy,
   kFowl,
-  kCrawler
+  kCrawler,
+  kMascot
 };
 
 // Characters as artists make them, with clothes: what weights are learned from.
@@ -39,8 +40,9 @@ constexpr BodyPlan kBodyPlans[] = {BodyPlan::kBiped, BodyPlan::kQuadruped, BodyP
 //   toy        upright, big head, short or long legs: robots, cartoon people
 //   fowl       two legs and wings
 //   crawler    1 to 4 pairs of legs and another in front, or claws
+//   mascot     a head of half the height, stubby limbs; pigtails, long ears, wings, a big tail: chibi, plush
 constexpr BodyPlan kCreaturePlans[] = {BodyPlan::kDinosaur, BodyPlan::kFish, BodyPlan::kBlob,   BodyPlan::kBeast,
-                                       BodyPlan::kToy,      BodyPlan::kFowl, BodyPlan::kCrawler};
+                                       BodyPlan::kToy,      BodyPlan::kFowl, BodyPlan::kCrawler, BodyPlan::kMascot};
 
 struct SynthesizeOptions {
   BodyPlan plan = BodyPlan::kBiped;
@@ -49,7 +51,7 @@ struct SynthesizeOptions {
   bool clothing = true;  // open shells, capes, hats, floating parts, bodies of rigid parts
 };
 
-const char* body_plan_name(BodyPlan plan);  // "biped", ..., "many-legged", "dinosaur", ..., "crawler"
+const char* body_plan_name(BodyPlan plan);  // "biped", ..., "many-legged", "dinosaur", ..., "mascot"
 Character synthesize(const SynthesizeOptions& options);
 
 }  // namespace sinew

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "synth/mascot.hpp"
 #include "synth/sketch.hpp"
 
 namespace sinew::synth {
@@ -286,6 +287,8 @@ Body sketch(BodyPlan plan, Sketch* s) {
       return toy(s);
     case BodyPlan::kFowl:
       return fowl(s);
+    case BodyPlan::kMascot:
+      return mascot(s);
     default:
       return crawler(s);
   }

@@ -35,6 +35,8 @@ const char* body_plan_name(BodyPlan plan) {
       return "fowl";
     case BodyPlan::kCrawler:
       return "crawler";
+    case BodyPlan::kMascot:
+      return "mascot";
   }
   return "biped";
 }

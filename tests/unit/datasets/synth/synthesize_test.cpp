@@ -245,6 +245,43 @@ TEST_P(EveryCreature, JointsHaveClassesAndStandInTheBody) {
   }
 }
 
+// What toys have that looks like arms and is none: over some seeds each occurs, and a head is high beside its body.
+TEST(Synthesize, MascotsHaveBigHeadsHairEarsWingsAndTails) {
+  std::map<std::string, int> with;
+  int high = 0;
+  for (uint64_t seed = 1; seed <= 40; ++seed) {
+    const Character c = make(BodyPlan::kMascot, seed, 24, false);
+    const JointVerdicts verdicts = joint_verdicts(c.joints);
+    std::map<uint32_t, std::string> kinds = {{SINEW_CLASS_HAIR, "hair"},
+                                             {SINEW_CLASS_EAR, "ears"},
+                                             {SINEW_CLASS_WING, "wings"},
+                                             {SINEW_CLASS_TAIL, "tail"}};
+    std::set<std::string> found;
+    float head = 0;
+    for (size_t k = 0; k < c.joints.size(); ++k) {
+      const auto kind = kinds.find(verdicts.classes[k]);
+      if (kind != kinds.end()) found.insert(kind->second);
+    }
+    EXPECT_FALSE(found.empty()) << c.name;
+    for (const std::string& kind : found) ++with[kind];
+    // How high what follows the head is: from the lowest vertex that mostly does to the highest.
+    float low = 1e9f;
+    for (size_t v = 0; v < c.vertices.size(); ++v) {
+      const Influence most = *std::max_element(c.influences[v].begin(), c.influences[v].end(),
+                                               [](Influence a, Influence b) { return a.weight < b.weight; });
+      if (c.joints[most.joint].name != "head") continue;
+      low = std::min(low, c.vertices[v].y);
+      head = std::max(head, c.vertices[v].y);
+    }
+    high += head - low > 0.35f * head ? 1 : 0;
+  }
+  for (const char* kind : {"hair", "ears", "wings", "tail"}) {
+    EXPECT_GE(with[kind], 6) << kind;
+    EXPECT_LE(with[kind], 34) << kind;
+  }
+  EXPECT_GE(high, 32);
+}
+
 // Smooth skins and rigid parts both occur, and no two creatures are alike.
 TEST_P(EveryCreature, SeedsVary) {
   int rigid = 0;
@@ -269,7 +306,8 @@ TEST(Synthesize, SeedsGiveTheSameCharacterEverywhere) {
       {BodyPlan::kManyLegged, 15566189736412902489ull}, {BodyPlan::kDinosaur, 10832071083453145956ull},
       {BodyPlan::kFish, 9379203459780510572ull},        {BodyPlan::kBlob, 2869581529898377471ull},
       {BodyPlan::kBeast, 16170340158516760342ull},      {BodyPlan::kToy, 2287640016949408392ull},
-      {BodyPlan::kFowl, 7651270643923474057ull},        {BodyPlan::kCrawler, 5956116377669104564ull}};
+      {BodyPlan::kFowl, 7651270643923474057ull},        {BodyPlan::kCrawler, 5956116377669104564ull},
+      {BodyPlan::kMascot, 5869594466979057646ull}};
   for (const auto& [plan, hash] : expected) {
     EXPECT_EQ(hash_of(make(plan, 5, 24, true)), hash) << body_plan_name(plan);
     EXPECT_NE(hash_of(make(plan, 6, 24, true)), hash) << body_plan_name(plan);
