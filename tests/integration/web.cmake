@@ -2,6 +2,7 @@
 # The page of samples/web: built by emscripten, tried in a headless Chromium.
 find_program(SINEW_NODE node)
 find_program(SINEW_EMCC emcc)
+find_program(SINEW_XZ xz)
 find_program(SINEW_CHROMIUM NAMES chromium google-chrome google-chrome-stable chromium-browser)
 set(web ${CMAKE_SOURCE_DIR}/samples/web)
 if(SINEW_NODE)
@@ -14,8 +15,8 @@ if(SINEW_NODE)
   add_test(NAME web_scripts COMMAND ${SINEW_NODE} ${web}/test/scripts_test.mjs)
   set_tests_properties(web_scripts PROPERTIES LABELS "web;tools" RESOURCE_LOCK web_packages TIMEOUT 300)
 endif()
-if(NOT (SINEW_NODE AND SINEW_EMCC AND SINEW_CHROMIUM AND TARGET sinew_cli))
-  message(STATUS "sinew: no test of samples/web: it needs node, emcc, a Chromium and the command; scripts/test.sh installs them")
+if(NOT (SINEW_NODE AND SINEW_EMCC AND SINEW_XZ AND SINEW_CHROMIUM AND TARGET sinew_cli))
+  message(STATUS "sinew: no test of samples/web: it needs node, emcc, xz, a Chromium and the command; scripts/test.sh installs them")
   return()
 endif()
 # Page, package and the tests of kernels have one build of the engine, with SIMD and without: not two at a time.

@@ -129,6 +129,63 @@ export interface TransferOptions {
   onProgress?: Progress;
 }
 
+export interface PlaceOptions {
+  /** quarters about the origin, one after the other: "x", "-x", "y", ... */
+  turns?: string[];
+  /** metres along up */
+  height?: number;
+  /** the lowest vertex is at 0 along up */
+  floor?: boolean;
+  /** afterwards, y where it is missing */
+  up?: "x" | "y" | "z";
+}
+export interface ProfileOptions {
+  /** files as they were read where it is missing */
+  profile?: "mixamo" | "unreal" | "unity" | "vrm" | "vrm0" | "blender" | "godot" | "three" | "maya";
+  /** axes, names and roots of the skeleton stay as they are */
+  keepAxes?: boolean;
+  /** a glTF says in its extras what `controls` says */
+  controls?: boolean;
+  /** of a VRM, which has one at least */
+  authors?: string[];
+  /** of a VRM, in the words of its format; nothing is allowed where it is missing */
+  licence?: string;
+  title?: string;
+}
+export interface CheckOptions {
+  /** false: the mesh is not posed */
+  poses?: boolean;
+  /** false: animations are not looked at */
+  clips?: boolean;
+  /** also how near the weights are to those of three methods */
+  score?: boolean;
+  /** rules that get other bounds than the library's */
+  bounds?: Record<string, number>;
+}
+export interface Finding {
+  rule: string;
+  severity: "note" | "warning" | "error";
+  /** one line each: what is wrong, and what to do */
+  what: string;
+  cure: string;
+  /** in which it shows, "" for none */
+  pose: string;
+  clip: string;
+  seconds: number;
+  /** what was measured, and above which it is a finding */
+  value: number;
+  bound: number;
+  /** that it is about, and that it is compared with; -1: none */
+  joint: number;
+  other: number;
+  /** where all its vertices lie in one, or -1 */
+  mesh: number;
+  vertices: Uint32Array;
+  /** where to look, and how far around it, the mesh's units */
+  position: [number, number, number];
+  radius: number;
+}
+
 export interface CharacterArrays {
   name: string;
   mesh: Mesh;
@@ -157,6 +214,12 @@ export class CharacterFile {
     clipCount: number; mapped: number; rigged: boolean; shapeCount: number; certainty: number; mappedBy: string;
   };
   transfer(source: CharacterFile, options?: TransferOptions): { carried: number; fitted: boolean; bound: boolean };
+  place(options: PlaceOptions): void;
+  setProfile(options: ProfileOptions): void;
+  /** the text of a .controls.json, see formats/spec/controls.md */
+  readonly controls: string;
+  /** findings: errors first; line: "checked: 0 findings"; score: 0..100, null where it was not asked for */
+  check(options?: CheckOptions): { findings: Finding[]; line: string; score: number | null };
   view(): CharacterArrays;
   /** bytes of a .glb, .vrm, .bvh or .rig.txt */
   save(name: string): Uint8Array;

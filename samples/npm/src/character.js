@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Whole characters from and to files, as the command has them: its defaults, its bytes. `sinew/character.h` as WebAssembly.
 import { WORDS } from "./layouts.js";
-import { compile, hasSimd } from "./loader.js";
+import { compile, hasExceptions, hasSimd } from "./loader.js";
 import { SinewError } from "./memory.js";
 import { fileKind } from "./file_kinds.js";
 import { isScene, readScenesBy } from "./scenes.js";
@@ -23,6 +23,9 @@ const RETARGET = {
   clip: "clip", layout: "layout", actor: "actor", limits: "limits", depth: "depth", stiffness: "stiffness", tetWeights: WORDS.tetWeights, smoothing: "!no_smoothing",
 };
 const TRANSFER = { method: WORDS.transferMethod, influences: "influence_count", targetUp: WORDS.up, sourceUp: WORDS.up, garment: "garment", heat: "heat" };
+const PLACE = { turns: "turns", height: "height", floor: "floor", up: WORDS.up };
+const PROFILE = { profile: "profile", keepAxes: "keep_axes", controls: "controls", authors: "authors", licence: "licence", title: "title" };
+const CHECK = { poses: "!no_poses", clips: "!no_clips", score: "score", bounds: "bounds" };
 const PICTURE = { bodyClass: WORDS.bodyClass, figure: "figure", flat: "flat", cut: "cut", units: ["figure", "pixels"], mask: "mask", outline: "outline" };
 const MEMBERS = { bodyClass: "body_class", units: "pixels",  rigidParts: "rigid_parts", targetUp: "target_up", sourceUp: "source_up", motionUp: "motion_up", tetWeights: "tet_weights" };
 
@@ -96,6 +99,28 @@ export class CharacterFile {
   transfer(source, options = {}) {
     if (!(source instanceof CharacterFile)) throw new SinewError("transfer: expected what open() gave for the bound character's file");
     return this.#job("transfer", TRANSFER, options, (at, text) => this.#house.module._character_transfer(source.#at("transfer"), at, text));
+  }
+
+  /** `--turn`, `--height`, `--floor`: turns and scales all of it. */
+  place(options) {
+    this.#job("place", PLACE, options, (at, text) => this.#house.module._character_place(at, text));
+  }
+
+  /** `--for`: what save() writes from now on. The rest pose stays: that is toPose of bind() and rig(). */
+  setProfile(options) {
+    this.#job("setProfile", PROFILE, options, (at, text) => this.#house.module._character_profile(at, text));
+  }
+
+  /** `--controls`: which joints an animator's controls move, of the skeleton as it would be saved; the text of a file. */
+  get controls() {
+    return this.#house.said("controls", null, () => this.#house.module._character_controls(this.#at("controls")));
+  }
+
+  /** `sinew check`: what is wrong with the rig. Changes nothing. */
+  check(options = {}) {
+    const told = this.#job("check", CHECK, options, (at, text) => this.#house.module._character_check(at, text));
+    const findings = told.findings.map((one) => ({ ...one, severity: WORDS.checkSeverity[one.severity], vertices: Uint32Array.from(one.vertices) }));
+    return { ...told, findings };
   }
 
   /** Copies of its arrays: mesh, skeleton and, where it has weights, rows of them as CSR. */
@@ -223,7 +248,7 @@ const started = (glue, compiled) =>
  * @returns {Promise<CharacterModule>}
  */
 export async function load(options = {}) {
-  if (!hasSimd()) throw new SinewError("load: this browser has no SIMD for WebAssembly (before 2021; Safari before 2023)");
+  if (!hasSimd() || !hasExceptions()) throw new SinewError("load: this browser has no SIMD or no exceptions for WebAssembly (before 2022; Safari before 2023)");
   const wasm = options.wasm ?? new URL("../wasm/character.wasm", import.meta.url);
   const scenesWasm = options.scenes ?? new URL("../wasm/scenes.wasm", import.meta.url);
   const [glue, compiled] = await Promise.all([import("../wasm/character.js"), compile(wasm)]);

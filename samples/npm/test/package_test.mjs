@@ -170,6 +170,32 @@ function files() {
   console.log(`npm: whole files: ${jobs.length}, the command's bytes`);
 }
 
+// Where it stands, its controls, what is wrong with it: the command's.
+function delivery() {
+  const mine = join(work, "delivered"), theirs = (name) => join(work, "delivered", `theirs.${name}`);
+  mkdirSync(mine, { recursive: true });
+  const told = JSON.parse(run("node", ["delivery.mjs", data, mine], join(work, "node")));
+  const of = (...args) => ["bind", join(data, "biped__robed.obj"), "--skeleton", join(data, "biped__robed.rig.txt"), "--turn", "y", "--height", "2", "--floor", ...args];
+  sinew(...of("--controls", theirs("controls.json"), "-o", theirs("glb")));
+  sinew(...of("--for", "mixamo", "--to-pose", "none", "-o", join(work, "mixamo.glb")));
+  const same = (name, other) => check(readFileSync(join(mine, name)).equals(readFileSync(other)), `${name}: the command's bytes`);
+  same("hero.glb", theirs("glb"));
+  same("hero.controls.json", theirs("controls.json"));
+  // Axes of joints are sines of the machine's own library.
+  const rounded = (path) => {
+    const glb = readFileSync(path), end = 20 + glb.readUInt32LE(12);
+    return [JSON.parse(glb.subarray(20, end), (_, one) => (typeof one === "number" ? Number(one.toFixed(9)) + 0 : one)), glb.subarray(end + 8).toString("base64")];
+  };
+  equal(rounded(join(mine, "mixamo.glb")), rounded(join(work, "mixamo.glb")), "the command's profile");
+  const { findings, score } = JSON.parse(sinew("check", join(data, "biped__caped.gltf"), "--score", "--json"));
+  equal(told.checked.findings.map(({ rule, severity, what }) => [rule, severity, what]), findings.map(({ rule, severity, what }) => [rule, severity, what]), "the command's findings");
+  check(Math.abs(told.checked.score - score) < 0.051 && told.unscored === null, `the command's score ${score}: ${told.checked.score}`);
+  check(findings.length > 0 && told.strict > findings.length && told.found.position.length === 3 && told.found.cure !== "", "bounds of the caller's own, and where to look");
+  const lines = { turn: "expected x, y, z", profile: "no profile", rule: "no rule", option: "SinewError 0: check: options.count: expected poses" };
+  for (const [name, line] of Object.entries(lines)) check(told.errors[name].includes(line), `${name}: ${told.errors[name]}`);
+  console.log("npm: placed, checked, with controls: the command's");
+}
+
 function types() {
   const folder = project("types");
   const tsc = join(tools, "typescript/bin/tsc");
@@ -258,6 +284,7 @@ async function webpack() {
 const { launch, serve } = await import("../../web/test/browser.mjs"); // the page's, whose playwright is there by now
 node();
 files();
+delivery();
 types();
 await esbuild();
 await webpack();

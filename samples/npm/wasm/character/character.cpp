@@ -70,6 +70,27 @@ class Wish {
     }
     json_.erase(at);
   }
+  // A list of texts, which stay as long as the wish.
+  void take_texts(const char* name, std::vector<const char*>* out) {
+    const auto at = json_.find(name);
+    if (at == json_.end()) return;
+    for (const Json& text : *at) {
+      texts_.push_back(std::make_unique<std::string>(text.get<std::string>()));
+      out->push_back(texts_.back()->c_str());
+    }
+    json_.erase(at);
+  }
+  // {name: number}, in the order of the names.
+  void take_numbers(const char* name, std::vector<const char*>* names, std::vector<double>* numbers) {
+    const auto at = json_.find(name);
+    if (at == json_.end()) return;
+    for (const auto& [one, number] : at->items()) {
+      texts_.push_back(std::make_unique<std::string>(one));
+      names->push_back(texts_.back()->c_str());
+      numbers->push_back(number.get<double>());
+    }
+    json_.erase(at);
+  }
   // An array that JavaScript has put into memory.
   template <class T>
   void take_array(const char* name, const T** out) {
@@ -343,6 +364,88 @@ EMSCRIPTEN_KEEPALIVE const char* character_transfer(const sinew_character* sourc
         said["carried"] = result.carried;
         said["fitted"] = result.fitted != 0;
         said["bound"] = result.bound != 0;
+        return status;
+      });
+}
+
+EMSCRIPTEN_KEEPALIVE const char* character_place(sinew_character* character, const char* text) {
+  std::vector<const char*> turns;
+  return run(
+      character, text, sinew_character_place_options_init(),
+      [&](Wish& wish, sinew_character_place_options& o) {
+        wish.take("height", &o.height);
+        wish.take("floor", &o.floor);
+        wish.take("up", &o.up);
+        wish.take_texts("turns", &turns);
+        o.turns = turns.data();
+        o.turn_count = static_cast<uint32_t>(turns.size());
+      },
+      [&](const sinew_character_place_options& o, Json&) { return sinew_character_place(character, &o); });
+}
+
+EMSCRIPTEN_KEEPALIVE const char* character_profile(sinew_character* character, const char* text) {
+  std::vector<const char*> authors;
+  return run(
+      character, text, sinew_character_profile_options_init(),
+      [&](Wish& wish, sinew_character_profile_options& o) {
+        wish.take("profile", &o.profile);
+        wish.take("keep_axes", &o.keep_axes);
+        wish.take("controls", &o.controls);
+        wish.take("licence", &o.licence);
+        wish.take("title", &o.title);
+        wish.take_texts("authors", &authors);
+        o.authors = authors.data();
+        o.author_count = static_cast<uint32_t>(authors.size());
+      },
+      [&](const sinew_character_profile_options& o, Json&) { return sinew_character_set_profile(character, &o); });
+}
+
+// The text as a text: its bytes are those of a file.
+EMSCRIPTEN_KEEPALIVE const char* character_controls(sinew_character* character) {
+  const char* text = nullptr;
+  const sinew_status status = sinew_character_controls(character, &text);
+  return status == SINEW_OK ? say(text) : refuse(status, character);
+}
+
+EMSCRIPTEN_KEEPALIVE const char* character_check(sinew_character* character, const char* text) {
+  std::vector<const char*> rules;
+  std::vector<double> bounds;
+  return run(
+      character, text, sinew_character_check_options_init(),
+      [&](Wish& wish, sinew_character_check_options& o) {
+        wish.take("no_poses", &o.no_poses);
+        wish.take("no_clips", &o.no_clips);
+        wish.take("score", &o.score);
+        wish.take_numbers("bounds", &rules, &bounds);
+        o.bound_rules = rules.data();
+        o.bounds = bounds.data();
+        o.bound_count = static_cast<uint32_t>(rules.size());
+      },
+      [&](const sinew_character_check_options& o, Json& said) {
+        sinew_character_check_result result = sinew_character_check_result_init();
+        const sinew_status status = sinew_character_check(character, &o, &result);
+        if (status != SINEW_OK) return status;
+        said["line"] = result.line;
+        said["score"] = o.score != 0 ? Json(result.score) : Json();
+        said["findings"] = Json::array();
+        for (uint32_t i = 0; i < result.finding_count; ++i) {
+          const sinew_character_finding& f = result.findings[i];
+          said["findings"].push_back({{"rule", f.rule},
+                                      {"severity", f.severity},
+                                      {"what", f.what},
+                                      {"cure", f.cure},
+                                      {"pose", f.pose},
+                                      {"clip", f.clip},
+                                      {"seconds", f.seconds},
+                                      {"value", f.value},
+                                      {"bound", f.bound},
+                                      {"joint", f.joint},
+                                      {"other", f.other},
+                                      {"mesh", f.mesh},
+                                      {"position", {f.position[0], f.position[1], f.position[2]}},
+                                      {"radius", f.radius},
+                                      {"vertices", std::vector<uint32_t>(f.vertices, f.vertices + f.vertex_count)}});
+        }
         return status;
       });
 }
