@@ -61,8 +61,10 @@ set(sinew_character_sources
   motion/urdf_limits
   picture/body_class
   picture/joints_inside
+  picture/outline_class
   picture/picture_frames
   picture/picture_view
+  picture/pins_by_class
   picture/plane_bones
   picture/plane_motion
   picture/side_limbs

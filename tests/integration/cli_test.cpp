@@ -521,7 +521,7 @@ TEST_F(Cli, DatasetCommands) {
   expect_bound(small, 4);
 
   good("dataset synthesize --plan all --seed 3 --resolution 24 -o made");
-  EXPECT_EQ(list_characters(in("made")).size(), 12u);
+  EXPECT_EQ(list_characters(in("made")).size(), 13u);
   good("dataset synthesize --plan snake --seed 3 --resolution 24 -o one.obj");
   EXPECT_TRUE(slurp(in("one.obj")) == slurp(in("made/snake__0003.obj")));
   EXPECT_TRUE(slurp(in("one.rig.txt")) == slurp(in("made/snake__0003.rig.txt")));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From where a picture shows its character, and what kind of body it is: told by the skeletons that votes find in its inflated mesh.
+// From where a picture shows its character, told by the skeletons that votes find in its inflated mesh, and what kind of body it is.
 #ifndef SINEW_CHARACTER_PICTURE_VIEW_HPP
 #define SINEW_CHARACTER_PICTURE_VIEW_HPP
 
@@ -25,13 +25,11 @@ struct SeenBody {
   PredictedSkeleton skeleton;  // in the picture plane, z 0 but for near and far limbs, which are a little off it
 };
 
-// What a skeleton that faces +z is one of.
-BodyClass body_class_of(const PredictedSkeleton& skeleton);
-
-//   given  the user's class; views that it does not have are left out
+//   given  the user's class
+//   guess  what its outline says; views that a class does not have are left out
 //   job    method, mirror, spine_count, toes and ends are looked at
-SeenBody see_body(const Character& mesh, const std::optional<BodyClass>& given, const RigJobOptions& job,
-                  const RigModels& models, std::vector<std::string>* notes);
+SeenBody see_body(const Character& mesh, const std::optional<BodyClass>& given, const BodyGuess& guess,
+                  const RigJobOptions& job, const RigModels& models, std::vector<std::string>* notes);
 
 }  // namespace sinew
 #endif

@@ -36,7 +36,8 @@ struct RigJobOptions {
   uint32_t mirror = SINEW_MIRROR_AUTO, spine_count = 0;
   UpChoice up = UpChoice::kFound;
   uint32_t front = SINEW_FRONT_AUTO;
-  uint32_t category = 0;  // sinew_category; not with kShape and kRegions
+  uint32_t category = 0;          // sinew_category; not with kShape and kRegions
+  bool category_guessed = false;  // nobody said it: votes that know nothing still give way to the shape
   bool toes = true, ends = true, bind = true, keep_lengths = false;
   std::string
       to_pose;  // the rest pose of what is written: "t", "a" or a file that stands so; empty: as the mesh stands. Needs `bind`

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "picture/outline_class.hpp"
 #include "sinew_character/models.hpp"
 #include "sinew_formats/file_kinds.hpp"
 
@@ -54,7 +55,7 @@ void rig_picture(const RigJobOptions& job, const RigModels& given, PictureCharac
   facing.front = SINEW_FRONT_PLUS_Z;
   std::optional<BodyClass> body = picture->options.body;
   settle_class(&body, &facing);
-  SeenBody seen = see_body(mesh, body, facing, bodies, &mesh.notes);
+  SeenBody seen = see_body(mesh, body, class_of_outline(picture->figure.mask), facing, bodies, &mesh.notes);
   picture->rigged = rig_character(std::move(mesh), std::move(seen.skeleton), false, facing, models);
   picture->view = seen.view;
   picture->body = seen.body;

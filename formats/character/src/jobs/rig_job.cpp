@@ -172,8 +172,10 @@ PredictedSkeleton predict_for_job(const RigJobOptions& job, const RigModels& mod
     return skeleton;
   const float spread = skeleton.spread;
   const std::optional<float> usable = skeleton.usable;
-  if (job.method == RigMethod::kAuto && job.category == SINEW_CATEGORY_ANY && spread > kUnknownSpread) {
+  const bool told = job.category != SINEW_CATEGORY_ANY && !job.category_guessed;
+  if (job.method == RigMethod::kAuto && !told && spread > kUnknownSpread) {
     options.method = SINEW_RIG_SHAPE;
+    options.category = SINEW_CATEGORY_ANY;
     skeleton = predict_skeleton(*character, options);
     skeleton.spread = spread;
     skeleton.usable = usable;

@@ -17,10 +17,10 @@ namespace {
 // Near limbs lie before the body and far ones behind it, by this share of the longest side.
 constexpr float kLayer = 0.006f;
 
-std::vector<PictureView> views_of(const std::optional<BodyClass>& given) {
+std::vector<PictureView> views_of(BodyClass body, bool given) {
   using enum PictureView;
-  if (given == BodyClass::kBiped) return {kFront};
-  if (given == BodyClass::kQuadruped || given == BodyClass::kFish || given == BodyClass::kSnake)
+  if (given && body == BodyClass::kBiped) return {kFront};
+  if (body == BodyClass::kQuadruped || body == BodyClass::kFish || body == BodyClass::kSnake)
     return {kFacesRight, kFacesLeft};
   return {kFront, kFacesRight, kFacesLeft};
 }
@@ -62,13 +62,6 @@ void lay_into_plane(const Character& mesh, PictureView view, PredictedSkeleton* 
   skeleton->partners.assign(skeleton->joints.size(), -1);
 }
 
-size_t count_class(const PredictedSkeleton& skeleton, uint8_t wanted) {
-  size_t count = 0;
-  for (size_t j = 0; j < skeleton.joints.size(); ++j)
-    count += skeleton.classes[j] == wanted && skeleton.ends[j] == 0 ? 1 : 0;
-  return count;
-}
-
 }  // namespace
 
 const char* picture_view_text(PictureView view) {
@@ -87,47 +80,26 @@ Vec3 to_picture(PictureView view, const Vec3& p) {
   return view == PictureView::kFacesRight ? Vec3{p.z, p.y, -p.x} : Vec3{-p.z, p.y, p.x};
 }
 
-BodyClass body_class_of(const PredictedSkeleton& skeleton) {
-  const size_t legs = count_class(skeleton, SINEW_CLASS_THIGH), arms = count_class(skeleton, SINEW_CLASS_UPPER_ARM),
-               wings = count_class(skeleton, SINEW_CLASS_WING), others = count_class(skeleton, SINEW_CLASS_OTHER);
-  // From the pelvis to where neck or head begin.
-  const Vec3* low = nullptr;
-  const Vec3* high = nullptr;
-  std::vector<Vec3> places;
-  for (size_t j = 0; j < skeleton.joints.size(); ++j) {
-    const uint8_t c = skeleton.classes[j];
-    places.push_back(skeleton.joints[j].position);
-    if (low == nullptr && c == SINEW_CLASS_PELVIS) low = &skeleton.joints[j].position;
-    if (high == nullptr && (c == SINEW_CLASS_NECK || c == SINEW_CLASS_HEAD)) high = &skeleton.joints[j].position;
-  }
-  const bool upright = low != nullptr && high != nullptr && high->y - low->y > std::abs(high->z - low->z);
-  if (upright && legs > 0 && arms > 0) return BodyClass::kBiped;
-  if (legs + arms >= 6 || (legs + arms == 0 && others >= 12)) return BodyClass::kManyLegged;
-  if (wings >= 2 && arms == 0) return BodyClass::kBird;
-  if (legs == 0) {
-    const Box box = box_of(places);
-    if (upright && arms > 0) return BodyClass::kOther;
-    return box.high.z - box.low.z > 4 * (box.high.y - box.low.y) ? BodyClass::kSnake : BodyClass::kFish;
-  }
-  if (upright || low == nullptr || high == nullptr) return BodyClass::kBiped;
-  return arms > 0 ? BodyClass::kQuadruped : BodyClass::kBird;
-}
-
-SeenBody see_body(const Character& mesh, const std::optional<BodyClass>& given, const RigJobOptions& job,
-                  const RigModels& models, std::vector<std::string>* notes) {
+SeenBody see_body(const Character& mesh, const std::optional<BodyClass>& given, const BodyGuess& guess,
+                  const RigJobOptions& job, const RigModels& models, std::vector<std::string>* notes) {
+  const BodyClass body = given.value_or(guess.body);
   const bool by_votes = job.method == RigMethod::kAuto || job.method == RigMethod::kVotes;
   RigJobOptions facing = job;
   facing.up = UpChoice::kY;
   facing.front = SINEW_FRONT_PLUS_Z;
+  if (!given && by_votes) {
+    facing.category = static_cast<uint32_t>(body) + SINEW_CATEGORY_BIPED;
+    facing.category_guessed = true;
+  }
   std::vector<SeenBody> seen;
   std::vector<std::vector<std::string>> said;
-  for (const PictureView view : views_of(given)) {
+  for (const PictureView view : views_of(body, given.has_value())) {
     if (!by_votes && !seen.empty()) break;  // methods that know no bodies see the same from everywhere
     Character turned = turned_mesh(mesh, by_votes ? view : PictureView::kFront);
     SeenBody one;
     one.view = view;
     one.skeleton = predict_for_job(facing, models, &turned);
-    one.body = given ? *given : body_class_of(one.skeleton);
+    one.body = body;
     seen.push_back(std::move(one));
     said.push_back(std::move(turned.notes));
   }
@@ -138,12 +110,13 @@ SeenBody see_body(const Character& mesh, const std::optional<BodyClass>& given, 
     if (s != best) rival = std::min(rival, seen[s].skeleton.spread);
   // A spread of one and a half times the best one's is as good as never the right view.
   const float ratio = std::pow(rival / std::max(out.skeleton.spread, 1e-4f), 6.0f);
-  out.certainty = given || seen.size() == 1 ? 1.0f : std::isfinite(ratio) ? ratio / (1 + ratio) : 1.0f;
+  out.certainty = given ? 1.0f : guess.certainty;
+  if (!given && seen.size() > 1 && std::isfinite(ratio)) out.certainty *= ratio / (1 + ratio);
   notes->insert(notes->end(), said[best].begin(), said[best].end());
-  if (by_votes && !given)
-    notes->push_back(print("seen as a %s %s, a guess (%.0f %%); --class says what it is",
-                           body_class_word(out.body).c_str(), picture_view_text(out.view),
-                           100 * static_cast<double>(out.certainty)));
+  if (!given)
+    notes->push_back(print("seen as a %s%s%s, a guess (%.0f %%); --class says what it is",
+                           body_class_word(out.body).c_str(), by_votes ? " " : "",
+                           by_votes ? picture_view_text(out.view) : "", 100 * static_cast<double>(out.certainty)));
   lay_into_plane(mesh, by_votes ? out.view : PictureView::kFront, &out.skeleton);
   return out;
 }

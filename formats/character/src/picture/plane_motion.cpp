@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "picture/pins_by_class.hpp"
 #include "picture/plane_bones.hpp"
+#include "sinew_character/label_skeleton.hpp"
 #include "sinew_character/map_skeleton.hpp"
 #include "sinew_formats/box.hpp"
 
@@ -13,6 +15,8 @@ namespace {
 
 // Sides that lie on each other in a picture seen from its side are so far from the middle, in shares of the longest side: it tells left from right.
 constexpr float kHalfWidth = 0.08f;
+// A map that covers as much of the least of legs, arms and trunk needs no help.
+constexpr float kMostCover = 0.75f;
 
 // The character with its joints and mesh facing +z, sides apart.
 Character standing_body(const PictureCharacter& picture, const Character& character) {
@@ -30,27 +34,57 @@ Character standing_body(const PictureCharacter& picture, const Character& charac
   return out;
 }
 
+bool has_found_skeleton(const PictureCharacter& picture, const Character& body) {
+  const std::vector<Joint>&found = picture.rigged.skeleton.joints, &now = body.joints;
+  return std::equal(found.begin(), found.end(), now.begin(), now.end(),
+                    [](const Joint& a, const Joint& b) { return a.name == b.name && a.parent == b.parent; });
+}
+
 // As the skeleton that was found says; of another one by what its joints are.
 std::vector<uint8_t> classes_of(const PictureCharacter& picture, const Character& body) {
-  const std::vector<Joint>&found = picture.rigged.skeleton.joints, &now = body.joints;
-  const bool is_found =
-      std::equal(found.begin(), found.end(), now.begin(), now.end(),
-                 [](const Joint& a, const Joint& b) { return a.name == b.name && a.parent == b.parent; });
-  return is_found ? picture.rigged.skeleton.classes : limb_classes(map_rig_of(body), 'y');
+  return has_found_skeleton(picture, body) ? picture.rigged.skeleton.classes : limb_classes(map_rig_of(body), 'y');
+}
+
+size_t moved_joints(const AnimatedCharacter& body) {
+  return static_cast<size_t>(
+      std::count_if(body.map.sources.begin(), body.map.sources.end(), [](int source) { return source >= 0; }));
+}
+
+// By anatomy; where a quarter more joints move if those that votes know are taken at their word, by them.
+AnimatedCharacter moved(const PictureCharacter& picture, const Character& character, const AnimateOptions& options,
+                        const MotionInput& input, const StepsOf& steps) {
+  const auto with = [&](const AnimateOptions& how) {
+    AnimatedCharacter body;
+    body.character = standing_body(picture, character);
+    body.motion = motion_of(body.character.joints);
+    add_motion(how, input, steps, &body);
+    return body;
+  };
+  const bool free = options.map.empty() && options.sources.empty() && options.pins.empty();
+  if (!free || !picture.rigged.skeleton.usable || !has_found_skeleton(picture, character)) return with(options);
+  AnimateOptions tried = options;
+  tried.force = true;
+  AnimatedCharacter best = with(tried);
+  tried.pins = pins_by_class(label_skeleton(picture.rigged.skeleton), label_skeleton(rest_joints(*input.motion)));
+  bool by_class = false;
+  if (best.map.cover.share < kMostCover && !tried.pins.empty()) {
+    AnimatedCharacter other = with(tried);
+    by_class = 4 * moved_joints(other) >= 5 * moved_joints(best);
+    if (by_class) best = std::move(other);
+  }
+  if (options.force || by_class || best.map.cover.share >= kLeastCover) return best;
+  return with(options);  // says why not
 }
 
 }  // namespace
 
 void add_picture_motion(const PictureCharacter& picture, bool depth, const AnimateOptions& options,
                         const MotionInput& input, const StepsOf& steps, AnimatedCharacter* out) {
-  AnimatedCharacter body;
-  body.character = standing_body(picture, out->character);
-  body.motion = motion_of(body.character.joints);
   AnimateOptions copied = options;
   copied.up = "y";
   if (copied.method == AnimateMethod::kAuto && !depth)
     copied.method = AnimateMethod::kCopy;  // feet are put on the floor here
-  add_motion(copied, input, steps, &body);
+  AnimatedCharacter body = moved(picture, out->character, copied, input, steps);
   const std::vector<uint8_t> classes = classes_of(picture, body.character);
   for (const Clip& clip : body.motion.clips)
     out->motion.clips.push_back(depth ? clip_with_depth(body.motion, clip, picture.view, out->motion)

@@ -41,7 +41,7 @@ constexpr BodyPlan kBodyPlans[] = {BodyPlan::kBiped, BodyPlan::kQuadruped, BodyP
 //   fowl       two legs and wings
 //   crawler    1 to 4 pairs of legs and another in front, or claws
 //   mascot     a head of half the height, stubby limbs; pigtails, long ears, wings, a big tail: chibi, plush
-constexpr BodyPlan kCreaturePlans[] = {BodyPlan::kDinosaur, BodyPlan::kFish, BodyPlan::kBlob,   BodyPlan::kBeast,
+constexpr BodyPlan kCreaturePlans[] = {BodyPlan::kDinosaur, BodyPlan::kFish, BodyPlan::kBlob,    BodyPlan::kBeast,
                                        BodyPlan::kToy,      BodyPlan::kFowl, BodyPlan::kCrawler, BodyPlan::kMascot};
 
 struct SynthesizeOptions {

@@ -54,7 +54,8 @@ void pigtails(Sketch* s, const Body& body, double radius) {
   const double rise = s->range(-0.3, 1.0), fall = s->chance(0.8) ? -1.0 : 0.6;
   const Point base = s->at(body.head) + Point{radius * 0.8, radius * s->range(0.1, 0.7), -radius * s->range(0, 0.4)};
   s->both_sides([&] {
-    const std::vector<Point> directions = {s->about({1, rise, -0.2}), s->about({0.4, fall, 0}), s->about({0.1, fall, 0})};
+    const std::vector<Point> directions = {s->about({1, rise, -0.2}), s->about({0.4, fall, 0}),
+                                           s->about({0.1, fall, 0})};
     const auto end = thick * s->range(0.4, 1.3);
     s->chain(numbered("ponytail", joints), base, body.head, directions, {length / joints}, thick, end);
   });
@@ -85,7 +86,8 @@ void big_tail(Sketch* s, const Body& body) {
   const double rise = s->range(-0.2, 0.6), bend = s->range(-0.5, 2.0);
   std::vector<Point> directions;
   for (int i = 0; i < joints; ++i)
-    directions.push_back(s->about_plane(mix(Point{0, rise, -1}, Point{0, bend, -0.5}, static_cast<double>(i) / joints)));
+    directions.push_back(
+        s->about_plane(mix(Point{0, rise, -1}, Point{0, bend, -0.5}, static_cast<double>(i) / joints)));
   const auto end = thick * s->range(0.3, 1.2);
   s->chain(numbered("tail", joints), {0, body.height, -body.radius * 0.6}, body.trunk[0], directions, {length / joints},
            thick, end);

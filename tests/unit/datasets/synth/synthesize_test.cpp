@@ -252,10 +252,8 @@ TEST(Synthesize, MascotsHaveBigHeadsHairEarsWingsAndTails) {
   for (uint64_t seed = 1; seed <= 40; ++seed) {
     const Character c = make(BodyPlan::kMascot, seed, 24, false);
     const JointVerdicts verdicts = joint_verdicts(c.joints);
-    std::map<uint32_t, std::string> kinds = {{SINEW_CLASS_HAIR, "hair"},
-                                             {SINEW_CLASS_EAR, "ears"},
-                                             {SINEW_CLASS_WING, "wings"},
-                                             {SINEW_CLASS_TAIL, "tail"}};
+    std::map<uint32_t, std::string> kinds = {
+        {SINEW_CLASS_HAIR, "hair"}, {SINEW_CLASS_EAR, "ears"}, {SINEW_CLASS_WING, "wings"}, {SINEW_CLASS_TAIL, "tail"}};
     std::set<std::string> found;
     float head = 0;
     for (size_t k = 0; k < c.joints.size(); ++k) {
