@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
 // The picture: mesh with vertex colours, skeleton on top (bones.js), orbit camera (framing.js), the rings that turn a joint (rings.js), a drawing
 // with its outline (outline_view.js), and what the pointer does there (pointer.js). Draws only when something changed.
-import {
-  Box3, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, GridHelper, Group, HemisphereLight, Mesh,
-  MeshStandardMaterial, MOUSE, NeutralToneMapping, NoToneMapping, PerspectiveCamera, Scene, SRGBColorSpace, TOUCH, Vector3, WebGLRenderer,
-} from "three";
+import { Box3, Color, Group, MOUSE, PerspectiveCamera, Scene, SRGBColorSpace, TOUCH, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { Bones } from "./bones.js";
+import { colouredMesh, moveMesh, paintMesh } from "./coloured_mesh.js";
 import { boxOfClip, Framing, middleOfJoints, slanted } from "./framing.js";
+import { Floor, Lighting } from "./lighting.js";
 import { MarkerBalls } from "./marker_balls.js";
 import { OutlineView } from "./outline_view.js";
 import { pictureOfPart } from "./part_picture.js";
 import { Pointer } from "./pointer.js";
-import { moved } from "./rays.js";
 import { Rings } from "./rings.js";
 import { ContactSpots } from "./spots.js";
 import { ViewCube } from "./view_cube.js";
+import { ViewEvents } from "./view_events.js";
 
 const colourOf = ([r, g, b]) => new Color().setRGB(r / 255, g / 255, b / 255, SRGBColorSpace);
+<<<<<<< HEAD
 const toLinear = Float32Array.from({ length: 256 }, (_, i) => {
   const x = i / 255;
   return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
@@ -47,6 +47,9 @@ export class View {
   onDragMarker = () => {}; // index, [x, y, z], whether it has ended
   /** @type {(...of: any[]) => any} */
   onDragOutline = () => {}; // {of, point} of outline_view.js, pixel, whether it has ended
+=======
+export class View extends ViewEvents {
+>>>>>>> w36
   selected = -1;
   #also = new Set(); // joints that turn with the chosen one
   /** @type {any} */
@@ -76,12 +79,10 @@ export class View {
   #bones = new Bones(this.#model, () => this.#framing.radius);
   #outline = new OutlineView(this.#model, () => this.redraw());
   #skeletonShown = true;
-  #light = new DirectionalLight(0xffffff, 1.7);
-  #sky = new HemisphereLight(0xffffff, 0x8b93a3, 1.9);
+  #light;
+  #floor;
   /** @type {any} */
   #mesh;
-  /** @type {any} */
-  #grid;
   #upAxis = 0;
   #joints = []; // [{parent, position}]
   #editing = false;
@@ -90,14 +91,15 @@ export class View {
   #stale = false;
 
   constructor(host) {
+    super();
     this.#host = host;
     this.#renderer = new WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: false });
     this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.#renderer.domElement.setAttribute("aria-label", "The character. Drag to orbit, click to choose a joint.");
     host.prepend(this.#renderer.domElement);
-    this.#scene.add(this.#sky, this.#camera, this.#model);
-    this.#camera.add(this.#light);
-    this.#light.position.set(0.6, 0.9, 0.7);
+    this.#scene.add(this.#camera, this.#model);
+    this.#light = new Lighting({ scene: this.#scene, camera: this.#camera, renderer: this.#renderer });
+    this.#floor = new Floor(this.#scene, () => this.#mesh && (this.#stand(this.#upAxis), this.redraw()));
     this.#orbit = new OrbitControls(this.#camera, this.#renderer.domElement);
     this.#orbit.enableDamping = false;
     this.#orbit.addEventListener("change", () => this.redraw());
@@ -110,7 +112,6 @@ export class View {
     this.#rings.onTurnEnd = (joint) => this.onTurnEnd(joint);
     this.#cube = new ViewCube({ camera: this.#camera, canvas, orbit: this.#orbit, host, redraw: () => (this.hold(), this.redraw()) });
     this.#pointer = new Pointer(this, { host, canvas, camera: this.#camera, model: this.#model, mesh: () => this.#mesh });
-    isLight.addEventListener("change", () => this.#mesh && (this.#stand(this.#upAxis), this.redraw()));
     new ResizeObserver(() => this.#resize()).observe(host);
     this.#resize();
   }
@@ -124,15 +125,8 @@ export class View {
     const wireframe = this.wireframe;
     this.#mesh?.geometry.dispose();
     this.#mesh?.removeFromParent();
-    const geometry = new BufferGeometry();
-    geometry.setIndex(new BufferAttribute(triangles, 1));
-    geometry.setAttribute("position", new BufferAttribute(positions, 3));
-    geometry.setAttribute("normal", new BufferAttribute(normals, 3));
-    geometry.setAttribute("color", new BufferAttribute(new Float32Array(positions.length).fill(0.35), 3));
-    this.#mesh = new Mesh(geometry, new MeshStandardMaterial({ vertexColors: true, wireframe, roughness: 0.82, metalness: 0, side: DoubleSide }));
-    geometry.computeBoundingBox();
-    this.#restBox = new Box3().copy(geometry.boundingBox ?? new Box3());
-    this.#mesh.frustumCulled = false; // poses leave the rest pose's bounds
+    this.#mesh = colouredMesh({ triangles, positions, normals, wireframe });
+    this.#restBox = new Box3().copy(this.#mesh.geometry.boundingBox ?? new Box3());
     this.#model.add(this.#mesh);
     this.#stand(upAxis);
     this.setSkeleton(joints);
@@ -149,7 +143,7 @@ export class View {
     this.#model.rotation.x = upAxis === 1 ? -Math.PI / 2 : 0;
     this.#model.updateMatrixWorld(true);
     if (!this.#outline.shown) this.frame();
-    this.#makeGrid(this.#mesh.geometry.boundingBox.clone().applyMatrix4(this.#model.matrixWorld));
+    this.#floor.show(this.#framing, this.#mesh.geometry.boundingBox.clone().applyMatrix4(this.#model.matrixWorld).min.y);
   }
 
   setSkeleton(joints) {
@@ -200,9 +194,7 @@ export class View {
   }
 
   setColours(srgb) {
-    const colours = this.#mesh.geometry.getAttribute("color");
-    for (let i = 0; i < srgb.length; ++i) colours.array[i] = toLinear[srgb[i]];
-    colours.needsUpdate = true;
+    paintMesh(this.#mesh, srgb);
     this.redraw();
   }
 
@@ -210,20 +202,12 @@ export class View {
   setPose(positions, normals, jointPositions, turns, palette, moves = false) {
     this.#palette = palette;
     this.#look?.pose(palette);
-    if (positions) this.#moveMesh(positions, normals);
+    if (positions) moveMesh(this.#mesh, positions, normals);
     this.#jointPositions = jointPositions;
     this.#rings.turn(turns);
     this.#bones.place(this.#jointPositions);
     this.#framing.goAlong(middleOfJoints(jointPositions).applyMatrix4(this.#model.matrixWorld), moves);
     this.redraw();
-  }
-
-  #moveMesh(positions, normals) {
-    const { geometry } = this.#mesh;
-    geometry.getAttribute("position").copyArray(positions).needsUpdate = true;
-    geometry.getAttribute("normal").copyArray(normals).needsUpdate = true;
-    geometry.boundingSphere = null;
-    moved(geometry);
   }
 
   // Contacts of a motion's frame, see spots.js.
@@ -288,12 +272,16 @@ export class View {
   setLook(look) {
     this.#look?.dispose();
     this.#look = look;
+<<<<<<< HEAD
     this.#scene.environment = look?.room(this.#renderer, roomIntensity) ?? null;
     // Materials are lit by the room, and bright ones keep their colours; what shows weights is lit evenly.
     this.#renderer.toneMapping = look ? NeutralToneMapping : NoToneMapping;
     this.#sky.intensity = look ? 0 : 1.9;
     this.#light.intensity = look ? 0.7 : 1.7;
     this.#scene.environmentIntensity = roomIntensity;
+=======
+    this.#light.show(look);
+>>>>>>> w36
     if (look) {
       this.#model.add(look.root);
       if (this.#palette) look.pose(this.#palette);
@@ -444,7 +432,7 @@ export class View {
   pictureOf(members, vertexOf) {
     const bonesShown = this.#bones.shown;
     this.#bones.shown = false;
-    const hidden = [this.#rings.helper, this.#grid, this.#look?.root];
+    const hidden = [this.#rings.helper, this.#floor.grid, this.#look?.root];
     const url = pictureOfPart({ renderer: this.#renderer, scene: this.#scene, model: this.#model, mesh: this.#mesh, radius: this.#framing.radius, hidden }, members, vertexOf);
     this.#bones.shown = bonesShown;
     this.redraw();
@@ -480,14 +468,5 @@ export class View {
     this.#camera.updateProjectionMatrix();
     if (this.#mesh && this.#framing.untouched) this.#outline.shown ? this.frame() : this.#framing.again();
     this.#draw(); // at once: a canvas that was sized anew is empty
-  }
-
-  #makeGrid(box) {
-    this.#grid?.dispose();
-    this.#grid?.removeFromParent();
-    this.#grid = new GridHelper(this.#framing.radius * 4, 20, ...(isLight.matches ? [0xaab2bd, 0xc9cfd8] : [0x4a515d, 0x2c3139]));
-    const { x, z } = this.#framing.centre;
-    this.#grid.position.set(x, box.min.y, z);
-    this.#scene.add(this.#grid);
   }
 }
