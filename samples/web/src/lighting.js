@@ -2,6 +2,8 @@
 // The picture's light, and the floor below the character, light or dark as the system is.
 import { DirectionalLight, GridHelper, HemisphereLight, NeutralToneMapping, NoToneMapping } from "three";
 
+const roomIntensity = 0.55; // of the light that materials get from the room around them
+
 export class Lighting {
   #sky = new HemisphereLight(0xffffff, 0x8b93a3);
   #lamp = new DirectionalLight(0xffffff);
@@ -20,8 +22,8 @@ export class Lighting {
   /** @param {import("./look.js").Look | null} look */
   show(look) {
     const { scene, renderer } = this.#of;
-    scene.environment = look?.room(renderer) ?? null;
-    scene.environmentIntensity = 0.55;
+    scene.environment = look?.room(renderer, roomIntensity) ?? null;
+    scene.environmentIntensity = roomIntensity;
     renderer.toneMapping = look ? NeutralToneMapping : NoToneMapping;
     this.#sky.intensity = look ? 0 : 1.9;
     this.#lamp.intensity = look ? 0.7 : 1.7;

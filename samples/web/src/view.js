@@ -17,39 +17,7 @@ import { ViewCube } from "./view_cube.js";
 import { ViewEvents } from "./view_events.js";
 
 const colourOf = ([r, g, b]) => new Color().setRGB(r / 255, g / 255, b / 255, SRGBColorSpace);
-<<<<<<< HEAD
-const toLinear = Float32Array.from({ length: 256 }, (_, i) => {
-  const x = i / 255;
-  return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
-});
-
-const roomIntensity = 0.55; // of the light that materials get from the room around them
-const isLight = matchMedia("(prefers-color-scheme: light)");
-
-export class View {
-  /** @type {(...of: any[]) => any} */
-  onPickJoint = () => {};
-  /** @type {(...of: any[]) => any} */
-  onPickSurface = () => {}; // shown vertex
-  /** @type {(...of: any[]) => any} */
-  onTurn = () => {}; // joint, degrees x, y, z
-  /** @type {(...of: any[]) => any} */
-  onTurnEnd = () => {};
-  /** @type {(...of: any[]) => any} */
-  onDrag = () => {}; // joint, [x, y, z] where it is wanted now
-  /** @type {(...of: any[]) => any} */
-  onDragEnd = () => {};
-  /** @type {(...of: any[]) => any} */
-  onStrokeEnd = () => {};
-  /** @type {any} */
-  onMark = null; // [x, y, z] of a click on the mesh, while clicks are markers
-  /** @type {(...of: any[]) => any} */
-  onDragMarker = () => {}; // index, [x, y, z], whether it has ended
-  /** @type {(...of: any[]) => any} */
-  onDragOutline = () => {}; // {of, point} of outline_view.js, pixel, whether it has ended
-=======
 export class View extends ViewEvents {
->>>>>>> w36
   selected = -1;
   #also = new Set(); // joints that turn with the chosen one
   /** @type {any} */
@@ -272,16 +240,7 @@ export class View extends ViewEvents {
   setLook(look) {
     this.#look?.dispose();
     this.#look = look;
-<<<<<<< HEAD
-    this.#scene.environment = look?.room(this.#renderer, roomIntensity) ?? null;
-    // Materials are lit by the room, and bright ones keep their colours; what shows weights is lit evenly.
-    this.#renderer.toneMapping = look ? NeutralToneMapping : NoToneMapping;
-    this.#sky.intensity = look ? 0 : 1.9;
-    this.#light.intensity = look ? 0.7 : 1.7;
-    this.#scene.environmentIntensity = roomIntensity;
-=======
     this.#light.show(look);
->>>>>>> w36
     if (look) {
       this.#model.add(look.root);
       if (this.#palette) look.pose(this.#palette);
