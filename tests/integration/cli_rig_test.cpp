@@ -160,5 +160,12 @@ TEST_F(CliRig, TargetGoesOnAfterAFailure) {
   EXPECT_FALSE(fs::exists(in("targets/broken.rig.txt")));
 }
 
+// An OBJ does not say which axis is up: z is where the network is sure of it, and it hardly is of this creature.
+TEST_F(CliRig, WhatHardlyTellsItsUpStandsOnItsFeet) {
+  good("dataset synthesize --plan crawler --seed 9 --resolution 24 -o crawler.obj");
+  const auto made = nlohmann::json::parse(good("rig crawler.obj --no-bind --json -o crawler.rig.txt").out);
+  EXPECT_EQ(made["up"], "y") << made["up_certainty"];
+}
+
 }  // namespace
 }  // namespace sinew

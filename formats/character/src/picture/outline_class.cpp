@@ -147,7 +147,8 @@ std::array<int32_t, kOutlineFeatures> outline_features(const OutlineCells& cells
 
 BodyGuess class_of_outline(const Mask& mask) {
   const OutlineCells cells = outline_cells(mask);
-  if (std::all_of(cells.begin(), cells.end(), [](const auto& row) { return row == std::array<int32_t, kOutlineCells>{}; }))
+  if (std::all_of(cells.begin(), cells.end(),
+                  [](const auto& row) { return row == std::array<int32_t, kOutlineCells>{}; }))
     return {};
   std::array<int64_t, kOutlineClasses> logits = logits_of(cells);
   const std::array<int64_t, kOutlineClasses> other = logits_of(mirrored(cells));

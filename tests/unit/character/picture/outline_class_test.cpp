@@ -82,7 +82,8 @@ TEST(OutlineClass, SizeAndPlaceHardlyMatter) {
   for (const Shape shape : {person, horse, fish}) {
     const BodyGuess one = class_of_outline(drawn(shape));
     const BodyGuess large = class_of_outline(drawn(shape, 777));
-    const BodyGuess corner = class_of_outline(drawn([&](double x, double y) { return shape(3 * x - 2, 3 * y - 2); }, 600));
+    const BodyGuess corner =
+        class_of_outline(drawn([&](double x, double y) { return shape(3 * x - 2, 3 * y - 2); }, 600));
     EXPECT_EQ(one.body, large.body);
     EXPECT_NEAR(one.certainty, large.certainty, 0.1f);
     EXPECT_EQ(one.body, corner.body);
