@@ -19,16 +19,16 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kWorse = 0.03;  // L1 above heat's that counts as worse
 
-struct Figure {
+struct FoldFigure {
   const char* key;
   double CrossvalFigures::*value;
 };
-constexpr Figure kFigures[] = {{"l1", &CrossvalFigures::l1},
-                               {"argmax", &CrossvalFigures::argmax},
-                               {"distance", &CrossvalFigures::distance},
-                               {"heat_l1", &CrossvalFigures::heat_l1},
-                               {"heat_argmax", &CrossvalFigures::heat_argmax},
-                               {"heat_distance", &CrossvalFigures::heat_distance}};
+constexpr FoldFigure kFigures[] = {{"l1", &CrossvalFigures::l1},
+                                   {"argmax", &CrossvalFigures::argmax},
+                                   {"distance", &CrossvalFigures::distance},
+                                   {"heat_l1", &CrossvalFigures::heat_l1},
+                                   {"heat_argmax", &CrossvalFigures::heat_argmax},
+                                   {"heat_distance", &CrossvalFigures::heat_distance}};
 
 template <class Weight>
 CrossvalFigures mean(const std::vector<CrossvalFamily>& families, Weight&& weight) {
@@ -37,7 +37,7 @@ CrossvalFigures mean(const std::vector<CrossvalFamily>& families, Weight&& weigh
   for (const CrossvalFamily& family : families) sum += weight(family);
   if (sum <= 0) return out;
   for (const CrossvalFamily& family : families) {
-    for (const Figure& f : kFigures) out.*f.value += weight(family) / sum * family.figures.*f.value;
+    for (const FoldFigure& f : kFigures) out.*f.value += weight(family) / sum * family.figures.*f.value;
   }
   return out;
 }
@@ -84,13 +84,13 @@ std::string figure_cells(const CrossvalFigures& f) {
 Json family_json(const CrossvalFamily& family) {
   Json out = {
       {"family", family.family}, {"group", family.group}, {"fold", family.fold}, {"characters", family.characters}};
-  for (const Figure& f : kFigures) out[f.key] = family.figures.*f.value;
+  for (const FoldFigure& f : kFigures) out[f.key] = family.figures.*f.value;
   return out;
 }
 
 Json figures_json(const CrossvalFigures& figures) {
   Json out;
-  for (const Figure& f : kFigures) out[f.key] = figures.*f.value;
+  for (const FoldFigure& f : kFigures) out[f.key] = figures.*f.value;
   return out;
 }
 
@@ -100,7 +100,7 @@ CrossvalFamily family_from(const Json& row) {
   family.group = row.at("group").get<std::string>();
   family.fold = row.at("fold").get<uint32_t>();
   family.characters = row.at("characters").get<size_t>();
-  for (const Figure& f : kFigures) family.figures.*f.value = row.at(f.key).get<double>();
+  for (const FoldFigure& f : kFigures) family.figures.*f.value = row.at(f.key).get<double>();
   return family;
 }
 
@@ -198,7 +198,7 @@ std::string crossval_csv(const CrossvalReport& report) {
       for (const CrossvalFamily& family : *rows) {
         out += print("%llu,%s,%s,%s,%u,%zu", static_cast<unsigned long long>(seed.seed), set, family.family.c_str(),
                      family.group.c_str(), family.fold, family.characters);
-        for (const Figure& f : kFigures) out += print(",%.6f", family.figures.*f.value);
+        for (const FoldFigure& f : kFigures) out += print(",%.6f", family.figures.*f.value);
         out += "\n";
       }
     }

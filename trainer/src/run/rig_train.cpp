@@ -30,7 +30,7 @@ namespace sinew {
 namespace {
 
 template <class Config, class Visitor>
-void visit_settings(Config& c, Visitor&& visit) {
+void visit_rig_settings(Config& c, Visitor&& visit) {
   visit("architecture", c.architecture);
   visit("width", c.width);
   visit("rounds", c.rounds);
@@ -214,7 +214,7 @@ RigTrainConfig front_train_config() {
 
 RigTrainConfig parse_rig_config(const std::string& json, const std::string& source) {
   RigTrainConfig config;
-  read_settings(json, source, "", [&](auto&& visit) { visit_settings(config, visit); });
+  read_settings(json, source, "", [&](auto&& visit) { visit_rig_settings(config, visit); });
   const Requirement require{source};
   check_run_settings(config, require);
   require(config.architecture == "votes" || config.architecture == "slots" || config.architecture == "front",
@@ -237,7 +237,7 @@ RigTrainConfig parse_rig_config(const std::string& json, const std::string& sour
 }
 
 std::string rig_config_json(const RigTrainConfig& config) {
-  return write_settings("", [&](auto&& visit) { visit_settings(config, visit); });
+  return write_settings("", [&](auto&& visit) { visit_rig_settings(config, visit); });
 }
 
 void train_rig(const RigTrainConfig& config, const TrainOptions& options) {

@@ -25,7 +25,9 @@
 namespace sinew {
 namespace {
 
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 ValScore mean_scores(const std::vector<const NetworkSample*>& samples, const std::vector<double>& scores) {
   ValScore result;
@@ -177,7 +179,7 @@ void TrainingRun::go() {
     say_finished();
     return;
   }
-  const double started = now() - state.seconds;
+  const double started = seconds_now() - state.seconds;
   const uint64_t first_step = state.step;
   uint64_t steps_left = options_.stop_after;
   bool validated = false;
@@ -186,7 +188,7 @@ void TrainingRun::go() {
   while (progress() < 1 && settled().empty() && !stopping_ && (options_.stop_after == 0 || steps_left-- > 0)) {
     const double rate = config_.learning_rate * schedule(progress());
     step(rate);
-    state.seconds = now() - started;
+    state.seconds = seconds_now() - started;
     agree();
     validated = state.step % config_.validate_every == 0;
     if (validated) validate(rate);

@@ -14,7 +14,7 @@ namespace sinew {
 namespace {
 
 constexpr int kRays = 12;
-constexpr double kReach = 0.25;       // of the longest side: cloth farther from the bone is not around it
+constexpr double kDressReach = 0.25;  // of the longest side: cloth farther from the bone is not around it
 constexpr double kDownTheBone = 0.3;  // beside the joint, where a bend has its creases, but outside of the trunk
 
 Vec3d position_of(const Vec3& p) {
@@ -127,7 +127,8 @@ std::optional<Dressed> take_apart(const Character& character) {
     for (const Joint& child : character.joints)
       if (child.parent == static_cast<int>(joint))
         bone_length = std::min(bone_length, length(position_of(child.position) - at));
-    const auto around = parts_around(character, parts, at + kDownTheBone * bone_length * bone, bone, kReach * size);
+    const auto around =
+        parts_around(character, parts, at + kDownTheBone * bone_length * bone, bone, kDressReach * size);
     if (around.size() < 2) continue;
     double inner = INFINITY;
     for (const auto& [part, distance] : around) inner = std::min(inner, distance);

@@ -22,9 +22,9 @@ constexpr double kBoneStep = 0.005;
 constexpr double kPairDistance = 0.05;
 constexpr double kUnpairedCost = 10;  // more than all pairs together for any skeleton below 200 joints
 constexpr double kMirrorError = 2e-6;
-constexpr double kMiddle = 0.01, kBeside = 0.005;  // from the mirror plane
+constexpr double kRigMiddle = 0.01, kBeside = 0.005;  // from the mirror plane
 
-double distance(const Point& a, const Point& b) {
+double distance_of(const Point& a, const Point& b) {
   const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
   return std::sqrt(x * x + y * y + z * z);
 }
@@ -65,7 +65,7 @@ std::vector<Point> bone_points(const ScoredSkeleton& skeleton) {
   for (size_t j = 0; j < skeleton.positions.size(); ++j) {
     if (skeleton.parents[j] < 0) continue;
     const Point &end = skeleton.positions[j], &start = skeleton.positions[static_cast<size_t>(skeleton.parents[j])];
-    const int steps = std::max(1, static_cast<int>(std::ceil(distance(end, start) / kBoneStep)));
+    const int steps = std::max(1, static_cast<int>(std::ceil(distance_of(end, start) / kBoneStep)));
     for (int k = 0; k <= steps; ++k) {
       const double t = k == steps ? 1 : k * (1.0 / steps);
       Point p;
@@ -166,7 +166,7 @@ class SidedJoints {
              : skeleton.positions[static_cast<size_t>(root)][0];
   }
   std::vector<size_t> in_middle(JointClass one) const {
-    return joints(one, [](double off) { return std::abs(off) <= kMiddle; });
+    return joints(one, [](double off) { return std::abs(off) <= kRigMiddle; });
   }
   std::vector<size_t> beside(JointClass one, double side) const {
     return joints(one, [side](double off) { return side * off > kBeside; });
@@ -230,7 +230,7 @@ std::vector<int> pair_joints(const ScoredSkeleton& predicted, const ScoredSkelet
   std::vector<double> cost(rows * columns);
   for (size_t i = 0; i < rows; ++i) {
     for (size_t j = 0; j < columns; ++j) {
-      const double d = distance(predicted.positions[i], reference.positions[j]);
+      const double d = distance_of(predicted.positions[i], reference.positions[j]);
       cost[i * columns + j] = d <= kPairDistance ? d : kUnpairedCost;
     }
   }

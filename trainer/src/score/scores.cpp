@@ -16,23 +16,23 @@ namespace {
 
 using Named = std::pair<std::string, Metrics>;
 
-struct Figure {
+struct MetricFigure {
   const char* key;  // as in the yardstick's JSON, which has l1_file as l1 with --ends keep
   double Metrics::*value;
 };
-constexpr std::array<Figure, 13> kFigures = {{{"precision", &Metrics::precision},
-                                              {"recall", &Metrics::recall},
-                                              {"l1", &Metrics::l1},
-                                              {"l1_file", &Metrics::l1_file},
-                                              {"avg_dist", &Metrics::avg_dist},
-                                              {"max_dist", &Metrics::max_dist},
-                                              {"argmax", &Metrics::argmax},
-                                              {"kl", &Metrics::kl},
-                                              {"bad", &Metrics::bad},
-                                              {"l1_area", &Metrics::l1_area},
-                                              {"max_dist_all", &Metrics::max_dist_all},
-                                              {"infl", &Metrics::influences},
-                                              {"unweighted", &Metrics::unweighted}}};
+constexpr std::array<MetricFigure, 13> kMetricFigures = {{{"precision", &Metrics::precision},
+                                                          {"recall", &Metrics::recall},
+                                                          {"l1", &Metrics::l1},
+                                                          {"l1_file", &Metrics::l1_file},
+                                                          {"avg_dist", &Metrics::avg_dist},
+                                                          {"max_dist", &Metrics::max_dist},
+                                                          {"argmax", &Metrics::argmax},
+                                                          {"kl", &Metrics::kl},
+                                                          {"bad", &Metrics::bad},
+                                                          {"l1_area", &Metrics::l1_area},
+                                                          {"max_dist_all", &Metrics::max_dist_all},
+                                                          {"infl", &Metrics::influences},
+                                                          {"unweighted", &Metrics::unweighted}}};
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -59,7 +59,8 @@ double median_seconds_per_1000(const std::vector<Named>& characters) {
 Metrics mean(const std::vector<Named>& rows) {
   Metrics out;
   for (const auto& [name, m] : rows) {
-    for (const Figure& figure : kFigures) out.*figure.value += m.*figure.value / static_cast<double>(rows.size());
+    for (const MetricFigure& figure : kMetricFigures)
+      out.*figure.value += m.*figure.value / static_cast<double>(rows.size());
     out.vertices += m.vertices;
     out.unbound += m.unbound;
     out.joints += m.joints;
@@ -106,7 +107,7 @@ std::string table_row(std::string label, const Metrics& m, const std::vector<Nam
 
 nlohmann::json figures_json(const Metrics& m) {
   nlohmann::json out;
-  for (const Figure& figure : kFigures) out[figure.key] = m.*figure.value;
+  for (const MetricFigure& figure : kMetricFigures) out[figure.key] = m.*figure.value;
   return out;
 }
 

@@ -110,7 +110,7 @@ RestRig rest_rig(const PosedCharacter& posed, const FindRig& find) {
   return rig;
 }
 
-double share(size_t part, size_t whole) { return static_cast<double>(part) / static_cast<double>(whole); }
+double share_of(size_t part, size_t whole) { return static_cast<double>(part) / static_cast<double>(whole); }
 
 double flipped(const RestRig& posed, const RestRig& rest) {
   const std::vector<int> pairs = pair_joints(posed.bones, rest.bones);
@@ -119,23 +119,23 @@ double flipped(const RestRig& posed, const RestRig& rest) {
     const int now = posed.strongest[v];
     flips += (now < 0 ? -1 : pairs[static_cast<size_t>(now)]) != rest.strongest[v] ? 1 : 0;
   }
-  return share(flips, rest.strongest.size());
+  return share_of(flips, rest.strongest.size());
 }
 
-struct Column {
+struct StabilityColumn {
   const char *title, *key;
   double StabilityFigures::*value;
 };
-constexpr Column kStabilityColumns[] = {{"spread of joints", "spread", &StabilityFigures::spread},
-                                        {"in the worst pose", "worst_spread", &StabilityFigures::worst_spread},
-                                        {"flips, found anew", "flips", &StabilityFigures::flips},
-                                        {"flips, own joints", "own_flips", &StabilityFigures::own_flips}};
+constexpr StabilityColumn kStabilityColumns[] = {{"spread of joints", "spread", &StabilityFigures::spread},
+                                                 {"in the worst pose", "worst_spread", &StabilityFigures::worst_spread},
+                                                 {"flips, found anew", "flips", &StabilityFigures::flips},
+                                                 {"flips, own joints", "own_flips", &StabilityFigures::own_flips}};
 
 enum class Average { kMean, kMedian };
 
 StabilityFigures average(const std::vector<StabilityFigures>& rows, Average how) {
   StabilityFigures out;
-  for (const Column& column : kStabilityColumns) {
+  for (const StabilityColumn& column : kStabilityColumns) {
     std::vector<double> values;
     for (const StabilityFigures& row : rows) values.push_back(row.*column.value);
     std::sort(values.begin(), values.end());
@@ -175,7 +175,7 @@ Averages averages(const StabilityRows& characters) {
 
 nlohmann::ordered_json figures_json(const StabilityFigures& figures) {
   nlohmann::ordered_json out;
-  for (const Column& column : kStabilityColumns) out[column.key] = figures.*column.value;
+  for (const StabilityColumn& column : kStabilityColumns) out[column.key] = figures.*column.value;
   return out;
 }
 
@@ -198,21 +198,21 @@ StabilityFigures measure_stability(const Character& character, unsigned poses, c
     const std::vector<std::vector<Influence>> moved = own(posed.own());
     size_t flips = 0;
     for (size_t v = 0; v < rows.size(); ++v) flips += strongest(moved[v]) != strongest(rows[v]) ? 1 : 0;
-    out.own_flips += share(flips, rows.size()) / poses;
+    out.own_flips += share_of(flips, rows.size()) / poses;
   }
   return out;
 }
 
 std::string stability_markdown(const StabilityRows& rows) {
   std::string text = "| x 100 | characters |", line = "|---|---|";
-  for (const Column& column : kStabilityColumns) {
+  for (const StabilityColumn& column : kStabilityColumns) {
     text += std::string(" ") + column.title + " |";
     line += "---|";
   }
   text += "\n" + line + "\n";
   const auto row = [&](const std::string& name, size_t count, const StabilityFigures& figures) {
     text += "| " + markdown_cell(name) + print(" | %zu |", count);
-    for (const Column& column : kStabilityColumns) text += print(" %.2f |", 100 * (figures.*column.value));
+    for (const StabilityColumn& column : kStabilityColumns) text += print(" %.2f |", 100 * (figures.*column.value));
     text += "\n";
   };
   std::map<std::string, size_t> sizes;
