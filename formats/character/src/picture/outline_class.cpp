@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <iterator>
+#include <utility>
 
 #include "picture/outline_class_table.hpp"
 
@@ -82,13 +85,45 @@ std::array<int32_t, 5> shape_features(const OutlineCells& cells) {
 }
 
 // Logits, Q10. Sums stay below 245 * 255 * 2^15.
+#if defined(__EMSCRIPTEN__)
+// A page loads all of a module's constants with its first part. What code writes comes with the part that has the code: 20 kB later.
+constexpr uint64_t four_of_first(size_t from) {
+  uint64_t out = 0;
+  for (size_t i = 0; i < 4; ++i) out |= uint64_t{static_cast<uint16_t>(kOutlineFirst[from + i])} << (16 * i);
+  return out;
+}
+
+template <uint64_t kFour>
+char write_four(int16_t* to) {
+  const uint64_t four = kFour;
+  std::memcpy(to, &four, sizeof four);
+  return 0;
+}
+
+template <size_t... kFour>
+[[gnu::noinline]] void write_first(int16_t* to, std::index_sequence<kFour...> /*fours*/) {
+  const char done[] = {write_four<four_of_first(4 * kFour)>(to + 4 * kFour)...};
+  (void)done;
+}
+
+const int16_t* first_layer() {
+  static int16_t weights[std::size(kOutlineFirst)];
+  static const bool is_written = (write_first(weights, std::make_index_sequence<std::size(weights) / 4>()), true);
+  (void)is_written;
+  return weights;
+}
+#else
+const int16_t* first_layer() { return kOutlineFirst; }
+#endif
+
 std::array<int64_t, kOutlineClasses> logits_of(const OutlineCells& cells) {
+  const int16_t* const first = first_layer();
   const std::array<int32_t, kOutlineFeatures> x = outline_features(cells);
   std::array<int64_t, kOutlineClasses> out{};
   for (size_t k = 0; k < kOutlineClasses; ++k) out[k] = kOutlineSecondBias[k];
   for (size_t h = 0; h < kOutlineHidden; ++h) {
     int64_t sum = kOutlineFirstBias[h];
-    for (size_t i = 0; i < kOutlineFeatures; ++i) sum += int64_t{x[i]} * kOutlineFirst[i * kOutlineHidden + h];
+    for (size_t i = 0; i < kOutlineFeatures; ++i) sum += int64_t{x[i]} * first[i * kOutlineHidden + h];
     const int64_t value = std::max<int64_t>(sum, 0) >> 10;
     for (size_t k = 0; k < kOutlineClasses; ++k) out[k] += value * kOutlineSecond[h * kOutlineClasses + k];
   }
