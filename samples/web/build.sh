@@ -32,7 +32,8 @@ rm -f "$out"/*.js
 node_modules/.bin/esbuild src/main.js src/worker.js src/fbx_worker.js --bundle --splitting --minify --format=esm --target=es2022 --outdir="$out" --log-level=warning \
   --alias:@sinew/skin/loader="$root/samples/npm/src/loader.js" --alias:@sinew/skin/scenes="$root/samples/npm/src/scenes.js" --alias:sinew-scenes="$scenes/scenes.mjs" \
   --alias:sinew-simd="$build/simd/sinew_web.mjs" --alias:sinew-scalar="$build/scalar/sinew_web.mjs"
-cp src/index.html src/style.css src/icon.svg src/manifest.webmanifest src/sw.js "$out"
+node_modules/.bin/esbuild src/style.css --minify --outdir="$out" --log-level=warning
+cp src/index.html src/icon.svg src/manifest.webmanifest src/sw.js "$out"
 for model in default rig hands front; do pack_model "$root/samples/data/sinew_$model.sinew" "$out/sinew_$model.sinew"; done
 mkdir -p "$out/samples" "$out/thumbs"
 cp src/thumbs/*.webp "$out/thumbs"
