@@ -4,13 +4,9 @@
 
 #include "features/features.hpp"
 #include "network/networks.hpp"
+#include "run/sample_as.hpp"
 
 namespace sinew {
-namespace {
-
-const Sample& bind_sample_of(const NetworkSample& sample) { return static_cast<const Sample&>(sample); }
-
-}  // namespace
 
 BindTask::BindTask(const TrainConfig& config)
     : config_(parse_train_config(train_config_json(config), "configuration")),
@@ -48,16 +44,16 @@ std::vector<std::string> BindTask::loss_names() const { return {"loss", "l1", "k
 
 std::vector<double> BindTask::loss(const NetworkSample& sample, const std::vector<float>& outputs,
                                    std::vector<float>* d_outputs) const {
-  const LossTerms terms = weight_loss(bind_sample_of(sample), loss_, outputs, d_outputs);
+  const LossTerms terms = weight_loss(sample_as<Sample>(sample), loss_, outputs, d_outputs);
   return {terms.total, terms.l1, terms.kl, terms.regret, terms.part, terms.deformation};
 }
 
 double BindTask::score(const NetworkSample& sample, const std::vector<float>& outputs) const {
-  return sample_l1(bind_sample_of(sample), softmax(bind_sample_of(sample), outputs), kKeptInfluences);
+  return sample_l1(sample_as<Sample>(sample), softmax(sample_as<Sample>(sample), outputs), kKeptInfluences);
 }
 
 double BindTask::baseline_score(const NetworkSample& sample) const {
-  return sample_l1(bind_sample_of(sample), bind_sample_of(sample).heat, kKeptInfluences);
+  return sample_l1(sample_as<Sample>(sample), sample_as<Sample>(sample).heat, kKeptInfluences);
 }
 
 std::string BindTask::config_text() const { return train_config_json(config_); }

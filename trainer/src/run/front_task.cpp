@@ -4,14 +4,10 @@
 
 #include "network/front_network.hpp"
 #include "run/front_loss.hpp"
+#include "run/sample_as.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
-namespace {
-
-const FrontSample& front_sample_of(const NetworkSample& sample) { return static_cast<const FrontSample&>(sample); }
-
-}  // namespace
 
 FloatNetwork FrontTask::make_network() const {
   return make_front_network({config_.width, config_.rounds}, config_.seed);
@@ -27,12 +23,12 @@ std::vector<std::string> FrontTask::loss_names() const { return {"loss", "front"
 
 std::vector<double> FrontTask::loss(const NetworkSample& sample, const std::vector<float>& outputs,
                                     std::vector<float>* d_outputs) const {
-  const FrontLoss l = front_loss(front_sample_of(sample), outputs, d_outputs);
+  const FrontLoss l = front_loss(sample_as<FrontSample>(sample), outputs, d_outputs);
   return {l.total, l.front, l.upright, l.angle};
 }
 
 double FrontTask::score(const NetworkSample& sample, const std::vector<float>& outputs) const {
-  return front_loss(front_sample_of(sample), outputs, nullptr).angle;
+  return front_loss(sample_as<FrontSample>(sample), outputs, nullptr).angle;
 }
 
 }  // namespace sinew

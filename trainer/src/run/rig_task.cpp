@@ -5,14 +5,10 @@
 #include "network/rig_network.hpp"
 #include "rig/rig_task.hpp"
 #include "run/rig_loss.hpp"
+#include "run/sample_as.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
-namespace {
-
-const RigSample& rig_sample_of(const NetworkSample& sample) { return static_cast<const RigSample&>(sample); }
-
-}  // namespace
 
 FloatNetwork RigTask::make_network() const {
   return make_rig_network({config_.width, config_.rounds, is_hands(config_)}, config_.seed);
@@ -32,12 +28,12 @@ std::vector<std::string> RigTask::loss_names() const {
 
 std::vector<double> RigTask::loss(const NetworkSample& sample, const std::vector<float>& outputs,
                                   std::vector<float>* d_outputs) const {
-  const RigLoss l = rig_loss(rig_sample_of(sample), outputs, d_outputs);
+  const RigLoss l = rig_loss(sample_as<RigSample>(sample), outputs, d_outputs);
   return {l.total, l.start, l.end, l.start_class, l.end_class, l.start_distance, l.end_distance};
 }
 
 double RigTask::score(const NetworkSample& sample, const std::vector<float>& outputs) const {
-  const RigLoss l = rig_loss(rig_sample_of(sample), outputs, nullptr);
+  const RigLoss l = rig_loss(sample_as<RigSample>(sample), outputs, nullptr);
   return 0.5 * (l.start_distance + l.end_distance);
 }
 

@@ -3,14 +3,10 @@
 #include "run/slot_task.hpp"
 
 #include "network/slot_network.hpp"
+#include "run/sample_as.hpp"
 #include "run/slot_loss.hpp"
 
 namespace sinew {
-namespace {
-
-const SlotSample& slot_sample_of(const NetworkSample& sample) { return static_cast<const SlotSample&>(sample); }
-
-}  // namespace
 
 FloatNetwork SlotTask::make_network() const { return make_slot_network({config_.width, config_.rounds}, config_.seed); }
 
@@ -27,12 +23,13 @@ std::vector<std::string> SlotTask::loss_names() const {
 std::vector<double> SlotTask::loss(const NetworkSample& sample, const std::vector<float>& outputs,
                                    std::vector<float>* d_outputs) const {
   const SlotLoss l =
-      slot_loss(slot_sample_of(sample), {config_.balance, config_.losses == "balanced"}, outputs, d_outputs);
+      slot_loss(sample_as<SlotSample>(sample), {config_.balance, config_.losses == "balanced"}, outputs, d_outputs);
   return {l.total, l.joints, l.connections, l.distance, l.presence};
 }
 
 double SlotTask::score(const NetworkSample& sample, const std::vector<float>& outputs) const {
-  return slot_loss(slot_sample_of(sample), {config_.balance, config_.losses == "balanced"}, outputs, nullptr).total;
+  return slot_loss(sample_as<SlotSample>(sample), {config_.balance, config_.losses == "balanced"}, outputs, nullptr)
+      .total;
 }
 
 double SlotTask::baseline_score(const NetworkSample& sample) const {
