@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "map/moved_joints.hpp"
 #include "sinew_character/joint_limits.hpp"
 #include "sinew_character/map_source.hpp"
 #include "sinew_character/rig_job.hpp"
@@ -78,9 +79,9 @@ MotionMap map_of(const AnimateOptions& s, const MapRig& target, const MapRig& fr
 void refuse_misfit(const AnimateOptions& s, const MotionInput& input, const MotionMap& map, const MapRig& target,
                    std::vector<std::string>* notes) {
   if (map.cover.share >= kLeastCover) return;
-  const auto mapped = std::count_if(map.sources.begin(), map.sources.end(), [](int joint) { return joint >= 0; });
   const std::string what = input.file + ": does not fit " + target.name + ": " + map.cover.missing + ", " +
-                           std::to_string(mapped) + " of its " + std::to_string(target.joints.size()) + " joints ";
+                           std::to_string(moved_joints(map)) + " of its " + std::to_string(target.joints.size()) +
+                           " joints ";
   if (!s.force) throw Error(what + "would move; --map FILE says which move as which, --force plays it as it is");
   notes->push_back("warning: " + what + "move; it is played as it is");
 }
@@ -130,9 +131,9 @@ void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsO
                         settings, {up_of(s.motion_up), up_of(s.up)});
   set_method(s, choice.file, body, out, &retargeter);
   if (!s.limits.empty()) retargeter.keep_limits(joint_limits(s.limits, target, s.up));
-  size_t frames = 0, mapped = 0;
+  const size_t mapped = moved_joints(map);
+  size_t frames = 0;
   for (const Clip& clip : clips) frames += clip.frames.size();
-  for (const int joint : map.sources) mapped += joint >= 0 ? 1 : 0;
   if (3 * mapped < 2 * std::min(source.joints.size(), out->character.joints.size()))
     out->motion.notes.push_back(print("warning: only %zu joints of ", mapped) + choice.file + " move the character's " +
                                 std::to_string(out->character.joints.size()) +

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "map/moved_joints.hpp"
 #include "picture/pins_by_class.hpp"
 #include "picture/plane_bones.hpp"
 #include "sinew_character/label_skeleton.hpp"
@@ -45,11 +46,6 @@ std::vector<uint8_t> classes_of(const PictureCharacter& picture, const Character
   return has_found_skeleton(picture, body) ? picture.rigged.skeleton.classes : limb_classes(map_rig_of(body), 'y');
 }
 
-size_t moved_joints(const AnimatedCharacter& body) {
-  return static_cast<size_t>(
-      std::count_if(body.map.sources.begin(), body.map.sources.end(), [](int source) { return source >= 0; }));
-}
-
 // By anatomy; where a quarter more joints move if those that votes know are taken at their word, by them.
 AnimatedCharacter moved(const PictureCharacter& picture, const Character& character, const AnimateOptions& options,
                         const MotionInput& input, const StepsOf& steps) {
@@ -69,7 +65,7 @@ AnimatedCharacter moved(const PictureCharacter& picture, const Character& charac
   bool by_class = false;
   if (best.map.cover.share < kMostCover && !tried.pins.empty()) {
     AnimatedCharacter other = with(tried);
-    by_class = 4 * moved_joints(other) >= 5 * moved_joints(best);
+    by_class = 4 * moved_joints(other.map) >= 5 * moved_joints(best.map);
     if (by_class) best = std::move(other);
   }
   if (options.force || by_class || best.map.cover.share >= kLeastCover) return best;
