@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "picture/body_category.hpp"
 #include "picture/outline_class.hpp"
 #include "sinew_character/models.hpp"
 #include "sinew_formats/file_kinds.hpp"
@@ -16,9 +17,9 @@ namespace {
 void settle_class(std::optional<BodyClass>* body, RigJobOptions* job) {
   const bool by_model = job->method != RigMethod::kShape && job->method != RigMethod::kRegions;
   if (job->category != SINEW_CATEGORY_ANY)
-    *body = static_cast<BodyClass>(job->category - SINEW_CATEGORY_BIPED);
+    *body = body_of_category(job->category);
   else if (*body && *body != BodyClass::kOther && by_model)
-    job->category = static_cast<uint32_t>(**body) + SINEW_CATEGORY_BIPED;
+    job->category = category_of(**body);
 }
 
 PictureCharacter figure_in(const std::string& path, const PictureJobOptions& options) {

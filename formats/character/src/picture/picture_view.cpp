@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "picture/body_category.hpp"
 #include "picture/choose_view.hpp"
 #include "picture/joints_inside.hpp"
 #include "picture/side_limbs.hpp"
@@ -88,7 +89,7 @@ SeenBody see_body(const Character& mesh, const std::optional<BodyClass>& given, 
   facing.up = UpChoice::kY;
   facing.front = SINEW_FRONT_PLUS_Z;
   if (!given && by_votes) {
-    facing.category = static_cast<uint32_t>(body) + SINEW_CATEGORY_BIPED;
+    facing.category = category_of(body);
     facing.category_guessed = true;
   }
   std::vector<SeenBody> seen;
