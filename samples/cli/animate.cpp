@@ -83,6 +83,7 @@ AnimateOptions animate_options(const Settings& s) {
   options.method = s.method == "copy"               ? AnimateMethod::kCopy
                    : s.method == "contacts"         ? AnimateMethod::kContacts
                    : s.method == "reference-points" ? AnimateMethod::kReferencePoints
+                   : s.method == "stream"           ? AnimateMethod::kStream
                                                     : AnimateMethod::kAuto;
   options.limits = s.limits;
   options.in_place = s.in_place;
@@ -284,8 +285,9 @@ void add_inputs(CLI::App* sub, Settings* s) {
       sub, "--method", s->method,
       "copy: every joint rotates as its source does, rest poses aligned; contacts: then feet stay where they "
       "stand, arms stay out of the body, and where the motion has a body of the same mesh, hands keep in touch "
-      "with it; reference-points: the published method, by points of both bodies, for comparison; auto: contacts")
-      ->check(CLI::IsMember({"auto", "copy", "contacts", "reference-points"}))
+      "with it; stream: the same without a look ahead, each frame of those before it alone, as a capture or a game has "
+      "it; reference-points: the published method, by points of both bodies, for comparison; auto: contacts")
+      ->check(CLI::IsMember({"auto", "copy", "contacts", "stream", "reference-points"}))
       ->capture_default_str();
   sub->add_option("--sheet", s->sheet, "Also draw frames of every clip side by side")->type_name("FILE");
   shared_option(sub, "--up", s->up, "For the character")

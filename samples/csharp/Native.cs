@@ -41,7 +41,7 @@ namespace Sinew
     public enum CharacterRigMethod { Auto = 0, Votes = 1, Shape = 2, Regions = 3, Slots = 4 }
     public enum CharacterDetail { Body = 0, Hands = 1, Full = 2 }
     public enum EditKind { Move = 0, Add = 1, Remove = 2, Parent = 3, Rename = 4, At = 5 }
-    public enum AnimateMethod { Auto = 0, Copy = 1, Contacts = 2, ReferencePoints = 3 }
+    public enum AnimateMethod { Auto = 0, Copy = 1, Contacts = 2, ReferencePoints = 3, Stream = 4 }
     public enum PoseDeform { Linear = 0, DualQuaternion = 1, Volume = 2, Xpbd = 3, DeltaMush = 4 }
     public enum CheckSeverity { Note = 0, Warning = 1, Error = 2 }
 

@@ -208,6 +208,23 @@ TEST_F(CliAnimate, ContactsKnowABodyOfTheSameMesh) {
   EXPECT_NE(feet.out.find("has no body of the character's own mesh"), std::string::npos) << feet.out;
 }
 
+TEST_F(CliAnimate, AStreamDoesNotLookAhead) {
+  // Ten frames, a line each, of the whole walk and of its beginning.
+  constexpr size_t kLines = 10;
+  const auto frames = [&](const std::string& options) {
+    good("animate " + kData + "/biped__robed.obj --motion builtin:walk " + options + " -o walking.bvh");
+    const std::string text = slurp(in("walking.bvh"));
+    const size_t begin = text.find('\n', text.find("Frame Time")) + 1;
+    size_t end = begin;
+    for (size_t line = 0; line < kLines; ++line) end = text.find('\n', end) + 1;
+    return text.substr(begin, end - begin);
+  };
+  const std::string whole = frames("--method stream");
+  EXPECT_EQ(frames("--method stream --end 0.3"), whole);
+  EXPECT_NE(frames("--method copy"), whole);
+  EXPECT_NE(frames("--method contacts --end 0.3"), frames("--method contacts"));
+}
+
 TEST_F(CliAnimate, AReportSaysWhatWasMendedLimbByLimb) {
   make_clip("swing");
   Character hero = read_character(kData + "/biped__robed.obj"), broad = hero;

@@ -19,7 +19,7 @@ std::string up_of(uint32_t up) {
 }
 
 AnimateOptions job_of(const sinew_character_animate_options& options, const sinew_character& character) {
-  check_at_most("method", options.method, SINEW_ANIMATE_REFERENCE_POINTS);
+  check_at_most("method", options.method, SINEW_ANIMATE_STREAM);
   check_at_most("target_up", options.target_up, SINEW_UP_Z);
   check_at_most("motion_up", options.motion_up, SINEW_UP_Z);
   if (!std::isfinite(options.fps + options.from + options.to) || options.fps < 0 || options.from < 0 ||

@@ -55,7 +55,7 @@ export interface RigOptions {
   onProgress?: Progress;
 }
 export interface RetargetOptions {
-  method?: "auto" | "copy" | "contacts" | "reference-points";
+  method?: "auto" | "copy" | "contacts" | "reference-points" | "stream";
   inPlace?: boolean;
   /** false: knees and elbows may leave their natural range */
   range?: boolean;

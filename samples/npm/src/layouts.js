@@ -272,7 +272,7 @@ export const WORDS = {
   characterRigMethod: ["auto", "votes", "shape", "regions", "slots"],
   characterDetail: ["body", "hands", "full"],
   editKind: ["move", "add", "remove", "parent", "rename", "at"],
-  animateMethod: ["auto", "copy", "contacts", "reference-points"],
+  animateMethod: ["auto", "copy", "contacts", "reference-points", "stream"],
   poseDeform: ["linear", "dual-quaternion", "volume", "xpbd", "delta-mush"],
   checkSeverity: ["note", "warning", "error"],
 };

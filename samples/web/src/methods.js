@@ -2,7 +2,7 @@
 // The switch between methods of retargeting while a motion plays, what each leaves to be mended, and whether contacts are shown.
 import { $, all } from "./elements.js";
 
-export const motionMethods = { contacts: 0, copy: 1, referencePoints: 2 }; // MotionMethod of player.hpp
+export const motionMethods = { contacts: 0, copy: 1, referencePoints: 2, stream: 3 }; // MotionMethod of player.hpp
 
 const percent = (share, digits = 0) => `${(100 * share).toFixed(digits)} %`;
 

@@ -125,7 +125,7 @@ try {
     const spots = () => page.evaluate(() => sinewPage.view.shownSpots());
     assert.ok((await spots()).length >= 2, "both feet stand");
     await page.focus("#joints");
-    for (const next of ["2", "0"]) {
+    for (const next of ["2", "3", "0"]) {
       await page.keyboard.press("c");
       await settled();
       assert.equal(await page.locator("#motion-method input:checked").inputValue(), next);
@@ -142,6 +142,19 @@ try {
     await page.check("#show-spots");
     command("animate", figure, "--motion", at("squat.bvh"), "-o", at("squat.glb"));
     assert.ok((await downloaded("#download")).bytes.equals(readFileSync(at("squat.glb"))), "the page's GLB differs from the command's");
+  });
+
+  await step("a clip as a stream: each frame of those before it alone", async () => {
+    await to(0.42);
+    const whole = await positions();
+    await method("As a stream");
+    assert.equal(await errorLine(), "");
+    assert.notDeepEqual(await positions(), whole);
+    await shoot("stream");
+    command("animate", figure, "--motion", at("squat.bvh"), "--method", "stream", "-o", at("stream.glb"));
+    assert.ok((await downloaded("#download")).bytes.equals(readFileSync(at("stream.glb"))), "the page's GLB differs from the command's");
+    console.log(`  ${await page.locator("#motion-report").innerText()}`);
+    await method("Contacts");
   });
 
   await step("what a motion brings is reached by the keyboard, and fits a phone", async () => {

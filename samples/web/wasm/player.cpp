@@ -84,6 +84,7 @@ void Player::make(MotionMethod method, Opened* opened) {
   options.up = up_text(opened->up);
   options.method = method == MotionMethod::kCopy              ? AnimateMethod::kCopy
                    : method == MotionMethod::kReferencePoints ? AnimateMethod::kReferencePoints
+                   : method == MotionMethod::kStream          ? AnimateMethod::kStream
                    : opened->picture != nullptr               ? AnimateMethod::kAuto
                                                               : AnimateMethod::kContacts;
   options.report = options.force = true;  // what does not fit is told beside the map, where it can be mended

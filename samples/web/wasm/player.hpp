@@ -16,7 +16,7 @@
 
 namespace sinew::web {
 
-enum class MotionMethod : uint32_t { kContacts = 0, kCopy, kReferencePoints };
+enum class MotionMethod : uint32_t { kContacts = 0, kCopy, kReferencePoints, kStream };
 
 class Player {
  public:

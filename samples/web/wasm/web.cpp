@@ -129,7 +129,7 @@ SkinMethod skin_method(uint32_t number) {
 }
 
 MotionMethod motion_method(uint32_t number) {
-  if (number > static_cast<uint32_t>(MotionMethod::kReferencePoints)) throw Error("no such method");
+  if (number > static_cast<uint32_t>(MotionMethod::kStream)) throw Error("no such method");
   return static_cast<MotionMethod>(number);
 }
 

@@ -625,7 +625,8 @@ typedef enum sinew_animate_method {
   SINEW_ANIMATE_AUTO = 0, /* contacts */
   SINEW_ANIMATE_COPY = 1, /* every joint turns as its source does */
   SINEW_ANIMATE_CONTACTS = 2,
-  SINEW_ANIMATE_REFERENCE_POINTS = 3 /* the published method, for comparison */
+  SINEW_ANIMATE_REFERENCE_POINTS = 3, /* the published method, for comparison */
+  SINEW_ANIMATE_STREAM = 4            /* every frame of those before it alone, see sinew/motion_stream.h */
 } sinew_animate_method;
 
 /* How a posed mesh follows its joints. */

@@ -17,7 +17,7 @@
 
 namespace sinew {
 
-enum class AnimateMethod { kAuto, kCopy, kContacts, kReferencePoints };  // kAuto: contacts
+enum class AnimateMethod { kAuto, kCopy, kContacts, kReferencePoints, kStream };  // kAuto: contacts
 
 struct AnimateOptions {
   std::string character;                        // its file, for messages

@@ -56,6 +56,10 @@ class Retargeter {
   PointsOf follow_reference_points(const sinew_reference_options& settings, const Character& target,
                                    const Character* source);
 
+  // In place of contacts, every frame is made of those before it alone, as it would be of a capture or in a game
+  // (sinew/motion_stream.h): the floor is where the source's is at rest.
+  void play_as_stream();
+
   // From now on knees and elbows stay in their natural range (sinew_retarget_keep_range()), for which bodies are there.
   void keep_range() { range_ = true; }
 
@@ -78,14 +82,19 @@ class Retargeter {
   static Body body_of(const Character& character, const std::vector<uint32_t>& vertices);
   sinew_motion_body view(const Body& body) const;
   bool take_corresponding(const Character& target, const Character& source);
+  // In place of `whole`'s frames of the target.
+  void stream_clip(const sinew_motion_clip& whole, float fps) const;
 
   std::string name_;
   size_t source_count_, target_count_;
+  std::vector<Joint> source_joints_, target_joints_;
+  RetargetSettings settings_;
+  UpAxes up_;
   std::vector<uint8_t> classes_;
   std::vector<int> map_;  // [target]
   Workspace memory_;
   sinew_retarget* plan_ = nullptr;  // in memory_
-  bool has_source_ = false, contacts_ = false, range_ = false;
+  bool has_source_ = false, contacts_ = false, stream_ = false, range_ = false;
   std::optional<sinew_reference_options> reference_;
   std::vector<sinew_joint_limit> limits_;
   Body target_body_, source_body_;

@@ -57,7 +57,10 @@ void set_method(const AnimateOptions& s, const std::string& file, const std::opt
                                   "as thick as limbs of such lengths are");
     return;
   }
-  retargeter->keep_contacts();
+  if (s.method == AnimateMethod::kStream)
+    retargeter->play_as_stream();
+  else
+    retargeter->keep_contacts();
   if (s.range) retargeter->keep_range();
   if (s.method == AnimateMethod::kContacts && shared == 0)
     out->motion.notes.push_back(file +

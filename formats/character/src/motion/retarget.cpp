@@ -86,9 +86,13 @@ Retargeter::Retargeter(const Motion& source, const std::vector<Joint>& target, c
     : name_(source.name),
       source_count_(source.joints.size()),
       target_count_(target.size()),
+      source_joints_(rest_joints(source)),
+      target_joints_(target),
+      settings_(settings),
+      up_(up),
       classes_(classes),
       map_(map) {
-  const RigArrays from(rest_joints(source)), to(target);
+  const RigArrays from(source_joints_), to(target);
   const sinew_skeleton source_rig = from.view(up.source), target_rig = to.view(up.target);
   size_t bytes = 0;
   check(sinew_retarget_create_workspace_size(source_rig.joint_count, target_rig.joint_count, &bytes));
@@ -146,7 +150,38 @@ size_t Retargeter::take_bodies(const Character& target, const Character* source)
 
 void Retargeter::keep_contacts() {
   contacts_ = true;
+  stream_ = false;
   reference_.reset();
+}
+
+void Retargeter::play_as_stream() {
+  contacts_ = false;
+  stream_ = true;
+  reference_.reset();
+}
+
+void Retargeter::stream_clip(const sinew_motion_clip& whole, float fps) const {
+  const RigArrays from(source_joints_), to(target_joints_);
+  const sinew_skeleton source_rig = from.view(up_.source), target_rig = to.view(up_.target);
+  const sinew_motion_body body = view(target_body_), source = view(source_body_);
+  const bool has_body = body.vertex_count > 0;
+  sinew_retarget_stream_options options = sinew_retarget_stream_options_init();
+  options.fps = fps;
+  options.no_range = range_ ? 0 : 1;
+  options.source = has_source_ ? &source : nullptr;
+  size_t bytes = 0;
+  Workspace room;
+  check(sinew_retarget_stream_workspace_size(source_rig.joint_count, target_rig.joint_count, body.vertex_count,
+                                             body.triangle_count, &bytes));
+  check(room.reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE);
+  sinew_retarget_stream* stream = nullptr;
+  check(sinew_retarget_stream_create(&source_rig, &target_rig, map_.data(), classes_.data(), &settings_,
+                                     has_body ? &body : nullptr, &options, room.data(), room.size(), &stream));
+  for (size_t f = 0; f < whole.frame_count; ++f) {
+    const size_t s = source_count_ * f, t = target_count_ * f;
+    check(sinew_retarget_stream_frame(stream, whole.source_rotations + 4 * s, whole.source_translations + 3 * s,
+                                      whole.rotations + 4 * t, whole.translations + 3 * t));
+  }
 }
 
 // The source in the target's vertices: every one the point of the source's surface that is the same place of the body.
@@ -191,7 +226,7 @@ bool Retargeter::take_corresponding(const Character& target, const Character& so
 
 Retargeter::PointsOf Retargeter::follow_reference_points(const sinew_reference_options& settings,
                                                          const Character& target, const Character* source) {
-  contacts_ = false;
+  contacts_ = stream_ = false;
   reference_ = settings;
   if (has_source_) return PointsOf::kOneMesh;
   if (source == nullptr || source->influences.size() != source->vertices.size() || triangles_.empty())
@@ -241,7 +276,8 @@ Clip Retargeter::run(const Clip& clip, const std::function<bool()>& keep_going, 
     limbs->resize(count);
   };
   if (report != nullptr) measure(&report->before);
-  if (range_ && has_body)
+  if (stream_) stream_clip(whole, settings.fps);
+  if (range_ && !stream_ && has_body)
     check(sinew_retarget_keep_range(plan_, &target, &whole, workspace_.data(), workspace_.size()));
   if (contacts_ && has_body)
     check(sinew_retarget_contacts(plan_, from_body, &target, &whole, &settings, workspace_.data(), workspace_.size()));
