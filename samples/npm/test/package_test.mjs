@@ -90,6 +90,9 @@ function node() {
   const expected = target.names.map((name) => source.names.indexOf(lines.find(([to]) => to === name)?.[1]));
   equal(out.map.sources, expected, "the command's map");
   equal(out.frames, 2, "both frames are retargeted");
+  const { error: refused, ...stream } = out.stream;
+  equal(stream, { plain: true, held: true, forgets: true }, "a stream gives a clip's frames, holds what stands, and forgets it when told");
+  check(/^SinewError: retarget/.test(refused), `a wrong rate is refused: ${refused}`);
   const limbs = (classes) => classes.map((c) => ([5, 6, 9, 10].includes(c) ? c : 0));
   check(out.limbs.named.some((c) => c !== 17), "names say classes");
   equal(limbs(out.limbs.nameless), limbs(out.limbs.named), "limbs without names are found as the command finds them");

@@ -79,6 +79,27 @@ const still = new Float32Array(4 * skeleton.names.length).map((_, i) => (i % 4 =
 const clip = plan.clip({ rotations: Float32Array.from([...still, ...still]), translations: Float32Array.from([...local(skeleton), ...local(skeleton)]) });
 out.frames = clip.frameCount;
 out.restTurns = Math.max(...clip.rotations.map((x, i) => (i % 4 === 3 ? 0 : Math.abs(x))));
+// The same as it comes: a frame that leans, at rest, and one that has drifted, whose feet stay where they stood.
+const leans = still.slice();
+leans.set([Math.sin(0.2), 0, 0, Math.cos(0.2)], 4);
+const drifted = local(skeleton);
+drifted[0] += 0.002;
+const comes = { rotations: Float32Array.from([...still, ...leans, ...still]), translations: Float32Array.from([...local(skeleton), ...local(skeleton), ...drifted]) };
+const moved = plan.clip(comes);
+const streamed = (options, restart = () => {}) => {
+  const stream = skin.retargetStream(skeleton, other.skeleton, { map: map.sources, ...options });
+  const made = [0, 1, 2].map((f) => (restart(stream), stream.frame(comes.rotations.slice(f * still.length, (f + 1) * still.length), comes.translations.slice(f * drifted.length, (f + 1) * drifted.length))));
+  stream.free();
+  return made.flatMap(({ rotations, translations }) => [...rotations, ...translations]);
+};
+const copied = [0, 1, 2].flatMap((f) => ["rotations", "translations"].flatMap((of) => Array.from(moved[of].subarray((f * moved[of].length) / 3, ((f + 1) * moved[of].length) / 3))));
+const same = (one, two) => one.length === two.length && one.every((x, i) => x === two[i]);
+out.stream = {
+  plain: same(streamed({ contacts: false, range: false }), copied),
+  held: !same(streamed({ range: false }), copied),
+  forgets: !same(streamed({ range: false }, (stream) => stream.restart()), streamed({ range: false })),
+  error: (() => { try { skin.retargetStream(skeleton, other.skeleton, { fps: -1 }); } catch ({ name, message }) { return `${name}: ${message}`; } })(),
+};
 plan.free();
 // Classes of limbs without a word in a name: a human body says them, as the command does.
 const nameless = (s, letter) => ({ ...s, names: s.names.map((_, j) => `${letter}${j}`) });
