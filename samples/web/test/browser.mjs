@@ -45,7 +45,7 @@ export async function launch() {
     viewport: { width: 1280, height: 800 },
     args: [
       "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update",
-      "--disable-sync", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+      "--disable-sync", ...(process.env.SINEW_CHROMIUM_ARGS?.split(" ").filter(Boolean) ?? ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]),
     ],
   });
   return { context, close: async () => (await context.close(), rmSync(profile, { recursive: true, force: true })) };
