@@ -57,9 +57,10 @@ class Grower {
     grow();
     LimbVotes votes = {}, limbs;
     count_limbs(votes);
+    if (tree_.mirrored && free_ears(heights(), votes, &tree_)) grow();
     copy(votes, limbs);
     settle_limbs(limbs, &tree_);
-    if (kind != BodyKind::kAny && steer_limbs(kind, &tree_, votes)) {
+    if (steer_limbs(kind, &tree_, votes)) {
       grow();
       settle_limbs(votes, &tree_);
     }
@@ -73,6 +74,16 @@ class Grower {
       const int64_t reach = int64_t{votes_.inside_radius[p]} * 5 / 4 + kAirMargin;
       balls_[p] = {folded_position(votes_.inside[p], tree_.mirrored), square(reach)};
     }
+  }
+
+  Heights heights() const {
+    Heights heights;
+    for (uint32_t p = 0; p < votes_.points; ++p) {
+      if (starts_[p] == kNoJoint) continue;
+      ++heights.points[starts_[p]];
+      heights.sum[starts_[p]] += (int64_t{votes_.start[p].y} + votes_.end[p].y) / 2;
+    }
+    return heights;
   }
 
   void grow() {

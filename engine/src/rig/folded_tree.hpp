@@ -36,7 +36,7 @@ struct FoldedTree {
 // mean; where no joint is on the plane it is put there. Prim's algorithm takes one more joint at a time at the least
 // cost: surprise in the votes, distance, surprise in the two classes. Whether the way between two joints lies inside
 // the mesh does not matter: as a term of the cost it changed 13 of 158 trees, and the share of right edges by 0.1 %,
-// for the worse. A limb is a chain of its own: joints of paired classes that lie on two sides never hang together, nor an arm or a leg on a tail or an ear; what goes on
+// for the worse. A limb is a chain of its own: joints of paired classes that lie on two sides never hang together, nor an arm or a leg on a tail or an ear, nor an ear on them; what goes on
 // from a joint of a limb that has its next already costs more (rig/limbs.hpp). Ends are modes of the end votes that are tips.
 //   joints  in   [count], count >= 1, as from find_folded_joints()
 //   kind         of body: its limbs are arms or legs by where they are (rig/limbs.hpp), and the tree is grown by that

@@ -6,6 +6,7 @@ namespace sinew::rigging {
 namespace {
 
 constexpr int32_t kClearSide = side_share(250);
+constexpr int64_t kNoHead = int64_t{1} << 40;  // above all
 
 static_assert(kClassHip - kClassClavicle == kClassFoot - kClassHand &&
                   kClassThigh - kClassUpperArm == kClassFoot - kClassHand,
@@ -44,9 +45,10 @@ bool continues_limb(uint32_t from, uint32_t to) {
 }
 
 bool leaves_limb(uint32_t from, uint32_t to) {
-  const LimbClass limb = limb_of(to);
-  return (limb == LimbClass::kArm || limb == LimbClass::kLeg) && limb_of(from) >= LimbClass::kTail &&
-         limb_of(from) != LimbClass::kNone;
+  const auto is_arm_or_leg = [](LimbClass limb) { return limb == LimbClass::kArm || limb == LimbClass::kLeg; };
+  const LimbClass on = limb_of(from), limb = limb_of(to);
+  if (is_arm_or_leg(on)) return limb == LimbClass::kEar;
+  return is_arm_or_leg(limb) && on != LimbClass::kNone;
 }
 
 bool lies_across(const FoldedNode& a, const FoldedNode& b) {
@@ -85,18 +87,16 @@ class Limbs {
   // Legs by place, see steer_limbs(). Joints of each limb are those that collect() found.
   bool steer(BodyKind kind, LimbVotes& votes) {
     collect();
-    if (kind != BodyKind::kBiped && kind != BodyKind::kQuadruped) return false;
+    if (kind != BodyKind::kAny && kind != BodyKind::kBiped && kind != BodyKind::kQuadruped) return false;
     uint32_t limbs[kMaxFoldedJoints], n = 0;
     for (uint32_t j = 0; j < tree_.count; ++j) {
-      const LimbClass limb = limb_of(tree_.nodes[j].joint_class);
-      const bool paired = limb == LimbClass::kArm || limb == LimbClass::kLeg;
-      if (first_[j] != j || !paired || joints_[j] < 2 || (tree_.mirrored && !tree_.beside(j))) continue;
+      if (!is_paired_limb(j) || joints_[j] < 2 || (tree_.mirrored && !tree_.beside(j))) continue;
       uint32_t at = n++;
       for (; at > 0 && how_far(kind, limbs[at - 1]) > how_far(kind, j); --at) limbs[at] = limbs[at - 1];
       limbs[at] = j;
     }
     const uint32_t legs = tree_.mirrored ? 1 : 2;
-    if (n <= legs) return false;
+    if (n <= legs || (kind == BodyKind::kAny && !stands_on_four(limbs, n, legs))) return false;
     bool changed = false;
     for (uint32_t i = 0; i < n; ++i) {
       const LimbClass limb = i < legs ? LimbClass::kLeg : LimbClass::kArm;
@@ -113,8 +113,40 @@ class Limbs {
     for (uint32_t i = 0; i < count_; ++i) take(order_[i]);
   }
 
-  // The mean of a limb's joints, from below or, of a quadruped, from behind.
+  bool is_paired_limb(uint32_t j) const {
+    const LimbClass limb = limb_of(tree_.nodes[j].joint_class);
+    return first_[j] == j && (limb == LimbClass::kArm || limb == LimbClass::kLeg);
+  }
+  bool hangs_below(int16_t node, int16_t above) const {
+    do node = tree_.nodes[node].parent;
+    while (node >= 0 && node != above);
+    return node >= 0;
+  }
+  int64_t depth(int16_t node) const {
+    int64_t steps = 0;
+    for (; node >= 0; node = tree_.nodes[node].parent) ++steps;
+    return steps;
+  }
+
+  // Whether these are two pairs of legs, the front one, which comes last, on a spine further from the root than what the rear one
+  // hangs on.
+  bool stands_on_four(const uint32_t* limbs, uint32_t n, uint32_t legs) const {
+    if (n != 2 * legs) return false;
+    for (uint32_t i = 0; i < n; ++i) {
+      const int16_t trunk = tree_.nodes[limbs[i]].parent;
+      if (trunk < 0 || limb_of(tree_.nodes[limbs[i]].joint_class) != LimbClass::kLeg) return false;
+      if (i < legs) continue;
+      if (tree_.nodes[trunk].joint_class != kClassSpine) return false;
+      for (uint32_t k = 0; k < legs; ++k)
+        if (!hangs_below(trunk, tree_.nodes[limbs[k]].parent)) return false;
+    }
+    return true;
+  }
+
+  // The mean of a limb's joints, from below or, of a quadruped, from behind; of what nobody calls either, along the trunk from its
+  // root.
   int64_t how_far(BodyKind kind, uint32_t limb) const {
+    if (kind == BodyKind::kAny) return depth(tree_.nodes[limb].parent);
     int64_t sum = 0;
     for (uint32_t j = 0; j < tree_.count; ++j)
       if (first_[j] == limb) sum += kind == BodyKind::kQuadruped ? tree_.nodes[j].at.z : tree_.nodes[j].at.y;
@@ -204,9 +236,70 @@ class Limbs {
   bool forks_[kMaxFoldedJoints] = {};
 };
 
+// What goes on from joints of arms.
+class ArmForks {
+ public:
+  explicit ArmForks(FoldedTree& tree) : tree_(tree) {
+    for (uint32_t j = 0; j < tree_.count; ++j) {
+      const FoldedNode& node = tree_.nodes[j];
+      if (node.joint_class == kClassHead && node.at.y < head_) head_ = node.at.y;
+    }
+    for (uint32_t j = 0; j < tree_.count; ++j) {
+      const int16_t above = tree_.nodes[j].parent;
+      goes_on_[j] = above >= 0 && limb_of(tree_.nodes[above].joint_class) == LimbClass::kArm &&
+                    continues_limb(tree_.nodes[above].joint_class, tree_.nodes[j].joint_class);
+    }
+  }
+
+  // Whether another joint goes on from the same one by a surer bone.
+  bool is_second(uint32_t j) const {
+    for (uint32_t k = 0; k < tree_.count && goes_on_[j]; ++k) {
+      const FoldedNode &one = tree_.nodes[j], &other = tree_.nodes[k];
+      if (goes_on_[k] && other.parent == one.parent && other.parent_confidence > one.parent_confidence) return true;
+    }
+    return false;
+  }
+  bool is_behind(uint32_t k, uint32_t j) const {
+    while (k != j && goes_on_[k]) k = static_cast<uint32_t>(tree_.nodes[k].parent);
+    return k == j;
+  }
+  bool lies_above_head(const Heights& heights, uint32_t j) const {
+    int64_t points = 0, sum = 0;
+    for (uint32_t k = 0; k < tree_.count; ++k) {
+      if (!is_behind(k, j)) continue;
+      points += heights.points[k];
+      sum += heights.sum[k];
+    }
+    return sum > head_ * points;
+  }
+  void make_ear(uint32_t j, LimbVotes& votes) {
+    constexpr auto kArm = static_cast<uint32_t>(LimbClass::kArm), kEar = static_cast<uint32_t>(LimbClass::kEar);
+    tree_.nodes[j].joint_class = kClassEar;
+    votes[j][kEar] += votes[j][kArm];
+    votes[j][kArm] = 0;
+  }
+
+ private:
+  FoldedTree& tree_;
+  int64_t head_ = kNoHead;  // height of the lowest head
+  bool goes_on_[kMaxFoldedJoints] = {};
+};
+
 }  // namespace
 
 SINEW_RARE void settle_limbs(LimbVotes& votes, FoldedTree* tree) { Limbs(votes, *tree).settle(); }
+
+SINEW_RARE bool free_ears(const Heights& heights, LimbVotes& votes, FoldedTree* tree) {
+  ArmForks forks(*tree);
+  bool freed = false;
+  for (uint32_t j = 0; j < tree->count; ++j) {
+    if (!forks.is_second(j) || !forks.lies_above_head(heights, j)) continue;
+    for (uint32_t k = 0; k < tree->count; ++k)
+      if (forks.is_behind(k, j)) forks.make_ear(k, votes);
+    freed = true;
+  }
+  return freed;
+}
 
 SINEW_RARE bool steer_limbs(BodyKind kind, FoldedTree* tree, LimbVotes& votes) {
   LimbVotes sums = {};

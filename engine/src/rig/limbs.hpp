@@ -18,7 +18,7 @@ uint8_t class_in_limb(LimbClass limb, uint8_t joint_class);
 // Whether a joint of the second class is the next of an arm or a leg behind one of the first.
 bool continues_limb(uint32_t from, uint32_t to);
 
-// Whether a joint of an arm or a leg would hang on a tail, an ear or hair.
+// Whether a joint of an arm or a leg would hang on a tail, an ear or hair, or an ear on an arm or a leg.
 bool leaves_limb(uint32_t from, uint32_t to);
 
 // Whether both joints are of paired classes and lie on two sides, further from the plane than 2.5 % of the side. Of a mirrored tree
@@ -27,6 +27,16 @@ bool lies_across(const FoldedNode& a, const FoldedNode& b);
 
 // For each joint of a tree, what the votes that it owns are for: [joints x kLimbs] sums of probabilities, Q15.
 using LimbVotes = int64_t[kMaxFoldedJoints][kLimbs];
+
+// For each joint of a tree, how high the bones are that its points vote for: sums of both ends, halved.
+struct Heights {
+  int64_t points[kMaxFoldedJoints] = {}, sum[kMaxFoldedJoints] = {};
+};
+
+// What forks from an arm that goes on elsewhere by a surer bone, and lies above the head, is an ear, and its votes for arms are
+// for ears: big ears and bunches of hair that are voted for as arms. For mirrored trees: in others it may be the other arm, raised.
+// Returns whether there was any. The tree is to be grown again then.
+bool free_ears(const Heights& heights, LimbVotes& votes, FoldedTree* tree);
 
 // Classes compete along a whole limb, not joint by joint: all of what hangs on the trunk becomes an arm, a leg, a tail, an ear or
 // hair, as most of the votes for its joints say. A thigh of an arm becomes an upper arm, a foot a hand, all of an ear an ear.
@@ -37,7 +47,9 @@ using LimbVotes = int64_t[kMaxFoldedJoints][kLimbs];
 void settle_limbs(LimbVotes& votes, FoldedTree* tree);
 
 // Which limbs of a settled tree are legs by where they are, in a body of that kind: the lowest pair of a biped's, the
-// rearmost pair of a quadruped's; the others are arms. Where a body has one pair alone the votes stay.
+// rearmost pair of a quadruped's; the others are arms. Where a body has one pair alone the votes stay. Where nobody says the
+// kind, and all there is are two pairs of legs, the front one on a spine that hangs on what the rear one hangs on, the front one are
+// arms; limbs of one joint do not count.
 //   votes  in, out: of each joint, not summed; those of a limb's joints for arms and legs go to the one that it is
 // Returns whether a limb is another now than the tree says. The tree is to be grown again then.
 bool steer_limbs(BodyKind kind, FoldedTree* tree, LimbVotes& votes);

@@ -165,6 +165,26 @@ TEST(Limbs, AnArmAboveTheHeadThatItHangsOnIsAnEar) {
   EXPECT_EQ(four_armed.count_of(kClassHand), 4u);
 }
 
+TEST(Limbs, WhatForksFromAnArmAboveTheHeadIsAnEar) {
+  const auto forked = [](double up) {
+    std::vector<KnownJoint> joints = toy(up);
+    joints[6].joint_class = kClassForearm;
+    joints[6].parent = 3;
+    return votes_for(joints, 60, 0.003, 1);
+  };
+  const FoundRig eared(forked(.75));
+  EXPECT_EQ(eared.count_of(kClassEar), 4u);
+  EXPECT_EQ(eared.count_of(kClassHand), 2u);
+  for (const RigJoint& joint : eared.joints) {
+    if (joint.joint_class != kClassEar || joint.tip != 0) continue;
+    const uint8_t above = eared.joints[static_cast<size_t>(joint.parent)].joint_class;
+    EXPECT_TRUE(above == kClassHead || above == kClassEar) << "hangs on class " << unsigned{above};
+  }
+  const FoundRig below(forked(.6));
+  EXPECT_EQ(below.count_of(kClassEar), 0u);
+  EXPECT_EQ(below.count_of(kClassHand), 4u);
+}
+
 TEST(Limbs, NoBoneGoesThroughTheAirWhereAnotherGoesThroughTheBody) {
   std::vector<KnownJoint> joints = toy(.75);
   joints.pop_back();
@@ -198,6 +218,8 @@ TEST(Limbs, WhichClassesAreWhichLimb) {
   EXPECT_FALSE(continues_limb(kClassFoot, kClassToe)) << "a foot has many toes";
   EXPECT_FALSE(continues_limb(kClassForearm, kClassFoot));
   EXPECT_TRUE(leaves_limb(kClassTail, kClassFoot));
+  EXPECT_TRUE(leaves_limb(kClassForearm, kClassEar));
+  EXPECT_FALSE(leaves_limb(kClassEar, kClassEar));
   EXPECT_FALSE(leaves_limb(kClassPelvis, kClassFoot));
   EXPECT_FALSE(leaves_limb(kClassForearm, kClassFoot)) << "spiders' legs are of both kinds";
 }
@@ -209,20 +231,33 @@ std::vector<KnownJoint> four_legs() {
           {.08, .25, 0, kClassCalf, 5},  {.08, .05, 0, kClassFoot, 6}};
 }
 
-TEST(Limbs, TheFrontPairOfAQuadrupedAreArms) {
-  RigOptions options;
-  const FoundRig taken(votes_for(four_legs(), 60, 0.003, 1), options);
-  EXPECT_EQ(taken.count_of(kClassFoot), 4u);
-  options.kind = BodyKind::kQuadruped;
-  for (const bool folded : {true, false}) {
-    VoteScene scene = votes_for(four_legs(), 60, 0.003, 1);
-    scene.folded = folded;
-    const FoundRig found(scene, options);
-    EXPECT_EQ(found.count_of(kClassFoot), 2u);
-    EXPECT_EQ(found.count_of(kClassHand), 2u);
-    EXPECT_EQ(found.count_of(kClassUpperArm), 2u);
-    for (const RigJoint& joint : found.joints) EXPECT_TRUE(joint.joint_class != kClassHand || joint.position.z > 0);
+TEST(Limbs, TheFrontPairOfFourLegsAreArms) {
+  for (const BodyKind kind : {BodyKind::kAny, BodyKind::kQuadruped}) {
+    RigOptions options;
+    options.kind = kind;
+    for (const bool folded : {true, false}) {
+      VoteScene scene = votes_for(four_legs(), 60, 0.003, 1);
+      scene.folded = folded;
+      const FoundRig found(scene, options);
+      EXPECT_EQ(found.count_of(kClassFoot), 2u);
+      EXPECT_EQ(found.count_of(kClassHand), 2u);
+      EXPECT_EQ(found.count_of(kClassUpperArm), 2u);
+      for (const RigJoint& joint : found.joints) EXPECT_TRUE(joint.joint_class != kClassHand || joint.position.z > 0);
+    }
   }
+}
+
+TEST(Limbs, FourLegsOfWhatIsNoQuadrupedStayLegs) {
+  std::vector<KnownJoint> joints = four_legs();
+  joints[2].parent = 0;
+  EXPECT_EQ(FoundRig(votes_for(joints, 60, 0.003, 1)).count_of(kClassFoot), 4u) << "both on the pelvis";
+  joints = four_legs();
+  joints[1].joint_class = kClassHead;
+  EXPECT_EQ(FoundRig(votes_for(joints, 60, 0.003, 1)).count_of(kClassFoot), 4u) << "on a head, as of a spider";
+  joints = four_legs();
+  joints.push_back({.2, .45, .2, kClassThigh, 0});
+  joints.push_back({.3, .05, .2, kClassFoot, 8});
+  EXPECT_EQ(FoundRig(votes_for(joints, 60, 0.003, 1)).count_of(kClassFoot), 6u) << "six legs";
 }
 
 TEST(Limbs, TheLowestPairOfABipedAreLegs) {
