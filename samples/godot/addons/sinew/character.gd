@@ -137,7 +137,7 @@ static func free_file(beside: String, word: String) -> String:
 # What the command says, with the names that the dock has for files and options.
 static func plain(text: String, character: Dictionary) -> String:
 	for known in [[character.get("path", ""), character.get("name", "")], [ProjectSettings.globalize_path("res://"), "res://"], ["--map FILE", "Map"],
-			["--force", "Force"], ["--author", "Author"]]:
+			["--force", "Force"], ["give --author", "fill in Author"], ["give one with --skeleton FILE", "press New skeleton"]]:
 		if known[0] != "":
 			text = text.replace(known[0], known[1])
 	return text

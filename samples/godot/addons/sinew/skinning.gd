@@ -231,7 +231,7 @@ static func write_obj(path: String, instances: Array, placements: Array) -> Stri
 			for vertex in vertices:
 				var p = placements[i].xform(vertex)
 				lines.append("v %s %s %s" % [number(p.x), number(p.y), number(p.z)])
-			if mesh.surface_get_primitive_type(surface) != Mesh.PRIMITIVE_TRIANGLES:
+			if mesh is ArrayMesh and mesh.surface_get_primitive_type(surface) != Mesh.PRIMITIVE_TRIANGLES:
 				return "sinew: error: %s: surface %d: expected triangles" % [instances[i].name, surface]
 			var index = arrays[Mesh.ARRAY_INDEX]
 			if index == null or index.size() == 0:
@@ -367,14 +367,14 @@ static func with_weights(mesh: Mesh, first: int, skin: Dictionary, binds: Array)
 				# Godot keeps 16 bits and cuts the rest off: a half above comes out whole.
 				weights[v * INFLUENCES + k] = min(1.0, (row[2 * k + 1] + 0.5) / 65535.0) if known else 0.0
 		first += count
-		var shapes = mesh.surface_get_blend_shape_arrays(surface)
+		var shapes = mesh.surface_get_blend_shape_arrays(surface) if mesh is ArrayMesh else []
 		for shape in shapes:
 			shape[Mesh.ARRAY_BONES] = bones
 			shape[Mesh.ARRAY_WEIGHTS] = weights
 			shape[Mesh.ARRAY_INDEX] = null
 		arrays[Mesh.ARRAY_BONES] = bones
 		arrays[Mesh.ARRAY_WEIGHTS] = weights
-		made.add_surface_from_arrays(mesh.surface_get_primitive_type(surface), arrays, shapes)
+		made.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays, shapes)  # as write_obj() wants them
 		if made.get_surface_count() != surface + 1:
 			return null
 		made.surface_set_material(surface, mesh.surface_get_material(surface))
