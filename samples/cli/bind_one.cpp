@@ -19,6 +19,7 @@
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"
+#include "vertex_locks.hpp"
 
 namespace sinew::cli {
 namespace {
@@ -52,13 +53,7 @@ std::vector<uint8_t> read_locks(const BindSettings& settings, const Character& c
     throw Error(settings.lock + ": vertices can keep only weights they have, and neither " + settings.mesh +
                 " nor its skeleton file brings any");
   }
-  std::vector<uint8_t> locked(character.vertices.size(), 0);
-  for (size_t v : read_vertex_list(settings.lock, character)) {
-    if (character.influences[v].empty())
-      throw Error(settings.lock + ": vertex " + std::to_string(v) + " has no weights to keep");
-    locked[v] = 1;
-  }
-  return locked;
+  return read_vertex_locks(settings.lock, character);
 }
 
 // Weights that a file has for some of the vertices.
@@ -220,6 +215,7 @@ BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool prog
   write_as(settings.profile, settings.output, character, &character.notes);
   draw(settings, character, result.confidence);
   BindSummary summary = summarise(settings, binder, character, result);
+  summary.locked_vertices = locked.size() - static_cast<size_t>(std::count(locked.begin(), locked.end(), 0));
   summary.answers = answers.given.size();
   summary.answers_by_style = answers.by_style;
   summary.style = settings.save_style;
@@ -227,7 +223,8 @@ BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool prog
   summary.notes.insert(summary.notes.end(), character.notes.begin(), character.notes.end());
   for (const LeftOutJoint& left : job.choice().left_out)
     summary.left_out.emplace_back(character.joints[left.joint].name, left.why);
-  for (std::string& note : bind_notes(character, job.choice(), result)) summary.notes.push_back(std::move(note));
+  if (summary.locked_vertices < summary.vertices)  // else nothing got other weights
+    for (std::string& note : bind_notes(character, job.choice(), result)) summary.notes.push_back(std::move(note));
   summary.compare = settings.compare;
   summary.replaced = replaced;
   summary.seams = seams_json(character.joints, result.seams);

@@ -70,9 +70,12 @@ std::vector<std::string> summary_lines(const BindSummary& s) {
   std::vector<std::string> lines;
   lines.push_back(print("%s: %zu vertices, %zu faces, %zu joints (%zu used)", s.name.c_str(), s.vertices, s.faces,
                         s.joints, s.joints_used));
-  lines.push_back(print("bound with %s in %.3f s, %.1f MB workspace (%.1f MB used), %.2f influences per vertex",
-                        s.method.c_str(), s.seconds, static_cast<double>(s.workspace_bytes) / 1e6,
-                        static_cast<double>(s.workspace_used_bytes) / 1e6, s.mean_influences));
+  if (s.locked_vertices > 0 && s.locked_vertices == s.vertices)
+    lines.push_back(print("all weights are kept, %.2f influences per vertex", s.mean_influences));
+  else
+    lines.push_back(print("bound with %s in %.3f s, %.1f MB workspace (%.1f MB used), %.2f influences per vertex",
+                          s.method.c_str(), s.seconds, static_cast<double>(s.workspace_bytes) / 1e6,
+                          static_cast<double>(s.workspace_used_bytes) / 1e6, s.mean_influences));
   if (s.replaced.vertices > 0) lines.push_back(replaced_text(s.replaced));
   if (s.compare && s.replaced.vertices > 0) {
     const std::vector<std::string> changes = change_lines(s.replaced);

@@ -38,6 +38,7 @@ struct BindSummary {
   size_t workspace_bytes = 0, workspace_used_bytes = 0;
   bool symmetric = false;  // was asked for
   size_t symmetric_vertices = 0;
+  size_t locked_vertices = 0;  // that keep their weights, --lock
   WeightsReplaced replaced;
   bool compare = false;  // joints that changed most were asked for
   std::string hash;      // bind_hash()

@@ -45,7 +45,7 @@ constexpr OptionWord kWords[] = {
     {"--label", "TEXT", "Name in tables"},
     {"--layout", "NAME", "Which joints places alone are, of .npy and .npz"},
     {"--limit", "DEGREES", "Largest angle by which a random pose rotates a joint"},
-    {"--lock", "FILE", "Vertices that keep the weights they have, one 0-based index per line"},
+    {"--lock", "FILE|all", "Vertices that keep the weights they have: all, or one 0-based index per line"},
     {"--map", "FILE", "Which joint is which: lines TARGET_JOINT SOURCE_JOINT, - for none"},
     {"--method", "METHOD", "Which method does it"},
     {"--minutes", "N", "Stop after so many minutes"},

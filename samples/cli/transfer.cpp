@@ -24,6 +24,7 @@
 #include "sinew_formats/print.hpp"
 #include "support.hpp"
 #include "transfer_target.hpp"
+#include "vertex_locks.hpp"
 
 namespace sinew::cli {
 namespace {
@@ -90,13 +91,7 @@ std::vector<uint8_t> read_locks(const Settings& s, const std::string& path, cons
   if (s.lock.empty()) return {};
   if (character.influences.empty())
     throw Error(s.lock + ": vertices can keep only weights they have, and " + path + " brings none for its skeleton");
-  std::vector<uint8_t> locked(character.vertices.size(), 0);
-  for (const size_t v : read_vertex_list(s.lock, character)) {
-    if (character.influences[v].empty())
-      throw Error(s.lock + ": vertex " + std::to_string(v) + " has no weights to keep");
-    locked[v] = 1;
-  }
-  return locked;
+  return read_vertex_locks(s.lock, character);
 }
 
 struct Transferred {

@@ -108,6 +108,10 @@ TEST_F(CliTells, WhatBecameOfOldWeights) {
   EXPECT_TRUE(has(good(pair + " --changes").out, "replaced the weights of 850 vertices"));
   put(in("lock.txt"), "0\n7\n");
   EXPECT_TRUE(has(good(pair + " --lock lock.txt").out, "replaced the weights of 848 vertices"));
+  const std::string kept = good(pair + " --lock all").out;
+  EXPECT_TRUE(has(kept, "all weights are kept") && !has(kept, "bound with") && !has(kept, "replaced") &&
+              !has(kept, "no weight"))
+      << kept;
   put(in("bare.rig.txt"), "joints a 0 0 0\nroot a\n");
   EXPECT_TRUE(has(good("bind " + kSnake + " --skeleton bare.rig.txt --method heat -o bare.glb --changes").out,
                   "nothing to compare with: the file had no weights"));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -248,6 +249,16 @@ TEST_F(Cli, BindObeysJointAndVertexLists) {
     for (size_t i = 0; i < locked[v].size(); ++i) {
       EXPECT_EQ(locked[v][i].joint, truth.influences[v][i].joint);
       EXPECT_NEAR(locked[v][i].weight, truth.influences[v][i].weight, 2e-5f);
+    }
+  }
+  good(pair + "--lock all -o kept.rig.txt");
+  const auto kept = bound("kept.rig.txt");
+  for (size_t v = 0; v < kept.size(); ++v) {
+    ASSERT_EQ(kept[v].size(), truth.influences[v].size()) << v;
+    for (const Influence& own : truth.influences[v]) {
+      const auto found = std::find_if(kept[v].begin(), kept[v].end(), [&](auto& i) { return i.joint == own.joint; });
+      // Rows are whole 65535ths; the strongest of up to four gets what is left.
+      ASSERT_TRUE(found != kept[v].end() && std::abs(found->weight - own.weight) < 4.0f / 65535) << v;
     }
   }
   put(in("bad_joint.txt"), "spine_1\nelbow\n");

@@ -26,8 +26,13 @@ func check():
 	bind_in_scene()
 	rig_in_scene()
 	shapes()
-	errors()
 	steps()
+	lists()
+	animate_imported()
+	animate_in_scene()
+	export_imported()
+	findings()
+	errors()
 	stage()
 	if failed == 0:
 		print("GODOT OK: %d checks" % checked)
@@ -109,8 +114,8 @@ func row_text(weights: Dictionary) -> String:
 	return PoolStringArray(words).join(" ")
 
 
-# To the last of 65535. `expected` has the weights of the vertices of `obj`.
-func same_weights(what: String, mesh: MeshInstance, obj: String, expected: String) -> void:
+# By the places of the vertices of `obj` what weights `expected` has there: { place: [row_text(), ...] }.
+func rows_by_place(obj: String, expected: String) -> Dictionary:
 	var rig = Skinning.read_rig(expected)
 	var rows = {}
 	var vertices = obj_vertices(obj)
@@ -122,6 +127,13 @@ func same_weights(what: String, mesh: MeshInstance, obj: String, expected: Strin
 		if not rows.has(place(vertices[v])):
 			rows[place(vertices[v])] = []
 		rows[place(vertices[v])].append(row_text(wanted))
+	return rows
+
+
+# To the last of 65535. `expected` has the weights of the vertices of `obj`.
+func same_weights(what: String, mesh: MeshInstance, obj: String, expected: String) -> void:
+	var rows = rows_by_place(obj, expected)
+	var vertices = obj_vertices(obj)
 	var skeleton = skeleton_of(mesh)
 	var count = 0
 	var differing = 0
@@ -286,11 +298,183 @@ func errors() -> void:
 	var scene = instance("res://bound.obj")
 	var mesh = find(scene, MeshInstance)
 	var before = mesh.mesh
+	var capsule = MeshInstance.new()
+	capsule.mesh = CapsuleMesh.new()
+	get_root().add_child(capsule)
+	var made = Skinning.rig([capsule], get_root(), [])
+	expect(made.error == "" and made.changes[0].mesh.surface_get_arrays(0)[Mesh.ARRAY_WEIGHTS].size() > 0, "a mesh of Godot's own: " + made.error)
+	made.skeleton.free()
+	var dock = load("res://addons/sinew/dock.gd").new()
+	dock.write_export([capsule], null)
+	expect(dock.message.text == "sinew: error: %s: has no skeleton; press New skeleton" % capsule.name, dock.message.text)
 	ProjectSettings.set_setting(Command.SETTING, "/nowhere/sinew")
+	dock.write_motion([capsule], null)
+	expect(dock.message.text.begins_with("sinew: error: no command at '/nowhere/sinew'; set Project Settings"), dock.message.text)
+	dock.free()
+	capsule.free()
 	var answer = Skinning.bind([mesh], skeleton_of(mesh), [])
 	expect(answer.error.begins_with("sinew: error: no command at '/nowhere/sinew'; set Project Settings"), "no command: " + answer.error)
 	expect(answer.changes.empty() and mesh.mesh == before, "no command: nothing changes")
 	scene.free()
+
+
+# A character's file, converted by the command, has these weights.
+func same_file_weights(what: String, path: String, obj: String, expected: String) -> void:
+	var converted = Command.temporary("converted.obj")
+	expect(Command.run(["dataset", "convert", ProjectSettings.globalize_path(path), converted]) == "", what + ": converted")
+	var rig = converted.get_basename() + ".rig.txt"
+	var rows = rows_by_place(obj, expected)
+	var found = rows_by_place(converted, rig)
+	var differing = 0
+	for at in found:
+		for row in found[at]:
+			if not row in rows.get(at, []):
+				differing += 1
+				if differing <= 3:
+					print("%s: vertex at %s has %s, expected %s" % [what, at, row, rows.get(at, [])])
+	expect(found.size() > 100 and differing == 0, "%s: %d of %d vertices differ from %s" % [what, differing, found.size(), expected])
+	Command.remove([converted, rig])
+
+
+# What `sinew inspect` says about a file of the project.
+func inspected(path: String) -> Dictionary:
+	var answer = Command.answer(["inspect", ProjectSettings.globalize_path(path), "--json"])
+	var parsed = JSON.parse(PoolStringArray(answer.lines).join("\n"))
+	expect(answer.error == "" and parsed.error == OK, "inspect: " + answer.error)
+	return parsed.result
+
+
+func same_bytes(path: String, expected: String) -> void:
+	var file = File.new()
+	expect(file.get_sha256(path) != "" and file.get_sha256(path) == file.get_sha256(expected), "%s is %s" % [path, expected])
+
+
+func choose(list: OptionButton, text: String) -> void:
+	for item in list.get_item_count():
+		if list.get_item_text(item) == text:
+			list.select(item)
+	expect(list.get_item_text(list.selected) == text, "%s is in the list" % text)
+
+
+# What the dock offers is what the command says.
+func lists() -> void:
+	var dock = load("res://addons/sinew/dock.gd").new()
+	var said = Command.run(["map", "builtin:", "--from", "builtin:"])
+	dock.motion.ask_for_clips()
+	var clips = Command.clips()
+	expect(clips.size() == 10 and "walk" in clips and "crawl" in clips, "clips: %s" % [clips])
+	expect(dock.motion.clip.get_item_count() == clips.size(), "every clip is in the list")
+	for name in clips:
+		expect(name in said, "the command has the clip " + name)
+	dock.export_step.ask_for_programs()
+	var programs = Command.profiles()
+	expect(programs.size() > 5 and "unity" in programs and "vrm0" in programs, "programs: %s" % [programs])
+	expect(dock.export_step.program.get_item_count() == programs.size() + 1, "every program is in the list, and any")
+	dock.free()
+
+
+# A character that Godot imported itself: its file, as the command animates it, beside it.
+func animate_imported() -> void:
+	var scene = instance("res://walk.glb")
+	var mesh = find(scene, MeshInstance)
+	var dock = load("res://addons/sinew/dock.gd").new()
+	dock.motion.ask_for_clips()
+	choose(dock.motion.clip, "run")
+	var answer = dock.write_motion([mesh], null)
+	expect(answer.error == "" and answer.path == "res://walk.run.glb", answer.error)
+	same_bytes("res://walk.run.glb", "res://expected/walk.run.glb")
+	expect(dock.message.text.begins_with("Animate: res://walk.run.glb\nbuiltin:run, run: 22 frames"), dock.message.text)
+	expect(answer.character.nodes == [scene], "the scene shows it")
+	# Once more: nothing is written over.
+	dock.motion.in_place.pressed = true
+	answer = dock.write_motion([mesh], null)
+	expect(answer.path == "res://walk.run_2.glb", answer.path)
+	same_bytes("res://walk.run_2.glb", "res://expected/walk.run_in_place.glb")
+	dock.motion.in_place.pressed = false
+	# A motion of a file, which does not fit: refused in the dock's words, then forced.
+	dock.motion.add_motions(["res://small.bvh"])
+	answer = dock.write_motion([mesh], null)
+	expect(dock.message.text == "sinew: error: res://small.bvh: does not fit res://walk.glb: no arms and no head, 2 of its 23 joints would move; Map says which move as which, Force plays it as it is", dock.message.text)
+	expect(answer.error != "" and not File.new().file_exists("res://walk.small.glb"), "refused: no file")
+	dock.motion.force.pressed = true
+	answer = dock.write_motion([mesh], null)
+	expect(answer.error == "" and "warning: res://small.bvh: does not fit res://walk.glb" in dock.message.text, dock.message.text)
+	same_bytes("res://walk.small.glb", "res://expected/walk.small.glb")
+	dock.free()
+	scene.free()
+
+
+# A character that is imported as Sinew Character, and one that the scene alone has.
+func animate_in_scene() -> void:
+	var scene = instance("res://rigged.obj")
+	var mesh = find(scene, MeshInstance)
+	var dock = load("res://addons/sinew/dock.gd").new()
+	dock.motion.ask_for_clips()
+	choose(dock.motion.clip, "walk")
+	var answer = dock.write_motion([mesh], null)
+	expect(answer.error == "" and answer.path == "res://rigged.walk.glb", answer.error)
+	same_file_weights("animate, imported", answer.path, "res://rigged.obj", "res://expected/rigged.rig.txt")
+	expect(inspected(answer.path).gltf.animations.size() == 1, "one animation")
+	# It has other weights than the file: it is written as the scene has it, where it stands.
+	mesh.mesh = Skinning.bind([mesh], skeleton_of(mesh), ["--method", "heat"]).changes[0].mesh
+	scene.rotation_degrees = Vector3(0, 30, 0)
+	scene.translation = Vector3(1, 2, 3)
+	answer = dock.write_motion([mesh], null)
+	expect(answer.error == "" and answer.path == "res://rigged.walk_2.glb", "%s %s" % [answer.error, answer.path])
+	expect(answer.character.place == skeleton_of(mesh).global_transform and answer.character.nodes == [mesh], "where the skeleton stands")
+	same_file_weights("animate, scene", answer.path, "res://rigged.obj", "res://expected/heat.rig.txt")
+	expect(not "sinew-" in dock.message.text and not "user" in dock.message.text, dock.message.text)
+	expect(dock.write_motion([], null).error.begins_with("sinew: error: no mesh is selected"), "nothing selected")
+	dock.free()
+	scene.free()
+
+
+# Export keeps the weights that the character has.
+func export_imported() -> void:
+	var scene = instance("res://walk.glb")
+	var mesh = find(scene, MeshInstance)
+	var dock = load("res://addons/sinew/dock.gd").new()
+	dock.export_step.ask_for_programs()
+	var answer = dock.write_export([mesh], null)
+	expect(answer.error == "" and answer.path == "res://walk.export.glb", answer.error)
+	same_bytes("res://walk.export.glb", "res://expected/walk.export.glb")
+	same_file_weights("export", answer.path, "res://expected/walk.obj", "res://expected/walk.rig.txt")
+	expect(dock.export_step.said.text == "Check the rig: nothing found", dock.export_step.said.text)
+	choose(dock.export_step.program, "unity")
+	var unity = Command.temporary("unity.fbx")
+	dock.export_step.file.text = unity
+	answer = dock.write_export([mesh], null)
+	expect(answer.error == "" and answer.path == unity, answer.error)
+	same_bytes(unity, "res://expected/unity.fbx")
+	Command.remove([unity])
+	# A VRM wants an author; the row for one is there for it alone.
+	expect(not dock.export_step.author_row.visible, "no row for an author")
+	choose(dock.export_step.program, "vrm")
+	dock.export_step.show_author(0)
+	expect(dock.export_step.author_row.visible, "a row for an author")
+	dock.export_step.file.text = "res://walk.vrm"
+	answer = dock.write_export([mesh], null)
+	expect("fill in Author" in dock.message.text, dock.message.text)
+	dock.export_step.author.text = "A \"B\" C"
+	answer = dock.write_export([mesh], null)
+	expect(answer.error == "" and File.new().file_exists("res://walk.vrm"), answer.error)
+	dock.free()
+	scene.free()
+
+
+# A rig with a fault: what sinew check finds, a line each, with its cure.
+func findings() -> void:
+	var dock = load("res://addons/sinew/dock.gd").new()
+	expect(dock.export_step.check("res://expected/faulty.glb") == "", "checked")
+	var answer = Command.answer(["check", ProjectSettings.globalize_path("res://expected/faulty.glb"), "--json"])
+	var found = JSON.parse(answer.lines[0]).result.findings
+	var shown = dock.export_step.findings.get_children()
+	expect(found.size() > 0 and shown.size() == found.size(), "findings: %d of %d" % [shown.size(), found.size()])
+	expect(dock.export_step.said.text == "Check the rig: %d found" % found.size(), dock.export_step.said.text)
+	for i in shown.size():
+		expect(shown[i].text == "%s: %s" % [found[i].severity, found[i].what] and shown[i].hint_tooltip == found[i].cure, shown[i].text)
+	expect(dock.export_step.check("res://broken.obj") != "" and dock.export_step.findings.get_child_count() == 0, "a file that cannot be checked")
+	dock.free()
 
 
 # The dock has the page's steps, in its words, and opens the one that is to do.
@@ -303,11 +487,25 @@ func steps() -> void:
 	for page in dock.steps.get_children():
 		shown.append(page.name)
 	expect(words.size() == 5 and shown == words, "the dock's steps are the page's: %s" % [shown])
-	expect(dock.page("Skeleton").get_child(1).text == "New skeleton" and dock.page("Weights").get_child(1).text == "Bind", "a main button a step")
+	shown = []
+	for opener in dock.rail.get_children():
+		shown.append(opener.text)
+	expect(shown == words, "buttons of the steps: %s" % [shown])
+	var mains = []
+	for step in words.slice(1, 4):
+		mains.append(dock.page(step).get_child(1).text)
+	expect(mains == ["New skeleton", "Bind", "Animate", "Export"], "a main button a step: %s" % [mains])
 	var scene = instance("res://bound.obj")
 	var mesh = find(scene, MeshInstance)
 	dock.show_meshes([mesh])
 	expect(dock.steps.current_tab == 3, "a bound mesh: Motion")
+	expect(ticks(dock) == [true, true, true, false, false], "ticks: %s" % [ticks(dock)])
+	expect(dock.rail.get_child(3).pressed and dock.motion.sentence.text == "No motion yet.", dock.motion.sentence.text)
+	var moving = instance("res://moved.obj")
+	dock.show_meshes([find(moving, MeshInstance)])
+	expect(dock.steps.current_tab == 4 and dock.motion.sentence.text == "Moves by walk.", dock.motion.sentence.text)
+	moving.free()
+	dock.show_meshes([mesh])
 	expect(dock.facts.text.begins_with("%d vertices" % Skinning.vertex_count(mesh.mesh)), dock.facts.text)
 	mesh.skin = null
 	dock.show_meshes([mesh])
@@ -322,6 +520,13 @@ func steps() -> void:
 	alone.free()
 	scene.free()
 	dock.free()
+
+
+func ticks(dock) -> Array:
+	var done = []
+	for opener in dock.rail.get_children():
+		done.append(opener.get_meta("done"))
+	return done
 
 
 # The scene of window/window.gd: a bare mesh.

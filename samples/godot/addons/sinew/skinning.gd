@@ -113,6 +113,16 @@ static func transform_at(node: Spatial, global: Transform) -> Transform:
 	return global if not parent is Spatial else parent.global_transform.affine_inverse() * global
 
 
+# The skeleton of a mesh: that of its property, else the next one above it.
+static func skeleton_of(instance: MeshInstance) -> Skeleton:
+	if not instance.skeleton.is_empty() and instance.get_node_or_null(instance.skeleton) is Skeleton:
+		return instance.get_node(instance.skeleton) as Skeleton
+	var node = instance.get_parent()
+	while node != null and not node is Skeleton:
+		node = node.get_parent()
+	return node as Skeleton
+
+
 static func bone_of_bind(skin: Skin, bind: int, skeleton: Skeleton) -> int:
 	var name = skin.get_bind_name(bind)
 	return skeleton.find_bone(name) if name != "" else skin.get_bind_bone(bind)
@@ -190,7 +200,7 @@ static func with_all_bones(old: Skin, skeleton: Skeleton, joints: Array, placed:
 static func vertex_count(mesh: Mesh) -> int:
 	var count = 0
 	for surface in mesh.get_surface_count():
-		count += mesh.surface_get_arrays(surface)[Mesh.ARRAY_VERTEX].size()
+		count += mesh.surface_get_array_len(surface) if mesh is ArrayMesh else mesh.surface_get_arrays(surface)[Mesh.ARRAY_VERTEX].size()
 	return count
 
 
@@ -198,20 +208,30 @@ static func number(value: float) -> String:
 	return "%.9f" % value
 
 
+# Names of mesh instances as OBJ can have them, each once.
+static func object_names(instances: Array) -> Array:
+	var names = []
+	for instance in instances:
+		var name = instance.name.replace(" ", "_")
+		names.append(name if not name in names else "%s_%d" % [name, names.size()])
+	return names
+
+
 # Vertices of all surfaces in their order. Godot's faces are clockwise, OBJ's are not.
 static func write_obj(path: String, instances: Array, placements: Array) -> String:
 	var lines = PoolStringArray()
+	var names = object_names(instances)
 	var first = 1
 	for i in instances.size():
 		var mesh = instances[i].mesh
-		lines.append("o mesh_%d" % i)
+		lines.append("o %s" % names[i])
 		for surface in mesh.get_surface_count():
 			var arrays = mesh.surface_get_arrays(surface)
 			var vertices = arrays[Mesh.ARRAY_VERTEX]
 			for vertex in vertices:
 				var p = placements[i].xform(vertex)
 				lines.append("v %s %s %s" % [number(p.x), number(p.y), number(p.z)])
-			if mesh.surface_get_primitive_type(surface) != Mesh.PRIMITIVE_TRIANGLES:
+			if mesh is ArrayMesh and mesh.surface_get_primitive_type(surface) != Mesh.PRIMITIVE_TRIANGLES:
 				return "sinew: error: %s: surface %d: expected triangles" % [instances[i].name, surface]
 			var index = arrays[Mesh.ARRAY_INDEX]
 			if index == null or index.size() == 0:
@@ -347,14 +367,14 @@ static func with_weights(mesh: Mesh, first: int, skin: Dictionary, binds: Array)
 				# Godot keeps 16 bits and cuts the rest off: a half above comes out whole.
 				weights[v * INFLUENCES + k] = min(1.0, (row[2 * k + 1] + 0.5) / 65535.0) if known else 0.0
 		first += count
-		var shapes = mesh.surface_get_blend_shape_arrays(surface)
+		var shapes = mesh.surface_get_blend_shape_arrays(surface) if mesh is ArrayMesh else []
 		for shape in shapes:
 			shape[Mesh.ARRAY_BONES] = bones
 			shape[Mesh.ARRAY_WEIGHTS] = weights
 			shape[Mesh.ARRAY_INDEX] = null
 		arrays[Mesh.ARRAY_BONES] = bones
 		arrays[Mesh.ARRAY_WEIGHTS] = weights
-		made.add_surface_from_arrays(mesh.surface_get_primitive_type(surface), arrays, shapes)
+		made.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays, shapes)  # as write_obj() wants them
 		if made.get_surface_count() != surface + 1:
 			return null
 		made.surface_set_material(surface, mesh.surface_get_material(surface))
