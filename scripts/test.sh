@@ -6,7 +6,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 # shellcheck disable=SC2046  # several packages
 scripts/setup.sh ccache $(scripts/conformance.sh --packages ci) $(samples/web/build.sh --packages) $(samples/python/build.sh --packages) \
-  $(tests/integration/csharp_test.sh --packages) $(scripts/declarations.py --packages) $(apt-cache pkgnames libclang-rt-dev 2>/dev/null | grep -x libclang-rt-dev || true)
+  $(tests/integration/csharp_test.sh --packages) $(scripts/declarations.py --packages) \
+  $(apt-cache pkgnames libclang-rt-dev 2>/dev/null | grep -x libclang-rt-dev || true) $(apt-cache pkgnames godot3-server 2>/dev/null | grep -x godot3-server || true)
 # The client of the Model Context Protocol, pinned by its package-lock.json.
 [ -d tests/support/mcp/node_modules/@modelcontextprotocol ] || npm ci --silent --no-audit --no-fund --prefix tests/support/mcp
 [ -d tests/support/three/node_modules/three ] || npm ci --silent --no-audit --no-fund --prefix tests/support/three
