@@ -235,7 +235,9 @@ TEST(RetargetStream, ArmsMayBeAsDeepAsTheyAreMeantToBe) {
   const sinew_motion_body thick = boxes.view();
   Live live(longer, scene, &thick);
   for (int f = 0; f < 6; ++f) {
-    if (f == 4) EXPECT_EQ(live.stream.restart(), SINEW_OK);
+    if (f == 4) {
+      EXPECT_EQ(live.stream.restart(), SINEW_OK);
+    }
     EXPECT_LT(distance(placed(scene, live.next(rest_pose(longer))).places[kLeftHand], scene.at(kLeftHand)), 1e-4) << f;
   }
   StreamSettings settings;
