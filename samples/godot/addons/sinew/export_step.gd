@@ -70,6 +70,9 @@ func write(character: Dictionary) -> Dictionary:
 	if author_row.visible and author.text != "":
 		words += ["--author", author.text]
 	var answer = Command.answer(words)
+	for line in answer.lines.duplicate():  # of the rig alone; check() lists what it finds in the motion too
+		if line.strip_edges().begins_with("checked: "):
+			answer.lines.erase(line)
 	answer.path = path
 	return answer
 
