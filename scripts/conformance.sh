@@ -122,7 +122,7 @@ run() {  # TARGET PROGRAM ARGUMENT...: there, in the folder of the set
 build() {  # TARGET PROGRAM...
   local target=$1 log=$work/$1.log configure=(cmake) arguments
   shift
-  read -ra arguments <<<"$(configuration_of "$target")"
+  read -ra arguments <<<"$(configuration_of "$target") -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12"
   if [[ $target == wasm* ]]; then
     # shellcheck source=tests/wasm/emscripten.sh
     . "$root/tests/wasm/emscripten.sh"

@@ -30,11 +30,10 @@ endif()
 
 # What SINEW_SMALL_CODE refuses, and that the rest of it works.
 get_target_property(small_sources sinew_engine_objects SOURCES)
-list(FILTER small_sources EXCLUDE REGEX "src/api/(deform|map|motion|rig|simplify|transfer)\\.cpp|src/(deform|mapping|motion|rig|simplify|transfer)/")
+list(FILTER small_sources EXCLUDE REGEX "src/api/(corresponding_points|deform|map|motion|names|rig|simplify|struct_sizes|transfer)\\.cpp|src/(deform|mapping|motion|names|rig|simplify|transfer)/")
 list(APPEND small_sources src/api/left_out.cpp src/deform/skinning.cpp)
 list(TRANSFORM small_sources PREPEND ${CMAKE_SOURCE_DIR}/engine/)
 add_library(sinew_engine_small STATIC ${small_sources})
-set_target_properties(sinew_engine_small PROPERTIES UNITY_BUILD OFF)  # as the engine
 target_compile_features(sinew_engine_small PUBLIC cxx_std_17)
 target_include_directories(sinew_engine_small PUBLIC ${CMAKE_SOURCE_DIR}/engine/include PRIVATE ${CMAKE_SOURCE_DIR}/engine/src)
 target_compile_definitions(sinew_engine_small PRIVATE SINEW_SMALL_CODE)

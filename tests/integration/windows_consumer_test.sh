@@ -16,7 +16,8 @@ says_version() { run_wine "$@" | grep '^sinew [0-9]' >/dev/null || { echo "$1 do
 
 for shared in OFF ON; do
   prefix=$work/prefix_$shared
-  quietly cmake -S "$source_dir/engine" -B "$work/engine" --toolchain "$toolchain" -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=$shared
+  quietly cmake -S "$source_dir/engine" -B "$work/engine" --toolchain "$toolchain" -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=$shared \
+    -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12
   quietly cmake --build "$work/engine" -j "${SINEW_JOBS:-$(nproc)}"
   quietly cmake --install "$work/engine" --prefix "$prefix"
 

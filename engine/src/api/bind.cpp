@@ -10,7 +10,7 @@
 #include "sinew/bind.h"
 
 // The struct of the first release, 0.1.
-static constexpr uint32_t kFirstSize = offsetof(sinew_bind_outputs, used_bytes) + sizeof(size_t);
+static constexpr uint32_t kFirstBindOutputs = offsetof(sinew_bind_outputs, used_bytes) + sizeof(size_t);
 static_assert(sizeof(sinew_options) == 16 * sizeof(uint32_t) + 7 * sizeof(void*), "a hole in sinew_options");
 static_assert(sizeof(sinew_bind_outputs) == 4 * sizeof(uint32_t) + 7 * sizeof(void*), "a hole in sinew_bind_outputs");
 
@@ -34,7 +34,7 @@ sinew_status sinew_bind(const sinew_model* model, const sinew_mesh* mesh, const 
   if (!sinew::is_mesh(mesh) || skeleton == nullptr || workspace == nullptr || outputs == nullptr)
     return SINEW_ERROR_ARGUMENT;
   sinew_bind_outputs own;
-  sinew_status status = sinew::read_struct(outputs, kFirstSize, sizeof own, &own);
+  sinew_status status = sinew::read_struct(outputs, kFirstBindOutputs, sizeof own, &own);
   if (status != SINEW_OK) return status;
   if (own.joint_indices == nullptr || own.weights == nullptr) return SINEW_ERROR_ARGUMENT;
   sinew_skeleton joints;

@@ -9,7 +9,7 @@
 #include "deform/deformer.hpp"
 
 // The struct of the first release, 0.1.
-static constexpr uint32_t kFirstSize = offsetof(sinew_deform_outputs, inverted_tetrahedra) + sizeof(uint32_t);
+static constexpr uint32_t kFirstDeformOutputs = offsetof(sinew_deform_outputs, inverted_tetrahedra) + sizeof(uint32_t);
 static_assert(sizeof(sinew_deform_options) == 12 * sizeof(uint32_t) + 2 * sizeof(void*),
               "a hole in sinew_deform_options");
 static_assert(sizeof(sinew_deform_outputs) == 4 * sizeof(uint32_t) + sizeof(void*), "a hole in sinew_deform_outputs");
@@ -56,7 +56,7 @@ sinew_status sinew_deform_pose(const sinew_deformer* deformer, const float* pale
     return SINEW_ERROR_ARGUMENT;
   }
   sinew_deform_outputs own;
-  sinew_status status = sinew::read_struct(outputs, kFirstSize, sizeof own, &own);
+  sinew_status status = sinew::read_struct(outputs, kFirstDeformOutputs, sizeof own, &own);
   if (status != SINEW_OK) return status;
   if (own.positions == nullptr) return SINEW_ERROR_ARGUMENT;
   if (!sinew::is_aligned(workspace)) return SINEW_ERROR_WORKSPACE;

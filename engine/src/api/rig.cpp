@@ -15,7 +15,7 @@
 #include "sinew/rig.h"
 
 // The struct of the first release, 0.1.
-static constexpr uint32_t kFirstSize = offsetof(sinew_rig_outputs, used_bytes) + sizeof(size_t);
+static constexpr uint32_t kFirstRigOutputs = offsetof(sinew_rig_outputs, used_bytes) + sizeof(size_t);
 static_assert(sizeof(sinew_rig_options) == 12 * sizeof(uint32_t) + 3 * sizeof(void*), "a hole in sinew_rig_options");
 static_assert(sizeof(sinew_rig_outputs) == 12 * sizeof(uint32_t) + 9 * sizeof(void*), "a hole in sinew_rig_outputs");
 
@@ -59,7 +59,7 @@ sinew_status sinew_rig(const sinew_model* model, const sinew_mesh* mesh, const s
                        void* workspace, size_t workspace_bytes, sinew_rig_outputs* outputs) {
   if (!sinew::is_mesh(mesh) || workspace == nullptr || outputs == nullptr) return SINEW_ERROR_ARGUMENT;
   sinew_rig_outputs own;
-  sinew_status status = sinew::read_struct(outputs, kFirstSize, sizeof own, &own);
+  sinew_status status = sinew::read_struct(outputs, kFirstRigOutputs, sizeof own, &own);
   if (status != SINEW_OK) return status;
   if (own.positions == nullptr || own.parents == nullptr) return SINEW_ERROR_ARGUMENT;
   sinew::rigging::RigPlan plan;
@@ -93,7 +93,7 @@ sinew_status sinew_rig_details(const sinew_model* hands_model, const sinew_mesh*
                                sinew_rig_outputs* outputs) {
   if (!sinew::is_mesh(mesh) || workspace == nullptr || outputs == nullptr) return SINEW_ERROR_ARGUMENT;
   sinew_rig_outputs own;
-  sinew_status status = sinew::read_struct(outputs, kFirstSize, sizeof own, &own);
+  sinew_status status = sinew::read_struct(outputs, kFirstRigOutputs, sizeof own, &own);
   if (status != SINEW_OK) return status;
   if (own.positions == nullptr || own.parents == nullptr || own.joint_classes == nullptr) return SINEW_ERROR_ARGUMENT;
   sinew::rigging::DetailsPlan plan;

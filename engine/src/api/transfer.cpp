@@ -9,7 +9,7 @@
 #include "sinew/transfer.h"
 
 // The struct of the first release, 0.1.
-static constexpr uint32_t kFirstSize = offsetof(sinew_transfer_outputs, used_bytes) + sizeof(size_t);
+static constexpr uint32_t kFirstTransferOutputs = offsetof(sinew_transfer_outputs, used_bytes) + sizeof(size_t);
 static_assert(sizeof(sinew_transfer_options) == 10 * sizeof(uint32_t) + 6 * sizeof(void*),
               "a hole in sinew_transfer_options");
 static_assert(sizeof(sinew_transfer_outputs) == 8 * sizeof(uint32_t) + 6 * sizeof(void*),
@@ -66,7 +66,7 @@ sinew_status sinew_transfer(const sinew_model* model, const sinew_bound_characte
     return SINEW_ERROR_ARGUMENT;
   }
   sinew_transfer_outputs own;
-  sinew_status status = sinew::read_struct(outputs, kFirstSize, sizeof own, &own);
+  sinew_status status = sinew::read_struct(outputs, kFirstTransferOutputs, sizeof own, &own);
   if (status != SINEW_OK) return status;
   if (own.joint_indices == nullptr || own.weights == nullptr || (own.part_capacity > 0 && own.parts == nullptr))
     return SINEW_ERROR_ARGUMENT;

@@ -153,7 +153,7 @@ SINEW_ONCE uint32_t nearest_labels(const Propagation& p, Vec3i position, uint32_
 constexpr uint64_t kTipExtentPercent = 85;
 constexpr uint32_t kLeastTerritory = 3;  // vertices below which a leaf's surroundings say nothing about its direction
 
-constexpr uint32_t kVertexPiece = 256;  // vertices that a lane takes at a time
+constexpr uint32_t kCandidatePiece = 256;  // vertices that a lane takes at a time
 
 void find_tips(const Mesh& mesh, const Skeleton& skeleton, const Propagation& p, const Threads& threads,
                const CandidateSearch& scratch, Candidates* out) {
@@ -162,7 +162,7 @@ void find_tips(const Mesh& mesh, const Skeleton& skeleton, const Propagation& p,
     scratch.extents[j] = 0;
     scratch.counts[j] = 0;
   }
-  threads.ranges(mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+  threads.ranges(mesh.welded_count, kCandidatePiece, [&](uint32_t begin, uint32_t end, uint32_t) {
     for (uint32_t v = begin; v < end; ++v) {
       uint32_t nearest;
       nearest_labels(p, mesh.positions[v], 1, &nearest);  // finds one: the vertex's own cell is solid
@@ -198,13 +198,13 @@ void find_tips(const Mesh& mesh, const Skeleton& skeleton, const Propagation& p,
 }
 
 // Permille of this stage's progress when each step ends; during a propagation it stands still.
-namespace ends_at {
+namespace step_ends_at {
 constexpr uint32_t kVoxels = 200;
 constexpr uint32_t kFirstPropagation = 300;
 constexpr uint32_t kTips = 400;
 constexpr uint32_t kSecondPropagation = 600;
 constexpr uint32_t kRows = Progress::kWhole;
-}  // namespace ends_at
+}  // namespace step_ends_at
 
 void write_candidates(const Mesh& mesh, const Propagation& p, const uint32_t* starts, uint32_t begin, uint32_t end,
                       Candidates* out) {
@@ -249,25 +249,25 @@ bool CandidateSearch::run(const Mesh& mesh, const Skeleton& skeleton, const Coun
                           const Progress& progress, Candidates* candidates) {
   voxelise(mesh, counts_of_bind, propagation.queue(), &propagation.grid);
   propagation.survey();
-  if (!progress.report(ends_at::kVoxels)) return false;
+  if (!progress.report(step_ends_at::kVoxels)) return false;
 
   uint32_t usable = 0;
   for (uint32_t j = 0; j < skeleton.joint_count; ++j) usable += skeleton.usable[j];
   propagation.begin(1);
   for (uint32_t j = 0; j < skeleton.joint_count; ++j) starts[j] = 0;
   seed_bones(skeleton, skeleton.bone_tail, starts, &propagation);
-  if (!propagation.run(progress, ends_at::kFirstPropagation)) return false;
+  if (!propagation.run(progress, step_ends_at::kFirstPropagation)) return false;
   find_tips(mesh, skeleton, propagation, counts_of_bind.threads, *this, candidates);
-  if (!progress.report(ends_at::kTips)) return false;
+  if (!progress.report(step_ends_at::kTips)) return false;
 
   propagation.begin(usable < counts_of_bind.candidates ? usable : counts_of_bind.candidates);
   find_starts(skeleton, candidates->tips, propagation.grid, extents, starts);
   seed_bones(skeleton, candidates->tips, starts, &propagation);
-  return propagation.run(progress, ends_at::kSecondPropagation);
+  return propagation.run(progress, step_ends_at::kSecondPropagation);
 }
 
 void CandidateSearch::write(const Mesh& mesh, const Threads& threads, Candidates* candidates) const {
-  threads.ranges(mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+  threads.ranges(mesh.welded_count, kCandidatePiece, [&](uint32_t begin, uint32_t end, uint32_t) {
     write_candidates(mesh, propagation, starts, begin, end, candidates);
   });
 }
@@ -280,7 +280,7 @@ sinew_status find_candidates(const Mesh& mesh, const Skeleton& skeleton, const C
   if (arena.measuring()) return SINEW_OK;
   if (!search.run(mesh, skeleton, counts, progress, candidates)) return SINEW_ERROR_CANCELLED;
   search.write(mesh, counts.threads, candidates);
-  return progress.report(ends_at::kRows) ? SINEW_OK : SINEW_ERROR_CANCELLED;
+  return progress.report(step_ends_at::kRows) ? SINEW_OK : SINEW_ERROR_CANCELLED;
 }
 
 }  // namespace sinew

@@ -7,17 +7,17 @@
 namespace sinew {
 namespace {
 
-struct Box {
+struct PartBox {
   Vec3i low, high;
 };
 
 // Whether a point is at most half of `reach` from the middle of the box on each axis.
-SINEW_ONCE bool is_near(const Box& box, Vec3i point, int32_t reach) {
+SINEW_ONCE bool is_near(const PartBox& box, Vec3i point, int32_t reach) {
   return extent((point - box.low) + (point - box.high)) <= reach;
 }
 
 // The longest side of the box of a small part that is neither a disc nor a strand, else 0.
-int32_t side_of_ball(const Box& box) {
+int32_t side_of_ball(const PartBox& box) {
   const Vec3i sides = box.high - box.low;
   const int32_t longest = extent(sides), least = 2 * longest / 5;
   return longest <= kSide / 32 && sides.x >= least && sides.y >= least && sides.z >= least ? longest : 0;
@@ -28,16 +28,16 @@ int32_t side_of_ball(const Box& box) {
 sinew_status find_own_parts(const Mesh& mesh, const Counts& counts, Arena& arena, Skeleton* skeleton,
                             uint16_t* owners) {
   const ArenaScope scope(arena);
-  Box* const boxes = arena.alloc<Box>(counts.vertices);
+  PartBox* const boxes = arena.alloc<PartBox>(counts.vertices);
   if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) return SINEW_OK;
   for (uint32_t p = 0; p < mesh.part_count; ++p) {
-    Box& box = boxes[p];
+    PartBox& box = boxes[p];
     owners[p] = kNoJoint;
     box.low = box.high = mesh.positions[mesh.part_vertices[mesh.part_offsets[p]]];
   }
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
-    Box& box = boxes[mesh.part[v]];
+    PartBox& box = boxes[mesh.part[v]];
     grow(mesh.positions[v], &box.low, &box.high);
   }
   for (uint32_t p = 0; p < mesh.part_count; ++p) {

@@ -12,6 +12,7 @@
 namespace sinew {
 
 constexpr uint16_t kNoJoint = 0xFFFF;
+constexpr uint32_t kNoIndex = 0xFFFFFFFFu;  // no vertex, cell, row or the like
 
 // Voxel cells along the longest side where `grid` is 0: 12 cells of the cube for a vertex of the surface, between these.
 // Time and memory of the candidate search grow with the cube, the rest of a bind with the vertices. What more or fewer

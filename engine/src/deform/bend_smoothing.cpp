@@ -8,7 +8,7 @@ namespace {
 constexpr int kSteps = 2;
 constexpr double kInflates = 1.15;  // of the step before
 constexpr int kInflations = 2;
-constexpr uint32_t kMostSweeps = 32;
+constexpr uint32_t kMostBendSweeps = 32;
 constexpr double kMostInflation = 0.5;  // of a cell, for a whole share
 constexpr double kMostShare = 0.5;
 constexpr double kLeastShare = 1e-4;  // below it is rounding: nothing bends
@@ -58,7 +58,7 @@ SmoothedVertex begin_vertex(const PosedJoints& posed, uint32_t u, Vec3d position
 // What the lattice moved around a bend belongs to it.
 void grow_bends(const DeformRest& rest, const uint8_t* moved, SmoothedVertex* vertices) {
   bool more = true;
-  for (uint32_t sweep = 0; more && sweep < kMostSweeps; ++sweep) {
+  for (uint32_t sweep = 0; more && sweep < kMostBendSweeps; ++sweep) {
     more = false;
     for (uint32_t i = 0; i < rest.welded_count; ++i) {
       const uint32_t u = sweep % 2 == 0 ? i : rest.welded_count - 1 - i;

@@ -10,7 +10,6 @@
 namespace sinew::deform {
 namespace {
 
-constexpr uint32_t kNone = 0xFFFFFFFFu;
 // Patches of one cell that are compared with each other. More are dust, and join the first that is like them.
 constexpr uint32_t kComparedPatches = 64;
 constexpr uint32_t kSameInside = 98302;  // rows of two inner cells: 1.5 of 2
@@ -48,7 +47,7 @@ class CopyMaker {
     const uint32_t inner = (static_cast<uint32_t>(grid_.size[0]) - 2) * (static_cast<uint32_t>(grid_.size[1]) - 2) *
                            (static_cast<uint32_t>(grid_.size[2]) - 2);
     spare_ = bounds_.copies - inner;
-    for (uint32_t v = 0; v < mesh_.welded_count; ++v) seen_cell_[v] = kNone;
+    for (uint32_t v = 0; v < mesh_.welded_count; ++v) seen_cell_[v] = kNoIndex;
     for (uint32_t c = 0; c < grid_.cell_count; ++c) {
       copies_.first_of_cell[c] = 0;
       copies_.count_of_cell[c] = 0;

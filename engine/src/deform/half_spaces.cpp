@@ -10,7 +10,6 @@ constexpr double kFullFold = 0.3;         // from here on the plane holds; befor
 constexpr double kLeastNormal = 0.2;      // of the difference of the bones: no plane where they lie on each other
 constexpr double kReach = 0.9;            // of the shorter bone
 constexpr uint32_t kLeastWeight = 39321;  // 0.6 for the joint and its parent together
-constexpr uint32_t kPiece = 512;          // vertices that a thread takes at once
 constexpr double kGap = 0.0005;           // of the size, between the two sides
 
 Vec3d turned(const PosedJoint& joint, Vec3d v) { return rotate(joint.motion.real, v); }

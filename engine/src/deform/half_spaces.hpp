@@ -8,6 +8,8 @@
 
 namespace sinew::deform {
 
+constexpr uint32_t kPiece = 512;  // vertices or nodes that a thread takes at once
+
 // A vertex stays where normal . x >= offset. Without one the normal is 0.
 struct HalfSpace {
   Vec3d normal;   // unit vector

@@ -5,7 +5,7 @@
 namespace sinew::deform {
 namespace {
 
-constexpr double kLeastSquare = 1e-4;  // of a distance, cells
+constexpr double kLeastSquaredCells = 1e-4;  // of a distance, cells
 
 class NodeDistances {
  public:
@@ -62,7 +62,7 @@ class NodeDistances {
     for (uint32_t j = 0; j < rest_.joint_count; ++j) {
       const bool beside = j == nearest || static_cast<int32_t>(j) == over || above(j) == static_cast<int32_t>(nearest);
       if (weighted_[j] == 0 || !beside) continue;
-      const double share = greater(squares_[nearest], kLeastSquare) / greater(squares_[j], kLeastSquare);
+      const double share = greater(squares_[nearest], kLeastSquaredCells) / greater(squares_[j], kLeastSquaredCells);
       uint32_t at = used < kNodeSlots ? used++ : kNodeSlots;
       for (; at > 0 && shares[at - 1] < share; --at) {
         if (at == kNodeSlots) continue;

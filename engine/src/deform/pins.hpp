@@ -9,6 +9,8 @@ namespace sinew::deform {
 
 constexpr uint16_t kRigidWeight = 64225;  // 0.98: nodes and vertices of one joint
 
+constexpr uint32_t kRingsAroundStrain = 3;  // of nodes that move around those that are strained
+
 // Grows a set of nodes over tetrahedra: one with a member makes members of all four. Bits `mask` of flags [n].
 void grow_nodes(const Lattice& lattice, uint8_t mask, uint32_t rounds, uint8_t* flags);
 

@@ -12,8 +12,6 @@
 namespace sinew::deform {
 namespace {
 
-constexpr uint32_t kRingsAroundStrain = 3;
-
 class PublishedPose {
  public:
   PublishedPose(const PosedJoints& posed, Vec3d* positions, PoseCounts* counts)

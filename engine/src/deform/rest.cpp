@@ -20,7 +20,7 @@ namespace sinew::deform {
 namespace {
 
 constexpr uint32_t kFirstOptionsSize = offsetof(sinew_deform_options, no_smoothing) + sizeof(uint32_t);
-constexpr double kStraight = -0.5;  // cosine between the ways to the parent and along the bone: hinges are below
+constexpr double kHingeCosine = -0.5;  // cosine between the ways to the parent and along the bone: hinges are below
 
 sinew_status check_input(const RestInput& input, Counts* counts) {
   const sinew_mesh& mesh = input.mesh;
@@ -85,7 +85,7 @@ void measure_joints(const sinew_skeleton& skeleton, DeformRest* rest) {
     joint.bone_length = leaf ? 0.5 * joint.parent_length : length(bone);
     const bool short_bone = !(length(bone) > 1e-6 * rest->size);
     joint.to_children = short_bone ? -1.0 * joint.to_parent : unit(bone);
-    joint.hinge = joint.parent_length >= 1e-3 * rest->size && dot(joint.to_parent, joint.to_children) <= kStraight;
+    joint.hinge = joint.parent_length >= 1e-3 * rest->size && dot(joint.to_parent, joint.to_children) <= kHingeCosine;
   }
 }
 

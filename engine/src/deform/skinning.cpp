@@ -30,24 +30,24 @@ float reciprocal_sqrt(float x) {
   return y;
 }
 
-using Quaternion = QuaternionOf<float>;
-Quaternion scaled(const Quaternion& q, float s) { return {q.w * s, q.x * s, q.y * s, q.z * s}; }
-void add_scaled(Quaternion* sum, const Quaternion& q, float s) {
+using FloatQuaternion = QuaternionOf<float>;
+FloatQuaternion scaled(const FloatQuaternion& q, float s) { return {q.w * s, q.x * s, q.y * s, q.z * s}; }
+void add_scaled(FloatQuaternion* sum, const FloatQuaternion& q, float s) {
   sum->w += q.w * s;
   sum->x += q.x * s;
   sum->y += q.y * s;
   sum->z += q.z * s;
 }
-float dot(const Quaternion& a, const Quaternion& b) { return a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z; }
+float dot(const FloatQuaternion& a, const FloatQuaternion& b) { return a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z; }
 
 // Unit quaternion of a rotation matrix.
-Quaternion rotation_quaternion(const float* m) {
-  const Quaternion q = long_rotation_quaternion(m);
+FloatQuaternion rotation_quaternion(const float* m) {
+  const FloatQuaternion q = long_rotation_quaternion(m);
   return scaled(q, reciprocal_sqrt(dot(q, q)));
 }
 
 // Dual part of a rigid motion: half of (0, translation) times the rotation.
-Quaternion dual_part(const Quaternion& q, float tx, float ty, float tz) {
+FloatQuaternion dual_part(const FloatQuaternion& q, float tx, float ty, float tz) {
   return scaled({-tx * q.x - ty * q.y - tz * q.z, tx * q.w + ty * q.z - tz * q.y, -tx * q.z + ty * q.w + tz * q.x,
                  tx * q.y - ty * q.x + tz * q.w},
                 0.5f);
@@ -80,10 +80,10 @@ sinew_status skin_dual_quaternion(const float* positions, uint32_t vertex_count,
   const size_t n = influence_count;
   if (!joints_exist(joints, vertex_count * n, joint_count)) return SINEW_ERROR_RANGE;
   for (size_t v = 0; v < vertex_count; ++v) {
-    Quaternion real = {0, 0, 0, 0}, dual = {0, 0, 0, 0}, pivot = {1, 0, 0, 0};
+    FloatQuaternion real = {0, 0, 0, 0}, dual = {0, 0, 0, 0}, pivot = {1, 0, 0, 0};
     for (size_t i = 0; i < n; ++i) {
       const float* m = palette + static_cast<size_t>(joints[v * n + i]) * 12;
-      const Quaternion q = rotation_quaternion(m);
+      const FloatQuaternion q = rotation_quaternion(m);
       if (i == 0) pivot = q;
       // q and -q are the same rotation; blending takes the one on the pivot's side.
       float weight = static_cast<float>(weights[v * n + i]) * kUnorm16;
@@ -93,7 +93,7 @@ sinew_status skin_dual_quaternion(const float* positions, uint32_t vertex_count,
     }
     // All parts lie on the pivot's side, so the sum is at least as long as the first weight: no division by 0.
     const float inverse = reciprocal_sqrt(dot(real, real));
-    const Quaternion r = scaled(real, inverse), d = scaled(dual, inverse);
+    const FloatQuaternion r = scaled(real, inverse), d = scaled(dual, inverse);
     const float tx = 2.0f * (r.w * d.x - d.w * r.x + r.y * d.z - r.z * d.y);
     const float ty = 2.0f * (r.w * d.y - d.w * r.y + r.z * d.x - r.x * d.z);
     const float tz = 2.0f * (r.w * d.z - d.w * r.z + r.x * d.y - r.y * d.x);

@@ -9,8 +9,7 @@ namespace {
 
 constexpr uint32_t kWorthThreads = 2048;
 // A node keeps 0.8 of the way of its last round, at most a cell. 20 rounds reach what took more than 30.
-constexpr int32_t kMomentum = 205;      // Q8
-constexpr uint32_t kRoundsWithout = 2;  // at the end, in which the constraints settle
+constexpr int32_t kMomentum = 205;  // Q8
 
 void solve_point(const SolverPoint& point, SolverNode* nodes) {
   int64_t position = 0;
@@ -189,7 +188,7 @@ void solve(const Lattice& lattice, uint32_t rounds, uint32_t softness, const Con
     each_piece(lattice, state->piece_tetrahedra, backwards, threads,
                [&](uint32_t begin, uint32_t end) { kernels.volumes(volumes, begin, end, backwards); });
     for (uint32_t i = 0; i < state->point_count; ++i) solve_point(state->points[i], nodes);
-    add_momentum(round > 0 && round + kRoundsWithout < rounds, lattice.node_count, state);
+    add_momentum(round > 0 && round + kSettlingRounds < rounds, lattice.node_count, state);
   }
 }
 

@@ -10,9 +10,7 @@
 namespace sinew::deform {
 namespace {
 
-constexpr uint32_t kRingsAroundStrain = 3;
 constexpr int kFadeBits = 14;
-constexpr uint32_t kPiece = 512;  // vertices or nodes that a thread takes at once
 
 class VolumePose {
  public:

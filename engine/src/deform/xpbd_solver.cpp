@@ -3,17 +3,18 @@
 #include "deform/xpbd_solver.hpp"
 
 #include "core/vector_math.hpp"
+#include "deform/solver.hpp"
 
 namespace sinew::deform {
 namespace {
 
 constexpr double kShortest = 1e-9;     // of an edge or a spring that has a direction
 constexpr double kFlat = 0.02;         // squared gradients of a volume, below which a flat tetrahedron gives way
-constexpr double kLongestStep = 0.25;  // of a node, by one volume
-constexpr double kLeastShare = 0.02;   // squared shares of moving nodes, below which nothing carries an embedded vertex
+constexpr double kLongestMove = 0.25;  // of a node, by one volume
+constexpr double kLeastSquaredShares =
+    0.02;  // squared shares of moving nodes, below which nothing carries an embedded vertex
 
-constexpr double kMomentum = 0.8;
-constexpr uint32_t kRoundsWithout = 2;  // at the end, in which the constraints settle
+constexpr double kMomentumShare = 0.8;
 
 class XpbdSolver {
  public:
@@ -32,7 +33,7 @@ class XpbdSolver {
         volume(i);
       });
       each(state_.point_count, backwards, [this](uint32_t i) { contact(i); });
-      add_momentum(round > 0 && round + kRoundsWithout < settings_.rounds);
+      add_momentum(round > 0 && round + kSettlingRounds < settings_.rounds);
     }
   }
 
@@ -48,7 +49,7 @@ class XpbdSolver {
       const Vec3d move = nodes_[n] - state_.last[n];
       const double far = length(move);
       state_.last[n] = nodes_[n];
-      if (on) nodes_[n] = nodes_[n] + (kMomentum / greater(far, 1)) * move;
+      if (on) nodes_[n] = nodes_[n] + (kMomentumShare / greater(far, 1)) * move;
     }
   }
   double weight(uint32_t node) const { return moves_[node] != 0 ? 1 : 0; }
@@ -122,7 +123,7 @@ class XpbdSolver {
     }
     double step = -off / greater(square, kFlat);
     const double moved = absolute(step) * root(largest);
-    if (moved > kLongestStep) step = step * kLongestStep / moved;
+    if (moved > kLongestMove) step = step * kLongestMove / moved;
     for (int k = 0; k < 4; ++k) nodes_[at[k]] = nodes_[at[k]] + (weight(at[k]) * step) * gradient[k];
   }
 
@@ -185,7 +186,7 @@ void add_xpbd_point(const Lattice& lattice, uint32_t vertex, const HalfSpace& sp
   for (int k = 0; k < 4; ++k) {
     if (state->moves[at[k]] != 0) square += share_of(position, k) * share_of(position, k);
   }
-  if (square < kLeastShare) return;
+  if (square < kLeastSquaredShares) return;
   state->points[state->point_count] = vertex;
   state->spaces[state->point_count++] = space;
 }

@@ -7,9 +7,9 @@
 namespace sinew {
 namespace {
 
-constexpr uint32_t kPiece = 256;      // vertices that a thread takes at once
-constexpr int32_t kLeastWeight = 8;   // 2^-12, as in all fields
-constexpr double kLeastSquare = 1.0;  // of a distance, grid units
+constexpr uint32_t kPiece = 256;            // vertices that a thread takes at once
+constexpr int32_t kLeastWeight = 8;         // 2^-12, as in all fields
+constexpr double kLeastSquaredUnits = 1.0;  // of a distance, grid units
 
 class DistanceWeights {
  public:
@@ -33,7 +33,7 @@ class DistanceWeights {
     const double whole = dot(along, along);
     const double share = whole > 0 ? clamped(dot(p - head, along) / whole, 0, 1) : 0;
     const Vec3d off = p - (head + share * along);
-    return greater(dot(off, off), kLeastSquare);
+    return greater(dot(off, off), kLeastSquaredUnits);
   }
 
   void weigh(uint32_t u) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr uint32_t kSourcesEnd = 300;  // permille of this stage's progress
 
-struct Scratch {
+struct HeatScratch {
   HeatSources sources;
   EdgeWeights edges;
   HeatSolver solvers[kFieldCount];  // one per lane, as far as they go
@@ -21,7 +21,7 @@ struct Scratch {
 };
 
 // The finder's and the Laplacian's scratch lies where the solver's arrays come later.
-bool allocate_inputs(Arena& arena, const Counts& counts, const HeatFields& fields, Scratch* scratch) {
+bool allocate_inputs(Arena& arena, const Counts& counts, const HeatFields& fields, HeatScratch* scratch) {
   return scratch->sources.allocate_beside(arena, counts, fields) && scratch->edges.allocate(arena, counts);
 }
 
@@ -46,7 +46,7 @@ void copy_part(const Mesh& mesh, uint32_t part, const HeatField& from, HeatField
 // All fields of parts: those of a large part on all lanes, small parts one to a lane, on up to kFieldCount of them.
 class PartWalk {
  public:
-  PartWalk(const Mesh& mesh, const Threads& threads, const Progress& progress, Scratch& scratch, HeatFields* fields,
+  PartWalk(const Mesh& mesh, const Threads& threads, const Progress& progress, HeatScratch& scratch, HeatFields* fields,
            const WorkBeside& beside)
       : mesh_(mesh),
         all_lanes_(threads),
@@ -193,13 +193,13 @@ class PartWalk {
   const Threads all_lanes_;
   Threads threads_;  // as many as solvers
   const Progress& progress_;
-  Scratch& scratch_;
+  HeatScratch& scratch_;
   HeatFields* fields_;
   WorkBeside beside_;  // none once it ran
   uint64_t done_ = 0;  // vertices of all fields
 };
 
-bool Scratch::allocate_solvers(Arena& arena, const Counts& counts) {
+bool HeatScratch::allocate_solvers(Arena& arena, const Counts& counts) {
   const uint32_t count = PartWalk::solver_count(counts.threads), lane_count = counts.threads.lane_count();
   for (uint32_t i = 0; i < count; ++i) (void)solvers[i].allocate(arena, counts);
   if (lane_count == 1) return arena.ok();
@@ -231,7 +231,7 @@ sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const uint8_
                         const WorkBeside& beside) {
   const ArenaScope scope(arena);
   fields->source_joints = source_joints;
-  Scratch scratch;
+  HeatScratch scratch;
   for (HeatSolver& solver : scratch.solvers) solver.use(kernels.front);
   if (!allocate_inputs(arena, counts, *fields, &scratch)) return SINEW_ERROR_WORKSPACE;
   sinew_status status = find_sources(mesh, skeleton, source_joints, counts, kernels.boxes_met, progress, kSourcesEnd,

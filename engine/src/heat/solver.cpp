@@ -9,14 +9,12 @@
 namespace sinew {
 namespace {
 
-constexpr uint8_t kNoMember = 0xFF;
-constexpr uint8_t kListed = 0xFE;
 constexpr int kWellConditionedBits = 28;       // of Factor::smallest_bits; each bit less costs the solution one
 constexpr uint32_t kRefinements = 3;           // each wins about 20 bits back
 constexpr uint32_t kMostForFactor = 1u << 16;  // vertices: the sparse factor's time grows faster than they do
-constexpr int32_t kOne = 1 << kSolutionBits;
-constexpr int32_t kWild = kOne;
-constexpr int32_t kSmallestKept = 32768 >> 12;  // Q15
+constexpr int32_t kSolutionOne = 1 << kSolutionBits;
+constexpr int32_t kWild = kSolutionOne;
+constexpr int32_t kSmallestHeat = 32768 >> 12;  // Q15
 
 void prefetch(const void* address) {
 #if defined(__GNUC__)
@@ -135,9 +133,9 @@ void HeatSolver::keep(const uint16_t* batch, uint32_t members, HeatField* out) {
     const size_t slots = static_cast<size_t>(ordering_.order[k]) * kHeatSlots;
     for (uint32_t member = 0; member < members; ++member) {
       total_[k] += x[member];
-      wild_ = wild_ || x[member] < -kWild || x[member] > kOne + kWild;
+      wild_ = wild_ || x[member] < -kWild || x[member] > kSolutionOne + kWild;
       const int64_t weight = round_shift(x[member], kSolutionBits - 15);
-      if (weight < kSmallestKept) continue;
+      if (weight < kSmallestHeat) continue;
       insert(batch[member], static_cast<uint16_t>(weight > 65535 ? 65535 : weight), out->joints + slots,
              out->weights + slots);
     }
@@ -160,7 +158,7 @@ void HeatSolver::finish_rows(uint32_t begin, uint32_t end, HeatField* out) {
           usable ? ((static_cast<int64_t>(weights[slot]) << (kSolutionBits + 1)) / total + 1) >> 1 : 0;
       joints[slot] = kNoJoint;
       weights[slot] = 0;
-      if (scaled < kSmallestKept) continue;
+      if (scaled < kSmallestHeat) continue;
       // Rounding may have made two weights equal: the lower joint goes first.
       const uint16_t weight = static_cast<uint16_t>(scaled > 32768 ? 32768 : scaled);
       uint32_t position = used++;
@@ -223,7 +221,7 @@ bool HeatSolver::keep_front(uint32_t batch, uint32_t first, uint32_t count, cons
     uint16_t* const joints = out->joints + slots;
     uint16_t* const weights = out->weights + slots;
     // What rounds to less than the row's last weight is of no use; solutions are within +-4, so differences fit.
-    const int32_t last = weights[kHeatSlots - 1] > kSmallestKept ? weights[kHeatSlots - 1] : kSmallestKept;
+    const int32_t last = weights[kHeatSlots - 1] > kSmallestHeat ? weights[kHeatSlots - 1] : kSmallestHeat;
     const int32_t below = last * (1 << kToQ15) - kHalf - 1;
     for (uint32_t rest = kernels_.above(x, below, &total_[k], &range); rest != 0; rest &= rest - 1) {
       const uint32_t member = static_cast<uint32_t>(low_bit(rest));
@@ -323,7 +321,7 @@ bool HeatSolver::try_field(const HeatSources& sources, uint32_t field, HeatField
     keep(joints_ + first, members, out);
   }
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
-    if (abs64(total_[k] - kOne) > kOne / 4096) return false;
+    if (abs64(total_[k] - kSolutionOne) > kSolutionOne / 4096) return false;
   }
   return true;
 }

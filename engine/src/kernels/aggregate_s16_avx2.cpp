@@ -8,7 +8,7 @@
 namespace sinew {
 namespace {
 
-struct RegistersAvx2 : Channels256 {
+struct AggregateAvx2 : Channels256 {
   struct Sums {
     __m256i low, high;
   };
@@ -59,7 +59,7 @@ struct RegistersAvx2 : Channels256 {
 }  // namespace
 
 bool add_aggregates_s16_avx2(Kernels* kernels) {
-  add_aggregates<RegistersAvx2>(kernels);
+  add_aggregates<AggregateAvx2>(kernels);
   return true;
 }
 

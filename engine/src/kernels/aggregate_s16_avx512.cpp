@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-struct RegistersAvx512 : Channels256 {
+struct AggregateAvx512 : Channels256 {
   using Sums = __m512i;
   struct Divider {
     __m512i multiplier, offset;
@@ -44,7 +44,7 @@ struct RegistersAvx512 : Channels256 {
 }  // namespace
 
 bool add_means_s16_avx512(Kernels* kernels) {
-  add_means<RegistersAvx512>(kernels);
+  add_means<AggregateAvx512>(kernels);
   return true;
 }
 

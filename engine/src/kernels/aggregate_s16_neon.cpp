@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-struct RegistersNeon {
+struct AggregateNeon {
   using Int16 = int16x8_t;
   struct Sums {
     int32x4_t low, high;
@@ -58,7 +58,7 @@ struct RegistersNeon {
 }  // namespace
 
 bool add_aggregates_s16_neon(Kernels* kernels) {
-  add_aggregates<RegistersNeon>(kernels);
+  add_aggregates<AggregateNeon>(kernels);
   return true;
 }
 

@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-struct RegistersSimd128 {
+struct AggregateSimd128 {
   using Int16 = v128_t;
   struct Sums {
     v128_t low, high;
@@ -58,7 +58,7 @@ struct RegistersSimd128 {
 }  // namespace
 
 bool add_aggregates_s16_simd128(Kernels* kernels) {
-  add_aggregates<RegistersSimd128>(kernels);
+  add_aggregates<AggregateSimd128>(kernels);
   return true;
 }
 

@@ -52,8 +52,8 @@ SINEW_INLINE uint32_t lowest_bit(uint32_t mask) {
 #endif
 }
 
-// The neighbours' rows one after another: Row(u) is a row's index, or kNone.
-constexpr size_t kNone = ~static_cast<size_t>(0);
+// The neighbours' rows one after another: Row(u) is a row's index, or kNoRow.
+constexpr size_t kNoRow = ~static_cast<size_t>(0);
 struct VertexRows {
   SINEW_INLINE size_t operator()(uint32_t u) const { return u; }
 };
@@ -65,7 +65,7 @@ struct PairRows {
   SINEW_INLINE size_t operator()(uint32_t u) const {
     const size_t first = static_cast<size_t>(u) * k;
     const uint32_t slot = find_slot<Isa>(joints + first, k, joint);
-    return slot == k ? kNone : first + slot;
+    return slot == k ? kNoRow : first + slot;
   }
 };
 
@@ -100,7 +100,7 @@ SINEW_INLINE void collect(const int16_t* values, size_t stride, const uint32_t* 
   uint32_t n = 0;
   for (uint32_t i = 0; i < count; ++i) {
     const size_t at = row(neighbours[i]);
-    if (at != kNone) list[n++] = values + at * stride;
+    if (at != kNoRow) list[n++] = values + at * stride;
   }
   *found = n;
 }

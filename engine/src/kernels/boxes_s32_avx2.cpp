@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-struct RegistersAvx2 {
+struct BoxesAvx2 {
   using Int32 = __m256i;
   struct Int64 {
     __m256i even, odd;
@@ -45,7 +45,7 @@ struct RegistersAvx2 {
 }  // namespace
 
 bool add_boxes_s32_avx2(BoxKernel* kernel) {
-  *kernel = boxes_met_in<RegistersAvx2>;
+  *kernel = boxes_met_in<BoxesAvx2>;
   return true;
 }
 

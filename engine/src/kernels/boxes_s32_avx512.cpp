@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-struct RegistersAvx512 {
+struct BoxesAvx512 {
   using Int32 = __m512i;
   struct Int64 {
     __m512i even, odd;
@@ -43,7 +43,7 @@ struct RegistersAvx512 {
 }  // namespace
 
 bool add_boxes_s32_avx512(BoxKernel* kernel) {
-  *kernel = boxes_met_in<RegistersAvx512>;
+  *kernel = boxes_met_in<BoxesAvx512>;
   return true;
 }
 

@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-struct RegistersNeon {
+struct BoxesNeon {
   using Int32 = int32x4_t;
   struct Int64 {
     int64x2_t low, high;
@@ -41,7 +41,7 @@ struct RegistersNeon {
 }  // namespace
 
 bool add_boxes_s32_neon(BoxKernel* kernel) {
-  *kernel = boxes_met_in<RegistersNeon>;
+  *kernel = boxes_met_in<BoxesNeon>;
   return true;
 }
 

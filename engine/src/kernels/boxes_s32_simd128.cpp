@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-struct RegistersSimd128 {
+struct BoxesSimd128 {
   using Int32 = v128_t;
   struct Int64 {
     v128_t low, high;
@@ -42,7 +42,7 @@ struct RegistersSimd128 {
 }  // namespace
 
 bool add_boxes_s32_simd128(BoxKernel* kernel) {
-  *kernel = boxes_met_in<RegistersSimd128>;
+  *kernel = boxes_met_in<BoxesSimd128>;
   return true;
 }
 

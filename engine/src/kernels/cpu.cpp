@@ -16,13 +16,13 @@ namespace sinew {
 #if (defined(__x86_64__) && defined(__GNUC__)) || defined(_M_X64)
 namespace {
 
-struct Leaf {
+struct CpuidLeaf {
   uint32_t a = 0, b = 0, c = 0, d = 0;
 };
 
 // All zero when the processor does not know the leaf.
-Leaf cpuid(uint32_t leaf, uint32_t subleaf) {
-  Leaf r;
+CpuidLeaf cpuid(uint32_t leaf, uint32_t subleaf) {
+  CpuidLeaf r;
 #if !defined(__GNUC__)
   int words[4];
   __cpuid(words, 0);
@@ -52,11 +52,11 @@ bool has(uint32_t word, int bit) { return ((word >> bit) & 1u) != 0; }
 
 Cpu detect_cpu() {
   Cpu cpu;
-  const Leaf basic = cpuid(1, 0);
+  const CpuidLeaf basic = cpuid(1, 0);
   if (!has(basic.c, 27) || !has(basic.c, 28)) return cpu;  // OSXSAVE, AVX
   const uint64_t saved = saved_registers();
   if ((saved & 0x6u) != 0x6u) return cpu;  // XMM, YMM
-  const Leaf extended = cpuid(7, 0), more = cpuid(7, extended.a >= 1 ? 1 : 0);
+  const CpuidLeaf extended = cpuid(7, 0), more = cpuid(7, extended.a >= 1 ? 1 : 0);
   cpu.avx2 = has(extended.b, 5);
   cpu.avxvnni = cpu.avx2 && extended.a >= 1 && has(more.a, 4);
   const bool avx512 = (saved & 0xE0u) == 0xE0u && has(extended.b, 16) && has(extended.b, 17) && has(extended.b, 30) &&

@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-struct RegistersAvx2 {
+struct FrontAvx2 {
   using Int32 = __m256i;
   using Mask = __m256i;
   struct Values {
@@ -53,7 +53,7 @@ struct RegistersAvx2 {
 }  // namespace
 
 bool add_front_s32_avx2(FrontKernels* kernels) {
-  add_fronts<RegistersAvx2>(kernels);
+  add_fronts<FrontAvx2>(kernels);
   return true;
 }
 

@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-struct RegistersAvx512 {
+struct FrontAvx512 {
   using Int32 = __m512i;
   using Mask = __mmask16;
   struct Values {
@@ -50,7 +50,7 @@ struct RegistersAvx512 {
 }  // namespace
 
 bool add_front_s32_avx512(FrontKernels* kernels) {
-  add_fronts<RegistersAvx512>(kernels);
+  add_fronts<FrontAvx512>(kernels);
   return true;
 }
 

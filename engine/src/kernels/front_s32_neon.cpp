@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-struct RegistersNeon {
+struct FrontNeon {
   using Int32 = int32x4_t;
   using Mask = uint32_t;  // how many; there are no masked loads, and a tail comes once per column of a front
   using Values = int32x4_t;
@@ -51,7 +51,7 @@ struct RegistersNeon {
 }  // namespace
 
 bool add_front_s32_neon(FrontKernels* kernels) {
-  add_fronts<RegistersNeon>(kernels);
+  add_fronts<FrontNeon>(kernels);
   return true;
 }
 

@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-struct RegistersSimd128 {
+struct FrontSimd128 {
   using Int32 = v128_t;
   using Mask = uint32_t;  // how many; there are no masked loads, and a tail comes once per column of a front
   using Values = v128_t;
@@ -56,7 +56,7 @@ struct RegistersSimd128 {
 }  // namespace
 
 bool add_front_s32_simd128(FrontKernels* kernels) {
-  add_fronts<RegistersSimd128>(kernels);
+  add_fronts<FrontSimd128>(kernels);
   return true;
 }
 

@@ -20,7 +20,7 @@ SINEW_INLINE int16x2_t pair_at(const int16_t* x) {
 }
 
 // Inputs and weights of a tile: two rows of each, `count` columns.
-struct Tile {
+struct LinearTile {
   const int16_t *x0, *x1, *w0, *w1;
   uint32_t count;
 };
@@ -28,7 +28,7 @@ struct Tile {
 #if defined(__thumb2__) && defined(__GNUC__) && defined(__OPTIMIZE__)
 // Whole groups of eight columns: 32 products in 27 instructions, where GCC 12 needs 45. ldrd wants addresses divisible
 // by 4. Every register is taken, so the end lies in memory. Steps the pointers and returns the columns done.
-SINEW_INLINE uint32_t add_eights(Tile& t, int32_t (&s)[2][2]) {
+SINEW_INLINE uint32_t add_eights(LinearTile& t, int32_t (&s)[2][2]) {
   const uint32_t columns = t.count & ~7u;
   const uintptr_t all = reinterpret_cast<uintptr_t>(t.x0) | reinterpret_cast<uintptr_t>(t.x1) |
                         reinterpret_cast<uintptr_t>(t.w0) | reinterpret_cast<uintptr_t>(t.w1);
@@ -61,11 +61,11 @@ SINEW_INLINE uint32_t add_eights(Tile& t, int32_t (&s)[2][2]) {
   return columns;
 }
 #else
-SINEW_INLINE uint32_t add_eights(Tile&, int32_t (&)[2][2]) { return 0; }
+SINEW_INLINE uint32_t add_eights(LinearTile&, int32_t (&)[2][2]) { return 0; }
 #endif
 
 // Adds all products to s[row][output]. int32 wraps, so any order is exact where the reader proved the whole.
-SINEW_INLINE void add_products(Tile t, int32_t (&s)[2][2]) {
+SINEW_INLINE void add_products(LinearTile t, int32_t (&s)[2][2]) {
   for (uint32_t k = add_eights(t, s); k < t.count; k += 2) {
     int16x2_t x0, x1, w0, w1;
     if (k + 1 < t.count) {
@@ -93,14 +93,14 @@ SINEW_INLINE int16_t clamp(int32_t value, int32_t low, int32_t high) {
   return static_cast<int16_t>(value < low ? low : value > high ? high : value);
 }
 
-struct Rows {
+struct LinearRows {
   const int16_t* x[2];
   const int16_t* residual[2];
   int16_t* out[2];
 };
 
 // Outputs n and n + 1 of two rows; a single row or output stands twice and is written twice.
-SINEW_INLINE void narrow_tile(const LinearView& linear, const Rows& rows, uint32_t n0, uint32_t n1) {
+SINEW_INLINE void narrow_tile(const LinearView& linear, const LinearRows& rows, uint32_t n0, uint32_t n1) {
   int32_t sums[2][2];
   sums[0][0] = sums[1][0] = static_cast<int32_t>(load_u32(linear.bias + 8u * n0));
   sums[0][1] = sums[1][1] = static_cast<int32_t>(load_u32(linear.bias + 8u * n1));
@@ -143,7 +143,7 @@ void linear_s16_dsp(const LinearView& linear, RowsView in, RowsView residual, co
     }
     if (count == 0) return;
     if (count == 1) taken[1] = taken[0];
-    Rows both;
+    LinearRows both;
     for (int i = 0; i < 2; ++i) {
       both.x[i] = in.data + static_cast<size_t>(taken[i]) * in.stride;
       both.residual[i] = residual.data + static_cast<size_t>(taken[i]) * residual.stride;

@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-struct RegistersNeon {
+struct LinearNeon {
   struct Int32 {
     int32x4_t low, high;
   };
@@ -64,12 +64,11 @@ struct RegistersNeon {
 
 void linear_s16_neon(const LinearView& linear, RowsView in, RowsView residual, const uint16_t* present, uint32_t rows,
                      int16_t* out, uint32_t out_stride) {
-  linear_tiled<RegistersNeon>(linear, in.data, in.stride, residual.data, residual.stride, present, rows, out,
-                              out_stride);
+  linear_tiled<LinearNeon>(linear, in.data, in.stride, residual.data, residual.stride, present, rows, out, out_stride);
 }
 
 void linear_sums_s16_neon(const LinearView& linear, RowsView in, uint32_t rows, int32_t* sums) {
-  linear_sums_tiled<RegistersNeon>(linear, in.data, in.stride, rows, sums);
+  linear_sums_tiled<LinearNeon>(linear, in.data, in.stride, rows, sums);
 }
 
 }  // namespace

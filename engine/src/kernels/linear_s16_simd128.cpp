@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-struct RegistersSimd128 {
+struct LinearSimd128 {
   using Int32 = v128_t;
   using Pairs = v128_t;
   static constexpr int kWidth = 4, kGroups = 1, kFinish = 1;
@@ -69,12 +69,12 @@ struct RegistersSimd128 {
 
 void linear_s16_simd128(const LinearView& linear, RowsView in, RowsView residual, const uint16_t* present,
                         uint32_t rows, int16_t* out, uint32_t out_stride) {
-  linear_tiled<RegistersSimd128>(linear, in.data, in.stride, residual.data, residual.stride, present, rows, out,
-                                 out_stride);
+  linear_tiled<LinearSimd128>(linear, in.data, in.stride, residual.data, residual.stride, present, rows, out,
+                              out_stride);
 }
 
 void linear_sums_s16_simd128(const LinearView& linear, RowsView in, uint32_t rows, int32_t* sums) {
-  linear_sums_tiled<RegistersSimd128>(linear, in.data, in.stride, rows, sums);
+  linear_sums_tiled<LinearSimd128>(linear, in.data, in.stride, rows, sums);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-struct RegistersAvx2 {
+struct SoftmaxAvx2 {
   using Int32 = __m256i;
   struct Reals {
     __m256d low, high;
@@ -82,7 +82,7 @@ struct RegistersAvx2 {
 }  // namespace
 
 bool add_softmax_s16_avx2(SoftmaxKernel* kernel) {
-  *kernel = softmax<RegistersAvx2>;
+  *kernel = softmax<SoftmaxAvx2>;
   return true;
 }
 

@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-struct RegistersAvx512 {
+struct SoftmaxAvx512 {
   using Int32 = __m256i;
   using Reals = __m512d;
   static constexpr uint32_t kWidth = 8;
@@ -62,7 +62,7 @@ struct RegistersAvx512 {
 }  // namespace
 
 bool add_softmax_s16_avx512(SoftmaxKernel* kernel) {
-  *kernel = softmax<RegistersAvx512>;
+  *kernel = softmax<SoftmaxAvx512>;
   return true;
 }
 

@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-struct RegistersNeon {
+struct SoftmaxNeon {
   using Int32 = int32x4_t;
   struct Reals {
     float64x2_t low, high;
@@ -73,7 +73,7 @@ struct RegistersNeon {
 }  // namespace
 
 bool add_softmax_s16_neon(SoftmaxKernel* kernel) {
-  *kernel = softmax<RegistersNeon>;
+  *kernel = softmax<SoftmaxNeon>;
   return true;
 }
 

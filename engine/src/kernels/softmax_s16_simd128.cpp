@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-struct RegistersSimd128 {
+struct SoftmaxSimd128 {
   using Int32 = v128_t;
   struct Reals {
     v128_t low, high;
@@ -87,7 +87,7 @@ struct RegistersSimd128 {
 }  // namespace
 
 bool add_softmax_s16_simd128(SoftmaxKernel* kernel) {
-  *kernel = softmax<RegistersSimd128>;
+  *kernel = softmax<SoftmaxSimd128>;
   return true;
 }
 

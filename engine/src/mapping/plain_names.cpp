@@ -6,9 +6,9 @@ namespace sinew::mapping {
 namespace {
 
 constexpr Part kLimbs[] = {Part::kUpperArm, Part::kLowerArm, Part::kHand, Part::kUpLeg, Part::kLowLeg, Part::kFoot};
-constexpr double kUpright = 0.8;   // cosine
-constexpr int32_t kFewest = 6;     // pairs of names
-constexpr int32_t kMostWrong = 3;  // of them, one in so many
+constexpr double kUpright = 0.8;     // cosine
+constexpr int32_t kFewestPairs = 6;  // pairs of names
+constexpr int32_t kMostWrong = 3;    // of them, one in so many
 
 // The one joint that is called that and nothing else, -1 = none or several.
 int32_t only_joint(const Hierarchy& rig, Part part, int8_t side) {
@@ -55,7 +55,7 @@ bool pin_plain_names(const Hierarchy& target, const Hierarchy& source, const int
     look_for(part, -1);
   }
   look_for(Part::kHead, 0);
-  if (count < kFewest || kMostWrong * wrong <= count) return false;
+  if (count < kFewestPairs || kMostWrong * wrong <= count) return false;
   for (int32_t k = 0; k < count; ++k) {
     pins->source_of[pairs[k][0]] = pairs[k][1];
     pins->target_of[pairs[k][1]] = pairs[k][0];

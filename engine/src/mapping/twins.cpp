@@ -5,8 +5,8 @@
 namespace sinew::mapping {
 namespace {
 
-constexpr double kSame = 0.02;  // of a length, and of the rig's size for short ones a fifth of it
-constexpr int32_t kFewest = 3;  // joints of a limb
+constexpr double kSame = 0.02;        // of a length, and of the rig's size for short ones a fifth of it
+constexpr int32_t kFewestJoints = 3;  // joints of a limb
 constexpr int32_t kMostTwins = 16;
 
 struct Twins {
@@ -45,7 +45,7 @@ struct Twins {
 
  private:
   void begin(int32_t i) {
-    if (rig.count[i] < kFewest || !(rig.reach[i] > 0.1 * rig.size) || root_count == kMostTwins) return;
+    if (rig.count[i] < kFewestJoints || !(rig.reach[i] > 0.1 * rig.size) || root_count == kMostTwins) return;
     const int32_t other = only_like(rig.parent[i], i);
     if (other < 0) return;
     roots[root_count][0] = i;

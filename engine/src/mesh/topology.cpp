@@ -6,11 +6,6 @@
 #include "core/vector_math.hpp"
 
 namespace sinew {
-namespace {
-
-constexpr uint32_t kUnseen = 0xFFFFFFFFu;
-
-}  // namespace
 
 bool has_area(const Vec3i* positions, uint32_t a, uint32_t b, uint32_t c) {
   const Vec3l normal = cross(positions[b] - positions[a], positions[c] - positions[a]);
@@ -81,11 +76,11 @@ void connect(const uint32_t* loose, uint32_t loose_count, const TopologyScratch&
 // Breadth-first labelling, then ids by falling size and first vertex.
 void label_parts(const TopologyScratch& scratch, Mesh* mesh) {
   const uint32_t count = mesh->welded_count;
-  for (uint32_t v = 0; v < count; ++v) mesh->part[v] = kUnseen;
+  for (uint32_t v = 0; v < count; ++v) mesh->part[v] = kNoIndex;
   uint32_t* const queue = mesh->part_vertices;
   uint32_t found = 0, tail = 0;
   for (uint32_t seed = 0; seed < count; ++seed) {
-    if (mesh->part[seed] != kUnseen) continue;
+    if (mesh->part[seed] != kNoIndex) continue;
     const uint32_t begin = tail;
     mesh->part[seed] = found;
     queue[tail++] = seed;
@@ -93,7 +88,7 @@ void label_parts(const TopologyScratch& scratch, Mesh* mesh) {
       const uint32_t v = queue[head];
       for (uint32_t e = mesh->row_offsets[v]; e < mesh->row_offsets[v + 1]; ++e) {
         const uint32_t neighbour = mesh->col_indices[e];
-        if (mesh->part[neighbour] != kUnseen) continue;
+        if (mesh->part[neighbour] != kNoIndex) continue;
         mesh->part[neighbour] = found;
         queue[tail++] = neighbour;
       }

@@ -2,13 +2,12 @@
 // Capsules along mapped bones, ring by ring.
 #include "motion/capsule_body.hpp"
 
+#include "core/counts.hpp"
 #include "motion/posed_body.hpp"
 #include "sinew/rig.h"
 
 namespace sinew::motion {
 namespace {
-
-constexpr uint32_t kNone = UINT32_MAX;
 
 // Thickness by limb proportions, the same for every skeleton: radius over the bone's length, or over the trunk's (hips to neck) where a
 // skeleton may cut its bones as it likes. Read off grown people.
@@ -46,16 +45,16 @@ bool is_body(uint32_t c) { return c <= SINEW_CLASS_FOOT || c == SINEW_CLASS_TAIL
 
 // Hips to neck, or to the head; legs where there is none.
 double trunk_of(const sinew_retarget& plan, const MotionRig& rig, bool of_source) {
-  uint32_t low = kNone, high = kNone;
+  uint32_t low = kNoIndex, high = kNoIndex;
   for (uint32_t i = 0; i < plan.target.count; ++i) {
     const uint32_t t = plan.target.order[i];
     if (plan.map[t] < 0) continue;
     const uint32_t own = of_source ? static_cast<uint32_t>(plan.map[t]) : t;
     const uint32_t c = plan.classes[t];
-    if (low == kNone && (c == SINEW_CLASS_PELVIS || c == SINEW_CLASS_SPINE)) low = own;
-    if (high == kNone && (c == SINEW_CLASS_NECK || c == SINEW_CLASS_HEAD)) high = own;
+    if (low == kNoIndex && (c == SINEW_CLASS_PELVIS || c == SINEW_CLASS_SPINE)) low = own;
+    if (high == kNoIndex && (c == SINEW_CLASS_NECK || c == SINEW_CLASS_HEAD)) high = own;
   }
-  const double trunk = low != kNone && high != kNone ? length(rig.positions[high] - rig.positions[low]) : 0;
+  const double trunk = low != kNoIndex && high != kNoIndex ? length(rig.positions[high] - rig.positions[low]) : 0;
   return trunk > 0 ? trunk : plan.leg_length * (of_source ? 0.6 : 0.6 * plan.scale);
 }
 
@@ -103,7 +102,7 @@ void CapsuleBodies::measure_target(const sinew_motion_body& mesh) {
     const uint32_t joint = heaviest_joint(mesh, v);
     const float* const p = mesh.positions + size_t{3} * v;
     const Vec3d place = {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-    uint32_t best = kNone;
+    uint32_t best = kNoIndex;
     double least = 0;
     for (uint32_t b = 0; b < bone_count_; ++b) {
       const Bone& bone = target_bones_[b];
@@ -111,11 +110,11 @@ void CapsuleBodies::measure_target(const sinew_motion_body& mesh) {
       const Vec3d whole = bone.to - bone.from, offset = place - bone.from;
       const double at = dot(offset, whole) / dot(whole, whole);
       const double far = length(offset - (at < 0 ? 0 : at > 1 ? 1 : at) * whole);
-      if (at < 0 || at > 1 || (best != kNone && far >= least)) continue;
+      if (at < 0 || at > 1 || (best != kNoIndex && far >= least)) continue;
       best = b;
       least = far;
     }
-    if (best == kNone) continue;
+    if (best == kNoIndex) continue;
     sums_[best] += least;
     ++counts_[best];
   }

@@ -5,11 +5,6 @@
 #include "motion/natural_range.hpp"
 
 namespace sinew::motion {
-namespace {
-
-constexpr uint32_t kFeetEnd = 250;  // permille
-
-}  // namespace
 
 bool ContactScene::allocate_all(Arena& arena, uint32_t source_joints, uint32_t target_joints, uint32_t vertices,
                                 uint32_t triangles, uint32_t frames) {

@@ -10,6 +10,7 @@
 namespace sinew::motion {
 
 constexpr uint32_t kNearTriangles = 24;
+constexpr uint32_t kFeetEnd = 250;  // permille of the progress, when the feet are done and the hands begin
 
 // Where a hand of the source is, seen from its body.
 struct HandContact {

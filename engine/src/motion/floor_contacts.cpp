@@ -11,11 +11,11 @@ constexpr double kFloorReach = 0.1;    // share of the source's height up to whi
 constexpr double kLeastOffset = 1e-5;  // share of the target's height, below which nothing is left of one
 constexpr double kBend = 0.2;          // share of the upper arm by which an elbow on no side is on its own
 constexpr double kNatural = 0.02;      // and that counts as much as where it is
-constexpr double kStraight = 0.9995;   // share of an arm's length that it reaches
+constexpr double kStretched = 0.9995;  // share of an arm's length that it reaches
 constexpr double kMostOffset =
     0.1;  // of the target's height that a standing joint may be from where it was copied, frame by frame
-constexpr double kBendFade = 0.95;  // of the elbows' sides, in a frame
-constexpr uint32_t kRounds = 3;     // of the body's height and its knees and elbows
+constexpr double kBendFade = 0.95;    // of the elbows' sides, in a frame
+constexpr uint32_t kFloorRounds = 3;  // of the body's height and its knees and elbows
 
 }  // namespace
 
@@ -57,7 +57,7 @@ void FloorContacts::run() {
   if (s_.floor_patches.any()) find_bends();
   BodyLift lift(&s_, search_);
   lift.follow_floor();
-  for (uint32_t round = 0; round < kRounds && s_.floor_patches.any(); ++round) {
+  for (uint32_t round = 0; round < kFloorRounds && s_.floor_patches.any(); ++round) {
     lift.meet_floor();
     for (uint32_t l = 0; l < s_.limbs.count; ++l)
       hold({l, s_.limbs.limbs[l].middle, middle_patch(l), false, true}, round > 0);
@@ -188,7 +188,7 @@ void FloorContacts::reach(const Held& held, Vec3d move, uint32_t frame) {
 // As high as the goal, and as near to it as a straight limb comes.
 Vec3d FloorContacts::within_reach(const Limb& limb, Vec3d goal) const {
   const Vec3d first = plan_.target_positions[limb.first], middle = plan_.target_positions[limb.middle];
-  const double whole = kStraight * (length(middle - first) + length(plan_.target_positions[limb.last] - middle));
+  const double whole = kStretched * (length(middle - first) + length(plan_.target_positions[limb.last] - middle));
   const Vec3d rise = dot(goal - first, plan_.up) * plan_.up, level = goal - first - rise;
   const double square = whole * whole - dot(rise, rise);
   return dot(level, level) > square && square > 0 ? first + rise + root(square) * unit(level) : goal;

@@ -12,9 +12,9 @@ namespace {
 constexpr double kJointReach = 0.15;
 constexpr double kTouchFloor = 0.012, kLeaveFloor = 0.04;
 constexpr double kGuessedTouch = 0.03, kGuessedLeave = 0.06;
-constexpr double kMostRise = 0.12;  // from where it was copied, for a touch of full weight
-constexpr double kEarly = 2;        // heights over the floor per length that a patch has to go
-constexpr double kNone = 1e299;     // the lowest vertex of none
+constexpr double kMostRise = 0.12;   // from where it was copied, for a touch of full weight
+constexpr double kEarly = 2;         // heights over the floor per length that a patch has to go
+constexpr double kNoHeight = 1e299;  // the lowest vertex of none
 
 }  // namespace
 
@@ -77,7 +77,7 @@ void FloorPatches::look_at(uint32_t frame, double source_floor) {
     find_lowest(s_->source, mask, false, low);
   }
   for (uint32_t i = 0; i < kPatchCount; ++i) {
-    if ((mask >> i & 1) == 0 || own[i] > kNone) continue;
+    if ((mask >> i & 1) == 0 || own[i] > kNoHeight) continue;
     if (!s_->has_source) {  // flesh below the joint, scaled
       const uint32_t t = joints[i];
       const double flesh = dot(plan->up, plan->target_positions[t]) - own[i];
@@ -138,7 +138,7 @@ void FloorPatches::find_rises(uint32_t frame, uint64_t mask, double* rises) cons
   double low[kPatchCount];
   find_lowest(s_->target, mask, true, low);
   for (uint32_t i = 0; i < kPatchCount; ++i) {
-    if ((mask >> i & 1) != 0 && low[i] < kNone) rises[i] = at(frame, i).height - low[i];
+    if ((mask >> i & 1) != 0 && low[i] < kNoHeight) rises[i] = at(frame, i).height - low[i];
   }
 }
 

@@ -8,7 +8,7 @@ namespace sinew::motion {
 namespace {
 
 constexpr double kSpread = 0.02;  // of the weights of near triangles
-constexpr uint32_t kRounds = 3, kRoundsWithoutBody = 8, kRoundsOfFrame = 2;
+constexpr uint32_t kHandRounds = 3, kRoundsWithoutBody = 8, kRoundsOfFrame = 2;
 constexpr uint32_t kArmOfFrame = 192;  // vertices of hand and forearm that are looked at in a frame alone
 constexpr double kBlur = 0.12;         // share of the height, of the body that an arm is to leave
 constexpr uint32_t kWayPasses = 32;    // of smoothing directions over frames
@@ -19,7 +19,7 @@ constexpr double kSteepest = 0.5;    // cosine between a direction and a surface
 constexpr double kElbow = 0.4;       // share of a forearm that moves little with its hand
 constexpr double kNoHelp =
     0.8;  // share of its depth that is left after a round that did not help: elbows do not move with hands
-constexpr uint32_t kFeetEnd = 250, kSourceEnd = 400, kWhole = 1000;  // permille
+constexpr uint32_t kSourceEnd = 400, kWhole = 1000;  // permille
 
 // About exp(-x^2 / 2): a power of a fraction needs no libm.
 double bell(double x) {
@@ -44,7 +44,7 @@ class Hands {
       if (!progress.report(kFeetEnd + static_cast<uint32_t>(uint64_t{f} * (kSourceEnd - kFeetEnd) / s_.in->frames)))
         return SINEW_ERROR_CANCELLED;
     }
-    const uint32_t rounds = s_.has_source ? kRounds : kRoundsWithoutBody;
+    const uint32_t rounds = s_.has_source ? kHandRounds : kRoundsWithoutBody;
     for (uint32_t round = 0; round < rounds; ++round) {
       touch();
       find_depths(round == 0);

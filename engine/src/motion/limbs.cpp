@@ -7,8 +7,8 @@
 namespace sinew::motion {
 namespace {
 
-// The part of v across u, of length 1; (0, 0, 0) where they are in line.
-Vec3d across(Vec3d v, Vec3d u, double least) {
+// The part of v unit_across u, of length 1; (0, 0, 0) where they are in line.
+Vec3d unit_across(Vec3d v, Vec3d u, double least) {
   const Vec3d side = v - dot(v, u) * u;
   return length(side) > least ? unit(side) : Vec3d{0, 0, 0};
 }
@@ -97,10 +97,10 @@ void move_limb(const Limb& limb, Vec3d goal, Vec3d wanted_middle, sinew_retarget
   double reach = length(offset);
   const Vec3d u = reach > 0 ? unit(offset) : unit(c - a);
   reach = reach < nearest ? nearest : reach > farthest ? farthest : reach;
-  Vec3d side = across(wanted_middle - a, u, 1e-4 * upper);
-  if (dot(side, side) == 0) side = across(b - a, u, 1e-4 * upper);
-  if (dot(side, side) == 0) side = across(b - a, unit(c - a), 1e-6 * upper);  // as it is bent now
-  side = across(side, u, 1e-6);
+  Vec3d side = unit_across(wanted_middle - a, u, 1e-4 * upper);
+  if (dot(side, side) == 0) side = unit_across(b - a, u, 1e-4 * upper);
+  if (dot(side, side) == 0) side = unit_across(b - a, unit(c - a), 1e-6 * upper);  // as it is bent now
+  side = unit_across(side, u, 1e-6);
   if (dot(side, side) == 0) return;  // straight: nothing says which way it bends
   double cosine = (upper * upper + reach * reach - lower * lower) / (2 * upper * reach);
   cosine = cosine > 1 ? 1 : cosine < -1 ? -1 : cosine;

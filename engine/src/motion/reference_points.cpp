@@ -10,7 +10,6 @@
 namespace sinew::motion {
 namespace {
 
-constexpr uint32_t kNone = UINT32_MAX;
 // Parts of the body that reference points belong to.
 constexpr uint8_t kTorso = 0, kHead = 1, kFirstLimb = 2;
 constexpr double kGivesWay = 0.005;  // share of the height: so much deeper an arm may lie in the body, it gives way
@@ -32,7 +31,7 @@ struct ReferenceScene : ClipScene {
   double* areas = nullptr;      // [triangles] of the posed source, in shares of their mean
   Vec3d* normals = nullptr;     // [triangles] of the posed source
   uint32_t* above =
-      nullptr;  // [target joints] the joint that its bone begins at, kNone for others than nodes and roots
+      nullptr;  // [target joints] the joint that its bone begins at, kNoIndex for others than nodes and roots
   uint8_t* is_node = nullptr;     // [target joints] mapped, as the first of its source
   Vec3d* source_bones = nullptr;  // [target joints] of one way
   Vec3d* target_bones = nullptr;
@@ -93,7 +92,7 @@ class ReferencePoints {
         middles[l] = position(s_.limbs.limbs[l].middle, kFirstLimb + l);
         lasts[l] = position(s_.limbs.limbs[l].last, kFirstLimb + l);
       }
-      if (options_.head && neck_ != kNone) move_head(position(head_, kHead));
+      if (options_.head && neck_ != kNoIndex) move_head(position(head_, kHead));
       for (uint32_t l = 0; l < s_.limbs.count; ++l) {
         if (is_moved(l)) move_limb(s_.limbs.limbs[l], lasts[l], middles[l], &plan_);
       }
@@ -113,17 +112,17 @@ class ReferencePoints {
   void find_nodes() {
     for (uint32_t i = 0; i < rig_.count; ++i) {
       const uint32_t t = rig_.order[i];
-      uint32_t up = rig_.parents[t] < 0 ? kNone : static_cast<uint32_t>(rig_.parents[t]);
-      while (up != kNone && s_.is_node[up] == 0)
-        up = rig_.parents[up] < 0 ? kNone : static_cast<uint32_t>(rig_.parents[up]);
+      uint32_t up = rig_.parents[t] < 0 ? kNoIndex : static_cast<uint32_t>(rig_.parents[t]);
+      while (up != kNoIndex && s_.is_node[up] == 0)
+        up = rig_.parents[up] < 0 ? kNoIndex : static_cast<uint32_t>(rig_.parents[up]);
       s_.above[t] = up;
-      s_.is_node[t] = plan_.map[t] >= 0 && (up == kNone || plan_.map[up] != plan_.map[t]) ? 1 : 0;
+      s_.is_node[t] = plan_.map[t] >= 0 && (up == kNoIndex || plan_.map[up] != plan_.map[t]) ? 1 : 0;
     }
   }
 
   // The first mapped head, and the first joint of its neck, else what it hangs on.
   void find_head() {
-    for (uint32_t i = 0; i < rig_.count && head_ == kNone; ++i) {
+    for (uint32_t i = 0; i < rig_.count && head_ == kNoIndex; ++i) {
       const uint32_t t = rig_.order[i];
       if (plan_.classes[t] != SINEW_CLASS_HEAD || s_.is_node[t] == 0 || rig_.parents[t] < 0) continue;
       head_ = t;
@@ -144,12 +143,12 @@ class ReferencePoints {
     for (uint32_t j = 0; j <= rig_.count; ++j) s_.groups[j] = 0;
     for (uint32_t i = 0; i < triangles_; ++i) {
       double least = 0;
-      uint32_t best = kNone;
+      uint32_t best = kNoIndex;
       for (uint32_t t = 0; t < rig_.count; ++t) {
         if (s_.is_node[t] == 0 || (any_body && !is_body_class(plan_.classes[t]))) continue;
         const Vec3d offset = source_rest(t) - s_.source.middles[i];
         const double own = dot(offset, offset);
-        if (best != kNone && own >= least) continue;
+        if (best != kNoIndex && own >= least) continue;
         least = own;
         best = t;
       }
@@ -169,7 +168,7 @@ class ReferencePoints {
     for (size_t c = 0; c < 3; ++c) {
       const uint32_t v = s_.body->triangles[size_t{3} * triangle + c];
       if (s_.limb_of[v] < kMostLimbs) return static_cast<uint8_t>(kFirstLimb + s_.limb_of[v]);
-      if (head_ != kNone && rig_.is_below(heaviest_joint(*s_.body, v), head_)) part = kHead;
+      if (head_ != kNoIndex && rig_.is_below(heaviest_joint(*s_.body, v), head_)) part = kHead;
     }
     return part;
   }
@@ -188,11 +187,11 @@ class ReferencePoints {
     for (uint32_t i = 0; i < triangles_; ++i) s_.areas[i] = mean > 0 ? s_.areas[i] / mean : 0;
   }
 
-  // Bones from a node to another, through the first that is above both. kNone: nothing is above both.
+  // Bones from a node to another, through the first that is above both. kNoIndex: nothing is above both.
   uint32_t offset(uint32_t from, uint32_t to) {
     uint32_t meet = from;
-    while (meet != kNone && !rig_.is_below(to, meet)) meet = s_.above[meet];
-    if (meet == kNone) return kNone;
+    while (meet != kNoIndex && !rig_.is_below(to, meet)) meet = s_.above[meet];
+    if (meet == kNoIndex) return kNoIndex;
     uint32_t count = 0;
     const uint32_t ends[2] = {from, to};
     for (const uint32_t end : ends) {
@@ -246,7 +245,7 @@ class ReferencePoints {
         double factor = 1;  // the nearest joint itself: nothing lies between
         if (bones > 0) {
           double from = 0, to = 0;
-          for (uint32_t b = 0; bones != kNone && b < bones; ++b) {
+          for (uint32_t b = 0; bones != kNoIndex && b < bones; ++b) {
             from += absolute(dot(along, s_.source_bones[b]));
             to += absolute(dot(along, s_.target_bones[b]));
           }
@@ -339,7 +338,7 @@ class ReferencePoints {
     for (uint32_t i = 0; i < rig_.count; ++i) {
       const uint32_t t = rig_.order[i];
       const uint32_t up = s_.above[t];
-      if (!is_torso(t) || up == kNone || !is_torso(up)) continue;
+      if (!is_torso(t) || up == kNoIndex || !is_torso(up)) continue;
       const Vec3d pivot = plan_.target_positions[up], now = plan_.target_positions[t] - pivot;
       const Vec3d wanted = plan_.source_positions[source_of(t)] - plan_.source_positions[source_of(up)];
       if (length(now) <= 0 || length(wanted) <= 0) continue;
@@ -361,8 +360,8 @@ class ReferencePoints {
   sinew_retarget& plan_;
   const MotionRig& rig_;
   uint32_t triangles_;
-  uint32_t head_ = kNone, neck_ = kNone;  // target joints, and where the head turns
-  double heights_ = 1;                    // of the target's body per the source's
+  uint32_t head_ = kNoIndex, neck_ = kNoIndex;  // target joints, and where the head turns
+  double heights_ = 1;                          // of the target's body per the source's
   double depths_[kMostArms] = {};
 };
 

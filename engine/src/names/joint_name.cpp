@@ -15,8 +15,6 @@ struct SideText {
 };
 constexpr SideText kSideTexts[] = {{"left", true}, {"right", false}, {"l", true}, {"r", false}};
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 uint64_t add_text(uint64_t hash, const Text& text) {
   for (int i = 0; i < text.length; ++i) hash = (hash ^ static_cast<uint8_t>(text.at[i])) * 1099511628211u;
   return (hash ^ 0x20u) * 1099511628211u;

@@ -12,6 +12,9 @@ constexpr int kMostTokens = 48;      // the first ones of these
 
 constexpr int kMostTextBytes = 1 << 20;  // of a name or word; what lies behind is not read
 
+// ASCII.
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 // strlen() without the C library.
 inline int length_of(const char* text) {
   int length = 0;
@@ -35,7 +38,7 @@ struct Text {
   bool is(const char* word) const;
   bool ends_with(const char* word) const;
   bool begins_with(const char* word) const;
-  bool is_number() const { return length > 0 && at[0] >= '0' && at[0] <= '9'; }
+  bool is_number() const { return length > 0 && is_digit(at[0]); }
 };
 
 // A new word begins at a capital behind a small letter, at the last of several capitals before a small letter, where letters

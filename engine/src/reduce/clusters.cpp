@@ -7,16 +7,15 @@
 namespace sinew {
 namespace {
 
-constexpr uint32_t kUnseen = 0xFFFFFFFFu;
 constexpr uint32_t kLloydRounds = 4;
-constexpr uint32_t kVertexPiece = 1024;  // vertices that a lane takes at a time
+constexpr uint32_t kClusterPiece = 1024;  // vertices that a lane takes at a time
 
 // Seeds at every step-th vertex of the first `part_count` parts, and what is nearest to each by edges.
 void grow(const Mesh& mesh, uint32_t part_count, uint32_t step, Clusters* clusters) {
   uint32_t* const labels = clusters->labels;
   uint32_t* const queue = clusters->other;
   uint32_t tail = 0;
-  for (uint32_t v = 0; v < mesh.welded_count; ++v) labels[v] = kUnseen;
+  for (uint32_t v = 0; v < mesh.welded_count; ++v) labels[v] = kNoIndex;
   for (uint32_t c = 0; c < part_count; ++c) {
     for (uint32_t i = mesh.part_offsets[c]; i < mesh.part_offsets[c + 1]; i += step) {
       labels[mesh.part_vertices[i]] = tail;
@@ -28,7 +27,7 @@ void grow(const Mesh& mesh, uint32_t part_count, uint32_t step, Clusters* cluste
     const uint32_t v = queue[head];
     for (uint32_t e = mesh.row_offsets[v]; e < mesh.row_offsets[v + 1]; ++e) {
       const uint32_t neighbour = mesh.col_indices[e];
-      if (labels[neighbour] != kUnseen) continue;
+      if (labels[neighbour] != kNoIndex) continue;
       labels[neighbour] = labels[v];
       queue[tail++] = neighbour;
     }
@@ -120,7 +119,7 @@ void find_clusters(const Mesh& mesh, uint32_t most, const Threads& threads, Clus
   if (crowded) join_parts(mesh, cut, most - 2 * quarter, clusters);
   find_centroids(mesh, clusters);
   for (uint32_t round = 0; round < kLloydRounds; ++round) {
-    threads.ranges(mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+    threads.ranges(mesh.welded_count, kClusterPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
       for (uint32_t v = begin; v < end; ++v) clusters->other[v] = nearest_cluster(mesh, *clusters, v);
     });
     uint32_t* const before = clusters->labels;

@@ -10,10 +10,9 @@
 namespace sinew {
 namespace {
 
-constexpr uint32_t kNone = 0xFFFFFFFFu;
-constexpr uint32_t kOne = 32768;  // of shares
+constexpr uint32_t kWholeShare = 32768;  // of shares
 
-struct Scratch {
+struct ReductionScratch {
   Clusters clusters;
   MortonScratch points;
   uint8_t* has_triangle;  // [n]
@@ -38,7 +37,7 @@ struct Scratch {
 };
 
 // Clusters become vertices in Morton order; two with the same mean become one.
-void place_vertices(const Mesh& full, const Scratch& scratch, Reduction* out) {
+void place_vertices(const Mesh& full, const ReductionScratch& scratch, Reduction* out) {
   const Clusters& clusters = scratch.clusters;
   uint32_t used = 0;
   for (uint32_t c = 0; c < clusters.count; ++c) {
@@ -86,7 +85,7 @@ uint64_t count_triangles(ReducedWalk walk) {
 void insert_near(uint32_t cluster, int64_t distance, uint32_t* near, int64_t* distances) {
   if (near[0] == cluster || near[1] == cluster) return;
   for (int position = 0; position < 2; ++position) {
-    if (near[position] != kNone &&
+    if (near[position] != kNoIndex &&
         (distances[position] < distance || (distances[position] == distance && near[position] < cluster)))
       continue;
     if (position == 0) {
@@ -101,11 +100,11 @@ void insert_near(uint32_t cluster, int64_t distance, uint32_t* near, int64_t* di
 
 // Edges for the vertices that no triangle holds: to the two nearest of the clusters beside theirs. Returns their
 // number, at most 2 n.
-uint32_t find_loose_edges(const Mesh& full, const Reduction& out, const Scratch& scratch) {
+uint32_t find_loose_edges(const Mesh& full, const Reduction& out, const ReductionScratch& scratch) {
   const uint32_t count = out.mesh.welded_count;
   for (uint32_t c = 0; c < count; ++c) {
     scratch.has_triangle[c] = 0;
-    scratch.near[2 * c] = scratch.near[2 * c + 1] = kNone;
+    scratch.near[2 * c] = scratch.near[2 * c + 1] = kNoIndex;
   }
   for (size_t i = 0; i < 3 * static_cast<size_t>(out.mesh.triangle_count); ++i) {
     scratch.has_triangle[out.mesh.triangles[i]] = 1;
@@ -125,7 +124,7 @@ uint32_t find_loose_edges(const Mesh& full, const Reduction& out, const Scratch&
     if (scratch.has_triangle[c] != 0) continue;
     for (int position = 0; position < 2; ++position) {
       const uint32_t other = scratch.near[2 * c + static_cast<uint32_t>(position)];
-      if (other == kNone) continue;
+      if (other == kNoIndex) continue;
       const bool both =
           scratch.has_triangle[other] == 0 && (scratch.near[2 * other] == c || scratch.near[2 * other + 1] == c);
       if (both && other < c) continue;
@@ -138,7 +137,7 @@ uint32_t find_loose_edges(const Mesh& full, const Reduction& out, const Scratch&
 }
 
 // A vertex without triangles stands for its cluster's share of the full surface.
-void give_areas(const Mesh& full, const Scratch& scratch, Reduction* out) {
+void give_areas(const Mesh& full, const ReductionScratch& scratch, Reduction* out) {
   uint64_t* const areas = out->mesh.areas;
   for (uint32_t v = 0; v < full.welded_count; ++v) {
     const uint32_t c = out->vertex[v];
@@ -163,7 +162,7 @@ uint32_t share_of(int64_t num, int64_t den) {
     num >>= shift;
     den >>= shift;
   }
-  return static_cast<uint32_t>(num * kOne / den);
+  return static_cast<uint32_t>(num * kWholeShare / den);
 }
 
 // Shares of the point of triangle 0, b, c that is nearest to p (Ericson 2005, "Real-Time Collision Detection", 5.1.5).
@@ -175,21 +174,21 @@ void nearest_shares(Vec3i b, Vec3i c, Vec3i p, uint32_t* shares) {
   shares[1] = shares[2] = 0;
   if (d1 <= 0 && d2 <= 0) {
   } else if (d3 >= 0 && d4 <= d3) {
-    shares[1] = kOne;
+    shares[1] = kWholeShare;
   } else if (at_c <= 0 && d1 >= 0 && d3 <= 0) {
     shares[1] = d1 - d3 > 0 ? share_of(d1, d1 - d3) : 0;
   } else if (d6 >= 0 && d5 <= d6) {
-    shares[2] = kOne;
+    shares[2] = kWholeShare;
   } else if (at_b <= 0 && d2 >= 0 && d6 <= 0) {
     shares[2] = d2 - d6 > 0 ? share_of(d2, d2 - d6) : 0;
   } else if (at_a <= 0 && d4 >= d3 && d5 >= d6) {
     shares[2] = share_of(d4 - d3, d4 - d3 + d5 - d6);
-    shares[1] = kOne - shares[2];
+    shares[1] = kWholeShare - shares[2];
   } else {
     shares[1] = share_of(at_b, at_a + at_b + at_c);
     shares[2] = share_of(at_c, at_a + at_b + at_c);
   }
-  shares[0] = kOne - shares[1] - shares[2];
+  shares[0] = kWholeShare - shares[1] - shares[2];
 }
 
 uint32_t size_of(Vec3i v) { return static_cast<uint32_t>(abs64(v.x) | abs64(v.y) | abs64(v.z)); }
@@ -200,7 +199,7 @@ class NearestPosition {
  public:
   NearestPosition(const Mesh& mesh, Vec3i point, uint32_t vertex) : mesh_(mesh), point_(point) {
     const Vec3i offset = point - mesh.positions[vertex];
-    position_ = {{vertex, vertex, vertex}, {kOne, 0, 0}};
+    position_ = {{vertex, vertex, vertex}, {kWholeShare, 0, 0}};
     distance_ = dot(offset, offset);
   }
   void offer(uint32_t a, uint32_t b, uint32_t c) {
@@ -274,7 +273,7 @@ sinew_status reduce_mesh(const Mesh& full, const Counts& counts, const Progress&
   out->active = full.welded_count > reduced.vertices || full.triangle_count > reduced.triangles();
   if (!out->active && !arena.measuring()) return SINEW_OK;
   const ArenaScope scope(arena);
-  Scratch scratch;
+  ReductionScratch scratch;
   if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) return SINEW_OK;
   uint32_t loose = 0;

@@ -31,10 +31,10 @@ constexpr uint32_t kRestSeeds = 24;
 
 constexpr int32_t kSnap = side_share(140), kPairSnap = side_share(50);
 
-bool comes_before(const FoldedJoint& a, const FoldedJoint& b) {
+bool joint_comes_before(const FoldedJoint& a, const FoldedJoint& b) {
   if (a.mass != b.mass) return a.mass > b.mass;
   if (a.joint_class != b.joint_class) return a.joint_class < b.joint_class;
-  return rigging::comes_before(a.at, b.at);
+  return comes_before(a.at, b.at);
 }
 
 bool is_far(Vec3i p, const FoldedJoint* joints, uint32_t count, int32_t distance) {
@@ -44,14 +44,15 @@ bool is_far(Vec3i p, const FoldedJoint* joints, uint32_t count, int32_t distance
   return true;
 }
 
-class Finder {
+class ClusterFinder {
  public:
-  Finder(const VotePool& pool, Cloud cloud, FoldedJoint* found, FoldedJoint* joints)
+  ClusterFinder(const VotePool& pool, Cloud cloud, FoldedJoint* found, FoldedJoint* joints)
       : pool_(pool), cloud_(cloud), found_(found), joints_(joints) {}
 
   SINEW_RARE uint32_t run() {
     for (uint32_t c = 0; c < kJointClasses; ++c) add_class(c);
-    heap_sort(found_, found_count_, [](const FoldedJoint& a, const FoldedJoint& b) { return comes_before(a, b); });
+    heap_sort(found_, found_count_,
+              [](const FoldedJoint& a, const FoldedJoint& b) { return joint_comes_before(a, b); });
     for (uint32_t i = 0; i < found_count_ && count_ < kMaxFoldedJoints; ++i) {
       if (is_new(found_[i])) joints_[count_++] = found_[i];
     }
@@ -89,7 +90,7 @@ class Finder {
       }
       if (owner != nullptr) owner->mass += cloud_.weight[i];
     }
-    heap_sort(first, count, [](const FoldedJoint& a, const FoldedJoint& b) { return comes_before(a, b); });
+    heap_sort(first, count, [](const FoldedJoint& a, const FoldedJoint& b) { return joint_comes_before(a, b); });
     const bool chain = is_chain_class(c);
     uint32_t kept = 0;
     for (uint32_t m = 0; m < count; ++m) {
@@ -206,7 +207,7 @@ SINEW_RARE sinew_status find_folded_joints(const VotePool& pool, Arena& arena, F
   FoldedJoint* const found = arena.alloc<FoldedJoint>(kJointClasses * kMaxModes);
   if (!fits || !arena.ok()) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) return SINEW_OK;
-  *count = Finder(pool, cloud, found, joints).run();
+  *count = ClusterFinder(pool, cloud, found, joints).run();
   return SINEW_OK;
 }
 

@@ -9,7 +9,6 @@
 namespace sinew::rigging {
 namespace {
 
-constexpr uint32_t kNone = 0xFFFFFFFFu;
 constexpr uint32_t kMaxRegions = 4096;
 constexpr uint32_t kBand = 3 * kDistanceUnits;         // three cells
 constexpr uint32_t kLeastBranch = 4 * kDistanceUnits;  // shorter ones are bumps
@@ -18,11 +17,11 @@ constexpr int32_t kLongest = side_share(2500);         // bone
 constexpr int32_t kLeastBone = side_share(300);        // to a bone end
 constexpr uint32_t kMostNodes = kMaxFoldedJoints - 8;  // no more than can be read
 
-struct Region {
+struct CellRegion {
   Vec3l sum = {0, 0, 0};  // of its cells' centres
   uint32_t count = 0;
-  uint32_t first = kNone;  // its first cell on the way
-  uint32_t parent = kNone;
+  uint32_t first = kNoIndex;  // its first cell on the way
+  uint32_t parent = kNoIndex;
   uint16_t begin = kNoDistance, end = 0;  // ways of its first and last cell
   uint16_t far = 0;                       // of the last cell that is reached through it
   bool on_plane = false, kept = false;
@@ -34,7 +33,7 @@ struct Region {
 
 class Curve {
  public:
-  Curve(const Interior& interior, bool folded, uint32_t* label, Region* regions, uint16_t* order, FoldedTree* tree)
+  Curve(const Interior& interior, bool folded, uint32_t* label, CellRegion* regions, uint16_t* order, FoldedTree* tree)
       : interior_(interior),
         grid_(interior.grid),
         folded_(folded),
@@ -80,15 +79,15 @@ class Curve {
 
   SINEW_RARE void join_cells() {
     for (uint32_t c = 0; c < grid_.cell_count; ++c) {
-      label_[c] = used(c) ? c : kNone;
-      if (label_[c] == kNone) continue;
+      label_[c] = used(c) ? c : kNoIndex;
+      if (label_[c] == kNoIndex) continue;
       each_neighbour(c, [&](uint32_t other) {
-        if (other > c || label_[other] == kNone || band(other) != band(c)) return;
+        if (other > c || label_[other] == kNoIndex || band(other) != band(c)) return;
         join_sets(label_, other, c);
       });
     }
     for (uint32_t c = 0; c < grid_.cell_count; ++c) {
-      if (label_[c] != kNone) label_[c] = find_root(label_, c);
+      if (label_[c] != kNoIndex) label_[c] = find_root(label_, c);
     }
   }
 
@@ -96,19 +95,19 @@ class Curve {
   SINEW_RARE void number_regions() {
     for (uint32_t c = 0; c < grid_.cell_count; ++c) {
       const uint32_t root = label_[c];
-      if (root == kNone) continue;
+      if (root == kNoIndex) continue;
       if (root == c) {
         if (count_ == kMaxRegions) {
-          label_[c] = kNone;
+          label_[c] = kNoIndex;
           continue;
         }
-        regions_[count_] = Region();
+        regions_[count_] = CellRegion();
         label_[c] = kMark | count_++;
       } else {
         label_[c] = label_[root];  // of a cell before this one
-        if (label_[c] == kNone) continue;
+        if (label_[c] == kNoIndex) continue;
       }
-      Region& region = regions_[label_[c] & ~kMark];
+      CellRegion& region = regions_[label_[c] & ~kMark];
       const Vec3i centre = grid_.centre(c);
       region.sum = {region.sum.x + centre.x, region.sum.y + centre.y, region.sum.z + centre.z};
       ++region.count;
@@ -123,7 +122,7 @@ class Curve {
 
   // On the region where the way to its first cell comes from; that of the middle where none does.
   SINEW_RARE void hang(uint32_t number) {
-    Region& region = regions_[number];
+    CellRegion& region = regions_[number];
     region.parent = order_[0];
     for (uint32_t cell = region.first; interior_.distance[cell] != 0;) {
       uint32_t next = cell;
@@ -135,7 +134,7 @@ class Curve {
       Vec3i at = grid_.centre(cell);
       if (folded_ && at.x < 0) at.x = -at.x;
       const uint32_t there = label_[grid_.cell_of(at)];
-      if (there == kNone) continue;
+      if (there == kNoIndex) continue;
       const uint32_t other = there & ~kMark;
       if (other == number || !comes_before(other, number)) continue;
       region.parent = other;
@@ -152,21 +151,21 @@ class Curve {
       regions_[r].node = -1;
     }
     for (uint32_t i = count_; i-- > 1;) {
-      const Region& region = regions_[order_[i]];
-      Region& parent = regions_[region.parent];
+      const CellRegion& region = regions_[order_[i]];
+      CellRegion& parent = regions_[region.parent];
       if (region.far > parent.far) parent.far = region.far;
     }
     regions_[order_[0]].kept = true;
     for (uint32_t i = 1; i < count_; ++i) {
-      Region& region = regions_[order_[i]];
-      Region& parent = regions_[region.parent];
+      CellRegion& region = regions_[order_[i]];
+      CellRegion& parent = regions_[region.parent];
       if (!parent.kept || region.far - region.begin < static_cast<int>(limit)) continue;
       region.kept = true;
       if (parent.branches < 255) ++parent.branches;
     }
   }
 
-  Vec3i place(const Region& region, bool beside) const {
+  Vec3i place(const CellRegion& region, bool beside) const {
     Vec3i at = region.middle();
     if (!folded_) return at;
     if (region.on_plane && !beside) at.x = 0;
@@ -280,9 +279,9 @@ class Curve {
   const Interior& interior_;
   const VoxelGrid& grid_;
   const bool folded_;
-  uint32_t* const label_;  // [cells] region of a cell, or kNone
-  Region* const regions_;  // [kMaxRegions]
-  uint16_t* const order_;  // [kMaxRegions] by their first cell's way
+  uint32_t* const label_;      // [cells] region of a cell, or kNoIndex
+  CellRegion* const regions_;  // [kMaxRegions]
+  uint16_t* const order_;      // [kMaxRegions] by their first cell's way
   FoldedTree& tree_;
   uint32_t count_ = 0;
 };
@@ -292,7 +291,7 @@ class Curve {
 SINEW_RARE sinew_status grow_curve(const Interior& interior, bool folded, Arena& arena, FoldedTree* tree) {
   const ArenaScope scope(arena);
   uint32_t* const label = arena.alloc<uint32_t>(Interior::max_cells());
-  Region* const regions = arena.alloc<Region>(kMaxRegions);
+  CellRegion* const regions = arena.alloc<CellRegion>(kMaxRegions);
   uint16_t* const order = arena.alloc<uint16_t>(kMaxRegions);
   if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) return SINEW_OK;

@@ -8,7 +8,7 @@
 namespace sinew::rigging {
 namespace {
 
-constexpr uint32_t kLeastVertices = 8;  // of a ball
+constexpr uint32_t kLeastBallVertices = 8;  // of a ball
 // Of a ball's box, percent: the middle extent and the smallest of the largest. Eyes often lack their back.
 constexpr int64_t kRound = 70, kDeep = 25;
 // Below this the smallest extent is that of a ball that was cut.
@@ -23,7 +23,7 @@ constexpr int64_t kChinHigh = 120, kChinLow = 230, kChinWide = 30;
 // How sure a place is, 0..32768: a ball's middle is measured, a jaw's is where people have it.
 constexpr uint16_t kEyeConfidence = 29491, kJawConfidence = 16384;
 
-struct Ball {
+struct FaceBall {
   Vec3i low, high, at;
   int32_t size;
 
@@ -34,8 +34,8 @@ Vec3i halfway(Vec3i a, Vec3i b) { return {a.x + (b.x - a.x) / 2, a.y + (b.y - a.
 
 uint32_t quarters_of(const GivenSkeleton& skeleton) { return skeleton.joints.facing % 4; }
 
-Ball box_of(const Mesh& mesh, uint32_t part, uint32_t quarters) {
-  Ball ball = {};
+FaceBall box_of(const Mesh& mesh, uint32_t part, uint32_t quarters) {
+  FaceBall ball = {};
   for (uint32_t i = mesh.part_offsets[part]; i < mesh.part_offsets[part + 1]; ++i) {
     const Vec3i p = MirrorFrame::turn(mesh.positions[mesh.part_vertices[i]], quarters);
     if (i == mesh.part_offsets[part]) ball.low = ball.high = p;
@@ -46,7 +46,7 @@ Ball box_of(const Mesh& mesh, uint32_t part, uint32_t quarters) {
 
 // Fills in the middle and the size of a ball; false where the box is none's.
 //   right  whether it is to the right of the head
-bool make_ball(Ball* ball, bool right) {
+bool make_ball(FaceBall* ball, bool right) {
   int64_t most = 0, least = INT64_MAX, sum = 0;
   int thin = 0;
   for (int axis = 2; axis >= 0; --axis) {  // of equal ones the last: eyes look forward
@@ -129,7 +129,7 @@ struct Head {
 
 int64_t apart(int64_t a, int64_t b) { return abs64(a - b); }
 
-bool is_pair(const Ball& left, const Ball& right, int64_t head_length, int32_t middle) {
+bool is_pair(const FaceBall& left, const FaceBall& right, int64_t head_length, int32_t middle) {
   const int64_t size = left.size > right.size ? left.size : right.size, gap = left.at.x - right.at.x;
   const int64_t smaller = left.size < right.size ? left.size : right.size;
   if (smaller * 100 < size * kAlike) return false;
@@ -163,11 +163,11 @@ struct Eyes {
 Eyes find_eyes(const Mesh& mesh, const GivenSkeleton& s, uint32_t head, const Head& position) {
   const uint32_t quarters = quarters_of(s);
   constexpr uint32_t kMostBalls = 32;  // near one head; others are beads
-  Ball balls[kMostBalls];
+  FaceBall balls[kMostBalls];
   uint32_t count = 0;
   for (uint32_t part = 0; part < mesh.part_count && count < kMostBalls; ++part) {
-    if (mesh.part_sizes[part] < kLeastVertices) break;  // sizes fall
-    Ball ball = box_of(mesh, part, quarters);
+    if (mesh.part_sizes[part] < kLeastBallVertices) break;  // sizes fall
+    FaceBall ball = box_of(mesh, part, quarters);
     if (!make_ball(&ball, ball.low.x + ball.high.x < 2 * position.base.x)) continue;
     if (position.upright && ball.at.z < position.base.z) continue;  // behind the head
     if (!belongs_to(s, head, MirrorFrame::turn(ball.at, 4 - quarters))) continue;
@@ -177,7 +177,7 @@ Eyes find_eyes(const Mesh& mesh, const GivenSkeleton& s, uint32_t head, const He
   int64_t front = INT64_MIN;
   for (uint32_t i = 0; i < count; ++i) {
     for (uint32_t k = 0; k < count; ++k) {
-      const Ball &left = balls[i], &right = balls[k];
+      const FaceBall &left = balls[i], &right = balls[k];
       if (left.at.x <= right.at.x || !is_pair(left, right, position.length, position.base.x)) continue;
       const int64_t here = int64_t{left.high.z} + right.high.z;
       if (here < front || (here == front && left.size <= eyes.size)) continue;

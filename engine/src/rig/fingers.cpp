@@ -8,14 +8,14 @@ namespace sinew::rigging {
 namespace {
 
 constexpr uint32_t kSeeds = 8;
-constexpr uint32_t kLeastProbability = 2500;  // Q15: 0.08
-constexpr int32_t kReach = kVoteWidth * 5 / 2;
+constexpr uint32_t kLeastFingerProbability = 2500;  // Q15: 0.08
+constexpr int32_t kFingerReach = kVoteWidth * 5 / 2;
 // Of a joint: the weight around it, in parts of 10,000 of what all votes could weigh; and its share of the votes of its
 // class, each counted by its probability, Q15.
-constexpr int64_t kLeastMass = 10;
+constexpr int64_t kLeastFingerMass = 10;
 constexpr int64_t kLeastShare = 3277;
-constexpr int32_t kLeastBone = side_share(200);  // from joint to joint
-constexpr int32_t kApart = side_share(350);      // from a finger's second joint or end to another's
+constexpr int32_t kLeastFingerBone = side_share(200);  // from joint to joint
+constexpr int32_t kApart = side_share(350);            // from a finger's second joint or end to another's
 
 struct Joint {
   Vec3i at = {0, 0, 0};
@@ -23,9 +23,9 @@ struct Joint {
   uint16_t confidence = 0;  // Q15: kLeastShare's
 };
 
-class Finder {
+class FingerFinder {
  public:
-  Finder(const VotePool& pool, Cloud cloud, Finger* fingers) : pool_(pool), cloud_(cloud), fingers_(fingers) {}
+  FingerFinder(const VotePool& pool, Cloud cloud, Finger* fingers) : pool_(pool), cloud_(cloud), fingers_(fingers) {}
 
   SINEW_RARE void run() {
     for (uint32_t f = 0; f < kFingers; ++f) {
@@ -61,10 +61,10 @@ class Finder {
     joint->at = modes[0].at;
     joint->mass = 0;
     for (uint32_t i = 0; i < cloud_.count; ++i) {
-      if (square_distance(cloud_.at[i], joint->at) < square(kReach)) joint->mass += cloud_.weight[i];
+      if (square_distance(cloud_.at[i], joint->at) < square(kFingerReach)) joint->mass += cloud_.weight[i];
     }
     joint->confidence = static_cast<uint16_t>(all > 0 ? joint->mass * 32767 / all : 0);
-    return joint->mass * 10000 >= kLeastMass * 32768 * pool_.count && joint->confidence >= kLeastShare;
+    return joint->mass * 10000 >= kLeastFingerMass * 32768 * pool_.count && joint->confidence >= kLeastShare;
   }
 
   void find_finger(uint32_t f) {
@@ -77,14 +77,15 @@ class Finder {
       int64_t all = 0;
       for (uint32_t i = 0; i < pool_.count; ++i) {
         const uint32_t probability = pool_.probability(i, c);
-        if (probability <= kLeastProbability) continue;
+        if (probability <= kLeastFingerProbability) continue;
         all += probability;
         const uint32_t weight = (pool_.trust[i] * probability + (1u << 14)) >> 15;
         if (weight > 0) cloud_.add(pool_.at[i], weight);
       }
       Joint joint;
       if (!find_joint(all, &joint)) continue;
-      if (finger.joints > 0 && square_distance(joint.at, finger.at[finger.joints - 1]) < square(kLeastBone)) continue;
+      if (finger.joints > 0 && square_distance(joint.at, finger.at[finger.joints - 1]) < square(kLeastFingerBone))
+        continue;
       finger.at[finger.joints] = joint.at;
       finger.confidence[finger.joints++] = joint.confidence;
       mass_[f] += joint.mass;
@@ -108,14 +109,14 @@ class Finder {
                pool_.votes->start_class[static_cast<size_t>(pool_.source[i] >> 1) * kJointClasses + c] +
            (1u << 14)) >>
           15;
-      if (probability <= kLeastProbability) continue;
+      if (probability <= kLeastFingerProbability) continue;
       all += probability;
       const uint32_t weight = (pool_.trust[i] * probability + (1u << 14)) >> 15;
       if (weight > 0) cloud_.add(pool_.at[i], weight);
     }
     Joint end;
     if (!find_joint(all, &end)) return;
-    if (square_distance(end.at, finger->at[finger->joints - 1]) < square(kLeastBone)) return;
+    if (square_distance(end.at, finger->at[finger->joints - 1]) < square(kLeastFingerBone)) return;
     finger->has_end = true;
     finger->at[finger->joints] = end.at;
     finger->confidence[finger->joints] = end.confidence;
@@ -134,7 +135,7 @@ sinew_status find_fingers(const VotePool& pool, Arena& arena, Finger (&fingers)[
   Cloud cloud;
   if (!cloud.allocate(arena, pool.count)) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) return SINEW_OK;
-  Finder(pool, cloud, fingers).run();
+  FingerFinder(pool, cloud, fingers).run();
   return SINEW_OK;
 }
 

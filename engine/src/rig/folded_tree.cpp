@@ -9,8 +9,8 @@
 namespace sinew::rigging {
 namespace {
 
-constexpr uint8_t kNoJoint = 0xFF;
-constexpr uint32_t kOne = 32768;               // Q15
+constexpr uint8_t kNoFoldedJoint = 0xFF;
+constexpr uint32_t kOneQ15 = 32768;            // Q15
 constexpr int64_t kOwnReach = 4 * kVoteWidth;  // from a vote to the joint that it is for
 constexpr uint32_t kClassFloor = 983;          // Q15, 0.03: what a class counts that a vote says nothing of
 constexpr int64_t kLogPerUnit = 3298;          // Q26: log2(e) / kVoteWidth
@@ -79,7 +79,7 @@ class Grower {
   Heights heights() const {
     Heights heights;
     for (uint32_t p = 0; p < votes_.points; ++p) {
-      if (starts_[p] == kNoJoint) continue;
+      if (starts_[p] == kNoFoldedJoint) continue;
       ++heights.points[starts_[p]];
       heights.sum[starts_[p]] += (int64_t{votes_.start[p].y} + votes_.end[p].y) / 2;
     }
@@ -101,7 +101,7 @@ class Grower {
   // The joint that makes exp(-distance / width) (probability of its class + 0.03) greatest.
   uint8_t owner(Vec3i vote, const uint16_t* classes) const {
     const Vec3i at = folded_position(vote, tree_.mirrored);
-    uint8_t best = kNoJoint;
+    uint8_t best = kNoFoldedJoint;
     int64_t best_score = INT64_MIN;
     for (uint32_t j = 0; j < tree_.count; ++j) {
       const int64_t distance_2 = square_distance(at, tree_.nodes[j].at);
@@ -125,18 +125,18 @@ class Grower {
     int64_t trust[kMaxFoldedJoints] = {}, votes[kMaxFoldedJoints] = {};
     for (uint32_t p = 0; p < votes_.points; ++p) {
       const uint8_t from = starts_[p], to = ends_[p];
-      if (from != kNoJoint) {
+      if (from != kNoFoldedJoint) {
         ++points_[from];
         tips_[from] += tip(p);
         trust[from] += trust_in(votes_.start_spread[p]);
         ++votes[from];
       }
-      if (to != kNoJoint) {
+      if (to != kNoFoldedJoint) {
         trust[to] += trust_in(votes_.end_spread[p]);
         ++votes[to];
       }
-      if (from == kNoJoint || to == kNoJoint || from == to || 2 * tip(p) >= kOne) continue;
-      between_[from * j + to] += static_cast<int32_t>(kOne - tip(p));  // at most 2^12 * 2^15
+      if (from == kNoFoldedJoint || to == kNoFoldedJoint || from == to || 2 * tip(p) >= kOneQ15) continue;
+      between_[from * j + to] += static_cast<int32_t>(kOneQ15 - tip(p));  // at most 2^12 * 2^15
     }
     for (uint32_t i = 0; i < j; ++i) {
       tree_.nodes[i].confidence = static_cast<uint16_t>(votes[i] > 0 ? trust[i] / votes[i] : 0);
@@ -187,7 +187,7 @@ class Grower {
     // Twenty times what the votes add up to, so that what the other way counts, 0.15, is whole: below 2^38.
     int64_t total[kMaxFoldedJoints];
     for (uint32_t j = 0; j < n; ++j) {
-      total[j] = int64_t{votes_.points} * kOne * 20 / 500;
+      total[j] = int64_t{votes_.points} * kOneQ15 * 20 / 500;
       for (uint32_t k = 0; k < n; ++k) total[j] += int64_t{20} * between_[k * n + j] + int64_t{3} * between_[j * n + k];
     }
     const auto cost = [&](uint32_t from, uint32_t to, int64_t votes, int32_t air) {
@@ -251,7 +251,7 @@ class Grower {
       tree_.nodes[j].parent = static_cast<int16_t>(i);
     };
     tree_.nodes[tree_.root].parent = -1;
-    tree_.nodes[tree_.root].parent_confidence = kOne;
+    tree_.nodes[tree_.root].parent_confidence = kOneQ15;
     uint32_t last = tree_.root;
     for (uint32_t taken = 1; taken < n; ++taken) {
       inside[last] = true;
@@ -281,8 +281,8 @@ class Grower {
         const LimbClass limb = limb_of(c);
         if (limb == LimbClass::kNone) continue;
         const auto k = static_cast<uint32_t>(limb);
-        if (starts_[p] != kNoJoint) votes[starts_[p]][k] += votes_.start_class[size_t{p} * kJointClasses + c];
-        if (ends_[p] != kNoJoint) votes[ends_[p]][k] += votes_.end_class[size_t{p} * kEndClasses + c];
+        if (starts_[p] != kNoFoldedJoint) votes[starts_[p]][k] += votes_.start_class[size_t{p} * kJointClasses + c];
+        if (ends_[p] != kNoFoldedJoint) votes[ends_[p]][k] += votes_.end_class[size_t{p} * kEndClasses + c];
       }
     }
   }
@@ -295,7 +295,7 @@ class Grower {
     }
     for (uint32_t j = 0; j < tree_.count; ++j) {
       // The mean chance of a tip is at least 1/4 for a leaf, 1/2 for others.
-      if (points_[j] == 0 || tips_[j] * (leaf[j] ? 4 : 2) < points_[j] * kOne) continue;
+      if (points_[j] == 0 || tips_[j] * (leaf[j] ? 4 : 2) < points_[j] * kOneQ15) continue;
       cloud_.clear();
       int64_t trust = 0;
       for (uint32_t i = 0; i < pool_.count; ++i) {
@@ -323,7 +323,7 @@ class Grower {
   const VotePool& pool_;
   const Votes& votes_;
   Cloud cloud_;
-  uint8_t* const starts_;   // [N] joint of the start vote, or kNoJoint
+  uint8_t* const starts_;   // [N] joint of the start vote, or kNoFoldedJoint
   uint8_t* const ends_;     // [N]
   int32_t* const between_;  // [joints x joints] from, to: votes in Q15, then costs
   Ball* const balls_;       // [N] of the body, where the votes say which places are inside

@@ -10,9 +10,9 @@
 namespace sinew::rigging {
 namespace {
 
-constexpr uint64_t kSeed = 7;
-constexpr uint32_t kFrontSets = 2;  // of points, whose answers are added up
-constexpr int64_t kOne = 1 << 28;   // of a Heading
+constexpr uint64_t kFrontSeed = 7;
+constexpr uint32_t kFrontSets = 2;        // of points, whose answers are added up
+constexpr int64_t kHeadingOne = 1 << 28;  // of a Heading
 // What the file's own +z counts beside the network's answer, whose length is about 1 where it is sure; Q15.
 constexpr int64_t kKnownFront = 11469, kUsualFront = 3277;
 constexpr int32_t kUsualUp = 3584;  // the same of y, logit in Q10: most meshes have it up (trainer/configs/RESULTS.md)
@@ -21,9 +21,9 @@ constexpr int32_t kUsualUp = 3584;  // the same of y, logit in Q10: most meshes 
 constexpr int64_t kSureness = 2816, kLeaningSureness = 1549;
 // Below it the answer is left to the votes.
 constexpr float kClear = 0.7f;
-constexpr int64_t kSnap =
-    kOne / 38;  // sine of 1.5 degrees: files stand along their axes, and what is off by less is off by accident
-constexpr int64_t kKnownSnap = kOne / 3;  // of 20 degrees, where the file's axes are known
+constexpr int64_t kAxisSnap =
+    kHeadingOne / 38;  // sine of 1.5 degrees: files stand along their axes, and what is off by less is off by accident
+constexpr int64_t kKnownSnap = kHeadingOne / 3;  // of 20 degrees, where the file's axes are known
 
 static_assert(kFrontPoints == kSetPoints, "rows are those of a set of points");
 
@@ -92,8 +92,8 @@ Heading nearest_step(Heading axis, Heading wanted) {
 }
 
 Heading snapped(Heading h) {
-  if (abs64(h.x) < kSnap) return {0, h.z < 0 ? -kOne : kOne};
-  if (abs64(h.z) < kSnap) return {h.x < 0 ? -kOne : kOne, 0};
+  if (abs64(h.x) < kAxisSnap) return {0, h.z < 0 ? -kHeadingOne : kHeadingOne};
+  if (abs64(h.z) < kAxisSnap) return {h.x < 0 ? -kHeadingOne : kHeadingOne, 0};
   return h;
 }
 
@@ -131,8 +131,8 @@ sinew_status place_front(const FrontQuestion& question, const Mesh& mesh, uint32
                          Arena& arena, Front* front) {
   answer.z += question.axes_known ? kKnownFront : kUsualFront;
   Heading wanted = unit_heading(answer.x, answer.z);
-  if (wanted.x == 0 && wanted.z == 0) wanted = {0, kOne};
-  Heading normal = {kOne, 0};
+  if (wanted.x == 0 && wanted.z == 0) wanted = {0, kHeadingOne};
+  Heading normal = {kHeadingOne, 0};
   bool mirrored = false;
   if (!find_mirror_angle(mesh, grid_up, wanted, arena, &normal, &mirrored)) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) return SINEW_OK;
@@ -141,7 +141,7 @@ sinew_status place_front(const FrontQuestion& question, const Mesh& mesh, uint32
     if (dot(found, wanted) < 0) found = {-found.x, -found.z};
     found = snapped(found);
   } else if (question.axes_known && wanted.z > 0 && abs64(wanted.x) < kKnownSnap) {
-    found = {0, kOne};
+    found = {0, kHeadingOne};
   } else {
     found = snapped(nearest_step(surface_axis(mesh, grid_up).along, wanted));
   }
@@ -190,7 +190,7 @@ sinew_status find_front(const FrontQuestion& question, const Kernels& kernels, c
   FrontAnswer answers[2];
   const uint32_t candidates = question.find_up ? 2 : 1;
   for (uint32_t set = 0; set < kFrontSets; ++set) {
-    if (!arena.measuring()) spread_points(mesh, kFrontPoints, kSeed + set, points);
+    if (!arena.measuring()) spread_points(mesh, kFrontPoints, kFrontSeed + set, points);
     for (uint32_t up = 0; up < candidates; ++up) {
       FrontAnswer answer;
       const sinew_status status = ask_front(*question.model, question.network, kernels, points, up, arena, &answer);

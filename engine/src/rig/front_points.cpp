@@ -7,10 +7,6 @@
 namespace sinew::rigging {
 namespace {
 
-constexpr int16_t kLimit = 16383;
-constexpr int kToQ13 = kGridBits - 13;
-
-int16_t feature(int64_t value) { return clamp16(value, -kLimit - 1, kLimit); }
 int16_t twice_length(int64_t value) { return feature(round_shift(value, kToQ13 - 1)); }
 
 // The direction in which the points reach farthest, by their second moments: half the angle of (xx - zz, 2 xz).

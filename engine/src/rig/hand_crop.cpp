@@ -10,7 +10,6 @@ namespace sinew::rigging {
 namespace {
 
 constexpr int kAxisBits = 28, kFineBits = 8;
-constexpr uint32_t kNone = 0xFFFFFFFFu;
 // The region that is cut out, percent of the hand's length.
 constexpr int64_t kBefore = 20, kBeyond = 140, kAside = 80;
 // What belongs to the hand comes that near to its axis.
@@ -47,7 +46,7 @@ struct Loop {
   int64_t ends;  // how many
 };
 
-struct Scratch {
+struct CropScratch {
   uint8_t* states;    // [V]
   uint32_t* above;    // [V] of each vertex's set
   uint32_t* number;   // [V] in the crop
@@ -58,7 +57,7 @@ struct Scratch {
 
 class Cutter {
  public:
-  Cutter(const Mesh& mesh, const HandPosition& position, const Scratch& scratch, uint32_t most_triangles,
+  Cutter(const Mesh& mesh, const HandPosition& position, const CropScratch& scratch, uint32_t most_triangles,
          HandCrop* crop)
       : mesh_(mesh),
         position_(position),
@@ -101,7 +100,7 @@ class Cutter {
                    : within(kCoreBefore, kCoreBeyond, kCoreAside) ? kInCore
                                                                   : kInRegion;
       above_[v] = v;
-      number_[v] = kNone;
+      number_[v] = kNoIndex;
     }
   }
 
@@ -129,7 +128,7 @@ class Cutter {
       for (int c = 0; c < 3; ++c) kept[c] = t[c];
     }
     for (uint32_t v = 0; v < mesh_.welded_count; ++v) {
-      if (number_[v] == kNone) continue;
+      if (number_[v] == kNoIndex) continue;
       crop_.source[crop_.surface_vertices] = v;
       number_[v] = crop_.surface_vertices++;
     }
@@ -187,13 +186,13 @@ class Cutter {
     }
     for (uint32_t v = 0; v < mesh_.welded_count; ++v) {
       above_[v] = v;
-      loop_of_[v] = kNone;
+      loop_of_[v] = kNoIndex;
     }
     each_border([&](uint32_t a, uint32_t b) { join_sets(above_, a, b); });
     uint32_t count = 0;
     each_border([&](uint32_t a, uint32_t b) {
       uint32_t& number = loop_of_[find_root(above_, a)];
-      if (number == kNone) {
+      if (number == kNoIndex) {
         if (count == most_loops(mesh_.welded_count)) return;
         number = count;
         loops_[count++] = {{0, 0, 0}, 0};
@@ -208,7 +207,7 @@ class Cutter {
     crop_.mesh.welded_count = crop_.surface_vertices + count;
     each_border([&](uint32_t a, uint32_t b) {
       const uint32_t number = loop_of_[find_root(above_, a)];
-      if (number == kNone || crop_.mesh.triangle_count == most_triangles_) return;
+      if (number == kNoIndex || crop_.mesh.triangle_count == most_triangles_) return;
       uint32_t* const cap = crop_.mesh.triangles + size_t{3} * crop_.mesh.triangle_count++;
       cap[0] = b;  // the other way round than the triangle that has the edge
       cap[1] = a;
@@ -271,7 +270,7 @@ bool HandCrop::allocate(Arena& arena, const Counts& counts) {
 
 bool crop_hand(const Mesh& mesh, const HandPosition& position, const Counts& counts, Arena& arena, HandCrop* crop) {
   const ArenaScope scope(arena);
-  Scratch scratch;
+  CropScratch scratch;
   scratch.states = arena.alloc<uint8_t>(counts.vertices);
   scratch.above = arena.alloc<uint32_t>(counts.vertices);
   scratch.number = arena.alloc<uint32_t>(counts.vertices);

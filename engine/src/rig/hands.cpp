@@ -13,7 +13,7 @@ namespace sinew::rigging {
 namespace {
 
 constexpr uint32_t kMostJoints = kMostGivenJoints;
-constexpr int16_t kNone = -1;
+constexpr int16_t kNoMirror = -1;
 // A hand's length: so much of the way to its bone's end, percent, or of the forearm; never beyond these shares of it.
 constexpr int64_t kOfEnd = 118, kOfForearm = 75, kLeastOfForearm = 30, kMostOfForearm = 200;
 
@@ -133,7 +133,7 @@ class Writer {
     if (out_.partners == nullptr) return;
     for (uint32_t f = 0; f < kFingers; ++f) {
       for (uint32_t k = 0; k < found.fingers[f].joints + (found.fingers[f].has_end ? 1u : 0u); ++k) {
-        out_.partners[numbers[0][f][k]] = hands == 2 ? numbers[1][f][k] : kNone;
+        out_.partners[numbers[0][f][k]] = hands == 2 ? numbers[1][f][k] : kNoMirror;
         if (hands == 2) out_.partners[numbers[1][f][k]] = numbers[0][f][k];
       }
     }
@@ -202,7 +202,7 @@ sinew_status run_hands(const RigPlan& plan, const sinew_mesh& mesh_input, const 
     if (!is_asked(j)) continue;
     Found& one = found[count];
     one.hand = static_cast<uint16_t>(j);
-    one.mirror = kNone;
+    one.mirror = kNoMirror;
     const int32_t other = body.partner(j);
     if (other >= 0 && other != static_cast<int32_t>(j) && body.is_hand(static_cast<uint32_t>(other)) &&
         !is_asked(static_cast<uint32_t>(other))) {

@@ -7,8 +7,6 @@
 namespace sinew::rigging {
 namespace {
 
-constexpr uint32_t kNone = 0xFFFFFFFFu;
-
 Counts rig_counts() {
   Counts counts;
   counts.grid = kRigCells;
@@ -77,11 +75,11 @@ uint32_t middle_cell(const Interior& interior) {
     sum[2] += z;
     ++count;
   });
-  if (count == 0) return kNone;
+  if (count == 0) return kNoIndex;
   constexpr int64_t kParts = 48;  // of a cell; a multiple of kDepthUnits
   const int64_t middle[3] = {kParts * sum[0] / count, kParts * sum[1] / count, kParts * sum[2] / count};
   int64_t least = INT64_MAX;
-  uint32_t best = kNone;
+  uint32_t best = kNoIndex;
   each([&](int32_t x, int32_t y, int32_t z) {
     const int64_t dx = kParts * x - middle[0], dy = kParts * y - middle[1], dz = kParts * z - middle[2];
     const int64_t cost =
@@ -104,17 +102,17 @@ struct Queue {
 
   void push(uint32_t cell, uint32_t bucket) {
     next[cell] = head[bucket];
-    back[cell] = kNone;
-    if (head[bucket] != kNone) back[head[bucket]] = cell;
+    back[cell] = kNoIndex;
+    if (head[bucket] != kNoIndex) back[head[bucket]] = cell;
     head[bucket] = cell;
   }
   void remove(uint32_t cell, uint32_t bucket) {
-    if (back[cell] == kNone) {
+    if (back[cell] == kNoIndex) {
       head[bucket] = next[cell];
     } else {
       next[back[cell]] = next[cell];
     }
-    if (next[cell] != kNone) back[next[cell]] = back[cell];
+    if (next[cell] != kNoIndex) back[next[cell]] = back[cell];
   }
 };
 
@@ -127,13 +125,13 @@ void find_distances(const Steps& steps, uint32_t start, Queue* queue, Interior* 
     distance[c] = kNoDistance;
     solid += interior->depth[c] != 0 ? 1 : 0;
   }
-  for (uint32_t& head : queue->head) head = kNone;
-  if (start == kNone) return;
+  for (uint32_t& head : queue->head) head = kNoIndex;
+  if (start == kNoIndex) return;
   distance[start] = 0;
   queue->push(start, 0);
   for (uint32_t at = 0; solid > 0; ++at) {  // every cell but the border's can be reached
     const uint32_t bucket = at % kBuckets;
-    for (uint32_t cell = queue->head[bucket]; cell != kNone; cell = queue->head[bucket]) {
+    for (uint32_t cell = queue->head[bucket]; cell != kNoIndex; cell = queue->head[bucket]) {
       queue->remove(cell, bucket);
       const bool inside = interior->depth[cell] != 0;
       solid -= inside ? 1 : 0;

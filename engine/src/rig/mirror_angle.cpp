@@ -4,15 +4,14 @@
 
 #include "core/sort.hpp"
 #include "core/vector_math.hpp"
+#include "rig/mirror_frame.hpp"
 #include "rig/point_grid.hpp"
 
 namespace sinew::rigging {
 namespace {
 
-constexpr uint32_t kPoints = 4096, kAsked = 512;
-constexpr uint64_t kSeed = 11;
-constexpr uint32_t kAngles = 8, kRounds = 6, kVertexRounds = 5, kMostVertices = 1u << 15, kAskedVertices = 2048;
-constexpr uint32_t kFoldError = kSide * 3 / 100;  // as of find_mirror_frame()
+constexpr uint32_t kAskedPoints = 512;
+constexpr uint32_t kAngles = 8, kPointRounds = 6, kVertexRounds = 5, kMostVertices = 1u << 15, kAskedVertices = 2048;
 // What a plane across the expected front costs beside one along it.
 constexpr int64_t kTurnCost = kSide / 50;
 // Tenths of the mirrored points that have to be near: of a mirrored mesh, then of a posed one.
@@ -29,18 +28,18 @@ struct Plane {
   uint32_t error = UINT32_MAX;
 };
 
-struct Scratch {
+struct AngleScratch {
   SurfacePoint* points;
-  Vec3i* upright;  // [kPoints]
+  Vec3i* upright;  // [kMirrorPoints]
   PointGrid grid, vertices;
-  uint32_t* far;  // [kAsked]
+  uint32_t* far;  // [kAskedPoints]
 
   bool allocate(Arena& arena) {
-    points = arena.alloc<SurfacePoint>(kPoints);
-    upright = arena.alloc<Vec3i>(kPoints);
-    (void)grid.allocate(arena, kPoints);
+    points = arena.alloc<SurfacePoint>(kMirrorPoints);
+    upright = arena.alloc<Vec3i>(kMirrorPoints);
+    (void)grid.allocate(arena, kMirrorPoints);
     (void)vertices.allocate(arena, kMostVertices);
-    far = arena.alloc<uint32_t>(kAsked);
+    far = arena.alloc<uint32_t>(kAskedPoints);
     return arena.ok();
   }
 };
@@ -86,10 +85,10 @@ struct Matches {
 
 // Measures a plane by the distance that so many tenths of the mirrored points keep within, and moves it between the points that
 // it mirrors.
-void match(const Scratch& s, uint32_t tenths, Plane* plane) {
+void match(const AngleScratch& s, uint32_t tenths, Plane* plane) {
   Matches matches;
-  for (uint32_t i = 0; i < kAsked; ++i) {
-    const Vec3i p = s.upright[i * (kPoints / kAsked)];
+  for (uint32_t i = 0; i < kAskedPoints; ++i) {
+    const Vec3i p = s.upright[i * (kMirrorPoints / kAskedPoints)];
     uint32_t near = 0;
     uint64_t squared = 0;
     s.far[i] = kSide / 8;
@@ -97,15 +96,15 @@ void match(const Scratch& s, uint32_t tenths, Plane* plane) {
     s.far[i] = isqrt64(squared);
     if (s.far[i] < kSide / 16) matches.add(p, s.upright[near]);
   }
-  heap_sort(s.far, kAsked, [](uint32_t a, uint32_t b) { return a < b; });
-  plane->error = s.far[kAsked * tenths / 10];
+  heap_sort(s.far, kAskedPoints, [](uint32_t a, uint32_t b) { return a < b; });
+  plane->error = s.far[kAskedPoints * tenths / 10];
   matches.fit(plane);
 }
 
 // The better of what was measured on the way.
-Plane refined(const Scratch& s, uint32_t tenths, Plane start) {
+Plane refined(const AngleScratch& s, uint32_t tenths, Plane start) {
   Plane best;
-  for (uint32_t round = 0; round <= kRounds; ++round) {
+  for (uint32_t round = 0; round <= kPointRounds; ++round) {
     const Plane before = start;
     match(s, tenths, &start);
     if (start.error < best.error) best = {before.normal, before.at, start.error};
@@ -114,7 +113,7 @@ Plane refined(const Scratch& s, uint32_t tenths, Plane start) {
 }
 
 // By vertices that mirror each other.
-void match_vertices(const Scratch& s, const Mesh& mesh, uint32_t up_axis, Plane* plane) {
+void match_vertices(const AngleScratch& s, const Mesh& mesh, uint32_t up_axis, Plane* plane) {
   const uint32_t step = s.vertices.count / kAskedVertices + 1;
   for (uint32_t round = 0; round < kVertexRounds; ++round) {
     Matches matches;
@@ -175,22 +174,22 @@ SurfaceAxis surface_axis(const Mesh& mesh, uint32_t up_axis) {
 bool find_mirror_angle(const Mesh& mesh, uint32_t up_axis, Heading expected, Arena& arena, Heading* normal,
                        bool* found) {
   const ArenaScope scope(arena);
-  Scratch s;
+  AngleScratch s;
   if (!s.allocate(arena)) return false;
   *found = false;
   if (arena.measuring()) return true;
-  spread_points(mesh, kPoints, kSeed, s.points);
+  spread_points(mesh, kMirrorPoints, kMirrorSeed, s.points);
   int64_t x = 0, z = 0;
-  for (uint32_t i = 0; i < kPoints; ++i) {
+  for (uint32_t i = 0; i < kMirrorPoints; ++i) {
     s.upright[i] = turned_up(s.points[i].position, up_axis);
     x += s.upright[i].x;
     z += s.upright[i].z;
   }
-  s.grid.build(kPoints, [&](uint32_t i) { return s.upright[i]; });
+  s.grid.build(kMirrorPoints, [&](uint32_t i) { return s.upright[i]; });
   const auto plane_across = [&](Heading side) {
     Plane plane;
     plane.normal = side;
-    plane.at = along(side, round_div(x, kPoints), round_div(z, kPoints));
+    plane.at = along(side, round_div(x, kMirrorPoints), round_div(z, kMirrorPoints));
     return plane;
   };
   // Eighths of half a turn: cosines and sines, Q28.

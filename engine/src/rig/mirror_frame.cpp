@@ -8,23 +8,22 @@
 namespace sinew::rigging {
 namespace {
 
-constexpr uint32_t kPoints = 4096, kAsked = 1024;  // points of the surface; of these, those that are mirrored
-constexpr uint64_t kSeed = 11;
-constexpr int kRounds = 3;
-// Shares of the side: as near as this is symmetric; a plane across z has to be so much better than one across x, which
-// must be bad; a plane that was found by refining has to be that much better than one that is given.
-constexpr uint32_t kFoldError = kSide * 3 / 100, kRotationError = kSide * 12 / 1000, kRefineGain = kSide / 500;
+constexpr uint32_t kAsked = 1024;  // of the points, those that are mirrored
+constexpr int kPlaneRounds = 3;
+// Shares of the side: a plane across z has to be so much better than one across x, which must be bad; a plane that was found
+// by refining has to be that much better than one that is given.
+constexpr uint32_t kRotationError = kSide * 12 / 1000, kRefineGain = kSide / 500;
 
-struct Scratch {
-  SurfacePoint* points;  // [kPoints]
+struct FrameScratch {
+  SurfacePoint* points;  // [kMirrorPoints]
   PointGrid grid;
-  int32_t* values;  // [kPoints]
+  int32_t* values;  // [kMirrorPoints]
   uint32_t* far;    // [kAsked] distance of a mirrored point to the surface
 
   bool allocate(Arena& arena) {
-    points = arena.alloc<SurfacePoint>(kPoints);
-    (void)grid.allocate(arena, kPoints);
-    values = arena.alloc<int32_t>(kPoints);
+    points = arena.alloc<SurfacePoint>(kMirrorPoints);
+    (void)grid.allocate(arena, kMirrorPoints);
+    values = arena.alloc<int32_t>(kMirrorPoints);
     far = arena.alloc<uint32_t>(kAsked);
     return arena.ok();
   }
@@ -33,10 +32,10 @@ struct Scratch {
 int32_t coordinate(Vec3i p, int axis) { return axis == 0 ? p.x : p.z; }
 
 // Distance that nine of ten mirrored points keep within, and half the median way that they lack along the axis.
-uint32_t mirror_error(const Scratch& s, int axis, int32_t plane, int32_t* lacking) {
+uint32_t mirror_error(const FrameScratch& s, int axis, int32_t plane, int32_t* lacking) {
   uint32_t count = 0;
   for (uint32_t i = 0; i < kAsked; ++i) {
-    Vec3i p = s.points[i * (kPoints / kAsked)].position;
+    Vec3i p = s.points[i * (kMirrorPoints / kAsked)].position;
     (axis == 0 ? p.x : p.z) = 2 * plane - coordinate(p, axis);
     uint32_t near = 0;
     uint64_t squared = 0;
@@ -54,25 +53,25 @@ uint32_t mirror_error(const Scratch& s, int axis, int32_t plane, int32_t* lackin
   return s.far[kAsked * 9 / 10];
 }
 
-struct Plane {
+struct AxisPlane {
   int32_t at;
   uint32_t error;
 };
 
-Plane best_plane(const Scratch& s, int axis, int32_t middle) {
+AxisPlane best_plane(const FrameScratch& s, int axis, int32_t middle) {
   int64_t sum = 0;
-  for (uint32_t i = 0; i < kPoints; ++i) {
+  for (uint32_t i = 0; i < kMirrorPoints; ++i) {
     s.values[i] = coordinate(s.points[i].position, axis);
     sum += s.values[i];
   }
-  heap_sort(s.values, kPoints, [](int32_t a, int32_t b) { return a < b; });
-  const int32_t starts[4] = {middle, 0, s.values[kPoints / 2], static_cast<int32_t>(round_shift(sum, 12))};
-  Plane best = {0, UINT32_MAX}, given = {0, UINT32_MAX};
+  heap_sort(s.values, kMirrorPoints, [](int32_t a, int32_t b) { return a < b; });
+  const int32_t starts[4] = {middle, 0, s.values[kMirrorPoints / 2], static_cast<int32_t>(round_shift(sum, 12))};
+  AxisPlane best = {0, UINT32_MAX}, given = {0, UINT32_MAX};
   for (int i = 0; i < 4; ++i) {
     int32_t at = starts[i];
     bool seen = false;
     for (int before = 0; before < i; ++before) seen = seen || starts[before] == at;
-    for (int round = 0; round < kRounds && !seen; ++round) {
+    for (int round = 0; round < kPlaneRounds && !seen; ++round) {
       int32_t lacking = 0;
       const uint32_t error = mirror_error(s, axis, at, &lacking);
       if (error < best.error) best = {at, error};
@@ -89,18 +88,18 @@ Plane best_plane(const Scratch& s, int axis, int32_t middle) {
 bool find_mirror_frame(const Mesh& mesh, Mirroring mirroring, const int32_t (&middle)[2], bool upright, Arena& arena,
                        MirrorFrame* frame) {
   const ArenaScope scope(arena);
-  Scratch s;
+  FrameScratch s;
   if (!s.allocate(arena)) return false;
   if (arena.measuring()) return true;
   *frame = MirrorFrame();
   if (mirroring == Mirroring::kNever) return true;
-  spread_points(mesh, kPoints, kSeed, s.points);
-  s.grid.build(kPoints, [&](uint32_t i) { return s.points[i].position; });
-  const Plane x = best_plane(s, 0, middle[0]);
+  spread_points(mesh, kMirrorPoints, kMirrorSeed, s.points);
+  s.grid.build(kMirrorPoints, [&](uint32_t i) { return s.points[i].position; });
+  const AxisPlane x = best_plane(s, 0, middle[0]);
   frame->plane = x.at;
   frame->error = x.error;
   if (!upright && x.error > kRotationError) {
-    const Plane z = best_plane(s, 1, middle[1]);
+    const AxisPlane z = best_plane(s, 1, middle[1]);
     if (uint64_t{z.error} * 10 < uint64_t{x.error} * 6) {
       frame->quarters = 1;
       frame->plane = z.at;

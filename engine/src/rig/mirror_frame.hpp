@@ -7,6 +7,11 @@
 
 namespace sinew::rigging {
 
+// Points of the surface that a plane is found by, and their seed; as near as this, a mirrored point lies on the surface.
+constexpr uint32_t kMirrorPoints = 4096;
+constexpr uint64_t kMirrorSeed = 11;
+constexpr uint32_t kFoldError = kSide * 3 / 100;
+
 enum class Mirroring : uint8_t { kAuto, kAlways, kNever };
 
 // From the mesh's grid to the mirror frame, in quarter turns about y: the plane comes to x = 0, and what faces along +z, +x,

@@ -7,12 +7,12 @@
 namespace sinew::rigging {
 namespace {
 
-constexpr uint32_t kLeastVertices = 4;
+constexpr uint32_t kLeastPropVertices = 4;
 // Percent of the forearm: a part comes so near to the hand's bone, reaches so far from the hand, and stays so far from the
 // elbow. Sleeves, gloves and bracelets do not.
 constexpr int64_t kNear = 35, kFar = 90, kFromElbow = 45;
 // And a hand is there without it: something else goes so far beyond the wrist, so near to the arm's line.
-constexpr int64_t kBeyond = 15, kBeside = 30;
+constexpr int64_t kBeyondHand = 15, kBeside = 30;
 constexpr uint16_t kConfidence = 16384;
 
 int64_t squared(Vec3i v) { return dot(v, v); }
@@ -55,7 +55,7 @@ bool has_hand_beside(const Mesh& mesh, uint32_t part, Vec3i elbow, Vec3i hand, i
     if (mesh.part[v] == part) continue;
     const Vec3i p = mesh.positions[v] - hand;
     const int64_t forward = dot(p, along);  // forearm times the way beyond the wrist
-    if (forward * 100 < forearm * forearm * kBeyond || forward > forearm * forearm) continue;
+    if (forward * 100 < forearm * forearm * kBeyondHand || forward > forearm * forearm) continue;
     const int64_t distance = forward / forearm, beside = forearm * kBeside / 100;
     if (squared(p) - distance * distance <= beside * beside) return true;
   }
@@ -139,7 +139,7 @@ struct Props {
     const HeldParts parts = {mesh, skeleton};
     // Part 0 is the largest: a body.
     for (uint32_t part = 1; part < mesh.part_count; ++part) {
-      if (mesh.part_sizes[part] < kLeastVertices) break;  // sizes fall
+      if (mesh.part_sizes[part] < kLeastPropVertices) break;  // sizes fall
       Prop prop;
       if (parts.find(part, &prop)) keep(prop);
     }

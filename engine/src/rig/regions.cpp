@@ -16,11 +16,10 @@ using simplifying::EdgesAtNode;
 
 constexpr uint32_t kMostSeeds = 96;
 constexpr uint32_t kSamples = 64;               // points of a region that are compared with another's
-constexpr int64_t kNear = kSide / 50;           // points of regions in contact
+constexpr int64_t kInContact = kSide / 50;      // points of regions in contact
 constexpr double kLeastArea = 0.001;            // of the whole surface
 constexpr double kShort = 0.03, kAround = 0.1;  // of the longest side; the second where two share a neighbour
 constexpr uint32_t kMostEdges = 5;              // at the neighbour of a leaf that stays
-constexpr uint32_t kNone = 0xFFFFFFFFu;
 
 int32_t nearest_integer(double a) { return static_cast<int32_t>(a < 0 ? a - 0.5 : a + 0.5); }
 
@@ -90,7 +89,7 @@ class Regions {
   // seed that is nearest through the air.
   void grow() {
     for (uint32_t v = 0; v < mesh_.welded_count; ++v) {
-      label_[v] = kNone;
+      label_[v] = kNoIndex;
       distance_[v] = UINT64_MAX;
     }
     for (uint32_t s = 0; s < count_; ++s) {
@@ -104,7 +103,7 @@ class Regions {
         const uint32_t v = sweep % 2 == 0 ? i : mesh_.welded_count - 1 - i;
         for (uint32_t e = mesh_.row_offsets[v]; e < mesh_.row_offsets[v + 1]; ++e) {
           const uint32_t u = mesh_.col_indices[e];
-          if (label_[u] == kNone) continue;
+          if (label_[u] == kNoIndex) continue;
           const uint64_t distance = distance_[u] + sinew::length(mesh_.positions[u] - mesh_.positions[v]);
           if (distance > distance_[v] || (distance == distance_[v] && label_[u] >= label_[v])) continue;
           distance_[v] = distance;
@@ -114,7 +113,7 @@ class Regions {
       }
     }
     for (uint32_t v = 0; v < mesh_.welded_count; ++v) {
-      if (label_[v] != kNone) continue;
+      if (label_[v] != kNoIndex) continue;
       uint64_t least = UINT64_MAX;
       for (uint32_t s = 0; s < count_; ++s) {
         const Vec3i d = mesh_.positions[v] - mesh_.positions[seeds_[s]];
@@ -161,7 +160,7 @@ class Regions {
     memset(near_, 0, size_t{kMostSeeds} * kMostSeeds);
     for (uint32_t a = 0; a < count_; ++a) {
       for (uint32_t b = 0; b < a; ++b) {
-        if (boxes_[a].overlaps(boxes_[b], static_cast<double>(kNear)) && come_near(a, b)) join(a, b, true);
+        if (boxes_[a].overlaps(boxes_[b], static_cast<double>(kInContact)) && come_near(a, b)) join(a, b, true);
       }
     }
     for (uint32_t v = 0; v < mesh_.welded_count; ++v) {  // what an edge joins is near, however long the edge
@@ -173,7 +172,7 @@ class Regions {
     for (uint32_t i = 0; i < sample_counts_[a]; ++i) {
       for (uint32_t j = 0; j < sample_counts_[b]; ++j) {
         const Vec3i d = mesh_.positions[samples_[a * kSamples + i]] - mesh_.positions[samples_[b * kSamples + j]];
-        if (dot(d, d) < kNear * kNear) return true;
+        if (dot(d, d) < kInContact * kInContact) return true;
       }
     }
     return false;
@@ -215,7 +214,7 @@ class Regions {
     uint32_t left = count_;
     for (uint32_t a = 0; a < count_; ++a) measure(a);
     for (;;) {
-      uint32_t from = kNone, to = kNone;
+      uint32_t from = kNoIndex, to = kNoIndex;
       double least = 0;
       for (uint32_t a = 0; a < count_; ++a) {
         for (uint32_t b = 0; b < count_; ++b) {
@@ -223,13 +222,13 @@ class Regions {
           const double cost =
               collapse_cost(nodes_[a].edges, nodes_[b].edges, (1.0 / kSide) * (nodes_[b].at - nodes_[a].at),
                             apart(a, b), nodes_[a].apart);
-          if (from != kNone && cost >= least) continue;
+          if (from != kNoIndex && cost >= least) continue;
           least = cost;
           from = a;
           to = b;
         }
       }
-      if (from == kNone) return;
+      if (from == kNoIndex) return;
       merge(from, to);
       --left;
     }
@@ -259,28 +258,28 @@ class Regions {
     for (uint32_t v = 0; v < mesh_.welded_count; ++v) middle = middle + to_double(mesh_.positions[v]);
     middle = (1.0 / mesh_.welded_count) * middle;
     uint32_t number[kMostSeeds] = {};
-    uint32_t next = kNone, parent = kNone;
+    uint32_t next = kNoIndex, parent = kNoIndex;
     for (uint32_t a = 0; a < count_; ++a) {
-      number[a] = kNone;
+      number[a] = kNoIndex;
       if (!nodes_[a].alive) continue;
-      if (next == kNone || length(nodes_[a].at - middle) < length(nodes_[next].at - middle)) next = a;
+      if (next == kNoIndex || length(nodes_[a].at - middle) < length(nodes_[next].at - middle)) next = a;
     }
     *tree = {};
-    while (next != kNone && tree->count < kMaxFoldedJoints) {
+    while (next != kNoIndex && tree->count < kMaxFoldedJoints) {
       FoldedNode& node = tree->nodes[tree->count];
       const Vec3d& p = nodes_[next].at;
       node.at = {nearest_integer(p.x), nearest_integer(p.y), nearest_integer(p.z)};
-      node.parent = parent == kNone ? -1 : static_cast<int16_t>(number[parent]);
+      node.parent = parent == kNoIndex ? -1 : static_cast<int16_t>(number[parent]);
       node.joint_class = kClassOther;
       number[next] = tree->count++;
       double least = 0;
-      next = parent = kNone;
+      next = parent = kNoIndex;
       for (uint32_t a = 0; a < count_; ++a) {
-        if (!nodes_[a].alive || number[a] == kNone) continue;
+        if (!nodes_[a].alive || number[a] == kNoIndex) continue;
         for (uint32_t b = 0; b < count_; ++b) {
-          if (!nodes_[b].alive || number[b] != kNone) continue;
+          if (!nodes_[b].alive || number[b] != kNoIndex) continue;
           const double distance = length(nodes_[a].at - nodes_[b].at) + (joined(a, b) ? 0 : 4.0 * kSide);
-          if (next != kNone && distance >= least) continue;
+          if (next != kNoIndex && distance >= least) continue;
           least = distance;
           next = b;
           parent = a;

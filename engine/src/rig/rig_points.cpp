@@ -8,10 +8,6 @@
 namespace sinew::rigging {
 namespace {
 
-constexpr int16_t kLimit = 16383;
-constexpr int kToQ13 = kGridBits - 13;  // a share of the side in grid units to Q13
-
-int16_t feature(int64_t value) { return clamp16(value, -kLimit - 1, kLimit); }
 // factor times a length in grid units.
 int16_t length_feature(int64_t factor, int64_t value) { return feature(round_shift(factor * value, kToQ13)); }
 
@@ -24,7 +20,7 @@ void span(Vec3i n, Vec3i* u, Vec3i* w) {
 }
 
 constexpr uint32_t kMarches = 9;
-constexpr uint32_t kLongest = 4 * kRigCells;  // half cells: twice the longest side
+constexpr uint32_t kLongestMarch = 4 * kRigCells;  // half cells: twice the longest side
 
 // Median way of the ray straight in and of eight at 30 degrees around it, half cells.
 uint32_t thickness(const Interior& interior, Vec3i p, Vec3i normal, uint32_t straight) {
@@ -40,20 +36,21 @@ uint32_t thickness(const Interior& interior, Vec3i p, Vec3i normal, uint32_t str
       return static_cast<int32_t>(round_shift(-kCos30 * n, 14) +
                                   round_shift(kSin30 * (round[k][0] * a + round[k][1] * b), 28));
     };
-    distances[k + 1] = interior.march(
-        p, {component(normal.x, u.x, w.x), component(normal.y, u.y, w.y), component(normal.z, u.z, w.z)}, kLongest);
+    distances[k + 1] =
+        interior.march(p, {component(normal.x, u.x, w.x), component(normal.y, u.y, w.y), component(normal.z, u.z, w.z)},
+                       kLongestMarch);
   }
   heap_sort(distances, kMarches, [](uint32_t a, uint32_t b) { return a < b; });
   return distances[kMarches / 2];
 }
 
-struct Body {
+struct BodyExtent {
   Vec3i low, high, mean;
   int64_t rms;
 };
 
-Body measure(const SurfacePoint* points) {
-  Body body = {points[0].position, points[0].position, {0, 0, 0}, 0};
+BodyExtent measure(const SurfacePoint* points) {
+  BodyExtent body = {points[0].position, points[0].position, {0, 0, 0}, 0};
   Vec3l sum = {0, 0, 0};
   for (uint32_t i = 0; i < kSetPoints; ++i) {
     const Vec3i p = points[i].position;
@@ -70,13 +67,13 @@ Body measure(const SurfacePoint* points) {
   return body;
 }
 
-void describe(const Interior& interior, const Body& body, SurfacePoint* point, Vec3i* medial, int16_t* row) {
+void describe(const Interior& interior, const BodyExtent& body, SurfacePoint* point, Vec3i* medial, int16_t* row) {
   const int32_t half_cell = interior.grid.cell_size / 2;
   const Vec3i p = point->position;
   Vec3i n = point->normal;
   if (n == Vec3i{0, 0, 0}) n = {0, 1 << 14, 0};
-  uint32_t inward = interior.march(p, Vec3i{0, 0, 0} - n, kLongest);
-  const uint32_t outward = interior.march(p, n, kLongest);
+  uint32_t inward = interior.march(p, Vec3i{0, 0, 0} - n, kLongestMarch);
+  const uint32_t outward = interior.march(p, n, kLongestMarch);
   if (outward > inward + 4 && inward < 4) {  // more than two cells deeper on the other side: the face looks inward
     n = Vec3i{0, 0, 0} - n;
     inward = outward;
@@ -174,7 +171,7 @@ bool make_point_set(const Mesh& mesh, const Interior& interior, uint64_t seed, A
   if (!arena.ok()) return false;
   if (arena.measuring()) return true;
   spread_points(mesh, kSetPoints, seed, set->points);
-  const Body body = measure(set->points);
+  const BodyExtent body = measure(set->points);
   for (uint32_t i = 0; i < kSetPoints; ++i) {
     describe(interior, body, &set->points[i], &set->medial[i], set->features + size_t{i} * kRigChannels);
   }

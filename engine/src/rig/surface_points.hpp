@@ -17,6 +17,10 @@ struct SurfacePoint {
   uint16_t share[3];   // of the corners, Q15; they sum to 2^15
 };
 
+// A feature of a point, Q13, held within +-2.
+constexpr int kToQ13 = kGridBits - 13;  // a share of the side in grid units to Q13
+inline int16_t feature(int64_t value) { return clamp16(value, -16384, 16383); }
+
 // `count` points, one in each of as many strata of the area: point i lies where the area of the triangles before it
 // reaches a random share between i / count and (i + 1) / count. The same seed gives the same points.
 void spread_points(const Mesh& mesh, uint32_t count, uint64_t seed, SurfacePoint* points);

@@ -7,7 +7,7 @@
 namespace sinew::rigging {
 namespace {
 
-constexpr int16_t kNone = -1;
+constexpr int16_t kNoNode = -1;
 
 bool is_class(const FoldedTree& tree, int16_t node, uint32_t c) {
   return node >= 0 && tree.nodes[node].joint_class == c;
@@ -19,7 +19,7 @@ bool is_crown(const FoldedTree& tree, int16_t node) {
 
 // A chain of the spine from below to above, and what it stands between.
 struct Spine {
-  int16_t below = kNone, above = kNone;  // `above` only where the chain has a neck or head on it
+  int16_t below = kNoNode, above = kNoNode;  // `above` only where the chain has a neck or head on it
   uint32_t count = 0;
   int16_t nodes[kMaxFoldedJoints];
 };
@@ -48,9 +48,9 @@ SINEW_RARE Spine find_spine(const FoldedTree& tree) {
     if (is_crown(tree, tree.nodes[j].parent)) continue;
     Spine spine = spine_below(tree, tree.nodes[j].parent);
     spine.above = node;
-    if (best.above == kNone || spine.count > best.count) best = spine;
+    if (best.above == kNoNode || spine.count > best.count) best = spine;
   }
-  if (best.above != kNone) return best;
+  if (best.above != kNoNode) return best;
   for (uint32_t j = 0; j < tree.count; ++j) {
     if (tree.beside(j)) continue;
     const Spine spine = spine_below(tree, static_cast<int16_t>(j));
@@ -105,14 +105,14 @@ SINEW_RARE void remove(const bool* gone, FoldedTree* tree, int16_t* numbers) {
 
 SINEW_RARE void set_spine(FoldedTree* tree, uint32_t joints) {
   const Spine old = find_spine(*tree);
-  if (old.below == kNone || (old.above == kNone && old.count == 0)) return;
+  if (old.below == kNoNode || (old.above == kNoNode && old.count == 0)) return;
   const uint32_t room = kMaxFoldedJoints - tree->count + old.count;
   const uint32_t count = joints < room ? joints : room;
 
   Line line;
   line.add(tree->nodes[old.below].at);
   for (uint32_t i = 0; i < old.count; ++i) line.add(tree->nodes[old.nodes[i]].at);
-  if (old.above != kNone) line.add(tree->nodes[old.above].at);
+  if (old.above != kNoNode) line.add(tree->nodes[old.above].at);
   // From `first` on, in `count` places with `gaps` steps between them.
   int64_t first = 0, last = line.along[line.count - 1], gaps = int64_t{count} + 1, skipped = 1;
   if (old.count >= 2) {
@@ -120,7 +120,7 @@ SINEW_RARE void set_spine(FoldedTree* tree, uint32_t joints) {
     last = line.along[old.count];
     gaps = count == 1 ? 2 : int64_t{count} - 1;
     skipped = count == 1 ? 1 : 0;
-  } else if (old.above == kNone) {
+  } else if (old.above == kNoNode) {
     gaps = count;  // the last stays at the chain's end
   }
   FoldedNode made[kMaxSpine];
@@ -143,7 +143,7 @@ SINEW_RARE void set_spine(FoldedTree* tree, uint32_t joints) {
         count == 0 ? old.below
                    : static_cast<int16_t>(-2 - static_cast<int>(nearest(distances, count, line.along[1 + i])));
   }
-  if (old.above != kNone) {
+  if (old.above != kNoNode) {
     tree->nodes[old.above].parent = count == 0 ? old.below : static_cast<int16_t>(-1 - static_cast<int>(count));
   }
   int16_t numbers[kMaxFoldedJoints] = {};

@@ -5,7 +5,6 @@
 namespace sinew {
 namespace {
 
-constexpr uint32_t kNone = 0xFFFFFFFFu;
 constexpr int kFactorBits = 40;
 constexpr int kFactorHeadroom = 20;
 constexpr int kLargestMatrixBits = 50;
@@ -97,14 +96,14 @@ bool Factor::analyse(const SparseMatrix& matrix) {
   const Ordering& ordering = *matrix.ordering;
   uint64_t total = 0;
   for (uint32_t k = 0; k < matrix.rows; ++k) {
-    parent[k] = kNone;
+    parent[k] = kNoIndex;
     mark[k] = k;
     column_fill[k] = 0;
     const uint32_t v = ordering.order[k];
     for (uint32_t e = mesh.row_offsets[v]; e < mesh.row_offsets[v + 1]; ++e) {
       // Row k of L holds every node on the tree path from its neighbours up to k.
       for (uint32_t i = ordering.position[mesh.col_indices[e]]; i < k && mark[i] != k; i = parent[i]) {
-        if (parent[i] == kNone) parent[i] = k;
+        if (parent[i] == kNoIndex) parent[i] = k;
         ++column_fill[i];
         ++total;
         mark[i] = k;

@@ -28,6 +28,8 @@
 namespace sinew {
 
 constexpr uint32_t kBatch = 8;  // right-hand sides solved together: the factor is read once for all of them
+// What a joint is to a batch beside a number below kBatch: not in it; listed, to be in one.
+constexpr uint8_t kNoMember = 0xFF, kListed = 0xFE;
 constexpr int kSolutionBits = 24;
 constexpr int kFactorDiagonalBits = 56;  // bound of the diagonal, as a power of two
 

@@ -14,7 +14,7 @@ constexpr int32_t kSmallestPivot = 1 << 10;  // Q30
 constexpr int kWidestRange = 24;             // of the rows' exponents
 
 // value / 2^shift rounded half up; a negative shift multiplies.
-int64_t shifted(int64_t value, int shift) {
+int64_t round_shifted(int64_t value, int shift) {
   if (shift <= 0) return static_cast<int64_t>(static_cast<uint64_t>(value) << (shift < -63 ? 63 : -shift));
   return round_shift(value, shift > 62 ? 62 : shift);
 }
@@ -167,12 +167,12 @@ void FrontFactor::fill(const SparseMatrix& matrix, const Front& front, uint32_t 
     int32_t* const column = columns + static_cast<size_t>(k) * height;
     const int exponent = exponent_[position];
     column[k] =
-        static_cast<int32_t>(shifted(matrix.diagonal[position], matrix.matrix_bits + 2 * exponent - kFrontBits));
+        static_cast<int32_t>(round_shifted(matrix.diagonal[position], matrix.matrix_bits + 2 * exponent - kFrontBits));
     const uint32_t v = ordering.order[position];
     for (uint32_t e = mesh.row_offsets[v]; e < mesh.row_offsets[v + 1]; ++e) {
       const uint32_t other = ordering.position[mesh.col_indices[e]];
       if (other < position) continue;
-      const int64_t entry = shifted(matrix.weight(e), kEdgeWeightBits + exponent + exponent_[other] - kFrontBits);
+      const int64_t entry = round_shifted(matrix.weight(e), kEdgeWeightBits + exponent + exponent_[other] - kFrontBits);
       int32_t& target = column[mark_[other]];  // of a definite matrix below 1; of another it wraps
       target = static_cast<int32_t>(static_cast<uint32_t>(target) - static_cast<uint32_t>(entry));
     }
@@ -275,7 +275,7 @@ void FrontFactor::wake(const FrontSolve& solve, uint32_t index) const {
 void FrontFactor::add(const FrontSolve& solve, uint32_t position, uint32_t member, int64_t value_q40) const {
   wake(solve, front_of_[position]);
   solve.x[static_cast<size_t>(position) * kFrontBatch + member] =
-      clamp32(shifted(value_q40, 40 - kFrontSolutionBits + 2 * exponent_[position]), -0x7FFFFFFF, 0x7FFFFFFF);
+      clamp32(round_shifted(value_q40, 40 - kFrontSolutionBits + 2 * exponent_[position]), -0x7FFFFFFF, 0x7FFFFFFF);
 }
 
 // v of the front's pivots, and what they take from its border.

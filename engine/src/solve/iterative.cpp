@@ -5,11 +5,11 @@
 namespace sinew {
 namespace {
 
-constexpr int kStepBits = 40;  // solutions and directions
+constexpr int kIterateBits = 40;  // solutions and directions
 constexpr uint32_t kRounds = 24;
 constexpr uint32_t kInnerSteps = 60;
 constexpr int kLargestLift = 16;  // an error of 1 in the solution becomes a correction of 2^16, 2^56 in Q40
-constexpr int64_t kSmallEnough = static_cast<int64_t>(1) << (kStepBits - 24);  // of the Jacobi-scaled residual
+constexpr int64_t kSmallEnough = static_cast<int64_t>(1) << (kIterateBits - 24);  // of the Jacobi-scaled residual
 
 uint64_t magnitude(int64_t v) { return v < 0 ? 0 - static_cast<uint64_t>(v) : static_cast<uint64_t>(v); }
 
@@ -50,7 +50,7 @@ class MemberSolver {
         if (scaled > largest) largest = scaled;
       }
       if (largest <= kSmallEnough) break;
-      int lift = kStepBits - 2 - top_bit(static_cast<uint64_t>(largest));  // largest becomes about a quarter
+      int lift = kIterateBits - 2 - top_bit(static_cast<uint64_t>(largest));  // largest becomes about a quarter
       lift = lift < 0 ? 0 : lift > kLargestLift ? kLargestLift : lift;
       for (uint32_t k = 0; k < rows; ++k)
         residual_[k] = static_cast<int64_t>(static_cast<uint64_t>(residual_[k]) << lift);
@@ -59,12 +59,12 @@ class MemberSolver {
     }
     for (uint32_t k = 0; k < rows; ++k) {
       out[static_cast<size_t>(k) * kBatch + member] =
-          clamp32(round_shift(x_[k], kStepBits - kSolutionBits), -0x7FFFFFFF, 0x7FFFFFFF);
+          clamp32(round_shift(x_[k], kIterateBits - kSolutionBits), -0x7FFFFFFF, 0x7FFFFFFF);
     }
   }
 
  private:
-  int64_t preconditioned(uint32_t k) const { return divide(residual_[k], inverse_[k], kStepBits, 4); }
+  int64_t preconditioned(uint32_t k) const { return divide(residual_[k], inverse_[k], kIterateBits, 4); }
 
   // image = M v for v in Q40.
   void multiply(const int64_t* v) {
@@ -72,9 +72,9 @@ class MemberSolver {
     const Ordering& ordering = *matrix_.ordering;
     for (uint32_t k = 0; k < matrix_.rows; ++k) {
       const uint32_t vertex = ordering.order[k];
-      int64_t sum = mul_shift(matrix_.diagonal[k], v[k], kStepBits);
+      int64_t sum = mul_shift(matrix_.diagonal[k], v[k], kIterateBits);
       for (uint32_t e = mesh.row_offsets[vertex]; e < mesh.row_offsets[vertex + 1]; ++e) {
-        sum = wrapping_add(sum, mul_shift(matrix_.entry(e), v[ordering.position[mesh.col_indices[e]]], kStepBits));
+        sum = wrapping_add(sum, mul_shift(matrix_.entry(e), v[ordering.position[mesh.col_indices[e]]], kIterateBits));
       }
       image_[k] = sum;
     }

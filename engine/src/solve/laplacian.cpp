@@ -45,7 +45,7 @@ struct TriangleEdges {
   uint32_t edges[3][2];   // opposite to the corners
 };
 
-struct Scratch {
+struct LaplacianScratch {
   int64_t* sums = nullptr;             // [E2] of both directions
   uint32_t* faces = nullptr;           // [E2]
   TriangleEdges* triangles = nullptr;  // [round_size() of the triangles]
@@ -85,7 +85,7 @@ bool EdgeWeights::allocate(Arena& arena, const Counts& counts) {
 
 sinew_status weigh_edges(const Mesh& mesh, const Counts& counts, Arena& arena, EdgeWeights* out) {
   const ArenaScope scope(arena);
-  Scratch scratch;
+  LaplacianScratch scratch;
   if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) return SINEW_OK;
   const size_t entries = mesh.row_offsets[mesh.welded_count];

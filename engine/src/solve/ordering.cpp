@@ -15,7 +15,7 @@ constexpr uint32_t kSideBits = 3;       // of a mark: the low side of the cut al
 
 int32_t coordinate(Vec3i p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
-struct Region {
+struct VertexRange {
   uint32_t begin, end;
 };
 
@@ -32,7 +32,7 @@ class Dissection {
  public:
   Dissection(const Mesh& mesh, Ordering& out) : mesh_(mesh), out_(out) {}
 
-  void find_box(Region region, Vec3i* low, Vec3i* high) const {
+  void find_box(VertexRange region, Vec3i* low, Vec3i* high) const {
     *low = *high = mesh_.positions[out_.order[region.begin]];
     for (uint32_t i = region.begin + 1; i < region.end; ++i) {
       const Vec3i p = mesh_.positions[out_.order[i]];
@@ -42,7 +42,7 @@ class Dissection {
   }
 
   // About the median of the coordinates along an axis, below the highest one, so that no side is empty.
-  int32_t median(Region region, int axis, int32_t high) const {
+  int32_t median(VertexRange region, int axis, int32_t high) const {
     uint32_t
         samples[kMostSamples];  // with the sign turned, in the same order: unsigned numbers are sorted elsewhere, too
     constexpr uint32_t kSign = 0x80000000u;
@@ -60,7 +60,7 @@ class Dissection {
   }
 
   // Marks the region's vertices with `number`, with the side of each cut, and counts for all cuts at once.
-  void count_borders(Region region, uint32_t number, Cut (&cuts)[3]) const {
+  void count_borders(VertexRange region, uint32_t number, Cut (&cuts)[3]) const {
     for (uint32_t i = region.begin; i < region.end; ++i) {
       const uint32_t v = out_.order[i];
       uint32_t sides = 0;
@@ -80,7 +80,7 @@ class Dissection {
   }
 
   // Reorders the region as low side, high side, separator. Returns the lengths of the first two through the pointers.
-  void split(Region region, const Cut& cut, uint32_t* low_length, uint32_t* high_length) const {
+  void split(VertexRange region, const Cut& cut, uint32_t* low_length, uint32_t* high_length) const {
     const bool low_separates = cut.low_border <= cut.high_border;
     uint32_t low = 0, high = 0, separator = 0;
     const uint32_t length = region.end - region.begin;
@@ -147,11 +147,12 @@ void Ordering::dissect(const Mesh& mesh, uint32_t part, uint32_t smallest) {
 
   const Dissection dissection(mesh, *this);
   uint32_t next_number = 0;
-  Region stack[40];  // the smaller half is always taken first, so the depth is at most log2 of the vertex count + 1
+  VertexRange
+      stack[40];  // the smaller half is always taken first, so the depth is at most log2 of the vertex count + 1
   uint32_t depth = 0;
   stack[depth++] = {0, count};
   while (depth > 0) {
-    const Region region = stack[--depth];
+    const VertexRange region = stack[--depth];
     const uint32_t mine = next_number++;
     const uint32_t length = region.end - region.begin;
     if (length <= smallest) {
@@ -182,15 +183,15 @@ void Ordering::dissect(const Mesh& mesh, uint32_t part, uint32_t smallest) {
     }
     uint32_t low = 0, high = 0;
     dissection.split(region, best, &low, &high);
-    const Region low_region = {region.begin, region.begin + low};
-    const Region high_region = {region.begin + low, region.begin + low + high};
+    const VertexRange low_region = {region.begin, region.begin + low};
+    const VertexRange high_region = {region.begin + low, region.begin + low + high};
     if (high_region.end < region.end) {
       region_size[high_region.end] = region.end - high_region.end;
       region_begin[high_region.end] = region.begin;
     }
     const bool low_first = low <= high;
-    const Region later = low_first ? high_region : low_region;
-    const Region sooner = low_first ? low_region : high_region;
+    const VertexRange later = low_first ? high_region : low_region;
+    const VertexRange sooner = low_first ? low_region : high_region;
     if (later.begin < later.end) stack[depth++] = later;
     if (sooner.begin < sooner.end) stack[depth++] = sooner;
   }

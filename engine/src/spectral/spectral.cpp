@@ -8,7 +8,7 @@
 namespace sinew {
 namespace {
 
-struct Scratch {
+struct SpectralScratch {
   SpectralOperator op;
   EigenSolver solver;
   Signatures* signatures = nullptr;
@@ -26,7 +26,7 @@ struct Scratch {
 sinew_status compute_spectral(const Mesh& mesh, const Counts& counts, const Progress& progress, Arena& arena,
                               int16_t* out, size_t stride) {
   const ArenaScope scope(arena);
-  Scratch scratch;
+  SpectralScratch scratch;
   if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) return SINEW_OK;
   sum_cotangents(mesh, &scratch.op.edges);

@@ -9,8 +9,8 @@ namespace sinew {
 namespace {
 
 constexpr int64_t kOneQ30 = static_cast<int64_t>(1) << 30;
-constexpr int64_t kShortest = 1 << 10;       // norm, Q30
-constexpr int64_t kSmallestPivot = 1 << 10;  // squared, Q30
+constexpr int64_t kShortest = 1 << 10;        // norm, Q30
+constexpr int64_t kSmallestSquare = 1 << 10;  // squared, Q30
 constexpr uint32_t kSweeps = 12;
 constexpr int64_t kNegligible = 16;  // Q31: off-diagonal entries below rounding noise
 
@@ -55,7 +55,7 @@ void Orthonormaliser::prepare(const int64_t (*gram)[kSpectralModes], uint32_t n)
       upper[i][j] = clamp32(mul_shift(round_shift(sum, 30), inverse_pivot[i], 30), -(1 << 30), 1 << 30);
       rest -= static_cast<int64_t>(upper[i][j]) * upper[i][j];
     }
-    if (rest >> 30 < kSmallestPivot) continue;
+    if (rest >> 30 < kSmallestSquare) continue;
     inverse_norm[j] = (static_cast<int64_t>(1) << 50) / norm[j];
     inverse_pivot[j] = kOneQ30 * kOneQ30 / isqrt64(static_cast<uint64_t>(rest));
   }

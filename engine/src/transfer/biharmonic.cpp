@@ -13,9 +13,9 @@ constexpr uint32_t kFewest = 4;         // references
 constexpr uint32_t kCompared = 8;       // references of a vertex, those that are nearest to it: of a caller's few pairs
 constexpr uint32_t kComparedFound = 5;  // and of those that were found
 constexpr uint32_t kNeighbours = 6;     // references around one, for its scale
-constexpr double kMostScale = 2;        // of one reference's distances
-constexpr double kNearDistance = 0.02;  // added to distances before they are inverted
-constexpr double kLeastShare = 1e-6;    // of the farthest's squared difference: what is the same takes all
+constexpr double kMostDistanceScale = 2;  // of one reference's distances
+constexpr double kNearDistance = 0.02;    // added to distances before they are inverted
+constexpr double kLeastShare = 1e-6;      // of the farthest's squared difference: what is the same takes all
 
 // Numbers with the smallest keys, ascending; of equal keys the first ones.
 template <uint32_t kMost>
@@ -62,7 +62,7 @@ struct Columns {
         own += around.keys[k];
         sum += mean_at(references.points[around.numbers[k]].source, other);
       }
-      const double factor = sum > 0 ? clamped(own / sum, 1 / kMostScale, kMostScale) : 1;
+      const double factor = sum > 0 ? clamped(own / sum, 1 / kMostDistanceScale, kMostDistanceScale) : 1;
       for (uint32_t v = 0; v < source_count; ++v) other[v] *= factor;
     }
   }

@@ -15,7 +15,7 @@ constexpr uint32_t kNowhere = 0xFFFFFFFFu;
 
 // Entries of L that are reserved: three times what solve/factor.hpp reserves for a Laplacian; the plate couples vertices two
 // edges apart.
-size_t entries_for(uint32_t rows) {
+size_t plate_entries(uint32_t rows) {
   size_t levels = 0;
   for (uint32_t v = rows; v > 1; v = (v + 1) / 2) ++levels;
   const size_t a_row = 30 + levels * levels * 3 / 5;
@@ -38,7 +38,7 @@ struct Inpainting {
     most = counts.vertices < kMostUnknown ? counts.vertices : kMostUnknown;
     (void)plate.allocate(arena, counts);
     (void)ordering.allocate(arena, counts);
-    (void)ldl.allocate(arena, most, entries_for(most));
+    (void)ldl.allocate(arena, most, plate_entries(most));
     Counts few = counts;
     few.vertices = most;
     (void)filled.allocate(arena, few);

@@ -14,7 +14,7 @@ constexpr uint32_t kMostTies = 24;  // of a part
 constexpr double kTieWeight = 1;    // L is in cotangents: a tie is about as stiff as an edge
 
 // Twice what solve/factor.hpp reserves for a Laplacian, for ties.
-size_t entries_for(uint32_t vertices) {
+size_t tied_entries(uint32_t vertices) {
   size_t levels = 0;
   for (uint32_t v = vertices; v > 1; v = (v + 1) / 2) ++levels;
   return (40 + levels * levels / 2) * vertices;
@@ -42,7 +42,7 @@ bool SurfaceDistances::allocate(Arena& arena, const Counts& counts) {
   ties_.next = arena.alloc<uint32_t>(size_t{2} * vertices);
   ties_.other = arena.alloc<uint32_t>(size_t{2} * vertices);
   ties_.first = arena.alloc<uint32_t>(vertices);
-  (void)ldl_.allocate(arena, vertices, entries_for(vertices));
+  (void)ldl_.allocate(arena, vertices, tied_entries(vertices));
   (void)ldl_.allocate_rates(arena, vertices);
   uint32_t** const arrays[] = {&position_, &order_, &host_, &host_distance_};
   for (uint32_t** array : arrays) *array = arena.alloc<uint32_t>(vertices);

@@ -13,7 +13,7 @@ constexpr uint32_t kSamePosition = kSide / 64;
 // By how much a joint of another kind has to lie better: one that the part's weight is for, and any.
 constexpr uint32_t kLikelyHandicap = kSide / 256, kOtherHandicap = kSide / 64;
 
-struct Scratch {
+struct AlikeScratch {
   uint32_t* triangles = nullptr;  // [parts]
   uint32_t* order = nullptr;      // [parts]
 
@@ -56,7 +56,7 @@ bool AlikeParts::allocate(Arena& arena, const Counts& counts) {
 
 SINEW_RARE sinew_status find_alike_parts(const Mesh& mesh, const Counts& counts, Arena& arena, AlikeParts* alike) {
   const ArenaScope scope(arena);
-  Scratch scratch;
+  AlikeScratch scratch;
   if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) return SINEW_OK;
   const uint32_t parts = mesh.part_count;

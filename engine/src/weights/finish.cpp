@@ -13,7 +13,7 @@
 namespace sinew {
 namespace {
 
-constexpr uint32_t kVertexPiece = 256;  // vertices that a lane takes at a time
+constexpr uint32_t kRowPiece = 256;  // vertices that a lane takes at a time
 
 // What the network or the heat field says of a vertex of the surface, in kRowSlots slots.
 void surface_row(const Prediction& p, const RowOptions& options, uint32_t vertex, uint16_t* joints, uint32_t* weights) {
@@ -58,7 +58,7 @@ void predicted_row(const Prediction& p, const RowOptions& options, uint32_t vert
 
 // Rows of all vertices of the surface.
 void predict_rows(const Prediction& p, const RowOptions& options, const Threads& threads, const Rows& out) {
-  threads.ranges(p.surface.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+  threads.ranges(p.surface.welded_count, kRowPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
     for (uint32_t v = begin; v < end; ++v) surface_row(p, options, v, out.joints_of(v), out.weights_of(v));
   });
 }
@@ -69,7 +69,7 @@ void fill_rows(const Prediction& p, const Threads& threads, const EditedRows& ed
     memcpy(joints, edited.surface.joints_of(v), kRowSlots * sizeof(uint16_t));
     memcpy(weights, edited.surface.weights_of(v), kRowSlots * sizeof(uint32_t));
   };
-  threads.ranges(p.mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+  threads.ranges(p.mesh.welded_count, kRowPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
     for (uint32_t v = begin; v < end; ++v) {
       uint16_t* const joints = edited.rows.joints_of(v);
       uint32_t* const weights = edited.rows.weights_of(v);
@@ -203,7 +203,7 @@ sinew_status edit_rows(const Prediction& p, const RowOptions& options, const Cou
 
 void write_rows(const Prediction& p, const RowOptions& options, const EditedRows& edited, const Threads& threads,
                 sinew_bind_outputs* outputs) {
-  threads.ranges(p.mesh.vertex_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+  threads.ranges(p.mesh.vertex_count, kRowPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
     write_range(p, options, edited, begin, end, *outputs);
   });
   outputs->symmetric_vertices = count_symmetric(p.mesh, edited.symmetry);

@@ -11,8 +11,6 @@
 namespace sinew {
 namespace {
 
-constexpr uint8_t kNoMember = 0xFF;
-constexpr uint8_t kListed = 0xFE;
 // Changed rows lose what is below 1/32: spreading leaves a little of everything (L1 0.187 with it, 0.191 without, same
 // data as below).
 constexpr uint32_t kPruned = 32;

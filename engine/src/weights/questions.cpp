@@ -22,7 +22,7 @@ struct Answer {
   uint16_t joint;
 };
 
-struct Scratch {
+struct QuestionScratch {
   AlikeParts alike;
   uint32_t* host_vertex = nullptr;    // [U]
   uint32_t* host_distance = nullptr;  // [U]
@@ -87,7 +87,7 @@ SINEW_RARE uint32_t row_distance(const Row& a, const Row& b) {
 
 class PartQuestions {
  public:
-  PartQuestions(const Prediction& prediction, const GivenRows& given, const Scratch& scratch, Rows* rows)
+  PartQuestions(const Prediction& prediction, const GivenRows& given, const QuestionScratch& scratch, Rows* rows)
       : p_(prediction), mesh_(prediction.mesh), given_(given), s_(scratch), rows_(*rows) {}
 
   SINEW_RARE void survey() {
@@ -330,7 +330,7 @@ class PartQuestions {
   const Prediction& p_;
   const Mesh& mesh_;
   const GivenRows& given_;
-  const Scratch& s_;
+  const QuestionScratch& s_;
   const Rows& rows_;
 };
 
@@ -349,7 +349,7 @@ sinew_status ask_and_answer(const Prediction& prediction, const sinew_answer* an
                             uint32_t most, const GivenRows& given, const Counts& counts, Arena& arena, Rows* rows,
                             Questions* questions) {
   const ArenaScope scope(arena);
-  Scratch scratch;
+  QuestionScratch scratch;
   if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   sinew_status status = find_alike_parts(prediction.mesh, counts, arena, &scratch.alike);
   if (status == SINEW_OK)

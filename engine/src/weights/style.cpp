@@ -11,7 +11,7 @@ namespace {
 
 constexpr uint32_t kRowOne = 1u << 16;
 
-struct Scratch {
+struct StyleScratch {
   uint64_t* sums = nullptr;  // [J] weight of one part, Q16
 
   bool allocate(Arena& arena, const Counts& counts) {
@@ -63,7 +63,7 @@ bool is_rigid(uint64_t of_favourite, uint64_t total) { return of_favourite * 20 
 
 sinew_status make_parts_rigid(const Mesh& mesh, const Counts& counts, Arena& arena, Rows* rows) {
   const ArenaScope scope(arena);
-  Scratch scratch;
+  StyleScratch scratch;
   if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) return SINEW_OK;
   for (uint32_t c = 0; c < mesh.part_count; ++c) {
@@ -80,7 +80,7 @@ sinew_status make_parts_rigid(const Mesh& mesh, const Counts& counts, Arena& are
 
 sinew_status make_parts_soft(const Mesh& mesh, const HeatField& heat, const Counts& counts, Arena& arena, Rows* rows) {
   const ArenaScope scope(arena);
-  Scratch scratch;
+  StyleScratch scratch;
   if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) return SINEW_OK;
   const auto heat_row = [&](uint32_t v, const auto& add) {
