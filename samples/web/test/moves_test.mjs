@@ -147,7 +147,7 @@ try {
   await step("a clip as a stream: each frame of those before it alone", async () => {
     await to(0.42);
     const whole = await positions();
-    await method("As a stream");
+    await method("Stream");
     assert.equal(await errorLine(), "");
     assert.notDeepEqual(await positions(), whole);
     await shoot("stream");
