@@ -200,7 +200,6 @@ void add_slot_joints(const SurfacePoint* points, const int16_t* rows, int64_t* a
 
 void pair_rows(const SlotJoints& joints, int16_t* rows) {
   constexpr int16_t kOne = 1 << 13, kMost = 16383;
-  constexpr int kToQ13 = kGridBits - 13;
   const auto length = [](int64_t v) { return clamp16(round_shift(v, kToQ13), -kMost - 1, kMost); };
   for (uint32_t i = 0; i < kSlots; ++i) {
     for (uint32_t j = i + 1; j < kSlots; ++j) {
