@@ -145,6 +145,7 @@ set(sinew_job_sources
   capi/open
   capi/picture
   capi/place
+  capi/places
   capi/pose
   capi/rig
   capi/save

@@ -900,6 +900,14 @@ namespace Sinew
         public static extern int sinew_character_open_files(IntPtr files, uint file_count, out IntPtr character);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_open_places(IntPtr layout, IntPtr places, uint place_count, uint frame_count,
+            out IntPtr character);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_places_frame(IntPtr character, IntPtr places, uint place_count, IntPtr rotations,
+            IntPtr translations);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_open_picture(IntPtr path, IntPtr options, out IntPtr character);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]

@@ -127,6 +127,31 @@ static class Test
         Expect<SinewException>("retarget", () => new RetargetStream(skeleton, skeleton, map, new StreamSettings { Fps = 0.1f }));
     }
 
+    // A person that stands, then one that has moved aside.
+    static void Places()
+    {
+        float[] places =
+        {
+            0, .95f, 0, .1f, .9f, 0, -.1f, .9f, 0, 0, 1.05f, 0, .1f, .5f, 0, -.1f, .5f, 0, 0, 1.2f, 0, .1f, .1f, 0, -.1f, .1f, 0, 0, 1.3f, 0,
+            .1f, .02f, .1f, -.1f, .02f, .1f, 0, 1.5f, 0, .06f, 1.4f, 0, -.06f, 1.4f, 0, 0, 1.6f, 0, .2f, 1.4f, 0, -.2f, 1.4f, 0, .5f, 1.4f, 0,
+            -.5f, 1.4f, 0, .75f, 1.4f, 0, -.75f, 1.4f, 0
+        };
+        using (Character person = Character.OpenPlaces("humanml3d22", new[] { places }))
+        {
+            int joints = person.Skeleton.JointCount;
+            Require(joints == 22, "places are joints");
+            float[] rotations = new float[4 * joints], translations = new float[3 * joints];
+            var aside = (float[])places.Clone();
+            for (int i = 0; i < aside.Length; i += 3) aside[i] += 1;
+            person.PlacesFrame(aside, rotations, translations);
+            Require(Math.Abs(translations[0] - 1) < 1e-5 && Math.Abs(rotations[3]) > 0.999, "the hips go aside and do not turn");
+            Expect<ArgumentException>("rotations", () => person.PlacesFrame(aside, new float[3], translations));
+            Expect<SinewException>("expected 22 places", () => person.PlacesFrame(new float[6], rotations, translations));
+        }
+        Expect<SinewException>("h36m", () => Character.OpenPlaces("h36m", new[] { places }));
+        Expect<ArgumentException>("frames", () => Character.OpenPlaces("humanml3d22", new float[0][]));
+    }
+
     static void Errors(byte[] file, Mesh mesh, Skeleton skeleton)
     {
         Expect<SinewException>("not a sinew model", () => Model.ForWeights(new byte[1000]));
@@ -303,6 +328,7 @@ static class Test
             Skeleton skeleton = ReadSkeleton(Path.ChangeExtension(args[2], ".rig.txt"));
             if (args[0] == "errors")
             {
+                Places();
                 Errors(file, mesh, skeleton);
                 Console.WriteLine("errors and progress: as they should be, sinew {0}", Engine.Version);
                 return 0;

@@ -3,6 +3,7 @@
 // options, from files and from memory; what a caller may get wrong.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -573,6 +574,86 @@ TEST_F(CharacterC, LevelsAndScoreAsTheCommand) {
   good_call(sinew_character_check(caped.get(), &check, &result), caped);
   EXPECT_NEAR(result.score, told["score"].get<double>(), 0.051);
   EXPECT_GT(result.score, 10);
+}
+
+// A person in T pose, front +z: the joints of humanml3d22.
+std::vector<float> t_pose() {
+  return {0,    0.95f, 0, 0.1f,  0.9f, 0, -0.1f,  0.9f, 0, 0,      1.05f, 0, 0.1f, 0.5f,  0,    -0.1f, 0.5f,  0,
+          0,    1.2f,  0, 0.1f,  0.1f, 0, -0.1f,  0.1f, 0, 0,      1.3f,  0, 0.1f, 0.02f, 0.1f, -0.1f, 0.02f, 0.1f,
+          0,    1.5f,  0, 0.06f, 1.4f, 0, -0.06f, 1.4f, 0, 0,      1.6f,  0, 0.2f, 1.4f,  0,    -0.2f, 1.4f,  0,
+          0.5f, 1.4f,  0, -0.5f, 1.4f, 0, 0.75f,  1.4f, 0, -0.75f, 1.4f,  0};
+}
+
+TEST_F(CharacterC, PlacesAloneAreAMotionAndThenFramesOfAStream) {
+  constexpr uint32_t kPlaces = 22, kLeftHand = 20;
+  std::vector<float> places = t_pose(), up = places;
+  up[3 * 18] = up[3 * 20] = 0.2f;  // the left arm points up
+  up[3 * 18 + 1] = 1.7f;
+  up[3 * 20 + 1] = 1.95f;
+  places.insert(places.end(), up.begin(), up.end());
+  sinew_character* opened = nullptr;
+  ASSERT_EQ(sinew_character_open_places("humanml3d22", places.data(), kPlaces, 2, &opened), SINEW_OK)
+      << sinew_character_error(nullptr);
+  const Handle person(opened);
+  sinew_character_arrays arrays = sinew_character_arrays_init();
+  good_call(sinew_character_view(person.get(), &arrays), person);
+  ASSERT_EQ(arrays.joint_count, kPlaces);
+  uint32_t clips = 0;
+  good_call(sinew_character_clip_count(person.get(), &clips), person);
+  EXPECT_EQ(clips, 1u);
+  const Handle copy = [&] {
+    sinew_character* made = nullptr;
+    good_call(sinew_character_copy(person.get(), &made), person);
+    return Handle(made);
+  }();
+  std::vector<float> rotations(4 * kPlaces), translations(3 * kPlaces);
+  good_call(sinew_character_places_frame(copy.get(), up.data(), kPlaces, rotations.data(), translations.data()), copy);
+  // Where they put the hand.
+  const auto hand_height = [&] {
+    float height = 0;
+    std::vector<std::array<float, 4>> turns(kPlaces);
+    std::vector<std::array<float, 3>> at(kPlaces);
+    for (uint32_t j = 0; j < kPlaces; ++j) {
+      const int parent = arrays.parents[j];
+      const float* q = &rotations[4 * j];
+      const float* t = &translations[3 * j];
+      if (parent < 0) {
+        turns[j] = {q[0], q[1], q[2], q[3]};
+        at[j] = {t[0], t[1], t[2]};
+        continue;
+      }
+      const auto& a = turns[static_cast<size_t>(parent)];
+      turns[j] = {
+          a[3] * q[0] + a[0] * q[3] + a[1] * q[2] - a[2] * q[1], a[3] * q[1] - a[0] * q[2] + a[1] * q[3] + a[2] * q[0],
+          a[3] * q[2] + a[0] * q[1] - a[1] * q[0] + a[2] * q[3], a[3] * q[3] - a[0] * q[0] - a[1] * q[1] - a[2] * q[2]};
+      const std::array<float, 3> u = {a[1] * t[2] - a[2] * t[1] + a[3] * t[0], a[2] * t[0] - a[0] * t[2] + a[3] * t[1],
+                                      a[0] * t[1] - a[1] * t[0] + a[3] * t[2]};
+      at[j] = {t[0] + 2 * (a[1] * u[2] - a[2] * u[1]), t[1] + 2 * (a[2] * u[0] - a[0] * u[2]),
+               t[2] + 2 * (a[0] * u[1] - a[1] * u[0])};
+      for (size_t i = 0; i < 3; ++i) at[j][i] += at[static_cast<size_t>(parent)][i];
+      if (std::string(arrays.joint_names[j]) == "leftHand") height = at[j][1];
+    }
+    return height;
+  };
+  EXPECT_NEAR(hand_height(), up[3 * kLeftHand + 1], 1e-4);
+  // A clip of these frames plays as any other.
+  const Handle robed = open(kRobed);
+  good_call(sinew_character_animate(robed.get(), person.get(), nullptr, nullptr), robed);
+
+  const std::vector<float> before = rotations;
+  EXPECT_EQ(sinew_character_places_frame(robed.get(), up.data(), kPlaces, rotations.data(), translations.data()),
+            SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(sinew_character_places_frame(copy.get(), up.data(), 21, rotations.data(), translations.data()),
+            SINEW_ERROR_INPUT);
+  EXPECT_STREQ(sinew_character_error(copy.get()), "places: expected 22 places as humanml3d22 has, found 21");
+  up[7] = std::nanf("");
+  EXPECT_NE(sinew_character_places_frame(copy.get(), up.data(), kPlaces, rotations.data(), translations.data()),
+            SINEW_OK);
+  EXPECT_EQ(rotations, before);
+  sinew_character* untouched = nullptr;
+  EXPECT_EQ(sinew_character_open_places("h36m", places.data(), kPlaces, 2, &untouched), SINEW_ERROR_INPUT);
+  EXPECT_EQ(sinew_character_open_places("humanml3d22", places.data(), kPlaces, 0, &untouched), SINEW_ERROR_INPUT);
+  EXPECT_EQ(untouched, nullptr);
 }
 
 TEST_F(CharacterC, WritesForAProgramAsTheCommand) {

@@ -24,6 +24,7 @@
 #include "sinew_formats/memory_files.hpp"
 #include "sinew_formats/morphs.hpp"
 #include "sinew_formats/motion.hpp"
+#include "sinew_formats/places_stream.hpp"
 
 namespace sinew {
 
@@ -81,8 +82,9 @@ struct sinew_character {
   bool keep_confidence = false;
   std::string profile;  // what is written for another program; empty: none
   sinew::ProfileOptions profile_options;
-  std::optional<sinew::Motion> own_motion;  // of the file, once it was asked for
-  std::vector<sinew::Clip> clips;           // added ones, of the character's joints
+  std::optional<sinew::Motion> own_motion;            // of the file, once it was asked for
+  std::vector<sinew::Clip> clips;                     // added ones, of the character's joints
+  std::shared_ptr<const sinew::PlacesStream> places;  // that it is of; null: of a file or of arrays
   sinew::Morphs morphs;
   sinew::CharacterViews views;
   sinew::OutlineViews outline;

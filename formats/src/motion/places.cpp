@@ -5,29 +5,15 @@
 #include <cmath>
 
 #include "motion/person.hpp"
+#include "sinew_formats/error.hpp"
 #include "sinew_formats/median.hpp"
+#include "sinew_formats/places_stream.hpp"
 
 namespace sinew {
 namespace {
 
 constexpr double kStraight = 0.1, kBent = 0.35;  // sines of a limb's bend: below the first its plane says nothing
 constexpr double kHipsStill = 1e-3;              // of the body's size: hips that never leave the origin
-
-// All joints of a layout, both sides, and the columns of each.
-struct Columns {
-  std::vector<std::string> names;
-  std::vector<std::vector<size_t>> of;
-
-  explicit Columns(const PlacesLayout& layout) {
-    for (const PlacesLayout::Joint& joint : layout.joints) {
-      names.emplace_back(joint.name);
-      of.push_back(joint.columns);
-      if (joint.right.empty()) continue;
-      names.push_back(other_side_of_person(joint.name));
-      of.push_back(joint.right);
-    }
-  }
-};
 
 // A hinge's limb: its middle joint points to `bend` at rest.
 struct HingeOf {
@@ -46,35 +32,80 @@ constexpr SidedPart kSided[] = {{"hips", "leftUpperLeg", "spine"},
                                 {"upperChest", "leftUpperArm", "head"},
                                 {"head", "leftEar_end", "nose_end"}};
 
+}  // namespace
+
+// A person's joints that were learnt from frames, and frames of it.
 class PlacesSolver {
  public:
-  PlacesSolver(const PlacesLayout& layout, const std::vector<std::vector<Point3>>& places) {
-    const Columns columns(layout);
-    motion_.joints = person_joints(columns.names);
-    for (const std::vector<Point3>& row : places) {
-      std::vector<Point3>& frame = places_.emplace_back();
-      for (const std::vector<size_t>& of : columns.of) {
-        Point3 sum{};
-        for (const size_t column : of) sum = sum + row[column];
-        frame.push_back((1 / static_cast<double>(of.size())) * sum);
-      }
-    }
+  explicit PlacesSolver(const PlacesLayout& layout) : columns_(layout) {
+    motion_.joints = person_joints(columns_.names);
   }
 
-  Motion solve() {
+  // Up, sides, floor and lengths of `rows`, which are its frames from then on.
+  void learn(const std::vector<std::vector<Point3>>& rows) {
+    for (const std::vector<Point3>& row : rows) places_.push_back(joints_of(row));
     stand_up();
     fit_lengths();
     fit_sides();
-    Clip clip;
-    for (const std::vector<Point3>& frame : places_) clip.frames.push_back(frame_of(frame));
-    motion_.clips.push_back(std::move(clip));
-    return std::move(motion_);
   }
 
+  Clip clip() const {
+    Clip clip;
+    for (const std::vector<Point3>& frame : places_) clip.frames.push_back(frame_of(frame));
+    return clip;
+  }
+
+  // One that may not have been among them.
+  MotionFrame frame(const std::vector<Point3>& row) const {
+    std::vector<Point3> at = joints_of(row);
+    for (Point3& place : at) place = rotate(turn_, place);
+    if (mirrored_) mirror(&at);
+    if (relative_) lower(&at);
+    return frame_of(at);
+  }
+
+  const Motion& motion() const { return motion_; }
+
  private:
+  // All joints of a layout, both sides, and the columns of each.
+  struct Columns {
+    std::vector<std::string> names;
+    std::vector<std::vector<size_t>> of;
+
+    explicit Columns(const PlacesLayout& layout) {
+      for (const PlacesLayout::Joint& joint : layout.joints) {
+        names.emplace_back(joint.name);
+        of.push_back(joint.columns);
+        if (joint.right.empty()) continue;
+        names.push_back(other_side_of_person(joint.name));
+        of.push_back(joint.right);
+      }
+    }
+  };
+
   int index(const std::string& name) const { return joint_named(motion_.joints, name); }
   static Point3 between(const std::vector<Point3>& at, int from, int to) {
     return at[static_cast<size_t>(to)] - at[static_cast<size_t>(from)];
+  }
+
+  std::vector<Point3> joints_of(const std::vector<Point3>& row) const {
+    std::vector<Point3> at;
+    for (const std::vector<size_t>& of : columns_.of) {
+      Point3 sum{};
+      for (const size_t column : of) sum = sum + row[column];
+      at.push_back((1 / static_cast<double>(of.size())) * sum);
+    }
+    return at;
+  }
+
+  static void mirror(std::vector<Point3>* at) {
+    for (Point3& place : *at) place[2] = -place[2];
+  }
+  // The lowest joint on the floor.
+  static void lower(std::vector<Point3>* at) {
+    double low = (*at)[0][1];
+    for (const Point3& place : *at) low = std::min(low, place[1]);
+    for (Point3& place : *at) place[1] -= low;
   }
 
   // The mean direction from one joint to another.
@@ -89,11 +120,11 @@ class PlacesSolver {
   void stand_up() {
     const Point3 up =
         mean_of("leftFoot", "leftUpperLeg") + mean_of("rightFoot", "rightUpperLeg") + mean_of("hips", "head");
-    const Quaternion turn = turn_to_y_up(up);
+    turn_ = turn_to_y_up(up);
     if (axis_name(up) != "y")
       motion_.notes.push_back("the body stands along " + axis_name(up) + ", which is taken for up");
     for (std::vector<Point3>& frame : places_)
-      for (Point3& place : frame) place = rotate(turn, place);
+      for (Point3& place : frame) place = rotate(turn_, place);
     // Toes and noses point to where left, seen with up, has its front.
     double front = 0;
     for (const std::vector<Point3>& frame : places_)
@@ -103,11 +134,11 @@ class PlacesSolver {
         if (a >= 0 && b >= 0)
           front += dot(unit(between(frame, a, b)), cross(unit(between(frame, right, left)), {0, 1, 0}));
       }
-    if (front < 0) {
+    mirrored_ = front < 0;
+    if (mirrored_) {
       motion_.notes.emplace_back(
           "left and right are exchanged (a left-handed world), so it is read as its mirror image");
-      for (std::vector<Point3>& frame : places_)
-        for (Point3& place : frame) place[2] = -place[2];
+      for (std::vector<Point3>& frame : places_) mirror(&frame);
     }
     put_on_floor();
   }
@@ -120,15 +151,12 @@ class PlacesSolver {
       for (const Point3& place : frame) size = std::max(size, length(place - frame[hips]));
       moved = std::max(moved, length(frame[hips] - places_[0][hips]));
     }
-    if (places_.size() < 2 || moved > kHipsStill * size) return;
+    relative_ = places_.size() >= 2 && !(moved > kHipsStill * size);
+    if (!relative_) return;
     motion_.notes.emplace_back(
         "hips never leave their place, so places are taken as relative to them, and the lowest joint of every frame is "
         "on the floor");
-    for (std::vector<Point3>& frame : places_) {
-      double low = frame[0][1];
-      for (const Point3& place : frame) low = std::min(low, place[1]);
-      for (Point3& place : frame) place[1] -= low;
-    }
+    for (std::vector<Point3>& frame : places_) lower(&frame);
   }
 
   // Offsets keep their direction and get the length that the bone mostly has.
@@ -244,12 +272,13 @@ class PlacesSolver {
     return normalised(multiply(rotation_between(bone, between(at, static_cast<int>(j), child)), above));
   }
 
+  Columns columns_;
   Motion motion_;
   std::vector<std::vector<Point3>> places_;  // [frames][J]
   std::vector<Point3> rest_;
+  Quaternion turn_ = kNoRotation4;            // to y up
+  bool mirrored_ = false, relative_ = false;  // to the hips
 };
-
-}  // namespace
 
 const std::vector<PlacesLayout>& places_layouts() {
   using Joints = std::vector<PlacesLayout::Joint>;
@@ -302,7 +331,46 @@ std::string motion_layouts() {
 }
 
 Motion motion_of_places(const PlacesLayout& layout, const std::vector<std::vector<Point3>>& places) {
-  return PlacesSolver(layout, places).solve();
+  PlacesSolver solver(layout);
+  solver.learn(places);
+  Motion motion = solver.motion();
+  motion.clips.push_back(solver.clip());
+  return motion;
+}
+
+PlacesStream::PlacesStream(const std::string& layout, const std::vector<std::vector<Point3>>& first) {
+  for (const PlacesLayout& one : places_layouts())
+    if (layout == one.name) layout_ = &one;
+  if (layout_ == nullptr)
+    throw Error("places: no layout is called '" + layout + "', expected one of " + motion_layouts());
+  if (first.empty()) throw Error("places: expected frames of the person that moves, a second or two, found none");
+  for (const std::vector<Point3>& row : first) check(row);
+  solver_ = std::make_unique<PlacesSolver>(*layout_);
+  solver_->learn(first);
+  person_ = solver_->motion();
+  person_.name = layout_->name;
+  person_.clips.push_back(solver_->clip());
+  person_.clips[0].name = layout_->name;
+  person_.clips[0].frame_time = 1 / layout_->fps;
+}
+
+PlacesStream::PlacesStream(PlacesStream&&) noexcept = default;
+PlacesStream::~PlacesStream() = default;
+
+void PlacesStream::check(const std::vector<Point3>& row) const {
+  if (row.size() != layout_->count)
+    throw Error("places: expected " + std::to_string(layout_->count) + " places as " + layout_->name + " has, found " +
+                std::to_string(row.size()));
+  for (size_t i = 0; i < row.size(); ++i)
+    if (!std::isfinite(row[i][0] + row[i][1] + row[i][2]))
+      throw Error("places: number " + std::to_string(i) + " is not finite");
+}
+
+size_t PlacesStream::place_count() const { return layout_->count; }
+
+MotionFrame PlacesStream::next(const std::vector<Point3>& row) const {
+  check(row);
+  return solver_->frame(row);
 }
 
 }  // namespace sinew

@@ -48,6 +48,7 @@ function wishOf(call, known, options) {
 export class CharacterFile {
   #house;
   #handle;
+  #joints = null; // of places, how many
   constructor(house, handle) {
     this.#house = house;
     this.#handle = handle;
@@ -153,6 +154,20 @@ export class CharacterFile {
     return list.map(({ name: one, at, size }) => ({ name: one, bytes: module.HEAPU8.slice(at, at + size) }));
   }
 
+  /**
+   * Of openPlaces(): local rotations [J x 4] and translations [J x 3] in the frame of these places.
+   * @param {Float32Array} places [n x 3]
+   */
+  placesFrame(places) {
+    const at = this.#at("placesFrame");
+    const joints = (this.#joints ??= this.view().skeleton.names.length);
+    return this.#house.withPlaces("placesFrame", [places], 7 * joints, (from, count, out) => {
+      this.#house.said("placesFrame", null, () => this.#house.module._character_places_frame(at, from, count, out, out + 16 * joints));
+      const take = (first, length) => new Float32Array(this.#house.module.HEAPU8.buffer, first, length).slice();
+      return { rotations: take(out, 4 * joints), translations: take(out + 16 * joints, 3 * joints) };
+    });
+  }
+
   close() {
     if (this.#handle !== 0) this.#house.module._character_close(this.#handle);
     this.#handle = 0;
@@ -205,6 +220,33 @@ export class CharacterModule {
       return new CharacterFile(this, handle);
     } finally {
       for (const at of blocks) module._free(at);
+    }
+  }
+
+  /**
+   * Places of a person's joints alone, as cameras and captures tell them, as a motion: its skeleton is learnt from these frames, which are its
+   * clip; a second or two are best. placesFrame() turns those that come into what RetargetStream.frame() takes.
+   * @param {"smpl24" | "humanml3d22" | "coco17" | "mediapipe33"} layout
+   * @param {Float32Array[]} frames [n x 3] each, any unit
+   */
+  openPlaces(layout, frames) {
+    return this.withPlaces("openPlaces", frames, 0, (at, count) => {
+      const { handle } = this.said("openPlaces", null, () => this.withText(layout, (text) => this.module._character_open_places(text, at, count, frames.length)));
+      return new CharacterFile(this, handle);
+    });
+  }
+
+  // Frames of as many places each in the module's memory, and room for so many numbers behind them.
+  withPlaces(call, frames, room, use) {
+    const length = frames[0]?.length ?? 0;
+    if (length === 0 || length % 3 !== 0 || frames.some((frame) => frame?.length !== length)) throw new SinewError(`${call}: expected frames of as many places each, three numbers a place`);
+    const { module } = this, at = module._malloc(4 * (frames.length * length + room));
+    try {
+      const numbers = new Float32Array(module.HEAPU8.buffer, at, frames.length * length);
+      frames.forEach((frame, f) => numbers.set(frame, f * length));
+      return use(at, length / 3, at + 4 * frames.length * length);
+    } finally {
+      module._free(at);
     }
   }
 

@@ -79,6 +79,24 @@ SINEW_API sinew_status sinew_character_open(const char* path, sinew_character** 
 SINEW_API sinew_status sinew_character_open_files(const sinew_file* files, uint32_t file_count,
                                                   sinew_character** character);
 
+/* Places of a person's joints alone, as cameras and captures tell them, as a motion: a skeleton whose bones are as long as they mostly are
+ * in these frames, which are its clip. Which way is up, a mirrored world and places relative to the hips are found out, and told in the
+ * notes; one frame will do, a second or two are better.
+ *   layout       "smpl24", "humanml3d22", "coco17" or "mediapipe33"
+ *   places       [frame_count x place_count x 3] any unit
+ *   place_count  of the layout: 24, 22, 17 or 33
+ *   character    out; untouched on failure */
+SINEW_API sinew_status sinew_character_open_places(const char* layout, const float* places, uint32_t place_count,
+                                                   uint32_t frame_count, sinew_character** character);
+/* The frames that come: what sinew_retarget_stream_frame() takes of a source with this character's skeleton. Each is made of its own places
+ * alone.
+ *   character     of sinew_character_open_places(), with the J joints of sinew_character_view()
+ *   places        [place_count x 3] in the units of the first ones
+ *   rotations     out [J x 4] x y z w, local; untouched on failure
+ *   translations  out [J x 3] in the parents' axes; untouched on failure */
+SINEW_API sinew_status sinew_character_places_frame(const sinew_character* character, const float* places,
+                                                    uint32_t place_count, float* rotations, float* translations);
+
 /* ---- pictures ---- */
 
 typedef enum sinew_body_class {

@@ -176,6 +176,20 @@ EMSCRIPTEN_KEEPALIVE const char* character_picture(sinew_character* character) {
               {"outline", address(info.outline)}});
 }
 
+EMSCRIPTEN_KEEPALIVE const char* character_open_places(const char* layout, const float* places, uint32_t place_count,
+                                                       uint32_t frame_count) {
+  sinew_character* opened = nullptr;
+  const sinew_status status = sinew_character_open_places(layout, places, place_count, frame_count, &opened);
+  return status == SINEW_OK ? say({{"handle", address(opened)}}) : refuse(status, nullptr);
+}
+
+// rotations [J x 4], translations [J x 3]
+EMSCRIPTEN_KEEPALIVE const char* character_places_frame(const sinew_character* character, const float* places,
+                                                        uint32_t place_count, float* rotations, float* translations) {
+  const sinew_status status = sinew_character_places_frame(character, places, place_count, rotations, translations);
+  return status == SINEW_OK ? say(Json::object()) : refuse(status, character);
+}
+
 EMSCRIPTEN_KEEPALIVE void character_close(sinew_character* character) { sinew_character_close(character); }
 
 EMSCRIPTEN_KEEPALIVE const char* character_notes(sinew_character* character) {

@@ -607,6 +607,8 @@ CHARACTER_FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_character_extensions": (c_char_p, [c_uint32]),
     "sinew_character_open": (c_int, [c_char_p, POINTER(c_void_p)]),
     "sinew_character_open_files": (c_int, [POINTER(sinew_file), c_uint32, POINTER(c_void_p)]),
+    "sinew_character_open_places": (c_int, [c_char_p, c_void_p, c_uint32, c_uint32, POINTER(c_void_p)]),
+    "sinew_character_places_frame": (c_int, [c_void_p, c_void_p, c_uint32, c_void_p, c_void_p]),
     "sinew_character_open_picture": (c_int, [c_char_p, POINTER(sinew_character_picture_options), POINTER(c_void_p)]),
     "sinew_character_open_picture_files": (c_int, [POINTER(sinew_file), c_uint32, POINTER(sinew_character_picture_options),
         POINTER(c_void_p)]),

@@ -29,6 +29,7 @@ JointsFrom = declarations.JointsFrom
 PoseDeform = declarations.PoseDeform
 Correction = Literal["none", "volume", "xpbd", "delta-mush"]
 MotionUp = declarations.Up
+PlacesLayout = Literal["smpl24", "humanml3d22", "coco17", "mediapipe33"]
 
 
 @dataclass
@@ -199,6 +200,19 @@ def open_picture(source: Source, *, name: str = "", beside: Optional[Mapping[str
         _check(library.sinew_character_open_picture_files(files, len(files), ctypes.byref(options), ctypes.byref(handle)), None)
     else:
         _check(library.sinew_character_open_picture(os.fsencode(source), ctypes.byref(options), ctypes.byref(handle)), None)
+    return OpenCharacter(handle)
+
+
+def open_places(layout: PlacesLayout, places: Any) -> "OpenCharacter":
+    """Places of a person's joints alone, as cameras and captures tell them, as a motion: its skeleton is learnt from these frames, which are its
+    clip. places_frame() turns those that come into what RetargetStream.frame() takes, with this skeleton as the source.
+
+    layout  which joints the places are
+    places  [frames, 24 (smpl24), 22 (humanml3d22), 17 (coco17) or 33 (mediapipe33), 3], any unit; a second or two are best
+    """
+    handle = ctypes.c_void_p()
+    rows = real(places, (None, None, 3), "places")
+    _check(binding.character_library().sinew_character_open_places(layout.encode(), rows.ctypes.data, rows.shape[1], rows.shape[0], ctypes.byref(handle)), None)
     return OpenCharacter(handle)
 
 
@@ -401,6 +415,13 @@ class OpenCharacter:
         if not (count == joints and (parents == skeleton.parents).all()):  # nodes around the skeleton move as well
             q, p = _local(*_world(q, p, parents), skeleton.parents)
         return Clip(q[:, :joints], p[:, :joints], fps, name)
+
+    def places_frame(self, places: Any) -> Tuple[np.ndarray, np.ndarray]:
+        """Local rotations [j, 4] and translations [j, 3] of its joints in the frame of these places [n, 3], of open_places()."""
+        row, count = real(places, (None, 3), "places"), self._view().joint_count
+        rotations, translations = np.zeros((count, 4), np.float32), np.zeros((count, 3), np.float32)
+        _check(binding.character_library().sinew_character_places_frame(self.pointer, row.ctypes.data, len(row), rotations.ctypes.data, translations.ctypes.data), self)
+        return rotations, translations
 
     def set_skeleton(self, skeleton: Skeleton) -> None:
         """Another skeleton for the mesh; weights go."""

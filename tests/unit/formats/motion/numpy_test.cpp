@@ -2,8 +2,10 @@
 // NumPy files: rotations of body models in all their forms, places alone, zips, and what is wrong in one line.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "expect_error.hpp"
 #include "motion/npy.hpp"
@@ -11,6 +13,7 @@
 #include "numpy_bytes.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"
+#include "sinew_formats/places_stream.hpp"
 #include "temp_folder.hpp"
 
 namespace sinew {
@@ -179,6 +182,71 @@ TEST(Numpy, PlacesAloneBecomeAMotion) {
   const WorldPose a = world_pose(found, found.clips[0].frames[4]), b = world_pose(from, from.clips[0].frames[4]);
   EXPECT_GT(std::abs(dot(a.rotations[knee], b.rotations[knee])), std::cos(0.05));
   EXPECT_GT(std::abs(dot(a.rotations[elbow], b.rotations[elbow])), std::cos(0.05));
+}
+
+std::vector<std::vector<Point3>> rows_of(const std::vector<float>& values, size_t count) {
+  std::vector<std::vector<Point3>> rows(values.size() / (3 * count));
+  for (size_t i = 0; i < values.size(); i += 3)
+    rows[i / (3 * count)].push_back({double{values[i]}, double{values[i + 1]}, double{values[i + 2]}});
+  return rows;
+}
+void expect_same_frame(const MotionFrame& found, const MotionFrame& from, double tolerance) {
+  ASSERT_EQ(found.rotations.size(), from.rotations.size());
+  for (size_t j = 0; j < from.rotations.size(); ++j) {
+    EXPECT_GE(std::abs(dot(found.rotations[j], from.rotations[j])), std::cos(tolerance)) << j;
+    EXPECT_LE(length(found.translations[j] - from.translations[j]), tolerance) << j;
+  }
+}
+
+TEST(Places, FramesThatComeAreThoseOfTheWhole) {
+  const Motion from = amass();
+  // As they are; along z, mirrored; relative to the hips.
+  const std::vector<std::function<Point3(const Point3&)>> worlds = {{},
+                                                                    [](const Point3& p) {
+                                                                      return Point3{p[0], -p[2], p[1]};
+                                                                    },
+                                                                    [](const Point3& p) {
+                                                                      return Point3{p[0], p[1], -p[2]};
+                                                                    }};
+  for (size_t w = 0; w <= worlds.size(); ++w) {
+    std::vector<float> values = places_of(from, w < worlds.size() ? worlds[w] : worlds[0]);
+    if (w == worlds.size())
+      for (size_t i = 0; i < values.size(); i += 3)
+        for (size_t a = 0; a < 3; ++a)
+          if (i % 72 != 0) values[i + a] -= values[i / 72 * 72 + a];
+    if (w == worlds.size())
+      for (size_t f = 0; f < kFrames; ++f) std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(72 * f), 3, 0.0f);
+    const Motion whole = read("p.npy", npy_of(shape_of({kFrames, 24, 3}), values), "smpl24");
+    const std::vector<std::vector<Point3>> rows = rows_of(values, 24);
+    const PlacesStream all("smpl24", rows), first("smpl24", {rows[0], rows[1]});
+    EXPECT_EQ(all.place_count(), 24u);
+    EXPECT_EQ(all.person().clips[0].frames.size(), kFrames);
+    for (size_t f = 0; f < kFrames; ++f) {
+      expect_same_frame(all.next(rows[f]), whole.clips[0].frames[f], 0);
+      expect_same_frame(first.next(rows[f]), whole.clips[0].frames[f], 1e-4);  // no bone stretches
+    }
+  }
+}
+
+TEST(Places, WhatIsWrongIsOneLine) {
+  const std::vector<std::vector<Point3>> rows = rows_of(places_of(amass()), 24);
+  const auto line = [](const auto& call) -> std::string {
+    try {
+      call();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  EXPECT_EQ(line([&] { PlacesStream("h36m", rows); }),
+            "places: no layout is called 'h36m', expected one of smpl24, humanml3d22, coco17, mediapipe33");
+  EXPECT_EQ(line([&] { PlacesStream("smpl24", {}); }),
+            "places: expected frames of the person that moves, a second or two, found none");
+  EXPECT_EQ(line([&] { PlacesStream("coco17", rows); }), "places: expected 17 places as coco17 has, found 24");
+  const PlacesStream stream("smpl24", rows);
+  std::vector<Point3> row = rows[0];
+  row[3][1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(line([&] { (void)stream.next(row); }), "places: number 3 is not finite");
 }
 
 TEST(Numpy, PlacesMayStandAlongAnyAxisAndBeMirrored) {
