@@ -590,6 +590,7 @@ TEST_F(CharacterC, PlacesAloneAreAMotionAndThenFramesOfAStream) {
   up[3 * 18] = up[3 * 20] = 0.2f;  // the left arm points up
   up[3 * 18 + 1] = 1.7f;
   up[3 * 20 + 1] = 1.95f;
+  for (size_t x = 0; x < up.size(); x += 3) up[x] += 0.01f;  // hips that never move stand for places relative to them
   places.insert(places.end(), up.begin(), up.end());
   sinew_character* opened = nullptr;
   ASSERT_EQ(sinew_character_open_places("humanml3d22", places.data(), kPlaces, 2, &opened), SINEW_OK)

@@ -193,8 +193,8 @@ std::vector<std::vector<Point3>> rows_of(const std::vector<float>& values, size_
 void expect_same_frame(const MotionFrame& found, const MotionFrame& from, double tolerance) {
   ASSERT_EQ(found.rotations.size(), from.rotations.size());
   for (size_t j = 0; j < from.rotations.size(); ++j) {
-    EXPECT_GE(std::abs(dot(found.rotations[j], from.rotations[j])), std::cos(tolerance)) << j;
-    EXPECT_LE(length(found.translations[j] - from.translations[j]), tolerance) << j;
+    EXPECT_GE(std::abs(dot(found.rotations[j], from.rotations[j])), std::cos(tolerance) - 1e-14) << j;
+    EXPECT_LE(length(found.translations[j] - from.translations[j]), tolerance + 1e-12) << j;
   }
 }
 
