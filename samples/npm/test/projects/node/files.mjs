@@ -32,6 +32,7 @@ for (const { job, files, picture, motion, options, save } of jobs) {
 const places = Float32Array.from([0, 0.95, 0, 0.1, 0.9, 0, -0.1, 0.9, 0, 0, 1.05, 0, 0.1, 0.5, 0, -0.1, 0.5, 0, 0, 1.2, 0, 0.1, 0.1, 0, -0.1, 0.1, 0, 0, 1.3, 0, 0.1, 0.02, 0.1, -0.1, 0.02, 0.1, 0, 1.5, 0, 0.06, 1.4, 0,
   -0.06, 1.4, 0, 0, 1.6, 0, 0.2, 1.4, 0, -0.2, 1.4, 0, 0.5, 1.4, 0, -0.5, 1.4, 0, 0.75, 1.4, 0, -0.75, 1.4, 0]);
 const person = house.openPlaces("humanml3d22", [places]);
+const still = person.placesFrame(places).rotations;
 const { rotations, translations } = person.placesFrame(places.map((x, i) => (i % 3 === 0 ? x + 1 : x)));
 const errors = [() => person.placesFrame(places.slice(3)), () => house.openPlaces("h36m", [places]), () => house.openPlaces("humanml3d22", [])].map((call) => {
   try {
@@ -41,6 +42,6 @@ const errors = [() => person.placesFrame(places.slice(3)), () => house.openPlace
     return message;
   }
 });
-lines.push({ joints: person.view().skeleton.names.length, rotations: rotations.length, aside: Math.round(1e4 * translations[0]) / 1e4, turned: rotations.slice(0, 3).some((x) => Math.abs(x) > 1e-3), errors });
+lines.push({ joints: person.view().skeleton.names.length, rotations: rotations.length, aside: Math.round(1e4 * translations[0]) / 1e4, turned: rotations.some((x, i) => Math.abs(x - still[i]) > 1e-5), errors });
 person.close();
 console.log(JSON.stringify(lines));
