@@ -79,31 +79,35 @@ const still = new Float32Array(4 * skeleton.names.length).map((_, i) => (i % 4 =
 const clip = plan.clip({ rotations: Float32Array.from([...still, ...still]), translations: Float32Array.from([...local(skeleton), ...local(skeleton)]) });
 out.frames = clip.frameCount;
 out.restTurns = Math.max(...clip.rotations.map((x, i) => (i % 4 === 3 ? 0 : Math.abs(x))));
-// The same as it comes: a frame that leans, at rest, and one that has drifted, whose feet stay where they stood.
-const leans = still.slice();
+plan.free();
+// Classes of limbs without a word in a name: a human body says them, as the command does.
+const nameless = (s, letter) => ({ ...s, names: s.names.map((_, j) => `${letter}${j}`) });
+const human = read("biped__robot"), humanMap = skin.map(human.skeleton, other.skeleton).sources;
+// Motion as it comes: at rest, a frame that has drifted, whose feet stay where they stood, and one that leans.
+const person = other.skeleton, numbers = (list) => list.flatMap((one) => Array.from(one));
+const upright = new Float32Array(4 * person.names.length).map((_, i) => (i % 4 === 3 ? 1 : 0)), leans = upright.slice();
 leans.set([Math.sin(0.2), 0, 0, Math.cos(0.2)], 4);
-const drifted = local(skeleton);
+const drifted = local(person);
 drifted[0] += 0.002;
-const comes = { rotations: Float32Array.from([...still, ...leans, ...still]), translations: Float32Array.from([...local(skeleton), ...local(skeleton), ...drifted]) };
-const moved = plan.clip(comes);
-const streamed = (options, restart = () => {}) => {
-  const stream = skin.retargetStream(skeleton, other.skeleton, { map: map.sources, ...options });
-  const made = [0, 1, 2].map((f) => (restart(stream), stream.frame(comes.rotations.slice(f * still.length, (f + 1) * still.length), comes.translations.slice(f * drifted.length, (f + 1) * drifted.length))));
+const comes = [{ rotations: upright, translations: local(person) }, { rotations: upright, translations: drifted }, { rotations: leans, translations: drifted }];
+const streamed = (options, before = () => {}) => {
+  const stream = skin.retargetStream(person, human.skeleton, { map: humanMap, ...options });
+  const made = comes.map(({ rotations, translations }) => (before(stream), stream.frame(rotations, translations)));
   stream.free();
-  return made.flatMap(({ rotations, translations }) => [...rotations, ...translations]);
+  return numbers(made.flatMap(({ rotations, translations }) => [rotations, translations]));
 };
-const copied = [0, 1, 2].flatMap((f) => ["rotations", "translations"].flatMap((of) => Array.from(moved[of].subarray((f * moved[of].length) / 3, ((f + 1) * moved[of].length) / 3))));
+const copyist = skin.retarget(person, human.skeleton, { map: humanMap });
+const whole = copyist.clip({ rotations: numbers(comes.map(({ rotations }) => rotations)), translations: numbers(comes.map(({ translations }) => translations)) });
+copyist.free();
+const frameOf = (array, f) => array.subarray((f * array.length) / 3, ((f + 1) * array.length) / 3);
+const copied = numbers([0, 1, 2].flatMap((f) => [frameOf(whole.rotations, f), frameOf(whole.translations, f)]));
 const same = (one, two) => one.length === two.length && one.every((x, i) => x === two[i]);
 out.stream = {
   plain: same(streamed({ contacts: false, range: false }), copied),
   held: !same(streamed({ range: false }), copied),
   forgets: !same(streamed({ range: false }, (stream) => stream.restart()), streamed({ range: false })),
-  error: (() => { try { skin.retargetStream(skeleton, other.skeleton, { fps: -1 }); } catch ({ name, message }) { return `${name}: ${message}`; } })(),
+  error: (() => { try { skin.retargetStream(person, human.skeleton, { fps: -1 }); } catch ({ name, message }) { return `${name}: ${message}`; } })(),
 };
-plan.free();
-// Classes of limbs without a word in a name: a human body says them, as the command does.
-const nameless = (s, letter) => ({ ...s, names: s.names.map((_, j) => `${letter}${j}`) });
-const human = read("biped__robot"), humanMap = skin.map(human.skeleton, other.skeleton).sources;
 const classesOf = (to, from) => {
   const plan = skin.retarget(from, to, { map: humanMap });
   const classes = Array.from(plan.classes);
