@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "motion/person.hpp"
 #include "sinew_formats/error.hpp"
@@ -41,18 +42,16 @@ class PlacesSolver {
     motion_.joints = person_joints(columns_.names);
   }
 
-  // Up, sides, floor and lengths of `rows`, which are its frames from then on.
+  // Up, sides, floor and lengths of `rows`, which are the motion's clip from then on.
   void learn(const std::vector<std::vector<Point3>>& rows) {
     for (const std::vector<Point3>& row : rows) places_.push_back(joints_of(row));
     stand_up();
     fit_lengths();
     fit_sides();
-  }
-
-  Clip clip() const {
     Clip clip;
     for (const std::vector<Point3>& frame : places_) clip.frames.push_back(frame_of(frame));
-    return clip;
+    motion_.clips.push_back(std::move(clip));
+    places_.clear();
   }
 
   // One that may not have been among them.
@@ -64,7 +63,7 @@ class PlacesSolver {
     return frame_of(at);
   }
 
-  const Motion& motion() const { return motion_; }
+  Motion& motion() { return motion_; }
 
  private:
   // All joints of a layout, both sides, and the columns of each.
@@ -333,9 +332,7 @@ std::string motion_layouts() {
 Motion motion_of_places(const PlacesLayout& layout, const std::vector<std::vector<Point3>>& places) {
   PlacesSolver solver(layout);
   solver.learn(places);
-  Motion motion = solver.motion();
-  motion.clips.push_back(solver.clip());
-  return motion;
+  return std::move(solver.motion());
 }
 
 PlacesStream::PlacesStream(const std::string& layout, const std::vector<std::vector<Point3>>& first) {
@@ -347,11 +344,9 @@ PlacesStream::PlacesStream(const std::string& layout, const std::vector<std::vec
   for (const std::vector<Point3>& row : first) check(row);
   solver_ = std::make_unique<PlacesSolver>(*layout_);
   solver_->learn(first);
-  person_ = solver_->motion();
-  person_.name = layout_->name;
-  person_.clips.push_back(solver_->clip());
-  person_.clips[0].name = layout_->name;
-  person_.clips[0].frame_time = 1 / layout_->fps;
+  Motion& person = solver_->motion();
+  person.name = person.clips[0].name = layout_->name;
+  person.clips[0].frame_time = 1 / layout_->fps;
 }
 
 PlacesStream::PlacesStream(PlacesStream&&) noexcept = default;
@@ -365,6 +360,8 @@ void PlacesStream::check(const std::vector<Point3>& row) const {
     if (!std::isfinite(row[i][0] + row[i][1] + row[i][2]))
       throw Error("places: number " + std::to_string(i) + " is not finite");
 }
+
+const Motion& PlacesStream::person() const { return solver_->motion(); }
 
 size_t PlacesStream::place_count() const { return layout_->count; }
 
