@@ -94,8 +94,9 @@ class Retargeter {
   std::vector<int> map_;  // [target]
   Workspace memory_;
   sinew_retarget* plan_ = nullptr;  // in memory_
-  bool has_source_ = false, contacts_ = false, stream_ = false, range_ = false;
-  std::optional<sinew_reference_options> reference_;
+  enum class Method { kCopy, kContacts, kStream, kReferencePoints } method_ = Method::kCopy;
+  bool has_source_ = false, range_ = false;
+  sinew_reference_options reference_ = {};  // of Method::kReferencePoints
   std::vector<sinew_joint_limit> limits_;
   Body target_body_, source_body_;
   std::vector<uint32_t> triangles_, vertices_;  // vertices of the target

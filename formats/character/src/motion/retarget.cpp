@@ -148,17 +148,9 @@ size_t Retargeter::take_bodies(const Character& target, const Character* source)
   return shared;
 }
 
-void Retargeter::keep_contacts() {
-  contacts_ = true;
-  stream_ = false;
-  reference_.reset();
-}
+void Retargeter::keep_contacts() { method_ = Method::kContacts; }
 
-void Retargeter::play_as_stream() {
-  contacts_ = false;
-  stream_ = true;
-  reference_.reset();
-}
+void Retargeter::play_as_stream() { method_ = Method::kStream; }
 
 void Retargeter::stream_clip(const sinew_motion_clip& whole, float fps) const {
   const RigArrays from(source_joints_), to(target_joints_);
@@ -226,7 +218,7 @@ bool Retargeter::take_corresponding(const Character& target, const Character& so
 
 Retargeter::PointsOf Retargeter::follow_reference_points(const sinew_reference_options& settings,
                                                          const Character& target, const Character* source) {
-  contacts_ = stream_ = false;
+  method_ = Method::kReferencePoints;
   reference_ = settings;
   if (has_source_) return PointsOf::kOneMesh;
   if (source == nullptr || source->influences.size() != source->vertices.size() || triangles_.empty())
@@ -276,16 +268,16 @@ Clip Retargeter::run(const Clip& clip, const std::function<bool()>& keep_going, 
     limbs->resize(count);
   };
   if (report != nullptr) measure(&report->before);
-  if (stream_) stream_clip(whole, settings.fps);
-  if (range_ && !stream_ && has_body)
+  if (method_ == Method::kStream) stream_clip(whole, settings.fps);
+  if (range_ && method_ != Method::kStream && has_body)
     check(sinew_retarget_keep_range(plan_, &target, &whole, workspace_.data(), workspace_.size()));
-  if (contacts_ && has_body)
+  if (method_ == Method::kContacts && has_body)
     check(sinew_retarget_contacts(plan_, from_body, &target, &whole, &settings, workspace_.data(), workspace_.size()));
-  if (reference_ && has_body) {
+  if (method_ == Method::kReferencePoints && has_body) {
     Workspace room;
     check(sinew_retarget_reference_points_workspace_size(plan_, &target, &bytes));
     check(room.reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE);
-    check(sinew_retarget_reference_points(plan_, from_body, &target, &whole, &*reference_, room.data(), room.size()));
+    check(sinew_retarget_reference_points(plan_, from_body, &target, &whole, &reference_, room.data(), room.size()));
   }
   if (!limits_.empty())
     check(sinew_keep_joint_limits(limits_.data(), static_cast<uint32_t>(limits_.size()),
