@@ -42,8 +42,8 @@ target_link_libraries(sinew_engine_small PRIVATE sinew_build_flags)
 sinew_test(small_code_test SOURCES budget/small_code_test.cpp LIBS sinew_engine_small LABELS budget)
 
 # What SINEW_PUBLISHED_METHODS=OFF leaves out, and that nothing else needs it: what knows of the option is compiled anew and linked first, the
-# archive has the rest.
-if(SINEW_PUBLISHED_METHODS AND NOT SINEW_SMALL_CODE)
+# archive has the rest. Not where the archive's sources were compiled as one: its members would bring those of the first again.
+if(SINEW_PUBLISHED_METHODS AND NOT SINEW_SMALL_CODE AND NOT SINEW_UNITY STREQUAL ALL)
   set(knows_option api/corresponding_points api/motion bind/pipeline bind/plan deform/deformer deform/rest mapping/map rig/rig transfer/plan transfer/transfer)
   list(TRANSFORM knows_option REPLACE "(.+)" "${CMAKE_SOURCE_DIR}/engine/src/\\1.cpp")
   add_library(sinew_engine_plain OBJECT ${knows_option})  # an archive would lose against the other
