@@ -11,15 +11,17 @@ embed() { { echo "// Made by build.sh of $(basename "$1")."; printf 'export defa
 
 rm -rf "$out/package"
 mkdir -p "$out/package/wasm" "$out/package/models"
-build_modules "$here/wasm" SINEW_SKIN_SIMD
 for kind in simd scalar; do
+  step "to WebAssembly, $kind"
+  build_engine "$kind" || exit 1
+  build_module "$kind" "$here/wasm" -DSINEW_SKIN_SIMD="$([ $kind = simd ] && echo ON || echo OFF)"
   cp "$build/$kind/skin.wasm" "$out/package/wasm/$kind.wasm"
   cp "$build/$kind/bind.wasm" "$out/package/wasm/bind-$kind.wasm"
   for module in "$kind" "bind-$kind"; do embed "$out/package/wasm/$module.wasm" "$out/package/wasm/$module.js"; done
 done
 
 step "whole characters to WebAssembly"
-build_engine simd && build_host simd || exit 1
+build_engine simd && build_host || exit 1
 build_module character "$here/wasm/character" "${host_arguments[@]}"
 build_scenes
 for module in "$build/character/character" "$scenes/scenes"; do

@@ -16,7 +16,13 @@ fi
 . "$root/samples/npm/wasm/modules.sh"
 . "$here/wasm/split.sh"
 start_build web "${1:-$here/dist}"
-build_modules "$here/wasm" SINEW_WEB_SIMD host
+for kind in scalar simd; do
+  step "the engine to WebAssembly, $kind"
+  build_engine "$kind" || exit 1
+done
+step "formats, character and page to WebAssembly"
+build_host || exit 1
+build_module modules "$here/wasm" -DSINEW_ENGINE_ARCHIVES="$SINEW_WASM_ENGINE" "${host_arguments[@]}" --no-warn-unused-cli
 build_scenes
 step "splitting what the first bind needs from the rest"
 rm -f "$out"/*.{wasm,sinew,lzma}
@@ -31,7 +37,7 @@ rm -f "$out"/*.js
 # What writes FBX, what reads it and what shows materials are files of their own, loaded when they are asked for.
 node_modules/.bin/esbuild src/main.js src/worker.js src/fbx_worker.js --bundle --splitting --minify --format=esm --target=es2022 --outdir="$out" --log-level=warning \
   --alias:@sinew/skin/loader="$root/samples/npm/src/loader.js" --alias:@sinew/skin/scenes="$root/samples/npm/src/scenes.js" --alias:sinew-scenes="$scenes/scenes.mjs" \
-  --alias:sinew-simd="$build/simd/sinew_web.mjs" --alias:sinew-scalar="$build/scalar/sinew_web.mjs"
+  --alias:sinew-simd="$build/modules/simd/sinew_web.mjs" --alias:sinew-scalar="$build/modules/scalar/sinew_web.mjs"
 node_modules/.bin/esbuild src/style.css --minify --outdir="$out" --log-level=warning
 cp src/index.html src/icon.svg src/manifest.webmanifest src/sw.js "$out"
 for model in default rig hands front; do pack_model "$root/samples/data/sinew_$model.sinew" "$out/sinew_$model.sinew"; done

@@ -23,10 +23,8 @@ add_library(libraries STATIC ${CMAKE_CURRENT_BINARY_DIR}/libraries.cpp)
 target_include_directories(libraries SYSTEM PUBLIC ${headers})
 target_compile_features(libraries PUBLIC cxx_std_20)
 # The tools' errors are exceptions; the engine has none. WebAssembly's own cost no code where nothing is thrown: emscripten's, in JavaScript, wrap each call.
-option(SINEW_WASM_EXCEPTIONS "WebAssembly's own exceptions; what lacks them cannot start the module" OFF)
-set(exceptions $<IF:$<BOOL:${SINEW_WASM_EXCEPTIONS}>,-fwasm-exceptions,-fexceptions>)
-target_compile_options(libraries PUBLIC ${exceptions} -Os)  # small before fast: the engine alone is worth -O3
-target_link_options(libraries PUBLIC ${exceptions})
+target_compile_options(libraries PUBLIC -fwasm-exceptions -Os)  # small before fast: the engine alone is worth -O3
+target_link_options(libraries PUBLIC -fwasm-exceptions)
 
 set(formats ${sinew_root}/formats)
 include(${formats}/sources.cmake)

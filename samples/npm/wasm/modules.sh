@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Sourced with $root set: how this package and the page of samples/web build their modules, with and without SIMD.
+# Sourced with $root set: how this package and the page of samples/web build their modules.
 . "$root/tests/wasm/emscripten.sh"
 
 step() { echo "$who: $*" >&2; }
@@ -11,14 +11,13 @@ start_build() {
   out=$(cd "$2" && pwd) build=$(cd "$2.build" && pwd)
   export SINEW_WASM_ENGINE=${SINEW_WASM_ENGINE:-$build/engine}
 }
-# build_host KIND: what page and package have of formats and character, with WebAssembly's own exceptions (simd: what has one has the other, loader.js asks for
-# both) or JavaScript's (scalar). build_engine came first. $host_arguments are cmake's for host.cmake then.
+# build_host: what page and package have of formats and character, with SIMD in the engine or without. build_engine came first. $host_arguments are cmake's for
+# host.cmake then.
 build_host() {
-  local work=$SINEW_WASM_ENGINE/host-$1 exceptions
-  exceptions=-DSINEW_WASM_EXCEPTIONS=$([ "$1" = simd ] && echo ON || echo OFF)
+  local work=$SINEW_WASM_ENGINE/host
   emcmake cmake -S "$root/samples/npm/wasm/host" -B "$work" -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=10 "$engine_archive" \
-    "$exceptions" >"$work.log" 2>&1 && cmake --build "$work" -j "$(nproc)" --target sinew_host >>"$work.log" 2>&1 || { cat "$work.log" >&2; return 1; }
-  host_arguments=("-DSINEW_HOST_ARCHIVE=$work/libsinew_host.a" "$exceptions")
+    >"$work.log" 2>&1 && cmake --build "$work" -j "$(nproc)" --target sinew_host >>"$work.log" 2>&1 || { cat "$work.log" >&2; return 1; }
+  host_arguments=("-DSINEW_HOST_ARCHIVE=$work/libsinew_host.a")
 }
 # build_module NAME SOURCE_DIR ARGUMENT...: one CMake project into $build/NAME; shows its log where that fails.
 build_module() {
@@ -26,17 +25,6 @@ build_module() {
   shift 2
   emcmake cmake -S "$source" -B "$work" -DCMAKE_BUILD_TYPE=Release "$engine_archive" "$@" >"$work.log" 2>&1 &&
     cmake --build "$work" -j "$(nproc)" >>"$work.log" 2>&1 || { cat "$work.log" >&2; exit 1; }
-}
-# build_modules SOURCE_DIR OPTION [host]: the CMake project into $build/simd and $build/scalar, with OPTION ON and OFF; `host`: it has host.cmake.
-build_modules() {
-  local kind
-  for kind in simd scalar; do
-    step "to WebAssembly, $kind"
-    build_engine "$kind" || exit 1
-    host_arguments=()
-    [ -z "${3:-}" ] || build_host "$kind" || exit 1
-    build_module "$kind" "$1" -D"$2"="$([ $kind = simd ] && echo ON || echo OFF)" "${host_arguments[@]}"
-  done
 }
 # build_scenes: what reads FBX and COLLADA into $scenes, which page and package share as they share the engine; it has no use for SIMD.
 build_scenes() {

@@ -31,7 +31,8 @@ function needScenes(name) {
 
 /** @param {{ forceScalar: boolean }} how */
 async function start({ forceScalar }) {
-  const kind = !forceScalar && hasSimd() && hasExceptions() ? "simd" : "scalar";
+  if (!hasExceptions()) throw new Error("this browser has no exceptions for WebAssembly, which it would have from 2022 on (Chrome 95, Firefox 100, Safari 15.2): take a newer one");
+  const kind = !forceScalar && hasSimd() ? "simd" : "scalar";
   const glue = kind === "simd" ? import("sinew-simd") : import("sinew-scalar"); // fetched beside the module
   const bytes = await fetchPacked(`sinew-${kind}.wasm`);
   moduleBytes = bytes.byteLength;

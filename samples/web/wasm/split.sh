@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 # Sourced by build.sh: splits a module in what binds, what makes skeletons, and the rest.
-# split_module KIND OUT_DIR: $build/KIND/sinew_web.wasm into OUT_DIR/sinew-KIND.wasm, -rig.wasm and -rest.wasm, each packed.
+# split_module KIND OUT_DIR: $build/modules/KIND/sinew_web.wasm into OUT_DIR/sinew-KIND.wasm, -rig.wasm and -rest.wasm, each packed.
 split_module() {
-  local kind=$1 work=$build/$1
-  split_features=(--enable-mutable-globals --enable-sign-ext --enable-bulk-memory --enable-nontrapping-float-to-int)
-  [ "$kind" = scalar ] || split_features+=(--enable-simd --enable-exception-handling)
+  local kind=$1 work=$build/modules/$1
+  split_features=(--enable-mutable-globals --enable-sign-ext --enable-bulk-memory --enable-nontrapping-float-to-int --enable-exception-handling)
+  [ "$kind" = scalar ] || split_features+=(--enable-simd)
   split_by bare "$work/sinew_web.wasm" "$work/two.wasm" "$work/rest.wasm"
   split_by skinned "$work/two.wasm" "$work/first.wasm" "$work/rig.wasm"
   pack_code "$work/first.wasm" "$2/sinew-$kind.wasm"
