@@ -142,6 +142,16 @@ try {
     });
     if (kernel !== "SIMD") await page.close();
   }
+  await step("a browser without exceptions for WebAssembly is told so", async () => {
+    await browser.context.route("**/worker.js", async (route) => {
+      const response = await route.fetch();
+      await route.fulfill({ response, body: `WebAssembly.validate = () => false;\n${await response.text()}` });
+    });
+    await openPage("");
+    assert.match(await errorLine(), /^this browser has no exceptions for WebAssembly, .*take a newer one$/);
+    await browser.context.unroute("**/worker.js");
+    await page.close();
+  });
   [page] = browser.context.pages().filter((open) => open.url().includes("?sample=snake__long"));
 
   await step("a joint shows its field and turns the mesh", async () => {
