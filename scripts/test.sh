@@ -51,7 +51,7 @@ with_clang() {
 }
 
 phase format scripts/format.sh --check
-phase "release build" build ci -DSINEW_UNITY=ON  # the engine and the command each source by itself, as a user compiles all
+phase "release build" build ci -DSINEW_UNITY=ON  # the engine each source by itself, as those who add it to a program compile it
 phase "release tests" ctest --test-dir build/release --output-on-failure -j "$jobs"
 if [ "${1:-}" != quick ]; then
   # Native targets were tests above.

@@ -29,8 +29,6 @@
 namespace sinew::cli {
 namespace {
 
-using Settings = AnimateSettings;
-
 struct MotionChoice {
   std::string file, clip;
   bool of_folder = false;
@@ -56,7 +54,7 @@ std::vector<MotionChoice> parse_choices(const std::vector<std::string>& texts) {
 }
 
 // A bound character as it is; a mesh without a skeleton gets one, a picture a mesh as well.
-Animated read_animated(const Settings& s) {
+Animated read_animated(const AnimateSettings& s) {
   const std::string& path = s.character;
   if (is_picture(path)) {
     PictureCharacter made = rig_picture(path, picture_job(s.picture));
@@ -74,7 +72,7 @@ Animated read_animated(const Settings& s) {
   return {animated_character(pair ? read_character(path) : read_mesh(path), path), {}};
 }
 
-AnimateOptions animate_options(const Settings& s) {
+AnimateOptions animate_options(const AnimateSettings& s) {
   AnimateOptions options;
   options.character = s.character;
   options.up = s.up;
@@ -115,7 +113,8 @@ StepsOf counted(std::string what, const std::atomic<bool>& stop) {
   };
 }
 
-void add_motion_file(const Settings& s, const MotionChoice& choice, const std::atomic<bool>& stop, Animated* out) {
+void add_motion_file(const AnimateSettings& s, const MotionChoice& choice, const std::atomic<bool>& stop,
+                     Animated* out) {
   const std::string layout = choice.of_folder && !takes_layout(choice.file) ? "" : s.layout;
   MotionFile source = read_motion_for({choice.file, s.fps, layout, s.actor, s.up}, map_rig_of(out->character));
   if (choice.of_folder || choice.clip.empty()) name_clips(choice.file, choice.of_folder, out->motion, &source.motion);
@@ -129,7 +128,7 @@ void add_motion_file(const Settings& s, const MotionChoice& choice, const std::a
 }
 
 // What a folder has that is no motion, or none for this character, is left out and told.
-void add_motions(const Settings& s, const std::atomic<bool>& stop, Animated* out) {
+void add_motions(const AnimateSettings& s, const std::atomic<bool>& stop, Animated* out) {
   std::string first_error;
   const std::vector<std::string> own = {out->picture ? default_clip(out->picture->body) : ""};
   const std::vector<MotionChoice> choices = parse_choices(s.motions.empty() ? own : s.motions);
@@ -151,10 +150,10 @@ void add_motions(const Settings& s, const std::atomic<bool>& stop, Animated* out
 }
 
 // A picture's clips alone.
-bool is_loop(const Settings& s) { return is_picture(s.character) && has_extension(s.output, ".apng"); }
+bool is_loop(const AnimateSettings& s) { return is_picture(s.character) && has_extension(s.output, ".apng"); }
 
 // What needs no file to be told. Of a folder the one that is written into is made later.
-void check_settings(const Settings& s, bool of_folder) {
+void check_settings(const AnimateSettings& s, bool of_folder) {
   const bool picture = is_picture(s.character);
   if (s.motions.empty() && !picture) throw UsageError("--motion is required");
   for (const auto& [given, option] : {std::pair{!s.picture.body.empty(), "--class"}, std::pair{s.picture.cut, "--cut"},
@@ -180,7 +179,7 @@ void check_settings(const Settings& s, bool of_folder) {
 }
 
 // Reads, moves and writes one character.
-Animated animate_one(const Settings& s, const std::atomic<bool>& stop) {
+Animated animate_one(const AnimateSettings& s, const std::atomic<bool>& stop) {
   const bool as_bvh = has_extension(s.output, ".bvh");
   const std::optional<sinew_deform_options> deform = deform_options(s.deform);
   Animated animated = read_animated(s);
@@ -219,7 +218,7 @@ Animated animate_one(const Settings& s, const std::atomic<bool>& stop) {
   return animated;
 }
 
-void run_folder(Settings s, const std::atomic<bool>& stop) {
+void run_animate_folder(AnimateSettings s, const std::atomic<bool>& stop) {
   for (const auto& [given, option] :
        {std::pair{!s.sheet.empty(), "--sheet"}, std::pair{!s.sprites.loop.empty(), "--loop"},
         std::pair{!s.profile.controls.empty(), "--controls"}})
@@ -227,7 +226,7 @@ void run_folder(Settings s, const std::atomic<bool>& stop) {
   const std::string output = s.output;
   const std::vector<FolderFile> files = folder_files(s.character, output, "." + s.format, true);
   const auto settings_of = [&s](const FolderFile& file) {
-    Settings one = s;
+    AnimateSettings one = s;
     one.character = file.mesh;
     one.output = file.output;
     return one;
@@ -236,7 +235,7 @@ void run_folder(Settings s, const std::atomic<bool>& stop) {
   Progress progress(files.size(), "characters");
   size_t failed = 0;
   for (const FolderFile& file : files) {
-    const Settings one = settings_of(file);
+    const AnimateSettings one = settings_of(file);
     try {
       make_folder(std::filesystem::path(file.output).parent_path().string());
       const Animated animated = animate_one(one, stop);
@@ -253,16 +252,16 @@ void run_folder(Settings s, const std::atomic<bool>& stop) {
   if (!s.json) std::printf("wrote %zu files to %s\n", files.size(), printable(output).c_str());
 }
 
-void run(const Settings& s) {
+void run_animate(const AnimateSettings& s) {
   settle_profile(s.profile, nullptr);
   const std::atomic<bool>& stop = stop_on_signals();
   std::error_code ignored;
-  if (std::filesystem::is_directory(s.character, ignored)) return run_folder(s, stop);
+  if (std::filesystem::is_directory(s.character, ignored)) return run_animate_folder(s, stop);
   check_settings(s, false);
   tell_animated(s, animate_one(s, stop));
 }
 
-void add_inputs(CLI::App* sub, Settings* s) {
+void add_animate_inputs(CLI::App* sub, AnimateSettings* s) {
   sub->add_option("character", s->character,
                   "Skinned file, NAME.obj with NAME.rig.txt beside it, a bare mesh, a picture of a character (" +
                       picture_files() + "), or a folder of them. What has no skeleton gets one first; " + mesh_files())
@@ -311,7 +310,7 @@ void add_inputs(CLI::App* sub, Settings* s) {
   shared_flag(sub, "--json", s->json);
 }
 
-void add_clip_options(CLI::App* sub, Settings* s) {
+void add_clip_options(CLI::App* sub, AnimateSettings* s) {
   section(sub, "The clip");
   sub->add_flag("--in-place", s->in_place, "Stay above where the character stands at rest");
   sub->add_flag(
@@ -333,7 +332,7 @@ void add_clip_options(CLI::App* sub, Settings* s) {
 }
 
 // --area-power, --falloff, --own-limb and --legs.
-std::vector<CLI::Option*> add_reference_options(CLI::App* sub, Settings* s) {
+std::vector<CLI::Option*> add_reference_options(CLI::App* sub, AnimateSettings* s) {
   section(sub, "Reference points");
   return {
       sub->add_option("--area-power", s->area_power, "A triangle's influence grows with its area to this power")
@@ -353,7 +352,7 @@ std::vector<CLI::Option*> add_reference_options(CLI::App* sub, Settings* s) {
       sub->add_flag("--source-points", s->source_points, "Reference points of the source's body, not the target's")};
 }
 
-void add_corrections(CLI::App* sub, Settings* s) {
+void add_corrections(CLI::App* sub, AnimateSettings* s) {
   section(sub, "Corrections");
   add_deform_options(sub, {"volume", "xpbd", "delta-mush"}, "The file gets morph targets and their weights over time. ",
                      &s->deform);
@@ -365,8 +364,8 @@ void add_corrections(CLI::App* sub, Settings* s) {
 
 void add_animate(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("animate", "Play motion of another skeleton on a character");
-  auto s = std::make_shared<Settings>();
-  add_inputs(sub, s.get());
+  auto s = std::make_shared<AnimateSettings>();
+  add_animate_inputs(sub, s.get());
   add_clip_options(sub, s.get());
   add_picture_options(sub, &s->picture);
   add_picture_class(sub, &s->picture);
@@ -390,7 +389,7 @@ void add_animate(CLI::App& app) {
     for (const CLI::Option* option : of_reference)
       if (option->count() > 0 && s->method != "reference-points")
         throw UsageError(option->get_name() + " goes with --method reference-points");
-    run(*s);
+    run_animate(*s);
   });
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Settings {
+struct BakeCommandSettings {
   std::string character, output, animation;
   DeformSettings deform{"volume", 0, 0};
   size_t poses = 1500, shapes = 8;
@@ -31,7 +31,7 @@ struct Settings {
   bool animated = false, json = false;
 };
 
-void tell(const Settings& s, const BakedCharacter& baked) {
+void tell(const BakeCommandSettings& s, const BakedCharacter& baked) {
   const Morphs& morphs = baked.morphs;
   size_t moved = 0;
   for (const MorphShape& shape : morphs.shapes) moved += shape.vertices.size();
@@ -63,7 +63,7 @@ void tell(const Settings& s, const BakedCharacter& baked) {
   std::printf("wrote %s\n", printable(s.output).c_str());
 }
 
-void run(const Settings& s) {
+void run_bake(const BakeCommandSettings& s) {
   check_output(s.output, kWholeOutputs);
   const sinew_deform_options deform = deform_options(s.deform).value();  // --deform takes corrections alone
   const std::atomic<bool>& stop = stop_on_signals();
@@ -96,7 +96,7 @@ void run(const Settings& s) {
 
 void add_bake(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("bake", "Corrected bends as morph targets, for programs without sinew");
-  auto s = std::make_shared<Settings>();
+  auto s = std::make_shared<BakeCommandSettings>();
   sub->add_option("character", s->character, "Skinned file, or NAME.obj with NAME.rig.txt beside it. " + mesh_files())
       ->required()
       ->type_name("CHARACTER");
@@ -121,7 +121,7 @@ void add_bake(CLI::App& app) {
       "  sinew bake walking.glb --animation walk --shapes 4 -o walking.baked.glb");
   sub->callback([s, animation] {
     s->animated = animation->count() > 0;
-    run(*s);
+    run_bake(*s);
   });
 }
 

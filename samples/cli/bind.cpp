@@ -22,7 +22,7 @@
 namespace sinew::cli {
 namespace {
 
-struct Settings {
+struct BindCommandSettings {
   BindSettings one;
   std::string model, method, report, format;
   unsigned jobs = 0;  // 0: not said
@@ -39,7 +39,7 @@ void check_mesh_changes(const BindSettings& one) {
 }
 
 // The options that no bind can be done with.
-void check(const Settings& s) {
+void check_bind(const BindCommandSettings& s) {
   check_output(s.one.output, kSkinOutputs, true);
   if (!s.one.png.empty()) check_output(s.one.png, {".png"});
   if (!s.one.png_confidence.empty()) check_output(s.one.png_confidence, {".png"});
@@ -64,9 +64,9 @@ struct LoadedBinder {
   Binder binder;
 };
 
-bool needs_no_model(const Settings& s) { return s.method == "heat" || s.method == "distance"; }
+bool needs_no_model(const BindCommandSettings& s) { return s.method == "heat" || s.method == "distance"; }
 
-LoadedBinder load_binder(const Settings& s) {
+LoadedBinder load_binder(const BindCommandSettings& s) {
   LoadedBinder loaded;
   if (s.method == "distance") loaded.binder = {nullptr, s.method, SINEW_METHOD_DISTANCE};
   if (needs_no_model(s)) return loaded;
@@ -75,7 +75,7 @@ LoadedBinder load_binder(const Settings& s) {
   return loaded;
 }
 
-void refuse_folder_options(const Settings& s) {
+void refuse_folder_options(const BindCommandSettings& s) {
   const std::pair<const char*, bool> options[] = {
       {"--jobs", s.jobs > 0}, {"--report", !s.report.empty()}, {"--format", !s.format.empty()}};
   for (const auto& [name, given] : options) {
@@ -83,7 +83,7 @@ void refuse_folder_options(const Settings& s) {
   }
 }
 
-void check_folder(const Settings& s) {
+void check_folder(const BindCommandSettings& s) {
   const std::pair<const char*, bool> options[] = {{"--png", !s.one.png.empty()},
                                                   {"--png-confidence", !s.one.png_confidence.empty()},
                                                   {"--hints", !s.one.hints.empty()},
@@ -104,7 +104,7 @@ void check_folder(const Settings& s) {
   if (!s.report.empty()) check_output(s.report, {".html", ".htm"});
 }
 
-void run_folder(const Settings& s) {
+void run_bind_folder(const BindCommandSettings& s) {
   check_folder(s);
   FolderSettings folder;
   folder.each = s.one;
@@ -117,7 +117,7 @@ void run_folder(const Settings& s) {
   bind_folder(folder, load_binder(s).binder);
 }
 
-void run(Settings s) {
+void run_bind(BindCommandSettings s) {
   settle_joints(&s.one);
   settle_profile(s.one.profile, &s.one.to_pose);
   constexpr unsigned kQuestions = 3;
@@ -125,10 +125,10 @@ void run(Settings s) {
   if (needs_no_model(s) && !s.model.empty())
     throw UsageError("--method " + s.method + " uses no model: leave out --model");
   std::error_code ignored;
-  if (std::filesystem::is_directory(s.one.mesh, ignored)) return run_folder(s);
+  if (std::filesystem::is_directory(s.one.mesh, ignored)) return run_bind_folder(s);
   refuse_folder_options(s);
   if (s.one.output.empty()) s.one.output = stem_of(s.one.mesh) + ".bound" + container_of(s.one.profile);
-  check(s);
+  check_bind(s);
   const LoadedBinder loaded = load_binder(s);
   const BindSummary summary = bind_one(s.one, loaded.binder, stderr_is_terminal()).summary;
   if (s.json) {
@@ -140,7 +140,7 @@ void run(Settings s) {
 }
 
 // What most binds need.
-void add_inputs(CLI::App* sub, Settings* s) {
+void add_bind_inputs(CLI::App* sub, BindCommandSettings* s) {
   sub->add_option(
          "mesh", s->one.mesh,
          "Mesh, or a folder: every mesh in it and below it. " + mesh_files() + ", or - for an OBJ on standard input")
@@ -174,7 +174,7 @@ void add_inputs(CLI::App* sub, Settings* s) {
       ->type_name("SOURCE");
 }
 
-void add_outputs(CLI::App* sub, Settings* s) {
+void add_outputs(CLI::App* sub, BindCommandSettings* s) {
   sub->add_flag(
       "--ask", s->one.ask,
       "Ask about parts in doubt on the terminal. With a picture of each beside the output; 3 questions unless "
@@ -184,7 +184,7 @@ void add_outputs(CLI::App* sub, Settings* s) {
   add_style_options(sub, &s->one.style);
 }
 
-void add_mesh_changes(CLI::App* sub, Settings* s) {
+void add_mesh_changes(CLI::App* sub, BindCommandSettings* s) {
   section(sub, "What becomes of the mesh");
   shared_flag(sub, "--cut", s->one.cut);
   sub->add_flag("--no-seams", s->one.no_seams,
@@ -194,7 +194,7 @@ void add_mesh_changes(CLI::App* sub, Settings* s) {
                 "joints move with it");
 }
 
-void add_artists_words(CLI::App* sub, Settings* s) {
+void add_artists_words(CLI::App* sub, BindCommandSettings* s) {
   section(sub, "Joints and weights that are given");
   sub->add_option("--never", s->one.never, "Joints that must get no weight, one name per line")->type_name("FILE");
   sub->add_flag("--keep-tips", s->one.keep_tips,
@@ -226,7 +226,7 @@ void add_artists_words(CLI::App* sub, Settings* s) {
       ->type_name("FILE.style");
 }
 
-void add_rest(CLI::App* sub, Settings* s) {
+void add_bind_rest(CLI::App* sub, BindCommandSettings* s) {
   section(sub, "What is told");
   sub->add_flag(
       "--changes", s->one.compare,
@@ -250,13 +250,13 @@ void add_rest(CLI::App* sub, Settings* s) {
 
 void add_bind(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("bind", "Predict the skin weights of a mesh for a skeleton");
-  auto s = std::make_shared<Settings>();
-  add_inputs(sub, s.get());
+  auto s = std::make_shared<BindCommandSettings>();
+  add_bind_inputs(sub, s.get());
   add_outputs(sub, s.get());
   add_artists_words(sub, s.get());
   add_mesh_changes(sub, s.get());
   add_placement_options(sub, &s->one.placement);
-  add_rest(sub, s.get());
+  add_bind_rest(sub, s.get());
   add_profile_options(sub, &s->one.profile);
   add_controls_option(sub, &s->one.profile);
   sub->footer(
@@ -271,7 +271,7 @@ void add_bind(CLI::App& app) {
       "  sinew bind hero.glb --answer 812=rigid:Head --answer 40=soft -o hero.bound.glb\n"
       "  sinew bind hero.glb --ask --save-style my.style && sinew bind others -o bound --style my.style\n"
       "  cat hero.obj | sinew bind - --skeleton hero.rig.txt -o - > weights.rig.txt");
-  sub->callback([s] { run(*s); });
+  sub->callback([s] { run_bind(*s); });
 }
 
 }  // namespace sinew::cli

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sinew_formats/print.hpp"
+#include "support.hpp"
 
 namespace sinew::cli {
 
@@ -48,16 +49,6 @@ void count_weights(const Character& character, BindSummary* summary) {
   summary->mean_influences =
       static_cast<double>(pairs) / static_cast<double>(std::max<size_t>(1, character.vertices.size()));
 }
-
-namespace {
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
-}  // namespace
 
 std::string doubts_text(const Doubts& doubts) {
   if (doubts.vertices.empty()) return "";

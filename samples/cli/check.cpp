@@ -19,7 +19,7 @@
 namespace sinew::cli {
 namespace {
 
-struct Settings {
+struct CheckCommandSettings {
   std::vector<std::string> inputs;
   std::string sarif, report, gate, against;
   bool json = false, no_poses = false, rules = false, score = false;
@@ -42,7 +42,7 @@ void list_rules() {
                 rule.value);
 }
 
-void check_settings(const Settings& s) {
+void check_settings(const CheckCommandSettings& s) {
   if (s.inputs.empty()) throw UsageError("expected files or folders to check");
   if (!s.sarif.empty()) check_output(s.sarif, {".sarif", ".json"});
   if (!s.report.empty()) check_output(s.report, {".html", ".htm"});
@@ -51,8 +51,8 @@ void check_settings(const Settings& s) {
 }
 
 // One file; what cannot be read is told and counted, the others go on.
-std::optional<CheckedFile> look(const Settings& s, const std::optional<CheckGate>& gate, const FoundCharacter& found,
-                                Progress* progress) {
+std::optional<CheckedFile> look(const CheckCommandSettings& s, const std::optional<CheckGate>& gate,
+                                const FoundCharacter& found, Progress* progress) {
   CheckOptions options;
   options.poses = !s.no_poses;
   if (gate) options.bounds = gate->bounds;
@@ -72,7 +72,7 @@ std::optional<CheckedFile> look(const Settings& s, const std::optional<CheckGate
   }
 }
 
-void run(const Settings& s) {
+void run_check(const CheckCommandSettings& s) {
   if (s.rules) {
     list_rules();
     return;
@@ -105,7 +105,7 @@ void run(const Settings& s) {
 void add_check(CLI::App& app) {
   CLI::App* sub =
       app.add_subcommand("check", "Whether rigs hold: weights, joints, names, matrices, test poses, animations");
-  auto s = std::make_shared<Settings>();
+  auto s = std::make_shared<CheckCommandSettings>();
   sub->add_option("inputs", s->inputs, "Characters, and folders of them. " + mesh_files())->type_name("FILE|DIR");
   shared_flag(sub, "--json", s->json, "A line for every file");
   sub->add_option("--sarif", s->sarif, "Also write all findings as SARIF 2.1.0, for code review")->type_name("FILE");
@@ -128,7 +128,7 @@ void add_check(CLI::App& app) {
       "  sinew check new.glb --against old.glb\n\n"
       "Errors break a character, warnings show in some motion, notes are to look at. Exit status 0 whatever is\n"
       "found, 1 where a file cannot be read, 3 with --gate.");
-  sub->callback([s] { run(*s); });
+  sub->callback([s] { run_check(*s); });
 }
 
 }  // namespace sinew::cli

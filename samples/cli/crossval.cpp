@@ -22,7 +22,7 @@
 namespace sinew::cli {
 namespace {
 
-struct Settings {
+struct CrossvalCommandSettings {
   CrossvalOptions options;
   std::string config, groups;
   std::vector<std::string> compare;
@@ -39,7 +39,7 @@ LogitsFunction engine_runner(const FloatNetwork& network, const std::vector<cons
   return [model](const Sample& sample) { return engine_logits(model->model, sample); };
 }
 
-void run(Settings s) {
+void run_crossval(CrossvalCommandSettings s) {
   if (!s.compare.empty()) {
     if (!s.options.data_dir.empty()) throw UsageError("DIR trains, --compare reads finished runs: give one of them");
     std::vector<CrossvalReport> reports;
@@ -75,7 +75,7 @@ void run(Settings s) {
 
 void add_crossval(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("crossval", "Train with families left out and measure on them; compare such runs");
-  auto s = std::make_shared<Settings>();
+  auto s = std::make_shared<CrossvalCommandSettings>();
   CrossvalOptions& o = s->options;
   o.threads = std::max(1u, std::thread::hardware_concurrency());
   sub->add_option("dir", o.data_dir, "Folder of FAMILY__NAME.obj + .rig.txt pairs and .glb files")->type_name("DIR");
@@ -124,7 +124,7 @@ void add_crossval(CLI::App& app) {
       "  sinew crossval --compare base wide\n\n"
       "  sinew crossval characters/train --groups groups.json --leave-out old --folds 2 -o quick\n"
       "  sinew crossval characters/train --config wide.json --groups groups.json -o wide --seeds 2");
-  sub->callback([s] { run(*s); });
+  sub->callback([s] { run_crossval(*s); });
 }
 
 }  // namespace sinew::cli

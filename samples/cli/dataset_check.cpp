@@ -27,7 +27,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Settings {
+struct DatasetCheckCommandSettings {
   std::vector<std::string> inputs;
   std::string pictures;
   bool json = false;
@@ -150,7 +150,7 @@ void say(const std::string& path, const Checked& checked, Progress* progress) {
   progress->say(stdout, text);
 }
 
-void check(const Settings& s) {
+void run_dataset_check(const DatasetCheckCommandSettings& s) {
   if (!s.pictures.empty()) make_folder(s.pictures);
   size_t bad = 0;
   const std::vector<FoundCharacter> inputs = expand(s.inputs);
@@ -175,7 +175,7 @@ void check(const Settings& s) {
 
 void add_dataset_check(CLI::App* parent) {
   CLI::App* sub = parent->add_subcommand("check", "Look for defects of meshes, skeletons and weights");
-  auto s = std::make_shared<Settings>();
+  auto s = std::make_shared<DatasetCheckCommandSettings>();
   sub->add_option("inputs", s->inputs, "Meshes, characters and folders of them, sub-folders too")
       ->required()
       ->type_name("FILE|DIR");
@@ -189,7 +189,7 @@ void add_dataset_check(CLI::App* parent) {
       "joint's mirror twin), idle-twin (no weight, but the twin has some), shared-place (joints at one place\n"
       "hold much of the mesh; leave such characters out of training).\n"
       "Exit status 1 when any character has an error.");
-  sub->callback([s] { check(*s); });
+  sub->callback([s] { run_dataset_check(*s); });
 }
 
 }  // namespace sinew::cli

@@ -21,12 +21,12 @@ namespace fs = std::filesystem;
 namespace sinew::cli {
 namespace {
 
-struct Settings {
+struct DatasetConvertCommandSettings {
   std::string input, skeleton, output, format;
   double ratio = 0;
 };
 
-void convert_one(const Settings& s) {
+void convert_one(const DatasetConvertCommandSettings& s) {
   check_output(s.output, kWritesCharacter, true);
   if (!s.format.empty()) throw UsageError("--format is for a folder of characters, and " + s.input + " is none");
   if (has_extension(s.input, ".obj") && has_extension(s.skeleton, ".obj"))
@@ -55,7 +55,7 @@ std::string set_name(const FoundCharacter& found) {
   return family + "__" + name;
 }
 
-std::vector<std::string> set_paths(const Settings& s, const std::vector<FoundCharacter>& found) {
+std::vector<std::string> set_paths(const DatasetConvertCommandSettings& s, const std::vector<FoundCharacter>& found) {
   const std::string extension = "." + (s.format.empty() ? std::string("obj") : s.format);
   std::map<std::string, std::string> input_of;
   std::vector<std::string> paths;
@@ -69,7 +69,7 @@ std::vector<std::string> set_paths(const Settings& s, const std::vector<FoundCha
 }
 
 // Inputs are never replaced, nor found again by the next run.
-void refuse_output_inside(const Settings& s) {
+void refuse_output_inside(const DatasetConvertCommandSettings& s) {
   std::error_code ignored;
   const fs::path in = fs::weakly_canonical(fs::absolute(s.input), ignored);
   const std::string below = fs::weakly_canonical(fs::absolute(s.output), ignored).lexically_relative(in).string();
@@ -77,7 +77,7 @@ void refuse_output_inside(const Settings& s) {
     throw UsageError("-o " + s.output + ": lies inside " + s.input + "; give a folder outside");
 }
 
-void convert_folder(const Settings& s) {
+void convert_folder(const DatasetConvertCommandSettings& s) {
   if (!s.skeleton.empty()) throw UsageError("--skeleton is for one character, and " + s.input + " is a folder");
   refuse_output_inside(s);
   const std::vector<FoundCharacter> found = characters_in(s.input);
@@ -106,7 +106,7 @@ void convert_folder(const Settings& s) {
     throw Error(std::to_string(failed) + " of " + std::to_string(found.size()) + " characters failed, see above");
 }
 
-void convert(const Settings& s) {
+void convert(const DatasetConvertCommandSettings& s) {
   std::error_code ignored;
   fs::is_directory(s.input, ignored) ? convert_folder(s) : convert_one(s);
 }
@@ -120,7 +120,7 @@ std::string written_files() {
 void add_dataset_convert(CLI::App* parent) {
   CLI::App* sub =
       parent->add_subcommand("convert", "Write characters in another format: one, or a folder for training");
-  auto s = std::make_shared<Settings>();
+  auto s = std::make_shared<DatasetConvertCommandSettings>();
   sub->add_option("input", s->input,
                   "Character, or a folder of them, sub-folders too. " + mesh_files() +
                       "; NAME.rig.txt beside NAME.obj is read too")
@@ -141,7 +141,7 @@ void add_dataset_convert(CLI::App* parent) {
 
 void add_dataset_decimate(CLI::App* parent) {
   CLI::App* sub = parent->add_subcommand("decimate", "Write a character with fewer vertices, weights carried along");
-  auto s = std::make_shared<Settings>();
+  auto s = std::make_shared<DatasetConvertCommandSettings>();
   sub->add_option("input", s->input, "Character. " + mesh_files() + "; NAME.rig.txt beside NAME.obj is read too")
       ->required()
       ->type_name("IN");

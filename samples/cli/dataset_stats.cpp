@@ -23,7 +23,7 @@ namespace {
 
 constexpr uint32_t kGrid = 64;  // the default of training and binding
 
-struct Settings {
+struct DatasetStatsCommandSettings {
   std::string folder, page;
   unsigned jobs = 1;
   int picture = 220;
@@ -31,7 +31,7 @@ struct Settings {
 };
 
 // Of one character; what cannot be read is told in `failure`.
-std::optional<CharacterStats> stats_of(const Settings& s, const FoundCharacter& found,
+std::optional<CharacterStats> stats_of(const DatasetStatsCommandSettings& s, const FoundCharacter& found,
                                        const std::vector<uint32_t>& candidate_counts, std::string* failure) {
   try {
     const Character character = read_found(found);
@@ -51,7 +51,7 @@ std::optional<CharacterStats> stats_of(const Settings& s, const FoundCharacter& 
   }
 }
 
-DatasetStats measure_folder(const Settings& s, const std::vector<FoundCharacter>& found) {
+DatasetStats measure_folder(const DatasetStatsCommandSettings& s, const std::vector<FoundCharacter>& found) {
   DatasetStats all;
   all.folder = s.folder;
   if (!s.no_recall) all.candidate_counts = {6, 8, 12, 16};
@@ -69,7 +69,7 @@ DatasetStats measure_folder(const Settings& s, const std::vector<FoundCharacter>
   return all;
 }
 
-void stats(const Settings& s) {
+void stats(const DatasetStatsCommandSettings& s) {
   if (!s.page.empty()) check_output(s.page, {".html", ".htm"});
   const std::vector<FoundCharacter> found = characters_in(s.folder);
   const DatasetStats all = measure_folder(s, found);
@@ -85,7 +85,7 @@ void stats(const Settings& s) {
 
 void add_dataset_stats(CLI::App* parent) {
   CLI::App* sub = parent->add_subcommand("stats", "Sizes, influences and candidates' recall of the families; a page");
-  auto s = std::make_shared<Settings>();
+  auto s = std::make_shared<DatasetStatsCommandSettings>();
   s->jobs = std::max(1u, std::thread::hardware_concurrency());
   sub->add_option("dir", s->folder, "Folder of FAMILY__NAME characters, sub-folders too")->required()->type_name("DIR");
   shared_option(sub, "-o,--output", s->page,

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace sinew::cli {
 namespace {
 
-struct Settings {
+struct DatasetTargetCommandSettings {
   std::vector<std::string> inputs;
   std::string output, detail = "body";
 };
@@ -32,7 +32,7 @@ std::string folder_of(const fs::path& path) {
 
 // One for each input, where eval looks for predictions. None lies beside a character, whose own skeleton it would
 // replace, and no two are one.
-std::vector<std::string> output_paths(const Settings& s, const std::vector<FoundCharacter>& found) {
+std::vector<std::string> output_paths(const DatasetTargetCommandSettings& s, const std::vector<FoundCharacter>& found) {
   std::set<std::string> input_folders;
   for (const FoundCharacter& one : found) input_folders.insert(folder_of(one.path));
   std::vector<std::string> paths;
@@ -61,7 +61,7 @@ void write_target(const std::string& input, const std::string& output, bool hand
                               target.joints.size() - ends, ends, target.owners.size()));
 }
 
-void make_targets(const Settings& s) {
+void make_targets(const DatasetTargetCommandSettings& s) {
   const std::vector<FoundCharacter> found = expand(s.inputs);
   const std::vector<std::string> outputs = output_paths(s, found);
   make_folder(s.output);
@@ -85,7 +85,7 @@ void make_targets(const Settings& s) {
 
 void add_dataset_target(CLI::App* parent) {
   CLI::App* sub = parent->add_subcommand("target", "Write the target skeletons that eval rig compares with");
-  auto s = std::make_shared<Settings>();
+  auto s = std::make_shared<DatasetTargetCommandSettings>();
   sub->add_option("inputs", s->inputs, "Rigged characters and folders of them, sub-folders too")
       ->required()
       ->type_name("FILE|DIR");

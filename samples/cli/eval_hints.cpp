@@ -52,10 +52,10 @@ std::vector<uint8_t> choose(const Character& c, const std::string& kind, double 
   return chosen;
 }
 
-struct Gain {
+struct HintGain {
   double before = 0, after = 0, worse = 0;  // L1 of the vertices that were not given; share of them worse by over 0.05
   size_t characters = 0;
-  void add(const Gain& g) {
+  void add(const HintGain& g) {
     before += g.before;
     after += g.after;
     worse += g.worse;
@@ -63,7 +63,7 @@ struct Gain {
   }
 };
 
-Gain gain_of(const Study& study, const Character& c, const std::string& kind, double share) {
+HintGain hint_gain(const Study& study, const Character& c, const std::string& kind, double share) {
   BindOptions options;
   options.method = study.model == nullptr ? SINEW_METHOD_HEAT : SINEW_METHOD_MODEL;
   options.model = study.model;
@@ -72,7 +72,7 @@ Gain gain_of(const Study& study, const Character& c, const std::string& kind, do
   measure(c, bind(c, options).influences, c.name, 0, &without);
   options.hints = choose(c, kind, share);
   measure(c, bind(c, options).influences, c.name, 0, &with);
-  Gain gain;
+  HintGain gain;
   size_t counted = 0;
   for (size_t v = 0; v < c.vertices.size(); ++v) {
     if (options.hints[v] != 0 || c.influences[v].empty()) continue;
@@ -89,7 +89,7 @@ Gain gain_of(const Study& study, const Character& c, const std::string& kind, do
   return gain;
 }
 
-void print_row(const std::string& name, const Gain& sum) {
+void print_hint_row(const std::string& name, const HintGain& sum) {
   const double n = static_cast<double>(sum.characters);
   std::printf("| %s | %zu | %.4f | %.4f | %.1f %% | %.2f %% |\n", name.c_str(), sum.characters, sum.before / n,
               sum.after / n, 100 * (sum.before - sum.after) / std::max(sum.before, 1e-12), 100 * sum.worse / n);
@@ -99,18 +99,18 @@ void print_row(const std::string& name, const Gain& sum) {
 
 void study_hints(const Study& study, const std::string& kind, double share) {
   const std::vector<FoundCharacter> found = characters_in(study.folder);
-  std::vector<Gain> gains(found.size());
+  std::vector<HintGain> gains(found.size());
   {
     Progress progress(found.size(), "characters");
     parallel_for(found.size(), study.jobs, [&](size_t i, unsigned) {
       const Character c = read_found(found[i]);
       if (c.influences.empty()) throw Error(found[i].path + ": has no reference weights to take hints from");
-      gains[i] = gain_of(study, c, kind, share);
+      gains[i] = hint_gain(study, c, kind, share);
       progress.step();
     });
   }
-  std::map<std::string, Gain> families;
-  Gain all, family_mean;
+  std::map<std::string, HintGain> families;
+  HintGain all, family_mean;
   for (size_t i = 0; i < found.size(); ++i) {
     families[family_of(found[i].name)].add(gains[i]);
     all.add(gains[i]);
@@ -121,12 +121,12 @@ void study_hints(const Study& study, const std::string& kind, double share) {
       "|---|---|---|---|---|---|\n",
       kind.c_str(), 100 * share);
   for (const auto& [name, sum] : families) {
-    print_row(name, sum);
+    print_hint_row(name, sum);
     const double n = static_cast<double>(sum.characters);
     family_mean.add({sum.before / n, sum.after / n, sum.worse / n, 1});
   }
-  print_row("mean of families", family_mean);
-  print_row("mean of characters", all);
+  print_hint_row("mean of families", family_mean);
+  print_hint_row("mean of characters", all);
 }
 
 }  // namespace sinew::cli

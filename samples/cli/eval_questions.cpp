@@ -17,19 +17,19 @@
 namespace sinew::cli {
 namespace {
 
-struct Gain {
+struct QuestionGain {
   double before = 0, after = 0;  // L1
   double asked = 0;              // questions
   double covered = 0;            // share of the vertices that they are about
   size_t characters = 0;
-  void add(const Gain& g) {
+  void add(const QuestionGain& g) {
     before += g.before;
     after += g.after;
     asked += g.asked;
     covered += g.covered;
     characters += g.characters;
   }
-  Gain mean() const {
+  QuestionGain mean() const {
     const double n = static_cast<double>(characters);
     return {before / n, after / n, asked / n, covered / n, 1};
   }
@@ -43,9 +43,9 @@ BindOptions options_of(const Study& study) {
   return options;
 }
 
-Gain gain_of(const Study& study, const Character& c, uint32_t questions, size_t* kinds) {
+QuestionGain question_gain(const Study& study, const Character& c, uint32_t questions, size_t* kinds) {
   const Answered answered = ask_artist(c, options_of(study), questions);
-  Gain gain;
+  QuestionGain gain;
   gain.before = measure(c, answered.before.influences, c.name, 0).l1;
   gain.after = measure(c, answered.after.influences, c.name, 0).l1;
   gain.asked = static_cast<double>(answered.answers.size());
@@ -56,8 +56,8 @@ Gain gain_of(const Study& study, const Character& c, uint32_t questions, size_t*
   return gain;
 }
 
-void print_row(const std::string& name, const Gain& sum) {
-  const Gain g = sum.mean();
+void print_question_row(const std::string& name, const QuestionGain& sum) {
+  const QuestionGain g = sum.mean();
   std::printf("| %s | %zu | %.4f | %.4f | %.1f %% | %.1f | %.0f %% |\n", name.c_str(), sum.characters, g.before,
               g.after, 100 * (g.before - g.after) / std::max(g.before, 1e-12), g.asked, 100 * g.covered);
 }
@@ -66,19 +66,19 @@ void print_row(const std::string& name, const Gain& sum) {
 
 void study_questions(const Study& study, uint32_t questions) {
   const std::vector<FoundCharacter> found = characters_in(study.folder);
-  std::vector<Gain> gains(found.size());
+  std::vector<QuestionGain> gains(found.size());
   std::vector<std::vector<size_t>> kinds(found.size(), std::vector<size_t>(answer_names().size(), 0));
   {
     Progress progress(found.size(), "characters");
     parallel_for(found.size(), study.jobs, [&](size_t i, unsigned) {
       const Character c = read_found(found[i]);
       if (c.influences.empty()) throw Error(found[i].path + ": has no reference weights to answer by");
-      gains[i] = gain_of(study, c, questions, kinds[i].data());
+      gains[i] = question_gain(study, c, questions, kinds[i].data());
       progress.step();
     });
   }
-  std::map<std::string, Gain> families;
-  Gain all, family_mean;
+  std::map<std::string, QuestionGain> families;
+  QuestionGain all, family_mean;
   std::vector<size_t> answers(answer_names().size(), 0);
   for (size_t i = 0; i < found.size(); ++i) {
     families[family_of(found[i].name)].add(gains[i]);
@@ -90,11 +90,11 @@ void study_questions(const Study& study, uint32_t questions) {
       "|---|---|---|---|---|---|---|\n",
       questions);
   for (const auto& [name, sum] : families) {
-    print_row(name, sum);
+    print_question_row(name, sum);
     family_mean.add(sum.mean());
   }
-  print_row("mean of families", family_mean);
-  print_row("mean of characters", all);
+  print_question_row("mean of families", family_mean);
+  print_question_row("mean of characters", all);
   std::printf("\nanswers:");
   for (size_t k = 0; k < answers.size(); ++k)
     std::printf(" %s %zu%s", answer_names()[k].c_str(), answers[k], k + 1 < answers.size() ? "," : "\n");
@@ -108,7 +108,7 @@ void study_style(const Study& study, uint32_t questions) {
     if (found.size() > 1) several.emplace_back(name, std::move(found));
   if (several.empty())
     throw Error(study.folder + ": --style needs a family (FAMILY__NAME) with two characters or more");
-  std::vector<std::vector<Gain>> gains(several.size());
+  std::vector<std::vector<QuestionGain>> gains(several.size());
   {
     Progress progress(several.size(), "families");
     parallel_for(several.size(), study.jobs, [&](size_t f, unsigned) {
@@ -125,7 +125,7 @@ void study_style(const Study& study, uint32_t questions) {
         const BindResult before = bind(c, options);
         options.question_count = 0;
         options.answers = answer_by_style(style, c, {before.questions, before.vertex_parts}, {});
-        Gain gain;
+        QuestionGain gain;
         gain.before = measure(c, before.influences, c.name, 0).l1;
         gain.after = measure(c, bind(c, options).influences, c.name, 0).l1;
         gain.asked = static_cast<double>(options.answers.size());
@@ -139,17 +139,17 @@ void study_style(const Study& study, uint32_t questions) {
       "| family (%u questions to its first character) | others | L1 | with the style | less | answers | worst loss |\n"
       "|---|---|---|---|---|---|---|\n",
       questions);
-  Gain all, family_mean;
+  QuestionGain all, family_mean;
   double worst = 0;
-  const auto print = [](const std::string& name, const Gain& sum, double loss) {
-    const Gain g = sum.mean();
+  const auto print = [](const std::string& name, const QuestionGain& sum, double loss) {
+    const QuestionGain g = sum.mean();
     std::printf("| %s | %zu | %.4f | %.4f | %.1f %% | %.1f | %.4f |\n", name.c_str(), sum.characters, g.before, g.after,
                 100 * (g.before - g.after) / std::max(g.before, 1e-12), g.asked, loss);
   };
   for (size_t f = 0; f < several.size(); ++f) {
-    Gain sum;
+    QuestionGain sum;
     double loss = 0;
-    for (const Gain& gain : gains[f]) {
+    for (const QuestionGain& gain : gains[f]) {
       sum.add(gain);
       loss = std::max(loss, gain.after - gain.before);
     }

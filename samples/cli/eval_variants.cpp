@@ -19,8 +19,6 @@
 namespace sinew::cli {
 namespace {
 
-using Settings = WeightsEvaluation;
-
 std::vector<uint8_t> known_joints(const Character& character) {
   std::vector<uint8_t> flags(character.joints.size(), 0);
   for (const auto& row : character.influences) {
@@ -31,7 +29,7 @@ std::vector<uint8_t> known_joints(const Character& character) {
   return flags;
 }
 
-Prediction bind_with(const Settings& s, const sinew_model* model, const Character& character) {
+Prediction bind_with(const WeightsEvaluation& s, const sinew_model* model, const Character& character) {
   BindOptions options;
   options.method = model == nullptr ? SINEW_METHOD_HEAT : SINEW_METHOD_MODEL;
   options.model = model;
@@ -52,14 +50,14 @@ Prediction bind_with(const Settings& s, const sinew_model* model, const Characte
   return {std::move(result.influences), result.seconds, {}, std::move(result.confidence)};
 }
 
-Variant heat_variant(const Settings& s) {
+Variant heat_variant(const WeightsEvaluation& s) {
   Variant variant;
   variant.label = "heat";
   variant.predict = [&s](const Character& c, const Sample*) { return bind_with(s, nullptr, c); };
   return variant;
 }
 
-Variant nearest_variant(const Settings& s) {
+Variant nearest_variant(const WeightsEvaluation& s) {
   Variant variant;
   variant.label = kNearest;
   variant.predict = [&s](const Character& c, const Sample*) {
@@ -99,7 +97,7 @@ Variant peer_variant(const std::string& name_and_folder) {
   return variant;
 }
 
-Variant model_variant(const Settings& s, const std::string& label, std::shared_ptr<LoadedModel> model) {
+Variant model_variant(const WeightsEvaluation& s, const std::string& label, std::shared_ptr<LoadedModel> model) {
   Variant variant;
   variant.label = label;
   variant.bits = 16;
@@ -110,7 +108,7 @@ Variant model_variant(const Settings& s, const std::string& label, std::shared_p
 }
 
 // The float network first; with a report also the same network in integers, at fewer and fewer bits.
-std::vector<Variant> checkpoint_variants(const Settings& s) {
+std::vector<Variant> checkpoint_variants(const WeightsEvaluation& s) {
   auto checkpoint = std::make_shared<Checkpoint>(read_checkpoint(s.checkpoint));
   const FloatNetwork& network = checkpoint->network;
   std::vector<Variant> variants(1);

@@ -8,9 +8,9 @@
 namespace sinew::cli {
 namespace {
 
-constexpr size_t kWidth = 100, kColumn = 27;
+constexpr size_t kTextWidth = 100, kColumn = 27;
 
-// Words in lines of at most kWidth columns, behind a name that has the first kColumn of them.
+// Words in lines of at most kTextWidth columns, behind a name that has the first kColumn of them.
 std::string row(const std::string& name, const std::string& text) {
   std::string out, line = "  " + name;
   const auto end_line = [&] {
@@ -21,7 +21,7 @@ std::string row(const std::string& name, const std::string& text) {
   line.resize(kColumn, ' ');
   std::istringstream words(text);
   for (std::string word; words >> word;) {
-    if (line.size() > kColumn && line.size() + 1 + word.size() > kWidth) {
+    if (line.size() > kColumn && line.size() + 1 + word.size() > kTextWidth) {
       end_line();
       line.assign(kColumn, ' ');
     }
@@ -35,7 +35,7 @@ std::string wrapped(const std::string& text) {
   std::string out, line;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
-    if (!line.empty() && line.size() + 1 + word.size() > kWidth) {
+    if (!line.empty() && line.size() + 1 + word.size() > kTextWidth) {
       out += line + "\n";
       line.clear();
     }
@@ -77,7 +77,7 @@ Value value_of(const CLI::Option& option) {
   const size_t colon = whole.find(":{");
   Value value = {whole.substr(0, whole.find(':')), ""};
   if (colon != std::string::npos) value.choices = whole.substr(colon + 2, whole.rfind('}') - colon - 2);
-  const char* const between = value.choices.size() < kWidth / 2 ? "|" : "| ";  // long lists may be broken
+  const char* const between = value.choices.size() < kTextWidth / 2 ? "|" : "| ";  // long lists may be broken
   for (size_t at = value.choices.find(','); at != std::string::npos; at = value.choices.find(','))
     value.choices.replace(at, 1, between);
   return value;
@@ -151,7 +151,7 @@ std::string HelpText::make_help(const CLI::App* app, std::string name, CLI::AppF
     return out;
   }
   for (const CLI::App* sub : subcommands)
-    out += "\n" + std::string(kWidth, '-') + "\n" + make_help(sub, name + " " + sub->get_name(), mode);
+    out += "\n" + std::string(kTextWidth, '-') + "\n" + make_help(sub, name + " " + sub->get_name(), mode);
   return out;
 }
 

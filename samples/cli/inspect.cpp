@@ -25,7 +25,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Settings {
+struct InspectCommandSettings {
   std::string path;
   bool json = false;
 };
@@ -71,7 +71,7 @@ Json checkpoint_json(const std::string& path, const Checkpoint& checkpoint) {
   return json;
 }
 
-void inspect_checkpoint(const Settings& s) {
+void inspect_checkpoint(const InspectCommandSettings& s) {
   const std::string& path = s.path;
   const Checkpoint checkpoint = read_checkpoint(path);
   if (s.json) return print_json(checkpoint_json(path, checkpoint));
@@ -95,7 +95,7 @@ void inspect_checkpoint(const Settings& s) {
   std::printf("config        %s\n", checkpoint.state.config_json.c_str());
 }
 
-void inspect_model(const Settings& s) {
+void inspect_model(const InspectCommandSettings& s) {
   const std::unique_ptr<LoadedModel> loaded = load_model(s.path);
   const sinew_model& model = loaded->model;
   if (s.json) {
@@ -138,7 +138,7 @@ Character read_what_is_there(const std::string& path) {
   return is_rig || has_rig ? read_character(path) : read_mesh(path);
 }
 
-void inspect_gltf(const Settings& s) {
+void inspect_gltf(const InspectCommandSettings& s) {
   const GltfSummary summary = summarise_gltf(s.path);
   const bool has_mesh = std::any_of(summary.meshes.begin(), summary.meshes.end(),
                                     [](const GltfMeshSummary& mesh) { return mesh.in_scene && mesh.vertices > 0; });
@@ -156,7 +156,7 @@ void inspect_gltf(const Settings& s) {
   if (has_mesh) print_character(character);
 }
 
-void inspect_character(const Settings& s) {
+void inspect_character(const InspectCommandSettings& s) {
   const Character character = read_what_is_there(s.path);
   const std::string kind = character_kind(character);
   if (s.json) {
@@ -168,7 +168,7 @@ void inspect_character(const Settings& s) {
   print_character(character);
 }
 
-void run(const Settings& s) {
+void run_inspect(const InspectCommandSettings& s) {
   if (s.path == "bundled" || has_extension(s.path, ".sinew")) return inspect_model(s);
   if (is_gltf(s.path)) return inspect_gltf(s);
   const bool is_rig = has_use(s.path, kReadsSkeleton) && !has_use(s.path, kReadsMotion);
@@ -183,7 +183,7 @@ void run(const Settings& s) {
 
 void add_inspect(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("inspect", "Say what is in a mesh, character, checkpoint or model");
-  auto s = std::make_shared<Settings>();
+  auto s = std::make_shared<InspectCommandSettings>();
   sub->add_option("file", s->path,
                   "A mesh, rig, character, checkpoint or model. " + mesh_files() + ", " + skeleton_files() +
                       "; bundled = the model built into the program")
@@ -194,7 +194,7 @@ void add_inspect(CLI::App& app) {
       "Example:\n  sinew inspect hero.glb\n\n"
       "Of a glTF also: meshes and their skins, materials, images, animations, morph targets, extensions, and whether\n"
       "the inverse bind matrices agree with where the nodes stand now.");
-  sub->callback([s] { run(*s); });
+  sub->callback([s] { run_inspect(*s); });
 }
 
 }  // namespace sinew::cli

@@ -4,17 +4,12 @@
 #include <utility>
 
 #include "inspect_parts.hpp"
+#include "support.hpp"
 
 namespace sinew::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
 
 void print_mesh(const GltfSummary& summary, const GltfMeshSummary& mesh) {
   std::printf("  %s  %zu vertices, %zu %s, ", mesh.name.c_str(), mesh.vertices, mesh.primitives,

@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Settings {
+struct LodCommandSettings {
   std::string character, output;
   LodOptions options;
   ProfileSettings profile;
@@ -31,7 +31,7 @@ struct Settings {
 };
 
 // A character as a GLB that is not on the disk.
-std::vector<uint8_t> glb_of(const Settings& s, const Character& character, std::vector<std::string>* notes) {
+std::vector<uint8_t> glb_of(const LodCommandSettings& s, const Character& character, std::vector<std::string>* notes) {
   std::vector<NamedBytes> written;
   {
     const MemoryFiles scope(memory_inputs(), &written);
@@ -49,7 +49,7 @@ std::string file_of(const std::string& output, size_t level) {
       .string();
 }
 
-void run(Settings s) {
+void run_lod(LodCommandSettings s) {
   settle_profile(s.profile, nullptr);
   if (s.output.empty()) s.output = stem_of(s.character) + (s.one_file ? ".lods.glb" : container_of(s.profile));
   check_output(s.output, kWholeOutputs);
@@ -107,7 +107,7 @@ void run(Settings s) {
 void add_lod(CLI::App& app) {
   CLI::App* sub =
       app.add_subcommand("lod", "Levels of detail: fewer triangles, with weights, shapes, seams and materials");
-  auto s = std::make_shared<Settings>();
+  auto s = std::make_shared<LodCommandSettings>();
   sub->add_option("character", s->character, "Bound character. " + mesh_files())->required()->type_name("CHARACTER");
   shared_option(sub, "-o,--output", s->output,
                 "NAME.lod1, NAME.lod2, ... of this name: " + extensions_text(kWholeOutputs))
@@ -126,7 +126,7 @@ void add_lod(CLI::App& app) {
   sub->footer(
       "Examples:\n  sinew lod hero.glb\n  sinew lod hero.glb --levels 4 --triangles 0.4 --fewer-joints -o "
       "lods/hero.glb");
-  sub->callback([s] { run(*s); });
+  sub->callback([s] { run_lod(*s); });
 }
 
 }  // namespace sinew::cli

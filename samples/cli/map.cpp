@@ -30,7 +30,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kNoEnds = "none";  // of --ends, in place of a file
 
-struct Settings {
+struct MapCommandSettings {
   std::string target, source, preset, output = "-", method = "auto", cost = "mean", first = "both", up = "auto",
                                       source_up, pins_file, ends_file, png, level, layout, actor;
   std::vector<std::string> pins;
@@ -78,7 +78,7 @@ void read_ends(const std::string& path, MapRig* rig) {
 }
 
 // The file's pins, then those of --set, which win.
-std::vector<sinew_map_pin> read_pins(const Settings& s, const MapRig& target, const MapRig& source) {
+std::vector<sinew_map_pin> read_pins(const MapCommandSettings& s, const MapRig& target, const MapRig& source) {
   std::vector<sinew_map_pin> pins;
   if (!s.pins_file.empty()) pins = read_map_file(s.pins_file, target, source);
   std::vector<sinew_map_pin> said;
@@ -103,7 +103,7 @@ std::vector<sinew_map_pin> read_pins(const Settings& s, const MapRig& target, co
   return pins;
 }
 
-Json map_json(const Settings& s, const MapRig& target, const MapRig& source, const MappedSkeleton& map,
+Json map_json(const MapCommandSettings& s, const MapRig& target, const MapRig& source, const MappedSkeleton& map,
               const MapCover& cover) {
   Json json = {{"sinew_map", 1}};
   json["target"] = target.name;
@@ -131,7 +131,7 @@ Json map_json(const Settings& s, const MapRig& target, const MapRig& source, con
   return json;
 }
 
-void tell(const Settings& s, const MapRig& target, const MapRig& source, const MappedSkeleton& map,
+void tell(const MapCommandSettings& s, const MapRig& target, const MapRig& source, const MappedSkeleton& map,
           const MapCover& cover, std::FILE* out) {
   std::fprintf(out, "%s: %zu of %zu joints from %s, which has %zu; %.1f ms%s\n", printable(target.name).c_str(),
                map.mapped, target.joints.size(), printable(source.name).c_str(), source.joints.size(),
@@ -151,7 +151,7 @@ void tell(const Settings& s, const MapRig& target, const MapRig& source, const M
 }
 
 // What the command line leaves open follows from what it says.
-Settings settled(Settings s) {
+MapCommandSettings settled(MapCommandSettings s) {
   if (s.source.empty() == s.preset.empty())
     throw UsageError("give the other skeleton with --from FILE, or the names of a standard rig with --to NAME");
   if (!s.preset.empty()) s.source = "template:" + s.preset;
@@ -164,7 +164,7 @@ Settings settled(Settings s) {
   return s;
 }
 
-MappedSkeleton map_joints(const Settings& s, const MapRig& target, const MapRig& source) {
+MappedSkeleton map_joints(const MapCommandSettings& s, const MapRig& target, const MapRig& source) {
   MapSkeletonOptions options;
   options.method = s.method == "sinew" ? SINEW_MAP_SINEW : SINEW_MAP_AUTO;
   if (s.method == "branches") options.method = SINEW_MAP_BRANCHES;
@@ -180,15 +180,15 @@ MappedSkeleton map_joints(const Settings& s, const MapRig& target, const MapRig&
                          : map_at_level(target, source, options, s.level == "low");
 }
 
-void write_map(const Settings& s, const MapRig& target, const MapRig& source, const MappedSkeleton& map,
+void write_map(const MapCommandSettings& s, const MapRig& target, const MapRig& source, const MappedSkeleton& map,
                const std::string& json) {
   if (s.output != "-")
     write_text_file(s.output, has_extension(s.output, ".json") ? json + "\n" : map_text(target, source, map));
   if (!s.png.empty()) write_file(s.png, encode_png(draw_map(target, s.up[0], source, s.source_up[0], map)));
 }
 
-void run(const Settings& given) {
-  const Settings s = settled(given);
+void run_map(const MapCommandSettings& given) {
+  const MapCommandSettings s = settled(given);
   MapRig target = read_rig(s.target, [&] { return read_map_rig(s.target); });
   MapRig source = read_rig(s.source, [&] {
     return read_map_source({s.source, s.layout, s.actor, s.source_up, s.up}, target);
@@ -211,7 +211,7 @@ void run(const Settings& given) {
   }
 }
 
-void add_inputs(CLI::App* sub, Settings* s) {
+void add_map_inputs(CLI::App* sub, MapCommandSettings* s) {
   sub->add_option(
          "target", s->target,
          "Skeleton whose joints get a source. " + skeleton_files() + ", .obj with its .rig.txt, or template:NAME")
@@ -266,15 +266,15 @@ void add_inputs(CLI::App* sub, Settings* s) {
 
 void add_map(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("map", "Find out which joint of a skeleton stands for which of another");
-  auto s = std::make_shared<Settings>();
-  add_inputs(sub, s.get());
+  auto s = std::make_shared<MapCommandSettings>();
+  add_map_inputs(sub, s.get());
   sub->footer(
       "Examples:\n  sinew map hero.glb --from walk.glb -o hero.map\n"
       "  sinew map hero.glb --from walk.glb --map hero.map --set LeftHand=hand_l -o hero.map\n"
       "  sinew map hero.glb --to mixamo --png map.png\n\n"
       "Confidence is 1 for what is sure. A rig that does not show its front may get its sides exchanged:\n"
       "one --set turns all of it.");
-  sub->callback([s] { run(*s); });
+  sub->callback([s] { run_map(*s); });
 }
 
 }  // namespace sinew::cli

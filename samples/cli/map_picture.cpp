@@ -13,7 +13,7 @@ namespace {
 
 using Colour = std::array<uint8_t, 3>;
 
-constexpr int kWidth = 700, kHeight = 900, kRim = 40;
+constexpr int kPictureWidth = 700, kPictureHeight = 900, kRim = 40;
 constexpr float kYaw = 0.45f, kPitch = 0.17f;  // radians
 constexpr Colour kPaper = {255, 255, 255}, kAlone = {190, 190, 190};
 
@@ -24,9 +24,9 @@ struct Spot {
 class Panel {
  public:
   Panel() {
-    image_.width = kWidth;
-    image_.height = kHeight;
-    image_.rgb.assign(size_t{3} * kWidth * kHeight, kPaper[0]);
+    image_.width = kPictureWidth;
+    image_.height = kPictureHeight;
+    image_.rgb.assign(size_t{3} * kPictureWidth * kPictureHeight, kPaper[0]);
   }
 
   void disc(Spot at, float radius, Colour colour) {
@@ -48,8 +48,8 @@ class Panel {
 
  private:
   void put(int x, int y, Colour colour) {
-    if (x < 0 || y < 0 || x >= kWidth || y >= kHeight) return;
-    std::copy(colour.begin(), colour.end(), image_.rgb.begin() + 3 * (static_cast<long>(y) * kWidth + x));
+    if (x < 0 || y < 0 || x >= kPictureWidth || y >= kPictureHeight) return;
+    std::copy(colour.begin(), colour.end(), image_.rgb.begin() + 3 * (static_cast<long>(y) * kPictureWidth + x));
   }
   Image image_;
 };
@@ -70,10 +70,10 @@ std::vector<Spot> project(const MapRig& rig, char up) {
     high = {std::max(high.x, s.x), std::max(high.y, s.y)};
   }
   const float side =
-      std::max({(high.x - low.x) / (kWidth - 2 * kRim), (high.y - low.y) / (kHeight - 2 * kRim), 1e-20f});
+      std::max({(high.x - low.x) / (kPictureWidth - 2 * kRim), (high.y - low.y) / (kPictureHeight - 2 * kRim), 1e-20f});
   for (Spot& s : spots) {
-    s.x = kWidth / 2.0f + (s.x - (low.x + high.x) / 2) / side;
-    s.y = kHeight / 2.0f + (s.y - (low.y + high.y) / 2) / side;
+    s.x = kPictureWidth / 2.0f + (s.x - (low.x + high.x) / 2) / side;
+    s.y = kPictureHeight / 2.0f + (s.y - (low.y + high.y) / 2) / side;
   }
   return spots;
 }

@@ -26,7 +26,7 @@
 namespace sinew::cli {
 namespace {
 
-struct Settings {
+struct PoseCommandSettings {
   std::string character, output, matrices, up = "y", animation, to_pose;
   DeformSettings deform;
   std::vector<std::string> rotations;
@@ -63,7 +63,7 @@ std::vector<JointRotation> random_rotations(const Character& character, uint64_t
   return rotate_joints(character, draw);
 }
 
-Character deformed(const Settings& s, const Character& character, const std::vector<Affine>& palette) {
+Character deformed(const PoseCommandSettings& s, const Character& character, const std::vector<Affine>& palette) {
   const std::optional<sinew_deform_options> options = deform_options(s.deform);
   PosedCharacter posed = pose_character(character, palette, options, s.deform.method == "dual-quaternion");
   if (!posed.corrected) {
@@ -76,7 +76,7 @@ Character deformed(const Settings& s, const Character& character, const std::vec
 }
 
 // By turns of joints.
-std::vector<Affine> turned_palette(const Settings& s, const Character& character, size_t* count) {
+std::vector<Affine> turned_palette(const PoseCommandSettings& s, const Character& character, size_t* count) {
   std::vector<JointRotation> rotations;
   if (s.random) {
     rotations = random_rotations(character, s.seed, s.limit);
@@ -88,7 +88,7 @@ std::vector<Affine> turned_palette(const Settings& s, const Character& character
 }
 
 // A moment of one of the file's own animations.
-std::vector<Affine> animated_palette(const Settings& s, const Character& character, std::string* what) {
+std::vector<Affine> animated_palette(const PoseCommandSettings& s, const Character& character, std::string* what) {
   if (character.gltf == nullptr)
     throw Error(s.character +
                 ": has no animations; expected a file that can: " + extensions_text(kReadsWhole | kReadsMotion));
@@ -96,7 +96,7 @@ std::vector<Affine> animated_palette(const Settings& s, const Character& charact
 }
 
 // By what the command line says.
-std::vector<Affine> chosen_palette(const Settings& s, const Character& character, std::string* what) {
+std::vector<Affine> chosen_palette(const PoseCommandSettings& s, const Character& character, std::string* what) {
   if (s.animated) return animated_palette(s, character, what);
   if (!s.matrices.empty()) {
     *what = "posed by " + file_name(s.matrices);
@@ -112,7 +112,7 @@ std::vector<Affine> chosen_palette(const Settings& s, const Character& character
   return palette;
 }
 
-void run(const Settings& s) {
+void run_pose(const PoseCommandSettings& s) {
   if (int{s.random} + int{!s.rotations.empty()} + int{s.animated} + int{!s.matrices.empty()} +
           int{!s.to_pose.empty()} !=
       1)
@@ -144,7 +144,7 @@ void run(const Settings& s) {
 
 void add_pose(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("pose", "Pose a bound character");
-  auto s = std::make_shared<Settings>();
+  auto s = std::make_shared<PoseCommandSettings>();
   sub->add_option("character", s->character, "Skinned file, or NAME.obj with NAME.rig.txt beside it. " + mesh_files())
       ->required()
       ->type_name("CHARACTER");
@@ -180,7 +180,7 @@ void add_pose(CLI::App& app) {
   sub->callback([s, seed, animation] {
     s->random = seed->count() > 0;
     s->animated = animation->count() > 0;
-    run(*s);
+    run_pose(*s);
   });
 }
 

@@ -33,7 +33,7 @@
 namespace sinew::cli {
 namespace {
 
-struct Settings {
+struct QuantizeCommandSettings {
   std::string checkpoint, folder, compared, output, release, confidence;
   // What the integers are measured on beside float, and a remark where ranges are of the same characters.
   const std::string& measured_on() const { return compared.empty() ? folder : compared; }
@@ -47,7 +47,7 @@ struct Settings {
 };
 
 // Returns what was done, a line.
-std::string add_confidence(const Settings& s, std::vector<uint8_t>* bytes) {
+std::string add_confidence(const QuantizeCommandSettings& s, std::vector<uint8_t>* bytes) {
   const std::unique_ptr<LoadedModel> plain = model_from_bytes(*bytes, "the quantised network");
   const std::vector<JudgedConfidence> judged =
       judge_folder({s.confidence, &plain->model, 4, std::max(1u, std::thread::hardware_concurrency())});
@@ -105,7 +105,7 @@ void show_layers(const QuantizedModel& model) {
   }
 }
 
-void say(const Settings& s, const QuantizedModel& model, size_t calibrated, const Loss& loss,
+void say(const QuantizeCommandSettings& s, const QuantizedModel& model, size_t calibrated, const Loss& loss,
          const std::string& confidence) {
   std::printf(
       "%s: %zu bytes; beside the float network %.2f %% of the vertices go to another joint (at most %.2f %%, %s), "
@@ -119,7 +119,7 @@ void say(const Settings& s, const QuantizedModel& model, size_t calibrated, cons
               s.output.c_str());
 }
 
-void release(const Settings& s, const FloatNetwork& network) {
+void release(const QuantizeCommandSettings& s, const FloatNetwork& network) {
   if (s.release.empty()) return;
   Checkpoint weights;
   weights.network = network;
@@ -127,7 +127,7 @@ void release(const Settings& s, const FloatNetwork& network) {
 }
 
 // Both networks of the published method become one file.
-void quantize_slots(const Settings& s, const FloatNetwork& network) {
+void quantize_slots(const QuantizeCommandSettings& s, const FloatNetwork& network) {
   const SlotNetworks networks = calibrate_slots(network, s.folder, s.characters);
   const QuantizedModel joints = quantize(networks.joints, networks.joint_ranges, s.options),
                        connections = quantize(networks.connections, networks.connection_ranges, s.options);
@@ -148,7 +148,7 @@ void quantize_slots(const Settings& s, const FloatNetwork& network) {
   std::printf("\nnext: sinew rig MESH.obj --method slots --model %s\n", s.output.c_str());
 }
 
-void quantize_front(const Settings& s, const FloatNetwork& network) {
+void quantize_front(const QuantizeCommandSettings& s, const FloatNetwork& network) {
   const QuantizedModel model = quantize(network, calibrate_front(network, s.folder, s.characters), s.options);
   write_file(s.output, model.bytes);
   release(s, network);
@@ -165,7 +165,7 @@ void quantize_front(const Settings& s, const FloatNetwork& network) {
 }
 
 // A network of skeletons: no confidences, and votes instead of weights to compare.
-void quantize_rig(const Settings& s, const Checkpoint& checkpoint) {
+void quantize_rig(const QuantizeCommandSettings& s, const Checkpoint& checkpoint) {
   if (!s.confidence.empty() || s.correction > 0)
     throw UsageError(s.checkpoint +
                      " predicts skeletons: --calibrate-confidence and --correction are for skin weights");
@@ -191,7 +191,7 @@ void quantize_rig(const Settings& s, const Checkpoint& checkpoint) {
 }
 
 // A model stays as it is but for its table of confidences.
-void fit_model(const Settings& s) {
+void fit_model(const QuantizeCommandSettings& s) {
   if (s.confidence.empty() || !s.folder.empty() || !s.release.empty())
     throw UsageError(s.checkpoint +
                      " is a model already: all that can change is its table, with --calibrate-confidence DIR alone");
@@ -202,7 +202,7 @@ void fit_model(const Settings& s) {
   if (!s.quiet) std::printf("%s: %zu bytes\n%s", s.output.c_str(), bytes.size(), confidence.c_str());
 }
 
-void run(const Settings& s) {
+void run_quantize(const QuantizeCommandSettings& s) {
   check_output(s.output, {".sinew"});
   if (has_extension(s.checkpoint, ".sinew")) return fit_model(s);
   if (s.folder.empty()) throw UsageError("--calibrate DIR is needed: the characters that the ranges are measured on");
@@ -227,7 +227,7 @@ void run(const Settings& s) {
 
 void add_quantize(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("quantize", "Turn a checkpoint into an int16 model");
-  auto s = std::make_shared<Settings>();
+  auto s = std::make_shared<QuantizeCommandSettings>();
   sub->add_option("checkpoint", s->checkpoint,
                   "Checkpoint of sinew train. Or a model, with --calibrate-confidence alone")
       ->required()
@@ -265,7 +265,7 @@ void add_quantize(CLI::App& app) {
   sub->footer(
       "Example:\n  sinew quantize run.sinewckpt --calibrate characters/train -o run.sinew\n"
       "  sinew quantize run.sinew --calibrate-confidence characters/others -o run.sinew");
-  sub->callback([s] { run(*s); });
+  sub->callback([s] { run_quantize(*s); });
 }
 
 }  // namespace sinew::cli

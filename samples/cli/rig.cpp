@@ -39,7 +39,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Settings {
+struct RigCommandSettings {
   std::string detail = "body", hands_model, front_model;
   std::string mesh, output, model, bind_model, png, up = "auto", front = "auto", format = "glb", prediction, skeleton,
                                                     to_pose;
@@ -58,7 +58,7 @@ struct Models {
   std::unique_ptr<LoadedModel> rig, bind, hands, front;
 };
 
-Models load_models(const Settings& s) {
+Models load_models(const RigCommandSettings& s) {
   Models models;
   if (s.prediction.empty() && !s.method.extracts())
     models.rig = load_model(s.model, s.method.slots() ? ModelUse::kSlotJoints : ModelUse::kRig);
@@ -81,7 +81,7 @@ uint32_t front_number(const std::string& front) {
   return static_cast<uint32_t>(found - kFronts.begin());  // in the order of sinew_front
 }
 
-RigJobOptions job_options(const Settings& s) {
+RigJobOptions job_options(const RigCommandSettings& s) {
   RigJobOptions job;
   job.method = s.method.job_method();
   job.category = category_number(s.method.category);
@@ -111,7 +111,7 @@ RigJobOptions job_options(const Settings& s) {
   return job;
 }
 
-Rigged rig_one(const Settings& s, const Models& models, const std::string& path) {
+Rigged rig_one(const RigCommandSettings& s, const Models& models, const std::string& path) {
   const auto opened = [](const std::unique_ptr<LoadedModel>& model) { return model ? &model->model : nullptr; };
   const RigModels ready = {opened(models.rig), opened(models.bind), opened(models.hands), opened(models.front)};
   if (is_picture(path)) {
@@ -134,7 +134,8 @@ Rigged rig_one(const Settings& s, const Models& models, const std::string& path)
   return {rig_character(std::move(mesh), job_options(s), ready), {}};
 }
 
-Json summary_json(const Settings& s, const Rigged& rigged, const std::string& mesh, const std::string& output) {
+Json summary_json(const RigCommandSettings& s, const Rigged& rigged, const std::string& mesh,
+                  const std::string& output) {
   const PredictedSkeleton& skeleton = rigged.skeleton;
   Json json = {{"sinew_rig", 1}};
   json["mesh"] = mesh;
@@ -184,7 +185,8 @@ Json summary_json(const Settings& s, const Rigged& rigged, const std::string& me
   return json;
 }
 
-void tell(const Settings& s, const Rigged& rigged, const std::string& mesh, const std::string& output, std::FILE* out) {
+void tell(const RigCommandSettings& s, const Rigged& rigged, const std::string& mesh, const std::string& output,
+          std::FILE* out) {
   if (s.json) {
     std::fprintf(out, "%s\n", json_line(summary_json(s, rigged, mesh, output)).c_str());
     return;
@@ -217,7 +219,7 @@ std::vector<uint8_t> doubtful_joints(const Rigged& rigged) {
   return doubtful;
 }
 
-void write_rigged(const Settings& s, const std::string& output, Rigged* made) {
+void write_rigged(const RigCommandSettings& s, const std::string& output, Rigged* made) {
   Rigged& rigged = *made;
   write_as(s.profile, output, rigged.character, &rigged.character.notes);
   if (rigged.picture) write_mask(s.picture, *rigged.picture);
@@ -232,7 +234,7 @@ void write_rigged(const Settings& s, const std::string& output, Rigged* made) {
   write_file(s.png, encode_png(render(rigged.character, colours, view)));
 }
 
-void run_folder(const Settings& s) {
+void run_rig_folder(const RigCommandSettings& s) {
   if (s.output.empty()) throw UsageError(s.mesh + " is a folder: say with -o OUTDIR where its files go");
   if (!s.png.empty()) throw UsageError("--png is for one mesh, and " + s.mesh + " is a folder");
   if (!s.prediction.empty()) throw UsageError("--prediction is for one mesh, and " + s.mesh + " is a folder");
@@ -265,7 +267,7 @@ void run_folder(const Settings& s) {
                     " meshes do not pass the gate, see above; their files are written");
 }
 
-void run(Settings s) {
+void run_rig(RigCommandSettings s) {
   settle_profile(s.profile, &s.to_pose);
   if (s.mirror && s.no_mirror) throw UsageError("--mirror and --no-mirror: give one of the two");
   if (s.keep_lengths && s.skeleton.empty())
@@ -286,7 +288,7 @@ void run(Settings s) {
   if (!s.prediction.empty() && !s.model.empty())
     throw UsageError("--prediction and --model: a skeleton that is given is not predicted");
   std::error_code ignored;
-  if (std::filesystem::is_directory(s.mesh, ignored)) return run_folder(s);
+  if (std::filesystem::is_directory(s.mesh, ignored)) return run_rig_folder(s);
   if (s.output.empty()) s.output = stem_of(s.mesh) + ".rigged" + container_of(s.profile);
   check_output(s.output, kSkinOutputs, true);
   if (!s.png.empty()) check_output(s.png, {".png"});
@@ -303,7 +305,7 @@ void run(Settings s) {
 }
 
 // What most meshes need.
-void add_inputs(CLI::App* sub, Settings* s) {
+void add_rig_inputs(CLI::App* sub, RigCommandSettings* s) {
   sub->add_option("mesh", s->mesh,
                   "Mesh, a picture of a character (" + picture_files() +
                       "), or a folder: every mesh in it and below it, or every picture where it has no mesh. " +
@@ -347,7 +349,7 @@ void add_inputs(CLI::App* sub, Settings* s) {
       "weight, or the mesh tears in a test pose. Files are written all the same");
 }
 
-void add_shape_options(CLI::App* sub, Settings* s) {
+void add_shape_options(CLI::App* sub, RigCommandSettings* s) {
   section(sub, "What the skeleton has");
   sub->add_flag("--mirror", s->mirror, "Make both sides alike even where the mesh is not");
   sub->add_flag("--no-mirror", s->no_mirror, "Find both sides apart even where the mesh is its own mirror image");
@@ -368,7 +370,7 @@ void add_shape_options(CLI::App* sub, Settings* s) {
       ->type_name("FILE");
 }
 
-void add_models(CLI::App* sub, Settings* s) {
+void add_models(CLI::App* sub, RigCommandSettings* s) {
   section(sub, "Models and files");
   shared_option(sub, "--model", s->model, "Of skeletons")->default_str("bundled");
   sub->add_option("--bind-model", s->bind_model, "Model of weights")->type_name("FILE")->default_str("bundled");
@@ -385,8 +387,8 @@ void add_models(CLI::App* sub, Settings* s) {
 
 void add_rig(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("rig", "Make a skeleton for a bare mesh, and bind the mesh to it");
-  auto s = std::make_shared<Settings>();
-  add_inputs(sub, s.get());
+  auto s = std::make_shared<RigCommandSettings>();
+  add_rig_inputs(sub, s.get());
   add_picture_options(sub, &s->picture);
   section(sub, "Edits");
   auto edits = std::make_shared<EditOptions>(sub);
@@ -411,7 +413,7 @@ void add_rig(CLI::App& app) {
     check_method(*sub, s->method);
     check_picture_options(*sub, s->mesh);
     s->edits = edits->in_order();
-    run(*s);
+    run_rig(*s);
   });
 }
 

@@ -21,14 +21,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Settings {
+struct SimplifyCommandSettings {
   std::string rig, mesh, level = "high", output;
   std::vector<std::string> keep;
   ProfileSettings profile;
   bool json = false;
 };
 
-SimplifyOptions parse_level(const Settings& s) {
+SimplifyOptions parse_level(const SimplifyCommandSettings& s) {
   SimplifyOptions options;
   options.keep = s.keep;
   options.low = s.level == "low";
@@ -42,7 +42,7 @@ SimplifyOptions parse_level(const Settings& s) {
 }
 
 // A skeleton alone, with the mesh beside it or with another one.
-Character read_input(const Settings& s) {
+Character read_input(const SimplifyCommandSettings& s) {
   const bool text = has_extension(s.rig, ".txt");
   if (!s.mesh.empty()) {
     if (!text) throw UsageError("--mesh is for a skeleton of its own file; " + s.rig + " has its mesh in it");
@@ -61,13 +61,13 @@ Character read_input(const Settings& s) {
 }
 
 // The file's own animations; none in files of other kinds.
-std::optional<Motion> own_animations(const Settings& s) {
+std::optional<Motion> own_animations(const SimplifyCommandSettings& s) {
   if (has_extension(s.rig, ".txt") || has_extension(s.rig, ".obj") || summarise_gltf(s.rig).animations.empty())
     return std::nullopt;
   return read_gltf_motion(s.rig);
 }
 
-void run(const Settings& s) {
+void run_simplify(const SimplifyCommandSettings& s) {
   const SimplifyOptions options = parse_level(s);
   settle_profile(s.profile, nullptr);
   check_output(s.output, kWritesCharacter, true);
@@ -112,7 +112,7 @@ void run(const Settings& s) {
 
 void add_simplify(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("simplify", "Leave out joints: levels of detail of a skeleton, weights with it");
-  auto s = std::make_shared<Settings>();
+  auto s = std::make_shared<SimplifyCommandSettings>();
   sub->add_option("rig", s->rig,
                   "Skinned file, NAME.obj with NAME.rig.txt beside it, or a .rig.txt alone. " + mesh_files())
       ->required()
@@ -136,7 +136,7 @@ void add_simplify(CLI::App& app) {
   sub->footer(
       "Examples:\n  sinew simplify hero.glb --level low -o hero.far.glb\n"
       "  sinew simplify hero.rig.txt --level 20 --keep head -o hero20.rig.txt");
-  sub->callback([s] { run(*s); });
+  sub->callback([s] { run_simplify(*s); });
 }
 
 }  // namespace sinew::cli

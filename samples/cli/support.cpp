@@ -130,6 +130,12 @@ std::atomic<bool> stop_requested = false;
 
 }  // namespace
 
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
 const std::atomic<bool>& stop_on_signals() {
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stop_requested = true; });
   return stop_requested;

@@ -53,6 +53,9 @@ struct FoundCharacter {
 std::vector<FoundCharacter> characters_in(const std::string& folder);
 Character read_found(const FoundCharacter& found);
 
+// "a, b, c".
+std::string joined(const std::vector<std::string>& names);
+
 // Set by Ctrl-C and by what mpirun and job schedulers send, from this call on: the run ends after its step, with
 // everything on disk that --resume needs.
 const std::atomic<bool>& stop_on_signals();

@@ -23,7 +23,7 @@
 namespace sinew::cli {
 namespace {
 
-struct Settings {
+struct TrainCommandSettings {
   TrainOptions options;
   std::string config, task = "bind";
   std::string shard, release;
@@ -40,7 +40,8 @@ std::pair<uint32_t, uint32_t> parse_shard(const std::string& text) {
   return {part - 1, parts};
 }
 
-void fill_cache(const Settings& s, const TrainConfig& config, const TrainOptions& options, const Ranks& ranks) {
+void fill_cache(const TrainCommandSettings& s, const TrainConfig& config, const TrainOptions& options,
+                const Ranks& ranks) {
   std::pair<uint32_t, uint32_t> shard = {ranks.rank(), ranks.size()};
   if (!s.shard.empty()) shard = parse_shard(s.shard);
   const size_t made = fill_feature_cache(config, options, shard.first, shard.second);
@@ -63,7 +64,7 @@ void say_next(const TrainOptions& options) {
               model.c_str());
 }
 
-void say_end(const Settings& s, const TrainOptions& options, const Ranks& ranks) {
+void say_end(const TrainCommandSettings& s, const TrainOptions& options, const Ranks& ranks) {
   if (ranks.rank() > 0) return;
   if (!s.release.empty() && !*options.stop) {
     Checkpoint weights;
@@ -77,7 +78,7 @@ void say_end(const Settings& s, const TrainOptions& options, const Ranks& ranks)
   }
 }
 
-void run_rig(const Settings& s, TrainOptions options, Ranks* ranks) {
+void run_rig(const TrainCommandSettings& s, TrainOptions options, Ranks* ranks) {
   RigTrainConfig config;
   if (s.task == "front") config = front_train_config();
   if (!s.config.empty()) config = parse_rig_config(read_text_file(s.config), s.config);
@@ -99,7 +100,7 @@ void run_rig(const Settings& s, TrainOptions options, Ranks* ranks) {
 }
 
 // Under mpirun every rank comes here with the same command line.
-void run_ranks(const Settings& s, Ranks* ranks) {
+void run_ranks(const TrainCommandSettings& s, Ranks* ranks) {
   if (s.task != "bind") {
     TrainOptions options = s.options;
     options.ranks = ranks;
@@ -124,7 +125,7 @@ void run_ranks(const Settings& s, Ranks* ranks) {
   say_end(s, options, *ranks);
 }
 
-void run(const Settings& s) {
+void run_train(const TrainCommandSettings& s) {
   if (s.options.data_dir.empty() && !s.print_config)
     throw UsageError("DIR is required: a folder of NAME.obj with NAME.rig.txt, or of .glb files");
   if (s.cache_only && s.options.cache_dir.empty()) throw UsageError("--cache-only needs --cache DIR");
@@ -142,7 +143,7 @@ void run(const Settings& s) {
   ranks.together([&] { run_ranks(s, &ranks); });
 }
 
-void add_inputs(CLI::App* sub, Settings* s) {
+void add_train_inputs(CLI::App* sub, TrainCommandSettings* s) {
   sub->add_option("dir", s->options.data_dir, "Folder of NAME.obj + NAME.rig.txt pairs and .glb files, sub-folders too")
       ->type_name("DIR");
   sub->add_option("--task", s->task,
@@ -161,7 +162,7 @@ void add_inputs(CLI::App* sub, Settings* s) {
       ->type_name("FILE");
 }
 
-CLI::Option* add_rest(CLI::App* sub, Settings* s) {
+CLI::Option* add_rest(CLI::App* sub, TrainCommandSettings* s) {
   sub->add_flag("--print-config", s->print_config, "Print all settings as JSON and stop");
   shared_flag(sub, "--quiet", s->options.quiet);
   section(sub, "Features");
@@ -182,9 +183,9 @@ CLI::Option* add_rest(CLI::App* sub, Settings* s) {
 
 void add_train(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("train", "Train a float network on rigged characters");
-  auto s = std::make_shared<Settings>();
+  auto s = std::make_shared<TrainCommandSettings>();
   s->options.threads = std::max(1u, std::thread::hardware_concurrency());
-  add_inputs(sub, s.get());
+  add_train_inputs(sub, s.get());
   CLI::Option* const threads = add_rest(sub, s.get());
   sub->footer(
       "Example:\n  sinew train characters/train --val characters/val -o run.sinewckpt --minutes 60\n"
@@ -196,7 +197,7 @@ void add_train(CLI::App& app) {
       "  sinew train characters/train --cache cache --cache-only --shard 2/2");
   sub->callback([s, threads] {
     s->threads_given = threads->count() > 0;
-    run(*s);
+    run_train(*s);
   });
 }
 

@@ -31,7 +31,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Settings {
+struct TransferCommandSettings {
   std::string source, output, model, lock, png, png_confidence;
   std::string method = "auto", up = "y", source_up, format = "glb";
   std::vector<std::string> targets, pairs;
@@ -87,7 +87,7 @@ sinew_vertex_pair parse_pair(const std::string& text, const Character& source, c
 }
 
 // [V] non-zero: keeps its weights; empty without --lock.
-std::vector<uint8_t> read_locks(const Settings& s, const std::string& path, const Character& character) {
+std::vector<uint8_t> read_locks(const TransferCommandSettings& s, const std::string& path, const Character& character) {
   if (s.lock.empty()) return {};
   if (character.influences.empty())
     throw Error(s.lock + ": vertices can keep only weights they have, and " + path + " brings none for its skeleton");
@@ -99,8 +99,8 @@ struct Transferred {
   TransferResult result;
 };
 
-Transferred transfer_one(const Settings& s, const Character& source, const LoadedModel* model, const std::string& path,
-                         TargetReader* reader) {
+Transferred transfer_one(const TransferCommandSettings& s, const Character& source, const LoadedModel* model,
+                         const std::string& path, TargetReader* reader) {
   Transferred done;
   done.target = reader->read(path);
   Character& character = done.target.character;
@@ -137,8 +137,8 @@ Json part_json(const sinew_transfer_part& part) {
   return json;
 }
 
-Json summary_json(const Settings& s, const Character& source, const Transferred& done, const std::string& path,
-                  const std::string& output) {
+Json summary_json(const TransferCommandSettings& s, const Character& source, const Transferred& done,
+                  const std::string& path, const std::string& output) {
   const TransferResult& r = done.result;
   Json json = {{"sinew_transfer", 1}};
   json["source"] = s.source;
@@ -161,7 +161,7 @@ Json summary_json(const Settings& s, const Character& source, const Transferred&
   return json;
 }
 
-void tell(const Settings& s, const Character& source, const Transferred& done, const std::string& path,
+void tell(const TransferCommandSettings& s, const Character& source, const Transferred& done, const std::string& path,
           const std::string& output, std::FILE* out) {
   if (s.json) {
     std::fprintf(out, "%s\n", json_line(summary_json(s, source, done, path, output)).c_str());
@@ -192,7 +192,7 @@ void tell(const Settings& s, const Character& source, const Transferred& done, c
   std::fprintf(out, "\n");
 }
 
-void write_one(const Settings& s, const std::string& output, Transferred* done) {
+void write_one(const TransferCommandSettings& s, const std::string& output, Transferred* done) {
   Character& character = done->target.character;
   write_as(s.profile, output, character, &character.notes);
   RenderOptions view;
@@ -205,7 +205,7 @@ void write_one(const Settings& s, const std::string& output, Transferred* done) 
 }
 
 // What goes where: one file for one target, a folder for several.
-std::vector<std::string> outputs_of(const Settings& s) {
+std::vector<std::string> outputs_of(const TransferCommandSettings& s) {
   if (s.targets.size() == 1) {
     const std::string output =
         s.output.empty() ? stem_of(s.targets[0]) + ".transferred" + container_of(s.profile) : s.output;
@@ -231,7 +231,7 @@ std::vector<std::string> outputs_of(const Settings& s) {
 }
 
 // Neither the source nor a target is written over.
-void check_inputs_stay(const Settings& s, const std::vector<std::string>& outputs) {
+void check_inputs_stay(const TransferCommandSettings& s, const std::vector<std::string>& outputs) {
   std::vector<std::string> inputs = s.targets;
   inputs.push_back(s.source);
   if (has_extension(s.source, ".obj")) inputs.push_back(rig_path_beside(s.source));
@@ -245,7 +245,7 @@ void check_inputs_stay(const Settings& s, const std::vector<std::string>& output
   }
 }
 
-void check(const Settings& s) {
+void check_transfer(const TransferCommandSettings& s) {
   if (s.method == "biharmonic" && s.from.garment)
     throw UsageError("--garment and --method biharmonic: a garment lies on its body, give auto, nearest or rebind");
   if (s.method != "biharmonic" && (!s.pairs.empty() || s.as_drawn))
@@ -263,8 +263,8 @@ void check(const Settings& s) {
   if (!s.png_confidence.empty()) check_output(s.png_confidence, {".png"});
 }
 
-void run(const Settings& s) {
-  check(s);
+void run_transfer(const TransferCommandSettings& s) {
+  check_transfer(s);
   settle_profile(s.profile, nullptr);
   const std::vector<std::string> outputs = outputs_of(s);
   check_inputs_stay(s, outputs);
@@ -297,7 +297,7 @@ void run(const Settings& s) {
     throw Error(std::to_string(failed) + " of " + std::to_string(s.targets.size()) + " targets failed, see above");
 }
 
-void add_inputs(CLI::App* sub, Settings* s) {
+void add_transfer_inputs(CLI::App* sub, TransferCommandSettings* s) {
   sub->add_option("source", s->source,
                   "Bound character: a skinned file, or NAME.obj with NAME.rig.txt beside it. " + mesh_files())
       ->required()
@@ -324,7 +324,7 @@ void add_inputs(CLI::App* sub, Settings* s) {
   shared_flag(sub, "--json", s->json, "A line for every target");
 }
 
-void add_rest(CLI::App* sub, Settings* s) {
+void add_transfer_rest(CLI::App* sub, TransferCommandSettings* s) {
   section(sub, "Biharmonic");
   sub->add_option("--pair", s->pairs,
                   "With --method biharmonic: vertex V of the source is vertex W of the target. Give at least four")
@@ -355,9 +355,9 @@ void add_rest(CLI::App* sub, Settings* s) {
 
 void add_transfer(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("transfer", "Carry the weights of a finished character to other meshes");
-  auto s = std::make_shared<Settings>();
-  add_inputs(sub, s.get());
-  add_rest(sub, s.get());
+  auto s = std::make_shared<TransferCommandSettings>();
+  add_transfer_inputs(sub, s.get());
+  add_transfer_rest(sub, s.get());
   sub->footer(
       "Examples:\n  sinew transfer hero.glb villain.obj --skeleton villain.rig.txt -o villain.glb\n"
       "  sinew transfer hero.glb orc.glb --map orc_to_hero.txt -o orc.bound.glb\n"
@@ -365,7 +365,7 @@ void add_transfer(CLI::App& app) {
       "  sinew transfer a.glb b.glb --method biharmonic --pair 10=22 --pair 4=90 --pair 7=1 --pair 80=5");
   sub->callback([s] {
     s->from.z_up = s->up == "z";
-    run(*s);
+    run_transfer(*s);
   });
 }
 

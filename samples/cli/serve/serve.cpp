@@ -13,7 +13,7 @@
 namespace sinew::cli {
 namespace {
 
-struct Settings {
+struct ServeCommandSettings {
   std::string folder = ".", http;
   bool mcp = false;
   double timeout = 600;
@@ -21,7 +21,7 @@ struct Settings {
   uint64_t most_bytes = uint64_t{512} << 20;
 };
 
-void run(const Settings& s) {
+void run_serve(const ServeCommandSettings& s) {
   if (s.mcp == !s.http.empty()) throw UsageError("expected one of --mcp and --http 127.0.0.1:PORT");
   ServerLimits limits;
   limits.seconds = s.timeout;
@@ -43,7 +43,7 @@ void run(const Settings& s) {
 void add_serve(CLI::App& app) {
   CLI::App* sub =
       app.add_subcommand("serve", "Serve programs and agents: Model Context Protocol, or the same over HTTP");
-  auto s = std::make_shared<Settings>();
+  auto s = std::make_shared<ServeCommandSettings>();
   sub->add_flag("--mcp", s->mcp, "Messages come on standard input, a line each, and answers go to standard output");
   sub->add_option("--http", s->http,
                   "Messages come by POST to /mcp on this machine. Port 0: a free one, which is printed")
@@ -64,7 +64,7 @@ void add_serve(CLI::App& app) {
       "Examples:\n  sinew serve --mcp --folder characters\n"
       "  sinew serve --http 127.0.0.1:8000 --folder characters --jobs 4\n\n"
       "Tools: rig, bind, animate, check, pose, inspect; resources: the folder's files. A job is a process of its own.");
-  sub->callback([s] { run(*s); });
+  sub->callback([s] { run_serve(*s); });
 }
 
 }  // namespace sinew::cli

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The picture: mesh with vertex colours, skeleton on top (bones.js), orbit camera (framing.js), the rings that turn a joint (rings.js), a drawing
-// with its outline (outline_view.js), and what the pointer does there (pointer.js). Draws only when something changed.
-import { Box3, Color, Group, MOUSE, PerspectiveCamera, Scene, SRGBColorSpace, TOUCH, Vector3, WebGLRenderer } from "three";
-import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+// The picture: mesh with vertex colours, skeleton on top (bones.js), canvas and orbit camera (stage.js, framing.js), the rings that turn a joint (rings.js), a
+// drawing with its outline (outline_view.js), and what the pointer does there (pointer.js).
+import { Box3, Color, Group, SRGBColorSpace, Vector3 } from "three";
 import { Bones } from "./bones.js";
 import { colouredMesh, moveMesh, paintMesh } from "./coloured_mesh.js";
 import { boxOfClip, Framing, middleOfJoints, slanted } from "./framing.js";
@@ -13,6 +12,7 @@ import { pictureOfPart } from "./part_picture.js";
 import { Pointer } from "./pointer.js";
 import { Rings } from "./rings.js";
 import { ContactSpots } from "./spots.js";
+import { Stage } from "./stage.js";
 import { ViewCube } from "./view_cube.js";
 import { ViewEvents } from "./view_events.js";
 
@@ -32,11 +32,7 @@ export class View extends ViewEvents {
   /** @type {(...of: any[]) => any} */
   planeOf = () => null; // joint -> {axis, at} of the plane it stays on, or null
 
-  #host;
-  #renderer;
-  #scene = new Scene();
-  #camera = new PerspectiveCamera(35, 1, 0.01, 100);
-  #orbit;
+  #stage;
   #framing;
   #rings;
   #model = new Group(); // turned when Z is up
@@ -56,32 +52,25 @@ export class View extends ViewEvents {
   #editing = false;
   #jointPositions = new Float32Array();
   #restBox = new Box3();
-  #stale = false;
 
   constructor(host) {
     super();
-    this.#host = host;
-    this.#renderer = new WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: false });
-    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-    this.#renderer.domElement.setAttribute("aria-label", "The character. Drag to orbit, click to choose a joint.");
-    host.prepend(this.#renderer.domElement);
-    this.#scene.add(this.#camera, this.#model);
-    this.#light = new Lighting({ scene: this.#scene, camera: this.#camera, renderer: this.#renderer });
-    this.#floor = new Floor(this.#scene, () => this.#mesh && (this.#stand(this.#upAxis), this.redraw()));
-    this.#orbit = new OrbitControls(this.#camera, this.#renderer.domElement);
-    this.#orbit.enableDamping = false;
-    this.#orbit.addEventListener("change", () => this.redraw());
-    this.#framing = new Framing({ camera: this.#camera, orbit: this.#orbit });
-    this.#orbit.addEventListener("start", () => this.hold());
-    const canvas = this.#renderer.domElement;
+    this.#stage = new Stage(host, () => this.#mesh && this.#cube.render(this.#stage.renderer));
+    const { scene, camera, canvas, orbit, renderer } = this.#stage;
+    scene.add(this.#model);
+    this.#light = new Lighting({ scene, camera, renderer });
+    this.#floor = new Floor(scene, () => this.#mesh && (this.#stand(this.#upAxis), this.redraw()));
+    this.#framing = new Framing({ camera, orbit });
+    orbit.addEventListener("start", () => this.hold());
     const redraw = () => this.redraw();
-    this.#rings = new Rings({ camera: this.#camera, canvas, scene: this.#scene, model: this.#model, orbit: this.#orbit, redraw });
+    this.#rings = new Rings({ camera, canvas, scene, model: this.#model, orbit, redraw });
     this.#rings.onTurn = (...turn) => this.onTurn(...turn);
     this.#rings.onTurnEnd = (joint) => this.onTurnEnd(joint);
-    this.#cube = new ViewCube({ camera: this.#camera, canvas, orbit: this.#orbit, host, redraw: () => (this.hold(), this.redraw()) });
-    this.#pointer = new Pointer(this, { host, canvas, camera: this.#camera, model: this.#model, mesh: () => this.#mesh });
-    new ResizeObserver(() => this.#resize()).observe(host);
-    this.#resize();
+    this.#cube = new ViewCube({ camera, canvas, orbit, host, redraw: () => (this.hold(), this.redraw()) });
+    this.#pointer = new Pointer(this, { host, canvas, camera, model: this.#model, mesh: () => this.#mesh });
+    // As large as its room again, the picture shows what it did, where nobody has moved it.
+    this.#stage.onResize = () => this.#mesh && this.#framing.untouched && (this.#outline.shown ? this.frame() : this.#framing.again());
+    this.#stage.resize();
   }
 
   setCharacter({ triangles, positions, normals, joints, upAxis }) {
@@ -200,10 +189,7 @@ export class View extends ViewEvents {
     const isSame = drawing && drawing.file === this.#outline.file;
     if (isSame) this.#framing.move(this.#outline.movesTo(drawing.lies));
     this.#outline.show(drawing);
-    // A drag beside the points moves the paper, which stays flat.
-    this.#orbit.enableRotate = !drawing;
-    Object.assign(this.#orbit.mouseButtons, { LEFT: drawing ? MOUSE.PAN : MOUSE.ROTATE });
-    Object.assign(this.#orbit.touches, { ONE: drawing ? TOUCH.PAN : TOUCH.ROTATE });
+    this.#stage.flat = Boolean(drawing); // a drag beside the points moves the paper
     if (!isSame) this.frame(from);
     this.#showParts();
   }
@@ -327,17 +313,7 @@ export class View extends ViewEvents {
   }
 
   redraw() {
-    if (this.#stale) return;
-    this.#stale = true;
-    requestAnimationFrame(() => {
-      this.#stale = false;
-      this.#draw();
-    });
-  }
-
-  #draw() {
-    this.#renderer.render(this.#scene, this.#camera);
-    if (this.#mesh) this.#cube.render(this.#renderer);
+    this.#stage.redraw();
   }
 
   // Where a joint is on the page.
@@ -346,10 +322,7 @@ export class View extends ViewEvents {
   }
   // Where a point of the model is on the page.
   onScreen(point) {
-    this.#camera.updateMatrixWorld(); // the picture may be a frame behind
-    const at = new Vector3(...point).applyMatrix4(this.#model.matrixWorld).project(this.#camera);
-    const box = this.#renderer.domElement.getBoundingClientRect();
-    return { x: box.left + ((at.x + 1) / 2) * box.width, y: box.top + ((1 - at.y) / 2) * box.height, behind: at.z > 1 };
+    return this.#stage.onScreen(new Vector3(...point).applyMatrix4(this.#model.matrixWorld));
   }
 
   // Brings a joint into the middle, nearer where the whole character was in view.
@@ -370,7 +343,7 @@ export class View extends ViewEvents {
 
   // While the pointer has something else to do no drag orbits.
   set orbiting(orbiting) {
-    this.#orbit.enabled = orbiting;
+    this.#stage.orbit.enabled = orbiting;
   }
   // The picture stays as it is, whatever the window does.
   hold() {
@@ -392,7 +365,7 @@ export class View extends ViewEvents {
     const bonesShown = this.#bones.shown;
     this.#bones.shown = false;
     const hidden = [this.#rings.helper, this.#floor.grid, this.#look?.root];
-    const url = pictureOfPart({ renderer: this.#renderer, scene: this.#scene, model: this.#model, mesh: this.#mesh, radius: this.#framing.radius, hidden }, members, vertexOf);
+    const url = pictureOfPart({ renderer: this.#stage.renderer, scene: this.#stage.scene, model: this.#model, mesh: this.#mesh, radius: this.#framing.radius, hidden }, members, vertexOf);
     this.#bones.shown = bonesShown;
     this.redraw();
     return url;
@@ -417,15 +390,5 @@ export class View extends ViewEvents {
   // How far the rings' own skeleton is from where the engine has the joints, in sizes of the character.
   largestHandleDistance() {
     return this.#rings.largestDistance(this.#jointPositions) / this.#framing.radius;
-  }
-
-  #resize() {
-    const width = Math.max(1, this.#host.clientWidth);
-    const height = Math.max(1, this.#host.clientHeight);
-    this.#renderer.setSize(width, height);
-    this.#camera.aspect = width / height;
-    this.#camera.updateProjectionMatrix();
-    if (this.#mesh && this.#framing.untouched) this.#outline.shown ? this.frame() : this.#framing.again();
-    this.#draw(); // at once: a canvas that was sized anew is empty
   }
 }

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The canvas: three's renderer and scene, the camera that orbits. Draws only when something changed.
+import { MOUSE, PerspectiveCamera, Scene, TOUCH, WebGLRenderer } from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+
+export class Stage {
+  scene = new Scene();
+  camera = new PerspectiveCamera(35, 1, 0.01, 100);
+  renderer = new WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: false });
+  canvas = this.renderer.domElement;
+  orbit = new OrbitControls(this.camera, this.canvas);
+  /** @type {() => any} */
+  onResize = () => {}; // before the picture of another size is drawn
+  #host;
+  #drawOver;
+  #stale = false;
+
+  // drawOver: draws what is in front of each picture.
+  constructor(host, drawOver) {
+    this.#host = host;
+    this.#drawOver = drawOver;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.canvas.setAttribute("aria-label", "The character. Drag to orbit, click to choose a joint.");
+    host.prepend(this.canvas);
+    this.scene.add(this.camera);
+    this.orbit.enableDamping = false;
+    this.orbit.addEventListener("change", () => this.redraw());
+    new ResizeObserver(() => this.resize()).observe(host);
+  }
+
+  // Looked at from its front alone: a drag moves, and turns nothing.
+  set flat(flat) {
+    this.orbit.enableRotate = !flat;
+    Object.assign(this.orbit.mouseButtons, { LEFT: flat ? MOUSE.PAN : MOUSE.ROTATE });
+    Object.assign(this.orbit.touches, { ONE: flat ? TOUCH.PAN : TOUCH.ROTATE });
+  }
+
+  redraw() {
+    if (this.#stale) return;
+    this.#stale = true;
+    requestAnimationFrame(() => {
+      this.#stale = false;
+      this.#draw();
+    });
+  }
+
+  #draw() {
+    this.renderer.render(this.scene, this.camera);
+    this.#drawOver();
+  }
+
+  // Where a point of the scene is on the page.
+  onScreen(point) {
+    this.camera.updateMatrixWorld(); // the picture may be a frame behind
+    const at = point.project(this.camera);
+    const box = this.canvas.getBoundingClientRect();
+    return { x: box.left + ((at.x + 1) / 2) * box.width, y: box.top + ((1 - at.y) / 2) * box.height, behind: at.z > 1 };
+  }
+
+  resize() {
+    const width = Math.max(1, this.#host.clientWidth);
+    const height = Math.max(1, this.#host.clientHeight);
+    this.renderer.setSize(width, height);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.onResize();
+    this.#draw(); // at once: a canvas that was sized anew is empty
+  }
+}
