@@ -27,7 +27,6 @@ class PlacesStream {
 
   // Joints with their places at rest, y up, notes of what was found out, and `first` as a clip at the layout's own rate.
   const Motion& person() const;
-  size_t place_count() const;
   // Rotations and translations of person()'s joints in the frame of these places, of this frame alone. Throws Error.
   MotionFrame next(const std::vector<Point3>& places) const;
 

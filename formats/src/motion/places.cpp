@@ -363,7 +363,6 @@ void PlacesStream::check(const std::vector<Point3>& row) const {
 
 const Motion& PlacesStream::person() const { return solver_->motion(); }
 
-size_t PlacesStream::place_count() const { return layout_->count; }
 
 MotionFrame PlacesStream::next(const std::vector<Point3>& row) const {
   check(row);
