@@ -15,7 +15,10 @@ export class Stage {
   #drawOver;
   #stale = false;
 
-  // drawOver: draws what is in front of each picture.
+  /**
+   * @param {HTMLElement} host
+   * @param {() => any} drawOver draws what is in front of each picture
+   */
   constructor(host, drawOver) {
     this.#host = host;
     this.#drawOver = drawOver;
@@ -28,7 +31,10 @@ export class Stage {
     new ResizeObserver(() => this.resize()).observe(host);
   }
 
-  // Looked at from its front alone: a drag moves, and turns nothing.
+  /**
+   * Looked at from its front alone: a drag moves, and turns nothing.
+   * @param {boolean} flat
+   */
   set flat(flat) {
     this.orbit.enableRotate = !flat;
     Object.assign(this.orbit.mouseButtons, { LEFT: flat ? MOUSE.PAN : MOUSE.ROTATE });
@@ -49,7 +55,10 @@ export class Stage {
     this.#drawOver();
   }
 
-  // Where a point of the scene is on the page.
+  /**
+   * Where a point of the scene is on the page.
+   * @param {import("three").Vector3} point
+   */
   onScreen(point) {
     this.camera.updateMatrixWorld(); // the picture may be a frame behind
     const at = point.project(this.camera);
