@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// SINEW_WITH_ASAN where AddressSanitizer is on, which GCC and clang say in two ways.
+// SINEW_WITH_ASAN where AddressSanitizer is on, which GCC and clang say in two ways; kEveryWithAsan for loops that compare with all of something.
 #ifndef SINEW_TESTS_WITH_ASAN_HPP
 #define SINEW_TESTS_WITH_ASAN_HPP
 
@@ -10,5 +10,14 @@
 #define SINEW_WITH_ASAN 1
 #endif
 #endif
+
+namespace sinew_test {
+// There one case of so many is enough: what the code does wrong with memory it does in each, and the comparisons themselves, unoptimised, take the time.
+#if defined(SINEW_WITH_ASAN)
+constexpr unsigned kEveryWithAsan = 4;
+#else
+constexpr unsigned kEveryWithAsan = 1;
+#endif
+}  // namespace sinew_test
 
 #endif

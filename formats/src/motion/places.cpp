@@ -363,7 +363,6 @@ void PlacesStream::check(const std::vector<Point3>& row) const {
 
 const Motion& PlacesStream::person() const { return solver_->motion(); }
 
-
 MotionFrame PlacesStream::next(const std::vector<Point3>& row) const {
   check(row);
   return solver_->frame(row);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mesh_scene.hpp"
+#include "with_asan.hpp"
 
 namespace {
 
@@ -93,7 +94,7 @@ void expect_nearest_hosts(const PartsRun& r) {
 }
 
 TEST(Parts, HostIsTheNearestVertexOfALargerPart) {
-  for (uint32_t seed = 0; seed < 40; ++seed) {
+  for (uint32_t seed = 0; seed < 40; seed += sinew_test::kEveryWithAsan) {
     SCOPED_TRACE(seed);
     const int count = 1 + static_cast<int>(seed) * 2;
     const PartsRun r(sheets(seed, count, 1 + static_cast<int>(seed * 7 % 13), 12 + static_cast<int>(seed)));

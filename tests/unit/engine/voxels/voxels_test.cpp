@@ -12,6 +12,7 @@
 
 #include "mesh_scene.hpp"
 #include "voxels/triangle_cells.hpp"
+#include "with_asan.hpp"
 
 namespace {
 
@@ -59,7 +60,7 @@ bool meets_box(const Vec3i* corners, Vec3i low, int32_t size, double margin) {
 
 TEST(Voxels, MarksExactlyTheTouchedCells) {
   std::mt19937 random(5);
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < 30 / static_cast<int>(sinew_test::kEveryWithAsan); ++round) {
     MeshScene scene;
     const uint32_t triangles = 1 + random() % 4;
     for (uint32_t i = 0; i < 3 * triangles; ++i) {
