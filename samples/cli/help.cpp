@@ -69,13 +69,13 @@ std::string footer_text(const std::string& footer) {
 std::string first_sentence(const std::string& text) { return text.substr(0, text.find(". ")); }
 
 // CLI11 puts what values are allowed behind their kind: "METHOD:{heat,model}".
-struct Value {
+struct OptionValue {
   std::string kind, choices;
 };
-Value value_of(const CLI::Option& option) {
+OptionValue value_of(const CLI::Option& option) {
   const std::string whole = option.get_type_name();
   const size_t colon = whole.find(":{");
-  Value value = {whole.substr(0, whole.find(':')), ""};
+  OptionValue value = {whole.substr(0, whole.find(':')), ""};
   if (colon != std::string::npos) value.choices = whole.substr(colon + 2, whole.rfind('}') - colon - 2);
   const char* const between = value.choices.size() < kTextWidth / 2 ? "|" : "| ";  // long lists may be broken
   for (size_t at = value.choices.find(','); at != std::string::npos; at = value.choices.find(','))
@@ -86,7 +86,7 @@ Value value_of(const CLI::Option& option) {
 bool has_no_name(const CLI::Option& option) { return option.get_positional() && option.get_lnames().empty(); }
 
 std::string option_row(const CLI::Option& option, bool full) {
-  const Value value = value_of(option);
+  const OptionValue value = value_of(option);
   const bool positional = has_no_name(option);
   std::string name = positional ? value.kind : option.get_name(false, true);
   for (size_t at = name.find("{false}"); at != std::string::npos; at = name.find("{false}")) name.erase(at, 7);

@@ -13,12 +13,12 @@ namespace sinew::cli {
 namespace {
 
 // kOutputs: a name that the names of several files are made of.
-enum class ArgumentKind { kInput, kOutput, kOutputs, kText, kNumber, kFlag, kRotations };
+enum class Value { kInput, kOutput, kOutputs, kText, kNumber, kFlag, kRotations };
 
 struct Argument {
   std::string name;    // as callers give it
   std::string option;  // "" where it stands by itself
-  ArgumentKind value = ArgumentKind::kText;
+  Value value = Value::kText;
   std::string meaning;
   bool required = false;
   std::vector<std::string> choices = {};  // of a text
@@ -31,71 +31,63 @@ struct Tool {
 };
 
 Argument output_argument(const std::string& kinds) {
-  return {"output", "-o", ArgumentKind::kOutput, "File to write, below the served folder: " + kinds, true};
+  return {"output", "-o", Value::kOutput, "File to write, below the served folder: " + kinds, true};
 }
 
 Argument class_argument() {
-  return {"class",
-          "--class",
-          ArgumentKind::kText,
-          "What kind of body it is, where it is taken for another",
-          false,
-          {"biped", "quadruped", "bird", "fish", "snake", "many-legged", "other"}};
+  return {"class",      "--class",
+          Value::kText, "What kind of body it is, where it is taken for another",
+          false,        {"biped", "quadruped", "bird", "fish", "snake", "many-legged", "other"}};
 }
 
 Argument controls_argument() {
-  return {"controls", "--controls", ArgumentKind::kOutput,
+  return {"controls", "--controls", Value::kOutput,
           "Also say which joints an animator's controls move (formats/spec/controls.md): .controls.json"};
 }
 
 std::vector<Argument> with_placement(std::vector<Argument> arguments) {
-  arguments.insert(arguments.end(),
-                   {{"turn",
-                     "--turn",
-                     ArgumentKind::kText,
-                     "Turn the mesh by a quarter before anything else; x brings y to z",
-                     false,
-                     {"x", "y", "z", "-x", "-y", "-z"}},
-                    {"height", "--height", ArgumentKind::kNumber, "Scale the mesh to be so tall, metres"},
-                    {"floor", "--floor", ArgumentKind::kFlag, "Put the lowest vertex at 0"}});
+  arguments.insert(arguments.end(), {{"turn",
+                                      "--turn",
+                                      Value::kText,
+                                      "Turn the mesh by a quarter before anything else; x brings y to z",
+                                      false,
+                                      {"x", "y", "z", "-x", "-y", "-z"}},
+                                     {"height", "--height", Value::kNumber, "Scale the mesh to be so tall, metres"},
+                                     {"floor", "--floor", Value::kFlag, "Put the lowest vertex at 0"}});
   return arguments;
 }
 
 Tool rig_tool() {
-  return {"rig", "Make a skeleton",
-          "Makes a skeleton for a bare mesh or a picture of a character and binds it. Answers joints with confidences "
-          "and what is doubtful.",
-          true,
-          with_placement({{"mesh", "", ArgumentKind::kInput,
-                           "Mesh (" + mesh_files() + ") or picture (" + extensions_text(kReadsPicture) + ")", true},
-                          output_argument(extensions_text(kSkinOutputs)),
-                          {"skeleton", "--skeleton", ArgumentKind::kInput, "Put this file's skeleton into the mesh"},
-                          {"detail",
-                           "--detail",
-                           ArgumentKind::kText,
-                           "How much of the body has joints",
-                           false,
-                           {"body", "hands", "full"}},
-                          class_argument(),
-                          {"up", "--up", ArgumentKind::kText, "Axis that points up", false, {"auto", "y", "z"}},
-                          {"to_pose", "--to-pose", ArgumentKind::kText, "Put into a rest pose", false, {"t", "a"}},
-                          {"cut", "--cut", ArgumentKind::kFlag, "Open what has grown together"},
-                          controls_argument(),
-                          {"picture", "--png", ArgumentKind::kOutput, "Also draw the mesh with its joints: .png"}})};
+  return {
+      "rig", "Make a skeleton",
+      "Makes a skeleton for a bare mesh or a picture of a character and binds it. Answers joints with confidences "
+      "and what is doubtful.",
+      true,
+      with_placement(
+          {{"mesh", "", Value::kInput,
+            "Mesh (" + mesh_files() + ") or picture (" + extensions_text(kReadsPicture) + ")", true},
+           output_argument(extensions_text(kSkinOutputs)),
+           {"skeleton", "--skeleton", Value::kInput, "Put this file's skeleton into the mesh"},
+           {"detail", "--detail", Value::kText, "How much of the body has joints", false, {"body", "hands", "full"}},
+           class_argument(),
+           {"up", "--up", Value::kText, "Axis that points up", false, {"auto", "y", "z"}},
+           {"to_pose", "--to-pose", Value::kText, "Put into a rest pose", false, {"t", "a"}},
+           {"cut", "--cut", Value::kFlag, "Open what has grown together"},
+           controls_argument(),
+           {"picture", "--png", Value::kOutput, "Also draw the mesh with its joints: .png"}})};
 }
 
 Tool bind_tool() {
-  return {"bind", "Predict weights", "Predicts the skin weights of a mesh for a skeleton. Answers how sure they are.",
-          true,
-          with_placement(
-              {{"mesh", "", ArgumentKind::kInput, "Mesh (" + mesh_files() + ")", true},
-               output_argument(extensions_text(kSkinOutputs)),
-               {"skeleton", "--skeleton", ArgumentKind::kInput, "Skeleton of another file (" + skeleton_files() + ")"},
-               {"influences", "--influences", ArgumentKind::kNumber, "Most joints a vertex, 4 unless given"},
-               {"symmetric", "--symmetric", ArgumentKind::kFlag, "Mirror images get mirrored weights"},
-               {"fit", "--fit", ArgumentKind::kFlag, "Move a skeleton that stands beside the mesh or in other units"},
-               controls_argument(),
-               {"picture", "--png", ArgumentKind::kOutput, "Also draw the mesh coloured by weight: .png"}})};
+  return {
+      "bind", "Predict weights", "Predicts the skin weights of a mesh for a skeleton. Answers how sure they are.", true,
+      with_placement({{"mesh", "", Value::kInput, "Mesh (" + mesh_files() + ")", true},
+                      output_argument(extensions_text(kSkinOutputs)),
+                      {"skeleton", "--skeleton", Value::kInput, "Skeleton of another file (" + skeleton_files() + ")"},
+                      {"influences", "--influences", Value::kNumber, "Most joints a vertex, 4 unless given"},
+                      {"symmetric", "--symmetric", Value::kFlag, "Mirror images get mirrored weights"},
+                      {"fit", "--fit", Value::kFlag, "Move a skeleton that stands beside the mesh or in other units"},
+                      controls_argument(),
+                      {"picture", "--png", Value::kOutput, "Also draw the mesh coloured by weight: .png"}})};
 }
 
 Tool animate_tool() {
@@ -103,57 +95,54 @@ Tool animate_tool() {
           "Play a motion",
           "Plays motion of any skeleton on a character. Answers which joints move and how sure the map is.",
           true,
-          {{"character", "", ArgumentKind::kInput, "Skinned file, bare mesh or picture", true},
-           {"motion", "--motion", ArgumentKind::kInput, "Motion (" + motion_files() + ")"},
-           {"clip", "--motion", ArgumentKind::kText, "A clip that ships, in place of a file: builtin:walk"},
+          {{"character", "", Value::kInput, "Skinned file, bare mesh or picture", true},
+           {"motion", "--motion", Value::kInput, "Motion (" + motion_files() + ")"},
+           {"clip", "--motion", Value::kText, "A clip that ships, in place of a file: builtin:walk"},
            output_argument(extensions_text(kWholeOutputs) + "; one clip alone: " + extensions_text(kWritesMotion)),
-           {"map", "--map", ArgumentKind::kInput, "Which joint is which: lines TARGET_JOINT SOURCE_JOINT"},
-           {"in_place", "--in-place", ArgumentKind::kFlag, "Stay where the character stands"},
-           {"force", "--force", ArgumentKind::kFlag, "Also a motion that does not fit"},
+           {"map", "--map", Value::kInput, "Which joint is which: lines TARGET_JOINT SOURCE_JOINT"},
+           {"in_place", "--in-place", Value::kFlag, "Stay where the character stands"},
+           {"force", "--force", Value::kFlag, "Also a motion that does not fit"},
            controls_argument(),
-           {"sheet", "--sheet", ArgumentKind::kOutput, "Also draw frames side by side: .png"}}};
+           {"sheet", "--sheet", Value::kOutput, "Also draw frames side by side: .png"}}};
 }
 
 Tool check_tool() {
-  return {
-      "check",
-      "Check a rig",
-      "Says whether a rig holds: weights, joints, names, matrices, test poses, animations. Changes nothing.",
-      true,
-      {{"file", "", ArgumentKind::kInput, "Character (" + mesh_files() + ")", true},
-       {"against", "--against", ArgumentKind::kInput, "An older version of it: what is new"},
-       {"report", "--report", ArgumentKind::kOutput, "Also write a page with a picture of every finding: .html"},
-       {"no_poses", "--no-poses", ArgumentKind::kFlag, "Leave out the test poses"},
-       {"score", "--score", ArgumentKind::kFlag, "Also how near the weights are to those of three methods, 0 to 100"}}};
+  return {"check",
+          "Check a rig",
+          "Says whether a rig holds: weights, joints, names, matrices, test poses, animations. Changes nothing.",
+          true,
+          {{"file", "", Value::kInput, "Character (" + mesh_files() + ")", true},
+           {"against", "--against", Value::kInput, "An older version of it: what is new"},
+           {"report", "--report", Value::kOutput, "Also write a page with a picture of every finding: .html"},
+           {"no_poses", "--no-poses", Value::kFlag, "Leave out the test poses"},
+           {"score", "--score", Value::kFlag, "Also how near the weights are to those of three methods, 0 to 100"}}};
 }
 
 Tool lod_tool() {
-  return {
-      "lod",
-      "Make levels of detail",
-      "Copies of a bound character with fewer and fewer triangles. Answers a line of JSON a level, with its error.",
-      true,
-      {{"character", "", ArgumentKind::kInput, "Bound character (" + mesh_files() + ")", true},
-       {"output", "-o", ArgumentKind::kOutputs,
-        "NAME.lod1, NAME.lod2, ... of this name, below the served folder: " + extensions_text(kWholeOutputs), true},
-       {"levels", "--levels", ArgumentKind::kNumber, "How many, 1 to 8; 3 unless given"},
-       {"triangles", "--triangles", ArgumentKind::kNumber,
-        "Of a level, as a share of the one before; 0.5 unless given"},
-       {"fewer_joints", "--fewer-joints", ArgumentKind::kFlag, "Level 2 has fewer joints, further ones still fewer"}}};
+  return {"lod",
+          "Make levels of detail",
+          "Copies of a bound character with fewer and fewer triangles. Answers a line of JSON a level, with its error.",
+          true,
+          {{"character", "", Value::kInput, "Bound character (" + mesh_files() + ")", true},
+           {"output", "-o", Value::kOutputs,
+            "NAME.lod1, NAME.lod2, ... of this name, below the served folder: " + extensions_text(kWholeOutputs), true},
+           {"levels", "--levels", Value::kNumber, "How many, 1 to 8; 3 unless given"},
+           {"triangles", "--triangles", Value::kNumber, "Of a level, as a share of the one before; 0.5 unless given"},
+           {"fewer_joints", "--fewer-joints", Value::kFlag, "Level 2 has fewer joints, further ones still fewer"}}};
 }
 
 Tool pose_tool() {
-  return {"pose",
-          "Draw a pose",
-          "Draws a bound character in a pose. The picture comes back with the answer.",
-          false,
-          {{"character", "", ArgumentKind::kInput, "Skinned file, or NAME.obj with NAME.rig.txt beside it", true},
-           output_argument(extensions_text(kWritesMesh) + " or .png"),
-           {"joints", "--joint", ArgumentKind::kRotations,
-            "Degrees about x, then y, then z, by joint: {\"head\": [0, 30, 0]}"},
-           {"animation", "--animation", ArgumentKind::kText, "One of the file's own animations"},
-           {"time", "--time", ArgumentKind::kNumber, "Second of the animation"},
-           {"random", "--random", ArgumentKind::kNumber, "Rotate every joint at random; a seed"}}};
+  return {
+      "pose",
+      "Draw a pose",
+      "Draws a bound character in a pose. The picture comes back with the answer.",
+      false,
+      {{"character", "", Value::kInput, "Skinned file, or NAME.obj with NAME.rig.txt beside it", true},
+       output_argument(extensions_text(kWritesMesh) + " or .png"),
+       {"joints", "--joint", Value::kRotations, "Degrees about x, then y, then z, by joint: {\"head\": [0, 30, 0]}"},
+       {"animation", "--animation", Value::kText, "One of the file's own animations"},
+       {"time", "--time", Value::kNumber, "Second of the animation"},
+       {"random", "--random", Value::kNumber, "Rotate every joint at random; a seed"}}};
 }
 
 Tool inspect_tool() {
@@ -161,7 +150,7 @@ Tool inspect_tool() {
           "Look into a file",
           "Says what is in a mesh, character or model. Changes nothing.",
           true,
-          {{"file", "", ArgumentKind::kInput, "File", true}}};
+          {{"file", "", Value::kInput, "File", true}}};
 }
 
 const std::vector<Tool>& tools() {
@@ -173,13 +162,13 @@ const std::vector<Tool>& tools() {
 OrderedJson schema_of(const Argument& argument) {
   OrderedJson schema;
   switch (argument.value) {
-    case ArgumentKind::kNumber:
+    case Value::kNumber:
       schema["type"] = "number";
       break;
-    case ArgumentKind::kFlag:
+    case Value::kFlag:
       schema["type"] = "boolean";
       break;
-    case ArgumentKind::kRotations:
+    case Value::kRotations:
       schema = {{"type", "object"},
                 {"additionalProperties",
                  {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}}}};
@@ -257,24 +246,24 @@ class CommandLine {
 
   void add(const Argument& argument, const OrderedJson& value) {
     switch (argument.value) {
-      case ArgumentKind::kInput:
+      case Value::kInput:
         return put(argument, folder_.input(text(argument, value)));
-      case ArgumentKind::kOutput: {
+      case Value::kOutput: {
         const std::string path = folder_.output(text(argument, value));
         run_.outputs.push_back(path.substr(2));
         return put(argument, path);
       }
-      case ArgumentKind::kOutputs:
+      case Value::kOutputs:
         return put(argument, folder_.output(text(argument, value)));
-      case ArgumentKind::kText:
+      case Value::kText:
         return put(argument, text(argument, value));
-      case ArgumentKind::kNumber:
+      case Value::kNumber:
         return put(argument, number(argument, value));
-      case ArgumentKind::kFlag:
+      case Value::kFlag:
         if (!value.is_boolean()) fail(argument.name, "true or false");
         if (value.get<bool>()) run_.words.push_back(argument.option);
         return;
-      case ArgumentKind::kRotations:
+      case Value::kRotations:
         return rotations(argument, value);
     }
   }
@@ -306,7 +295,7 @@ OrderedJson tools_json() {
     for (const Argument& argument : tool.arguments) {
       properties[argument.name] = schema_of(argument);
       if (argument.required) required.push_back(argument.name);
-      writes = writes || argument.value == ArgumentKind::kOutput || argument.value == ArgumentKind::kOutputs;
+      writes = writes || argument.value == Value::kOutput || argument.value == Value::kOutputs;
     }
     list.push_back(
         {{"name", tool.name},
