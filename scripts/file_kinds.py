@@ -17,7 +17,7 @@ JAVASCRIPT, GODOT = "samples/npm/src/file_kinds.js", "samples/godot/addons/sinew
 GENERATOR = f"Generated from {TABLE} by scripts/file_kinds.py; a test compares."
 ROW = re.compile(r'\{"(\.[\w.]+)", "([^"]+)", ([\w| ]+), FileReader::k(\w+)\}')
 # What people run and what it calls, without tests; a line with three extensions is a list, in C++ a statement.
-FRONT_ENDS = ["samples/cli", "samples/web/wasm", "samples/npm/wasm", "formats/src", "formats/character", "formats/datasets", "samples/web/src", "samples/npm/src", "samples/godot/addons", "samples/blender/sinew_blender", "samples/python/src", "samples/csharp"]
+FRONT_ENDS = ["samples/cli", "samples/web/wasm", "samples/npm/wasm", "formats/src", "character", "trainer/data_sets", "samples/web/src", "samples/npm/src", "samples/godot/addons", "samples/blender/sinew_blender", "samples/python/src", "samples/csharp"]
 SLASHES = r"//.*|(?s:/\*.*?\*/)"
 COMMENT = {".cpp": SLASHES, ".hpp": SLASHES, ".js": SLASHES, ".cs": SLASHES, ".html": r"(?s:<!--.*?-->)", ".py": r'#.*|(?s:""".*?""")', ".gd": r"#.*"}
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Learns what kind of body an outline is of, and writes the table of formats/character/src/picture/outline_class_table.hpp.
+"""Learns what kind of body an outline is of, and writes the table of character/src/picture/outline_class_table.hpp.
 
     scripts/outline_class.py SINEW CHARACTERS OPENCLIPART OUT.hpp [--seed 0]
 

@@ -12,7 +12,7 @@
 #include "deform_options.hpp"
 #include "picture_options.hpp"
 #include "profile_options.hpp"
-#include "sinew_character/animate_job.hpp"
+#include "sinew_character/jobs/animate_job.hpp"
 #include "sprite_options.hpp"
 
 namespace sinew::cli {

@@ -10,7 +10,7 @@
 #include "deform_options.hpp"
 #include "options.hpp"
 #include "progress.hpp"
-#include "sinew_character/bake_job.hpp"
+#include "sinew_character/jobs/bake_job.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"

@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "bind_questions.hpp"
-#include "sinew_character/answers.hpp"
-#include "sinew_character/bind_job.hpp"
-#include "sinew_character/engine_views.hpp"
-#include "sinew_character/style.hpp"
-#include "sinew_datasets/image.hpp"
+#include "sinew_character/bind/answers.hpp"
+#include "sinew_character/bind/engine_views.hpp"
+#include "sinew_character/draw/image.hpp"
+#include "sinew_character/jobs/bind_job.hpp"
+#include "sinew_character/style/style.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"

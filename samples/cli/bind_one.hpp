@@ -8,8 +8,8 @@
 
 #include "bind_summary.hpp"
 #include "profile_options.hpp"
-#include "sinew_character/bind_job.hpp"
-#include "sinew_character/placement.hpp"
+#include "sinew_character/jobs/bind_job.hpp"
+#include "sinew_character/pose/placement.hpp"
 #include "sinew_formats/character.hpp"
 #include "style_options.hpp"
 

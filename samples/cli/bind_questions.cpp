@@ -5,8 +5,8 @@
 #include <istream>
 #include <ostream>
 
-#include "sinew_character/answers.hpp"
-#include "sinew_datasets/image.hpp"
+#include "sinew_character/bind/answers.hpp"
+#include "sinew_character/draw/image.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sinew_character/bind_character.hpp"
+#include "sinew_character/bind/bind_character.hpp"
 
 namespace sinew::cli {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bind_questions.hpp"
-#include "sinew_character/seams.hpp"
+#include "sinew_character/bind/seams.hpp"
 #include "sinew_formats/character.hpp"
 #include "weights_replaced.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sinew dataset: the subcommands together; characters made from a seed.
-#include "sinew_datasets/dataset.hpp"
+#include "sinew_data_sets/dataset.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -11,7 +11,7 @@
 #include "commands.hpp"
 #include "dataset.hpp"
 #include "options.hpp"
-#include "sinew_datasets/synthesize.hpp"
+#include "sinew_data_sets/synthesize.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"

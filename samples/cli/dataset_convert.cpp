@@ -10,7 +10,7 @@
 #include "dataset.hpp"
 #include "options.hpp"
 #include "progress.hpp"
-#include "sinew_datasets/dataset.hpp"
+#include "sinew_data_sets/dataset.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "progress.hpp"
-#include "sinew_character/check.hpp"
+#include "sinew_character/check/check.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/parallel.hpp"

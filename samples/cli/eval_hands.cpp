@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "progress.hpp"
-#include "sinew_character/predict_hands.hpp"
+#include "sinew_character/predict/predict_hands.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/hand_score.hpp"

@@ -8,8 +8,8 @@
 
 #include "eval_studies.hpp"
 #include "progress.hpp"
-#include "sinew_character/bind.hpp"
-#include "sinew_character/mesh_neighbours.hpp"
+#include "sinew_character/bind/bind.hpp"
+#include "sinew_character/rig/mesh_neighbours.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/parallel.hpp"

@@ -6,8 +6,8 @@
 
 #include "eval_studies.hpp"
 #include "progress.hpp"
-#include "sinew_character/answers.hpp"
-#include "sinew_character/style.hpp"
+#include "sinew_character/bind/answers.hpp"
+#include "sinew_character/style/style.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/artist.hpp"
 #include "sinew_trainer/evaluate.hpp"

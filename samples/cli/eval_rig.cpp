@@ -14,7 +14,7 @@
 #include "rig_skeleton.hpp"
 #include "rig_slots.hpp"
 #include "sinew/published.h"
-#include "sinew_character/predict_skeleton.hpp"
+#include "sinew_character/predict/predict_skeleton.hpp"
 #include "sinew_formats/checkpoint.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"

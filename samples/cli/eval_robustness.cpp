@@ -5,7 +5,7 @@
 
 #include "eval_studies.hpp"
 #include "progress.hpp"
-#include "sinew_character/bind.hpp"
+#include "sinew_character/bind/bind.hpp"
 #include "sinew_trainer/parallel.hpp"
 #include "sinew_trainer/robustness.hpp"
 #include "support.hpp"

@@ -5,7 +5,7 @@
 
 #include "eval_studies.hpp"
 #include "progress.hpp"
-#include "sinew_character/bind_character.hpp"
+#include "sinew_character/bind/bind_character.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/parallel.hpp"
 #include "support.hpp"

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "progress.hpp"
-#include "sinew_character/bind_character.hpp"
-#include "sinew_character/own_skeleton.hpp"
-#include "sinew_character/predict_skeleton.hpp"
+#include "sinew_character/bind/bind_character.hpp"
+#include "sinew_character/predict/own_skeleton.hpp"
+#include "sinew_character/predict/predict_skeleton.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/parallel.hpp"

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "eval_weights.hpp"
-#include "sinew_character/bind_character.hpp"
-#include "sinew_character/skeleton_repair.hpp"
+#include "sinew_character/bind/bind_character.hpp"
+#include "sinew_character/rig/skeleton_repair.hpp"
 #include "sinew_formats/checkpoint.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_quant/quantize.hpp"

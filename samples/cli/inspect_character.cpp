@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "inspect_parts.hpp"
-#include "sinew_datasets/dataset.hpp"
+#include "sinew_data_sets/dataset.hpp"
 #include "sinew_formats/box.hpp"
 
 namespace sinew::cli {

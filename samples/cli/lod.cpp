@@ -9,7 +9,7 @@
 #include "commands.hpp"
 #include "options.hpp"
 #include "profile_options.hpp"
-#include "sinew_character/lod_job.hpp"
+#include "sinew_character/jobs/lod_job.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"

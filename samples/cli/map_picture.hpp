@@ -3,8 +3,8 @@
 #ifndef SINEW_CLI_MAP_PICTURE_HPP
 #define SINEW_CLI_MAP_PICTURE_HPP
 
-#include "sinew_character/map_skeleton.hpp"
-#include "sinew_datasets/image.hpp"
+#include "sinew_character/draw/image.hpp"
+#include "sinew_character/motion/map_skeleton.hpp"
 
 namespace sinew::cli {
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "sinew_character/pose.hpp"
+#include "sinew_character/picture/picture_mesh.hpp"
+#include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/box.hpp"
-#include "sinew_picture/picture_mesh.hpp"
 
 namespace sinew::cli {
 namespace {

@@ -3,10 +3,10 @@
 #ifndef SINEW_CLI_MOTION_SHEET_HPP
 #define SINEW_CLI_MOTION_SHEET_HPP
 
-#include "sinew_character/deform.hpp"
-#include "sinew_datasets/image.hpp"
+#include "sinew_character/draw/image.hpp"
+#include "sinew_character/picture/picture_file.hpp"
+#include "sinew_character/pose/deform.hpp"
 #include "sinew_formats/motion.hpp"
-#include "sinew_picture/picture_file.hpp"
 
 namespace sinew::cli {
 

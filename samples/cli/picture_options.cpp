@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "options.hpp"
-#include "sinew_datasets/image.hpp"
+#include "sinew_character/draw/image.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "sinew_character/picture_job.hpp"
+#include "sinew_character/picture/picture_job.hpp"
 
 namespace CLI {
 class App;

@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "sinew_character/placement.hpp"
+#include "sinew_character/pose/placement.hpp"
 
 namespace sinew::cli {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sinew pose: turns joints of a bound character and writes the deformed mesh or a picture of it.
-#include "sinew_character/pose.hpp"
+#include "sinew_character/pose/pose.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -12,11 +12,11 @@
 #include "commands.hpp"
 #include "deform_options.hpp"
 #include "options.hpp"
-#include "sinew_character/deform.hpp"
-#include "sinew_character/label_skeleton.hpp"
-#include "sinew_character/pose_job.hpp"
-#include "sinew_character/rest_pose.hpp"
-#include "sinew_datasets/image.hpp"
+#include "sinew_character/draw/image.hpp"
+#include "sinew_character/jobs/pose_job.hpp"
+#include "sinew_character/pose/deform.hpp"
+#include "sinew_character/pose/rest_pose.hpp"
+#include "sinew_character/predict/label_skeleton.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"

@@ -3,7 +3,7 @@
 #include "profile_options.hpp"
 
 #include "options.hpp"
-#include "sinew_character/controls.hpp"
+#include "sinew_character/profile/controls.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sinew_character/profile.hpp"
+#include "sinew_character/profile/profile.hpp"
 
 namespace sinew::cli {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "sinew_character/skeleton_template.hpp"
+#include "sinew_character/predict/skeleton_template.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "support.hpp"

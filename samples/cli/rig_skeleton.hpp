@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "sinew_character/edit_skeleton.hpp"
-#include "sinew_character/own_skeleton.hpp"
+#include "sinew_character/predict/edit_skeleton.hpp"
+#include "sinew_character/predict/own_skeleton.hpp"
 
 namespace CLI {
 class App;

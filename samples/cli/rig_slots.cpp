@@ -8,7 +8,7 @@
 
 #include "options.hpp"
 #include "picture_options.hpp"
-#include "sinew_character/body_class.hpp"
+#include "sinew_character/picture/body_class.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

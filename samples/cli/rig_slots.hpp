@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "sinew_character/rig_job.hpp"
+#include "sinew_character/jobs/rig_job.hpp"
 
 namespace CLI {
 class App;

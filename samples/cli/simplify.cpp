@@ -9,7 +9,7 @@
 #include "commands.hpp"
 #include "options.hpp"
 #include "profile_options.hpp"
-#include "sinew_character/simplify_job.hpp"
+#include "sinew_character/jobs/simplify_job.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/gltf_summary.hpp"
 #include "sinew_formats/io.hpp"

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
-#include "sinew_character/picture_job.hpp"
+#include "sinew_character/picture/picture_job.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "support.hpp"
 

@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "sinew_character/bind.hpp"
+#include "sinew_character/bind/bind.hpp"
 
 namespace sinew::cli {
 

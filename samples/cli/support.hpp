@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "sinew_character/character_file.hpp"
-#include "sinew_character/models.hpp"
+#include "sinew_character/jobs/character_file.hpp"
+#include "sinew_character/models/models.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/error.hpp"
 

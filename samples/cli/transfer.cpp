@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sinew transfer: the weights of a finished character go to other meshes.
-#include "sinew_character/transfer.hpp"
+#include "sinew_character/bind/transfer.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -16,9 +16,9 @@
 #include "options.hpp"
 #include "profile_options.hpp"
 #include "sinew/published.h"
-#include "sinew_character/checked_note.hpp"
-#include "sinew_character/thread_pool.hpp"
-#include "sinew_datasets/image.hpp"
+#include "sinew_character/check/checked_note.hpp"
+#include "sinew_character/draw/image.hpp"
+#include "sinew_character/jobs/thread_pool.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"

@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "sinew_character/models.hpp"
-#include "sinew_character/transfer_job.hpp"
+#include "sinew_character/jobs/transfer_job.hpp"
+#include "sinew_character/models/models.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew::cli {

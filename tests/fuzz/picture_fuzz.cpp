@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "fuzz.hpp"
+#include "sinew_character/picture/figure.hpp"
+#include "sinew_character/picture/picture_mesh.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_picture/figure.hpp"
-#include "sinew_picture/picture_mesh.hpp"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <filesystem>
 
 #include "expect_error.hpp"
-#include "sinew_datasets/dataset.hpp"
-#include "sinew_datasets/synthesize.hpp"
+#include "sinew_data_sets/dataset.hpp"
+#include "sinew_data_sets/synthesize.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/crossval.hpp"
 #include "temp_folder.hpp"

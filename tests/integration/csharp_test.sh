@@ -25,7 +25,7 @@ run sizes > "$work/csharp.txt"
 {
   echo '#include <stddef.h>'
   echo '#include <stdio.h>'
-  for header in "$source"/engine/include/sinew/*.h "$source"/formats/character/include/sinew/*.h; do echo "#include \"sinew/$(basename "$header")\""; done
+  for header in "$source"/engine/include/sinew/*.h "$source"/character/include/sinew/*.h; do echo "#include \"sinew/$(basename "$header")\""; done
   echo 'int main(void) {'
   while read -r what _; do
     case $what in
@@ -35,7 +35,7 @@ run sizes > "$work/csharp.txt"
   done < "$work/csharp.txt"
   echo 'return 0; }'
 } > "$work/sizes.c"
-"${CC:-cc}" -I "$source/engine/include" -I "$source/formats/character/include" "$work/sizes.c" -o "$work/sizes"
+"${CC:-cc}" -I "$source/engine/include" -I "$source/character/include" "$work/sizes.c" -o "$work/sizes"
 "$work/sizes" > "$work/c.txt"
 [ "$(grep -c '\.' "$work/c.txt")" -gt 60 ] || fail "the binding has too few members: $(wc -l < "$work/c.txt") lines"
 diff "$work/c.txt" "$work/csharp.txt" || fail "structs differ from those of C (< C, > C#)"

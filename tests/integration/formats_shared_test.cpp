@@ -6,7 +6,7 @@
 
 #include "gltf_validator.hpp"
 #include "shared_data.hpp"
-#include "sinew_datasets/dataset.hpp"
+#include "sinew_data_sets/dataset.hpp"
 #include "sinew_formats/io.hpp"
 #include "temp_folder.hpp"
 

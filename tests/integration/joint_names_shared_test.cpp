@@ -8,7 +8,7 @@
 #include <string>
 
 #include "shared_data.hpp"
-#include "sinew_character/joint_verdicts.hpp"
+#include "sinew_character/rig/joint_verdicts.hpp"
 #include "sinew_formats/io.hpp"
 
 using namespace sinew;

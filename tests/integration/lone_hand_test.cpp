@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A mesh that is a hand and nothing else gets a hand's skeleton, whichever way it lies; a body and a block get none.
-#include "sinew_character/lone_hand.hpp"
+#include "sinew_character/predict/lone_hand.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 #include <string>
 
 #include "hand_scene.hpp"
-#include "sinew_character/models.hpp"
-#include "sinew_character/predict_hands.hpp"
-#include "sinew_character/rig_job.hpp"
+#include "sinew_character/jobs/rig_job.hpp"
+#include "sinew_character/models/models.hpp"
+#include "sinew_character/predict/predict_hands.hpp"
 
 namespace sinew {
 namespace {

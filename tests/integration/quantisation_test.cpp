@@ -12,9 +12,9 @@
 
 #include "features/features.hpp"
 #include "open_bundled_model.hpp"
-#include "sinew_character/bind.hpp"
-#include "sinew_character/models.hpp"
-#include "sinew_datasets/synthesize.hpp"
+#include "sinew_character/bind/bind.hpp"
+#include "sinew_character/models/models.hpp"
+#include "sinew_data_sets/synthesize.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_quant/quantize.hpp"
 #include "sinew_trainer/calibrate.hpp"

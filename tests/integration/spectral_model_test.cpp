@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "features/features.hpp"
-#include "sinew_character/bind.hpp"
+#include "sinew_character/bind/bind.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_quant/quantize.hpp"
 #include "sinew_trainer/calibrate.hpp"

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "open_bundled_model.hpp"
-#include "sinew_character/bind.hpp"
-#include "sinew_datasets/synthesize.hpp"
+#include "sinew_character/bind/bind.hpp"
+#include "sinew_data_sets/synthesize.hpp"
 #include "sinew_trainer/confidence.hpp"
 
 namespace sinew {

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "random_character.hpp"
-#include "sinew_datasets/dataset.hpp"
+#include "sinew_data_sets/dataset.hpp"
 #include "sinew_formats/io.hpp"
 #include "temp_folder.hpp"
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Who includes whom: rooms of engine/src by the order that engine/README.md states, their namespaces, and the houses above the engine.
+"""Who includes whom: the rooms of engine and character by the order that their READMEs state, the engine's namespaces, and the houses above the engine.
 
   rooms.py SOURCE_DIR     prints each include that goes the wrong way and each namespace of another room; exits with 1 when there is one
 """
@@ -12,15 +12,19 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*["<]([^">]+)[">]', re.MULTILIN
 SENTENCE = re.compile(r"A room includes only rooms that stand before it in this list:\s*([^.]+)\.")
 OWN_NAMESPACES = re.compile(r"Rooms with a namespace of their own:\s*([^.]+)\.")
 NAMESPACE = re.compile(r"^(?:inline )?namespace (sinew[\w:]*) \{", re.MULTILINE)
-# Above the rooms; no room includes it, so the sentence does not name it.
+# Above the engine's rooms; no room includes it, so the sentence does not name it.
 DOOR = "api"
+# A house whose README orders its rooms: the folders that hold one folder a room, and how an include of a room begins.
+ROOM_HOUSES = {
+    "engine": (["src"], [""]),
+    "character": (["src", "include/sinew_character"], ["", "sinew_character/"]),
+}
 # A house with its folders, and what it must not include. A folder belongs to the house with the longest name that fits.
 HOUSES = {
-    "engine": (["engine/include", "engine/src"], ["formats", "picture", "character", "datasets", "trainer", "quant"]),
-    "formats": (["formats/include", "formats/src"], ["picture", "character", "datasets", "trainer", "quant"]),
-    "picture": (["formats/picture/include", "formats/picture/src"], ["character", "datasets", "trainer", "quant"]),
-    "character": (["formats/character/include", "formats/character/src"], ["datasets", "trainer", "quant"]),
-    "datasets": (["formats/datasets/include", "formats/datasets/src"], ["trainer", "quant"]),
+    "engine": (["engine/include", "engine/src"], ["formats", "character", "data_sets", "trainer", "quant"]),
+    "formats": (["formats/include", "formats/src"], ["character", "data_sets", "trainer", "quant"]),
+    "character": (["character/include", "character/src"], ["data_sets", "trainer", "quant"]),
+    "data_sets": (["trainer/data_sets/include", "trainer/data_sets/src"], ["trainer", "quant"]),
     "trainer": (["trainer/include", "trainer/src"], ["quant"]),
     "quant": (["quant/include", "quant/src"], ["trainer"]),
 }
@@ -36,11 +40,11 @@ def includes(path):
     return [(text.count("\n", 0, m.start(1)) + 1, m.group(1)) for m in INCLUDE.finditer(text)]
 
 
-def allowed_rooms(readme):
+def allowed_rooms(readme, house="engine"):
     """room -> the rooms that it may include, as the sentence of the README says."""
     found = SENTENCE.search(readme)
     if not found:
-        raise SystemExit('rooms: engine/README.md has no sentence "A room includes only rooms that stand before it in this list: ..."')
+        raise SystemExit(f'rooms: {house}/README.md has no sentence "A room includes only rooms that stand before it in this list: ..."')
     allowed, before = {}, []
     for entry in re.split(r",\s*(?![^(]*\))", " ".join(found.group(1).split())):
         names, _, note = entry.partition(" (")
@@ -50,11 +54,11 @@ def allowed_rooms(readme):
             may = re.split(r", | and ", note[: -len(" alone")])
             unknown = [room for room in may if room not in before]
             if unknown:
-                raise SystemExit(f"rooms: engine/README.md lets {names} include {unknown[0]}, which does not stand before it")
+                raise SystemExit(f"rooms: {house}/README.md lets {names} include {unknown[0]}, which does not stand before it")
         elif note in ("", "neither knows the other"):
             may = list(before)
         else:
-            raise SystemExit(f'rooms: engine/README.md says "({note})" of {names}; this test knows "(neither knows the other)" and "(... alone)"')
+            raise SystemExit(f'rooms: {house}/README.md says "({note})" of {names}; this test knows "(neither knows the other)" and "(... alone)"')
         for room in group:
             allowed[room] = set(may)
         before += group
@@ -80,25 +84,33 @@ def check_namespaces(source):
     return faults, f"{len(own)} rooms with a namespace of their own"
 
 
+def check_house_rooms(source, house):
+    faults, count = [], 0
+    folders, beginnings = ROOM_HOUSES[house]
+    folders = [source / house / folder for folder in folders]
+    readme = f"{house}/README.md"
+    allowed = allowed_rooms((source / readme).read_text(encoding="utf-8"), house)
+    rooms = {p.name for folder in folders if folder.is_dir() for p in folder.iterdir() if p.is_dir() and sources(p)}
+    faults += [f"{readme}'s list of rooms lacks {house}/src/{room}" for room in sorted(rooms - set(allowed) - {DOOR})]
+    faults += [f"{readme}'s list names a room {room} that {house}/src has not" for room in sorted(set(allowed) - rooms)]
+    for folder in folders:
+        for room in sorted(rooms):
+            for path in sources(folder / room):
+                for line, name in includes(path):
+                    for beginning in beginnings:
+                        other, slash, _ = name.removeprefix(beginning).partition("/")
+                        if not name.startswith(beginning) or not slash or other == room or other not in rooms:
+                            continue
+                        count += 1
+                        if room == DOOR or room not in allowed or other in allowed[room]:
+                            continue
+                        faults.append(f"{path.relative_to(source)}:{line}: {room} includes {name}, and {other} does not stand before it in {readme}")
+    return faults, f"{len(rooms)} rooms of {house}, {count} includes between them"
+
+
 def check_rooms(source):
-    faults = []
-    allowed = allowed_rooms((source / "engine/README.md").read_text(encoding="utf-8"))
-    src = source / "engine/src"
-    rooms = {p.name for p in src.iterdir() if p.is_dir() and sources(p)}
-    faults += [f"engine/README.md's list of rooms lacks engine/src/{room}" for room in sorted(rooms - set(allowed) - {DOOR})]
-    faults += [f"engine/README.md's list names a room {room} that engine/src has not" for room in sorted(set(allowed) - rooms)]
-    count = 0
-    for room in sorted(rooms):
-        for path in sources(src / room):
-            for line, name in includes(path):
-                other = name.split("/")[0]
-                if "/" not in name or other == room or other not in rooms:
-                    continue
-                count += 1
-                if room == DOOR or room not in allowed or other in allowed[room]:
-                    continue
-                faults.append(f"{path.relative_to(source)}:{line}: {room} includes {name}, and {other} does not stand before it in engine/README.md")
-    return faults, f"{len(rooms)} rooms, {count} includes between them"
+    found = [check_house_rooms(source, house) for house in ROOM_HOUSES]
+    return [fault for faults, _ in found for fault in faults], "; ".join(said for _, said in found)
 
 
 def check_houses(source):

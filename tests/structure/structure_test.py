@@ -23,8 +23,11 @@ class Structure(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.root = pathlib.Path(self.folder.name)
         self.write("engine/README.md", README)
+        self.write("character/README.md", "A room includes only rooms that stand before it in this list: rig, bind.\n")
         for room in ("core", "mesh", "skeleton", "solve", "mapping", "bind", "api"):
             self.write(f"engine/src/{room}/{room}.hpp", "")
+        for name in ("src/rig/rig.hpp", "src/bind/bind.hpp", "include/sinew_character/bind/seams.hpp"):
+            self.write("character/" + name, "")
         for house, (folders, _) in rooms.HOUSES.items():
             if house != "engine":
                 self.write(f"{folders[0]}/sinew_{house}/{house}.hpp", "")
@@ -51,6 +54,9 @@ class Structure(unittest.TestCase):
         self.assertEqual(len(self.faults("engine/src/mesh/a.cpp", "")), 0)
         self.assertEqual(len(self.faults("engine/src/mapping/a.cpp", '#include "mesh/mesh.hpp"\n')), 1)
         self.assertEqual(len(self.faults("engine/src/mapping/a.cpp", '#include "core/core.hpp"\n')), 0)
+        self.assertEqual(len(self.faults("character/src/bind/a.cpp", '#include "rig/rig.hpp"\n')), 0)
+        self.assertRegex(self.faults("character/src/rig/a.cpp", '#include "sinew_character/bind/seams.hpp"\n')[0], "and bind does not stand before it in character/README.md")
+        self.assertEqual(len(self.faults("character/include/sinew_character/rig/a.hpp", '#include "bind/bind.hpp"\n')), 2)
 
     def test_list(self):
         self.assertRegex(self.faults("engine/src/attic/a.cpp", "")[0], "lacks engine/src/attic")
@@ -71,9 +77,9 @@ class Structure(unittest.TestCase):
         def houses(name, include):
             return self.faults(name, f"#include {include}\n", rooms.check_houses)
         for include in ('"sinew_formats/formats.hpp"', '"formats_part.hpp"', "<sinew_character/character.hpp>"):
-            self.assertEqual(houses("formats/datasets/src/a.cpp", include), [])
-        for name, include in (("formats/src/a.cpp", '"sinew_character/character.hpp"'), ("formats/src/a.cpp", "<sinew_datasets/new.hpp>"),
-                              ("formats/src/a.cpp", '"character_part.hpp"'), ("formats/character/src/a.cpp", '"sinew_datasets/datasets.hpp"'),
+            self.assertEqual(houses("trainer/data_sets/src/a.cpp", include), [])
+        for name, include in (("formats/src/a.cpp", '"sinew_character/character.hpp"'), ("formats/src/a.cpp", "<sinew_data_sets/new.hpp>"),
+                              ("formats/src/a.cpp", '"character_part.hpp"'), ("character/src/a.cpp", '"sinew_data_sets/data_sets.hpp"'),
                               ("engine/src/core/a.hpp", '"sinew_formats/formats.hpp"'), ("trainer/src/a.cpp", '"sinew_quant/quant.hpp"'),
                               ("quant/src/a.cpp", '"sinew_trainer/trainer.hpp"')):
             self.assertEqual(len(houses(name, include)), 1, f"{name}: {include}")

@@ -9,7 +9,7 @@ import re
 import sys
 
 # Libraries that one program may link all of, and that program.
-FOLDERS = ["engine/include", "engine/src", "formats", "trainer", "quant", "samples/cli"]
+FOLDERS = ["engine/include", "engine/src", "formats", "character", "trainer", "quant", "samples/cli"]
 NOISE = re.compile(
     r'//[^\n]*|/\*.*?\*/'
     r'|R"([^()\s\\]{0,16})\(.*?\)\1"'

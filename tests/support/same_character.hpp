@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/points.hpp"
+#include "base/points.hpp"
 #include "motion/turns.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"

@@ -3,7 +3,7 @@
 #ifndef SINEW_TESTS_SUPPORT_SMALL_BIPED_HPP
 #define SINEW_TESTS_SUPPORT_SMALL_BIPED_HPP
 
-#include "sinew_datasets/synthesize.hpp"
+#include "sinew_data_sets/synthesize.hpp"
 
 namespace sinew_test {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "sinew_picture/figure.hpp"
-#include "sinew_picture/picture_file.hpp"
+#include "sinew_character/picture/figure.hpp"
+#include "sinew_character/picture/picture_file.hpp"
 
 namespace sinew::test {
 

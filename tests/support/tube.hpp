@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sinew_datasets/dataset.hpp"
+#include "sinew_data_sets/dataset.hpp"
 #include "sinew_formats/character.hpp"
 
 inline void add_face(sinew::Character* c, std::vector<uint32_t> corners) {

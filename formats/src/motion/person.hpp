@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "motion/points.hpp"
+#include "base/points.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew {
 
 // VRM's names. In a T pose, 1.7 m high, y up, facing +z, left at +x; a joint's parent is the nearest of its ancestors that is listed.
-// Places are our own (the bundled skeleton of formats/character, to the centimetre), of no body model.
+// Places are our own (the bundled skeleton of character, to the centimetre), of no body model.
 std::vector<MotionJoint> person_joints(const std::vector<std::string>& names);
 
 // "left" in place of "right" and the other way round; the name itself where it has no side.

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "sinew/sinew.h"
-#include "sinew_character/bind_character.hpp"
+#include "sinew_character/bind/bind_character.hpp"
 
 #define SKIN_EXPORT(name) __attribute__((used, export_name(name)))
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "characters.hpp"
-#include "sinew_character/answers.hpp"
-#include "sinew_character/bind_job.hpp"
+#include "sinew_character/bind/answers.hpp"
+#include "sinew_character/jobs/bind_job.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew::web {

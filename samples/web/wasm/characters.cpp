@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "rig_json.hpp"
-#include "sinew_character/bind_job.hpp"
-#include "sinew_character/placement.hpp"
-#include "sinew_character/plane_motion.hpp"
-#include "sinew_character/rig_job.hpp"
+#include "sinew_character/jobs/bind_job.hpp"
+#include "sinew_character/jobs/rig_job.hpp"
+#include "sinew_character/picture/plane_motion.hpp"
+#include "sinew_character/pose/placement.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 

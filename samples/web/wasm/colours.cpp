@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "sinew_datasets/image.hpp"
+#include "sinew_character/draw/image.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew::web {

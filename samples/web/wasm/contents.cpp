@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "sinew_character/check.hpp"
+#include "sinew_character/check/check.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"

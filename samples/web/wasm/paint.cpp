@@ -7,8 +7,8 @@
 #include <map>
 #include <utility>
 
-#include "sinew_character/bind.hpp"
-#include "sinew_character/mesh_neighbours.hpp"
+#include "sinew_character/bind/bind.hpp"
+#include "sinew_character/rig/mesh_neighbours.hpp"
 
 namespace sinew::web {
 namespace {

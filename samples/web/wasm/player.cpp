@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "sinew_character/motion_file.hpp"
-#include "sinew_character/plane_motion.hpp"
+#include "sinew_character/motion/motion_file.hpp"
+#include "sinew_character/picture/plane_motion.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew::web {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "sinew_character/animate_job.hpp"
-#include "sinew_character/picture_job.hpp"
+#include "sinew_character/jobs/animate_job.hpp"
+#include "sinew_character/picture/picture_job.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew::web {

@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "sinew_character/joint_mirror.hpp"
-#include "sinew_character/limb_doubts.hpp"
-#include "sinew_datasets/image.hpp"
+#include "sinew_character/draw/image.hpp"
+#include "sinew_character/predict/limb_doubts.hpp"
+#include "sinew_character/rig/joint_mirror.hpp"
 
 namespace sinew::web {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rigs.hpp"
-#include "sinew_character/edit_skeleton.hpp"
+#include "sinew_character/predict/edit_skeleton.hpp"
 
 namespace sinew::web {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "sinew_character/label_skeleton.hpp"
-#include "sinew_character/own_skeleton.hpp"
+#include "sinew_character/predict/label_skeleton.hpp"
+#include "sinew_character/predict/own_skeleton.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew::web {

@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "sinew_character/bind_character.hpp"
-#include "sinew_character/edit_skeleton.hpp"
-#include "sinew_character/predict_skeleton.hpp"
+#include "sinew_character/bind/bind_character.hpp"
+#include "sinew_character/predict/edit_skeleton.hpp"
+#include "sinew_character/predict/predict_skeleton.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew::web {

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <utility>
 
-#include "sinew_character/rest_pose.hpp"
+#include "sinew_character/pose/rest_pose.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew::web {

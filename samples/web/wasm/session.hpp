@@ -13,9 +13,9 @@
 #include "player.hpp"
 #include "rigs.hpp"
 #include "sinew/sinew.h"
-#include "sinew_character/picture_job.hpp"
-#include "sinew_character/seams.hpp"
-#include "sinew_character/style.hpp"
+#include "sinew_character/bind/seams.hpp"
+#include "sinew_character/picture/picture_job.hpp"
+#include "sinew_character/style/style.hpp"
 #include "skinning.hpp"
 #include "surface.hpp"
 

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "sinew_character/bend_volume.hpp"
-#include "sinew_character/deform.hpp"
+#include "sinew_character/pose/bend_volume.hpp"
+#include "sinew_character/pose/deform.hpp"
 #include "sinew_formats/affine.hpp"
 #include "sinew_formats/character.hpp"
 

@@ -21,8 +21,8 @@
 #include "rig/front_points.hpp"
 #include "rig/rig_task.hpp"
 #include "session.hpp"
-#include "sinew_character/pose.hpp"
-#include "sinew_character/profile.hpp"
+#include "sinew_character/pose/pose.hpp"
+#include "sinew_character/profile/profile.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "map_rig.hpp"
 #include "sinew/published.h"
-#include "sinew_character/map_skeleton.hpp"
+#include "sinew_character/motion/map_skeleton.hpp"
 
 namespace sinew {
 namespace {

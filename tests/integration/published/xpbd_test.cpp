@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "sinew/published.h"
-#include "sinew_character/bend_volume.hpp"
-#include "sinew_character/deform.hpp"
-#include "sinew_character/pose.hpp"
+#include "sinew_character/pose/bend_volume.hpp"
+#include "sinew_character/pose/deform.hpp"
+#include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/io.hpp"
 
 namespace sinew {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sinew_character/bind.hpp"
+#include "sinew_character/bind/bind.hpp"
 
 namespace sinew {
 

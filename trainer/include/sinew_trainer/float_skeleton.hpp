@@ -3,7 +3,7 @@
 #ifndef SINEW_TRAINER_FLOAT_SKELETON_HPP
 #define SINEW_TRAINER_FLOAT_SKELETON_HPP
 
-#include "sinew_character/predict_skeleton.hpp"
+#include "sinew_character/predict/predict_skeleton.hpp"
 #include "sinew_formats/float_network.hpp"
 
 namespace sinew {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "sinew_character/predict_skeleton.hpp"
-#include "sinew_datasets/target_hands.hpp"
+#include "sinew_character/predict/predict_skeleton.hpp"
+#include "sinew_data_sets/target_hands.hpp"
 
 namespace sinew {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "rig/joint_slots.hpp"
-#include "sinew_datasets/target_skeleton.hpp"
+#include "sinew_data_sets/target_skeleton.hpp"
 
 namespace sinew {
 

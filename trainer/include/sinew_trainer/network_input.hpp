@@ -9,7 +9,7 @@
 #include "kernels/select.hpp"
 #include "network/network.hpp"
 #include "sinew/sinew.hpp"
-#include "sinew_character/bind.hpp"
+#include "sinew_character/bind/bind.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_trainer/network_sample.hpp"
 

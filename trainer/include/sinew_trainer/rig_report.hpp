@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "sinew_datasets/image.hpp"
+#include "sinew_character/draw/image.hpp"
 #include "sinew_trainer/rig_score.hpp"
 
 namespace sinew {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "rig/joint_class.hpp"
-#include "sinew_datasets/target_skeleton.hpp"
+#include "sinew_data_sets/target_skeleton.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {

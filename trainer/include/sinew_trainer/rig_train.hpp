@@ -27,7 +27,7 @@ struct RigTrainConfig : RunConfig {
   // Bodies: shares of these, 0 to 1, in poses as meshes of strangers have (src/data/rig_pose.hpp), grown together to one closed
   // shell (src/data/grown_shell.hpp), with double walls, and with specks (src/data/rough_surface.hpp), and as pictures of them are (src/data/silhouette.hpp).
   double wide = 0, grown = 0, walls = 0, specks = 0, pictures = 0;
-  // Synthetic characters of each body plan (formats/datasets/src/synth), as families of their own.
+  // Synthetic characters of each body plan (trainer/data_sets/src/synth), as families of their own.
   uint32_t synthetic = 20;
   // Slots: what the error of joints counts, 0 to 1; that of connections counts the rest.
   double balance = 0.7;

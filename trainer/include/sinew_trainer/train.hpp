@@ -69,7 +69,7 @@ struct TrainConfig : RunConfig {
   // Training characters with more vertices than this are decimated to about as many; 0 = off. Large characters cost the
   // most and teach the least per vertex. Validation and measurements always take them whole.
   uint32_t vertex_limit = 2000;
-  // Synthetic characters of each body plan (formats/datasets/src/synth) beside those of the folder, as families of their
+  // Synthetic characters of each body plan (trainer/data_sets/src/synth) beside those of the folder, as families of their
   // own.
   uint32_t synthetic = 12;
 };

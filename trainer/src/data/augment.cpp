@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "core/random.hpp"
-#include "sinew_character/pose.hpp"
-#include "sinew_datasets/dataset.hpp"
+#include "sinew_character/pose/pose.hpp"
+#include "sinew_data_sets/dataset.hpp"
 #include "sinew_formats/box.hpp"
 
 namespace sinew {

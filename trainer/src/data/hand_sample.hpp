@@ -7,7 +7,7 @@
 
 #include "data/rig_sample.hpp"
 #include "rig/hand_class.hpp"
-#include "sinew_datasets/target_hands.hpp"
+#include "sinew_data_sets/target_hands.hpp"
 
 namespace sinew {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "sinew_datasets/target_skeleton.hpp"
+#include "sinew_data_sets/target_skeleton.hpp"
 
 namespace sinew {
 

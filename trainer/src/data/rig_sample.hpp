@@ -13,7 +13,7 @@
 #include "data/rig_pose.hpp"
 #include "data/rough_surface.hpp"
 #include "rig/rig_points.hpp"
-#include "sinew_datasets/target_skeleton.hpp"
+#include "sinew_data_sets/target_skeleton.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_trainer/network_sample.hpp"
 

@@ -8,7 +8,7 @@
 #include "bind/pipeline.hpp"
 #include "kernels/select.hpp"
 #include "sinew/sinew.hpp"
-#include "sinew_character/engine_views.hpp"
+#include "sinew_character/bind/engine_views.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/fold_targets.hpp"
 #include "weights/influences.hpp"

@@ -18,7 +18,7 @@
 #include "core/random.hpp"
 #include "data/augment.hpp"
 #include "features/features.hpp"
-#include "sinew_datasets/dataset.hpp"
+#include "sinew_data_sets/dataset.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sinew_datasets/synthesize.hpp"
+#include "sinew_data_sets/synthesize.hpp"
 #include "sinew_trainer/sample.hpp"
 
 namespace sinew {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "sinew_picture/picture_mesh.hpp"
+#include "sinew_character/picture/picture_mesh.hpp"
 
 namespace sinew {
 namespace {

@@ -9,8 +9,8 @@
 #include "kernels/select.hpp"
 #include "rig/rig.hpp"
 #include "sinew/sinew.hpp"
-#include "sinew_character/bind.hpp"
-#include "sinew_character/engine_views.hpp"
+#include "sinew_character/bind/bind.hpp"
+#include "sinew_character/bind/engine_views.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_trainer/network.hpp"
 

@@ -21,7 +21,7 @@
 #include "run/slot_task.hpp"
 #include "run/training_run.hpp"
 #include "run/training_set.hpp"
-#include "sinew_datasets/synthesize.hpp"
+#include "sinew_data_sets/synthesize.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/parallel.hpp"
 #include "sinew_trainer/ranks.hpp"

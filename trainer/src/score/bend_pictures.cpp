@@ -4,10 +4,10 @@
 
 #include "bends.hpp"
 #include "sinew/deform.h"
-#include "sinew_character/deform.hpp"
-#include "sinew_character/label_skeleton.hpp"
-#include "sinew_character/pose.hpp"
-#include "sinew_datasets/image.hpp"
+#include "sinew_character/draw/image.hpp"
+#include "sinew_character/pose/deform.hpp"
+#include "sinew_character/pose/pose.hpp"
+#include "sinew_character/predict/label_skeleton.hpp"
 
 namespace sinew {
 

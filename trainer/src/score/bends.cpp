@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sinew/rig.h"
-#include "sinew_character/pose.hpp"
+#include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/box.hpp"
 #include "sinew_formats/print.hpp"
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/vec3d.hpp"
-#include "sinew_character/label_skeleton.hpp"
-#include "sinew_datasets/image.hpp"
+#include "sinew_character/draw/image.hpp"
+#include "sinew_character/predict/label_skeleton.hpp"
 #include "sinew_formats/affine.hpp"
 #include "sinew_formats/character.hpp"
 

@@ -8,9 +8,9 @@
 
 #include "gltf/gltf_container.hpp"
 #include "score/rig_damage.hpp"
-#include "sinew_character/animate_job.hpp"
-#include "sinew_character/map_skeleton.hpp"
-#include "sinew_character/motion_file.hpp"
+#include "sinew_character/jobs/animate_job.hpp"
+#include "sinew_character/motion/map_skeleton.hpp"
+#include "sinew_character/motion/motion_file.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/memory_files.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "score/rig_damage.hpp"
-#include "sinew_character/joint_mirror.hpp"
+#include "sinew_character/rig/joint_mirror.hpp"
 
 namespace sinew {
 namespace {

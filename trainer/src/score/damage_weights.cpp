@@ -6,8 +6,8 @@
 #include <map>
 
 #include "score/rig_damage.hpp"
-#include "sinew_character/bone_distance.hpp"
-#include "sinew_character/mesh_neighbours.hpp"
+#include "sinew_character/check/bone_distance.hpp"
+#include "sinew_character/rig/mesh_neighbours.hpp"
 
 namespace sinew {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "sinew_character/label_skeleton.hpp"
-#include "sinew_character/mesh_neighbours.hpp"
+#include "sinew_character/predict/label_skeleton.hpp"
+#include "sinew_character/rig/mesh_neighbours.hpp"
 #include "sinew_formats/box.hpp"
 
 namespace sinew {

@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "data/dense_rows.hpp"
-#include "sinew_character/bone_distance.hpp"
-#include "sinew_character/pose.hpp"
+#include "sinew_character/check/bone_distance.hpp"
+#include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/box.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/vertex_areas.hpp"

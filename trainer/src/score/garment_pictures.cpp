@@ -4,12 +4,12 @@
 
 #include "bends.hpp"
 #include "dressed.hpp"
-#include "sinew_character/deform.hpp"
-#include "sinew_character/layer_crossings.hpp"
-#include "sinew_character/pose.hpp"
-#include "sinew_character/transfer.hpp"
-#include "sinew_datasets/html.hpp"
-#include "sinew_datasets/image.hpp"
+#include "sinew_character/bind/transfer.hpp"
+#include "sinew_character/check/layer_crossings.hpp"
+#include "sinew_character/draw/image.hpp"
+#include "sinew_character/page/html.hpp"
+#include "sinew_character/pose/deform.hpp"
+#include "sinew_character/pose/pose.hpp"
 
 namespace sinew {
 namespace {

@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "score/numpy_random.hpp"
-#include "sinew_character/pose.hpp"
+#include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

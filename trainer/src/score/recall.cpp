@@ -8,7 +8,7 @@
 #include "kernels/select.hpp"
 #include "mesh/mesh.hpp"
 #include "sinew/sinew.hpp"
-#include "sinew_character/engine_views.hpp"
+#include "sinew_character/bind/engine_views.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_trainer/fold_targets.hpp"
 

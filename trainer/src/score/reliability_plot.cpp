@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sinew_datasets/html.hpp"
-#include "sinew_datasets/plots.hpp"
+#include "sinew_character/page/html.hpp"
+#include "sinew_data_sets/plots.hpp"
 
 namespace sinew {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "score/report_parts.hpp"
-#include "sinew_datasets/html.hpp"
+#include "sinew_character/page/html.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_trainer/reliability_plot.hpp"
 

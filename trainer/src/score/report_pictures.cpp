@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sinew_character/pose.hpp"
-#include "sinew_datasets/html.hpp"
-#include "sinew_datasets/image.hpp"
+#include "sinew_character/draw/image.hpp"
+#include "sinew_character/page/html.hpp"
+#include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/box.hpp"
 #include "sinew_trainer/random_poses.hpp"
 #include "sinew_trainer/report.hpp"

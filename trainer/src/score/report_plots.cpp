@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "score/report_parts.hpp"
-#include "sinew_datasets/html.hpp"
-#include "sinew_datasets/plots.hpp"
+#include "sinew_character/page/html.hpp"
+#include "sinew_data_sets/plots.hpp"
 
 namespace sinew {
 

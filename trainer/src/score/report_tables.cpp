@@ -6,7 +6,7 @@
 #include <set>
 
 #include "score/report_parts.hpp"
-#include "sinew_datasets/html.hpp"
+#include "sinew_character/page/html.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "sinew_character/joint_verdicts.hpp"
+#include "sinew_character/rig/joint_verdicts.hpp"
 #include "sinew_trainer/rig_damage.hpp"
 
 namespace sinew {

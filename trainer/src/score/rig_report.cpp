@@ -7,7 +7,7 @@
 #include <map>
 
 #include "score/rig_figures.hpp"
-#include "sinew_datasets/html.hpp"
+#include "sinew_character/page/html.hpp"
 
 namespace sinew {
 namespace {

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "score/assignment.hpp"
-#include "sinew_character/joint_verdicts.hpp"
+#include "sinew_character/rig/joint_verdicts.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

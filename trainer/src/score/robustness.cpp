@@ -9,7 +9,7 @@
 #include <numeric>
 #include <random>
 
-#include "sinew_datasets/dataset.hpp"
+#include "sinew_data_sets/dataset.hpp"
 #include "sinew_formats/box.hpp"
 #include "sinew_formats/error.hpp"
 

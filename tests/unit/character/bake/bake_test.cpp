@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shapes fitted to corrected poses of a tube: they halve the error of poses that they did not learn.
-#include "sinew_character/bake.hpp"
+#include "sinew_character/bake/bake.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Which joints of a file get weight, what is left alone, and who takes the weight of tips.
-#include "sinew_character/bind_character.hpp"
+#include "sinew_character/bind/bind_character.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "expect_error.hpp"
-#include "sinew_character/bind_job.hpp"
+#include "sinew_character/jobs/bind_job.hpp"
 
 namespace sinew {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A bind of a Character: raw rows and influences agree, given rows stay, refusals name the character.
-#include "sinew_character/bind.hpp"
+#include "sinew_character/bind/bind.hpp"
 
 #include <gtest/gtest.h>
 

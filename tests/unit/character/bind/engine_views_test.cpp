@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A Character's arrays in the engine's order, and what cannot be bound.
-#include "sinew_character/engine_views.hpp"
+#include "sinew_character/bind/engine_views.hpp"
 
 #include <gtest/gtest.h>
 

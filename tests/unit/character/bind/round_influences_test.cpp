@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "sinew_character/bind.hpp"
+#include "sinew_character/bind/bind.hpp"
 
 namespace sinew {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A sound rig has no errors; what is broken is found where it was broken, told once, and held against a profile.
-#include "sinew_character/check.hpp"
+#include "sinew_character/check/check.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "sinew_character/check_output.hpp"
+#include "sinew_character/check/check_output.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/memory_files.hpp"
 #include "small_biped.hpp"

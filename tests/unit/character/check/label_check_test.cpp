@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Suspicious weights: sound characters have none, and every kind of mistake put into one is found where it was put.
-#include "sinew_character/label_check.hpp"
+#include "sinew_character/check/label_check.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "sinew_datasets/dataset.hpp"
+#include "sinew_data_sets/dataset.hpp"
 #include "small_biped.hpp"
 
 namespace sinew {

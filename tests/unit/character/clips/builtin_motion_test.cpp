@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Clips that ship: they loop, feet stand where they stand and nothing goes through the floor; names are told.
-#include "sinew_character/builtin_motion.hpp"
+#include "sinew_character/clips/builtin_motion.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "base/points.hpp"
 #include "clips/puppet.hpp"
 #include "expect_error.hpp"
-#include "motion/points.hpp"
-#include "sinew_character/character_file.hpp"
-#include "sinew_character/map_skeleton.hpp"
+#include "sinew_character/jobs/character_file.hpp"
+#include "sinew_character/motion/map_skeleton.hpp"
 
 namespace sinew {
 namespace {

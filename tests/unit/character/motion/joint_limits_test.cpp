@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Limits from text, from a robot's URDF and of a human body: no joint ever goes over.
-#include "sinew_character/joint_limits.hpp"
+#include "sinew_character/motion/joint_limits.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
+#include "base/points.hpp"
 #include "expect_error.hpp"
-#include "motion/points.hpp"
 #include "sinew_formats/io.hpp"
 #include "temp_folder.hpp"
 #include "walking_motion.hpp"

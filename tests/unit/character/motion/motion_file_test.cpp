@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A clip's name means that of the body it is for.
-#include "sinew_character/motion_file.hpp"
+#include "sinew_character/motion/motion_file.hpp"
 
 #include <gtest/gtest.h>
 

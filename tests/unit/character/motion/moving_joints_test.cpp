@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "motion/points.hpp"
+#include "base/points.hpp"
 #include "swinging_motion.hpp"
 #include "walking_motion.hpp"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Frames that go over another floor than their rest pose are turned; those that lie on it are not.
-#include "sinew_character/rest_floor.hpp"
+#include "sinew_character/motion/rest_floor.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "motion/points.hpp"
+#include "base/points.hpp"
 #include "walking_motion.hpp"
 
 namespace sinew {

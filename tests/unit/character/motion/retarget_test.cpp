@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Clips of one skeleton for another: how much body both share, frames, cancelling, errors.
-#include "sinew_character/retarget.hpp"
+#include "sinew_character/motion/retarget.hpp"
 
 #include <gtest/gtest.h>
 

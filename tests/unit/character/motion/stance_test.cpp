@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A stance is found whatever the rest pose says, and rest poses that are one are left alone.
-#include "sinew_character/stance.hpp"
+#include "sinew_character/motion/stance.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "motion/points.hpp"
-#include "sinew_character/builtin_motion.hpp"
+#include "base/points.hpp"
+#include "sinew_character/clips/builtin_motion.hpp"
 #include "walking_motion.hpp"
 
 namespace sinew {

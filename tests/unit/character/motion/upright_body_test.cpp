@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/points.hpp"
-#include "sinew_character/map_skeleton.hpp"
+#include "base/points.hpp"
+#include "sinew_character/motion/map_skeleton.hpp"
 #include "walking_motion.hpp"
 
 namespace sinew {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "sinew_picture/picture_mesh.hpp"
+#include "sinew_character/picture/picture_mesh.hpp"
 #include "small_pictures.hpp"
 
 namespace sinew {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Volumes of bends: known ones of a tube, and what has none.
-#include "sinew_character/bend_volume.hpp"
+#include "sinew_character/pose/bend_volume.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "expect_error.hpp"
-#include "sinew_character/pose.hpp"
+#include "sinew_character/pose/pose.hpp"
 
 namespace sinew {
 namespace {

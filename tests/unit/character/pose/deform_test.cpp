@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Corrected poses of characters, and matrices of poses as text.
-#include "sinew_character/deform.hpp"
+#include "sinew_character/pose/deform.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "block_body.hpp"
 #include "expect_error.hpp"
-#include "sinew_character/pose.hpp"
+#include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/io.hpp"
 
 namespace sinew {

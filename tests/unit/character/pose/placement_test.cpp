@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sinew_character/placement.hpp"
+#include "sinew_character/pose/placement.hpp"
 
 #include <gtest/gtest.h>
 

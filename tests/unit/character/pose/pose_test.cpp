@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Poses: given turns, and characters moved by them.
-#include "sinew_character/pose.hpp"
+#include "sinew_character/pose/pose.hpp"
 
 #include <gtest/gtest.h>
 

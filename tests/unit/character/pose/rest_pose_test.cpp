@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sinew_character/rest_pose.hpp"
+#include "sinew_character/pose/rest_pose.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Edits of a predicted skeleton: both sides alike, parents first, errors that leave it as it was.
-#include "sinew_character/edit_skeleton.hpp"
+#include "sinew_character/predict/edit_skeleton.hpp"
 
 #include <gtest/gtest.h>
 

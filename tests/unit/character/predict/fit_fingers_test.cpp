@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "sinew_character/skeleton_template.hpp"
+#include "sinew_character/predict/skeleton_template.hpp"
 
 namespace sinew {
 namespace {

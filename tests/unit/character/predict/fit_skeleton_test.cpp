@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A skeleton fitted to itself, to copies, to chains of other counts; what is carried, symmetry, lengths.
-#include "sinew_character/fit_skeleton.hpp"
+#include "sinew_character/predict/fit_skeleton.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "expect_error.hpp"
 #include "sinew/sinew.h"
-#include "sinew_character/joint_mirror.hpp"
+#include "sinew_character/rig/joint_mirror.hpp"
 
 namespace sinew {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Templates in a mesh: which of their joints take weight.
-#include "sinew_character/own_skeleton.hpp"
+#include "sinew_character/predict/own_skeleton.hpp"
 
 #include <gtest/gtest.h>
 
-#include "sinew_character/label_skeleton.hpp"
-#include "sinew_character/skeleton_template.hpp"
+#include "sinew_character/predict/label_skeleton.hpp"
+#include "sinew_character/predict/skeleton_template.hpp"
 
 namespace sinew {
 namespace {

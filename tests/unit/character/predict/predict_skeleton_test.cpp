@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How likely a predicted skeleton can be used.
-#include "sinew_character/predict_skeleton.hpp"
+#include "sinew_character/predict/predict_skeleton.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The bundled skeletons: all parse, names once, both sides alike.
-#include "sinew_character/skeleton_template.hpp"
+#include "sinew_character/predict/skeleton_template.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 
 #include "expect_error.hpp"
-#include "sinew_character/joint_mirror.hpp"
+#include "sinew_character/rig/joint_mirror.hpp"
 
 namespace sinew {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "motion/points.hpp"
+#include "base/points.hpp"
 #include "predict/turn.hpp"
-#include "sinew_character/profile.hpp"
+#include "sinew_character/profile/profile.hpp"
 #include "walking_figure.hpp"
 
 namespace sinew {

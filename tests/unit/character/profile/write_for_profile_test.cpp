@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "base/points.hpp"
 #include "expect_error.hpp"
 #include "gltf/gltf_source.hpp"
 #include "make_glb.hpp"
-#include "motion/points.hpp"
 #include "predict/turn.hpp"
-#include "sinew_character/character_file.hpp"
-#include "sinew_character/profile.hpp"
-#include "sinew_character/rest_pose.hpp"
+#include "sinew_character/jobs/character_file.hpp"
+#include "sinew_character/pose/rest_pose.hpp"
+#include "sinew_character/profile/profile.hpp"
 #include "temp_folder.hpp"
 #include "walking_figure.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sides in the names of many makers, and mirror images of joints by name and place.
-#include "sinew_character/joint_mirror.hpp"
+#include "sinew_character/rig/joint_mirror.hpp"
 
 #include <gtest/gtest.h>
 

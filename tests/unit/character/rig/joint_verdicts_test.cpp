@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a mesh says about its joints: those that stand in the air beside it, and tips.
-#include "sinew_character/joint_verdicts.hpp"
+#include "sinew_character/rig/joint_verdicts.hpp"
 
 #include <gtest/gtest.h>
 

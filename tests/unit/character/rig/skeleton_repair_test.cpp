@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Flat joint lists get a hierarchy, and skeletons in other units or places are told and brought back.
-#include "sinew_character/skeleton_repair.hpp"
+#include "sinew_character/rig/skeleton_repair.hpp"
 
 #include <gtest/gtest.h>
 

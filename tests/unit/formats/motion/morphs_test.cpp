@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "motion/turns.hpp"
-#include "sinew_character/pose.hpp"
+#include "sinew_character/pose/pose.hpp"
 
 namespace sinew {
 namespace {

@@ -7,9 +7,9 @@
 #include <functional>
 #include <limits>
 
+#include "base/points.hpp"
 #include "expect_error.hpp"
 #include "motion/npy.hpp"
-#include "motion/points.hpp"
 #include "numpy_bytes.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"

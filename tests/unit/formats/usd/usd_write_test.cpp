@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "base/points.hpp"
 #include "gltf/gltf_source.hpp"
 #include "make_glb.hpp"
 #include "motion/npy.hpp"
-#include "motion/points.hpp"
 #include "motion/turns.hpp"
 #include "same_character.hpp"
 #include "sinew_formats/io.hpp"

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "rig/joint_class.hpp"
-#include "sinew_datasets/synthesize.hpp"
+#include "sinew_data_sets/synthesize.hpp"
 
 namespace sinew {
 namespace {

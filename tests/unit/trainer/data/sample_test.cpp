@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/counts.hpp"
-#include "sinew_character/bind.hpp"
+#include "sinew_character/bind/bind.hpp"
 
 namespace sinew {
 namespace {

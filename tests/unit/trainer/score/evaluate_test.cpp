@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "sinew_character/pose.hpp"
+#include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_trainer/fold_targets.hpp"
 #include "sinew_trainer/random_poses.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "sinew_datasets/synthesize.hpp"
+#include "sinew_data_sets/synthesize.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/evaluate.hpp"

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "sinew_character/check.hpp"
+#include "sinew_character/check/check.hpp"
 #include "small_biped.hpp"
 
 namespace sinew {

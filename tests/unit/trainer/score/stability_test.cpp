@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "sinew_datasets/synthesize.hpp"
+#include "sinew_data_sets/synthesize.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Pictures without a window: an RGB image, a PNG writer and a small software rasteriser for characters.
+#ifndef SINEW_CHARACTER_IMAGE_HPP
+#define SINEW_CHARACTER_IMAGE_HPP
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+struct Image {
+  int width = 0, height = 0;
+  std::vector<uint8_t> rgb;  // [height x width x 3], row 0 on top
+};
+
+std::vector<uint8_t> encode_png(const Image& image);
+
+// A ring around a place, on top of everything; pale where the surface hides the place.
+struct RenderMark {
+  Vec3 position;
+  std::array<uint8_t, 3> colour = {230, 20, 90};
+};
+
+struct RenderOptions {
+  int width = 900, height = 900;
+  float yaw_degrees = 25.0f, pitch_degrees = 10.0f;  // camera turn about Y (front = +Z) and tilt down
+  bool draw_skeleton = true;
+  bool up_z = false;
+  std::vector<uint8_t> red_joints;  // [J] 1: it and the bone to its parent are red; empty: none
+  std::vector<RenderMark> marks;
+  Vec3 focus;              // with focus_radius > 0: the middle of the picture instead of the whole mesh,
+  float focus_radius = 0;  //   and how far it shows around it, in the mesh's units
+};
+
+// One colour per joint, spread over hue; the same joint index always gets the same colour.
+std::array<uint8_t, 3> joint_colour(size_t joint);
+// Shaded, depth-tested triangles with one colour per vertex [V].
+Image render(const Character& character, const std::vector<std::array<uint8_t, 3>>& vertex_colours,
+             const RenderOptions& options = {});
+// Colours blended from the joints' colours by weight.
+std::vector<std::array<uint8_t, 3>> weight_colours(const Character& character);
+// Dark blue (0) to yellow to red (scale) for values such as L1 errors.
+std::vector<std::array<uint8_t, 3>> heat_colours(const std::vector<float>& values, float scale);
+// Side by side, same height.
+Image beside(const std::vector<Image>& images);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What `sinew bake` does with one character: poses to learn from, others to be measured by, shapes that play in the file's animations.
+#ifndef SINEW_CHARACTER_BAKE_JOB_HPP
+#define SINEW_CHARACTER_BAKE_JOB_HPP
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sinew_character/bake/bake.hpp"
+#include "sinew_formats/character.hpp"
+#include "sinew_formats/motion.hpp"
+
+namespace sinew {
+
+struct BakeJobOptions {
+  std::string character;  // its file, for messages
+  sinew_deform_options deform = sinew_deform_options_init();
+  size_t poses = 1500, shapes = 8;  // shapes of a bend
+  uint64_t seed = 1;
+  double limit = 60;                     // degrees
+  std::optional<std::string> animation;  // learn from this clip of `own`, by name or number; nullopt: random poses
+};
+
+struct BakedCharacter {
+  Morphs morphs;  // with keys for the animations of `own`
+  size_t learnt_poses = 0, held_out_poses = 0;
+  BakeError learnt, held_out;
+};
+
+//   own    the file's own animations, or none
+//   steps  as StepsOf of animate_job.hpp
+// Throws Error.
+BakedCharacter bake_character(const Character& character, const OwnMotion& own, const BakeJobOptions& options,
+                              const std::function<std::function<bool()>(size_t)>& steps);
+// The drivers' weights in the clips of a motion.
+void play_in_animations(const OwnMotion& own, const Character& character, Morphs* morphs);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// PNG and JPEG files as pixels.
+#ifndef SINEW_CHARACTER_PICTURE_FILE_HPP
+#define SINEW_CHARACTER_PICTURE_FILE_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+constexpr uint32_t kMostPictureSide = 8192;
+
+// A picture as it is seen: turned as its EXIF data say, 8 bits a channel, alpha not multiplied in.
+struct Pixels {
+  uint32_t width = 0, height = 0;
+  std::vector<uint8_t> rgba;  // [height x width x 4], row 0 on top; sRGB, alpha 255 where the file has none
+};
+
+struct PictureFile {
+  std::string name;  // file stem
+  Pixels pixels;
+  Picture bytes;            // the file itself, for a texture
+  uint8_t orientation = 1;  // of its EXIF data, 1..8: how the file's rows become those of `pixels`
+};
+
+// PNG (any depth, palettes, interlaced) and JPEG (grey, YCbCr, RGB), told apart by their first bytes. Throws Error: another format, damaged or cut
+// off, more than kMostPictureSide a side, a library that this build lacks.
+PictureFile read_picture(const std::string& path);
+// The same from bytes; `path` is for messages.
+PictureFile decode_picture(const std::string& path, std::vector<uint8_t> bytes);
+
+// Where the place (u, v) of the seen picture is in the file's own rows; all 0..1, v runs down.
+struct PicturePlace {
+  float u = 0, v = 0;
+};
+PicturePlace file_place(const PictureFile& picture, PicturePlace seen);
+PicturePlace seen_place(const PictureFile& picture, PicturePlace in_file);
+
+}  // namespace sinew
+#endif

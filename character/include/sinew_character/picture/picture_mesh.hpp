@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// A figure as a mesh that is as thick as it is wide, with the picture on both sides.
+#ifndef SINEW_CHARACTER_PICTURE_MESH_HPP
+#define SINEW_CHARACTER_PICTURE_MESH_HPP
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sinew_character/picture/figure.hpp"
+#include "sinew_character/picture/picture_file.hpp"
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+struct PictureMeshOptions {
+  bool pixels =
+      false;  // units are the picture's pixels, x from the left edge, y up from the bottom edge; else the figure's longest side is 1, its
+              // feet at y 0, its middle at x 0
+  bool flat = false;  // a card, 1 % of the longest side thick
+};
+
+// The picture's plane is xy, seen from +z. Vertices on the outline are common to both sides; those between lie in front (z > 0) and behind. One
+// material, unlit, whose texture is the picture's own file; the back shows what is in front of it. Throws Error: a figure of too few pixels.
+Character picture_mesh(const PictureFile& picture, const Figure& figure, const PictureMeshOptions& options = {});
+
+// [V] of a mesh of picture_mesh(): what the picture shows there, sRGB. For drawings of it without textures.
+std::vector<std::array<uint8_t, 3>> picture_colours(const PictureFile& picture, const Character& mesh);
+
+// z of a mesh of picture_mesh() as a card's.
+void flatten(Character* mesh);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: MIT
+# What character is compiled from, once for every build of it: this folder's and the WebAssembly modules'.
+# Pictures of characters: read, outlined, made a mesh of; frames as sprites and animated PNG.
+set(sinew_picture_sources
+  picture/mesh/contour
+  picture/mesh/delaunay
+  picture/mesh/inflation
+  picture/mesh/picture_mesh
+  picture/mesh/plane_mesh
+  picture/outline/background
+  picture/outline/choose_part
+  picture/outline/find_figure
+  picture/outline/foreground
+  picture/outline/holes
+  picture/outline/inner_lines
+  picture/outline/lab
+  picture/outline/outline
+  picture/outline/raster
+  picture/outline/sheet
+  picture/read/exif
+  picture/read/read_jpeg
+  picture/read/read_picture
+  picture/read/read_png
+  picture/read/read_stb
+  picture/sprites/animated_png
+  picture/sprites/draw_in_plane
+  picture/sprites/sprite_sheet)
+# Renders and HTML pages, which need libpng.
+set(sinew_draw_sources
+  draw/colour
+  draw/image
+  draw/render
+  page/bind_page
+  page/check_page
+  page/html)
+set(sinew_character_sources
+  rig/infer_parents
+  rig/joint_mirror
+  rig/joint_surfaces
+  rig/joint_verdicts
+  rig/joints_beside_mesh
+  rig/mesh_neighbours
+  bind/answers
+  bind/bind
+  bind/bind_character
+  bind/choose_joints
+  bind/cut_seams
+  bind/engine_views
+  bind/fold_tips
+  bind/joint_map
+  bind/round_influences
+  bind/seam_homes
+  bind/seam_leak
+  bind/seam_surface
+  bind/seams
+  bind/skeleton_paths
+  bind/transfer
+  predict/edit_skeleton
+  predict/fit_fingers
+  predict/fit_skeleton
+  predict/keep_inside
+  predict/label_skeleton
+  predict/limb_doubts
+  predict/limbs
+  predict/lone_hand
+  predict/marker_edits
+  predict/match_limbs
+  predict/predict_details
+  predict/predict_face
+  predict/predict_hands
+  predict/predict_skeleton
+  predict/skeleton_arrays
+  predict/skeleton_fit
+  predict/skeleton_template
+  predict/turn
+  pose/bend_volume
+  pose/deform
+  pose/placement
+  pose/pose
+  pose/pose_file
+  pose/rest_pose
+  bake/bake_bends
+  bake/bake_clip
+  bake/bends
+  bake/corrections
+  bake/driver_fit
+  clips/builtin_motion
+  clips/gait
+  clips/others
+  clips/person
+  clips/puppet
+  clips/quadruped
+  motion/common_body
+  motion/human_limits
+  motion/joint_limits
+  motion/limb_bends
+  motion/map_cover
+  motion/map_file
+  motion/map_levels
+  motion/map_skeleton
+  motion/map_source
+  motion/motion_file
+  motion/motion_map
+  motion/moving_joints
+  motion/rest_floor
+  motion/retarget
+  motion/simplify_skeleton
+  motion/stance
+  motion/upright_body
+  motion/urdf_limits
+  check/bone_distance
+  check/check
+  check/check_gate
+  check/check_output
+  check/clips
+  check/findings
+  check/joints
+  check/label_check
+  check/layer_crossings
+  check/matrices
+  check/names
+  check/places
+  check/poses
+  check/rig_facts
+  check/rig_gate
+  check/rows
+  check/rules
+  check/symmetry
+  check/test_poses
+  check/torn_edges
+  check/weigh_findings
+  style/style
+  style/style_file
+  picture/body_class
+  picture/joints_inside
+  picture/outline_class
+  picture/picture_frames
+  picture/picture_view
+  picture/pins_by_class
+  picture/plane_bones
+  picture/plane_motion
+  picture/side_limbs
+  picture/silhouette
+  profile/control_text
+  profile/controls
+  profile/joint_axes
+  profile/profile_names
+  profile/profiles
+  profile/standard_bones
+  profile/write_for_profile)
+# Jobs as the command does them, the bundled models, and the C API over both; a page has models of its own.
+set(sinew_job_sources
+  motion/find_joint_map
+  predict/own_skeleton
+  picture/picture_job
+  capi/animate
+  capi/arrays
+  capi/bake
+  capi/bind
+  capi/check
+  capi/clips
+  capi/lod
+  capi/map
+  capi/open
+  capi/picture
+  capi/place
+  capi/places
+  capi/pose
+  capi/rig
+  capi/save
+  capi/simplify
+  capi/struct_sizes
+  capi/transfer
+  jobs/animate_job
+  jobs/bake_job
+  jobs/bind_job
+  jobs/character_file
+  jobs/check_job
+  jobs/check_score
+  jobs/lod_job
+  jobs/pose_job
+  jobs/rig_bare_mesh
+  jobs/rig_job
+  jobs/simplify_job
+  jobs/thread_pool
+  jobs/transfer_job
+  models/models)
+foreach(sources sinew_picture_sources sinew_draw_sources sinew_character_sources sinew_job_sources)
+  list(TRANSFORM ${sources} PREPEND ${CMAKE_CURRENT_LIST_DIR}/src/)
+  list(TRANSFORM ${sources} APPEND .cpp)
+endforeach()
+
+# A model of samples/data as a source file, generated again when it changes or appears.
+function(sinew_embed_model name file output)
+  set(model ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../samples/data/${file})
+  set(script ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/src/models/embed_model.cmake)
+  file(GLOB model_if_there CONFIGURE_DEPENDS ${model})
+  add_custom_command(OUTPUT ${output} COMMAND ${CMAKE_COMMAND} -DMODEL=${model} -DNAME=${name} -DOUTPUT=${output} -P ${script}
+    DEPENDS ${script} ${model_if_there} COMMENT "Embedding ${file}" VERBATIM)
+endfunction()
+sinew_embed_model(BundledModel sinew_default.sinew ${CMAKE_CURRENT_BINARY_DIR}/bundled_model.cpp)
+sinew_embed_model(BundledRigModel sinew_rig.sinew ${CMAKE_CURRENT_BINARY_DIR}/bundled_rig_model.cpp)
+sinew_embed_model(BundledHandsModel sinew_hands.sinew ${CMAKE_CURRENT_BINARY_DIR}/bundled_hands_model.cpp)
+sinew_embed_model(BundledFrontModel sinew_front.sinew ${CMAKE_CURRENT_BINARY_DIR}/bundled_front_model.cpp)
+sinew_embed_model(BundledSlotsModel sinew_slots.sinew ${CMAKE_CURRENT_BINARY_DIR}/bundled_slots_model.cpp)
+list(APPEND sinew_job_sources ${CMAKE_CURRENT_BINARY_DIR}/bundled_model.cpp ${CMAKE_CURRENT_BINARY_DIR}/bundled_rig_model.cpp
+  ${CMAKE_CURRENT_BINARY_DIR}/bundled_hands_model.cpp ${CMAKE_CURRENT_BINARY_DIR}/bundled_front_model.cpp
+  ${CMAKE_CURRENT_BINARY_DIR}/bundled_slots_model.cpp)
+
+# The bundled skeletons become part of the library; generated again when a file changes or appears.
+set(templates ${CMAKE_CURRENT_LIST_DIR}/src/predict/templates)
+set(template_texts ${CMAKE_CURRENT_BINARY_DIR}/template_texts.cpp)
+set(embed_templates ${CMAKE_CURRENT_LIST_DIR}/src/predict/embed_templates.cmake)
+file(GLOB template_files CONFIGURE_DEPENDS ${templates}/*.txt)
+add_custom_command(OUTPUT ${template_texts}
+  COMMAND ${CMAKE_COMMAND} -DFOLDER=${templates} -DOUTPUT=${template_texts} -P ${embed_templates}
+  DEPENDS ${embed_templates} ${template_files}
+  COMMENT "Embedding skeleton templates" VERBATIM)
+list(APPEND sinew_character_sources ${template_texts})

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "bind/seam_surface.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <queue>
+
+#include "sinew_character/rig/mesh_neighbours.hpp"
+#include "sinew_formats/box.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr int kSmoothings = 2;  // of normals: shells of voxels have steps
+
+}  // namespace
+
+SeamSurface::SeamSurface(const Character& character) : welded(first_at_position(character)) {
+  for (const Vec3& p : character.vertices) positions.push_back(point(p));
+  size = static_cast<double>(box_of(character.vertices).longest_side());
+  find_edges(character);
+  find_normals(character);
+}
+
+void SeamSurface::find_edges(const Character& character) {
+  std::vector<std::pair<uint32_t, uint32_t>> pairs;
+  for (size_t f = 0; f < character.face_count(); ++f) {
+    const uint32_t first = character.face_offsets[f], end = character.face_offsets[f + 1];
+    for (uint32_t c = first; c < end; ++c) {
+      const uint32_t a = welded[character.face_vertices[c]],
+                     b = welded[character.face_vertices[c + 1 < end ? c + 1 : first]];
+      if (a != b) pairs.emplace_back(std::min(a, b), std::max(a, b));
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  offsets.assign(positions.size() + 1, 0);
+  for (const auto& [a, b] : pairs) {
+    edges.push_back({a, b, length(positions[b] - positions[a]), 0});
+    ++offsets[a + 1];
+    ++offsets[b + 1];
+  }
+  for (size_t v = 0; v < positions.size(); ++v) offsets[v + 1] += offsets[v];
+  std::vector<uint32_t> next(offsets.begin(), offsets.end() - 1);
+  around.resize(2 * edges.size());
+  for (uint32_t e = 0; e < edges.size(); ++e) {
+    around[next[edges[e].from]++] = e;
+    around[next[edges[e].to]++] = e;
+  }
+}
+
+void SeamSurface::find_normals(const Character& character) {
+  std::vector<Point3> sums(positions.size(), Point3{});
+  for (size_t f = 0; f < character.face_count(); ++f) {
+    const uint32_t first = character.face_offsets[f], end = character.face_offsets[f + 1];
+    for (uint32_t c = first + 2; c < end; ++c) {
+      const uint32_t corners[3] = {welded[character.face_vertices[first]], welded[character.face_vertices[c - 1]],
+                                   welded[character.face_vertices[c]]};
+      const Point3 normal =
+          cross(positions[corners[1]] - positions[corners[0]], positions[corners[2]] - positions[corners[0]]);
+      for (const uint32_t corner : corners) sums[corner] = sums[corner] + normal;
+    }
+  }
+  for (Point3& sum : sums) sum = unit(sum);
+  normals = sums;
+  for (int round = 0; round < kSmoothings; ++round) {
+    std::vector<Point3> smoothed = sums;
+    for (const SurfaceEdge& edge : edges) {
+      smoothed[edge.from] = smoothed[edge.from] + sums[edge.to];
+      smoothed[edge.to] = smoothed[edge.to] + sums[edge.from];
+    }
+    for (size_t v = 0; v < sums.size(); ++v) sums[v] = unit(smoothed[v]);
+  }
+  for (SurfaceEdge& edge : edges) {
+    const Point3 along = unit(positions[edge.to] - positions[edge.from]);
+    edge.turn = dot(sums[edge.to] - sums[edge.from], along);
+  }
+}
+
+std::vector<double> SeamSurface::distances(const std::vector<uint32_t>& starts, double most) const {
+  std::vector<double> distances(positions.size(), std::numeric_limits<double>::infinity());
+  using Entry = std::pair<double, uint32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  for (const uint32_t v : starts) {
+    distances[v] = 0;
+    queue.emplace(0, v);
+  }
+  while (!queue.empty()) {
+    const auto [distance, v] = queue.top();
+    queue.pop();
+    if (distance > distances[v]) continue;
+    for (uint32_t i = offsets[v]; i < offsets[v + 1]; ++i) {
+      const uint32_t other = other_end(around[i], v);
+      const double there = distance + edges[around[i]].length;
+      if (there > most || there >= distances[other]) continue;
+      distances[other] = there;
+      queue.emplace(there, other);
+    }
+  }
+  return distances;
+}
+
+}  // namespace sinew

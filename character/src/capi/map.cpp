@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// sinew_character_map(): the job of `sinew map`.
+#include "corrections_of.hpp"
+#include "handle.hpp"
+#include "motion_of.hpp"
+#include "sinew_character/motion/map_cover.hpp"
+#include "sinew_character/motion/map_skeleton.hpp"
+#include "sinew_character/predict/own_skeleton.hpp"
+#include "sinew_formats/file_kinds.hpp"
+
+namespace sinew {
+namespace {
+
+char up_of(uint32_t up, char usual) {
+  return up == SINEW_UP_X ? 'x' : up == SINEW_UP_Y ? 'y' : up == SINEW_UP_Z ? 'z' : usual;
+}
+
+// As `sinew map` reads the file: ends of a motion are its End Sites, ends of a rig.txt alone are in its weights.
+MapRig rig_of_handle(const sinew_character& from) {
+  if (from.character.joints.empty()) throw Error(from.character.name + ": expected a skeleton, found a mesh alone");
+  MapRig rig = map_rig_of(from.character);
+  if (from.same_skin && from.character.vertices.empty() && !from.path.empty()) {
+    const FilesOf scope(from);
+    rig = read_map_rig(from.path);
+  }
+  rig.name = file_of(from);
+  return rig;
+}
+
+MapSourceRequest request_of(const std::string& path, const sinew_character_map_options& options) {
+  const char target_up = options.guess_up != 0 ? 'a' : up_of(options.target_up, 'a');
+  const char source_up = up_of(options.source_up, target_up);
+  return {path, text_or_empty(options.layout), text_or_empty(options.actor), std::string(1, source_up),
+          std::string(1, target_up)};
+}
+
+// As sinew_character_animate() plays it.
+MapRig source_of_handle(const sinew_character& from, const sinew_character_map_options& options, const MapRig& target) {
+  std::optional<MotionFile> motion;
+  const MapSourceRequest request = request_of(from.path, options);
+  if (plays_its_file(from)) {
+    const FilesOf scope(from);
+    motion = read_motion_in(request, target);
+  } else if (!from.clips.empty()) {
+    motion = added_motion(from);
+  }
+  if (!motion) return rig_of_handle(from);
+  MapRig rig = map_source_of(motion->motion, body_of(from, *motion), target.joints, request.up).rig;
+  rig.name = file_of(from);
+  return rig;
+}
+
+void map(const sinew_character_map_options& options, bool from_template, const MapRig& source,
+         sinew_character* character, sinew_character_map_result* result) {
+  check_at_most("method", options.method, SINEW_MAP_BRANCHES);
+  check_at_most("branches_first", options.branches_first, SINEW_BRANCHES_SOURCE);
+  check_at_most("branches_cost", options.branches_cost, SINEW_BRANCHES_SUM);
+  if (options.method != SINEW_MAP_BRANCHES && (options.branches_first != 0 || options.branches_cost != 0))
+    throw Failure(SINEW_ERROR_ARGUMENT, "branches_first and branches_cost: are for SINEW_MAP_BRANCHES");
+  check_at_most("target_up", options.target_up, SINEW_UP_Z);
+  check_at_most("source_up", options.source_up, SINEW_UP_Z);
+  need(options.pins != nullptr || options.pin_count == 0, "pins");
+  const MapRig target = rig_of_handle(*character);
+  MapSkeletonOptions job;
+  job.method = options.method;
+  job.branches_first = options.branches_first;
+  job.branches_cost = options.branches_cost;
+  job.names = options.no_names == 0;
+  job.ends = options.no_ends == 0;
+  job.target_up = options.guess_up != 0 ? 'a' : up_of(options.target_up, 'a');
+  job.source_up = up_of(options.source_up, from_template ? 'y' : job.target_up);
+  if (options.pins_file != nullptr) job.pins = read_map_file(options.pins_file, target, source);
+  for (uint32_t p = 0; p < options.pin_count; ++p) {
+    const sinew_map_pin& pin = options.pins[p];
+    if (pin.target >= target.joints.size() || pin.source < -1 ||
+        pin.source >= static_cast<int32_t>(source.joints.size()))
+      throw Failure(SINEW_ERROR_RANGE, "pins: pin " + std::to_string(p) + " names a joint that does not exist");
+    std::erase_if(job.pins, [&](const sinew_map_pin& one) {
+      return one.target == pin.target || (pin.source >= 0 && one.source == pin.source);
+    });
+    job.pins.push_back(pin);
+  }
+  const MappedSkeleton mapped = map_skeleton(target, source, job);
+  ResultViews& views = character->results;
+  views = {};
+  views.sources = mapped.sources;
+  views.confidence = mapped.confidence;
+  views.reasons = mapped.reasons;
+  views.text = map_text(target, source, mapped);
+  sinew_character_map_result filled = sinew_character_map_result_init();
+  filled.method = mapped.method;
+  filled.joint_count = count32(target.joints.size());
+  filled.mapped = count32(mapped.mapped);
+  filled.certainty = mapped.certainty;
+  filled.cover = map_cover(target, job.target_up, source, job.source_up, mapped.sources).share;
+  filled.seconds = mapped.seconds;
+  filled.sources = views.sources.data();
+  filled.confidence = views.confidence.data();
+  filled.reasons = views.reasons.data();
+  filled.text = views.text.c_str();
+  give(filled, result);
+}
+
+}  // namespace
+}  // namespace sinew
+
+using namespace sinew;
+
+extern "C" {
+
+sinew_status sinew_character_map(sinew_character* target, const sinew_character* source,
+                                 const sinew_character_map_options* given, sinew_character_map_result* result) {
+  return guarded(target, [&] {
+    need(target != nullptr, "target");
+    need(source != nullptr, "source");
+    need(result != nullptr, "result");
+    check_result(result);
+    const sinew_character_map_options options = options_of(given);
+    map(options, false, source_of_handle(*source, options, rig_of_handle(*target)), target, result);
+  });
+}
+
+sinew_status sinew_character_map_file(sinew_character* target, const char* source,
+                                      const sinew_character_map_options* given, sinew_character_map_result* result) {
+  return guarded(target, [&] {
+    need(target != nullptr, "target");
+    need(source != nullptr, "source");
+    need(result != nullptr, "result");
+    check_result(result);
+    const sinew_character_map_options options = options_of(given);
+    map(options, is_template(source), read_map_source(request_of(source, options), rig_of_handle(*target)), target,
+        result);
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// sinew_character_rig(): the job of `sinew rig`.
+#include <algorithm>
+
+#include "handle.hpp"
+#include "rig_of.hpp"
+#include "seams_of.hpp"
+#include "sinew_character/bind/engine_views.hpp"
+#include "sinew_character/jobs/rig_job.hpp"
+#include "sinew_character/predict/skeleton_template.hpp"
+
+namespace sinew {
+namespace {
+
+RigJobOptions job_of(const sinew_character_rig_options& options) {
+  check_at_most("method", options.method, SINEW_CHARACTER_RIG_SLOTS);
+  check_at_most("category", options.category, SINEW_CATEGORY_MANY_LEGGED);
+  if (options.category != 0 &&
+      (options.method == SINEW_CHARACTER_RIG_SHAPE || options.method == SINEW_CHARACTER_RIG_REGIONS))
+    throw Failure(SINEW_ERROR_ARGUMENT, "category: steers what a model says, and this method has none");
+  check_at_most("detail", options.detail, SINEW_CHARACTER_DETAIL_FULL);
+  check_at_most("mirror", options.mirror, SINEW_MIRROR_NEVER);
+  check_at_most("thread_count", options.thread_count, SINEW_MAX_THREADS);
+  check_at_most("influence_count", options.influence_count, SINEW_MAX_INFLUENCES);
+  need(options.edits != nullptr || options.edit_count == 0, "edits");
+  RigJobOptions job;
+  job.method = static_cast<RigMethod>(options.method);
+  job.category = options.category;
+  job.detail = static_cast<SkeletonDetail>(options.detail);
+  job.mirror = options.mirror;
+  job.up = options.up == SINEW_UP_AUTO         ? UpChoice::kFound
+           : up_axis_of("up", options.up) == 1 ? UpChoice::kZ
+                                               : UpChoice::kY;
+  check_at_most("front", options.front, SINEW_FRONT_MINUS_Y);
+  job.front = options.front;
+  job.spine_count = options.spine_count;
+  job.toes = options.no_toes == 0;
+  job.ends = options.no_ends == 0;
+  job.bind = options.no_bind == 0;
+  job.keep_lengths = options.keep_lengths != 0;
+  job.gate = options.gate != 0;
+  job.cut = options.cut != 0;
+  if (options.to_pose != nullptr) job.to_pose = options.to_pose;
+  if (options.influence_count != 0) job.influence_count = options.influence_count;
+  if (options.thread_count != 0) job.thread_count = options.thread_count;
+  job.rigid_parts = options.rigid_parts;
+  if (options.softness_percent != 0) job.softness_percent = options.softness_percent;
+  if (options.surface_vertices != 0) job.surface_vertices = options.surface_vertices;
+  for (uint32_t e = 0; e < options.edit_count; ++e) {
+    check_at_most("edits: kind", options.edits[e].kind, SINEW_EDIT_AT);
+    need(options.edits[e].text != nullptr, "edits: text");
+    job.edits.push_back(parse_edit(static_cast<EditKind>(options.edits[e].kind), options.edits[e].text));
+  }
+  if (options.skeleton != nullptr) job.skeleton = options.skeleton;
+  if (options.skeleton_character != nullptr) {
+    const sinew_character& own = *options.skeleton_character;
+    if (own.character.joints.empty()) throw Error(own.character.name + ": expected a skeleton, found a mesh alone");
+    job.skeleton = own.path.empty() ? own.character.name : own.path;
+    job.own = own.character.joints;
+  }
+  return job;
+}
+
+// The mesh as `sinew rig` reads it: from its file where it is one, without the skeleton of another.
+Character bare_mesh(const sinew_character& from) {
+  Character mesh = from.character;
+  if (mesh.vertices.empty()) throw Error(mesh.name + ": has no mesh to rig");
+  if (!from.own_skeleton) {
+    mesh.joints.clear();
+    mesh.influences.clear();
+  }
+  return mesh;
+}
+
+void fill_result(const RiggedCharacter& rigged, ResultViews* views, sinew_character_rig_result* result) {
+  if (result == nullptr) return;
+  *views = {};
+  const PredictedSkeleton& skeleton = rigged.skeleton;
+  views->ends = skeleton.ends;
+  views->confidence = skeleton.confidence;
+  views->parent_confidence = skeleton.parent_confidence;
+  sinew_character_rig_result filled = sinew_character_rig_result_init();
+  filled.mirrored = skeleton.mirrored ? 1 : 0;
+  filled.joint_count = count32(skeleton.joints.size());
+  filled.spread = skeleton.spread;
+  filled.scale = 1;
+  std::copy(skeleton.front.begin(), skeleton.front.end(), filled.front);
+  filled.up = engine_up(skeleton.up_axis);
+  filled.front_confidence = skeleton.front_confidence;
+  filled.up_confidence = skeleton.up_confidence;
+  if (rigged.fitted) {
+    filled.matched = count32(rigged.fitted->matched);
+    filled.scale = rigged.fitted->scale;
+  }
+  filled.seconds = skeleton.seconds;
+  filled.bind_seconds = rigged.bind_seconds;
+  filled.ends = views->ends.data();
+  filled.confidence = views->confidence.data();
+  filled.parent_confidence = views->parent_confidence.data();
+  for (const LimbDoubt& limb : rigged.doubtful) views->texts.push_back(limb.name);
+  for (size_t i = 0; i < rigged.doubtful.size(); ++i)
+    views->doubtful.push_back({views->texts[i].c_str(), rigged.doubtful[i].doubt, 0});
+  filled.doubtful = views->doubtful.data();
+  filled.doubtful_count = count32(views->doubtful.size());
+  views->seams = seams_of(rigged.seams);
+  filled.seams = views->seams.data();
+  filled.seam_count = count32(views->seams.size());
+  give(filled, result);
+}
+
+}  // namespace
+
+RiggedCharacter rig_of(const sinew_character& from, const sinew_character_rig_options& options,
+                       ProgressOfCaller* progress, std::shared_ptr<const PictureCharacter>* picture) {
+  RigJobOptions job = job_of(options);
+  job.progress = progress->callback();
+  job.progress_user = progress->user();
+  std::unique_ptr<LoadedModel> rig, bind, hands, front;
+  if (job.method == RigMethod::kAuto || job.method == RigMethod::kVotes) rig = model_of(options.models, ModelUse::kRig);
+  if (job.method == RigMethod::kSlots) rig = model_of(options.models, ModelUse::kSlotJoints);
+  if (job.bind) bind = model_of(options.models, ModelUse::kBind);
+  if (job.detail != SkeletonDetail::kBody || job.method == RigMethod::kAuto)
+    hands = model_of(options.models, ModelUse::kHands);
+  if (from.picture == nullptr)
+    front = options.models != nullptr && options_of(options.models).front != nullptr
+                ? model_of(options.models, ModelUse::kFront)
+                : load_front_model();
+  RigModels models;
+  if (front) models.front = &front->model;
+  if (rig) models.rig = &rig->model;
+  if (bind) models.bind = &bind->model;
+  if (hands) models.hands = &hands->model;
+  if (from.picture == nullptr) return rig_character(bare_mesh(from), job, models);
+  PictureCharacter made = *from.picture;
+  rig_picture(job, models, &made);
+  RiggedCharacter rigged = made.rigged;
+  *picture = without_mesh(std::move(made));
+  return rigged;
+}
+
+}  // namespace sinew
+
+using namespace sinew;
+
+extern "C" {
+
+sinew_status sinew_character_rig(sinew_character* character, const sinew_character_rig_options* given,
+                                 sinew_character_rig_result* result) {
+  ProgressOfCaller progress = progress_of(given);
+  return guarded(
+      character,
+      [&] {
+        need(character != nullptr, "character");
+        check_result(result);
+        std::shared_ptr<const PictureCharacter> picture;
+        RiggedCharacter rigged = rig_of(*character, options_of(given), &progress, &picture);
+        character->picture = picture;
+        character->character = std::move(rigged.character);
+        character->own_skeleton = true;
+        character->clips.clear();
+        character->morphs = {};
+        changed(character);
+        fill_result(rigged, &character->results, result);
+      },
+      &progress);
+}
+
+const char* sinew_character_templates(void) {
+  static const std::string names = [] {
+    std::string text;
+    for (const TemplateInfo& one : skeleton_templates()) text += (text.empty() ? "" : " ") + one.name;
+    return text;
+  }();
+  return names.c_str();
+}
+
+}  // extern "C"

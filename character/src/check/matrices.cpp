@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Inverse bind matrices and scales of a glTF's joints; the mesh as the file shows it.
+#include <algorithm>
+#include <cmath>
+
+#include "base/points.hpp"
+#include "check/check_rooms.hpp"
+#include "sinew_character/pose/pose.hpp"
+#include "sinew_formats/box.hpp"
+#include "sinew_formats/gltf_rest.hpp"
+#include "sinew_formats/print.hpp"
+
+namespace sinew {
+namespace {
+
+// How far a matrix moves the middle of what the joint moves, of the size.
+double moved_by(const RigFacts& facts, const Affine& matrix, size_t joint) {
+  double most = 0;
+  for (const uint32_t v : facts.moves[joint]) {
+    const Point3 p = point(facts.character.vertices[v]);
+    const std::array<double, 3> q = transform_point(matrix, p[0], p[1], p[2]);
+    most = std::max(most, length(Point3{q[0], q[1], q[2]} - p));
+  }
+  return most / facts.size;
+}
+
+// Joints whose matrix does something else than most others: with a file at rest all do nothing.
+void odd_matrices(const RigFacts& facts, const GltfRest& rest, Findings* findings) {
+  constexpr double kFew = 0.2;  // of the joints; more of them are a pose that the file was saved in
+  std::vector<size_t> odd;
+  size_t moving = 0;
+  const double bound = findings->bound("bind-matrices");
+  for (size_t j = 0; j < rest.shown.size(); ++j) {
+    if (facts.moves[j].empty()) continue;
+    ++moving;
+    if (moved_by(facts, rest.shown[j], j) > bound) odd.push_back(j);
+  }
+  if (odd.empty() || static_cast<double>(odd.size()) > kFew * static_cast<double>(moving)) return;
+  for (const size_t j : odd) {
+    RigFinding finding;
+    finding.joint = static_cast<int>(j);
+    finding.value = moved_by(facts, rest.shown[j], j);
+    finding.what =
+        "the inverse bind matrix of " + findings->quoted(finding.joint) +
+        print(" moves its vertices by %.2f of the size at rest, those of other joints do not", finding.value);
+    findings->add("bind-matrices", std::move(finding));
+  }
+}
+
+void scales(const RigFacts& facts, const GltfRest& rest, Findings* findings) {
+  RigFinding mirrored, uneven;
+  for (size_t j = 0; j < rest.mirrored.size(); ++j) {
+    const bool moves = !facts.moves[j].empty();
+    if (moves && rest.mirrored[j] != 0) {
+      if (mirrored.joint < 0) mirrored.joint = static_cast<int>(j);
+      mirrored.value += 1;
+    }
+    if (moves && rest.uneven[j] > uneven.value) uneven.value = rest.uneven[j], uneven.joint = static_cast<int>(j);
+  }
+  if (mirrored.joint >= 0) {
+    mirrored.what = print("%.0f joints are scaled by a negative number, ", mirrored.value) +
+                    findings->quoted(mirrored.joint) + " first";
+    findings->add("mirrored-scale", std::move(mirrored));
+  }
+  if (uneven.joint >= 0) {
+    uneven.what = findings->quoted(uneven.joint) +
+                  print(" is scaled %.2f times as much along one axis as along another", uneven.value);
+    findings->add("uneven-scale", std::move(uneven));
+  }
+}
+
+// Share of the edges that are more than twice or less than half as long: a pose bends far fewer.
+double changed_edges(const Character& rest, const Character& shown) {
+  size_t changed = 0;
+  for (size_t f = 0; f < rest.face_count(); ++f) {
+    const uint32_t first = rest.face_offsets[f], last = rest.face_offsets[f + 1];
+    for (uint32_t c = first; c < last; ++c) {
+      const uint32_t a = rest.face_vertices[c], b = rest.face_vertices[c + 1 < last ? c + 1 : first];
+      const double before = length(point(rest.vertices[a]) - point(rest.vertices[b])),
+                   after = length(point(shown.vertices[a]) - point(shown.vertices[b]));
+      changed += after > 2 * before || 2 * after < before ? 1 : 0;
+    }
+  }
+  return static_cast<double>(changed) / static_cast<double>(rest.face_vertices.size());
+}
+
+}  // namespace
+
+void check_matrices(const RigFacts& facts, Findings* findings) {
+  if (!facts.bound) return;
+  const std::optional<GltfRest> rest = gltf_rest(facts.character);
+  if (!rest) return;
+  scales(facts, *rest, findings);
+  if (!rest->agrees) {
+    RigFinding finding;
+    finding.value = 1;
+    finding.what = "the inverse bind matrices know no common pose";
+    findings->add("bind-matrices", std::move(finding));
+    return;
+  }
+  odd_matrices(facts, *rest, findings);
+  constexpr double kGrown = 2;  // times the size at rest
+  if (facts.character.face_vertices.empty()) return;
+  RigFinding finding;
+  const Character shown = apply_pose(facts.character, rest->shown);
+  finding.value = changed_edges(facts.character, shown);
+  // Rigid parts have no edges between them that could tell.
+  const double grown = static_cast<double>(box_of(shown.vertices).longest_side()) / facts.size;
+  if (grown > kGrown || grown * kGrown < 1) finding.value = 1;
+  finding.what =
+      print("%.0f %% of the edges are twice or half as long as the file shows the mesh", 100 * finding.value);
+  findings->add("exploded-rest", std::move(finding));
+}
+
+}  // namespace sinew

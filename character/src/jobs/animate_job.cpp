@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// Motion of any skeleton for a character.
+#include "sinew_character/jobs/animate_job.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "motion/moved_joints.hpp"
+#include "sinew_character/jobs/rig_job.hpp"
+#include "sinew_character/motion/joint_limits.hpp"
+#include "sinew_character/motion/map_source.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/print.hpp"
+
+namespace sinew {
+namespace {
+
+uint32_t up_of(const std::string& text) {
+  return text == "x" ? SINEW_UP_X : text == "y" ? SINEW_UP_Y : text == "z" ? SINEW_UP_Z : SINEW_UP_AUTO;
+}
+
+std::vector<Clip> chosen_clips(const AnimateOptions& s, const std::string& file, const std::string& name,
+                               const Motion& motion) {
+  if (motion.clips.empty()) throw Error(file + ": expected a motion, found a skeleton without frames");
+  std::vector<Clip> chosen;
+  if (name.empty())
+    chosen = motion.clips;
+  else
+    chosen.push_back(find_clip(motion, file, name));
+  for (Clip& clip : chosen) {
+    const double seconds = static_cast<double>(clip.frames.size() - 1) * clip.frame_time;
+    clip = cut(clip, s.from, s.to);
+    if (clip.frames.empty())
+      throw Error(file + ": clip " + clip.name +
+                  print(" has no frame between --start %g and --end %g; it lasts %g seconds", s.from, s.to, seconds));
+    if (s.fps > 0 && clip.frame_time * s.fps != 1) clip = resample(clip, s.fps);
+  }
+  return chosen;
+}
+
+// By the method; the motion's own body, if it has one, says what touches what.
+void set_method(const AnimateOptions& s, const std::string& file, const std::optional<Character>& source,
+                AnimatedCharacter* out, Retargeter* retargeter) {
+  if (s.method == AnimateMethod::kCopy && !s.report) return;
+  const size_t shared = retargeter->take_bodies(out->character, source ? &*source : nullptr);
+  if (s.method == AnimateMethod::kCopy) return;
+  if (s.method == AnimateMethod::kReferencePoints) {
+    const Retargeter::PointsOf points =
+        retargeter->follow_reference_points(s.reference, out->character, source ? &*source : nullptr);
+    if (points == Retargeter::PointsOf::kTwoMeshes)
+      out->motion.notes.push_back(file +
+                                  ": has a body of another mesh; its reference points are those that correspond");
+    if (points == Retargeter::PointsOf::kCapsules)
+      out->motion.notes.push_back(file +
+                                  ": has no body, so reference points are those of capsules round both skeletons, "
+                                  "as thick as limbs of such lengths are");
+    return;
+  }
+  if (s.method == AnimateMethod::kStream)
+    retargeter->play_as_stream();
+  else
+    retargeter->keep_contacts();
+  if (s.range) retargeter->keep_range();
+  if (s.method == AnimateMethod::kContacts && shared == 0)
+    out->motion.notes.push_back(file +
+                                ": has no body of the character's own mesh, so feet are held and arms kept out of the "
+                                "body, but what hands touched is not known");
+}
+
+// The caller's map, a file's, or a found one.
+MotionMap map_of(const AnimateOptions& s, const MapRig& target, const MapRig& from) {
+  if (s.sources.empty()) return map_motion(target, from, s.up, s.motion_up, s.map, s.pins);
+  MotionMap map;
+  map.sources = s.sources;
+  map.reasons.assign(s.sources.size(), SINEW_MAP_PINNED);
+  map.how = "what was given";
+  return map;
+}
+
+// Says so where the user wants it played as it is.
+void refuse_misfit(const AnimateOptions& s, const MotionInput& input, const MotionMap& map, const MapRig& target,
+                   std::vector<std::string>* notes) {
+  if (map.cover.share >= kLeastCover) return;
+  const std::string what = input.file + ": does not fit " + target.name + ": " + map.cover.missing + ", " +
+                           std::to_string(moved_joints(map)) + " of its " + std::to_string(target.joints.size()) +
+                           " joints ";
+  if (!s.force) throw Error(what + "would move; --map FILE says which move as which, --force plays it as it is");
+  notes->push_back("warning: " + what + "move; it is played as it is");
+}
+
+}  // namespace
+
+AnimatedCharacter animated_character(Character character, const std::string& path) {
+  AnimatedCharacter out;
+  out.character = std::move(character);
+  if (out.character.joints.empty()) {
+    out.character = rig_bare_mesh(std::move(out.character));
+    out.rigged = true;
+  }
+  if (out.character.influences.empty())
+    throw Error(path + ": has a skeleton but no skin weights to animate; bind it first with sinew bind");
+  out.motion = motion_of(out.character.joints);
+  return out;
+}
+
+void name_clips(const std::string& file, bool always, const Motion& made, Motion* motion) {
+  bool taken = always;
+  for (const Clip& clip : motion->clips)
+    for (const Clip& other : made.clips) taken = taken || other.name == clip.name;
+  if (!taken) return;
+  for (Clip& clip : motion->clips)
+    clip.name = motion->clips.size() == 1 ? stem_of(file) : stem_of(file) + "." + clip.name;
+}
+
+void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsOf& steps, AnimatedCharacter* out) {
+  const std::optional<Character> body = choice.body ? choice.body() : std::nullopt;
+  MapSource read = map_source_of(*choice.motion, body ? &*body : nullptr, out->character.joints, s.motion_up);
+  if (read.standing)
+    out->motion.notes.push_back(choice.file + ": its rest pose is no stance, so one was guessed from how it moves");
+  const Motion& source = read.standing ? *read.standing : *choice.motion;
+  const std::vector<Clip> clips = chosen_clips(s, choice.file, choice.clip, source);
+  MapRig target = map_rig_of(out->character), &from = read.rig;
+  target.name = s.character;
+  from.name = choice.file;
+  out->map = map_of(s, target, from);
+  const MotionMap& map = out->map;
+  refuse_misfit(s, choice, map, target, &out->motion.notes);
+  RetargetSettings settings;
+  settings.method = s.method == AnimateMethod::kCopy ? SINEW_RETARGET_COPY : SINEW_RETARGET_AUTO;
+  settings.in_place = s.in_place ? 1 : 0;
+  settings.translations = s.translations ? 1 : 0;
+  Retargeter retargeter(source, out->character.joints, map.sources, motion_classes(target, from, s.up, map.sources),
+                        settings, {up_of(s.motion_up), up_of(s.up)});
+  set_method(s, choice.file, body, out, &retargeter);
+  if (!s.limits.empty()) retargeter.keep_limits(joint_limits(s.limits, target, s.up));
+  const size_t mapped = moved_joints(map);
+  size_t frames = 0;
+  for (const Clip& clip : clips) frames += clip.frames.size();
+  if (3 * mapped < 2 * std::min(source.joints.size(), out->character.joints.size()))
+    out->motion.notes.push_back(print("warning: only %zu joints of ", mapped) + choice.file + " move the character's " +
+                                std::to_string(out->character.joints.size()) +
+                                "; look at the result, and say the others with --map");
+  const std::function<bool()> keep_going = steps(frames);
+  for (const Clip& clip : clips) {
+    ClipReport report;
+    out->motion.clips.push_back(retargeter.run(clip, keep_going, s.report ? &report : nullptr));
+    out->made.push_back({choice.file, clip.name, map.how, clip.frames.size(), mapped, clip.frame_time, report});
+  }
+  out->certainty = std::min(map.certainty, map.cover.share);
+  if (map.certainty < kDoubtfulSides)
+    out->motion.notes.push_back(choice.file + print(": which way is front is not sure (%.0f %%), left and right may be "
+                                                    "exchanged; one pair of the map settles it "
+                                                    "(sinew map --set, and --map takes what it writes)",
+                                                    100 * static_cast<double>(map.certainty)));
+  for (const std::string& note : source.notes) out->motion.notes.push_back(choice.file + ": " + note);
+}
+
+// Every clip's corrections as morph targets that move in it alone.
+void bake_clips(const sinew_deform_options& deform, size_t shapes, const StepsOf& steps, AnimatedCharacter* out) {
+  size_t frames = 0;
+  for (const Clip& clip : out->motion.clips) frames += clip.frames.size();
+  const BakeProgress step = steps(2 * frames);
+  BakeSettings settings;
+  settings.deform = deform;
+  Morphs& morphs = out->morphs;
+  for (size_t c = 0; c < out->motion.clips.size(); ++c) {
+    const Clip& clip = out->motion.clips[c];
+    std::vector<Palette> poses;
+    for (const MotionFrame& frame : clip.frames)
+      poses.push_back(motion_palette(out->motion, frame, out->character.joints.size()));
+    MorphClip keys;
+    Morphs own = bake_clip(out->character, poses, settings, shapes, step, &keys.weights);
+    out->made[c].shapes = own.shapes.size();
+    out->made[c].error = bake_error(out->character, own, poses, deform, step, &keys.weights);
+    keys.is_new = true;
+    keys.animation = c;
+    keys.frame_time = clip.frame_time;
+    for (std::vector<float>& row : keys.weights) row.insert(row.begin(), morphs.shapes.size(), 0.0f);
+    for (MorphShape& shape : own.shapes) {
+      shape.name = clip.name + "." + std::to_string(morphs.shapes.size() + 1);
+      morphs.shapes.push_back(std::move(shape));
+    }
+    morphs.clips.push_back(std::move(keys));
+  }
+  for (MorphClip& clip : morphs.clips)
+    for (std::vector<float>& row : clip.weights) row.resize(morphs.shapes.size(), 0.0f);
+}
+
+}  // namespace sinew

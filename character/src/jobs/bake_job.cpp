@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Poses, shapes that correct them, and how well.
+#include "sinew_character/jobs/bake_job.hpp"
+
+#include <utility>
+
+#include "sinew_formats/error.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr size_t kHeldOut = 10;
+
+// Poses to learn from, and others to be measured by.
+struct Poses {
+  std::vector<Palette> learnt, held_out;
+};
+
+Poses chosen_poses(const BakeJobOptions& s, const Character& character, const Motion& motion) {
+  Poses poses;
+  if (!s.animation) {
+    poses.learnt = random_palettes(character, s.poses, s.limit, s.seed);
+    poses.held_out = random_palettes(character, kHeldOut, s.limit, s.seed + 1);
+    return poses;
+  }
+  const Clip& clip = find_clip(motion, s.character, *s.animation);
+  const size_t frames = clip.frames.size();
+  for (size_t f = 0; f < frames; ++f) {
+    const Palette palette = motion_palette(motion, clip.frames[f], character.joints.size());
+    // Ten frames at even distances, none of a clip too short to spare them.
+    const bool spared = frames >= 3 * kHeldOut && (f * kHeldOut) / frames != ((f + 1) * kHeldOut) / frames;
+    (spared ? poses.held_out : poses.learnt).push_back(palette);
+  }
+  if (poses.learnt.size() > s.poses) {  // evenly thinned
+    std::vector<Palette> thinned;
+    for (size_t p = 0; p < s.poses; ++p) thinned.push_back(poses.learnt[p * poses.learnt.size() / s.poses]);
+    poses.learnt = std::move(thinned);
+  }
+  return poses;
+}
+
+}  // namespace
+
+void play_in_animations(const OwnMotion& own, const Character& character, Morphs* morphs) {
+  for (size_t c = 0; c < own.keys.size(); ++c) {
+    MorphClip keys = own.keys[c];
+    for (const MotionFrame& frame : own.motion.clips[c].frames)
+      keys.weights.push_back(
+          shape_weights(character.joints, *morphs, motion_palette(own.motion, frame, character.joints.size())));
+    morphs->clips.push_back(std::move(keys));
+  }
+}
+
+BakedCharacter bake_character(const Character& character, const OwnMotion& own, const BakeJobOptions& job,
+                              const std::function<std::function<bool()>(size_t)>& steps) {
+  if (character.joints.empty() || character.influences.empty())
+    throw Error(job.character + ": has no skin weights to bake; bind it first with sinew bind");
+  if (job.animation && own.motion.clips.empty())
+    throw Error(job.character + ": has no animation to learn from; leave --animation out, or see sinew animate");
+  const Poses poses = chosen_poses(job, character, own.motion);
+  BakeSettings settings;
+  settings.deform = job.deform;
+  settings.shapes_per_bend = job.shapes;
+  const BakeProgress step = steps(2 * poses.learnt.size() + poses.held_out.size());
+  BakedCharacter baked;
+  baked.morphs = bake_bends(character, poses.learnt, settings, step);
+  if (baked.morphs.shapes.empty()) {
+    throw Error(
+        job.character +
+        ": has nothing to bake: nothing bends in the poses, so linear skinning loses nothing; expected vertices "
+        "or faces that follow two joints");
+  }
+  baked.learnt_poses = poses.learnt.size();
+  baked.held_out_poses = poses.held_out.size();
+  baked.learnt = bake_error(character, baked.morphs, poses.learnt, job.deform, step);
+  if (!poses.held_out.empty()) baked.held_out = bake_error(character, baked.morphs, poses.held_out, job.deform, step);
+  play_in_animations(own, character, &baked.morphs);
+  return baked;
+}
+
+}  // namespace sinew

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+// A bare mesh with a skeleton and weights.
+#include "sinew_character/jobs/rig_job.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "predict/fit_fingers.hpp"
+#include "sinew/published.h"
+#include "sinew_character/check/checked_note.hpp"
+#include "sinew_character/jobs/thread_pool.hpp"
+#include "sinew_character/pose/rest_pose.hpp"
+#include "sinew_character/predict/lone_hand.hpp"
+#include "sinew_character/predict/own_skeleton.hpp"
+#include "sinew_character/predict/predict_face.hpp"
+#include "sinew_character/predict/predict_hands.hpp"
+#include "sinew_formats/error.hpp"
+
+namespace sinew {
+namespace {
+
+uint32_t engine_method(RigMethod method) {
+  if (method == RigMethod::kSlots) return SINEW_RIG_SLOTS;
+  if (method == RigMethod::kRegions) return SINEW_RIG_REGIONS;
+  return method == RigMethod::kShape ? SINEW_RIG_SHAPE : SINEW_RIG_VOTES;
+}
+
+// Where up or front was found and might as well be another, one line.
+void say_direction(const RigJobOptions& job, const PredictedSkeleton& skeleton, std::vector<std::string>* notes) {
+  const bool up = job.up == UpChoice::kFound && skeleton.up_confidence < kCoinToss;
+  const bool front =
+      job.front == SINEW_FRONT_AUTO && skeleton.front_confidence > 0 && skeleton.front_confidence < kCoinToss;
+  if (!up && !front) return;
+  notes->push_back(std::string("warning: ") + (up ? "which axis is up" : "which way is front") +
+                   (up && front ? ", and which way is front," : "") +
+                   " is a coin toss for this mesh, so left and right may be exchanged; say it with " +
+                   (up ? "--up y or z" : "") + (up && front ? " and " : "") +
+                   (front ? "--front, as in --front +z" : ""));
+}
+
+// What the votes know little of may be a hand: below that spread none of the training characters' hands is.
+constexpr float kHandSpread = 0.055f;
+
+// A hand in the place of a body, told as the guess that it is.
+bool put_lone_hand(const RigModels& models, const SkeletonOptions& options, Character* character,
+                   PredictedSkeleton* skeleton) {
+  std::optional<LoneHand> hand = find_lone_hand(*character, *models.hands, options);
+  if (!hand) return false;
+  hand->skeleton.up_axis = skeleton->up_axis;
+  hand->skeleton.up_confidence = skeleton->up_confidence;
+  hand->skeleton.front = skeleton->front;
+  hand->skeleton.spread = skeleton->spread;
+  hand->skeleton.seconds += skeleton->seconds;
+  hand->skeleton.workspace_bytes = std::max(hand->skeleton.workspace_bytes, skeleton->workspace_bytes);
+  *skeleton = std::move(hand->skeleton);
+  character->notes.push_back(
+      std::string("warning: this mesh is taken for a ") + (hand->right ? "right" : "left") + " hand without a body" +
+      (hand->thumb ? "" : ", in which no thumb was found") +
+      (hand->side_known ? "" : ", and its side is a coin toss: a right one turned over looks the same") +
+      "; --method votes looks for a body instead");
+  return true;
+}
+
+// What the skeleton has besides a body: fingers, and a face.
+LabelledSkeleton add_details(const RigJobOptions& job, const sinew_model& hands, RiggedCharacter* rigged) {
+  SkeletonOptions options;
+  options.up_axis = rigged->skeleton.up_axis;
+  for (std::string& note : predict_details(rigged->character, job.detail, hands, options, &rigged->skeleton))
+    rigged->character.notes.push_back(std::move(note));
+  LabelledSkeleton found = {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
+  for (uint8_t& one : found.classes)
+    if (is_finger_class(one) || is_face_class(one) || is_prop_class(one)) one = kClassDetail;
+  return found;
+}
+
+void put_own(const RigJobOptions& job, const RigModels& models, const LabelledSkeleton& found,
+             RiggedCharacter* rigged) {
+  FitOptions options;
+  options.up_axis = rigged->skeleton.up_axis == 1 ? 2 : 1;
+  options.keep_lengths = job.keep_lengths;
+  const std::vector<Joint> own = job.own.empty() ? read_own_skeleton(job.skeleton) : job.own;
+  if (job.detail == SkeletonDetail::kBody && models.hands != nullptr && has_fingers(own) &&
+      !is_lone_hand(rigged->skeleton)) {
+    SkeletonOptions hands;
+    hands.up_axis = rigged->skeleton.up_axis;
+    (void)predict_hands(rigged->character, *models.hands, hands, &rigged->skeleton);
+  }
+  rigged->fitted = fit_own_skeleton(own, job.skeleton, found, options, rigged->character, &rigged->skeleton);
+  if (2 * rigged->fitted->matched < rigged->fitted->telling)
+    rigged->character.notes.push_back("warning: most joints of " + job.skeleton +
+                                      " have no like in this mesh; look at them before using them");
+}
+
+void bind_rigged(const RigJobOptions& job, const RigModels& models, RiggedCharacter* rigged) {
+  BindOptions options;
+  options.method = SINEW_METHOD_MODEL;
+  options.model = models.bind;
+  options.influence_count = job.influence_count;
+  options.up_axis = rigged->skeleton.up_axis;
+  options.rigid_parts = job.rigid_parts;
+  options.surface_vertices = job.surface_vertices;
+  options.softness_percent = job.softness_percent;
+  options.thread_count = job.thread_count;
+  options.progress = job.progress;
+  options.progress_user = job.progress_user;
+  ThreadPool pool(job.thread_count);
+  options.parallel_for = ThreadPool::parallel_for;
+  options.parallel_user = &pool;
+  Character& character = rigged->character;
+  CharacterBind result =
+      rigged->fitted ? bind_to_own(options, character) : bind_to_prediction(rigged->skeleton, options, &character);
+  character.influences = std::move(result.influences);
+  rigged->bind_seconds = result.seconds;
+  rigged->seams = std::move(result.seams);
+  if (rigged->seams.seams.empty()) return;
+  const size_t doubled = job.cut || !job.to_pose.empty() ? cut_seams(rigged->seams, &character) : 0;
+  character.notes.push_back(seams_text(character.joints, rigged->seams, doubled));
+}
+
+// The mesh and both of its skeletons in another rest pose.
+void put_into_pose(const RestPose& pose, RiggedCharacter* rigged) {
+  rigged->character = in_rest_pose(rigged->character, pose, rigged->skeleton.up_axis == 1 ? 2 : 1);
+  std::map<std::string, Vec3> places;
+  for (const Joint& joint : rigged->character.joints) places[joint.name] = joint.position;
+  for (Joint& joint : rigged->skeleton.joints)
+    if (const auto found = places.find(joint.name); found != places.end()) joint.position = found->second;
+  if (rigged->fitted) rigged->fitted->joints = rigged->character.joints;
+}
+
+// Of votes: limbs that may be wrong, by name.
+void say_doubts(RiggedCharacter* rigged) {
+  rigged->doubtful = doubtful_limbs(rigged->skeleton);
+  if (!rigged->doubtful.empty()) rigged->character.notes.push_back(doubts_text(rigged->doubtful));
+}
+
+void measure_gate(const RigJobOptions& job, RiggedCharacter* rigged) {
+  rigged->gate_figures = gate_figures(rigged->character, rigged->skeleton);
+  rigged->gate = gate_failures(rigged->gate_figures, job.bind);
+  for (const std::string& line : rigged->gate) rigged->character.notes.push_back("gate: " + line);
+}
+
+}  // namespace
+
+bool may_be_lone_hand(const RigJobOptions& job, const PredictedSkeleton& skeleton) {
+  return job.method == RigMethod::kAuto && job.category == SINEW_CATEGORY_ANY && skeleton.spread > kHandSpread;
+}
+
+PredictedSkeleton predict_for_job(const RigJobOptions& job, const RigModels& models, Character* character) {
+  SkeletonOptions options;
+  options.method = engine_method(job.method);
+  if (options.method == SINEW_RIG_VOTES || options.method == SINEW_RIG_SLOTS) options.model = models.rig;
+  options.category = job.category;
+  options.axes_known = character->gltf != nullptr;  // y up, +z front
+  options.up_axis = job.up == UpChoice::kZ ? 1 : 0;
+  const bool published = job.method == RigMethod::kSlots || job.method == RigMethod::kRegions;
+  if (!published && models.front != nullptr) {
+    options.front_model = models.front;
+    options.find_up = job.up == UpChoice::kFound;
+  }
+  options.front = job.front;
+  options.mirror = job.mirror;
+  options.spine_count = job.spine_count;
+  options.toes = job.toes;
+  options.ends = job.ends;
+  PredictedSkeleton skeleton = predict_skeleton(*character, options);
+  if (models.hands != nullptr && may_be_lone_hand(job, skeleton) &&
+      put_lone_hand(models, options, character, &skeleton))
+    return skeleton;
+  const float spread = skeleton.spread;
+  const std::optional<float> usable = skeleton.usable;
+  const bool told = job.category != SINEW_CATEGORY_ANY && !job.category_guessed;
+  if (job.method == RigMethod::kAuto && !told && spread > kUnknownSpread) {
+    options.method = SINEW_RIG_SHAPE;
+    options.category = SINEW_CATEGORY_ANY;
+    skeleton = predict_skeleton(*character, options);
+    skeleton.spread = spread;
+    skeleton.usable = usable;
+    character->notes.push_back(
+        "warning: this mesh resembles nothing that the model knows, so the joints follow its middle line and have no "
+        "names; --method votes gives the model's guess");
+  } else if (job.method == RigMethod::kSlots && spread > kDoubtfulSlots) {
+    character->notes.push_back(
+        "warning: this mesh resembles little that the model knows; look at the joints before using them, or try "
+        "--method shape");
+  } else if (usable && *usable < kDoubtfulUsable) {
+    character->notes.push_back(
+        "warning: this mesh resembles little that the model knows: the skeleton can be used with a probability of " +
+        std::to_string(std::lround(100 * *usable)) + " %; look at the joints before using them, or try --method shape");
+  } else if (options.method == SINEW_RIG_VOTES && weak_parents(skeleton) > kMostGuessed) {
+    character->notes.push_back("warning: most joints guess what they hang on; look at the hierarchy before using it");
+  }
+  say_direction(job, skeleton, &character->notes);
+  return skeleton;
+}
+
+RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool by_names, const RigJobOptions& job,
+                              const RigModels& models) {
+  if (!job.to_pose.empty() && !job.bind) throw Error("another rest pose needs weights: bind the mesh as well");
+  if (job.cut && !job.bind) throw Error("seams are found by weights: bind the mesh as well");
+  const std::optional<RestPose> pose =
+      job.to_pose.empty() ? std::nullopt : std::optional<RestPose>(read_rest_pose(job.to_pose));
+  RiggedCharacter rigged;
+  rigged.character = std::move(mesh);
+  rigged.skeleton = std::move(predicted);
+  LabelledSkeleton found =
+      by_names ? label_skeleton(rigged.skeleton.joints)
+               : LabelledSkeleton{rigged.skeleton.joints, rigged.skeleton.classes, rigged.skeleton.ends};
+  Character& character = rigged.character;
+  if (job.detail != SkeletonDetail::kBody) found = add_details(job, *models.hands, &rigged);
+  if (!job.skeleton.empty()) put_own(job, models, found, &rigged);
+  edit_skeleton(job.edits, job.mirror != SINEW_MIRROR_NEVER, &rigged.skeleton);
+  if (rigged.skeleton.usable) say_doubts(&rigged);
+  if (!character.joints.empty())
+    character.notes.push_back("the file's own skeleton of " + std::to_string(character.joints.size()) +
+                              " joints was left out; sinew bind keeps it");
+  character.joints = rigged.fitted && job.edits.empty() ? rigged.fitted->joints : rigged.skeleton.joints;
+  character.influences.clear();
+  if (job.bind) bind_rigged(job, models, &rigged);
+  if (pose) put_into_pose(*pose, &rigged);
+  if (job.gate) measure_gate(job, &rigged);
+  if (job.bind) add_checked_note(&character);
+  return rigged;
+}
+
+RiggedCharacter rig_character(Character mesh, const RigJobOptions& job, const RigModels& models) {
+  PredictedSkeleton predicted = predict_for_job(job, models, &mesh);
+  return rig_character(std::move(mesh), std::move(predicted), false, job, models);
+}
+
+}  // namespace sinew

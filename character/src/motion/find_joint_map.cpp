@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Maps of joints for weights: a file's, by names, by anatomy.
+#include "sinew_character/motion/find_joint_map.hpp"
+
+#include <algorithm>
+
+#include "sinew_character/motion/map_skeleton.hpp"
+#include "sinew_formats/error.hpp"
+
+namespace sinew {
+
+JointMapping find_joint_map(const Character& source, const std::string& map, const std::string& path,
+                            const Character& target, std::string* mapped_by) {
+  MapRig target_rig = map_rig_of(target), source_rig = map_rig_of(source);
+  target_rig.name = path;
+  source_rig.name = source.name;
+  if (!map.empty()) {
+    *mapped_by = map;
+    JointMapping mapping(source.joints.size(), -1);
+    for (const sinew_map_pin& pin : read_map_file(map, target_rig, source_rig, MapRepeats::kTargets))
+      if (pin.source >= 0) mapping[static_cast<size_t>(pin.source)] = static_cast<int32_t>(pin.target);
+    if (mapped_count(mapping) == 0) throw Error(map + ": maps no joint; expected lines TARGET_JOINT SOURCE_JOINT");
+    return mapping;
+  }
+  JointMapping mapping = map_joints_by_name(source.joints, target.joints);
+  *mapped_by = "equal names";
+  if (2 * mapped_count(mapping) >= std::min(source.joints.size(), target.joints.size())) return mapping;
+  MapSkeletonOptions options;
+  options.target_up = options.source_up = 'a';
+  const MappedSkeleton found = map_skeleton(target_rig, source_rig, options);
+  *mapped_by = "anatomy and names";
+  mapping.assign(source.joints.size(), -1);
+  for (size_t t = 0; t < found.sources.size(); ++t)
+    if (found.sources[t] >= 0) mapping[static_cast<size_t>(found.sources[t])] = static_cast<int32_t>(t);
+  if (mapped_count(mapping) == 0)
+    throw Error(path + ": none of its " + std::to_string(target.joints.size()) + " joints stands for a joint of " +
+                source.name + " (" + target.joints.front().name + ", " + source.joints.front().name +
+                "); say with --map FILE which joint is which");
+  return mapping;
+}
+
+}  // namespace sinew

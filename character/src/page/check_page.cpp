@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// The page of checked files.
+#include "sinew_character/page/check_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sinew_character/page/html.hpp"
+#include "sinew_formats/box.hpp"
+#include "sinew_formats/print.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr size_t kMostPictures = 40, kMostRings = 200;
+
+Vec3 middle(const Box& box) {
+  return {(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2, (box.low.z + box.high.z) / 2};
+}
+
+std::string severity_cell(CheckSeverity severity) {
+  return severity == CheckSeverity::kNote ? severity_text(severity)
+                                          : "<span class=\"warn\">" + std::string(severity_text(severity)) + "</span>";
+}
+
+std::vector<html::Cell> cells(const CheckedFile& file, size_t number) {
+  const RigFinding& f = file.check.findings[number];
+  std::string picture;
+  if (number < kMostPictures && !file.character.vertices.empty())
+    picture = "<div style=\"width:240px\">" + html::image(encode_png(finding_picture(file, f)), f.rule->name, true) +
+              "</div>";
+  const bool is_new = std::find(file.change.added.begin(), file.change.added.end(), number) != file.change.added.end();
+  const std::string shown = where_shown(f);
+  std::string text = "<div>" + html::escape(f.what) + "</div>";
+  if (!shown.empty()) text += "<div class=\"soft\">" + html::escape(shown) + "</div>";
+  text += "<div class=\"soft\">" + html::escape(f.rule->cure) + "</div>";
+  return {{picture, false, true},
+          {severity_cell(f.severity) + (is_new ? " (new)" : ""), false, true},
+          {f.rule->name},
+          {print("%.3g", f.value)},
+          {print("%.3g", f.bound)},
+          {"<div style=\"white-space:normal;overflow-wrap:anywhere;min-width:200px\">" + text + "</div>", false, true}};
+}
+
+std::string file_card(const CheckedFile& file) {
+  std::vector<std::vector<html::Cell>> rows;
+  for (size_t i = 0; i < file.check.findings.size(); ++i) rows.push_back(cells(file, i));
+  std::string note = print("%zu vertices, %zu joints, %zu clips", file.character.vertices.size(),
+                           file.character.joints.size(), file.motion.clips.size());
+  for (const std::string& line : file.failures) note += "; gate: " + line;
+  for (const size_t i : file.change.gone) note += "; gone: " + file.before->findings[i].what;
+  const std::string content =
+      rows.empty() ? "<p>0 findings</p>"
+                   : html::table({{"", true}, {"", true}, {"rule", true}, {"value"}, {"bound"}, {"what", true}}, rows);
+  return html::card(file.file, content, note);
+}
+
+}  // namespace
+
+Image finding_picture(const CheckedFile& file, const RigFinding& finding) {
+  const Character shown = as_shown(file, finding);
+  RenderOptions options;
+  options.width = options.height = 420;
+  std::vector<Vec3> places;
+  for (const uint32_t v : finding.vertices) places.push_back(shown.vertices[v]);
+  if (places.empty() && finding.joint >= 0) places.push_back(shown.joints[static_cast<size_t>(finding.joint)].position);
+  if (places.empty() && finding.other >= 0) places.push_back(shown.joints[static_cast<size_t>(finding.other)].position);
+  const Box whole = box_of(shown.vertices);
+  if (!places.empty()) {
+    const Box box = box_of(places);
+    options.focus = middle(box);
+    options.focus_radius = std::max(1.3F * box.longest_side(), 0.18F * whole.longest_side());
+    // From the side on which it lies.
+    const Vec3 centre = middle(whole);
+    const float dx = options.focus.x - centre.x, dz = options.focus.z - centre.z;
+    if (std::hypot(dx, dz) > 0.05F * whole.longest_side()) options.yaw_degrees = std::atan2(dx, dz) * 57.29578F;
+  }
+  const size_t step = 1 + places.size() / kMostRings;  // thousands of rings would hide what they mark
+  for (size_t i = 0; i < places.size(); i += step) options.marks.push_back({places[i]});
+  return render(shown, weight_colours(shown), options);
+}
+
+std::string check_html(const std::vector<CheckedFile>& files) {
+  size_t errors = 0, warnings = 0, notes = 0, clean = 0;
+  std::string cards;
+  for (const CheckedFile& file : files) {
+    errors += file.check.errors;
+    warnings += file.check.warnings;
+    notes += file.check.notes;
+    clean += file.check.findings.empty() ? 1 : 0;
+    cards += file_card(file);
+  }
+  const auto figure = [](size_t value, const std::string& what) {
+    return "<div><b>" + html::count(value) + "</b><span>" + what + "</span></div>";
+  };
+  const std::string head = "<h1>Checked rigs</h1>\n<div class=\"figures\">" + figure(files.size(), "files") +
+                           figure(clean, "without findings") + figure(errors, "errors") + figure(warnings, "warnings") +
+                           figure(notes, "notes") + "</div>\n";
+  return html::page("Checked rigs", head + cards);
+}
+
+}  // namespace sinew

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// One transform for everything; quarters are exact.
+#include "sinew_character/pose/placement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "gltf/place_document.hpp"
+#include "sinew_formats/affine.hpp"
+#include "sinew_formats/error.hpp"
+#include "text/text_lines.hpp"
+
+namespace sinew {
+namespace {
+
+Affine quarter(const std::string& turn) {
+  const bool back = turn[0] == '-';
+  const size_t axis = static_cast<size_t>(turn.back() - 'x'), from = (axis + 1) % 3, to = (axis + 2) % 3;
+  Affine m{};
+  m[4 * axis + axis] = 1;
+  m[4 * to + from] = back ? -1 : 1;
+  m[4 * from + to] = back ? 1 : -1;
+  return m;
+}
+
+void move_point(const Affine& m, Vec3* p) {
+  const auto moved =
+      transform_point(m, static_cast<double>(p->x), static_cast<double>(p->y), static_cast<double>(p->z));
+  *p = {static_cast<float>(moved[0]), static_cast<float>(moved[1]), static_cast<float>(moved[2])};
+}
+
+// Least and greatest of the vertices along a component, once they are transformed.
+std::array<double, 2> reach(const Character& character, const Affine& m, uint32_t axis) {
+  std::array<double, 2> reach = {INFINITY, -INFINITY};
+  for (const Vec3& p : character.vertices) {
+    const double x =
+        transform_point(m, static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z))[axis];
+    reach = {std::min(reach[0], x), std::max(reach[1], x)};
+  }
+  return reach;
+}
+
+void turn_normals(const Affine& m, Character* character) {
+  for (Vec3& n : character->corner_normals) {
+    const auto turned =
+        transform_normal(m, static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z));
+    const double length = std::hypot(turned[0], turned[1], turned[2]);
+    if (!(length > 0)) continue;
+    n = {static_cast<float>(turned[0] / length), static_cast<float>(turned[1] / length),
+         static_cast<float>(turned[2] / length)};
+  }
+}
+
+}  // namespace
+
+bool places(const Placement& placement) { return !placement.turns.empty() || placement.height != 0 || placement.floor; }
+
+void check_placement(const Placement& placement) {
+  for (const std::string& turn : placement.turns) {
+    const std::string axis = turn.substr(turn.rfind('-', 0) == 0 ? 1 : 0);
+    if (axis != "x" && axis != "y" && axis != "z")
+      throw Error("turn " + in_quotes(turn) + ": expected x, y, z, -x, -y or -z");
+  }
+  if (!(placement.height >= 0) || std::isinf(placement.height))
+    throw Error("height: expected metres above 0, as in 1.75");
+}
+
+Character placed(Character character, const Placement& placement, uint32_t up_axis) {
+  if (!places(placement)) return character;
+  check_placement(placement);
+  if (character.vertices.empty()) throw Error(character.name + ": has no mesh to turn or to scale");
+  Affine m = kIdentity;
+  for (const std::string& turn : placement.turns) m = multiply(quarter(turn), m);
+  if (placement.height > 0) {
+    const auto [low, high] = reach(character, m, up_axis);
+    const double scale = placement.height / (high - low);
+    if (!std::isfinite(scale))
+      throw Error(character.name + ": is flat along " + (up_axis == 2 ? "z" : "y") +
+                  ", which shall be its height; turn it upright first");
+    m = multiply({scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0}, m);
+  }
+  if (placement.floor) m[4 * up_axis + 3] -= reach(character, m, up_axis)[0];
+  for (Vec3& p : character.vertices) move_point(m, &p);
+  for (Joint& joint : character.joints) move_point(m, &joint.position);
+  turn_normals(m, &character);
+  if (character.gltf) {
+    std::vector<Joint> own = character.gltf->joints;
+    for (Joint& joint : own) move_point(m, &joint.position);
+    character.gltf = placed_document(character.name, *character.gltf, m, own);
+  }
+  return character;
+}
+
+}  // namespace sinew
