@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 # What formats is compiled from, once for every build of it: this folder's and the WebAssembly modules'.
 set(sinew_formats_sources
+  base/affine
+  base/quaternion
   fbx/fbx_animations
   fbx/fbx_binary
   fbx/fbx_geometry
@@ -49,7 +51,6 @@ set(sinew_formats_sources
   gltf/vrm_write
   gltf/vrm_zero
   motion/actors
-  motion/affine
   motion/bvh_read
   motion/bvh_write
   motion/morphs
@@ -58,7 +59,6 @@ set(sinew_formats_sources
   motion/numpy_read
   motion/person
   motion/places
-  motion/turns
   motion/unzip
   motion/vmd_read
   text/mtl

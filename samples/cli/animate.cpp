@@ -75,8 +75,8 @@ Animated read_animated(const AnimateSettings& s) {
 AnimateOptions animate_options(const AnimateSettings& s) {
   AnimateOptions options;
   options.character = s.character;
-  options.up = s.up;
-  options.motion_up = s.motion_up;
+  options.up = maybe_axis(s.up);
+  options.motion_up = maybe_axis(s.motion_up);
   options.map = s.map;
   options.method = s.method == "copy"               ? AnimateMethod::kCopy
                    : s.method == "contacts"         ? AnimateMethod::kContacts
@@ -116,7 +116,8 @@ StepsOf counted(std::string what, const std::atomic<bool>& stop) {
 void add_motion_file(const AnimateSettings& s, const MotionChoice& choice, const std::atomic<bool>& stop,
                      Animated* out) {
   const std::string layout = choice.of_folder && !takes_layout(choice.file) ? "" : s.layout;
-  MotionFile source = read_motion_for({choice.file, s.fps, layout, s.actor, s.up}, map_rig_of(out->character));
+  MotionFile source =
+      read_motion_for({choice.file, s.fps, layout, s.actor, maybe_axis(s.up)}, map_rig_of(out->character));
   if (choice.of_folder || choice.clip.empty()) name_clips(choice.file, choice.of_folder, out->motion, &source.motion);
   const auto body = [&] { return source.whole ? body_of_motion(choice.file) : std::nullopt; };
   const MotionInput input = {choice.file, choice.clip, &source.motion, body};
@@ -197,7 +198,7 @@ Animated animate_one(const AnimateSettings& s, const std::atomic<bool>& stop) {
   std::optional<CharacterDeformer> deformer;
   if (deform && (!s.sheet.empty() || wants_sprites(wanted))) deformer.emplace(animated.character, *deform);
   if (!s.sheet.empty())
-    sheet = encode_png(motion_sheet(animated.character, animated.motion, s.up == "z", deformer ? &*deformer : nullptr,
+    sheet = encode_png(motion_sheet(animated.character, animated.motion, axis_of(s.up), deformer ? &*deformer : nullptr,
                                     animated.picture ? animated.picture->picture.get() : nullptr));
   std::vector<NamedBytes> sprites;
   if (animated.picture)

@@ -67,7 +67,7 @@ std::vector<uint8_t> picture_of(const Character& character, const BindSettings& 
   RenderOptions view;
   view.width = view.height = kPicture;
   view.draw_skeleton = false;
-  view.up_z = settings.up == "z";
+  view.up = axis_of(settings.up);
   return encode_png(render(character, weight_colours(character), view));
 }
 

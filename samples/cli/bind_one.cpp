@@ -94,7 +94,7 @@ BindJobOptions job_options(const BindSettings& settings, const Binder& binder, c
   job.cut = settings.cut;
   job.to_pose = settings.to_pose;
   job.influence_count = settings.influences;
-  job.up_axis = settings.up == "z" ? 1 : 0;
+  job.up_axis = axis_of(settings.up);
   job.thread_count = settings.threads;
   set_flags(settings, character, &job.said);
   BindOptions style;
@@ -108,7 +108,7 @@ BindJobOptions job_options(const BindSettings& settings, const Binder& binder, c
 
 void draw(const BindSettings& settings, const Character& character, const std::vector<uint8_t>& confidence) {
   RenderOptions view;
-  view.up_z = settings.up == "z";
+  view.up = axis_of(settings.up);
   if (!settings.png.empty()) write_file(settings.png, encode_png(render(character, weight_colours(character), view)));
   if (settings.png_confidence.empty()) return;
   // Red is the least sure vertex of this character: a table of measured hits has few low entries.
@@ -176,7 +176,7 @@ CharacterBind bind_and_ask(const BindSettings& settings, const Character& charac
   CharacterBind result = job->bind(given, settings.questions);
   if (settings.ask && !result.questions.empty()) {
     const std::vector<sinew_answer> typed =
-        ask(character, result, stem_of(settings.output), settings.up == "z", std::cin, std::cerr);
+        ask(character, result, stem_of(settings.output), axis_of(settings.up), std::cin, std::cerr);
     given.insert(given.end(), typed.begin(), typed.end());
     said.insert(said.end(), typed.begin(), typed.end());
     if (!typed.empty()) result = job->bind(given, settings.questions);
@@ -191,7 +191,7 @@ CharacterBind bind_and_ask(const BindSettings& settings, const Character& charac
 BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool progress) {
   Character character =
       placed(read_mesh_and_skeleton(settings.mesh, settings.skeleton, !settings.lock.empty() || settings.compare),
-             settings.placement, settings.up == "z" ? 2 : 1);
+             settings.placement, settingaxis_of(s.up));
   check_bindable(character);  // before anything that takes longer the more joints there are
   const std::vector<uint8_t> locked = read_locks(settings, character);
   const WeightsBefore before = weights_before(settings, character, locked);

@@ -17,13 +17,13 @@ namespace {
 
 constexpr std::array<uint8_t, 3> kAsked = {240, 120, 20}, kRest = {170, 175, 185};
 
-void draw_question(const Character& character, const CharacterBind& bound, size_t number, bool up_z,
+void draw_question(const Character& character, const CharacterBind& bound, size_t number, Axis up,
                    const std::string& path) {
   std::vector<std::array<uint8_t, 3>> colours(character.vertices.size(), kRest);
   RenderOptions front, back;
   for (size_t v = 0; v < colours.size(); ++v)
     if (bound.vertex_questions[v] == number) colours[v] = kAsked;
-  front.up_z = back.up_z = up_z;
+  front.up = back.up = up;
   back.yaw_degrees += 180.0f;
   write_file(path, encode_png(beside({render(character, colours, front), render(character, colours, back)})));
 }
@@ -92,13 +92,13 @@ nlohmann::ordered_json question_json(const AskedPart& part) {
 }
 
 std::vector<sinew_answer> ask(const Character& character, const CharacterBind& bound, const std::string& picture,
-                              bool up_z, std::istream& in, std::ostream& out) {
+                              Axis up, std::istream& in, std::ostream& out) {
   std::vector<sinew_answer> answers;
   const std::vector<AskedPart> parts = asked_parts(character, bound);
   for (size_t q = 0; q < parts.size(); ++q) {
     const AskedPart& part = parts[q];
     const std::string path = picture + ".question" + std::to_string(q + 1) + ".png";
-    draw_question(character, bound, q, up_z, path);
+    draw_question(character, bound, q, up, path);
     out << print("\nquestion %zu of %zu, orange in %s: %u vertices", q + 1, parts.size(), path.c_str(), part.vertices);
     if (part.parts > 1) out << print(" in %u parts alike", part.parts);
     out << print("\nproposed: %.0f %% %s. How does it move?\n", 100 * part.share, part.joint.c_str());

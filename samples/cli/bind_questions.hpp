@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sinew_character/bind/bind_character.hpp"
+#include "sinew_formats/base/axis.hpp"
 
 namespace sinew::cli {
 
@@ -30,7 +31,7 @@ nlohmann::ordered_json question_json(const AskedPart& part);
 // PICTURE.question1.png and so on.
 //   picture  the output's path without its extension
 std::vector<sinew_answer> ask(const Character& character, const CharacterBind& bound, const std::string& picture,
-                              bool up_z, std::istream& in, std::ostream& out);
+                              Axis up, std::istream& in, std::ostream& out);
 
 }  // namespace sinew::cli
 #endif

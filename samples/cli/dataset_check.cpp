@@ -15,7 +15,7 @@
 #include "progress.hpp"
 #include "sinew_character/draw/image.hpp"
 #include "sinew_data_sets/dataset.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "support.hpp"

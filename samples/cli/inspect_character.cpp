@@ -8,7 +8,7 @@
 
 #include "inspect_parts.hpp"
 #include "sinew_data_sets/dataset.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 
 namespace sinew::cli {
 namespace {

@@ -173,8 +173,8 @@ MappedSkeleton map_joints(const MapCommandSettings& s, const MapRig& target, con
   if (s.first == "source") options.branches_first = SINEW_BRANCHES_SOURCE;
   options.names = !s.no_names;
   options.ends = s.ends_file != kNoEnds;
-  options.target_up = s.up[0];
-  options.source_up = s.source_up[0];
+  options.target_up = maybe_axis(s.up);
+  options.source_up = maybe_axis(s.source_up);
   options.pins = read_pins(s, target, source);
   return s.level.empty() ? map_skeleton(target, source, options)
                          : map_at_level(target, source, options, s.level == "low");
@@ -184,21 +184,23 @@ void write_map(const MapCommandSettings& s, const MapRig& target, const MapRig& 
                const std::string& json) {
   if (s.output != "-")
     write_text_file(s.output, has_extension(s.output, ".json") ? json + "\n" : map_text(target, source, map));
-  if (!s.png.empty()) write_file(s.png, encode_png(draw_map(target, s.up[0], source, s.source_up[0], map)));
+  if (!s.png.empty())
+    write_file(s.png, encode_png(draw_map(target, maybe_axis(s.up), source, maybe_axis(s.source_up), map)));
 }
 
 void run_map(const MapCommandSettings& given) {
   const MapCommandSettings s = settled(given);
   MapRig target = read_rig(s.target, [&] { return read_map_rig(s.target); });
   MapRig source = read_rig(s.source, [&] {
-    return read_map_source({s.source, s.layout, s.actor, s.source_up, s.up}, target);
+    return read_map_source({s.source, s.layout, s.actor, maybe_axis(s.source_up), maybe_axis(s.up)}, target);
   });
   if (!s.ends_file.empty() && s.ends_file != kNoEnds) {
     read_ends(s.ends_file, &target);
     read_ends(s.ends_file, &source);
   }
   const MappedSkeleton map = map_joints(s, target, source);
-  const MapCover cover = map_cover(target, s.up[0], source, s.source_up[0], {map.sources.begin(), map.sources.end()});
+  const MapCover cover =
+      map_cover(target, maybe_axis(s.up), source, maybe_axis(s.source_up), {map.sources.begin(), map.sources.end()});
   const std::string json = map_json(s, target, source, map, cover).dump(2, ' ', false, Json::error_handler_t::replace);
   write_map(s, target, source, map, json);
   if (s.json) {

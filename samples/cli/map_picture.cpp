@@ -55,12 +55,12 @@ class Panel {
 };
 
 // Where joints are in the panel: the whole rig fills it.
-std::vector<Spot> project(const MapRig& rig, char up) {
+std::vector<Spot> project(const MapRig& rig, MaybeAxis up) {
   std::vector<Spot> spots;
   for (const Joint& joint : rig.joints) {
     Vec3 p = joint.position;
-    if (up == 'z') p = {p.x, p.z, -p.y};
-    if (up == 'x') p = {-p.y, p.x, p.z};
+    if (up == Axis::kZ) p = {p.x, p.z, -p.y};
+    if (up == Axis::kX) p = {-p.y, p.x, p.z};
     const float x = std::cos(kYaw) * p.x - std::sin(kYaw) * p.z, z = std::sin(kYaw) * p.x + std::cos(kYaw) * p.z;
     spots.push_back({x, -(std::cos(kPitch) * p.y - std::sin(kPitch) * z)});
   }
@@ -78,7 +78,7 @@ std::vector<Spot> project(const MapRig& rig, char up) {
   return spots;
 }
 
-Image draw(const MapRig& rig, char up, const std::vector<Colour>& colours) {
+Image draw(const MapRig& rig, MaybeAxis up, const std::vector<Colour>& colours) {
   Panel panel;
   const std::vector<Spot> spots = project(rig, up);
   for (const bool alone : {true, false}) {  // what is mapped lies on top
@@ -97,7 +97,8 @@ Image draw(const MapRig& rig, char up, const std::vector<Colour>& colours) {
 
 }  // namespace
 
-Image draw_map(const MapRig& target, char target_up, const MapRig& source, char source_up, const MappedSkeleton& map) {
+Image draw_map(const MapRig& target, MaybeAxis target_up, const MapRig& source, MaybeAxis source_up,
+               const MappedSkeleton& map) {
   std::vector<Colour> left(target.joints.size(), kAlone), right(source.joints.size(), kAlone);
   for (size_t j = 0; j < left.size(); ++j) {
     if (map.sources[j] < 0) continue;

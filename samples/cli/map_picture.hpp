@@ -5,11 +5,13 @@
 
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"
+#include "sinew_formats/base/axis.hpp"
 
 namespace sinew::cli {
 
 // The target on the left. Joints without a counterpart are grey. `up` is x, y or z; anything else counts as y.
-Image draw_map(const MapRig& target, char target_up, const MapRig& source, char source_up, const MappedSkeleton& map);
+Image draw_map(const MapRig& target, MaybeAxis target_up, const MapRig& source, MaybeAxis source_up,
+               const MappedSkeleton& map);
 
 }  // namespace sinew::cli
 #endif

@@ -6,7 +6,7 @@
 
 #include "sinew_character/picture/picture_mesh.hpp"
 #include "sinew_character/pose/pose.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 
 namespace sinew::cli {
 namespace {
@@ -16,14 +16,14 @@ constexpr int kSide = 300;
 
 }  // namespace
 
-Image motion_sheet(const Character& character, const Motion& motion, bool up_z, CharacterDeformer* deformer,
+Image motion_sheet(const Character& character, const Motion& motion, Axis up, CharacterDeformer* deformer,
                    const PictureFile* picture) {
   const auto colours = picture != nullptr ? picture_colours(*picture, character) : weight_colours(character);
   const Box rest = box_of(character.vertices);
   RenderOptions view;
   view.width = view.height = kSide;
   view.draw_skeleton = false;
-  view.up_z = up_z;
+  view.up = up;
   if (picture != nullptr) view.yaw_degrees = view.pitch_degrees = 0;
   view.focus_radius = 0.62f * rest.longest_side();
   Image sheet;
@@ -39,7 +39,8 @@ Image motion_sheet(const Character& character, const Motion& motion, bool up_z, 
       const Box box = box_of(posed.vertices);
       const auto middle = [](float a, float b) { return 0.5f * a + 0.5f * b; };
       view.focus = {middle(box.low.x, box.high.x), middle(box.low.y, box.high.y), middle(box.low.z, box.high.z)};
-      (up_z ? view.focus.z : view.focus.y) = up_z ? middle(rest.low.z, rest.high.z) : middle(rest.low.y, rest.high.y);
+      (up == Axis::kZ ? view.focus.z : view.focus.y) =
+          up == Axis::kZ ? middle(rest.low.z, rest.high.z) : middle(rest.low.y, rest.high.y);
       row.push_back(render(posed, colours, view));
     }
     Image line = beside(row);

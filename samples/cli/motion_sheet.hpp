@@ -6,6 +6,7 @@
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/picture/picture_file.hpp"
 #include "sinew_character/pose/deform.hpp"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew::cli {
@@ -13,7 +14,7 @@ namespace sinew::cli {
 // The character in frames at equal distances, seen from its front at one scale; it may walk, the picture goes with it. Without a deformer it
 // is skinned linearly.
 //   picture  whose character it is, drawn from the front in its colours; null: by weights
-Image motion_sheet(const Character& character, const Motion& motion, bool up_z, CharacterDeformer* deformer,
+Image motion_sheet(const Character& character, const Motion& motion, Axis up, CharacterDeformer* deformer,
                    const PictureFile* picture = nullptr);
 
 }  // namespace sinew::cli

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/file_kinds.hpp"
 
 namespace sinew::cli {
@@ -48,6 +49,12 @@ CLI::Option* shared_option(CLI::App* sub, const std::string& names, T& value, co
   return sub->add_option(names, value, sentences(word.meaning, more))->type_name(word.value);
 }
 CLI::Option* shared_flag(CLI::App* sub, const std::string& name, bool& value, const std::string& more = "");
+
+// Of a checked --up: "x", "y", "z"; "auto" is none.
+inline MaybeAxis maybe_axis(const std::string& word) {
+  return word == "auto" ? std::nullopt : MaybeAxis(static_cast<Axis>(word[0] - 'x'));
+}
+inline Axis axis_of(const std::string& letter) { return maybe_axis(letter).value_or(Axis::kY); }
 
 // The options that follow are shown under this heading, and by --help-all alone.
 void section(CLI::App* sub, const std::string& heading);

@@ -104,7 +104,7 @@ std::vector<Affine> chosen_palette(const PoseCommandSettings& s, const Character
   }
   if (!s.to_pose.empty()) {
     *what = "in the rest pose " + s.to_pose;
-    return rest_pose_palette(label_skeleton(character.joints), read_rest_pose(s.to_pose), s.up == "z" ? 2 : 1);
+    return rest_pose_palette(label_skeleton(character.joints), read_rest_pose(s.to_pose), axis_of(s.up));
   }
   size_t turned = 0;
   const std::vector<Affine> palette = turned_palette(s, character, &turned);
@@ -132,7 +132,7 @@ void run_pose(const PoseCommandSettings& s) {
   const Character posed = deformed(s, character, palette);
   if (has_extension(s.output, ".png")) {
     RenderOptions view;
-    view.up_z = s.up == "z";
+    view.up = axis_of(s.up);
     write_file(s.output, encode_png(render(posed, weight_colours(posed), view)));
   } else {
     write_obj(s.output, posed);

@@ -89,7 +89,7 @@ RigJobOptions job_options(const RigCommandSettings& s) {
                : s.detail == "hands" ? SkeletonDetail::kHands
                                      : SkeletonDetail::kBody;
   job.mirror = s.mirror ? SINEW_MIRROR_ALWAYS : s.no_mirror ? SINEW_MIRROR_NEVER : SINEW_MIRROR_AUTO;
-  job.up = s.up == "z" ? UpChoice::kZ : s.up == "y" ? UpChoice::kY : UpChoice::kFound;
+  if (s.up != "auto") job.up = axis_of(s.up);
   job.front = front_number(s.front);
   job.spine_count = s.spine;
   job.toes = !s.no_toes;
@@ -123,12 +123,12 @@ Rigged rig_one(const RigCommandSettings& s, const Models& models, const std::str
     rigged.picture = std::move(made);
     return rigged;
   }
-  Character mesh = placed(read_mesh(path), s.placement, s.up == "z" ? 2 : 1);
+  Character mesh = placed(read_mesh(path), s.placement, axis_of(s.up));
   if (!s.prediction.empty()) {
     Character file;
     read_skeleton(s.prediction, false, &file);
     PredictedSkeleton given = skeleton_from_joints(file.joints);
-    given.up_axis = s.up == "z" ? 1 : 0;
+    given.up_axis = axis_of(s.up);
     return {rig_character(std::move(mesh), std::move(given), true, job_options(s), ready), {}};
   }
   return {rig_character(std::move(mesh), job_options(s), ready), {}};
@@ -146,7 +146,7 @@ Json summary_json(const RigCommandSettings& s, const Rigged& rigged, const std::
   if (skeleton.usable) json["usable"] = std::round(100.0 * static_cast<double>(*skeleton.usable)) / 100;
   if (rigged.picture) json["picture"] = picture_json(*rigged.picture);
   if (s.prediction.empty() && !rigged.picture) {
-    json["up"] = skeleton.up_axis == 1 ? "z" : "y";
+    json["up"] = skeleton.up_axis == Axis::kZ ? "z" : "y";
     json["up_certainty"] = skeleton.up_confidence;
     json["front"] = skeleton.front;
     json["front_certainty"] = skeleton.front_confidence;
@@ -226,7 +226,7 @@ void write_rigged(const RigCommandSettings& s, const std::string& output, Rigged
   if (s.png.empty()) return;
   RenderOptions view;
   if (rigged.picture) view.yaw_degrees = view.pitch_degrees = 0;
-  view.up_z = rigged.skeleton.up_axis == 1;
+  view.up = rigged.skeleton.up_axis;
   view.red_joints = doubtful_joints(rigged);
   const auto colours = rigged.character.influences.empty()
                            ? heat_colours(std::vector<float>(rigged.character.vertices.size(), 0.0f), 1.0f)

@@ -108,8 +108,8 @@ Transferred transfer_one(const TransferCommandSettings& s, const Character& sour
   options.method = method_of(s.method);
   options.model = model != nullptr ? &model->model : nullptr;
   options.influence_count = s.influences;
-  options.up_axis = s.up == "z" ? 1 : 0;
-  options.source_up_axis = (s.source_up.empty() ? s.up : s.source_up) == "z" ? 1 : 0;
+  options.up_axis = axis_of(s.up);
+  options.source_up_axis = axis_of(s.source_up.empty() ? s.up : s.source_up);
   options.garment = s.from.garment;
   options.as_drawn = s.as_drawn;
   for (const std::string& pair : s.pairs) options.pairs.push_back(parse_pair(pair, source, character));
@@ -196,7 +196,7 @@ void write_one(const TransferCommandSettings& s, const std::string& output, Tran
   Character& character = done->target.character;
   write_as(s.profile, output, character, &character.notes);
   RenderOptions view;
-  view.up_z = s.up == "z";
+  view.up = axis_of(s.up);
   if (!s.png.empty()) write_file(s.png, encode_png(render(character, weight_colours(character), view)));
   if (s.png_confidence.empty()) return;
   std::vector<float> doubt;
@@ -364,7 +364,7 @@ void add_transfer(CLI::App& app) {
       "  sinew transfer body.glb jacket.obj shoes.glb --garment -o dressed\n\n"
       "  sinew transfer a.glb b.glb --method biharmonic --pair 10=22 --pair 4=90 --pair 7=1 --pair 80=5");
   sub->callback([s] {
-    s->from.z_up = s->up == "z";
+    s->from.up_axis = axis_of(s->up);
     run_transfer(*s);
   });
 }

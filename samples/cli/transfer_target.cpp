@@ -27,7 +27,7 @@ TransferTarget TargetReader::read(const std::string& path) {
   options.path = path;
   options.map = from_.map;
   options.garment = from_.garment;
-  options.z_up = from_.z_up;
+  options.up_axis = from_.up_axis;
   options.rig_model = [this] {
     if (rig_model_ == nullptr) rig_model_ = load_model(from_.rig_model, ModelUse::kRig);
     return &rig_model_->model;

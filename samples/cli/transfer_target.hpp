@@ -8,6 +8,7 @@
 
 #include "sinew_character/jobs/transfer_job.hpp"
 #include "sinew_character/models/models.hpp"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew::cli {
@@ -18,7 +19,7 @@ struct TargetSource {
   std::string map;        // --map, or empty: by names
   std::string rig_model;  // for a target without any skeleton
   bool garment = false;   // the source's skeleton as it is
-  bool z_up = false;
+  Axis up_axis = Axis::kY;
 };
 
 class TargetReader {

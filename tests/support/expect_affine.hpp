@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
 
 namespace sinew_test {
 

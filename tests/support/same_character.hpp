@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "base/points.hpp"
-#include "motion/turns.hpp"
+#include "sinew_formats/base/point.hpp"
+#include "sinew_formats/base/quaternion.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "motion/turns.hpp"
 #include "random.hpp"
+#include "sinew_formats/base/quaternion.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew {

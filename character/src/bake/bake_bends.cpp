@@ -8,7 +8,7 @@
 #include "bake/bends.hpp"
 #include "bake/corrections.hpp"
 #include "bake/driver_fit.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 
 namespace sinew {
 namespace {

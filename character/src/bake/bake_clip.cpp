@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bake/corrections.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 
 namespace sinew {
 namespace {

@@ -4,12 +4,12 @@
 #include <map>
 #include <utility>
 
-#include "base/points.hpp"
 #include "gltf/cut_vertices.hpp"
 #include "sinew_character/bind/bind.hpp"
 #include "sinew_character/bind/seams.hpp"
 #include "sinew_character/rig/mesh_neighbours.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
+#include "sinew_formats/base/point.hpp"
 
 namespace sinew {
 namespace {

@@ -8,7 +8,7 @@
 
 namespace sinew {
 
-EngineViews::EngineViews(const Character& character, const std::vector<uint8_t>& joint_flags, uint32_t up_axis)
+EngineViews::EngineViews(const Character& character, const std::vector<uint8_t>& joint_flags, Axis up_axis)
     : flags(joint_flags) {
   skeleton.up = engine_up(up_axis);
   positions.reserve(character.vertices.size() * 3);

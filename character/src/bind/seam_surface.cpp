@@ -7,7 +7,7 @@
 #include <queue>
 
 #include "sinew_character/rig/mesh_neighbours.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 
 namespace sinew {
 namespace {

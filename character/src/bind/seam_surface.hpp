@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/points.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {

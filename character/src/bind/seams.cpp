@@ -10,7 +10,7 @@
 #include "bind/seam_surface.hpp"
 #include "bind/skeleton_paths.hpp"
 #include "sinew_character/bind/bind.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 
 namespace sinew {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/joint_tree.hpp"
-#include "base/points.hpp"
+#include "sinew_formats/base/joint_tree.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {

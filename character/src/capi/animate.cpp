@@ -14,10 +14,6 @@
 namespace sinew {
 namespace {
 
-std::string up_of(uint32_t up) {
-  return up == SINEW_UP_X ? "x" : up == SINEW_UP_Y ? "y" : up == SINEW_UP_Z ? "z" : "auto";
-}
-
 AnimateOptions job_of(const sinew_character_animate_options& options, const sinew_character& character) {
   check_at_most("method", options.method, SINEW_ANIMATE_STREAM);
   check_at_most("target_up", options.target_up, SINEW_UP_Z);
@@ -27,8 +23,8 @@ AnimateOptions job_of(const sinew_character_animate_options& options, const sine
     throw Failure(SINEW_ERROR_ARGUMENT, "fps, from, to: expected 0 or more, and to behind from");
   AnimateOptions job;
   job.character = file_of(character);
-  job.up = up_of(options.target_up);
-  job.motion_up = up_of(options.motion_up);
+  job.up = maybe_axis(options.target_up);
+  job.motion_up = maybe_axis(options.motion_up);
   job.map = text_or_empty(options.map);
   if (options.sources != nullptr)
     job.sources.assign(options.sources, options.sources + character.character.joints.size());

@@ -131,7 +131,7 @@ sinew_status sinew_character_joint_classes(const sinew_character* character, uin
   return guarded(character, [&] {
     need(character != nullptr, "character");
     need(classes != nullptr, "classes");
-    const std::vector<uint8_t> found = limb_classes(map_rig_of(character->character), 'y');
+    const std::vector<uint8_t> found = limb_classes(map_rig_of(character->character), Axis::kY);
     std::copy(found.begin(), found.end(), classes);
   });
 }

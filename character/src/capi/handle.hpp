@@ -20,6 +20,7 @@
 #include "sinew_character/models/models.hpp"
 #include "sinew_character/picture/picture_job.hpp"
 #include "sinew_character/profile/profile.hpp"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/memory_files.hpp"
 #include "sinew_formats/morphs.hpp"
@@ -210,11 +211,19 @@ ProgressOfCaller progress_of(const Options* given) {
   return has ? ProgressOfCaller(given->progress, given->progress_user) : ProgressOfCaller(nullptr, nullptr);
 }
 
-// 1 = Z, 0 = Y, as jobs have it. Throws Failure for X, which no mesh has.
-inline uint32_t up_axis_of(const char* what, uint32_t up) {
+// Throws Failure for X, which no mesh has up.
+inline Axis up_axis_of(const char* what, uint32_t up) {
   check_at_most(what, up, SINEW_UP_Z);
   if (up == SINEW_UP_X) throw Failure(SINEW_ERROR_ARGUMENT, std::string(what) + ": expected Y or Z");
-  return up == SINEW_UP_Z ? 1 : 0;
+  return up == SINEW_UP_Z ? Axis::kZ : Axis::kY;
+}
+
+// None for SINEW_UP_AUTO.
+inline MaybeAxis maybe_axis(uint32_t up) {
+  return up == SINEW_UP_X   ? MaybeAxis(Axis::kX)
+         : up == SINEW_UP_Y ? MaybeAxis(Axis::kY)
+         : up == SINEW_UP_Z ? MaybeAxis(Axis::kZ)
+                            : std::nullopt;
 }
 
 inline uint32_t count32(size_t count) { return static_cast<uint32_t>(count); }

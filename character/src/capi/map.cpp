@@ -11,10 +11,6 @@
 namespace sinew {
 namespace {
 
-char up_of(uint32_t up, char usual) {
-  return up == SINEW_UP_X ? 'x' : up == SINEW_UP_Y ? 'y' : up == SINEW_UP_Z ? 'z' : usual;
-}
-
 // As `sinew map` reads the file: ends of a motion are its End Sites, ends of a rig.txt alone are in its weights.
 MapRig rig_of_handle(const sinew_character& from) {
   if (from.character.joints.empty()) throw Error(from.character.name + ": expected a skeleton, found a mesh alone");
@@ -28,10 +24,9 @@ MapRig rig_of_handle(const sinew_character& from) {
 }
 
 MapSourceRequest request_of(const std::string& path, const sinew_character_map_options& options) {
-  const char target_up = options.guess_up != 0 ? 'a' : up_of(options.target_up, 'a');
-  const char source_up = up_of(options.source_up, target_up);
-  return {path, text_or_empty(options.layout), text_or_empty(options.actor), std::string(1, source_up),
-          std::string(1, target_up)};
+  const MaybeAxis target_up = options.guess_up != 0 ? std::nullopt : maybe_axis(options.target_up);
+  const MaybeAxis given = maybe_axis(options.source_up), source_up = given ? given : target_up;
+  return {path, text_or_empty(options.layout), text_or_empty(options.actor), source_up, target_up};
 }
 
 // As sinew_character_animate() plays it.
@@ -67,8 +62,9 @@ void map(const sinew_character_map_options& options, bool from_template, const M
   job.branches_cost = options.branches_cost;
   job.names = options.no_names == 0;
   job.ends = options.no_ends == 0;
-  job.target_up = options.guess_up != 0 ? 'a' : up_of(options.target_up, 'a');
-  job.source_up = up_of(options.source_up, from_template ? 'y' : job.target_up);
+  job.target_up = options.guess_up != 0 ? std::nullopt : maybe_axis(options.target_up);
+  const MaybeAxis source_up = maybe_axis(options.source_up);
+  job.source_up = source_up ? source_up : from_template ? Axis::kY : job.target_up;
   if (options.pins_file != nullptr) job.pins = read_map_file(options.pins_file, target, source);
   for (uint32_t p = 0; p < options.pin_count; ++p) {
     const sinew_map_pin& pin = options.pins[p];

@@ -21,8 +21,7 @@ void place(const sinew_character_place_options& options, sinew_character* charac
   if (character->picture != nullptr) throw Error(name + ": is of a picture, which stays in its plane");
   if (!character->clips.empty() || !character->morphs.shapes.empty())
     throw Error(name + ": has clips or morph targets that are in no file yet; place it before they are added");
-  const uint32_t up_axis =
-      up_axis_of("up", options.up == SINEW_UP_AUTO ? uint32_t{SINEW_UP_Y} : options.up) == 1 ? 2 : 1;
+  const Axis up_axis = up_axis_of("up", options.up == SINEW_UP_AUTO ? uint32_t{SINEW_UP_Y} : options.up);
   const bool same_skin = character->same_skin;
   character->character = placed(character->character, placement, up_axis);
   character->own_motion.reset();

@@ -28,9 +28,7 @@ RigJobOptions job_of(const sinew_character_rig_options& options) {
   job.category = options.category;
   job.detail = static_cast<SkeletonDetail>(options.detail);
   job.mirror = options.mirror;
-  job.up = options.up == SINEW_UP_AUTO         ? UpChoice::kFound
-           : up_axis_of("up", options.up) == 1 ? UpChoice::kZ
-                                               : UpChoice::kY;
+  if (options.up != SINEW_UP_AUTO) job.up = up_axis_of("up", options.up);
   check_at_most("front", options.front, SINEW_FRONT_MINUS_Y);
   job.front = options.front;
   job.spine_count = options.spine_count;

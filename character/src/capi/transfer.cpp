@@ -83,7 +83,7 @@ void carry(const sinew_character_transfer_options& options, ProgressOfCaller* pr
   target_options.skeleton = "its own";
   target_options.map = text_or_empty(options.map);
   target_options.garment = options.garment != 0;
-  target_options.z_up = up_axis_of("target_up", options.target_up) == 1;
+  target_options.up_axis = up_axis_of("target_up", options.target_up);
   target_options.rig_model = [&] {
     rig = model_of(options.models, ModelUse::kRig);
     return &rig->model;

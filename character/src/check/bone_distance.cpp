@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Point to segment distances.
+// Point3 to segment distances.
 #include "sinew_character/check/bone_distance.hpp"
 
 #include <algorithm>
@@ -8,10 +8,10 @@
 namespace sinew {
 
 BoneDistance::BoneDistance(const Character& character) : children_(character.joints.size()) {
-  Point low{}, high{};
+  Point3 low{}, high{};
   for (size_t v = 0; v < character.vertices.size(); ++v) {
     const Vec3& p = character.vertices[v];
-    const Point q = {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
+    const Point3 q = {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
     for (size_t i = 0; i < 3; ++i) {
       low[i] = v == 0 ? q[i] : std::min(low[i], q[i]);
       high[i] = v == 0 ? q[i] : std::max(high[i], q[i]);
@@ -29,14 +29,14 @@ BoneDistance::BoneDistance(const Character& character) : children_(character.joi
   ends_ = joints_;
 }
 
-void BoneDistance::set_leaf_end(size_t joint, const Point& end) {
+void BoneDistance::set_leaf_end(size_t joint, const Point3& end) {
   if (children_[joint].empty()) ends_[joint] = end;
 }
 
 double BoneDistance::operator()(const Vec3& point, size_t joint) const {
-  const Point p = {static_cast<double>(point.x), static_cast<double>(point.y), static_cast<double>(point.z)};
-  const Point& a = joints_[joint];
-  const auto squared_to = [&](const Point& b) {  // the segment from the joint to b
+  const Point3 p = {static_cast<double>(point.x), static_cast<double>(point.y), static_cast<double>(point.z)};
+  const Point3& a = joints_[joint];
+  const auto squared_to = [&](const Point3& b) {  // the segment from the joint to b
     double along = 0, length = 0, result = 0;
     for (size_t i = 0; i < 3; ++i) {
       along += (p[i] - a[i]) * (b[i] - a[i]);

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/points.hpp"
 #include "check/check_rooms.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/median.hpp"
 #include "sinew_formats/print.hpp"
 

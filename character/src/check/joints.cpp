@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/points.hpp"
 #include "check/check_rooms.hpp"
 #include "rig/joints_beside_mesh.hpp"
 #include "sinew_character/rig/skeleton_repair.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/print.hpp"
 
 namespace sinew {

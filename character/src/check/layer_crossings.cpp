@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "core/segment_triangle.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 
 namespace sinew {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/points.hpp"
 #include "check/check_rooms.hpp"
 #include "sinew_character/pose/pose.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/gltf_rest.hpp"
 #include "sinew_formats/print.hpp"
 

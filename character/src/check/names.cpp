@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "base/points.hpp"
 #include "check/check_rooms.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"
 #include "sinew_character/predict/skeleton_template.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/print.hpp"
 
 namespace sinew {

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <map>
 
-#include "base/points.hpp"
 #include "check/check_rooms.hpp"
 #include "check/test_poses.hpp"
 #include "check/torn_edges.hpp"
 #include "sinew_character/check/layer_crossings.hpp"
 #include "sinew_character/pose/bend_volume.hpp"
 #include "sinew_character/pose/pose.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/print.hpp"
 
 namespace sinew {

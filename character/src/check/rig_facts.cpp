@@ -8,7 +8,7 @@
 
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_character/rig/mesh_neighbours.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 
-#include "base/points.hpp"
 #include "check/check_rooms.hpp"
 #include "sinew_character/rig/joint_mirror.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/median.hpp"
 #include "sinew_formats/print.hpp"
 

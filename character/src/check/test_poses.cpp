@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/points.hpp"
+#include "sinew_formats/base/point.hpp"
 
 namespace sinew {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "check/rig_facts.hpp"
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
 
 namespace sinew {
 

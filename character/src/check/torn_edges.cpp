@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 
 namespace sinew {
 namespace {

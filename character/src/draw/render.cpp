@@ -38,7 +38,8 @@ struct ScreenPoint {
 
 class Camera {
  public:
-  Camera(const std::vector<Vec3>& vertices, const RenderOptions& options, int width, int height) : up_z_(options.up_z) {
+  Camera(const std::vector<Vec3>& vertices, const RenderOptions& options, int width, int height)
+      : z_up_(options.up == Axis::kZ) {
     constexpr float degree = std::numbers::pi_v<float> / 180;
     const float yaw = options.yaw_degrees * degree, pitch = options.pitch_degrees * degree;
     towards_ = {std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)};
@@ -85,7 +86,7 @@ class Camera {
     return {offset_x_ + scale_ * p.x, offset_y_ - scale_ * p.y, p.nearness};
   }
   V3 view_direction(V3 world) const { return {dot(world, right_), dot(world, up_), dot(world, towards_)}; }
-  V3 upright(const Vec3& p) const { return up_z_ ? V3{p.x, p.z, -p.y} : V3{p.x, p.y, p.z}; }
+  V3 upright(const Vec3& p) const { return z_up_ ? V3{p.x, p.z, -p.y} : V3{p.x, p.y, p.z}; }
   // World length of one pixel at the mesh's centre, in radii of the mesh.
   float pixel_size() const { return 1 / scale_; }
 
@@ -98,7 +99,7 @@ class Camera {
     return {shrink * dot(p, right_), shrink * dot(p, up_), 1 / distance};
   }
 
-  bool up_z_;
+  Axis up_;
   V3 towards_, right_, up_, centre_;
   float unit_ = 1, scale_ = 1, offset_x_ = 0, offset_y_ = 0;
 };

@@ -16,10 +16,6 @@
 namespace sinew {
 namespace {
 
-uint32_t up_of(const std::string& text) {
-  return text == "x" ? SINEW_UP_X : text == "y" ? SINEW_UP_Y : text == "z" ? SINEW_UP_Z : SINEW_UP_AUTO;
-}
-
 std::vector<Clip> chosen_clips(const AnimateOptions& s, const std::string& file, const std::string& name,
                                const Motion& motion) {
   if (motion.clips.empty()) throw Error(file + ": expected a motion, found a skeleton without frames");
@@ -131,7 +127,7 @@ void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsO
   settings.in_place = s.in_place ? 1 : 0;
   settings.translations = s.translations ? 1 : 0;
   Retargeter retargeter(source, out->character.joints, map.sources, motion_classes(target, from, s.up, map.sources),
-                        settings, {up_of(s.motion_up), up_of(s.up)});
+                        settings, {engine_up(s.motion_up), engine_up(s.up)});
   set_method(s, choice.file, body, out, &retargeter);
   if (!s.limits.empty()) retargeter.keep_limits(joint_limits(s.limits, target, s.up));
   const size_t mapped = moved_joints(map);

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <optional>
 
-#include "base/points.hpp"
 #include "check/rig_facts.hpp"
 #include "check/test_poses.hpp"
 #include "sinew_character/jobs/character_file.hpp"
 #include "sinew_character/jobs/simplify_job.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/memory_files.hpp"
 #include "sinew_formats/morphs.hpp"

@@ -31,7 +31,7 @@ uint32_t engine_method(RigMethod method) {
 
 // Where up or front was found and might as well be another, one line.
 void say_direction(const RigJobOptions& job, const PredictedSkeleton& skeleton, std::vector<std::string>* notes) {
-  const bool up = job.up == UpChoice::kFound && skeleton.up_confidence < kCoinToss;
+  const bool up = !job.up && skeleton.up_confidence < kCoinToss;
   const bool front =
       job.front == SINEW_FRONT_AUTO && skeleton.front_confidence > 0 && skeleton.front_confidence < kCoinToss;
   if (!up && !front) return;
@@ -80,7 +80,7 @@ LabelledSkeleton add_details(const RigJobOptions& job, const sinew_model& hands,
 void put_own(const RigJobOptions& job, const RigModels& models, const LabelledSkeleton& found,
              RiggedCharacter* rigged) {
   FitOptions options;
-  options.up_axis = rigged->skeleton.up_axis == 1 ? 2 : 1;
+  options.up_axis = rigged->skeleton.up_axis;
   options.keep_lengths = job.keep_lengths;
   const std::vector<Joint> own = job.own.empty() ? read_own_skeleton(job.skeleton) : job.own;
   if (job.detail == SkeletonDetail::kBody && models.hands != nullptr && has_fingers(own) &&
@@ -123,7 +123,7 @@ void bind_rigged(const RigJobOptions& job, const RigModels& models, RiggedCharac
 
 // The mesh and both of its skeletons in another rest pose.
 void put_into_pose(const RestPose& pose, RiggedCharacter* rigged) {
-  rigged->character = in_rest_pose(rigged->character, pose, rigged->skeleton.up_axis == 1 ? 2 : 1);
+  rigged->character = in_rest_pose(rigged->character, pose, rigged->skeleton.up_axis);
   std::map<std::string, Vec3> places;
   for (const Joint& joint : rigged->character.joints) places[joint.name] = joint.position;
   for (Joint& joint : rigged->skeleton.joints)
@@ -155,11 +155,11 @@ PredictedSkeleton predict_for_job(const RigJobOptions& job, const RigModels& mod
   if (options.method == SINEW_RIG_VOTES || options.method == SINEW_RIG_SLOTS) options.model = models.rig;
   options.category = job.category;
   options.axes_known = character->gltf != nullptr;  // y up, +z front
-  options.up_axis = job.up == UpChoice::kZ ? 1 : 0;
+  options.up_axis = job.up.value_or(Axis::kY);
   const bool published = job.method == RigMethod::kSlots || job.method == RigMethod::kRegions;
   if (!published && models.front != nullptr) {
     options.front_model = models.front;
-    options.find_up = job.up == UpChoice::kFound;
+    options.find_up = !job.up;
   }
   options.front = job.front;
   options.mirror = job.mirror;

@@ -15,10 +15,10 @@ namespace {
 void fit_source_skeleton(const Character& source, const TransferTargetOptions& options, Character* character) {
   SkeletonOptions predict;
   predict.model = options.rig_model();
-  predict.up_axis = options.z_up ? 1 : 0;
+  predict.up_axis = options.up_axis;
   const PredictedSkeleton predicted = predict_skeleton(*character, predict);
   FitOptions fit;
-  fit.up_axis = options.z_up ? 2 : 1;
+  fit.up_axis = options.up_axis;
   FittedSkeleton fitted;
   try {
     fitted = fit_into_mesh(source.joints, label_skeleton(predicted), fit, *character);

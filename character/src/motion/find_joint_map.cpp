@@ -26,7 +26,7 @@ JointMapping find_joint_map(const Character& source, const std::string& map, con
   *mapped_by = "equal names";
   if (2 * mapped_count(mapping) >= std::min(source.joints.size(), target.joints.size())) return mapping;
   MapSkeletonOptions options;
-  options.target_up = options.source_up = 'a';
+  options.target_up = options.source_up = std::nullopt;
   const MappedSkeleton found = map_skeleton(target_rig, source_rig, options);
   *mapped_by = "anatomy and names";
   mapping.assign(source.joints.size(), -1);

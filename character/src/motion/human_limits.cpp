@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/points.hpp"
 #include "motion/limb_bends.hpp"
 #include "motion/upright_body.hpp"
 #include "sinew/rig.h"
 #include "sinew_character/motion/joint_limits.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -38,8 +38,8 @@ constexpr Ball kForearm = {{-130, 130}, {-15, 160}, {-40, 40}};
 
 class HumanLimits {
  public:
-  HumanLimits(const MapRig& target, const std::string& up)
-      : joints_(target.joints), classes_(limb_classes(target, up[0])), next_(joints_.size(), -1) {
+  HumanLimits(const MapRig& target, MaybeAxis up)
+      : joints_(target.joints), classes_(limb_classes(target, up)), next_(joints_.size(), -1) {
     const std::optional<UprightBody> body = find_upright_body(joints_, classes_);
     if (!body || !body->has_arms)
       throw Error(target.name +
@@ -191,7 +191,7 @@ class HumanLimits {
 
 }  // namespace
 
-std::vector<sinew_joint_limit> human_joint_limits(const MapRig& target, const std::string& up) {
+std::vector<sinew_joint_limit> human_joint_limits(const MapRig& target, MaybeAxis up) {
   return HumanLimits(target, up).run();
 }
 

@@ -87,7 +87,7 @@ std::vector<sinew_joint_limit> read_joint_limits(const std::string& path, const 
   return limits;
 }
 
-std::vector<sinew_joint_limit> joint_limits(const std::string& source, const MapRig& target, const std::string& up) {
+std::vector<sinew_joint_limit> joint_limits(const std::string& source, const MapRig& target, MaybeAxis up) {
   if (source == "human") return human_joint_limits(target, up);
   return has_extension(source, ".urdf") ? urdf_joint_limits(source, target) : read_joint_limits(source, target);
 }

@@ -4,20 +4,20 @@
 
 #include <cmath>
 
-#include "base/points.hpp"
+#include "sinew_formats/base/point.hpp"
 
 namespace sinew {
 
-BodyFrame body_frame(const std::vector<Joint>& joints, const UprightBody& body, const std::string& up) {
+BodyFrame body_frame(const std::vector<Joint>& joints, const UprightBody& body, MaybeAxis up) {
   const auto at = [&](int j) { return point(joints[static_cast<size_t>(j)].position); };
   BodyFrame frame;
   const auto& legs = body.legs;
   const Point3 hips = 0.5 * (at(legs[0].upper) + at(legs[1].upper));
   const Point3 rise = hips - 0.5 * (at(legs[0].end) + at(legs[1].end));
-  size_t axis = up == "x" ? 0 : up == "y" ? 1 : up == "z" ? 2 : 3;
-  for (size_t i = 0; i < 3 && up == "auto"; ++i)
+  size_t axis = up ? axis_index(*up) : 3;
+  for (size_t i = 0; i < 3 && !up; ++i)
     if (axis == 3 || std::abs(rise[i]) > std::abs(rise[axis])) axis = i;
-  frame.up[axis] = rise[axis] < 0 && up == "auto" ? -1 : 1;
+  frame.up[axis] = rise[axis] < 0 && !up ? -1 : 1;
   Point3 toes{};
   for (const UprightLimb& leg : legs)
     if (leg.tip >= 0) toes = toes + across(at(leg.tip) - at(leg.end), frame.up);

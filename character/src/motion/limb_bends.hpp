@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "motion/upright_body.hpp"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
 
@@ -20,7 +21,7 @@ struct BodyFrame {
 
 // Up from feet to head, front where toes point, else by the sides of names.
 //   up  of the world: "x", "y", "z", or "auto"
-BodyFrame body_frame(const std::vector<Joint>& joints, const UprightBody& body, const std::string& up);
+BodyFrame body_frame(const std::vector<Joint>& joints, const UprightBody& body, MaybeAxis up);
 
 // To where a calf, else a forearm, goes when its joint bends, across the bone above it: to the side of the bend at rest, else the calf back and the
 // forearm to the front. nullopt where nobody knows.

@@ -6,8 +6,8 @@
 #include <array>
 #include <optional>
 
-#include "base/points.hpp"
 #include "sinew/rig.h"
+#include "sinew_formats/base/point.hpp"
 
 namespace sinew {
 namespace {
@@ -38,7 +38,8 @@ Part part_of(uint8_t joint_class) {
 // A skeleton's parts, and how much of them a map uses.
 class BodyParts {
  public:
-  BodyParts(const MapRig& rig, char up, const std::vector<char>& used) : rig_(rig), classes_(limb_classes(rig, up)) {
+  BodyParts(const MapRig& rig, MaybeAxis up, const std::vector<char>& used)
+      : rig_(rig), classes_(limb_classes(rig, up)) {
     for (size_t j = 0; j < classes_.size(); ++j) {
       const Part part = part_of(classes_[j]);
       if (part == kParts) continue;
@@ -85,14 +86,14 @@ class BodyParts {
     }
     return (1 / std::max(1.0, count)) * sum;
   }
-  void measure_lean(char up) {
+  void measure_lean(MaybeAxis up) {
     const std::optional<Point3> legs = middle_of(SINEW_CLASS_THIGH);
     std::optional<Point3> top = middle_of(SINEW_CLASS_UPPER_ARM);
     if (!top) top = middle_of(SINEW_CLASS_HEAD);
     if (!top) top = middle_of(SINEW_CLASS_NECK);
     if (!legs || !top) return;
-    size_t axis = up == 'x' ? 0 : up == 'z' ? 2 : 1;
-    if (up == 'a') {
+    size_t axis = axis_index(up.value_or(Axis::kY));
+    if (!up) {
       const Point3 down = leg_ends() - *legs;
       for (size_t i = 0; i < 3; ++i) axis = std::abs(down[i]) > std::abs(down[axis]) ? i : axis;
     }
@@ -107,7 +108,7 @@ class BodyParts {
 
 }  // namespace
 
-MapCover map_cover(const MapRig& target, char target_up, const MapRig& source, char source_up,
+MapCover map_cover(const MapRig& target, MaybeAxis target_up, const MapRig& source, MaybeAxis source_up,
                    const std::vector<int>& sources) {
   std::vector<char> moved(target.joints.size(), 0), used(source.joints.size(), 0);
   for (size_t t = 0; t < sources.size(); ++t) {

@@ -10,11 +10,10 @@ namespace sinew {
 
 // Holds pointers into the rig.
 struct MapRigView : SkeletonView {
-  //   up  x, y, z, or a for not known
-  MapRigView(const MapRig& rig, char up, const MapSkeletonOptions& options) : SkeletonView(rig.joints) {
+  MapRigView(const MapRig& rig, MaybeAxis up, const MapSkeletonOptions& options) : SkeletonView(rig.joints) {
     if (!options.names) skeleton.names = nullptr;
     if (options.ends && !rig.ends.empty()) skeleton.ends = rig.ends.data();
-    skeleton.up = up == 'x' ? SINEW_UP_X : up == 'y' ? SINEW_UP_Y : up == 'z' ? SINEW_UP_Z : SINEW_UP_AUTO;
+    skeleton.up = engine_up(up);
   }
 };
 

@@ -8,7 +8,6 @@
 #include <optional>
 #include <utility>
 
-#include "base/points.hpp"
 #include "motion/map_rig_view.hpp"
 #include "motion/upright_body.hpp"
 #include "rig/joint_surfaces.hpp"
@@ -18,6 +17,7 @@
 #include "sinew_character/clips/builtin_motion.hpp"
 #include "sinew_character/motion/map_source.hpp"
 #include "sinew_character/predict/skeleton_template.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -64,15 +64,15 @@ std::vector<uint8_t> animated_joints(const Motion& motion) {
 
 // Up where nobody says it: along the legs of a body that has two, else y, as nearly all files have it. What the engine finds without either
 // is wrong for one animal in eight and for most fish (F1 of public maps without names 0.855, of y 0.900).
-char found_up(const MapRig& rig, const MapSkeletonOptions& options) {
+Axis found_up(const MapRig& rig, const MapSkeletonOptions& options) {
   MapRig read = rig;
   if (!options.names)
     for (Joint& joint : read.joints) joint.name.clear();
   if (!options.ends) read.ends.clear();
-  const std::optional<UprightBody> body = find_upright_body(read.joints, limb_classes(read, 'a'));
+  const std::optional<UprightBody> body = find_upright_body(read.joints, limb_classes(read, {}));
   std::vector<Point3> positions;
   for (const Joint& joint : rig.joints) positions.push_back(point(joint.position));
-  if (!body || !stands(*body, positions)) return 'y';  // a spider laid over a person says nothing
+  if (!body || !stands(*body, positions)) return Axis::kY;  // a spider laid over a person says nothing
   Point3 legs{};
   for (const UprightLimb& leg : body->legs)
     legs = legs + unit(point(rig.joints[static_cast<size_t>(leg.upper)].position) -
@@ -80,11 +80,11 @@ char found_up(const MapRig& rig, const MapSkeletonOptions& options) {
   const Point3 up = unit(legs);
   constexpr double kPlain = 0.8;  // cosine
   for (size_t axis = 0; axis < 3; ++axis)
-    if (up[axis] > kPlain) return static_cast<char>('x' + axis);
-  return 'y';
+    if (up[axis] > kPlain) return static_cast<Axis>(axis);
+  return Axis::kY;
 }
 
-MapRig rig_in_stance(const Motion& motion) { return map_source_of(motion, nullptr, {}, "auto").rig; }
+MapRig rig_in_stance(const Motion& motion) { return map_source_of(motion, nullptr, {}, {}).rig; }
 
 // Of a file with a mesh, or with moving nodes alone.
 MapRig rig_of_scene(const std::string& path) {
@@ -168,7 +168,7 @@ MapRig read_map_rig(const std::string& path) {
 }
 
 MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const MapSkeletonOptions& options) {
-  const auto up_of = [&](const MapRig& rig, char up) { return up == 'a' ? found_up(rig, options) : up; };
+  const auto up_of = [&](const MapRig& rig, MaybeAxis up) { return up ? *up : found_up(rig, options); };
   const MapRigView target_view(target, up_of(target, options.target_up), options),
       source_view(source, up_of(source, options.source_up), options);
   const sinew_skeleton &to = target_view.skeleton, &from = source_view.skeleton;
@@ -210,12 +210,12 @@ MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const Ma
   return result;
 }
 
-std::vector<uint8_t> limb_classes(const MapRig& target, char target_up, const MapRig* source,
+std::vector<uint8_t> limb_classes(const MapRig& target, MaybeAxis target_up, const MapRig* source,
                                   const std::vector<int>& sources) {
   const MapSkeletonOptions options;
   const MapRigView target_view(target, target_up, options);
   std::optional<MapRigView> source_view;
-  if (source != nullptr) source_view.emplace(*source, 'a', options);
+  if (source != nullptr) source_view.emplace(*source, MaybeAxis(), options);
   const sinew_skeleton& to = target_view.skeleton;
   const sinew_skeleton* const from = source_view ? &source_view->skeleton : nullptr;
   std::vector<uint8_t> classes(target.joints.size());

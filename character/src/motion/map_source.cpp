@@ -64,8 +64,7 @@ std::optional<MotionFile> read_motion_in(const MapSourceRequest& request, const 
   }
 }
 
-MapSource map_source_of(const Motion& motion, const Character* body, const std::vector<Joint>& target,
-                        const std::string& up) {
+MapSource map_source_of(const Motion& motion, const Character* body, const std::vector<Joint>& target, MaybeAxis up) {
   const bool has_skin = body != nullptr && !body->influences.empty();
   MapSource source;
   if (!has_skin && !has_rest_of(motion, target)) source.standing = standing_motion(motion, up);

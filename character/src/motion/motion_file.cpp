@@ -14,9 +14,9 @@ namespace sinew {
 namespace {
 
 // How much of both bodies a map from the motion's reaches, then how many joints of the rig it moves.
-std::pair<float, size_t> fit_of(const Motion& motion, const MapRig& rig, const std::string& up) {
+std::pair<float, size_t> fit_of(const Motion& motion, const MapRig& rig, MaybeAxis up) {
   MapSkeletonOptions options;
-  options.target_up = up[0];
+  options.target_up = up;
   const MapRig from = map_rig_of(motion);
   const MappedSkeleton found = map_skeleton(rig, from, options);
   const MapCover cover =

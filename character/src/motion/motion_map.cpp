@@ -8,15 +8,9 @@
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
-namespace {
 
-char up_letter(const std::string& up) { return up[0]; }  // "auto" is 'a'
-
-}  // namespace
-
-MotionMap map_motion(const MapRig& target, const MapRig& source, const std::string& target_up,
-                     const std::string& source_up, const std::string& map_file,
-                     const std::vector<sinew_map_pin>& pins) {
+MotionMap map_motion(const MapRig& target, const MapRig& source, MaybeAxis target_up, MaybeAxis source_up,
+                     const std::string& map_file, const std::vector<sinew_map_pin>& pins) {
   MotionMap map;
   if (!map_file.empty()) {
     map.sources.assign(target.joints.size(), -1);
@@ -26,8 +20,8 @@ MotionMap map_motion(const MapRig& target, const MapRig& source, const std::stri
     map.how = map_file;
   } else {
     MapSkeletonOptions options;
-    options.target_up = up_letter(target_up);
-    options.source_up = up_letter(source_up);
+    options.target_up = target_up;
+    options.source_up = source_up;
     options.pins = pins;
     const MappedSkeleton found = map_skeleton(target, source, options);
     map.sources.assign(found.sources.begin(), found.sources.end());
@@ -42,9 +36,9 @@ MotionMap map_motion(const MapRig& target, const MapRig& source, const std::stri
   return map;
 }
 
-std::vector<uint8_t> motion_classes(const MapRig& target, const MapRig& source, const std::string& target_up,
+std::vector<uint8_t> motion_classes(const MapRig& target, const MapRig& source, MaybeAxis target_up,
                                     const std::vector<int>& sources) {
-  return limb_classes(target, up_letter(target_up), &source, sources);
+  return limb_classes(target, target_up, &source, sources);
 }
 
 }  // namespace sinew

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/points.hpp"
+#include "sinew_formats/base/point.hpp"
 
 namespace sinew {
 namespace {

@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "base/points.hpp"
 #include "motion/upright_body.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/median.hpp"
 
 namespace sinew {
@@ -58,7 +58,7 @@ size_t largest(const Point3& p) {
 
 std::optional<Motion> motion_on_rest_floor(const Motion& motion) {
   const MapRig rig = map_rig_of(motion);
-  const std::optional<UprightBody> body = find_upright_body(rig.joints, limb_classes(rig, 'a'));
+  const std::optional<UprightBody> body = find_upright_body(rig.joints, limb_classes(rig, {}));
   std::vector<Point3> rest;
   for (const Joint& joint : rig.joints)
     rest.push_back({double{joint.position.x}, double{joint.position.y}, double{joint.position.z}});

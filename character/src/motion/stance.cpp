@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "base/points.hpp"
 #include "motion/moving_joints.hpp"
 #include "motion/upright_body.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
+#include "sinew_formats/base/point.hpp"
 
 namespace sinew {
 namespace {
@@ -25,7 +25,8 @@ constexpr double kUpright = 0.7;  // cosine of the most that a standing trunk le
 struct WorldAxes {
   Point3 up, left, front;
 };
-WorldAxes axes_of(size_t up) {
+WorldAxes axes_of(Axis up_axis) {
+  const size_t up = axis_index(up_axis);
   WorldAxes axes = {};
   axes.up[up] = 1;
   axes.left[up == 0 ? 1 : 0] = 1;
@@ -63,7 +64,7 @@ double asymmetry(const std::vector<std::pair<int, int>>& pairs, const std::vecto
 
 class StanceFinder {
  public:
-  StanceFinder(const Motion& motion, const std::string& up)
+  StanceFinder(const Motion& motion, MaybeAxis up)
       : motion_(motion),
         moving_(motion),
         up_(up),
@@ -73,7 +74,7 @@ class StanceFinder {
   // What the body is that the rest pose does not show; false where nobody can tell, and for what does not go upright.
   bool find_body() {
     const MapRig rig = map_rig_of(motion_);
-    const std::optional<UprightBody> named = find_upright_body(rig.joints, limb_classes(rig, 'a'));
+    const std::optional<UprightBody> named = find_upright_body(rig.joints, limb_classes(rig, {}));
     if (named && named->sided) {
       body_ = *named;
       axes_ = axes_of(up_axis());
@@ -81,8 +82,8 @@ class StanceFinder {
     }
     const std::vector<std::pair<int, int>> pairs = moving_.mirror_pairs();
     if (pairs.size() < 4 || asymmetry(pairs, positions_of(rig.joints)) < kMirrored) return false;
-    for (const char up : {'y', 'z', 'x'})
-      if ((up_ == "auto" || up_[0] == up) && find_seen_body(rig, pairs, up) && goes_upright()) return true;
+    for (const Axis up : {Axis::kY, Axis::kZ, Axis::kX})
+      if ((!up_ || *up_ == up) && find_seen_body(rig, pairs, up) && goes_upright()) return true;
     return false;
   }
 
@@ -95,8 +96,8 @@ class StanceFinder {
 
  private:
   // Without names: what a typical pose looks like.
-  bool find_seen_body(MapRig rig, const std::vector<std::pair<int, int>>& pairs, char up) {
-    axes_ = axes_of(static_cast<size_t>(up - 'x'));
+  bool find_seen_body(MapRig rig, const std::vector<std::pair<int, int>>& pairs, Axis up) {
+    axes_ = axes_of(up);
     const std::vector<Point3> positions = moving_.posed(typical_pose(pairs));
     for (size_t j = 0; j < positions.size(); ++j)
       rig.joints[j].position = {static_cast<float>(positions[j][0]), static_cast<float>(positions[j][1]),
@@ -123,13 +124,13 @@ class StanceFinder {
   int top() const { return body_.head >= 0 ? body_.head : body_.chest; }
 
   // From feet to where legs begin in the mean, the nearest axis; a quadruped's head is farther ahead than above.
-  size_t up_axis() const {
-    if (up_ == "x" || up_ == "y" || up_ == "z") return static_cast<size_t>(up_[0] - 'x');
+  Axis up_axis() const {
+    if (up_) return *up_;
     Point3 sum{};
     for (size_t f = 0; f < moving_.frame_count(); ++f)
       for (const UprightLimb& limb : body_.legs)
         sum = sum + moving_.position(f, limb.upper) - moving_.position(f, limb.end);
-    return sum[2] > std::max(sum[0], sum[1]) ? 2 : sum[0] > sum[1] ? 0 : 1;
+    return sum[2] > std::max(sum[0], sum[1]) ? Axis::kZ : sum[0] > sum[1] ? Axis::kX : Axis::kY;
   }
 
   // Of the frames in which the root stands as it mostly does, the tallest.
@@ -362,7 +363,7 @@ class StanceFinder {
 
   const Motion& motion_;
   const MovingJoints moving_;
-  const std::string up_;
+  const MaybeAxis up_;
   const std::vector<uint8_t> classes_;  // [J] sinew_joint_class by names
   UprightBody body_;
   WorldAxes axes_ = {};
@@ -373,10 +374,10 @@ class StanceFinder {
 
 }  // namespace
 
-std::optional<Motion> standing_motion(const Motion& motion, const std::string& up) {
+std::optional<Motion> standing_motion(const Motion& motion, MaybeAxis up) {
   if (motion.clips.empty() || motion.joints.empty()) return std::nullopt;
   const MapRig rig = map_rig_of(motion);
-  const std::optional<UprightBody> body = find_upright_body(rig.joints, limb_classes(rig, 'a'));
+  const std::optional<UprightBody> body = find_upright_body(rig.joints, limb_classes(rig, {}));
   if (body && stands(*body, positions_of(rig.joints))) return std::nullopt;
   StanceFinder finder(motion, up);
   if (!finder.find_body()) return std::nullopt;

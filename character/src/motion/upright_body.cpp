@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "base/points.hpp"
 #include "sinew/rig.h"
 #include "sinew_character/rig/joint_mirror.hpp"
+#include "sinew_formats/base/point.hpp"
 
 namespace sinew {
 namespace {

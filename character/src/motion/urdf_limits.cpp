@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "base/points.hpp"
 #include "sinew_character/motion/joint_limits.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/joint_names.hpp"

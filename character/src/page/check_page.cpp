@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "sinew_character/page/html.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/print.hpp"
 
 namespace sinew {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "sinew_character/pose/pose.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

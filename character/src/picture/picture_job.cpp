@@ -52,7 +52,7 @@ void rig_picture(const RigJobOptions& job, const RigModels& given, PictureCharac
   round.flat = false;  // skeletons are found in what is round
   Character mesh = picture_mesh(*picture->picture, picture->figure, round);
   RigJobOptions facing = job;
-  facing.up = UpChoice::kY;
+  facing.up = Axis::kY;
   facing.front = SINEW_FRONT_PLUS_Z;
   std::optional<BodyClass> body = picture->options.body;
   settle_class(&body, &facing);

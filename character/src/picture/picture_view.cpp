@@ -9,7 +9,7 @@
 #include "picture/choose_view.hpp"
 #include "picture/joints_inside.hpp"
 #include "picture/side_limbs.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/print.hpp"
 
 namespace sinew {
@@ -86,7 +86,7 @@ SeenBody see_body(const Character& mesh, const std::optional<BodyClass>& given, 
   const BodyClass body = given.value_or(guess.body);
   const bool by_votes = job.method == RigMethod::kAuto || job.method == RigMethod::kVotes;
   RigJobOptions facing = job;
-  facing.up = UpChoice::kY;
+  facing.up = Axis::kY;
   facing.front = SINEW_FRONT_PLUS_Z;
   if (!given && by_votes) {
     facing.category = category_of(body);

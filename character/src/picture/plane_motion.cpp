@@ -9,7 +9,7 @@
 #include "picture/plane_bones.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"
 #include "sinew_character/predict/label_skeleton.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 
 namespace sinew {
 namespace {
@@ -43,7 +43,7 @@ bool has_found_skeleton(const PictureCharacter& picture, const Character& body) 
 
 // As the skeleton that was found says; of another one by what its joints are.
 std::vector<uint8_t> classes_of(const PictureCharacter& picture, const Character& body) {
-  return has_found_skeleton(picture, body) ? picture.rigged.skeleton.classes : limb_classes(map_rig_of(body), 'y');
+  return has_found_skeleton(picture, body) ? picture.rigged.skeleton.classes : limb_classes(map_rig_of(body), Axis::kY);
 }
 
 // By anatomy; where a quarter more joints move if those that votes know are taken at their word, by them.
@@ -77,7 +77,7 @@ AnimatedCharacter moved(const PictureCharacter& picture, const Character& charac
 void add_picture_motion(const PictureCharacter& picture, bool depth, const AnimateOptions& options,
                         const MotionInput& input, const StepsOf& steps, AnimatedCharacter* out) {
   AnimateOptions copied = options;
-  copied.up = "y";
+  copied.up = Axis::kY;
   if (copied.method == AnimateMethod::kAuto && !depth)
     copied.method = AnimateMethod::kCopy;  // feet are put on the floor here
   AnimatedCharacter body = moved(picture, out->character, copied, input, steps);

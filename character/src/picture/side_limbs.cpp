@@ -10,7 +10,7 @@
 
 #include "picture/silhouette.hpp"
 #include "sinew/rig.h"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 
 namespace sinew {
 namespace {

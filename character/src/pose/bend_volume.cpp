@@ -8,21 +8,19 @@
 #include <numeric>
 #include <utility>
 
-#include "base/points.hpp"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_character/rig/mesh_neighbours.hpp"
+#include "sinew_formats/base/point.hpp"
 
 namespace sinew {
 namespace {
-
-using Point = Point3;
 
 constexpr float kLeast = 0.02f, kMost = 0.98f;  // weight of a vertex that moves in part
 constexpr double kLeastPart = 0.2;              // of the largest part's volume
 // Volume over area^1.5: a ball has 0.09, a limb's piece 0.07, cloth next to nothing.
 constexpr double kLeastRoundness = 0.004;
 
-Point point(const std::vector<float>& positions, uint32_t v) {
+Point3 point(const std::vector<float>& positions, uint32_t v) {
   return {static_cast<double>(positions[3 * v]), static_cast<double>(positions[3 * v + 1]),
           static_cast<double>(positions[3 * v + 2])};
 }
@@ -46,10 +44,10 @@ class Groups {
 
 // Six times the signed volume between triangles and the point `from`.
 double six_volumes(const std::vector<std::array<uint32_t, 3>>& triangles, const std::vector<float>& positions,
-                   const Point& from) {
+                   const Point3& from) {
   double sum = 0;
   for (const auto& t : triangles) {
-    const Point a = point(positions, t[0]) - from, b = point(positions, t[1]) - from;
+    const Point3 a = point(positions, t[0]) - from, b = point(positions, t[1]) - from;
     sum += dot(a, cross(b, point(positions, t[2]) - from));
   }
   return sum;
@@ -104,13 +102,13 @@ std::vector<BendVolumes::Triangle> BendVolumes::bend_triangles(size_t joint) con
 }
 
 double BendVolumes::volume(const Part& part, const std::vector<float>& positions) {
-  const Point from = point(positions, part.triangles[0][0]);  // near, so that differences of large numbers stay exact
+  const Point3 from = point(positions, part.triangles[0][0]);  // near, so that differences of large numbers stay exact
   double sum = six_volumes(part.triangles, positions, from);
   for (const auto& hole : part.holes) {
-    Point middle = {0, 0, 0};
+    Point3 middle = {0, 0, 0};
     for (const Edge& edge : hole)
       for (const uint32_t v : edge) {
-        const Point p = point(positions, v) - from;
+        const Point3 p = point(positions, v) - from;
         for (size_t i = 0; i < 3; ++i) middle[i] += p[i] / (2.0 * static_cast<double>(hole.size()));
       }
     for (const Edge& edge : hole)  // the other way round than the triangle has it
@@ -141,8 +139,8 @@ void BendVolumes::find_holes(Part* part) const {
 double BendVolumes::area(const Part& part) const {
   double sum = 0;
   for (const Triangle& t : part.triangles) {
-    const Point a = point(rest_, t[0]);
-    const Point n = cross(point(rest_, t[1]) - a, point(rest_, t[2]) - a);
+    const Point3 a = point(rest_, t[0]);
+    const Point3 n = cross(point(rest_, t[1]) - a, point(rest_, t[2]) - a);
     sum += std::sqrt(dot(n, n)) / 2;
   }
   return sum;

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "gltf/place_document.hpp"
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
 
@@ -67,7 +67,7 @@ void check_placement(const Placement& placement) {
     throw Error("height: expected metres above 0, as in 1.75");
 }
 
-Character placed(Character character, const Placement& placement, uint32_t up_axis) {
+Character placed(Character character, const Placement& placement, Axis up_axis) {
   if (!places(placement)) return character;
   check_placement(placement);
   if (character.vertices.empty()) throw Error(character.name + ": has no mesh to turn or to scale");
@@ -77,11 +77,11 @@ Character placed(Character character, const Placement& placement, uint32_t up_ax
     const auto [low, high] = reach(character, m, up_axis);
     const double scale = placement.height / (high - low);
     if (!std::isfinite(scale))
-      throw Error(character.name + ": is flat along " + (up_axis == 2 ? "z" : "y") +
+      throw Error(character.name + ": is flat along " + (up_axis == Axis::kZ ? "z" : "y") +
                   ", which shall be its height; turn it upright first");
     m = multiply({scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0}, m);
   }
-  if (placement.floor) m[4 * up_axis + 3] -= reach(character, m, up_axis)[0];
+  if (placement.floor) m[4 * axis_index(up_axis) + 3] -= reach(character, m, up_axis)[0];
   for (Vec3& p : character.vertices) move_point(m, &p);
   for (Joint& joint : character.joints) move_point(m, &joint.position);
   turn_normals(m, &character);

@@ -9,18 +9,15 @@
 
 #include "pose/skin_arrays.hpp"
 #include "sinew/sinew.h"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
 namespace {
 
-using Point = std::array<double, 3>;
-
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 
-Vec3 to_vec3(const Point& p) { return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])}; }
-
-Point rest_position(const Joint& joint) {
+Point3 rest_position(const Joint& joint) {
   return {static_cast<double>(joint.position.x), static_cast<double>(joint.position.y),
           static_cast<double>(joint.position.z)};
 }

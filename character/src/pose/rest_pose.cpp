@@ -28,14 +28,14 @@ constexpr double kFootAlong = 0.1;          // a foot's share along the floor be
 
 size_t number_of(int j) { return static_cast<size_t>(j); }
 
-std::optional<Point> direction_of(const Point& p) {
+std::optional<Point3> direction_of(const Point3& p) {
   const double size = length(p);
-  return size > 1e-9 ? std::optional<Point>((1 / size) * p) : std::nullopt;
+  return size > 1e-9 ? std::optional<Point3>((1 / size) * p) : std::nullopt;
 }
 
 // The shortest turn of one unit vector onto another; half a turn goes about `axis`.
-Rotation turn_between(const Point& from, const Point& to, const Point& axis) {
-  const Point across = cross(from, to);
+Rotation turn_between(const Point3& from, const Point3& to, const Point3& axis) {
+  const Point3 across = cross(from, to);
   const double sine = length(across), cosine = dot(from, to);
   if (sine < 1e-9) return cosine > 0 ? kNoRotation : axis_rotation(axis, std::numbers::pi);
   return axis_rotation((1 / sine) * across, std::atan2(sine, cosine));
@@ -44,11 +44,11 @@ Rotation turn_between(const Point& from, const Point& to, const Point& axis) {
 // A skeleton with its limbs and its own axes.
 struct Body {
   const LabelledSkeleton& skeleton;
-  Point up = {}, left = {}, front = {};
+  Point3 up = {}, left = {}, front = {};
   Limbs limbs;
 
-  Body(const LabelledSkeleton& s, uint32_t up_axis, const std::string& whose) : skeleton(s) {
-    up[up_axis] = 1;
+  Body(const LabelledSkeleton& s, Axis up_axis, const std::string& whose) : skeleton(s) {
+    up[axis_index(up_axis)] = 1;
     const JointVerdicts verdicts = joint_verdicts(s.joints);
     // Where limbs begin, which a pose moves least; else all that has a side.
     std::optional<SidesOf> sides;
@@ -56,7 +56,7 @@ struct Body {
       add(sides_of(verdicts, [&](size_t j) { return verdicts.classes[j] == one && is_first_of_class(verdicts, j); }),
           &sides);
     if (!sides) add(sides_of(verdicts, [](size_t) { return true; }), &sides);
-    const std::optional<Point> across =
+    const std::optional<Point3> across =
         sides ? direction_of(sides->between - dot(sides->between, up) * up) : std::nullopt;
     if (!across)
       throw Error(whose +
@@ -65,11 +65,11 @@ struct Body {
     left = *across;
     front = cross(left, up);
     middle_ = dot((1 / sides->count) * sides->middle, left);
-    const uint32_t widest = std::fabs(left[0]) >= std::fabs(left[3 - up_axis]) ? 0 : 3 - up_axis;
+    const uint32_t depth = 3 - axis_index(up_axis), widest = std::fabs(left[0]) >= std::fabs(left[depth]) ? 0 : depth;
     limbs = find_limbs(s, widest, 0);
   }
 
-  Point joint(int j) const { return point(skeleton.joints[number_of(j)].position); }
+  Point3 joint(int j) const { return point(skeleton.joints[number_of(j)].position); }
   // 1 left, -1 right, of arms and legs; 0 of others.
   int side_of(const Limb& limb) const {
     if (limb.kind != LimbKind::kArm && limb.kind != LimbKind::kLeg) return limb.side;
@@ -77,25 +77,25 @@ struct Body {
     for (const int j : limb.joints) sum += dot(joint(j), left) - middle_;
     return sum > 0 ? 1 : -1;
   }
-  std::optional<Point> bone(const Limb& limb, size_t k) const {
+  std::optional<Point3> bone(const Limb& limb, size_t k) const {
     return k + 1 < limb.joints.size() ? direction_of(joint(limb.joints[k + 1]) - joint(limb.joints[k])) : std::nullopt;
   }
   uint8_t class_of(int j) const { return skeleton.classes[number_of(j)]; }
   // A direction of another body's axes in these.
-  Point from_axes_of(const Body& other, const Point& p) const {
+  Point3 from_axes_of(const Body& other, const Point3& p) const {
     return dot(p, other.left) * left + dot(p, other.up) * up + dot(p, other.front) * front;
   }
 
  private:
   // From the right to the left, and what lies between; sums of `count` pairs of means.
   struct SidesOf {
-    Point between = {}, middle = {};
+    Point3 between = {}, middle = {};
     double count = 1;
   };
 
   template <class Wanted>
   std::optional<SidesOf> sides_of(const JointVerdicts& verdicts, const Wanted& wanted) const {
-    Point sums[2] = {};
+    Point3 sums[2] = {};
     double counts[2] = {};
     for (size_t j = 0; j < verdicts.sides.size(); ++j) {
       if (verdicts.sides[j] == 0 || !wanted(j)) continue;
@@ -104,7 +104,7 @@ struct Body {
       ++counts[side];
     }
     if (counts[0] == 0 || counts[1] == 0) return std::nullopt;
-    const Point a = (1 / counts[0]) * sums[0], b = (1 / counts[1]) * sums[1];
+    const Point3 a = (1 / counts[0]) * sums[0], b = (1 / counts[1]) * sums[1];
     return SidesOf{a - b, 0.5 * (a + b), 1};
   }
   bool is_first_of_class(const JointVerdicts& verdicts, size_t j) const {
@@ -123,7 +123,7 @@ struct Body {
 
 // Where a joint's bone shall point, world space; nullopt: it goes with its parent.
 struct Wish {
-  std::optional<Point> bone, wanted;
+  std::optional<Point3> bone, wanted;
   bool is_foot = false;  // its slope stays
 };
 using Wishes = std::vector<Wish>;  // [J]
@@ -131,9 +131,9 @@ using Wishes = std::vector<Wish>;  // [J]
 void straighten(const Body& body, RestPose::Kind kind, Wishes* wishes) {
   for (const Limb& limb : body.limbs.limbs) {
     if (limb.kind != LimbKind::kArm && limb.kind != LimbKind::kLeg) continue;
-    const Point out = body.side_of(limb) * body.left;
+    const Point3 out = body.side_of(limb) * body.left;
     const double lower = kind == RestPose::Kind::kA ? kArmsOfA : 0;
-    const Point arm = std::cos(lower) * out - std::sin(lower) * body.up;
+    const Point3 arm = std::cos(lower) * out - std::sin(lower) * body.up;
     for (size_t k = 0; k < limb.joints.size(); ++k) {
       Wish& wish = (*wishes)[number_of(limb.joints[k])];
       wish.bone = body.bone(limb, k);
@@ -158,7 +158,7 @@ void straighten(const Body& body, RestPose::Kind kind, Wishes* wishes) {
 }
 
 // From the trunk's first joint to its last one below the head; its first joint is `from`.
-std::optional<Point> trunk_line(const Body& body, int* from) {
+std::optional<Point3> trunk_line(const Body& body, int* from) {
   for (const Limb& limb : body.limbs.limbs) {
     if (limb.kind != LimbKind::kTrunk) continue;
     size_t last = 0;
@@ -173,7 +173,7 @@ std::optional<Point> trunk_line(const Body& body, int* from) {
 
 void put_upright(const Body& body, const RestPose& pose, Wishes* wishes) {
   int from = 0;
-  const std::optional<Point> line = trunk_line(body, &from);
+  const std::optional<Point3> line = trunk_line(body, &from);
   if (!line) return;
   const double lean = std::acos(std::clamp(dot(*line, body.up), -1.0, 1.0));
   if (lean > kLean)
@@ -215,7 +215,7 @@ size_t stand_like(const Body& body, const Body& like, Wishes* wishes) {
     if (other.joints.size() < 2) continue;
     ++matched;
     for (size_t k = 0; k + 1 < limb.joints.size(); ++k) {
-      const std::optional<Point> wanted = like.bone(other, like_bone(body, limb, k, like, other));
+      const std::optional<Point3> wanted = like.bone(other, like_bone(body, limb, k, like, other));
       if (wanted) (*wishes)[number_of(limb.joints[k])] = {body.bone(limb, k), body.from_axes_of(like, *wanted)};
     }
   }
@@ -223,7 +223,7 @@ size_t stand_like(const Body& body, const Body& like, Wishes* wishes) {
 }
 
 // A foot's bone as its parent left it, turned about the upright axis to the front.
-std::optional<Point> foot_forward(const Body& body, const Point& bone) {
+std::optional<Point3> foot_forward(const Body& body, const Point3& bone) {
   const double high = dot(bone, body.up), along = std::sqrt(std::max(0.0, 1 - high * high));
   if (along < kFootAlong) return std::nullopt;
   return along * body.front + high * body.up;
@@ -244,14 +244,14 @@ std::vector<Affine> follow(const Body& body, const Wishes& wishes) {
       const Wish& wish = wishes[j];
       Rotation turn = kNoRotation;
       if (wish.bone) {
-        const Point bone = turned(before, *wish.bone);
-        const std::optional<Point> wanted = wish.is_foot ? foot_forward(body, bone) : wish.wanted;
+        const Point3 bone = turned(before, *wish.bone);
+        const std::optional<Point3> wanted = wish.is_foot ? foot_forward(body, bone) : wish.wanted;
         if (wanted) turn = turn_between(bone, *wanted, wish.is_foot ? body.up : body.front);
       }
       turns[j] = multiply(turn, before);
-      const Point rest = point(joints[j].position);
-      const Point posed = parent < 0 ? rest : transform_point(palette[number_of(parent)], rest[0], rest[1], rest[2]);
-      const Point moved = posed - turned(turns[j], rest);
+      const Point3 rest = point(joints[j].position);
+      const Point3 posed = parent < 0 ? rest : transform_point(palette[number_of(parent)], rest[0], rest[1], rest[2]);
+      const Point3 moved = posed - turned(turns[j], rest);
       const Rotation& r = turns[j];
       palette[j] = {r[0], r[1], r[2], moved[0], r[3], r[4], r[5], moved[1], r[6], r[7], r[8], moved[2]};
     }
@@ -272,7 +272,7 @@ std::vector<Affine> vertex_matrices(const Character& rest, const std::vector<Aff
         for (size_t k = 0; k < m.size(); ++k) m[k] += static_cast<double>(one.weight) / sum * palette[one.joint][k];
     }
     const Vec3 &from = rest.vertices[v], &to = posed.vertices[v];
-    const Point blended =
+    const Point3 blended =
         transform_point(m, static_cast<double>(from.x), static_cast<double>(from.y), static_cast<double>(from.z));
     m[3] += static_cast<double>(to.x) - blended[0];
     m[7] += static_cast<double>(to.y) - blended[1];
@@ -281,8 +281,8 @@ std::vector<Affine> vertex_matrices(const Character& rest, const std::vector<Aff
   return matrices;
 }
 
-float lowest(const Character& character, uint32_t up_axis) {
-  const auto height = [up_axis](const Vec3& p) { return up_axis == 1 ? p.y : p.z; };
+float lowest(const Character& character, Axis up_axis) {
+  const auto height = [up_axis](const Vec3& p) { return up_axis == Axis::kY ? p.y : p.z; };
   float low = height(character.vertices.front());
   for (const Vec3& p : character.vertices) low = std::min(low, height(p));
   return low;
@@ -292,7 +292,7 @@ void turn_corner_normals(const Character& rest, const std::vector<Affine>& matri
   posed->corner_normals = rest.corner_normals;
   for (size_t c = 0; c < posed->corner_normals.size(); ++c) {
     Vec3& normal = posed->corner_normals[c];
-    const std::optional<Point> moved =
+    const std::optional<Point3> moved =
         direction_of(transform_normal(matrices[rest.face_vertices[c]], static_cast<double>(normal.x),
                                       static_cast<double>(normal.y), static_cast<double>(normal.z)));
     if (moved)
@@ -319,7 +319,7 @@ RestPose read_rest_pose(const std::string& text) {
   return pose;
 }
 
-std::vector<Affine> rest_pose_palette(const LabelledSkeleton& skeleton, const RestPose& pose, uint32_t up_axis) {
+std::vector<Affine> rest_pose_palette(const LabelledSkeleton& skeleton, const RestPose& pose, Axis up_axis) {
   const Body body(skeleton, up_axis, "the skeleton");
   Wishes wishes(skeleton.joints.size());
   if (pose.kind == RestPose::Kind::kLike) {
@@ -337,7 +337,7 @@ std::vector<Affine> rest_pose_palette(const LabelledSkeleton& skeleton, const Re
   return follow(body, wishes);
 }
 
-Character in_rest_pose(const Character& character, const RestPose& pose, uint32_t up_axis) {
+Character in_rest_pose(const Character& character, const RestPose& pose, Axis up_axis) {
   if (character.vertices.empty()) throw Error(character.name + ": has no mesh to put into a pose");
   std::vector<Affine> palette;
   try {
@@ -348,7 +348,7 @@ Character in_rest_pose(const Character& character, const RestPose& pose, uint32_
   CharacterDeformer deformer(character, sinew_deform_options_init());
   Character posed = deformer.pose_character(character, palette);
   const float fall = lowest(character, up_axis) - lowest(posed, up_axis);
-  const auto height = [up_axis](Vec3& p) -> float& { return up_axis == 1 ? p.y : p.z; };
+  const auto height = [up_axis](Vec3& p) -> float& { return up_axis == Axis::kY ? p.y : p.z; };
   for (Vec3& p : posed.vertices) height(p) += fall;
   for (Joint& joint : posed.joints) height(joint.position) += fall;
   const std::vector<Affine> matrices = vertex_matrices(character, palette, posed);
@@ -357,7 +357,7 @@ Character in_rest_pose(const Character& character, const RestPose& pose, uint32_
   const bool own = !character.gltf->joint_nodes.empty() && same_joints(character.joints, character.gltf->joints);
   posed.gltf = moved_document(character.name, *character.gltf, matrices, own);
   if (!own) return posed;
-  for (Affine& m : palette) m[up_axis == 1 ? 7 : 11] += static_cast<double>(fall);
+  for (Affine& m : palette) m[4 * axis_index(up_axis) + 3] += static_cast<double>(fall);
   posed.gltf = moved_joints(character.name, *posed.gltf, palette, posed.joints);
   return posed;
 }

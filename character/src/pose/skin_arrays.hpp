@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {

@@ -11,14 +11,14 @@
 namespace sinew {
 
 // [last - first + 1] from point `first` along the chain, 0 at first.
-inline std::vector<double> lengths_along(const std::vector<Point>& points, size_t first, size_t last) {
+inline std::vector<double> lengths_along(const std::vector<Point3>& points, size_t first, size_t last) {
   std::vector<double> along = {0};
   for (size_t i = first; i < last; ++i) along.push_back(along.back() + length(points[i + 1] - points[i]));
   return along;
 }
 
 // At a share of the way from point `first` to point `last`, 0 to 1.
-inline Point point_along(const std::vector<Point>& points, size_t first, size_t last, double share) {
+inline Point3 point_along(const std::vector<Point3>& points, size_t first, size_t last, double share) {
   const std::vector<double> along = lengths_along(points, first, last);
   const double wanted = share * along.back();
   for (size_t i = 0; i + 1 < along.size(); ++i) {

@@ -61,17 +61,17 @@ std::vector<Hand> hands_of(const std::vector<Joint>& joints, const std::vector<u
   return out;
 }
 
-std::vector<Point> places(const std::vector<Joint>& joints, const std::vector<size_t>& chain) {
-  std::vector<Point> out;
+std::vector<Point3> places(const std::vector<Joint>& joints, const std::vector<size_t>& chain) {
+  std::vector<Point3> out;
   for (const size_t j : chain) out.push_back(point(joints[j].position));
   return out;
 }
 
 // Where a finger's joints go: as many as are found, one by one from its tip; what is more at its root lies between the hand and
 // the first of these. Of fewer, at the same shares of its length.
-std::vector<Point> finger_places(const std::vector<Point>& mine, const Point& my_hand, const std::vector<Point>& found,
-                                 const Point& found_hand) {
-  std::vector<Point> out(mine.size());
+std::vector<Point3> finger_places(const std::vector<Point3>& mine, const Point3& my_hand,
+                                  const std::vector<Point3>& found, const Point3& found_hand) {
+  std::vector<Point3> out(mine.size());
   if (mine.size() >= found.size()) {
     const size_t more = mine.size() - found.size();
     const double palm = length(mine[more] - my_hand);
@@ -96,7 +96,7 @@ size_t each_place(const std::vector<Joint>& joints, const Hand& mine, const Pred
   for (size_t k = 0; k < kFingers; ++k) {
     if (mine.fingers[k].empty() || theirs.fingers[k].size() < 2) continue;
     ++fingers;
-    const std::vector<Point> to =
+    const std::vector<Point3> to =
         finger_places(places(joints, mine.fingers[k]), point(joints[mine.joint].position),
                       places(found.joints, theirs.fingers[k]), point(found.joints[theirs.joint].position));
     for (size_t i = 0; i < to.size(); ++i) f(mine.fingers[k][i], to[i]);
@@ -145,8 +145,8 @@ size_t fit_fingers(const PredictedSkeleton& found, FittedSkeleton* fitted) {
       nearest = &hand;
     }
     if (nearest == nullptr) continue;
-    fingers += each_place(before, mine, found, *nearest, [&](size_t j, const Point& p) {
-      fitted->joints[j].position = vec(p);
+    fingers += each_place(before, mine, found, *nearest, [&](size_t j, const Point3& p) {
+      fitted->joints[j].position = to_vec3(p);
       fitted->how[j] = FitHow::kMatched;
     });
   }
@@ -163,10 +163,10 @@ std::optional<FittedSkeleton> fit_lone_hand(const std::vector<Joint>& own, const
   const std::vector<Hand> mine = hands_of(own, joint_verdicts(own).classes),
                           theirs = hands_of(found.joints, found.classes);
   if (mine.size() != 1 || theirs.size() != 1) return std::nullopt;
-  const Point from = point(own[mine[0].joint].position), to = point(found.joints[theirs[0].joint].position);
+  const Point3 from = point(own[mine[0].joint].position), to = point(found.joints[theirs[0].joint].position);
   std::vector<RotationPair> pairs;
   double before = 0, after = 0;
-  const size_t fingers = each_place(own, mine[0], found, theirs[0], [&](size_t j, const Point& p) {
+  const size_t fingers = each_place(own, mine[0], found, theirs[0], [&](size_t j, const Point3& p) {
     pairs.push_back({point(own[j].position) - from, p - to, 1});
     before += length(pairs.back().from);
     after += length(pairs.back().to);
@@ -177,7 +177,7 @@ std::optional<FittedSkeleton> fit_lone_hand(const std::vector<Joint>& own, const
   fitted.joints = own;
   fitted.scale = after / before;
   for (Joint& joint : fitted.joints)
-    joint.position = vec(to + fitted.scale * turned(rotation, point(joint.position) - from));
+    joint.position = to_vec3(to + fitted.scale * turned(rotation, point(joint.position) - from));
   fitted.how.assign(own.size(), FitHow::kCarried);
   fitted.how[mine[0].joint] = FitHow::kMatched;
   (void)fit_fingers(found, &fitted);

@@ -33,7 +33,7 @@ constexpr double kFloorShare = 0.04;  // of the height: a root at most that high
 
 // Rest pose with the whole skeleton turned.
 LabelledSkeleton turned_skeleton(LabelledSkeleton s, const Rotation& rotation) {
-  for (Joint& joint : s.joints) joint.position = vec(turned(rotation, point(joint.position)));
+  for (Joint& joint : s.joints) joint.position = to_vec3(turned(rotation, point(joint.position)));
   return s;
 }
 
@@ -44,7 +44,7 @@ class Fitter {
       : mine_(mine),
         other_(other),
         options_(options),
-        up_(options.up_axis),
+        up_(axis_index(options.up_axis)),
         matches_(mine, other, across),
         positions_(mine.joints.size()),
         how_(mine.joints.size(), FitHow::kCarried),
@@ -67,7 +67,7 @@ class Fitter {
     if (options_.keep_lengths) keep_lengths();
     FittedSkeleton out;
     out.joints = mine_.joints;
-    for (size_t j = 0; j < count(); ++j) out.joints[j].position = vec(positions_[j]);
+    for (size_t j = 0; j < count(); ++j) out.joints[j].position = to_vec3(positions_[j]);
     out.how = how_;
     out.matched = static_cast<size_t>(std::count(how_.begin(), how_.end(), FitHow::kMatched));
     for (size_t j = 0; j < count(); ++j) out.telling += mine_.classes[j] != kClassDetail && mine_.ends[j] == 0 ? 1 : 0;
@@ -77,9 +77,9 @@ class Fitter {
 
  private:
   size_t count() const { return mine_.joints.size(); }
-  Point old(size_t j) const { return point(mine_.joints[j].position); }
+  Point3 old(size_t j) const { return point(mine_.joints[j].position); }
   int parent(size_t j) const { return mine_.joints[j].parent; }
-  void place(size_t j, const Point& p, FitHow how) {
+  void place(size_t j, const Point3& p, FitHow how) {
     positions_[j] = p;
     how_[j] = how;
     known_[j] = true;
@@ -122,7 +122,7 @@ class Fitter {
       trunk.push_back(j);
     }
     if (trunk.size() < 4) return;
-    Point from = {}, to = {};
+    Point3 from = {}, to = {};
     const double n = std::accumulate(weights.begin(), weights.end(), 0.0);
     for (size_t i = 0; i < trunk.size(); ++i) {
       from = from + (weights[i] / n) * old(trunk[i]);
@@ -140,14 +140,14 @@ class Fitter {
     if (!(below > 0)) return;
     double left = 0, spread = 0;
     for (const RotationPair& pair : pairs) {
-      const Point gap = pair.to - (above / below) * turned(rotation, pair.from);
+      const Point3 gap = pair.to - (above / below) * turned(rotation, pair.from);
       left += pair.weight * dot(gap, gap);
       spread += pair.weight * dot(pair.to, pair.to);
     }
     const double unlike = std::sqrt(left / std::max(spread, 1e-30));
     const double trust = 1 / (1 + unlike * unlike / (kUnlikeTrunk * kUnlikeTrunk));
     for (size_t i = 0; i < trunk.size(); ++i) {
-      const Point copy = to + (above / below) * turned(rotation, pairs[i].from);
+      const Point3 copy = to + (above / below) * turned(rotation, pairs[i].from);
       const double own = trust * own_share(mine_.classes[trunk[i]]);
       positions_[trunk[i]] = (1 - own) * positions_[trunk[i]] + own * copy;
     }
@@ -184,7 +184,7 @@ class Fitter {
     if (!(above > 0) || !(below > 0)) return;
     each_limb_bone([&](size_t a, size_t b) {
       const double own = mine_.ends[b] != 0 ? 0 : own_length(mine_.classes[b]);
-      const Point bone = positions_[b] - positions_[a];
+      const Point3 bone = positions_[b] - positions_[a];
       const double now = length(bone), wanted = above / below * length(old(b) - old(a));
       if (own == 0 || !(now > 0) || !(wanted > 0)) return;
       const double unlike = std::log(wanted / now) / kUnlikeLength;
@@ -200,14 +200,14 @@ class Fitter {
       for (size_t k = 0; k + 1 < limb.knots.size(); ++k) {
         const Knot a = limb.knots[k], b = limb.knots[k + 1];
         const std::vector<double> along = lengths_along(limb.mine_points, a.mine, b.mine);
-        const Point from = limb.mine_points[b.mine] - limb.mine_points[a.mine];
-        const Point to = limb.other_points[b.other] - limb.other_points[a.other];
+        const Point3 from = limb.mine_points[b.mine] - limb.mine_points[a.mine];
+        const Point3 to = limb.other_points[b.other] - limb.other_points[a.other];
         const Rotation rotation = best_rotation({{from, to, 1}}, kNoRotation);
         const double scale = length(from) > 0 ? length(to) / length(from) : whole_.scale;
         for (size_t i = a.mine + 1; i < b.mine && i < limb.mine.joints.size(); ++i) {
           const double share = along.back() > 0 ? along[i - a.mine] / along.back() : 0;
-          const Point on_chain = point_along(limb.other_points, a.other, b.other, share);
-          const Point shaped =
+          const Point3 on_chain = point_along(limb.other_points, a.other, b.other, share);
+          const Point3 shaped =
               limb.other_points[a.other] + scale * turned(rotation, limb.mine_points[i] - limb.mine_points[a.mine]);
           place(joint_index(limb.mine.joints[i]), (1 - kOwnShape) * on_chain + kOwnShape * shaped, FitHow::kBetween);
         }
@@ -253,7 +253,7 @@ class Fitter {
     if (last.mine >= limb.mine.joints.size() || last.other + 1 >= limb.other_points.size()) return;
     const size_t joint = joint_index(limb.mine.joints[last.mine]);
     if (last.mine + 1 < limb.mine.joints.size() || other_.ends[joint_index(limb.other.joints.back())] == 0) return;
-    Point sum = {};
+    Point3 sum = {};
     double n = 0;
     std::vector<bool> leaf(count(), true);
     for (size_t j = 0; j < count(); ++j)
@@ -266,7 +266,7 @@ class Fitter {
       n += 1;
     }
     if (n == 0 || mine_.classes[joint] != SINEW_CLASS_HAND) return;
-    const Point from = (1 / n) * sum - old(joint), to = limb.other_points.back() - positions_[joint];
+    const Point3 from = (1 / n) * sum - old(joint), to = limb.other_points.back() - positions_[joint];
     if (!(length(from) > 0)) return;
     // For the direction alone.
     open_ends_.push_back(
@@ -334,7 +334,7 @@ class Fitter {
       for (const size_t k : sure)
         if (length(old(k) - old(j)) < length(old(base) - old(j))) base = k;
       if (above_pelvis && known_[joint_index(pelvis)]) base = joint_index(pelvis);
-      Point p = positions_[base] + scales_[base] * turned(rotations_[base], old(j) - old(base));
+      Point3 p = positions_[base] + scales_[base] * turned(rotations_[base], old(j) - old(base));
       const bool on_floor = old(j)[up_] <= low_old + kFloorShare * (high_old - low_old);
       if (above_pelvis && on_floor) {
         p = positions_[base] + whole_.scale * (old(j) - old(base));
@@ -355,10 +355,10 @@ class Fitter {
       below += before * before;
     }
     const double scale = below > 0 && above > 0 ? above / below : whole_.scale;
-    const std::vector<Point> fitted = positions_;
+    const std::vector<Point3> fitted = positions_;
     const auto bone = [&](size_t from, size_t to) {
       const double before = length(old(to) - old(from)), after = length(fitted[to] - fitted[from]);
-      if (!(before > 0)) return Point{};
+      if (!(before > 0)) return Point3{};
       if (!(after > 0)) return scale * turned(rotations_[from], old(to) - old(from));
       return (scale * before / after) * (fitted[to] - fitted[from]);
     };
@@ -384,7 +384,7 @@ class Fitter {
   LimbMatches matches_;
   Similar whole_;
   std::vector<size_t> order_;  // parents first
-  std::vector<Point> positions_;
+  std::vector<Point3> positions_;
   std::vector<FitHow> how_;
   std::vector<bool> known_;
   std::vector<Rotation> rotations_;  // [J] of the bones that begin at a joint
@@ -425,8 +425,8 @@ void make_symmetric(const LabelledSkeleton& mine, const LabelledSkeleton& other,
       component(&p, plane.axis) = plane.plane;
     } else if (partner > j) {
       Vec3& q = fitted->joints[partner].position;
-      const Point middle = 0.5 * (point(p) + point(mirrored(q, plane.axis, plane.plane)));
-      p = vec(middle);
+      const Point3 middle = 0.5 * (point(p) + point(mirrored(q, plane.axis, plane.plane)));
+      p = to_vec3(middle);
       q = mirrored(p, plane.axis, plane.plane);
     }
   }

@@ -9,7 +9,7 @@
 #include "predict/turn.hpp"
 #include "rig/joints_beside_mesh.hpp"
 #include "sinew_character/rig/joint_mirror.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 
 namespace sinew {
 namespace {
@@ -71,7 +71,7 @@ class Keeper {
   Vec3 on_bone(size_t j, double share) const {
     const auto above = static_cast<size_t>(old_[j].parent);
     const Point3 bone = point(old_[j].position) - point(old_[above].position);
-    return vec(point(fitted_.joints[above].position) + share * bone);
+    return to_vec3(point(fitted_.joints[above].position) + share * bone);
   }
   bool is_inside(const Vec3& p) const {
     for (const Vec3& v : mesh_.vertices)

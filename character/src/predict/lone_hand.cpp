@@ -27,7 +27,7 @@ constexpr double kAxisSteps = 4096;  // axes are rounded, so that the last bits 
 constexpr std::array<double, 3> kWrists = {0.04, 0.25, 0.5};
 constexpr double kHandEnd = 0.86;  // of a hand's length: where a hand's bone ends
 
-Vector3d vec(const Vec3& p) { return {p.x, p.y, p.z}; }
+Vector3d to_vec3(const Vec3& p) { return {p.x, p.y, p.z}; }
 Vec3 point(const Vector3d& p) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
 }
@@ -39,8 +39,9 @@ Matrix3d axes_of(const Character& mesh) {
   double area = 0;
   for (size_t f = 0; f < mesh.face_count(); ++f)
     for (uint32_t c = mesh.face_offsets[f] + 1; c + 1 < mesh.face_offsets[f + 1]; ++c) {
-      const Vector3d a = vec(mesh.vertices[mesh.face_vertices[mesh.face_offsets[f]]]),
-                     b = vec(mesh.vertices[mesh.face_vertices[c]]), d = vec(mesh.vertices[mesh.face_vertices[c + 1]]);
+      const Vector3d a = to_vec3(mesh.vertices[mesh.face_vertices[mesh.face_offsets[f]]]),
+                     b = to_vec3(mesh.vertices[mesh.face_vertices[c]]),
+                     d = to_vec3(mesh.vertices[mesh.face_vertices[c + 1]]);
       const double own = 0.5 * (b - a).cross(d - a).norm();
       const Vector3d middle = (a + b + d) / 3;
       area += own;
@@ -91,7 +92,7 @@ Vector3d along(const Character& laid, const Layout& layout, double share) {
   double count = 0;
   for (const Vec3& v : laid.vertices) {
     if (std::abs(v.x - x) > kNear * (high - low)) continue;
-    sum += vec(v);
+    sum += to_vec3(v);
     ++count;
   }
   return count > 0 ? Vector3d(x, sum.y() / count, sum.z() / count) : Vector3d(x, 0, 0);
@@ -141,7 +142,7 @@ class Search {
   // The bare mesh in that layout, until the next one is asked for.
   const Character& laid(const Layout& layout) {
     for (size_t v = 0; v < laid_.vertices.size(); ++v)
-      laid_.vertices[v] = point(layout.turn * vec(character_.vertices[v]));
+      laid_.vertices[v] = point(layout.turn * to_vec3(character_.vertices[v]));
     return laid_;
   }
 
@@ -207,7 +208,8 @@ std::optional<LoneHand> find_lone_hand(const Character& character, const sinew_m
   } else {
     hand.skeleton.joints[0].position = point(along(search.laid(found.layout), found.layout, kWrists[0]));
   }
-  for (Joint& joint : hand.skeleton.joints) joint.position = point(found.layout.turn.transpose() * vec(joint.position));
+  for (Joint& joint : hand.skeleton.joints)
+    joint.position = point(found.layout.turn.transpose() * to_vec3(joint.position));
   for (const uint8_t c : hand.skeleton.classes) hand.thumb = hand.thumb || c == SINEW_CLASS_THUMB;
   return hand;
 }

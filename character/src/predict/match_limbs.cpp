@@ -47,13 +47,13 @@ class Matcher {
 
  private:
   // Middle and spread of the joints that are no details.
-  static std::pair<Point, double> middle_of(const LabelledSkeleton& s) {
-    Point sum = {};
+  static std::pair<Point3, double> middle_of(const LabelledSkeleton& s) {
+    Point3 sum = {};
     double n = 0, spread = 0;
     for (const bool second : {false, true}) {
       for (size_t j = 0; j < s.joints.size(); ++j) {
         if (s.classes[j] == kClassDetail || s.ends[j] != 0) continue;
-        const Point p = point(s.joints[j].position);
+        const Point3 p = point(s.joints[j].position);
         if (second) {
           spread += dot(p - sum, p - sum);
         } else {
@@ -81,8 +81,8 @@ class Matcher {
     return rough;
   }
 
-  Point mine_at(int j) const { return point(mine_.joints[joint_index(j)].position); }
-  Point other_at(int j) const { return point(other_.joints[joint_index(j)].position); }
+  Point3 mine_at(int j) const { return point(mine_.joints[joint_index(j)].position); }
+  Point3 other_at(int j) const { return point(other_.joints[joint_index(j)].position); }
 
   bool comparable(const Limb& a, const Limb& b) const {
     if (a.kind != b.kind || a.side != b.side) return false;
@@ -211,9 +211,9 @@ class Matcher {
   }
 
   // As long as the bone before it.
-  static void make_end(bool has_one, std::vector<Point>* points) {
+  static void make_end(bool has_one, std::vector<Point3>* points) {
     if (has_one || points->size() < 2) return;
-    const Point last = points->back(), before = (*points)[points->size() - 2];
+    const Point3 last = points->back(), before = (*points)[points->size() - 2];
     points->push_back(last + (last - before));
   }
 
@@ -235,12 +235,12 @@ LimbMatches::LimbMatches(const LabelledSkeleton& mine, const LabelledSkeleton& o
 }
 
 double LimbMatches::misfit(Similar* best) const {
-  std::vector<std::pair<Point, Point>> pairs;
+  std::vector<std::pair<Point3, Point3>> pairs;
   for (const MatchedLimb& limb : limbs_)
     for (const Knot& knot : limb.knots) pairs.emplace_back(limb.mine_points[knot.mine], limb.other_points[knot.other]);
   if (pairs.size() < 2) return INFINITY;
   const double n = static_cast<double>(pairs.size());
-  Point from = {}, to = {};
+  Point3 from = {}, to = {};
   for (const auto& [a, b] : pairs) {
     from = from + (1 / n) * a;
     to = to + (1 / n) * b;
@@ -255,7 +255,7 @@ double LimbMatches::misfit(Similar* best) const {
   if (!(best->scale > 0)) return INFINITY;
   best->shift = to - best->scale * from;
   for (const auto& [a, b] : pairs) {
-    const Point gap = best->apply(a) - b;
+    const Point3 gap = best->apply(a) - b;
     sum += dot(gap, gap);
   }
   return std::sqrt(sum / n) / std::max(other_size_, 1e-30);

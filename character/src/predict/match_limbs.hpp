@@ -6,16 +6,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/joint_tree.hpp"
 #include "predict/limbs.hpp"
 #include "predict/turn.hpp"
+#include "sinew_formats/base/joint_tree.hpp"
 
 namespace sinew {
 
 struct Similar {
   double scale = 1;
-  Point shift = {};
-  Point apply(const Point& p) const { return scale * p + shift; }
+  Point3 shift = {};
+  Point3 apply(const Point3& p) const { return scale * p + shift; }
 };
 
 // Points of a chain that match, as indices into its points.
@@ -25,8 +25,8 @@ struct Knot {
 
 struct MatchedLimb {
   Limb mine, other;
-  std::vector<Point> mine_points, other_points;  // joints, and a made up end behind them where both chains want one
-  std::vector<Knot> knots;                       // both ascending
+  std::vector<Point3> mine_points, other_points;  // joints, and a made up end behind them where both chains want one
+  std::vector<Knot> knots;                        // both ascending
 };
 
 // All matches of two skeletons that stand alike.

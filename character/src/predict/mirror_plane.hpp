@@ -12,7 +12,7 @@ class MirrorPlane {
  public:
   explicit MirrorPlane(const PredictedSkeleton& skeleton) : at_(skeleton.plane) {
     // Across the front, with positive x, as sinew_rig_outputs has it.
-    const bool z_up = skeleton.up_axis != 0;
+    const bool z_up = skeleton.up_axis == Axis::kZ;
     const float x = z_up ? -skeleton.front[1] : skeleton.front[2], z = -skeleton.front[0];
     const float sign = x < 0 || (x == 0 && z < 0) ? -1.0f : 1.0f;
     normal_ = z_up ? Vec3{sign * x, -sign * z, 0} : Vec3{sign * x, 0, sign * z};

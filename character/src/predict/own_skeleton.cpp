@@ -13,7 +13,7 @@
 #include "sinew_character/predict/skeleton_template.hpp"
 #include "sinew_character/rig/joint_mirror.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 
@@ -45,8 +45,9 @@ std::vector<Joint> read_own_skeleton(const std::string& source) {
 
 FittedSkeleton fit_into_mesh(const std::vector<Joint>& joints, const LabelledSkeleton& found, FitOptions options,
                              const Character& mesh) {
-  float floor = component(mesh.vertices.at(0), options.up_axis);
-  for (const Vec3& v : mesh.vertices) floor = std::min(floor, component(v, options.up_axis));
+  const uint32_t up = axis_index(options.up_axis);
+  float floor = component(mesh.vertices.at(0), up);
+  for (const Vec3& v : mesh.vertices) floor = std::min(floor, component(v, up));
   options.floor = floor;
   return fit_skeleton(label_skeleton(joints), found, options);
 }

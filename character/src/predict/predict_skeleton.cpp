@@ -60,7 +60,7 @@ PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOpt
   result.plane = rigged.plane;
   result.spread = rigged.spread;
   std::copy(std::begin(rigged.front), std::end(rigged.front), result.front.begin());
-  result.up_axis = rigged.up == SINEW_UP_Z ? 1 : 0;
+  result.up_axis = rigged.up == SINEW_UP_Z ? Axis::kZ : Axis::kY;
   result.front_confidence = rigged.front_confidence;
   result.up_confidence = rigged.up_confidence;
   if (options.method == SINEW_RIG_VOTES) result.usable = usable_probability(result.spread, result.mirrored);

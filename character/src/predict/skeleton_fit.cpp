@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sinew_character/rig/skeleton_repair.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/print.hpp"
 
 namespace sinew {

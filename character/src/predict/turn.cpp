@@ -51,7 +51,7 @@ std::array<double, 4> largest_eigenvector(Matrix4 a) {
 
 }  // namespace
 
-Point turned(const Rotation& r, const Point& p) {
+Point3 turned(const Rotation& r, const Point3& p) {
   return {r[0] * p[0] + r[1] * p[1] + r[2] * p[2], r[3] * p[0] + r[4] * p[1] + r[5] * p[2],
           r[6] * p[0] + r[7] * p[1] + r[8] * p[2]};
 }

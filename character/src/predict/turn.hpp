@@ -5,20 +5,15 @@
 
 #include <vector>
 
-#include "base/points.hpp"
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
+#include "sinew_formats/base/point.hpp"
 
 namespace sinew {
 
-using Point = Point3;
-inline Vec3 vec(const Point& p) {
-  return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
-}
-
-Point turned(const Rotation& r, const Point& p);
+Point3 turned(const Rotation& r, const Point3& p);
 
 struct RotationPair {
-  Point from, to;
+  Point3 from, to;
   double weight = 1;
 };
 

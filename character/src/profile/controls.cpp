@@ -6,13 +6,13 @@
 #include <map>
 #include <optional>
 
-#include "base/points.hpp"
 #include "motion/limb_bends.hpp"
 #include "profile/standard_bones.hpp"
 #include "sinew/rig.h"
 #include "sinew_character/motion/map_skeleton.hpp"
 #include "sinew_character/profile/profile.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
+#include "sinew_formats/base/point.hpp"
 
 namespace sinew {
 namespace {
@@ -37,7 +37,7 @@ class ControlFinder {
   explicit ControlFinder(const Character& character)
       : joints_(character.joints),
         verdicts_(joint_verdicts(character.joints)),
-        classes_(limb_classes(map_rig_of(character), 'a')) {}
+        classes_(limb_classes(map_rig_of(character), {})) {}
 
   ControlRig find() {
     find_frame();
@@ -54,7 +54,7 @@ class ControlFinder {
 
   void find_frame() {
     if (const std::optional<UprightBody> body = find_upright_body(joints_, classes_)) {
-      frame_ = body_frame(joints_, *body, "auto");
+      frame_ = body_frame(joints_, *body, {});
     } else {  // more or fewer legs
       const Rotation axes = body_axes(joints_);
       frame_.left = {axes[0], axes[3], axes[6]};

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <optional>
 
-#include "base/points.hpp"
 #include "predict/turn.hpp"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_character/profile/profile.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
+#include "sinew_formats/base/point.hpp"
 
 namespace sinew {
 namespace {
@@ -81,7 +81,7 @@ std::vector<uint8_t> next_classes(uint8_t joint_class) {
   }
 }
 
-Point direction_of_letter(char letter, int side) {
+Point3 direction_of_letter(char letter, int side) {
   switch (letter) {
     case 'L':
       return {1, 0, 0};
@@ -103,20 +103,20 @@ Point direction_of_letter(char letter, int side) {
 Rotation of_letters(const char* letters) {
   Rotation r{};
   for (size_t c = 0; c < 3; ++c) {
-    const Point axis = direction_of_letter(letters[c], 0);
+    const Point3 axis = direction_of_letter(letters[c], 0);
     for (size_t row = 0; row < 3; ++row) r[3 * row + c] = axis[row];
   }
   return r;
 }
 
 // The shortest turn; half a turn goes about the front, that of a bone along the front about the upright axis.
-Rotation turn_between(const Point& from, const Point& to) {
-  const Point across = cross(from, to);
+Rotation turn_between(const Point3& from, const Point3& to) {
+  const Point3 across = cross(from, to);
   const double sine = length(across), cosine = dot(from, to);
   if (sine < 1e-6)
     return cosine > 0
                ? kNoRotation
-               : axis_rotation(std::abs(from[2]) < 0.9 ? Point{0, 0, 1} : Point{0, 1, 0}, 3.14159265358979323846);
+               : axis_rotation(std::abs(from[2]) < 0.9 ? Point3{0, 0, 1} : Point3{0, 1, 0}, 3.14159265358979323846);
   return axis_rotation((1 / sine) * across, std::atan2(sine, cosine));
 }
 
@@ -136,20 +136,20 @@ class Bones {
   }
 
   // Where the bone of a joint points; nullopt where nothing tells.
-  std::optional<Point> direction(size_t j) const {
+  std::optional<Point3> direction(size_t j) const {
     const uint8_t own = verdicts_.classes[j];
     if (!verdicts_.is_end(j)) {
-      if (const std::optional<Point> along = to(next_of(j, own), j)) return along;
+      if (const std::optional<Point3> along = to(next_of(j, own), j)) return along;
       if (own == SINEW_CLASS_HAND)
-        if (const std::optional<Point> amid = amid_fingers(j)) return amid;
+        if (const std::optional<Point3> amid = amid_fingers(j)) return amid;
       std::vector<size_t> ends;
       for (const size_t child : children_[j])
         if (verdicts_.is_end(child)) ends.push_back(child);
       if (ends.size() == 1)
-        if (const std::optional<Point> along = to(ends[0], j)) return along;
+        if (const std::optional<Point3> along = to(ends[0], j)) return along;
       if (own == SINEW_CLASS_HEAD || own == SINEW_CLASS_PELVIS) return std::nullopt;  // other children are not its bone
       if (children_[j].size() == 1)
-        if (const std::optional<Point> along = to(children_[j][0], j)) return along;
+        if (const std::optional<Point3> along = to(children_[j][0], j)) return along;
       if (own == SINEW_CLASS_FOOT || own == SINEW_CLASS_TOE) return std::nullopt;
     }
     const int parent = joints_[j].parent;
@@ -157,11 +157,11 @@ class Bones {
   }
 
  private:
-  std::optional<Point> unit_of(const Point& p) const {
+  std::optional<Point3> unit_of(const Point3& p) const {
     const double size = length(p);
-    return size > least_ ? std::optional<Point>((1 / size) * p) : std::nullopt;
+    return size > least_ ? std::optional<Point3>((1 / size) * p) : std::nullopt;
   }
-  std::optional<Point> to(size_t other, size_t j) const {
+  std::optional<Point3> to(size_t other, size_t j) const {
     return other == SIZE_MAX ? std::nullopt : unit_of(point(joints_[other].position) - point(joints_[j].position));
   }
 
@@ -196,8 +196,8 @@ class Bones {
            own == SINEW_CLASS_HAIR;
   }
 
-  std::optional<Point> amid_fingers(size_t hand) const {
-    Point sum{};
+  std::optional<Point3> amid_fingers(size_t hand) const {
+    Point3 sum{};
     size_t count = 0;
     for (size_t j = 0; j < joints_.size(); ++j) {
       const uint8_t one = verdicts_.classes[j];
@@ -227,7 +227,7 @@ std::vector<Rotation> joint_axes(const std::vector<Joint>& joints, const AxesTab
   Character skeleton;
   skeleton.joints = joints;
   std::vector<Rotation> axes(joints.size(), of_letters(table[0].left));
-  std::vector<Point> directions(joints.size(), {0, 1, 0});
+  std::vector<Point3> directions(joints.size(), {0, 1, 0});
   for (const size_t j : parents_first(skeleton)) {
     const int parent = joints[j].parent;
     const uint8_t own = verdicts.classes[j];
@@ -240,7 +240,7 @@ std::vector<Rotation> joint_axes(const std::vector<Joint>& joints, const AxesTab
       directions[j] = {0, 1, 0};
       continue;
     }
-    const std::optional<Point> found = bones.direction(j);
+    const std::optional<Point3> found = bones.direction(j);
     const std::optional<AxesPart> part = part_of(own);
     if (!part) {
       if (!found) continue;
@@ -251,9 +251,9 @@ std::vector<Rotation> joint_axes(const std::vector<Joint>& joints, const AxesTab
     const PartAxes& of = table[static_cast<size_t>(*part)];
     const int side = verdicts.sides[j];
     const bool flat = of.bone[0] == 'f';
-    const Point usual = direction_of_letter(of.bone[0], side);
+    const Point3 usual = direction_of_letter(of.bone[0], side);
     directions[j] = found.value_or(usual);
-    Point wanted = directions[j];
+    Point3 wanted = directions[j];
     if (flat) {
       wanted[1] = 0;
       wanted = length(wanted) > 0.1 ? unit(wanted) : usual;
@@ -265,8 +265,8 @@ std::vector<Rotation> joint_axes(const std::vector<Joint>& joints, const AxesTab
 
 namespace {
 
-Point along_axis(const Point& p) {
-  Point out{};
+Point3 along_axis(const Point3& p) {
+  Point3 out{};
   size_t widest = 0;
   for (size_t a = 1; a < 3; ++a)
     if (std::abs(p[a]) > std::abs(p[widest])) widest = a;
@@ -276,8 +276,8 @@ Point along_axis(const Point& p) {
 
 // From the mean of the second to the mean of the first; nullopt where one of the two is empty.
 template <class First, class Second>
-std::optional<Point> between(const std::vector<Joint>& joints, const First& first, const Second& second) {
-  Point sums[2] = {};
+std::optional<Point3> between(const std::vector<Joint>& joints, const First& first, const Second& second) {
+  Point3 sums[2] = {};
   double counts[2] = {};
   for (size_t j = 0; j < joints.size(); ++j)
     for (const size_t k : {size_t{0}, size_t{1}})
@@ -292,10 +292,10 @@ Rotation body_axes(const std::vector<Joint>& joints) {
   if (joints.empty()) return kNoRotation;
   const JointVerdicts verdicts = joint_verdicts(joints);
   const auto is = [&](uint8_t one) { return [&verdicts, one](size_t j) { return verdicts.classes[j] == one; }; };
-  std::optional<Point> upright = between(joints, is(SINEW_CLASS_THIGH), is(SINEW_CLASS_FOOT));
+  std::optional<Point3> upright = between(joints, is(SINEW_CLASS_THIGH), is(SINEW_CLASS_FOOT));
   if (!upright) upright = between(joints, is(SINEW_CLASS_THIGH), is(SINEW_CLASS_CALF));
-  const Point up = upright && length(*upright) > 0 ? along_axis(*upright) : Point{0, 1, 0};
-  std::optional<Point> sides;
+  const Point3 up = upright && length(*upright) > 0 ? along_axis(*upright) : Point3{0, 1, 0};
+  std::optional<Point3> sides;
   for (const uint8_t one : {SINEW_CLASS_THIGH, SINEW_CLASS_UPPER_ARM, SINEW_CLASS_CLAVICLE, SINEW_CLASS_OTHER}) {
     const bool any = one == SINEW_CLASS_OTHER;
     const auto on = [&](int side) {
@@ -303,10 +303,10 @@ Rotation body_axes(const std::vector<Joint>& joints) {
     };
     if (!sides) sides = between(joints, on(1), on(-1));
   }
-  Point left = sides ? *sides - dot(*sides, up) * up : Point{};
+  Point3 left = sides ? *sides - dot(*sides, up) * up : Point3{};
   if (!(length(left) > 0)) return kNoRotation;
   left = along_axis(left);
-  const Point front = cross(left, up);
+  const Point3 front = cross(left, up);
   return {left[0], up[0], front[0], left[1], up[1], front[1], left[2], up[2], front[2]};
 }
 

@@ -2,12 +2,12 @@
 // A character written in a profile's form.
 #include <algorithm>
 
-#include "base/points.hpp"
 #include "predict/turn.hpp"
 #include "sinew_character/jobs/character_file.hpp"
 #include "sinew_character/profile/controls.hpp"
 #include "sinew_character/profile/profile.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/document_form.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"

@@ -8,7 +8,7 @@
 
 #include "names/joint_name.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 
 namespace sinew {
 namespace {

@@ -8,7 +8,8 @@
 #include <tuple>
 
 #include "names/joint_name.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
+#include "sinew_formats/base/point.hpp"
 
 namespace sinew {
 namespace {
@@ -24,9 +25,7 @@ constexpr double kSamePosition = 0.15;  // of a joint in two characters
 // Without sides: a mirrored part belongs to the other one.
 uint64_t words(const std::string& name) { return names::read_joint_name(name.c_str()).stem; }
 
-using Place = std::array<double, 3>;
-
-Place mirrored(Place position, bool mirror) {
+Point3 mirrored(Point3 position, bool mirror) {
   if (mirror) position[0] = -position[0];
   return position;
 }
@@ -34,15 +33,15 @@ Place mirrored(Place position, bool mirror) {
 // Places in a character's box: from its middle, in longest sides, with y up.
 class Positions {
  public:
-  Positions(const Character& character, uint32_t up_axis)
+  Positions(const Character& character, Axis up_axis)
       : box_(box_of(character.vertices)),
         side_(std::max(1e-20, static_cast<double>(box_.longest_side()))),
-        z_up_(up_axis == 1) {}
-  Place of(const Vec3& p) const {
+        z_up_(up_axis == Axis::kZ) {}
+  Point3 of(const Vec3& p) const {
     const double x = (p.x - 0.5 * (box_.low.x + box_.high.x)) / side_;
     const double y = (p.y - 0.5 * (box_.low.y + box_.high.y)) / side_;
     const double z = (p.z - 0.5 * (box_.low.z + box_.high.z)) / side_;
-    return z_up_ ? Place{x, z, -y} : Place{x, y, z};
+    return z_up_ ? Point3{x, z, -y} : Point3{x, y, z};
   }
 
  private:
@@ -51,7 +50,7 @@ class Positions {
   bool z_up_;
 };
 
-double away(const Place& a, const Place& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+double away(const Point3& a, const Point3& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 // Looks of all parts; `joint` is left empty.
 std::vector<PartLook> look_at_parts(const Character& character, const AskedBind& asked) {
@@ -62,7 +61,7 @@ std::vector<PartLook> look_at_parts(const Character& character, const AskedBind&
   std::vector<PartLook> looks(count);
   std::vector<double> vertices(count, 0);
   for (size_t v = 0; v < vertex_parts.size(); ++v) {
-    const Place position = positions.of(character.vertices[v]);
+    const Point3 position = positions.of(character.vertices[v]);
     vertices[vertex_parts[v]] += 1;
     for (size_t i = 0; i < 3; ++i) looks[vertex_parts[v]].position[i] += position[i];
   }
@@ -94,11 +93,11 @@ double difference(const StyleRule& rule, const PartLook& b, bool mirror) {
   return names + (a.body ? kOfBody : 1) * looks;
 }
 
-using Joints = std::vector<std::pair<std::string, Place>>;
+using Joints = std::vector<std::pair<std::string, Point3>>;
 
 // Whether at least two thirds of both rigs' joints have a namesake in the other, no further away than `farthest`.
 bool same_kind(const Joints& a, const Joints& b, double farthest) {
-  std::map<std::string, Place> at;
+  std::map<std::string, Point3> at;
   for (const auto& [name, position] : b) at.emplace(name, position);
   size_t found = 0;
   for (const auto& [name, position] : a) {
@@ -108,7 +107,7 @@ bool same_kind(const Joints& a, const Joints& b, double farthest) {
   return 3 * found >= 2 * std::max(a.size(), b.size());
 }
 
-Joints joints_of(const Character& character, uint32_t up_axis) {
+Joints joints_of(const Character& character, Axis up_axis) {
   const Positions positions(character, up_axis);
   Joints joints;
   for (const Joint& joint : character.joints) joints.emplace_back(joint.name, positions.of(joint.position));

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/morphs.hpp"
 #include "sinew_formats/vrm.hpp"

@@ -3,19 +3,16 @@
 #ifndef SINEW_FORMATS_MOTION_HPP
 #define SINEW_FORMATS_MOTION_HPP
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
+#include "sinew_formats/base/quaternion.hpp"
 #include "sinew_formats/character.hpp"
+#include "sinew_formats/motion.hpp"
 
 namespace sinew {
-
-using Point3 = std::array<double, 3>;
-using Quaternion = std::array<double, 4>;  // x y z w, of length 1
-constexpr Quaternion kNoRotation4 = {0, 0, 0, 1};
 
 // At rest every joint's axes are those of the world, as in a BVH file; readers of others turn their poses into this.
 struct MotionJoint {

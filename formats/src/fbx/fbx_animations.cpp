@@ -5,7 +5,7 @@
 
 #include "fbx/fbx_scene.hpp"
 #include "gltf/animation_track.hpp"
-#include "motion/turns.hpp"
+#include "sinew_formats/base/quaternion.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {

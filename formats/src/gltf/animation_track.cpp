@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "gltf/gltf_source.hpp"
-#include "motion/turns.hpp"
+#include "sinew_formats/base/quaternion.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
 

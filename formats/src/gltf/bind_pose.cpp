@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 
 namespace sinew {
 namespace {

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <map>
 
-#include "base/points.hpp"
 #include "gltf/gltf_container.hpp"
 #include "gltf/matrix_columns.hpp"
 #include "gltf/node_parts.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {

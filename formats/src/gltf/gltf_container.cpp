@@ -14,10 +14,6 @@
 namespace sinew {
 namespace {
 
-size_t read_u32(const std::vector<uint8_t>& bytes, size_t at) {
-  return size_t{bytes[at]} | size_t{bytes[at + 1]} << 8 | size_t{bytes[at + 2]} << 16 | size_t{bytes[at + 3]} << 24;
-}
-
 bool is_glb(const std::vector<uint8_t>& file) { return file.size() >= 20 && std::memcmp(file.data(), "glTF", 4) == 0; }
 
 // The chunk behind the JSON; empty when there is none.

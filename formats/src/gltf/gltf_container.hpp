@@ -11,6 +11,12 @@
 
 namespace sinew {
 
+// The little-endian number at `at`.
+inline uint32_t read_u32(const std::vector<uint8_t>& bytes, size_t at) {
+  return static_cast<uint32_t>(bytes[at]) | static_cast<uint32_t>(bytes[at + 1]) << 8 |
+         static_cast<uint32_t>(bytes[at + 2]) << 16 | static_cast<uint32_t>(bytes[at + 3]) << 24;
+}
+
 // The JSON text of a GLB or .gltf; empty when a GLB's header promises more than there is.
 std::string_view gltf_text(const std::vector<uint8_t>& file);
 

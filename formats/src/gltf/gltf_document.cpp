@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "gltf/gltf_container.hpp"
 #include "gltf/gltf_decompress.hpp"
 #include "gltf/gltf_source.hpp"
 #include "sinew_formats/error.hpp"
@@ -47,11 +48,6 @@ bool keep_image(tinygltf::Image* image, const int, std::string*, std::string*, i
   image->image.assign(bytes, bytes + size);
   image->as_is = true;
   return true;
-}
-
-uint32_t read_u32(const std::vector<uint8_t>& bytes, size_t at) {
-  return static_cast<uint32_t>(bytes[at]) | static_cast<uint32_t>(bytes[at + 1]) << 8 |
-         static_cast<uint32_t>(bytes[at + 2]) << 16 | static_cast<uint32_t>(bytes[at + 3]) << 24;
 }
 
 // Puts all buffers behind one another.

@@ -93,7 +93,7 @@ class MorphWriter {
         for (auto at = begin; at != end; ++at) {
           const std::optional<Affine> back = inverse(frames[at->second]);
           if (!back) continue;  // flattened: nothing moves it
-          const Direction move = to_direction(shape.moves[i]);
+          const Point3 move = to_direction(shape.moves[i]);
           std::array<float, 3>& to = moves[at->second];
           for (size_t r = 0; r < 3; ++r)
             to[r] = static_cast<float>((*back)[4 * r] * move[0] + (*back)[4 * r + 1] * move[1] +
@@ -116,20 +116,20 @@ class MorphWriter {
   }
 
   // What is added to a normal of the file, in the mesh's own space.
-  std::optional<std::array<float, 3>> turn_of(uint32_t vertex, const Direction& posed, const Affine& frame,
+  std::optional<std::array<float, 3>> turn_of(uint32_t vertex, const Point3& posed, const Affine& frame,
                                               const float* normal) const {
-    const Direction& rest = normals_.rest(vertex);
+    const Point3& rest = normals_.rest(vertex);
     double apart = 0;
     for (size_t c = 0; c < 3; ++c) apart = std::max(apart, std::abs(posed[c] - rest[c]));
     if (apart < 1e-3) return std::nullopt;
-    const Direction own = {static_cast<double>(normal[0]), static_cast<double>(normal[1]),
+    const Point3 own = {static_cast<double>(normal[0]), static_cast<double>(normal[1]),
                            static_cast<double>(normal[2])};
-    Direction world = transform_normal(frame, own[0], own[1], own[2]);
+    Point3 world = transform_normal(frame, own[0], own[1], own[2]);
     const double length = std::hypot(world[0], world[1], world[2]);
     if (!(length > 0)) return std::nullopt;
     for (double& x : world) x /= length;
     world = turned(world, rest, posed);
-    Direction back{};  // normals go by the inverse transposed, so back by the transposed
+    Point3 back{};  // normals go by the inverse transposed, so back by the transposed
     for (size_t c = 0; c < 3; ++c) back[c] = frame[c] * world[0] + frame[4 + c] * world[1] + frame[8 + c] * world[2];
     const double back_length = std::hypot(back[0], back[1], back[2]);
     if (!(back_length > 0)) return std::nullopt;

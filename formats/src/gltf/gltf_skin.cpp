@@ -11,7 +11,7 @@
 #include "gltf/gltf_source.hpp"
 #include "gltf/mesh_nodes.hpp"
 #include "gltf/move_vertices.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "gltf/tinygltf.hpp"
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
 

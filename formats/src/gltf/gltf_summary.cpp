@@ -8,6 +8,7 @@
 
 #include "gltf/bind_pose.hpp"
 #include "gltf/gltf_source.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/text_lines.hpp"
@@ -15,13 +16,11 @@
 namespace sinew {
 namespace {
 
-using Point = std::array<double, 3>;
-
-double distance(const Point& a, const Point& b) {
+double distance(const Point3& a, const Point3& b) {
   return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-Point moved(const Affine& m, const Point& p) { return transform_point(m, p[0], p[1], p[2]); }
+Point3 moved(const Affine& m, const Point3& p) { return transform_point(m, p[0], p[1], p[2]); }
 
 std::string numbered(const std::string& name, const char* kind, size_t index) {
   return name.empty() ? std::string(kind) + "_" + std::to_string(index) : name;
@@ -29,7 +28,7 @@ std::string numbered(const std::string& name, const char* kind, size_t index) {
 
 // The vertices of a skin with the joints that have weight on each.
 struct SkinVertices {
-  std::vector<Point> points;  // in the mesh's space
+  std::vector<Point3> points;  // in the mesh's space
   std::vector<std::vector<uint32_t>> joints;
 };
 
@@ -207,14 +206,14 @@ class Summariser {
     }
   }
 
-  static double difference(const Affine& a, const Affine& b, const Point& p) {
+  static double difference(const Affine& a, const Affine& b, const Point3& p) {
     return distance(moved(a, p), moved(b, p));
   }
 
-  static double longest_side(const std::vector<Point>& points, const Affine& m) {
-    Point low = moved(m, points[0]), high = low;
-    for (const Point& point : points) {
-      const Point p = moved(m, point);
+  static double longest_side(const std::vector<Point3>& points, const Affine& m) {
+    Point3 low = moved(m, points[0]), high = low;
+    for (const Point3& point : points) {
+      const Point3 p = moved(m, point);
       for (size_t c = 0; c < 3; ++c) {
         low[c] = std::min(low[c], p[c]);
         high[c] = std::max(high[c], p[c]);
@@ -227,14 +226,14 @@ class Summariser {
   // them has followers, the file was saved in a pose.
   static size_t most_agreed(const std::vector<Affine>& palette, double size) {
     constexpr size_t kCandidates = 64;
-    const Point corners[] = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size}};
+    const Point3 corners[] = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size}};
     size_t best = 0, most = 0;
     for (size_t c = 0; c < palette.size() && c < kCandidates; ++c) {
       size_t followers = 0;
       const double scale = std::max(distance(moved(palette[c], corners[0]), moved(palette[c], corners[1])), 1e-30);
       for (const Affine& other : palette) {
         double largest = 0;
-        for (const Point& corner : corners) largest = std::max(largest, difference(palette[c], other, corner));
+        for (const Point3& corner : corners) largest = std::max(largest, difference(palette[c], other, corner));
         followers += largest <= kGltfPoseTolerance * scale ? 1 : 0;
       }
       if (followers > most) {

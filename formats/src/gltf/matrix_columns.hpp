@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
 
 namespace sinew {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "gltf/tinygltf.hpp"
-#include "motion/turns.hpp"
+#include "sinew_formats/base/quaternion.hpp"
 
 namespace sinew {
 

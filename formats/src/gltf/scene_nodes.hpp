@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
 
 namespace sinew {
 

@@ -9,12 +9,11 @@
 #include <vector>
 
 #include "gltf/gltf_morphs.hpp"
+#include "sinew_formats/base/point.hpp"
 
 namespace sinew {
 
-using Direction = std::array<double, 3>;
-
-inline Direction to_direction(const Vec3& v) {
+inline Point3 to_direction(const Vec3& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
@@ -29,11 +28,11 @@ class SurfaceNormals {
     for (uint32_t v = 0; v < positions_.size(); ++v) rest_.push_back(normal_of(v, positions_));
   }
 
-  const Direction& rest(uint32_t vertex) const { return rest_[vertex]; }
+  const Point3& rest(uint32_t vertex) const { return rest_[vertex]; }
 
   // With the shape at weight 1: of the vertices beside those that it moves. Of length 1 or 0.
-  std::map<uint32_t, Direction> under(const MorphShape& shape) {
-    std::map<uint32_t, Direction> normals;
+  std::map<uint32_t, Point3> under(const MorphShape& shape) {
+    std::map<uint32_t, Point3> normals;
     move(shape, 1);
     for (const uint32_t moved : shape.vertices)
       for (const uint32_t f : faces_of_[moved])
@@ -48,18 +47,18 @@ class SurfaceNormals {
  private:
   void move(const MorphShape& shape, double weight) {
     for (size_t i = 0; i < shape.vertices.size(); ++i) {
-      const Direction rest = to_direction(character_.vertices[shape.vertices[i]]),
-                      interpolation = to_direction(shape.moves[i]);
+      const Point3 rest = to_direction(character_.vertices[shape.vertices[i]]),
+                   interpolation = to_direction(shape.moves[i]);
       for (size_t c = 0; c < 3; ++c) positions_[shape.vertices[i]][c] = rest[c] + weight * interpolation[c];
     }
   }
 
-  Direction normal_of(uint32_t vertex, const std::vector<Direction>& positions) const {
-    Direction normal{};
+  Point3 normal_of(uint32_t vertex, const std::vector<Point3>& positions) const {
+    Point3 normal{};
     for (const uint32_t f : faces_of_[vertex])
       for (size_t c = character_.face_offsets[f] + 2; c < character_.face_offsets[f + 1]; ++c) {
-        const Direction& at = positions[character_.face_vertices[character_.face_offsets[f]]];
-        Direction u{}, v{};
+        const Point3& at = positions[character_.face_vertices[character_.face_offsets[f]]];
+        Point3 u{}, v{};
         for (size_t i = 0; i < 3; ++i) {
           u[i] = positions[character_.face_vertices[c - 1]][i] - at[i];
           v[i] = positions[character_.face_vertices[c]][i] - at[i];
@@ -73,17 +72,17 @@ class SurfaceNormals {
 
   const Character& character_;
   std::vector<std::vector<uint32_t>> faces_of_;  // [V]
-  std::vector<Direction> positions_, rest_;      // [V]
+  std::vector<Point3> positions_, rest_;         // [V]
 };
 
 // `v` turned as the shortest turn takes `from` to `to`, all of length 1.
-inline Direction turned(const Direction& v, const Direction& from, const Direction& to) {
-  const Direction axis = {from[1] * to[2] - from[2] * to[1], from[2] * to[0] - from[0] * to[2],
-                          from[0] * to[1] - from[1] * to[0]};
+inline Point3 turned(const Point3& v, const Point3& from, const Point3& to) {
+  const Point3 axis = {from[1] * to[2] - from[2] * to[1], from[2] * to[0] - from[0] * to[2],
+                       from[0] * to[1] - from[1] * to[0]};
   const double cosine = from[0] * to[0] + from[1] * to[1] + from[2] * to[2];
   if (!(cosine > -0.99)) return v;
-  const Direction across = {axis[1] * v[2] - axis[2] * v[1], axis[2] * v[0] - axis[0] * v[2],
-                            axis[0] * v[1] - axis[1] * v[0]};
+  const Point3 across = {axis[1] * v[2] - axis[2] * v[1], axis[2] * v[0] - axis[0] * v[2],
+                         axis[0] * v[1] - axis[1] * v[0]};
   const double along = (axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2]) / (1 + cosine);
   return {cosine * v[0] + across[0] + along * axis[0], cosine * v[1] + across[1] + along * axis[1],
           cosine * v[2] + across[2] + along * axis[2]};

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <numbers>
 
-#include "motion/turns.hpp"
+#include "sinew_formats/base/quaternion.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/motion.hpp"
 #include "text/joint_names.hpp"
 #include "text/text_lines.hpp"
 

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "motion/turns.hpp"
+#include "sinew_formats/base/quaternion.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/motion.hpp"
 #include "sinew_formats/print.hpp"
 #include "text/decimal.hpp"
 #include "text/joint_names.hpp"

@@ -2,7 +2,7 @@
 // Weights of corrective shapes, and meshes under them.
 #include "sinew_formats/morphs.hpp"
 
-#include "motion/turns.hpp"
+#include "sinew_formats/base/quaternion.hpp"
 
 namespace sinew {
 

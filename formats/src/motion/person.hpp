@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/points.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew {

@@ -9,7 +9,8 @@
 
 #include "gltf/animation_track.hpp"
 #include "gltf/gltf_source.hpp"
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
+#include "sinew_formats/motion.hpp"
 
 namespace sinew {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "gltf/gltf_source.hpp"
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "usd/usd_parse.hpp"
 
 namespace sinew {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "motion/turns.hpp"
+#include "sinew_formats/base/quaternion.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "usd/usd_parse.hpp"
 
 namespace sinew {

@@ -91,7 +91,7 @@ Wish read_wish(const char* text, sinew_progress progress) {
   const Json json = Json::parse(text);
   Wish wish;
   wish.method = json.at("method").get<uint32_t>();
-  wish.up_axis = json.at("upAxis").get<uint32_t>();
+  wish.up_axis = json.at("upAxis").get<uint32_t>() == 1 ? Axis::kZ : Axis::kY;
   wish.symmetric = json.at("symmetric").get<bool>();
   wish.rigid_parts = json.at("rigidParts").get<uint32_t>();
   wish.softness_percent = static_cast<uint32_t>(std::lround(json.at("softness").get<double>() * 100));

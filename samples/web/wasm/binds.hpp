@@ -16,7 +16,8 @@ using Json = nlohmann::ordered_json;
 
 // How the page wants characters bound.
 struct Wish {
-  uint32_t method = 0, up_axis = 0, rigid_parts = 0, softness_percent = 100, influences = 4;
+  Axis up_axis = Axis::kY;
+  uint32_t method = 0, rigid_parts = 0, softness_percent = 100, influences = 4;
   bool symmetric = false;
   std::vector<size_t> never, always;  // joints that the user switched off, and those that were off
   std::string to_pose;                // rest pose that it is shown and written in: "t", "a", "" as it stands

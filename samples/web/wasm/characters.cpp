@@ -170,7 +170,7 @@ Json predict(Session& s, const Json& wishes) {
   job.bind = false;  // the page shows the skeleton first
   job.detail = static_cast<SkeletonDetail>(wishes.at("detail").get<uint8_t>());
   const uint32_t up = wishes.at("up").get<uint32_t>();
-  job.up = up == 0 ? UpChoice::kY : up == 1 ? UpChoice::kZ : UpChoice::kFound;
+  if (up <= 1) job.up = up == 1 ? Axis::kZ : Axis::kY;
   job.category = wishes.at("category").get<uint32_t>();
   job.front = wishes.at("front").get<uint32_t>();
   job.mirror = wishes.at("mirror").get<uint32_t>();
@@ -228,7 +228,7 @@ Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint
   if (character.face_count() == 0) throw Error(mesh + ": has no faces to show; drop a mesh with polygons");
   const Placement placement = {place.value("turns", std::vector<std::string>()), place.value("height", 0.0),
                                place.value("floor", false)};
-  character = placed(std::move(character), placement, place.value("up", 0u) == 1 ? 2 : 1);
+  character = placed(std::move(character), placement, place.value("up", 0u) == 1 ? Axis::kZ : Axis::kY);
   JointChoice choice;
   if (!character.joints.empty()) {
     choice = prepare_joints(skeleton.empty() ? JointsFrom::kAuto : JointsFrom::kNames, false, &character);

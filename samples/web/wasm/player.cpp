@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-const char* up_text(uint32_t up) { return up == 0 ? "y" : up == 1 ? "z" : "auto"; }
+MaybeAxis up_of(uint32_t up) { return up == 0 ? MaybeAxis(Axis::kY) : up == 1 ? MaybeAxis(Axis::kZ) : std::nullopt; }
 
 Json limb_json(const sinew_limb_measure& limb) {
   return {{"deep", limb.deep_frames}, {"contacts", limb.contact_frames}, {"depth", limb.depth}, {"error", limb.error}};
@@ -81,7 +81,7 @@ void Player::make(MotionMethod method, Opened* opened) {
   }
   AnimateOptions options;
   options.character = opened->work.character.name;
-  options.up = up_text(opened->up);
+  options.up = up_of(opened->up);
   options.method = method == MotionMethod::kCopy              ? AnimateMethod::kCopy
                    : method == MotionMethod::kReferencePoints ? AnimateMethod::kReferencePoints
                    : method == MotionMethod::kStream          ? AnimateMethod::kStream
@@ -136,7 +136,8 @@ Json Player::clips_json(const Opened& opened) {
 }
 
 Player::Source Player::read(const std::string& file, const Character& character, uint32_t up) {
-  MotionFile read = read_motion_for({file, 0, "", "", up == 1 ? "z" : "auto"}, map_rig_of(character));
+  MotionFile read =
+      read_motion_for({file, 0, "", "", up == 1 ? MaybeAxis(Axis::kZ) : std::nullopt}, map_rig_of(character));
   Source source = {file, std::move(read.motion), std::nullopt, {}};
   std::vector<Clip>& clips = source.motion.clips;
   clips.erase(std::remove_if(clips.begin(), clips.end(), [](const Clip& clip) { return clip.frames.empty(); }),

@@ -26,7 +26,7 @@ void swap_stance(Session& s, Stance* other) {
 }
 
 Character in_pose(const Session& s, const Character& standing) {
-  return in_rest_pose(standing, read_rest_pose(s.to_pose), s.up_axis == 1 ? 2 : 1);
+  return in_rest_pose(standing, read_rest_pose(s.to_pose), s.up_axis);
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ struct Session {
   Surface surface;
   std::optional<Stance> standing;                 // there is one while `character` is in the pose `to_pose`, or flat
   std::string to_pose;                            // of the last bind: "t", "a", "" as it stands
-  uint32_t up_axis = 0;                           // of the last bind
+  Axis up_axis = Axis::kY;                        // of the last bind
   Seams seams;                                    // of the last bind
   std::vector<float> rest;                        // [V x 3]
   uint32_t slots = 4;                             // influences a vertex keeps

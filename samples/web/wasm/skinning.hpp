@@ -10,7 +10,7 @@
 
 #include "sinew_character/pose/bend_volume.hpp"
 #include "sinew_character/pose/deform.hpp"
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew::web {

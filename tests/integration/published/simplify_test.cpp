@@ -133,7 +133,7 @@ TEST(PublishedSimplify, ATwistGoesUnlessItIsSeen) {
 TEST(PublishedSimplify, TheLowLevelTakesNoLimbsOff) {
   for (const std::string name : kSimplified) {
     const Character before = sample(name);
-    std::vector<uint8_t> classes = limb_classes(map_rig_of(before), 'y');
+    std::vector<uint8_t> classes = limb_classes(map_rig_of(before), Axis::kY);
     SimplifyOptions low;
     low.low = true;
     Character after = before;

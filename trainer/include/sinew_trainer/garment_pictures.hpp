@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "sinew/sinew.h"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_trainer/report.hpp"
 
 namespace sinew {
@@ -21,7 +22,8 @@ Clothing measure_clothing(const Character& character);
 // these with the volume of body and cloth kept. The body has the weights of `character`. Each caption counts the pairs of triangles of
 // cloth and skin that cross and did not at rest. No panels when nothing lies under cloth.
 //   model  for the binds; null: by heat
-ReportPicture garment_pictures(const Character& character, const sinew_model* model, bool up_z = false, int side = 300);
+ReportPicture garment_pictures(const Character& character, const sinew_model* model, Axis up = Axis::kY,
+                               int side = 300);
 
 }  // namespace sinew
 #endif

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_trainer/confidence.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/weight_difference.hpp"
@@ -63,7 +64,7 @@ std::vector<std::pair<std::string, std::string>> best_median_worst(const Scores&
 // yardstick's first random pose: skinned with the artist's weights, with the prediction, and how far apart they are (0
 // .. 0.05 of the longest side).
 ReportPicture report_picture(const Character& reference, const std::vector<std::vector<Influence>>& predicted,
-                             const std::string& heading, bool up_z = false, int side = 400);
+                             const std::string& heading, Axis up = Axis::kY, int side = 400);
 
 // One page that needs nothing else: style, plots (SVG) and pictures (data URIs) are inside.
 // Throws Error when there is no variant or main_variant is none of them.

@@ -11,7 +11,7 @@
 #include "core/random.hpp"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_data_sets/dataset.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 
 namespace sinew {
 namespace {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sinew_formats/base/point.hpp"
+
 namespace sinew {
 namespace {
-
-using Point = std::array<double, 3>;
 
 constexpr int kPad = 4;          // empty cells around
 constexpr int kReach = 3;        // of the blur
@@ -19,9 +19,9 @@ constexpr uint32_t kMostSteps = 400;  // of a triangle's side
 
 class ShellGrower {
  public:
-  ShellGrower(const std::vector<Point>& vertices, uint32_t cells) : vertices_(vertices) {
-    Point high = low_ = vertices[0];
-    for (const Point& p : vertices) {
+  ShellGrower(const std::vector<Point3>& vertices, uint32_t cells) : vertices_(vertices) {
+    Point3 high = low_ = vertices[0];
+    for (const Point3& p : vertices) {
       for (size_t axis = 0; axis < 3; ++axis) {
         low_[axis] = std::min(low_[axis], p[axis]);
         high[axis] = std::max(high[axis], p[axis]);
@@ -198,7 +198,7 @@ class ShellGrower {
       }
     }
     const int at[3] = {x, y, z};
-    Point p;
+    Point3 p;
     for (size_t k = 0; k < 3; ++k) p[k] = (at[k] - kPad + 0.5 + sum[k] / count) * cell_ + low_[k];
     uint32_t owner = kNobody;
     for (uint32_t c = 0; c < 8 && owner == kNobody; ++c) owner = owner_[corner[c]];
@@ -222,8 +222,8 @@ class ShellGrower {
     });
   }
 
-  const std::vector<Point>& vertices_;
-  Point low_;
+  const std::vector<Point3>& vertices_;
+  Point3 low_;
   double cell_ = 0;
   std::array<int, 3> size_, steps_;  // cells; from a cell to the next along an axis
   std::vector<uint32_t> owner_;      // [cells] vertex, or kNobody
@@ -235,7 +235,7 @@ class ShellGrower {
 
 }  // namespace
 
-GrownShell grow_shell(const std::vector<Point>& vertices, const std::vector<std::array<uint32_t, 3>>& triangles,
+GrownShell grow_shell(const std::vector<Point3>& vertices, const std::vector<std::array<uint32_t, 3>>& triangles,
                       uint32_t cells) {
   return ShellGrower(vertices, cells).run(triangles);
 }

@@ -36,7 +36,7 @@ Vector3d share(Vec3i p) {
 HandSource::HandSource(const Character& character, const TargetHand& hand)
     : name_(character.name), family_(family_of(character.name)), length_(hand.length) {
   const Vec3& w = character.joints[hand.joint].position;
-  const auto local = [&](double x, double y, double z) -> Point {
+  const auto local = [&](double x, double y, double z) -> Point3 {
     const double dx = x - static_cast<double>(w.x);
     return {hand.right ? -dx : dx, y - static_cast<double>(w.y), z - static_cast<double>(w.z)};
   };
@@ -52,7 +52,7 @@ HandSource::HandSource(const Character& character, const TargetHand& hand)
     if (finger.end) f.end = local((*finger.end)[0], (*finger.end)[1], (*finger.end)[2]);
     int parent = kWrist;
     for (size_t k = 0; k < finger.joints.size(); ++k) {
-      const Point& p = finger.positions[k];
+      const Point3& p = finger.positions[k];
       own[finger.joints[k]] = static_cast<int>(joints_.size());
       f.joints.push_back(static_cast<uint32_t>(joints_.size()));
       joints_.push_back({local(p[0], p[1], p[2]), parent, finger_class(finger.finger, static_cast<uint32_t>(k))});
@@ -67,7 +67,7 @@ HandSource::HandSource(const Character& character, const TargetHand& hand)
     return 0;
   };
   std::vector<uint32_t> number(character.vertices.size(), UINT32_MAX);
-  std::vector<Point> positions;
+  std::vector<Point3> positions;
   for (const Vec3& p : character.vertices) positions.push_back(local_of(p));
   const auto is_near = [&](uint32_t v) { return vec(positions[v]).norm() < kAround * length_; };
   const auto vertex_of = [&](uint32_t v) {
@@ -104,7 +104,7 @@ HandSource::HandSource(const Character& character, const TargetHand& hand)
   palm_end_ = arr(0.85 * length_ * along);
   elbow_ = arr(-1.3 * length_ * along);
   if (hand.elbow >= 0) {
-    const Point e = local_of(character.joints[static_cast<size_t>(hand.elbow)].position);
+    const Point3 e = local_of(character.joints[static_cast<size_t>(hand.elbow)].position);
     if (vec(e).norm() > 0.3 * length_) elbow_ = e;
   }
 }
@@ -116,8 +116,8 @@ class HandSource::Labels {
   template <class InCrop>
   Labels(const HandSource& hand, const Posed& posed, const InCrop& in_crop, RigSample* out)
       : hand_(hand), posed_(posed), out_(*out), palm_end_(in_crop(posed.palm_end)) {
-    for (const Point& p : posed.joints) joints_.push_back(in_crop(p));
-    for (const std::optional<Point>& end : posed.ends)
+    for (const Point3& p : posed.joints) joints_.push_back(in_crop(p));
+    for (const std::optional<Point3>& end : posed.ends)
       ends_.push_back(end ? std::optional<Vector3d>(in_crop(*end)) : std::nullopt);
   }
 
@@ -231,7 +231,7 @@ std::optional<RigSample> HandSource::make(uint64_t seed, double strength) const 
   run(arena);
   if (crop.surface_triangles == 0) return std::nullopt;
 
-  const auto hand_position = [&](const Point& p) {
+  const auto hand_position = [&](const Point3& p) {
     const Vec3i at = crop.frame.to(quantized(vec(p)));
     return share(at);
   };

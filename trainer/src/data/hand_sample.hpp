@@ -8,6 +8,8 @@
 #include "data/rig_sample.hpp"
 #include "rig/hand_class.hpp"
 #include "sinew_data_sets/target_hands.hpp"
+#include "sinew_formats/base/point.hpp"
+#include "sinew_formats/motion.hpp"
 
 namespace sinew {
 
@@ -24,22 +26,21 @@ class HandSource {
   std::optional<RigSample> make(uint64_t seed, double strength) const;
 
  private:
-  using Point = std::array<double, 3>;
   // Joints of the hand's own: 0 what does not belong to it, 1 the wrist, then those of the fingers.
   struct HandJoint {
-    Point at{};
+    Point3 at{};
     int parent = -1;  // of these
     uint8_t hand_class = rigging::kHandRest;
   };
   struct HandFinger {
     uint32_t finger = 0;
     std::vector<uint32_t> joints;  // of these
-    std::optional<Point> end;
+    std::optional<Point3> end;
   };
   struct Posed {
-    std::vector<Point> vertices, joints;     // [V], [joints_]
-    std::vector<std::optional<Point>> ends;  // [fingers_]
-    Point palm_end{};
+    std::vector<Point3> vertices, joints;     // [V], [joints_]
+    std::vector<std::optional<Point3>> ends;  // [fingers_]
+    Point3 palm_end{};
     std::vector<uint8_t> classes;  // [joints_] HandClass; those of a missing finger are kHandPalm
   };
   class Labels;
@@ -48,12 +49,12 @@ class HandSource {
 
   std::string name_, family_;
   double length_ = 1;
-  std::vector<Point> vertices_;  // [V] from the wrist, a left hand
+  std::vector<Point3> vertices_;  // [V] from the wrist, a left hand
   std::vector<std::array<uint32_t, 3>> triangles_;
   std::vector<std::vector<Influence>> influences_;  // [V] of joints_
   std::vector<HandJoint> joints_;
   std::vector<HandFinger> fingers_;
-  Point elbow_{}, palm_end_{};
+  Point3 elbow_{}, palm_end_{};
 };
 
 // The hands of a character that teach something: its clear ones.

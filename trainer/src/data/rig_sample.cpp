@@ -42,7 +42,7 @@ Matrix3d rotation_between(const Vector3d& from, const Vector3d& to) {
 
 RigSource::RigSource(const Character& character)
     : name_(character.name), family_(family_of(character.name)), body_{target_skeleton(character), {}, {}, {}} {
-  std::vector<Point> vertices;
+  std::vector<Point3> vertices;
   std::vector<uint32_t> source;
   surface_of(character, &vertices, &triangles_, &source);
   for (const uint32_t v : source) influences_.push_back(character.influences[v]);
@@ -50,18 +50,18 @@ RigSource::RigSource(const Character& character)
   const MirrorFrame frame = engine.mirror_frame();
 
   Vector3d low = vec(vertices[0]), high = low;
-  for (const Point& p : vertices) {
+  for (const Point3& p : vertices) {
     low = low.cwiseMin(vec(p));
     high = high.cwiseMax(vec(p));
   }
   const double side = std::max((high - low).maxCoeff(), 1e-30), plane = static_cast<double>(frame.plane) / kSide;
-  const auto to_frame = [&](const Vector3d& p) -> Point {
+  const auto to_frame = [&](const Vector3d& p) -> Point3 {
     const double x = (p.x() - 0.5 * (low.x() + high.x())) / side, y = (p.y() - low.y()) / side,
                  z = (p.z() - 0.5 * (low.z() + high.z())) / side;
     if (frame.turned()) return {plane - z, y, x};
     return {x - plane, y, z};
   };
-  for (const Point& p : vertices) vertices_.push_back(to_frame(vec(p)));
+  for (const Point3& p : vertices) vertices_.push_back(to_frame(vec(p)));
   for (const Joint& j : character.joints) {
     joints_.push_back(to_frame({j.position.x, j.position.y, j.position.z}));
     parents_.push_back(j.parent);
@@ -111,7 +111,7 @@ void RigSource::find_partners() {
 
 // Connected parts of welded triangles.
 void RigSource::find_parts() {
-  std::map<Point, uint32_t> weld;
+  std::map<Point3, uint32_t> weld;
   std::vector<uint32_t> root(vertices_.size());
   std::iota(root.begin(), root.end(), 0u);
   const auto find = [&](uint32_t v) {
@@ -176,17 +176,17 @@ RigSource::Palette RigSource::stiff_pose(uint64_t seed) const {
 
 RigSource::Palette RigSource::rest_pose() const {
   Palette rest;
-  for (const Point& p : joints_) rest.origin.push_back(vec(p));
+  for (const Point3& p : joints_) rest.origin.push_back(vec(p));
   rest.linear.assign(joints_.size(), Matrix3d::Identity());
   return rest;
 }
 
-Vector3d RigSource::follow(const Palette& palette, uint32_t j, const Point& p) const {
+Vector3d RigSource::follow(const Palette& palette, uint32_t j, const Point3& p) const {
   return palette.origin[j] + palette.linear[j] * (vec(p) - vec(joints_[j]));
 }
 
-std::vector<RigSource::Point> RigSource::skin(const Palette& palette) const {
-  std::vector<Point> vertices = vertices_;
+std::vector<Point3> RigSource::skin(const Palette& palette) const {
+  std::vector<Point3> vertices = vertices_;
   for (size_t v = 0; v < vertices.size(); ++v) {
     Vector3d sum = Vector3d::Zero();
     double weights = 0;
@@ -229,7 +229,7 @@ std::vector<uint8_t> RigSource::vanish(Random* random) const {
 }
 
 // The triangles that stay, and the vertices that they have; others would spoil the box.
-SourcedSurface RigSource::surface(const std::vector<Point>& vertices, const std::vector<uint8_t>& gone) const {
+SourcedSurface RigSource::surface(const std::vector<Point3>& vertices, const std::vector<uint8_t>& gone) const {
   SourcedSurface surface;
   std::vector<uint32_t> number(vertices.size(), UINT32_MAX);
   for (size_t t = 0; t < triangles_.size(); ++t) {
@@ -257,14 +257,14 @@ void RigSource::draw(Random* random, Posed* posed) const {
   if (view == SilhouetteView::kFromSide) {
     posed->symmetric = true;
   } else {
-    for (Point& p : posed->joints) p[2] = 0;
+    for (Point3& p : posed->joints) p[2] = 0;
   }
 }
 
 RigSource::Posed RigSource::pose(uint64_t seed, const RigVariant& variant) const {
   Random random(seed);
   Posed posed{{}, body_.joints, true};
-  std::vector<Point> vertices = vertices_;
+  std::vector<Point3> vertices = vertices_;
   std::vector<uint8_t> gone(triangles_.size(), 0);
   if (variant.strength > 0) {
     const double strength = variant.strength;
@@ -277,7 +277,7 @@ RigSource::Posed RigSource::pose(uint64_t seed, const RigVariant& variant) const
     if (variant.wide && !pose.symmetric)  // no plane tells exactly where such a mesh faces
       whole = Eigen::AngleAxisd(std::clamp(kYaw * random.normal(), -2 * kYaw, 2 * kYaw), Vector3d::UnitY()) * whole;
     vertices = skin(moved);
-    for (Point& p : vertices) p = arr(whole * vec(p));
+    for (Point3& p : vertices) p = arr(whole * vec(p));
     for (size_t i = 0; i < posed.joints.size(); ++i)
       posed.joints[i] = arr(whole * follow(moved, body_.target.joints[i].source, body_.joints[i]));
     if (random.uniform() < 0.4 && parts_ > 1) gone = vanish(&random);
@@ -306,7 +306,7 @@ RigSource::Placed RigSource::place(const Posed& posed, uint64_t seed) const {
   Random random(mix_seeds(seed, 3));
   if (!posed.symmetric && random.uniform() < 0.5) frame.plane = 0;  // nobody would find it
   apply_mirror_frame(frame, &engine.mesh);
-  for (const Point& p : posed.joints) {  // in grid units of the posed character's own box
+  for (const Point3& p : posed.joints) {  // in grid units of the posed character's own box
     const float f[3] = {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
     const Vec3i at = frame.to(quantize_point(engine.quantizer, f));
     placed.joints.push_back(arr(Vector3d(at.x, at.y, at.z) / kSide));
@@ -338,7 +338,7 @@ void with_point_set(const EngineMesh& engine, uint64_t seed, const std::function
 
 RigSample RigSource::label(const Placed& placed, const PointSet& set) const {
   std::vector<Vector3d> joints;
-  for (const Point& p : placed.joints) joints.push_back(vec(p));
+  for (const Point3& p : placed.joints) joints.push_back(vec(p));
 
   RigSample s = point_sample(set);
   s.name = name_;

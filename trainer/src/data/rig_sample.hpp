@@ -14,6 +14,7 @@
 #include "data/rough_surface.hpp"
 #include "rig/rig_points.hpp"
 #include "sinew_data_sets/target_skeleton.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_trainer/network_sample.hpp"
 
@@ -55,11 +56,10 @@ class RigSource {
   // The same seed gives the same sample.
   RigSample make(uint64_t seed, const RigVariant& variant) const;
 
-  using Point = std::array<double, 3>;
   // The mesh of such a sample, U welded vertices in their mirror frame.
   struct Placed {
     EngineMesh engine;
-    std::vector<Point> joints;     // [target] shares of the longest side, not folded
+    std::vector<Point3> joints;    // [target] shares of the longest side, not folded
     std::vector<uint32_t> source;  // [U] vertex of the surface that a welded vertex has its weights from
   };
   Placed make_mesh(uint64_t seed, const RigVariant& variant) const;
@@ -73,10 +73,10 @@ class RigSource {
   Palette stiff_pose(uint64_t seed) const;
   Palette rest_pose() const;
   // The vertices of faces by their own weights, in the mirror frame.
-  std::vector<Point> skin(const Palette& palette) const;
+  std::vector<Point3> skin(const Palette& palette) const;
   // What belongs to joint j in the mirror frame goes with it.
-  Eigen::Vector3d follow(const Palette& palette, uint32_t j, const Point& p) const;
-  const std::vector<Point>& joints() const { return joints_; }                           // [J] mirror frame
+  Eigen::Vector3d follow(const Palette& palette, uint32_t j, const Point3& p) const;
+  const std::vector<Point3>& joints() const { return joints_; }                          // [J] mirror frame
   const std::vector<std::array<uint32_t, 3>>& triangles() const { return triangles_; }   // of skin()'s vertices
   const std::vector<std::vector<Influence>>& influences() const { return influences_; }  // of skin()'s vertices
   const PoseBody& body() const { return body_; }
@@ -88,7 +88,7 @@ class RigSource {
  private:
   struct Posed {
     SourcedSurface surface;
-    std::vector<Point> joints;  // of the target
+    std::vector<Point3> joints;  // of the target
     bool symmetric = true;
   };
   void find_partners();
@@ -97,15 +97,15 @@ class RigSource {
   void draw(Random* random, Posed* posed) const;
   Palette palette(const RigPose& pose) const;
   std::vector<uint8_t> vanish(Random* random) const;  // [T] triangles that are gone
-  SourcedSurface surface(const std::vector<Point>& vertices, const std::vector<uint8_t>& gone) const;
+  SourcedSurface surface(const std::vector<Point3>& vertices, const std::vector<uint8_t>& gone) const;
   Placed place(const Posed& posed, uint64_t seed) const;
   RigSample label(const Placed& placed, const rigging::PointSet& set) const;
 
   std::string name_, family_;
-  std::vector<Point> vertices_;  // [V] mirror frame, side 1
+  std::vector<Point3> vertices_;  // [V] mirror frame, side 1
   std::vector<std::array<uint32_t, 3>> triangles_;
   std::vector<std::vector<Influence>> influences_;  // [V] of the character's joints
-  std::vector<Point> joints_;                       // [J] of the character
+  std::vector<Point3> joints_;                      // [J] of the character
   std::vector<int> parents_;                        // [J]
   std::vector<uint32_t> order_;                     // [J] parents first
   PoseBody body_;

@@ -9,27 +9,26 @@
 #include <vector>
 
 #include "sinew_character/picture/picture_mesh.hpp"
+#include "sinew_formats/base/point.hpp"
 
 namespace sinew {
 namespace {
 
-using Point = std::array<double, 3>;
-
 // To the picture's axes, x right, y up, z to who looks, and back.
-Point seen(SilhouetteView view, const Point& p) {
-  return view == SilhouetteView::kFromSide ? Point{p[2], p[1], -p[0]} : p;
+Point3 seen(SilhouetteView view, const Point3& p) {
+  return view == SilhouetteView::kFromSide ? Point3{p[2], p[1], -p[0]} : p;
 }
-Point unseen(SilhouetteView view, const Point& p) {
-  return view == SilhouetteView::kFromSide ? Point{-p[2], p[1], p[0]} : p;
+Point3 unseen(SilhouetteView view, const Point3& p) {
+  return view == SilhouetteView::kFromSide ? Point3{-p[2], p[1], p[0]} : p;
 }
 
 constexpr uint32_t kMargin = 2;  // pixels around the figure
 
 class Drawing {
  public:
-  Drawing(const std::vector<Point>& vertices, uint32_t pixels) {
-    Point low = vertices[0], high = vertices[0];
-    for (const Point& p : vertices)
+  Drawing(const std::vector<Point3>& vertices, uint32_t pixels) {
+    Point3 low = vertices[0], high = vertices[0];
+    for (const Point3& p : vertices)
       for (size_t a = 0; a < 3; ++a) {
         low[a] = std::min(low[a], p[a]);
         high[a] = std::max(high[a], p[a]);
@@ -47,8 +46,8 @@ class Drawing {
   }
 
   // Pixels whose middles are in the triangle.
-  void fill(const std::array<Point, 3>& corners, const std::array<uint32_t, 3>& numbers) {
-    std::array<Point, 3> c;
+  void fill(const std::array<Point3, 3>& corners, const std::array<uint32_t, 3>& numbers) {
+    std::array<Point3, 3> c;
     for (size_t k = 0; k < 3; ++k) c[k] = {x_of(corners[k]), y_of(corners[k]), corners[k][2]};
     const double twice = (c[1][0] - c[0][0]) * (c[2][1] - c[0][1]) - (c[2][0] - c[0][0]) * (c[1][1] - c[0][1]);
     if (std::abs(twice) < 1e-12) return;
@@ -78,7 +77,7 @@ class Drawing {
   uint32_t height() const { return height_; }
 
   // A place of the mesh in pixels, x from the left edge, y up from the bottom edge, as a point of the picture's axes.
-  Point place(const Vec3& p) const {
+  Point3 place(const Vec3& p) const {
     return {left_ + (p.x - kMargin) / scale_, top_ - (height_ - double{p.y} - kMargin) / scale_, p.z / scale_};
   }
   // The corner that is drawn nearest to the place; the figure covers a pixel at least.
@@ -103,8 +102,8 @@ class Drawing {
   }
 
  private:
-  double x_of(const Point& p) const { return (p[0] - left_) * scale_ + kMargin; }
-  double y_of(const Point& p) const { return (top_ - p[1]) * scale_ + kMargin; }
+  double x_of(const Point3& p) const { return (p[0] - left_) * scale_ + kMargin; }
+  double y_of(const Point3& p) const { return (top_ - p[1]) * scale_ + kMargin; }
   void put(size_t pixel, double depth, uint32_t corner) {
     if (depth > near_[pixel]) {
       near_[pixel] = depth;
@@ -126,7 +125,7 @@ class Drawing {
 
 SilhouetteView broad_view(const SourcedSurface& surface) {
   std::array<std::vector<double>, 2> along;
-  for (const Point& p : surface.vertices) {
+  for (const Point3& p : surface.vertices) {
     along[0].push_back(p[0]);
     along[1].push_back(p[2]);
   }
@@ -138,8 +137,8 @@ SilhouetteView broad_view(const SourcedSurface& surface) {
 }
 
 SourcedSurface silhouette_of(const SourcedSurface& surface, SilhouetteView view, uint32_t pixels) {
-  std::vector<Point> vertices;
-  for (const Point& p : surface.vertices) vertices.push_back(seen(view, p));
+  std::vector<Point3> vertices;
+  for (const Point3& p : surface.vertices) vertices.push_back(seen(view, p));
   Drawing drawing(vertices, pixels);
   for (const auto& t : surface.triangles) drawing.fill({vertices[t[0]], vertices[t[1]], vertices[t[2]]}, t);
 

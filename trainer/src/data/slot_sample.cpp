@@ -47,7 +47,7 @@ SlotSample make_slot_sample(const RigSource& source, uint64_t seed, double stren
   for (uint32_t slot = 0; slot < kSlots; ++slot) {
     if (held[slot] < 0) continue;
     s.present[slot] = 1;
-    const RigSource::Point& position = placed.joints[static_cast<size_t>(held[slot])];
+    const Point3& position = placed.joints[static_cast<size_t>(held[slot])];
     for (uint32_t c = 0; c < 3; ++c) s.joints[4 * slot + c] = static_cast<float>(position[c]);
     s.joints[4 * slot + kSlotOffset] = static_cast<float>(skin_offset(s, position));
   }

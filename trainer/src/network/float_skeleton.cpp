@@ -49,7 +49,7 @@ PredictedSkeleton predict_float_skeleton(const Character& character, const Float
                                          const SkeletonOptions& options) {
   const EngineViews views(character, {});
   sinew_rig_options engine_options = sinew_rig_options_init();
-  engine_options.up = options.find_up ? SINEW_UP_AUTO : options.up_axis == 0 ? SINEW_UP_Y : SINEW_UP_Z;
+  engine_options.up = options.find_up ? SINEW_UP_AUTO : options.up_axis == Axis::kZ ? SINEW_UP_Z : SINEW_UP_Y;
   engine_options.front_model = options.front_model;
   engine_options.front = options.front;
   engine_options.mirror = options.mirror;

@@ -11,7 +11,7 @@
 
 namespace sinew {
 
-ReportPicture bend_pictures(const Character& character, bool up_z, int side) {
+ReportPicture bend_pictures(const Character& character, Axis up, int side) {
   constexpr float kRadius = 0.16f;  // of the longest side: what a picture shows
   ReportPicture picture;
   picture.heading = "bends";
@@ -23,7 +23,7 @@ ReportPicture bend_pictures(const Character& character, bool up_z, int side) {
   for (const Bend& bend : report_bends()) {
     const size_t joint = bent_joint(character, labels, bend);
     if (joint == SIZE_MAX) continue;
-    const auto [palette, view] = bent_view(character, joint, bend, bend.degrees, up_z, kRadius, side);
+    const auto [palette, view] = bent_view(character, joint, bend, bend.degrees, up, kRadius, side);
     const Character linear = apply_pose(character, palette), kept = deformer.pose_character(character, palette);
     picture.panels.push_back(
         {bend_text(bend, bend.degrees), encode_png(beside({render(linear, grey, view), render(kept, grey, view)}))});

@@ -6,7 +6,7 @@
 
 #include "sinew/rig.h"
 #include "sinew_character/pose/pose.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/print.hpp"
 
 namespace sinew {
@@ -17,11 +17,12 @@ Vec3d position_of(const Joint& joint) {
           static_cast<double>(joint.position.z)};
 }
 
-Vec3d rotation_axis(const Character& character, size_t joint, const Bend& bend, bool up_z) {
+Vec3d rotation_axis(const Character& character, size_t joint, const Bend& bend, Axis up) {
   const Vec3d at = position_of(character.joints[joint]);
   if (bend.twist) return unit(at - position_of(character.joints[static_cast<size_t>(character.joints[joint].parent)]));
   const Vec3d after = bone_direction(character, joint);
-  const Vec3d front = up_z ? Vec3d{0, -1, 0} : Vec3d{0, 0, 1}, up = up_z ? Vec3d{0, 0, 1} : Vec3d{0, 1, 0};
+  const Vec3d front = up == Axis::kZ ? Vec3d{0, -1, 0} : Vec3d{0, 0, 1},
+              up = up == Axis::kZ ? Vec3d{0, 0, 1} : Vec3d{0, 1, 0};
   const Vec3d direction = bend.upwards ? up : bend.backwards ? -1.0 * front : front;
   const Vec3d axis = cross(after, direction);
   return unit(length(axis) > 0.3 ? axis : cross(after, front));  // an arm that hangs down
@@ -66,11 +67,11 @@ Vec3d bone_direction(const Character& character, size_t joint) {
 
 std::string bend_text(const Bend& bend, double degrees) { return print("%s %.0f degrees", bend.what, degrees); }
 
-BentView bent_view(const Character& character, size_t joint, const Bend& bend, double degrees, bool up_z, float radius,
+BentView bent_view(const Character& character, size_t joint, const Bend& bend, double degrees, Axis up, float radius,
                    int side) {
   constexpr double kDegree = 3.14159265358979323846 / 180;
   BentView out;
-  const Vec3d axis = rotation_axis(character, joint, bend, up_z), at = position_of(character.joints[joint]);
+  const Vec3d axis = rotation_axis(character, joint, bend, up), at = position_of(character.joints[joint]);
   const Affine turn = rotation_about(axis_rotation({axis.x, axis.y, axis.z}, degrees * kDegree), {at.x, at.y, at.z});
   out.palette.assign(character.joints.size(), kIdentity);
   for (const size_t j : parents_first(character)) {
@@ -81,14 +82,14 @@ BentView bent_view(const Character& character, size_t joint, const Bend& bend, d
   const Box box = box_of(character.vertices);
   RenderOptions& view = out.view;
   view.width = view.height = side;
-  view.up_z = up_z;
+  view.up = up;
   view.draw_skeleton = false;
   view.focus = character.joints[joint].position;
   view.focus_radius = radius * box.longest_side();
   // Along the axis of a bend, across a twist. An axis has two ends to look from.
   const double outward = view.focus.x < (box.low.x + box.high.x) / 2 ? -1 : 1;
-  const Vec3d look = bend.twist ? (up_z ? Vec3d{0, -1, 0} : Vec3d{0, 0, 1}) : axis;
-  double across = look.x, ahead = up_z ? -look.y : look.z;
+  const Vec3d look = bend.twist ? (up == Axis::kZ ? Vec3d{0, -1, 0} : Vec3d{0, 0, 1}) : axis;
+  double across = look.x, ahead = up == Axis::kZ ? -look.y : look.z;
   const bool from_front = std::abs(ahead) > 0.7;
   if (from_front ? ahead < 0 : outward * across < 0) across = -across, ahead = -ahead;
   view.yaw_degrees =

@@ -11,7 +11,8 @@
 #include "core/vec3d.hpp"
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/predict/label_skeleton.hpp"
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -43,7 +44,7 @@ struct BentView {
   std::vector<Affine> palette;  // [J]
   RenderOptions view;
 };
-BentView bent_view(const Character& character, size_t joint, const Bend& bend, double degrees, bool up_z, float radius,
+BentView bent_view(const Character& character, size_t joint, const Bend& bend, double degrees, Axis up, float radius,
                    int side);
 
 }  // namespace sinew

@@ -11,7 +11,8 @@
 #include "data/dense_rows.hpp"
 #include "sinew_character/check/bone_distance.hpp"
 #include "sinew_character/pose/pose.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/vertex_areas.hpp"
 #include "sinew_trainer/fold_targets.hpp"
@@ -22,13 +23,9 @@ namespace {
 
 constexpr double kLogFloor = 1e-4;  // both sides of the KL divergence
 
-using Point = std::array<double, 3>;
-
-Point scaled(const Vec3& p, double scale) {
+Point3 scaled(const Vec3& p, double scale) {
   return {static_cast<double>(p.x) * scale, static_cast<double>(p.y) * scale, static_cast<double>(p.z) * scale};
 }
-
-double length(const Point& p) { return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]); }
 
 // Differences in double, as the yardstick's script has them.
 double longest_side(const std::vector<Vec3>& vertices) {
@@ -39,9 +36,9 @@ double longest_side(const std::vector<Vec3>& vertices) {
 }
 
 // Linear blend skinning; what a row lacks to sum 1 stays at rest.
-Point skin_point(const std::vector<std::pair<size_t, double>>& row, const std::vector<Affine>& palette,
-                 const Point& p) {
-  Point out{};
+Point3 skin_point(const std::vector<std::pair<size_t, double>>& row, const std::vector<Affine>& palette,
+                  const Point3& p) {
+  Point3 out{};
   double lack = 1;
   for (const auto& [joint, weight] : row) {
     const Affine& m = palette[joint];
@@ -141,7 +138,7 @@ std::vector<double> measure_poses(const Character& reference, const std::string&
                                   const DenseRows& p, const std::vector<size_t>& kept, int poses, Metrics* m) {
   const double side = longest_side(reference.vertices);
   const double scale = side > 0 ? 1 / side : 1;
-  std::vector<Point> joint_positions;
+  std::vector<Point3> joint_positions;
   for (const Joint& joint : reference.joints) joint_positions.push_back(scaled(joint.position, scale));
   const std::vector<std::vector<Affine>> palettes = random_poses(reference, name, joint_positions, poses);
   std::vector<double> largest(palettes.size(), 0.0);
@@ -150,10 +147,10 @@ std::vector<double> measure_poses(const Character& reference, const std::string&
   for (const size_t v : kept) {
     if (r[v] == p[v]) continue;  // the same skin, distance 0
     const auto reference_row = nonzero(r[v]), predicted_row = nonzero(p[v]);
-    const Point rest = scaled(reference.vertices[v], scale);
+    const Point3 rest = scaled(reference.vertices[v], scale);
     for (size_t k = 0; k < palettes.size(); ++k) {
-      Point difference = skin_point(reference_row, palettes[k], rest);
-      const Point other = skin_point(predicted_row, palettes[k], rest);
+      Point3 difference = skin_point(reference_row, palettes[k], rest);
+      const Point3 other = skin_point(predicted_row, palettes[k], rest);
       for (size_t i = 0; i < 3; ++i) difference[i] -= other[i];
       const double distance = length(difference);
       total += distance;
@@ -216,20 +213,20 @@ namespace {
 // Distances to bones of which a leaf's goes on along its parent bone: half as long, at most a tenth of the skeleton.
 BoneDistance with_stubs(const Character& character) {
   BoneDistance distance(character);
-  std::vector<Point> joints;
+  std::vector<Point3> joints;
   for (const Joint& joint : character.joints)
     joints.push_back({static_cast<double>(joint.position.x), static_cast<double>(joint.position.y),
                       static_cast<double>(joint.position.z)});
   double size = 0;
   for (size_t i = 0; i < 3; ++i) {
-    const auto less = [i](const Point& a, const Point& b) { return a[i] < b[i]; };
+    const auto less = [i](const Point3& a, const Point3& b) { return a[i] < b[i]; };
     const auto [low, high] = std::minmax_element(joints.begin(), joints.end(), less);
     size = std::max(size, (*high)[i] - (*low)[i]);
   }
   for (size_t j = 0; j < joints.size(); ++j) {
     if (character.joints[j].parent < 0) continue;
-    const Point& from = joints[static_cast<size_t>(character.joints[j].parent)];
-    Point end = joints[j];
+    const Point3& from = joints[static_cast<size_t>(character.joints[j].parent)];
+    Point3 end = joints[j];
     const double length = std::hypot(end[0] - from[0], end[1] - from[1], end[2] - from[2]);
     if (length == 0) continue;
     const double share = std::min(0.5, 0.1 * size / length);

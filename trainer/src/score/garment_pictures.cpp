@@ -40,7 +40,7 @@ Clothing measure_clothing(const Character& character) {
   return {dressed->bends.size(), crossing_pairs(dressed->body, dressed->garment).size()};
 }
 
-ReportPicture garment_pictures(const Character& character, const sinew_model* model, bool up_z, int side) {
+ReportPicture garment_pictures(const Character& character, const sinew_model* model, Axis up, int side) {
   ReportPicture picture;
   picture.heading = "cloth";
   picture.columns = 4;
@@ -65,7 +65,7 @@ ReportPicture garment_pictures(const Character& character, const sinew_model* mo
     options.method = binding.method;
     options.garment = binding.garment;
     options.model = model;
-    options.up_axis = options.source_up_axis = up_z ? 1 : 0;
+    options.up_axis = options.source_up_axis = up;
     Character bound = cloth;
     bound.influences = transfer(skin, cloth, same, options).influences;
     wholes.push_back(layered(skin, bound));
@@ -76,7 +76,7 @@ ReportPicture garment_pictures(const Character& character, const sinew_model* mo
   colours.resize(wholes.back().vertices.size(), kCloth);
   for (const auto& [bend, joint] : dressed->bends) {
     const double degrees = std::min(bend->degrees, kMostDegrees);
-    const BentView bent = bent_view(character, joint, *bend, degrees, up_z, kRadius, side);
+    const BentView bent = bent_view(character, joint, *bend, degrees, up, kRadius, side);
     const auto show = [&](const Character& posed, const char* what) {
       Character posed_skin = skin, posed_cloth = cloth;
       const auto border = posed.vertices.begin() + static_cast<std::ptrdiff_t>(skin.vertices.size());

@@ -6,24 +6,22 @@
 #include <nlohmann/json.hpp>
 
 #include "sinew_character/predict/predict_hands.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 
 namespace sinew {
 namespace {
 
-using Point = std::array<double, 3>;
-
-Point point(const Vec3& p) { return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)}; }
-double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+double distance(const Point3& a, const Point3& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 struct HandPoint {
-  Point at;
+  Point3 at;
   uint32_t finger, order;  // order kEnd: the bone end
 };
 constexpr uint32_t kEnd = 9;
 
-int nearest_hand(const PredictedSkeleton& predicted, const Point& wrist, double reach) {
+int nearest_hand(const PredictedSkeleton& predicted, const Point3& wrist, double reach) {
   int best = -1;
   for (size_t j = 0; j < predicted.joints.size(); ++j) {
     if (predicted.classes[j] != SINEW_CLASS_HAND || predicted.ends[j] != 0) continue;
@@ -92,7 +90,7 @@ HandScore score_hands(const Character& character, const PredictedSkeleton& predi
       ++score.unclear;
       continue;
     }
-    const Point wrist = point(character.joints[hand.joint].position);
+    const Point3 wrist = point(character.joints[hand.joint].position);
     const std::vector<HandPoint> made = fingers_of(predicted, nearest_hand(predicted, wrist, hand.length));
     if (hand.fingers.empty()) {
       ++score.bare;

@@ -6,7 +6,7 @@
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/page/html.hpp"
 #include "sinew_character/pose/pose.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_trainer/random_poses.hpp"
 #include "sinew_trainer/report.hpp"
 
@@ -30,7 +30,7 @@ std::vector<std::pair<std::string, std::string>> best_median_worst(const Scores&
 }
 
 ReportPicture report_picture(const Character& reference, const std::vector<std::vector<Influence>>& predicted,
-                             const std::string& heading, bool up_z, int side) {
+                             const std::string& heading, Axis up, int side) {
   std::vector<float> errors;
   const Metrics m = measure(reference, predicted, reference.name, 10, &errors);
   Character bound = reference;
@@ -51,7 +51,7 @@ ReportPicture report_picture(const Character& reference, const std::vector<std::
 
   RenderOptions bare;
   bare.width = bare.height = side;
-  bare.up_z = up_z;
+  bare.up = up;
   bare.draw_skeleton = false;
   RenderOptions with_skeleton = bare;
   with_skeleton.draw_skeleton = true;

@@ -2,7 +2,7 @@
 // The table of damages, and which file does which.
 #include "score/rig_damage.hpp"
 
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

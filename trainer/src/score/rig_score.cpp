@@ -9,6 +9,7 @@
 
 #include "score/assignment.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -16,29 +17,27 @@ namespace {
 
 using namespace rigging;
 
-using Point = std::array<double, 3>;
-
 constexpr double kBoneStep = 0.005;
 constexpr double kPairDistance = 0.05;
 constexpr double kUnpairedCost = 10;  // more than all pairs together for any skeleton below 200 joints
 constexpr double kMirrorError = 2e-6;
 constexpr double kRigMiddle = 0.01, kBeside = 0.005;  // from the mirror plane
 
-double distance_of(const Point& a, const Point& b) {
+double distance_of(const Point3& a, const Point3& b) {
   const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
   return std::sqrt(x * x + y * y + z * z);
 }
 
 // Of every point, how far the nearest of `others` is. Plain search: a few thousand points take milliseconds.
-std::vector<double> nearest_distances(const std::vector<Point>& points, const std::vector<Point>& others) {
+std::vector<double> nearest_distances(const std::vector<Point3>& points, const std::vector<Point3>& others) {
   std::vector<double> x, y, z;
-  for (const Point& p : points) {
+  for (const Point3& p : points) {
     x.push_back(p[0]);
     y.push_back(p[1]);
     z.push_back(p[2]);
   }
   std::vector<double> nearest(points.size(), std::numeric_limits<double>::infinity());
-  for (const Point& q : others) {
+  for (const Point3& q : others) {
     for (size_t i = 0; i < nearest.size(); ++i) {
       const double dx = x[i] - q[0], dy = y[i] - q[1], dz = z[i] - q[2];
       const double squared = dx * dx + dy * dy + dz * dz;
@@ -54,21 +53,21 @@ double mean(const std::vector<double>& values) {
 }
 
 // Half the sum of both ways: `a` to `near_a`, `b` to `near_b`.
-double both_ways(const std::vector<Point>& a, const std::vector<Point>& near_a, const std::vector<Point>& b,
-                 const std::vector<Point>& near_b) {
+double both_ways(const std::vector<Point3>& a, const std::vector<Point3>& near_a, const std::vector<Point3>& b,
+                 const std::vector<Point3>& near_b) {
   return 0.5 * (mean(nearest_distances(a, near_a)) + mean(nearest_distances(b, near_b)));
 }
 
 // The joints, and points along every bone with its two ends.
-std::vector<Point> bone_points(const ScoredSkeleton& skeleton) {
-  std::vector<Point> points = skeleton.positions;
+std::vector<Point3> bone_points(const ScoredSkeleton& skeleton) {
+  std::vector<Point3> points = skeleton.positions;
   for (size_t j = 0; j < skeleton.positions.size(); ++j) {
     if (skeleton.parents[j] < 0) continue;
-    const Point &end = skeleton.positions[j], &start = skeleton.positions[static_cast<size_t>(skeleton.parents[j])];
+    const Point3 &end = skeleton.positions[j], &start = skeleton.positions[static_cast<size_t>(skeleton.parents[j])];
     const int steps = std::max(1, static_cast<int>(std::ceil(distance_of(end, start) / kBoneStep)));
     for (int k = 0; k <= steps; ++k) {
       const double t = k == steps ? 1 : k * (1.0 / steps);
-      Point p;
+      Point3 p;
       for (size_t i = 0; i < 3; ++i) p[i] = start[i] * (1 - t) + end[i] * t;
       points.push_back(p);
     }
@@ -144,14 +143,14 @@ double class_share(const ScoredSkeleton& predicted, const ScoredSkeleton& refere
 // x of the plane in the middle of all joints.
 double middle(const ScoredSkeleton& skeleton) {
   const auto [low, high] = std::minmax_element(skeleton.positions.begin(), skeleton.positions.end(),
-                                               [](const Point& a, const Point& b) { return a[0] < b[0]; });
+                                               [](const Point3& a, const Point3& b) { return a[0] < b[0]; });
   return ((*high)[0] + (*low)[0]) / 2;
 }
 
 bool is_symmetric(const ScoredSkeleton& skeleton) {
   const double x = middle(skeleton);
-  std::vector<Point> mirrored = skeleton.positions;
-  for (Point& p : mirrored) p[0] = 2 * x - p[0];
+  std::vector<Point3> mirrored = skeleton.positions;
+  for (Point3& p : mirrored) p[0] = 2 * x - p[0];
   const std::vector<double> off = nearest_distances(skeleton.positions, mirrored);
   return *std::max_element(off.begin(), off.end()) <= kMirrorError;
 }
@@ -197,7 +196,7 @@ bool is_above(const ScoredSkeleton& skeleton, size_t above, size_t joint) {
 ScoredSkeleton scored_skeleton(const TargetSkeleton& target) {
   ScoredSkeleton out;
   for (const TargetJoint& joint : target.joints) {
-    const Point& p = joint.position;
+    const Point3& p = joint.position;
     out.positions.push_back({p[0] / target.side, p[1] / target.side, p[2] / target.side});
     out.parents.push_back(joint.parent);
     out.classes.emplace_back(joint.joint_class);
@@ -241,10 +240,10 @@ std::vector<int> pair_joints(const ScoredSkeleton& predicted, const ScoredSkelet
 }
 
 RigScore score_rig(const ScoredSkeleton& predicted, const ScoredSkeleton& reference) {
-  const std::vector<Point>&p = predicted.positions, &r = reference.positions;
+  const std::vector<Point3>&p = predicted.positions, &r = reference.positions;
   if (p.empty() || r.empty()) throw Error("a skeleton without joints cannot be compared");
   RigScore score;
-  const std::vector<Point> predicted_bones = bone_points(predicted), reference_bones = bone_points(reference);
+  const std::vector<Point3> predicted_bones = bone_points(predicted), reference_bones = bone_points(reference);
   score.j2j = both_ways(p, r, r, p);
   score.j2b = both_ways(p, reference_bones, r, predicted_bones);
   score.b2b = both_ways(predicted_bones, reference_bones, reference_bones, predicted_bones);

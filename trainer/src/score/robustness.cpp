@@ -10,7 +10,7 @@
 #include <random>
 
 #include "sinew_data_sets/dataset.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

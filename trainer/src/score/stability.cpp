@@ -10,6 +10,7 @@
 #include "core/markdown.hpp"
 #include "data/eigen_points.hpp"
 #include "data/rig_sample.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/rig_score.hpp"
@@ -18,7 +19,6 @@ namespace sinew {
 namespace {
 
 using Eigen::Vector3d;
-using Point = RigSource::Point;
 
 Vec3 floats(const Vector3d& p) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
@@ -30,7 +30,7 @@ class PosedCharacter {
   PosedCharacter(const Character& character, const RigSource& source, RigSource::Palette palette)
       : source_(source), palette_(std::move(palette)) {
     mesh_.name = character.name;
-    for (const Point& p : source.skin(palette_)) mesh_.vertices.push_back(floats(vec(p)));
+    for (const Point3& p : source.skin(palette_)) mesh_.vertices.push_back(floats(vec(p)));
     mesh_.face_offsets = {0};
     for (const auto& t : source.triangles()) {
       mesh_.face_vertices.insert(mesh_.face_vertices.end(), t.begin(), t.end());
@@ -47,7 +47,7 @@ class PosedCharacter {
   const Character& mesh() const { return mesh_; }  // bare
   const Character& own() const { return own_; }    // with the character's joints
 
-  Point to_rest(const Vec3& place) const {
+  Point3 to_rest(const Vec3& place) const {
     const PoseBody& body = source_.body();
     const Vector3d p(place.x, place.y, place.z);
     size_t nearest = 0;
@@ -83,7 +83,7 @@ struct RestRig {
   std::vector<int> strongest;  // [V] index in `bones`, -1 = none
 };
 
-ScoredSkeleton places(std::vector<Point> positions) {
+ScoredSkeleton places(std::vector<Point3> positions) {
   ScoredSkeleton out;
   out.parents.assign(positions.size(), -1);
   out.classes.resize(positions.size());
@@ -94,7 +94,7 @@ ScoredSkeleton places(std::vector<Point> positions) {
 
 RestRig rest_rig(const PosedCharacter& posed, const FindRig& find) {
   const FoundRig found = find(posed.mesh());
-  std::vector<Point> all, bones;
+  std::vector<Point3> all, bones;
   std::vector<int> number;
   for (const Joint& joint : found.joints) {
     all.push_back(posed.to_rest(joint.position));

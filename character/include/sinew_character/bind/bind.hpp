@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sinew/sinew.h"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -18,7 +19,7 @@ struct BindOptions {
   uint32_t method = SINEW_METHOD_HEAT;  // sinew_method
   const sinew_model* model = nullptr;   // needed for SINEW_METHOD_MODEL
   uint32_t influence_count = 4;         // N, 1..12
-  uint32_t up_axis = 0;
+  Axis up_axis = Axis::kY;
   std::vector<uint8_t> joint_flags;     // [J] SINEW_JOINT_* or empty
   std::vector<uint8_t> locked;          // [V] or empty; locked rows come from character.influences
   std::vector<uint8_t> hints;           // [V] or empty; the same, and their rows steer the vertices around them

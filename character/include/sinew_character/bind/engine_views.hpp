@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "sinew/sinew.h"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
 
 // Holds pointers into `character` and into itself: neither may move while the views are used.
 struct EngineViews {
-  // up_axis: 0 = Y is up, 1 = Z.
-  EngineViews(const Character& character, const std::vector<uint8_t>& joint_flags, uint32_t up_axis = 0);
+  EngineViews(const Character& character, const std::vector<uint8_t>& joint_flags, Axis up_axis = Axis::kY);
   EngineViews(const EngineViews&) = delete;
   EngineViews& operator=(const EngineViews&) = delete;
 
@@ -38,7 +38,10 @@ struct SkeletonView {
 };
 
 // 0 = Y, 1 = Z, as the engine says it.
-inline uint32_t engine_up(uint32_t up_axis) { return up_axis == 0 ? SINEW_UP_Y : SINEW_UP_Z; }
+inline uint32_t engine_up(MaybeAxis up) {
+  if (!up) return SINEW_UP_AUTO;
+  return *up == Axis::kX ? SINEW_UP_X : *up == Axis::kY ? SINEW_UP_Y : SINEW_UP_Z;
+}
 // Throws Error when there is nothing to bind or a limit of the engine is exceeded.
 void check_bindable(const Character& character);
 // Throws Error with the character's name when the status is not SINEW_OK.

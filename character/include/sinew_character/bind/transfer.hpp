@@ -9,6 +9,7 @@
 
 #include "sinew/sinew.h"
 #include "sinew_character/bind/joint_map.hpp"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -18,7 +19,7 @@ struct TransferOptions {
   uint32_t method = SINEW_TRANSFER_AUTO;  // sinew_transfer_method
   const sinew_model* model = nullptr;     // null: binds are by heat alone
   uint32_t influence_count = 4;
-  uint32_t up_axis = 0, source_up_axis = 0;
+  Axis up_axis = Axis::kY, source_up_axis = Axis::kY;
   bool garment = false, as_drawn = false;
   std::vector<sinew_vertex_pair> pairs;
   std::vector<uint8_t> locked;  // [V] or empty; locked rows come from target.influences

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -13,13 +14,12 @@ namespace sinew {
 // A joint moves the segments to its children; a leaf is a point until it is given an end.
 class BoneDistance {
  public:
-  using Point = std::array<double, 3>;
   explicit BoneDistance(const Character& character);
   double operator()(const Vec3& point, size_t joint) const;
-  void set_leaf_end(size_t joint, const Point& end);  // does nothing for a joint with children
+  void set_leaf_end(size_t joint, const Point3& end);  // does nothing for a joint with children
 
  private:
-  std::vector<Point> joints_, ends_;
+  std::vector<Point3> joints_, ends_;
   std::vector<std::vector<size_t>> children_;
   double scale_ = 1;
 };

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -29,7 +30,7 @@ struct RenderOptions {
   int width = 900, height = 900;
   float yaw_degrees = 25.0f, pitch_degrees = 10.0f;  // camera turn about Y (front = +Z) and tilt down
   bool draw_skeleton = true;
-  bool up_z = false;
+  Axis up = Axis::kY;
   std::vector<uint8_t> red_joints;  // [J] 1: it and the bone to its parent are red; empty: none
   std::vector<RenderMark> marks;
   Vec3 focus;              // with focus_radius > 0: the middle of the picture instead of the whole mesh,

@@ -12,6 +12,7 @@
 #include "sinew_character/bake/bake.hpp"
 #include "sinew_character/motion/motion_map.hpp"
 #include "sinew_character/motion/retarget.hpp"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
 
@@ -20,11 +21,11 @@ namespace sinew {
 enum class AnimateMethod { kAuto, kCopy, kContacts, kReferencePoints, kStream };  // kAuto: contacts
 
 struct AnimateOptions {
-  std::string character;                        // its file, for messages
-  std::string up = "auto", motion_up = "auto";  // x, y, z
-  std::string map;                              // a map's file, or empty
-  std::vector<int> sources;                     // [J] joint of the motion or -1, in place of a map; or empty
-  std::vector<sinew_map_pin> pins;              // that a found map keeps
+  std::string character;  // its file, for messages
+  MaybeAxis up, motion_up;
+  std::string map;                  // a map's file, or empty
+  std::vector<int> sources;         // [J] joint of the motion or -1, in place of a map; or empty
+  std::vector<sinew_map_pin> pins;  // that a found map keeps
   AnimateMethod method = AnimateMethod::kAuto;
   std::string limits;  // of joint_limits(), or empty
   bool in_place = false, range = true, report = false;

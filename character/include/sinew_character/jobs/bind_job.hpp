@@ -10,6 +10,7 @@
 
 #include "sinew_character/bind/bind_character.hpp"
 #include "sinew_character/style/style.hpp"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -30,7 +31,8 @@ struct BindHints {
 
 struct BindJobOptions {
   JointsFrom joints = JointsFrom::kAuto;  // of a skeleton of another file than the mesh's: kNames
-  uint32_t influence_count = 4, thread_count = 1, up_axis = 0;
+  uint32_t influence_count = 4, thread_count = 1;
+  Axis up_axis = Axis::kY;
   uint32_t rigid_parts = SINEW_RIGID_PARTS_AUTO, softness_percent = 100, surface_vertices = 32768;
   bool keep_tips = false, bind_props = false, fit = false, symmetric = false;
   bool cut = false;   // what has grown together is opened: see cut_seams()

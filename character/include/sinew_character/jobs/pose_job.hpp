@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sinew/deform.h"
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
 

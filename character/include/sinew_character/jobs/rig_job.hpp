@@ -15,6 +15,7 @@
 #include "sinew_character/predict/limb_doubts.hpp"
 #include "sinew_character/predict/predict_details.hpp"
 #include "sinew_character/predict/predict_skeleton.hpp"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -27,14 +28,11 @@ enum class RigMethod {
   kSlots
 };
 
-// Found: by the file's format where it says so, else by the mesh.
-enum class UpChoice { kFound, kY, kZ };
-
 struct RigJobOptions {
   RigMethod method = RigMethod::kAuto;
   SkeletonDetail detail = SkeletonDetail::kBody;
   uint32_t mirror = SINEW_MIRROR_AUTO, spine_count = 0;
-  UpChoice up = UpChoice::kFound;
+  std::optional<Axis> up;  // none: found
   uint32_t front = SINEW_FRONT_AUTO;
   uint32_t category = 0;          // sinew_category; not with kShape and kRegions
   bool category_guessed = false;  // nobody said it: votes that know nothing still give way to the shape

@@ -9,6 +9,7 @@
 
 #include "sinew_character/bind/transfer.hpp"
 #include "sinew_character/motion/find_joint_map.hpp"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -26,7 +27,7 @@ struct TransferTargetOptions {
   std::string skeleton;  // whose skeleton `mesh` has, for the summary
   std::string map;       // a map's file; empty: by names, else by anatomy
   bool garment = false;  // the source's skeleton as it is
-  bool z_up = false;
+  Axis up_axis = Axis::kY;
   std::function<const sinew_model*()> rig_model;  // asked for a mesh without a skeleton, which gets the source's
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sinew_character/motion/map_skeleton.hpp"
+#include "sinew_formats/base/axis.hpp"
 
 namespace sinew {
 
@@ -22,8 +23,7 @@ struct MapCover {
 };
 
 //   sources  [target J] joint of the source or -1
-//   up       of both, x, y, z, or a for not known
-MapCover map_cover(const MapRig& target, char target_up, const MapRig& source, char source_up,
+MapCover map_cover(const MapRig& target, MaybeAxis target_up, const MapRig& source, MaybeAxis source_up,
                    const std::vector<int>& sources);
 
 }  // namespace sinew

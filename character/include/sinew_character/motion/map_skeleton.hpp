@@ -9,6 +9,7 @@
 
 #include "sinew/published.h"
 #include "sinew/sinew.h"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
 
@@ -35,8 +36,8 @@ MapRig map_rig_of(const Motion& motion);
 struct MapSkeletonOptions {
   uint32_t method = SINEW_MAP_AUTO;
   uint32_t branches_first = SINEW_BRANCHES_BOTH, branches_cost = SINEW_BRANCHES_MEAN;
-  bool names = true, ends = true;         // whether they are read
-  char target_up = 'y', source_up = 'y';  // x, y, z, or a for not known
+  bool names = true, ends = true;  // whether they are read
+  MaybeAxis target_up = Axis::kY, source_up = Axis::kY;
   std::vector<sinew_map_pin> pins;
 };
 
@@ -57,7 +58,7 @@ MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const Ma
 // [target J] sinew_joint_class: which joints are arms, legs and other parts of a body, by sinew_limb_classes().
 //   source, sources  null, or where the joints have their motion from: [target J] its joints, -1 = none
 // Throws Error.
-std::vector<uint8_t> limb_classes(const MapRig& target, char target_up, const MapRig* source = nullptr,
+std::vector<uint8_t> limb_classes(const MapRig& target, MaybeAxis target_up, const MapRig* source = nullptr,
                                   const std::vector<int>& sources = {});
 
 // "", "no counterpart", ... for a sinew_map_reason.

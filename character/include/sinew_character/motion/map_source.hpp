@@ -9,6 +9,7 @@
 
 #include "sinew_character/motion/map_skeleton.hpp"
 #include "sinew_character/motion/motion_file.hpp"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew {
@@ -22,14 +23,13 @@ struct MapSource {
 // stance; see standing_motion(). Ends are those of map_rig_of(); with weights, leaves without any.
 //   body    of the motion's own file, whose joints are the motion's first; null: none
 //   target  joints of the skeleton that is to move
-//   up      of the motion's world: "x", "y", "z", or "auto"
-MapSource map_source_of(const Motion& motion, const Character* body, const std::vector<Joint>& target,
-                        const std::string& up);
+//   up      of the motion's world
+MapSource map_source_of(const Motion& motion, const Character* body, const std::vector<Joint>& target, MaybeAxis up);
 
 struct MapSourceRequest {
-  std::string path;                             // as read_map_rig() takes it
-  std::string layout = {}, actor = {};          // as in MotionRequest
-  std::string up = "auto", target_up = "auto";  // of either world
+  std::string path;                     // as read_map_rig() takes it
+  std::string layout = {}, actor = {};  // as in MotionRequest
+  MaybeAxis up, target_up;              // of either world
 };
 // A file's motion; nullopt for a skeleton alone. Throws Error for what is a motion alone and cannot be read, and for a layout or an actor
 // that the file does not have.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "sinew_character/motion/map_skeleton.hpp"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew {
@@ -15,7 +16,7 @@ struct MotionRequest {
   double fps = 0;           // as in read_motion()
   std::string layout = {};  // as in read_motion()
   std::string actor = {};   // as in one_actor()
-  std::string up = "auto";  // of the target: "x", "y", "z"
+  MaybeAxis up;             // of the target
 };
 struct MotionFile {
   Motion motion;

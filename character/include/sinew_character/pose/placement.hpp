@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -25,9 +26,9 @@ bool places(const Placement& placement);
 void check_placement(const Placement& placement);
 
 // Mesh, joints and, of a glTF, the whole document, whose animations go along below one node more. Weights stay.
-//   up_axis  component that points up then: 1 = y, 2 = z
+//   up_axis  the axis that points up then
 // Throws Error for a placement that check_placement() refuses, a height of a mesh that has none, and a document of several scenes.
-Character placed(Character character, const Placement& placement, uint32_t up_axis);
+Character placed(Character character, const Placement& placement, Axis up_axis);
 
 }  // namespace sinew
 #endif

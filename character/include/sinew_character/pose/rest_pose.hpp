@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "sinew_character/predict/fit_skeleton.hpp"
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -30,13 +31,12 @@ RestPose read_rest_pose(const std::string& text);
 // The turns that bring a skeleton there: skinning matrices [J], rest to posed. Each bone of an arm or leg turns the shortest way, feet keep
 // their slope and point to the front, a trunk that leans by more than 10 degrees is put upright, and all else goes with its parent; hips
 // stay where they are. Of kLike, limbs without a like go with their parent.
-//   up_axis  component that points up: 1 = y, 2 = z
 // Throws Error where sides are not told by names, or kT or kA find no arms: four-legged characters have their stance from a file.
-std::vector<Affine> rest_pose_palette(const LabelledSkeleton& skeleton, const RestPose& pose, uint32_t up_axis);
+std::vector<Affine> rest_pose_palette(const LabelledSkeleton& skeleton, const RestPose& pose, Axis up_axis);
 
 // The mesh follows by the deformation that keeps volume; weights stay, the lowest vertex is as high as it was, and a
 // document of glTF keeps its materials, normals and shapes. Throws Error for a character without weights.
-Character in_rest_pose(const Character& character, const RestPose& pose, uint32_t up_axis);
+Character in_rest_pose(const Character& character, const RestPose& pose, Axis up_axis);
 
 }  // namespace sinew
 #endif

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -21,7 +22,7 @@ struct LabelledSkeleton {
 };
 
 struct FitOptions {
-  uint32_t up_axis = 1;       // component that points up: 1 = y, 2 = z
+  Axis up_axis = Axis::kY;
   bool keep_lengths = false;  // bones are turned and all scaled alike
   std::optional<float>
       floor;  // lowest point of the mesh, for roots on the floor; nullopt: as low below the feet as they were

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sinew/sinew.h"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -18,7 +19,7 @@ struct SkeletonOptions {
   uint32_t method = SINEW_RIG_VOTES;         // sinew_rig_method
   const sinew_model* model = nullptr;        // of sinew_rig_model_open(); not needed for SINEW_RIG_SHAPE
   uint32_t category = 0;                     // sinew_category, of SINEW_RIG_VOTES and SINEW_RIG_SLOTS
-  uint32_t up_axis = 0;                      // where up is not found
+  Axis up_axis = Axis::kY;                   // where up is not found
   const sinew_model* front_model = nullptr;  // finds the front; null: by the votes
   bool find_up = false;                      // with front_model: y or z
   uint32_t front = SINEW_FRONT_AUTO;
@@ -37,7 +38,7 @@ struct PredictedSkeleton {
   bool mirrored = false;
   uint32_t facing = 0;  // where it faces, see sinew_rig_outputs
   std::array<float, 3> front = {0, 0, 1};
-  uint32_t up_axis = 0;
+  Axis up_axis = Axis::kY;
   float front_confidence = 0, up_confidence = 0;
   float plane = 0, spread = 0;  // see sinew_rig_outputs
   std::optional<float> usable;  // of votes: usable_probability()

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sinew/names.h"
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/morphs.hpp"

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sinew/sinew.h"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -46,7 +47,7 @@ struct Style {
 struct AskedBind {
   const std::vector<sinew_question>& questions;
   const std::vector<uint32_t>& vertex_parts;  // [V]
-  uint32_t up_axis = 0;                       // of the character: 0 = y, 1 = z; a style has y up
+  Axis up_axis = Axis::kY;                    // of the character; a style has y up
 };
 
 // The rules that the answers about a character make; answers about parts that are no question make none.

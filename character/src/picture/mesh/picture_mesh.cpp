@@ -5,7 +5,7 @@
 #include <array>
 
 #include "picture/mesh/plane_mesh.hpp"
-#include "sinew_formats/box.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

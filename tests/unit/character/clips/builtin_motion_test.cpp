@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/points.hpp"
 #include "clips/puppet.hpp"
 #include "expect_error.hpp"
 #include "sinew_character/jobs/character_file.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"
+#include "sinew_formats/base/point.hpp"
 
 namespace sinew {
 namespace {

@@ -137,7 +137,7 @@ TEST(Render, ZUpStandsUpright) {
   c.face_vertices = {0, 1, 2, 3};
   c.face_offsets = {0, 4};
   RenderOptions options = from_the_front(64, 64);
-  options.up_z = true;
+  options.up = Axis::kZ;
   const Image image = render(c, {{20, 20, 230}, {20, 20, 230}, {230, 20, 20}, {230, 20, 20}}, options);
   const Colour top = pixel(image, 32, 8), bottom = pixel(image, 32, 56);
   EXPECT_GT(top[0], top[2]);

@@ -7,9 +7,10 @@
 #include <cmath>
 #include <random>
 
-#include "base/points.hpp"
 #include "expect_error.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/motion.hpp"
 #include "temp_folder.hpp"
 #include "walking_motion.hpp"
 

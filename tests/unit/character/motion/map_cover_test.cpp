@@ -12,9 +12,9 @@ namespace {
 
 MapCover cover_of(const MapRig& target, const MapRig& source) {
   MapSkeletonOptions options;
-  options.target_up = options.source_up = 'a';
+  options.target_up = options.source_up = std::nullopt;
   const MappedSkeleton map = map_skeleton(target, source, options);
-  return map_cover(target, 'a', source, 'a', {map.sources.begin(), map.sources.end()});
+  return map_cover(target, {}, source, {}, {map.sources.begin(), map.sources.end()});
 }
 // Without the joints whose names hold one of these words, and what hangs on them.
 MapRig without(const MapRig& rig, const std::vector<std::string>& words) {

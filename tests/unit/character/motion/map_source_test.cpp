@@ -56,7 +56,7 @@ TEST(MapSource, TheMapIsThatOfAnimate) {
       const std::string target = kData + name;
       const MapRig to = map_rig_of(read_character(target)), from = read_map_source({path}, to);
       MapSkeletonOptions options;
-      options.target_up = options.source_up = 'a';
+      options.target_up = options.source_up = std::nullopt;
       const MappedSkeleton map = map_skeleton(to, from, options);
       const std::vector<int> sources(map.sources.begin(), map.sources.end());
       EXPECT_EQ(sources, animated(target, path).map.sources) << path << " on " << name;
@@ -76,8 +76,8 @@ TEST(MapSource, LeavesWithoutWeightAreEndsInAMotionToo) {
 
 TEST(MapSource, AMotionMadeOnTheTargetKeepsItsRestPose) {
   const Motion walk = with_random_axes(walking_person());
-  EXPECT_TRUE(map_source_of(walk, nullptr, {}, "auto").standing);
-  EXPECT_FALSE(map_source_of(walk, nullptr, rest_joints(walk), "auto").standing);
+  EXPECT_TRUE(map_source_of(walk, nullptr, {}, {}).standing);
+  EXPECT_FALSE(map_source_of(walk, nullptr, rest_joints(walk), {}).standing);
 }
 
 TEST(MapSource, ALayoutIsForPlacesAlone) {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "base/points.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "walking_motion.hpp"
 
 namespace sinew {

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "base/points.hpp"
 #include "sinew_character/clips/builtin_motion.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "walking_motion.hpp"
 
 namespace sinew {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/points.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "walking_motion.hpp"
 
 namespace sinew {
@@ -13,7 +13,7 @@ namespace {
 
 std::optional<UprightBody> body_of(const Motion& motion) {
   const MapRig rig = map_rig_of(motion);
-  return find_upright_body(rig.joints, limb_classes(rig, 'a'));
+  return find_upright_body(rig.joints, limb_classes(rig, {}));
 }
 std::vector<Point3> positions_of(const Motion& motion, const std::vector<Quaternion>& turns = {}) {
   MotionFrame frame;

@@ -32,33 +32,33 @@ void expect_at(const Vec3& p, float x, float y, float z) {
 }
 
 TEST(Placement, QuartersAreExactAndFollowEachOther) {
-  expect_at(placed(body(), {{"x"}, 0, false}, 1).joints[1].position, 0.25f, 0, 2.5f);
-  expect_at(placed(body(), {{"y"}, 0, false}, 1).joints[1].position, 0, 2.5f, -0.25f);
-  expect_at(placed(body(), {{"z"}, 0, false}, 1).joints[1].position, -2.5f, 0.25f, 0);
-  expect_at(placed(body(), {{"x", "-x"}, 0, false}, 1).vertices[3], 0, 3, 0);
-  expect_at(placed(body(), {{"x", "y"}, 0, false}, 1).joints[1].position, 2.5f, 0, -0.25f);
+  expect_at(placed(body(), {{"x"}, 0, false}, Axis::kY).joints[1].position, 0.25f, 0, 2.5f);
+  expect_at(placed(body(), {{"y"}, 0, false}, Axis::kY).joints[1].position, 0, 2.5f, -0.25f);
+  expect_at(placed(body(), {{"z"}, 0, false}, Axis::kY).joints[1].position, -2.5f, 0.25f, 0);
+  expect_at(placed(body(), {{"x", "-x"}, 0, false}, Axis::kY).vertices[3], 0, 3, 0);
+  expect_at(placed(body(), {{"x", "y"}, 0, false}, Axis::kY).joints[1].position, 2.5f, 0, -0.25f);
 }
 
 TEST(Placement, HeightAndFloorAreAlongUp) {
-  const Character tall = placed(body(), {{}, 1, true}, 1);
+  const Character tall = placed(body(), {{}, 1, true}, Axis::kY);
   expect_at(tall.vertices[0], 0, 0, 0);
   expect_at(tall.vertices[3], 0, 1, 0);
   expect_at(tall.joints[1].position, 0.125f, 0.75f, 0);
-  const Character turned = placed(body(), {{"x"}, 4, true}, 2);
+  const Character turned = placed(body(), {{"x"}, 4, true}, Axis::kZ);
   expect_at(turned.vertices[3], 0, 0, 4);
   EXPECT_EQ(turned.influences.size(), 4u);
 }
 
 TEST(Placement, NothingIsAskedForAndNothingChanges) {
   EXPECT_FALSE(places({}));
-  expect_at(placed(body(), {}, 1).vertices[3], 0, 3, 0);
+  expect_at(placed(body(), {}, Axis::kY).vertices[3], 0, 3, 0);
 }
 
 TEST(Placement, ADocumentOfGltfGoesAlong) {
   const TempFolder folder;
   const std::string file = folder.file("body.glb"), moved = folder.file("moved.glb");
   write_gltf(file, body());
-  const Character there = placed(read_gltf(file), {{"z", "y"}, 0.5, true}, 1);
+  const Character there = placed(read_gltf(file), {{"z", "y"}, 0.5, true}, Axis::kY);
   ASSERT_TRUE(there.gltf);
   write_gltf(moved, there);
   const Character again = read_gltf(moved);
@@ -77,11 +77,11 @@ TEST(Placement, ADocumentOfGltfGoesAlong) {
 }
 
 TEST(Placement, WrongWishesAreOneLine) {
-  EXPECT_ERROR(placed(body(), {{"w"}, 0, false}, 1), "turn 'w'", "expected x, y, z, -x, -y or -z");
-  EXPECT_ERROR(placed(body(), {{}, -1, false}, 1), "height");
+  EXPECT_ERROR(placed(body(), {{"w"}, 0, false}, Axis::kY), "turn 'w'", "expected x, y, z, -x, -y or -z");
+  EXPECT_ERROR(placed(body(), {{}, -1, false}, Axis::kY), "height");
   Character flat = body();
   for (Vec3& p : flat.vertices) p.y = 0;
-  EXPECT_ERROR(placed(flat, {{}, 1.8, false}, 1), "body", "is flat along y");
+  EXPECT_ERROR(placed(flat, {{}, 1.8, false}, Axis::kY), "body", "is flat along y");
 }
 
 }  // namespace

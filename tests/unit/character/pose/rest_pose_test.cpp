@@ -110,7 +110,7 @@ RestPose pose_of(RestPose::Kind kind) {
 
 TEST(RestPose, TStretchesArmsAndLegsAndTurnsFeetAhead) {
   const Character rest = figure(kSlouched);
-  const Character posed = in_rest_pose(rest, pose_of(RestPose::Kind::kT), 1);
+  const Character posed = in_rest_pose(rest, pose_of(RestPose::Kind::kT), Axis::kY);
   for (const double side : {1.0, -1.0}) {
     const std::string name = side > 0 ? "Left" : "Right";
     expect_bone(posed, name + "Arm", name + "ForeArm", {side, 0, 0});
@@ -125,7 +125,7 @@ TEST(RestPose, TStretchesArmsAndLegsAndTurnsFeetAhead) {
 }
 
 TEST(RestPose, ALowersTheArms) {
-  const Character posed = in_rest_pose(figure(kSlouched), pose_of(RestPose::Kind::kA), 1);
+  const Character posed = in_rest_pose(figure(kSlouched), pose_of(RestPose::Kind::kA), Axis::kY);
   const double half = std::sqrt(0.5);
   expect_bone(posed, "LeftArm", "LeftForeArm", {half, -half, 0});
   expect_bone(posed, "RightForeArm", "RightHand", {-half, -half, 0});
@@ -133,7 +133,7 @@ TEST(RestPose, ALowersTheArms) {
 
 TEST(RestPose, MeshFollowsItsJointsAndStaysOnTheFloor) {
   const Character rest = figure(kSlouched);
-  const Character posed = in_rest_pose(rest, pose_of(RestPose::Kind::kT), 1);
+  const Character posed = in_rest_pose(rest, pose_of(RestPose::Kind::kT), Axis::kY);
   float low = 9, before = 9;
   for (size_t v = 0; v < rest.vertices.size(); ++v) {
     low = std::min(low, posed.vertices[v].y);
@@ -149,7 +149,7 @@ TEST(RestPose, ALeaningTrunkIsPutUpright) {
   std::vector<Place> leaning = kSlouched;
   for (Place& place : leaning)
     if (place.at.y > 1.1f) place.at.z += 0.5f * (place.at.y - 1);
-  const Character posed = in_rest_pose(figure(leaning), pose_of(RestPose::Kind::kT), 1);
+  const Character posed = in_rest_pose(figure(leaning), pose_of(RestPose::Kind::kT), Axis::kY);
   expect_bone(posed, "Hips", "Neck", {0, 1, 0});
   expect_bone(posed, "LeftArm", "LeftForeArm", {1, 0, 0});
 }
@@ -163,8 +163,8 @@ TEST(RestPose, StandsAsAnotherFileDoes) {
     joint.position = {2 * p.z, 2 * p.y, -2 * p.x};
   }
   write_rig(file, other);
-  const Character t = in_rest_pose(figure(kSlouched), pose_of(RestPose::Kind::kT), 1);
-  const Character back = in_rest_pose(t, read_rest_pose(file), 1);
+  const Character t = in_rest_pose(figure(kSlouched), pose_of(RestPose::Kind::kT), Axis::kY);
+  const Character back = in_rest_pose(t, read_rest_pose(file), Axis::kY);
   const Character slouched = figure(kSlouched);
   for (const auto& [from, to] : {std::pair{"LeftArm", "LeftForeArm"},
                                  {"LeftForeArm", "LeftHand"},
@@ -178,10 +178,10 @@ TEST(RestPose, StandsAsAnotherFileDoes) {
 TEST(RestPose, RefusesWhatItCannotTell) {
   std::vector<Place> crawling = kSlouched;
   for (Place& place : crawling) std::swap(place.at.y, place.at.z);
-  EXPECT_ERROR(in_rest_pose(figure(crawling), pose_of(RestPose::Kind::kT), 1), "figure", "stand upright");
+  EXPECT_ERROR(in_rest_pose(figure(crawling), pose_of(RestPose::Kind::kT), Axis::kY), "figure", "stand upright");
   Character nameless = figure(kSlouched);
   for (size_t j = 0; j < nameless.joints.size(); ++j) nameless.joints[j].name = "joint" + std::to_string(j);
-  EXPECT_ERROR(in_rest_pose(nameless, pose_of(RestPose::Kind::kT), 1), "figure", "left from right");
+  EXPECT_ERROR(in_rest_pose(nameless, pose_of(RestPose::Kind::kT), Axis::kY), "figure", "left from right");
   EXPECT_ERROR(read_rest_pose("no_such_file.rig.txt"), "no_such_file.rig.txt");
 }
 
@@ -206,7 +206,7 @@ TEST(RestPose, ADocumentOfGltfIsMovedToo) {
       if (distance(j) < distance(nearest)) nearest = j;
     rest.influences.push_back({{nearest, 1.0f}});
   }
-  const Character posed = in_rest_pose(rest, pose_of(RestPose::Kind::kT), 1);
+  const Character posed = in_rest_pose(rest, pose_of(RestPose::Kind::kT), Axis::kY);
   write_gltf(moved, posed);
   const Character read = read_gltf(moved);
   ASSERT_EQ(read.vertices.size(), posed.vertices.size());
@@ -225,7 +225,7 @@ TEST(RestPose, AFilesOwnJointsMoveWithTheMesh) {
   write_gltf(file, figure(kSlouched));
   const Character rest = read_gltf(file);
   ASSERT_EQ(rest.joints.size(), kSlouched.size());
-  const Character posed = in_rest_pose(rest, pose_of(RestPose::Kind::kT), 1);
+  const Character posed = in_rest_pose(rest, pose_of(RestPose::Kind::kT), Axis::kY);
   write_gltf(moved, posed);
   const Character read = read_gltf(moved);
   ASSERT_EQ(read.joints.size(), rest.joints.size());

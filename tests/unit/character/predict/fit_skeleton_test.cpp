@@ -147,7 +147,7 @@ TEST(FitSkeleton, AnotherUpAxisAndAQuarterTurnAreFound) {
   }
   FitOptions options;
   expect_positions(fit_skeleton(lying, man(), options), man().joints, 3e-6f);
-  options.up_axis = 2;
+  options.up_axis = Axis::kZ;
   expect_positions(fit_skeleton(man(), lying, options), lying.joints, 3e-6f);
 }
 

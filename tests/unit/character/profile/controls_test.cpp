@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "base/points.hpp"
 #include "sinew_character/predict/skeleton_template.hpp"
+#include "sinew_formats/base/point.hpp"
 
 namespace sinew {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "base/points.hpp"
 #include "predict/turn.hpp"
 #include "sinew_character/profile/profile.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "walking_figure.hpp"
 
 namespace sinew {

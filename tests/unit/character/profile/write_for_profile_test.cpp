@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "base/points.hpp"
 #include "expect_error.hpp"
 #include "gltf/gltf_source.hpp"
 #include "make_glb.hpp"
@@ -16,6 +15,8 @@
 #include "sinew_character/jobs/character_file.hpp"
 #include "sinew_character/pose/rest_pose.hpp"
 #include "sinew_character/profile/profile.hpp"
+#include "sinew_formats/base/point.hpp"
+#include "sinew_formats/motion.hpp"
 #include "temp_folder.hpp"
 #include "walking_figure.hpp"
 
@@ -172,7 +173,7 @@ TEST_P(ReadyClips, LookAlikeByNameAlone) {
   write(GetParam(), original, figure, &walk);
   // The same body with another program's names and axes, and standing otherwise, which axes along bones make up for.
   Character standing = figure;
-  if (profile_named(GetParam()).axes != nullptr) standing = in_rest_pose(figure, read_rest_pose("a"), 1);
+  if (profile_named(GetParam()).axes != nullptr) standing = in_rest_pose(figure, read_rest_pose("a"), Axis::kY);
   write(GetParam() == "unreal" ? "godot" : "unreal", foreign, standing);
   write(GetParam(), other, read_character(foreign), nullptr, true);
   const auto wanted = by_name(original, original, names[0]), copied = by_name(original, other, names[0]);

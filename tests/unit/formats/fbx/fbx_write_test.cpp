@@ -8,15 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "base/points.hpp"
 #include "expect_error.hpp"
 #include "fbx/fbx_binary.hpp"
 #include "fbx/fbx_scene.hpp"
 #include "gltf/gltf_source.hpp"
 #include "make_glb.hpp"
 #include "same_character.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/morphs.hpp"
+#include "sinew_formats/motion.hpp"
 #include "temp_folder.hpp"
 #include "walking_figure.hpp"
 

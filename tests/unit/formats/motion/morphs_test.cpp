@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "motion/turns.hpp"
 #include "sinew_character/pose/pose.hpp"
+#include "sinew_formats/base/quaternion.hpp"
 
 namespace sinew {
 namespace {

@@ -7,10 +7,10 @@
 #include <functional>
 #include <limits>
 
-#include "base/points.hpp"
 #include "expect_error.hpp"
 #include "motion/npy.hpp"
 #include "numpy_bytes.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"
 #include "sinew_formats/places_stream.hpp"

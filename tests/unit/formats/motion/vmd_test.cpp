@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "base/points.hpp"
 #include "expect_error.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/motion.hpp"
 #include "temp_folder.hpp"
 #include "vmd_bytes.hpp"

@@ -12,14 +12,15 @@
 #include <string>
 #include <vector>
 
-#include "base/points.hpp"
 #include "gltf/gltf_source.hpp"
 #include "make_glb.hpp"
 #include "motion/npy.hpp"
-#include "motion/turns.hpp"
 #include "same_character.hpp"
+#include "sinew_formats/base/point.hpp"
+#include "sinew_formats/base/quaternion.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/morphs.hpp"
+#include "sinew_formats/motion.hpp"
 #include "temp_folder.hpp"
 #include "usd/usd_package.hpp"
 #include "usd/usd_parse.hpp"

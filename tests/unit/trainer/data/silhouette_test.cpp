@@ -8,13 +8,13 @@
 #include <array>
 #include <cmath>
 
+#include "sinew_formats/base/point.hpp"
+
 namespace sinew {
 namespace {
 
-using Point = std::array<double, 3>;
-
 // Corners are numbered by their bits: 1 x, 2 y, 4 z. Vertex v has the source 10 + v.
-SourcedSurface box(const Point& low, const Point& high) {
+SourcedSurface box(const Point3& low, const Point3& high) {
   SourcedSurface out;
   for (uint32_t c = 0; c < 8; ++c) {
     out.vertices.push_back({c & 1 ? high[0] : low[0], c & 2 ? high[1] : low[1], c & 4 ? high[2] : low[2]});
@@ -29,9 +29,9 @@ SourcedSurface box(const Point& low, const Point& high) {
   return out;
 }
 
-std::array<Point, 2> extent(const SourcedSurface& s) {
-  std::array<Point, 2> e = {s.vertices[0], s.vertices[0]};
-  for (const Point& p : s.vertices)
+std::array<Point3, 2> extent(const SourcedSurface& s) {
+  std::array<Point3, 2> e = {s.vertices[0], s.vertices[0]};
+  for (const Point3& p : s.vertices)
     for (size_t a = 0; a < 3; ++a) {
       e[0][a] = std::min(e[0][a], p[a]);
       e[1][a] = std::max(e[1][a], p[a]);
@@ -52,7 +52,7 @@ TEST(Silhouette, FromTheFrontIsWhereTheSurfaceIs) {
   EXPECT_NEAR(high[1], 1.6, 1.5 * kPixel);
   EXPECT_NEAR(low[2], -high[2], 1e-9);  // the picture's plane is the middle
   for (size_t v = 0; v < drawn.vertices.size(); ++v) {
-    const Point& p = drawn.vertices[v];
+    const Point3& p = drawn.vertices[v];
     const uint32_t corner = drawn.source[v] - 10;
     if (std::abs(p[0] - 0.4) > 0.2 && std::abs(p[1] - 0.8) > 0.6) {  // beyond the diagonals of the faces
       EXPECT_EQ(corner & 1, p[0] > 0.4 ? 1u : 0u) << v;
@@ -78,7 +78,7 @@ TEST(Silhouette, FacesLookOutward) {
   const SourcedSurface drawn = silhouette_of(box({0, 0, 0}, {1, 1, 1}), SilhouetteView::kFromFront, 64);
   double volume = 0;
   for (const auto& t : drawn.triangles) {
-    const Point &a = drawn.vertices[t[0]], &b = drawn.vertices[t[1]], &c = drawn.vertices[t[2]];
+    const Point3 &a = drawn.vertices[t[0]], &b = drawn.vertices[t[1]], &c = drawn.vertices[t[2]];
     volume +=
         a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
   }

@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-using Point = std::array<float, 3>;
+using FloatPoint = std::array<float, 3>;
 
 constexpr double kSamePosition = 1e-4;  // of the longest side: decimals of text files
 constexpr double kNearPosition = 0.01;
@@ -19,7 +19,7 @@ constexpr double kSameWeights = 5e-3;
 constexpr double kNearWeights = 0.05;
 constexpr double kSameJoint = 0.01;
 
-double squared(const Point& a, const Point& b) {
+double squared(const FloatPoint& a, const FloatPoint& b) {
   double sum = 0;
   for (size_t i = 0; i < 3; ++i) sum += static_cast<double>(a[i] - b[i]) * static_cast<double>(a[i] - b[i]);
   return sum;
@@ -28,12 +28,12 @@ double squared(const Point& a, const Point& b) {
 // Points in cells of a given size; finds the nearest that is not taken within one size.
 class Grid {
  public:
-  Grid(const std::vector<Point>& points, float size) : points_(points), size_(size), taken_(points.size(), 0) {
+  Grid(const std::vector<FloatPoint>& points, float size) : points_(points), size_(size), taken_(points.size(), 0) {
     for (size_t i = 0; i < points.size(); ++i) cells_[key(cell(points[i]))].push_back(static_cast<uint32_t>(i));
   }
   // UINT32_MAX when there is none. `fits` refuses points that must not be taken.
   template <class Fits>
-  uint32_t take(const Point& p, const Fits& fits) {
+  uint32_t take(const FloatPoint& p, const Fits& fits) {
     const auto middle = cell(p);
     uint32_t best = UINT32_MAX;
     double best_squared = static_cast<double>(size_) * static_cast<double>(size_);
@@ -53,7 +53,7 @@ class Grid {
   }
 
  private:
-  std::array<int64_t, 3> cell(const Point& p) const {
+  std::array<int64_t, 3> cell(const FloatPoint& p) const {
     return {static_cast<int64_t>(std::floor(p[0] / size_)), static_cast<int64_t>(std::floor(p[1] / size_)),
             static_cast<int64_t>(std::floor(p[2] / size_))};
   }
@@ -61,7 +61,7 @@ class Grid {
     return static_cast<uint64_t>(c[0] & 0x1FFFFF) << 42 | static_cast<uint64_t>(c[1] & 0x1FFFFF) << 21 |
            static_cast<uint64_t>(c[2] & 0x1FFFFF);
   }
-  const std::vector<Point>& points_;
+  const std::vector<FloatPoint>& points_;
   float size_;
   std::vector<uint8_t> taken_;
   std::unordered_map<uint64_t, std::vector<uint32_t>> cells_;
@@ -71,7 +71,7 @@ class Grid {
 
 // What is left of a character: little enough to keep a whole data set in memory.
 struct DuplicateFinder::Shape {
-  std::vector<Point> positions, joints;
+  std::vector<FloatPoint> positions, joints;
   std::vector<uint32_t> valence;  // corners at each vertex
   size_t faces = 0;
   std::vector<uint32_t> row_offsets;
@@ -117,9 +117,9 @@ void DuplicateFinder::add(const Character& c) {
   const double side = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
   const double scale = side > 0 ? 1 / side : 1;
   const auto normal = [&](const Vec3& p) {
-    return Point{static_cast<float>((static_cast<double>(p.x) - (low[0] + high[0]) / 2) * scale),
-                 static_cast<float>((static_cast<double>(p.y) - (low[1] + high[1]) / 2) * scale),
-                 static_cast<float>((static_cast<double>(p.z) - (low[2] + high[2]) / 2) * scale)};
+    return FloatPoint{static_cast<float>((static_cast<double>(p.x) - (low[0] + high[0]) / 2) * scale),
+                      static_cast<float>((static_cast<double>(p.y) - (low[1] + high[1]) / 2) * scale),
+                      static_cast<float>((static_cast<double>(p.z) - (low[2] + high[2]) / 2) * scale)};
   };
   for (const Vec3& p : c.vertices) shape->positions.push_back(normal(p));
   for (const Joint& j : c.joints) shape->joints.push_back(normal(j.position));

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <map>
 
-#include "base/points.hpp"
 #include "names/joint_name.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

@@ -11,6 +11,7 @@
 
 #include "names/joint_name.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/vertex_areas.hpp"
 
@@ -19,18 +20,11 @@ namespace {
 
 using namespace rigging;
 
-using Point = std::array<double, 3>;
-
 constexpr double kBound = 0.002;          // of the vertices or of the surface
 constexpr double kMergeDistance = 0.01;   // of the side, as are the next two
 constexpr double kPelvisDistance = 0.08;  // two pelvises nearer than that are one
 constexpr double kShortestEnd = 0.01;
 constexpr double kEndShare = 0.85, kEndQuantile = 0.98;
-
-Point point(const Vec3& p) { return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)}; }
-Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-double length(const Point& a) { return std::sqrt(dot(a, a)); }
 
 // Linear between the two nearest, as numpy's. `values` holds at least one.
 double quantile(std::vector<double> values, double share) {
@@ -43,9 +37,9 @@ double quantile(std::vector<double> values, double share) {
 }
 
 double longest_side(const std::vector<Vec3>& vertices) {
-  Point low = point(vertices[0]), high = low;
+  Point3 low = point(vertices[0]), high = low;
   for (const Vec3& v : vertices) {
-    const Point p = point(v);
+    const Point3 p = point(v);
     for (size_t i = 0; i < 3; ++i) {
       low[i] = std::min(low[i], p[i]);
       high[i] = std::max(high[i], p[i]);
@@ -237,7 +231,7 @@ class TargetMaker {
     return {inside.begin(), inside.end()};
   }
 
-  int nearest(const std::vector<int>& joints, const Point& position) const {
+  int nearest(const std::vector<int>& joints, const Point3& position) const {
     int best = joints[0];
     double least = INFINITY;
     for (const int j : joints) {
@@ -338,7 +332,7 @@ class TargetMaker {
       if (joint.parent >= 0) leaf[static_cast<size_t>(joint.parent)] = false;
     for (size_t i = 0; i < joints; ++i) {
       if (!leaf[i]) continue;
-      std::optional<Point> end = end_in_file(static_cast<int>(out_.joints[i].source));
+      std::optional<Point3> end = end_in_file(static_cast<int>(out_.joints[i].source));
       if (!end) end = end_of_vertices(static_cast<uint32_t>(i));
       if (!end) continue;
       TargetJoint tip = out_.joints[i];
@@ -353,8 +347,8 @@ class TargetMaker {
 
   // The only weightless leaf below a joint: one without a name to speak of or of another host counts where it is
   // called an end.
-  std::optional<Point> end_in_file(int joint) const {
-    std::optional<Point> end;
+  std::optional<Point3> end_in_file(int joint) const {
+    std::optional<Point3> end;
     for (const int child : children_[at(joint)]) {
       if (has_weight(child) || !children_[at(child)].empty()) continue;
       const names::JointName name = names::read_joint_name(c_.joints[at(child)].name.c_str());
@@ -367,11 +361,11 @@ class TargetMaker {
     return end;
   }
 
-  std::optional<Point> end_of_vertices(uint32_t joint) const {
-    const Point& start = out_.joints[joint].position;
+  std::optional<Point3> end_of_vertices(uint32_t joint) const {
+    const Point3& start = out_.joints[joint].position;
     for (const float least : {0.5f, 0.2f}) {
-      std::vector<Point> offsets;
-      Point sum{};
+      std::vector<Point3> offsets;
+      Point3 sum{};
       for (size_t v = 0; v < c_.vertices.size(); ++v) {
         for (const Influence& i : vertex_weights_[v]) {
           if (i.joint != joint || !(i.weight > least)) continue;
@@ -384,11 +378,11 @@ class TargetMaker {
       if (norm < 1e-9) return std::nullopt;
       std::vector<double> along;
       for (double& one : sum) one /= norm;
-      for (const Point& offset : offsets) along.push_back(dot(offset, sum));
+      for (const Point3& offset : offsets) along.push_back(dot(offset, sum));
       const double reach = quantile(std::move(along), kEndQuantile);
       if (reach <= kShortestEnd * side_) return std::nullopt;
-      return Point{start[0] + sum[0] * kEndShare * reach, start[1] + sum[1] * kEndShare * reach,
-                   start[2] + sum[2] * kEndShare * reach};
+      return Point3{start[0] + sum[0] * kEndShare * reach, start[1] + sum[1] * kEndShare * reach,
+                    start[2] + sum[2] * kEndShare * reach};
     }
     return std::nullopt;
   }
@@ -398,7 +392,7 @@ class TargetMaker {
   std::vector<double> areas_;               // [V]
   std::vector<std::vector<int>> children_;  // of the file, like these three
   std::vector<int> file_parents_, order_;
-  std::vector<Point> positions_;
+  std::vector<Point3> positions_;
   std::vector<double> own_vertices_, own_surface_;  // shares by weight
   std::vector<JointClass> classes_;
   std::vector<int> hosts_;                  // the joint that has a detail's weight; itself for all others

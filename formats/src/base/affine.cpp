@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Products, inverses and images of affine transforms.
-#include "sinew_formats/affine.hpp"
+#include "sinew_formats/base/affine.hpp"
 
 #include <cmath>
 

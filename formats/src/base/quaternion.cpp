@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Products, blends and conversions of rotations.
-#include "motion/turns.hpp"
+#include "sinew_formats/base/quaternion.hpp"
 
 #include <cmath>
 

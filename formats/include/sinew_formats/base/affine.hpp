@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Affine transforms in double: glTF nodes, bind matrices, poses. Row-major 3x4, the last row 0 0 0 1 is left out.
 // Sums run from left to right, so that the same transforms give the same bits everywhere.
-#ifndef SINEW_FORMATS_AFFINE_HPP
-#define SINEW_FORMATS_AFFINE_HPP
+#ifndef SINEW_FORMATS_BASE_AFFINE_HPP
+#define SINEW_FORMATS_BASE_AFFINE_HPP
 
 #include <array>
 #include <optional>
+
+#include "sinew_formats/base/point.hpp"
 
 namespace sinew {
 
@@ -22,19 +24,19 @@ constexpr Rotation kNoRotation = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 Rotation multiply(const Rotation& a, const Rotation& b);
 
 // By `angle` radians about a unit axis (Rodrigues): I + sin(t) K + (1 - cos(t)) K^2.
-Rotation axis_rotation(const std::array<double, 3>& axis, double angle);
+Rotation axis_rotation(const Point3& axis, double angle);
 
 // The rotation about a centre that stays where it is.
-Affine rotation_about(const Rotation& rotation, const std::array<double, 3>& centre);
+Affine rotation_about(const Rotation& rotation, const Point3& centre);
 
-std::array<double, 3> transform_point(const Affine& m, double x, double y, double z);
+Point3 transform_point(const Affine& m, double x, double y, double z);
 
 // nullopt when it flattens space (a scale of 0).
 std::optional<Affine> inverse(const Affine& m);
 
 // Direction of a surface normal under `m`: the cofactors, which need no inverse and keep the side of a mirrored
 // surface.
-std::array<double, 3> transform_normal(const Affine& m, double x, double y, double z);
+Point3 transform_normal(const Affine& m, double x, double y, double z);
 
 }  // namespace sinew
 #endif

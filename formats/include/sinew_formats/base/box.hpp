@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The box around points, along the axes.
-#ifndef SINEW_FORMATS_BOX_HPP
-#define SINEW_FORMATS_BOX_HPP
+#ifndef SINEW_FORMATS_BASE_BOX_HPP
+#define SINEW_FORMATS_BASE_BOX_HPP
 
 #include <algorithm>
 #include <cmath>

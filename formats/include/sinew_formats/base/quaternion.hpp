@@ -1,32 +1,34 @@
 // SPDX-License-Identifier: MIT
-// Sums, products and directions of points, and the rotations between directions.
-#ifndef SINEW_FORMATS_BASE_POINTS_HPP
-#define SINEW_FORMATS_BASE_POINTS_HPP
+// Quaternions, the other forms of a rotation that files use, and the rotations between directions.
+#ifndef SINEW_FORMATS_BASE_QUATERNION_HPP
+#define SINEW_FORMATS_BASE_QUATERNION_HPP
 
-#include <cmath>
+#include <array>
+#include <cstddef>
 
-#include "motion/turns.hpp"
-#include "sinew_formats/character.hpp"
+#include "sinew_formats/base/affine.hpp"
+#include "sinew_formats/base/point.hpp"
 
 namespace sinew {
 
-inline Point3 point(const Vec3& p) {
-  return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
-}
-inline Point3 operator+(const Point3& a, const Point3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-inline Point3 operator-(const Point3& a, const Point3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-inline Point3 operator*(double s, const Point3& a) { return {s * a[0], s * a[1], s * a[2]}; }
-inline double dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-inline Point3 cross(const Point3& a, const Point3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-inline double length(const Point3& a) { return std::sqrt(dot(a, a)); }
-// Zero for a point without length.
-inline Point3 unit(const Point3& a) {
-  const double l = length(a);
-  return l > 0 ? (1 / l) * a : Point3{};
-}
-inline Point3 across(const Point3& a, const Point3& axis) { return a - dot(a, axis) * axis; }
+using Quaternion = std::array<double, 4>;  // x y z w, of length 1
+constexpr Quaternion kNoRotation4 = {0, 0, 0, 1};
+
+// a after b.
+Quaternion multiply(const Quaternion& a, const Quaternion& b);
+inline Quaternion conjugate(const Quaternion& q) { return {-q[0], -q[1], -q[2], q[3]}; }
+double dot(const Quaternion& a, const Quaternion& b);
+// kNoRotation4 for one without length.
+Quaternion normalised(const Quaternion& q);
+Point3 rotate(const Quaternion& q, const Point3& v);
+// About axis 0, 1 or 2.
+Quaternion axis_rotation(size_t axis, double radians);
+// Along the shortest arc; t from 0 to 1.
+Quaternion slerp(const Quaternion& a, Quaternion b, double t);
+Rotation rotation_of(const Quaternion& q);
+Quaternion quaternion_of(const Rotation& r);
+// The rotation in an affine transform that scales, perhaps mirrors: columns made orthogonal in their order.
+Rotation rotation_part(const Affine& m);
 
 // Along the shortest arc; none where one of the two has no length, half a turn about any axis where they are opposite.
 inline Quaternion rotation_between(const Point3& from, const Point3& to) {
