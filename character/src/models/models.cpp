@@ -7,7 +7,6 @@
 
 #include "models/bundled_models.hpp"
 #include "rig/front_points.hpp"
-#include "rig/joint_slots.hpp"
 #include "rig/rig_task.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"

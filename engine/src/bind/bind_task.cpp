@@ -8,6 +8,7 @@ namespace sinew {
 
 bool bind_task(uint32_t feature_set, ModelTask* task) {
   if ((feature_set & ~kFeatureFlags) != kFeatureSet) return false;
+  if (kHasExtras && (feature_set & kAttributesFlag) != 0 && !has_published_methods()) return false;
   *task = ModelTask();
   task->id = kTaskBind;
   task->input_count = 2;

@@ -34,7 +34,7 @@ sinew_status check_options(const sinew_options& o) {
     return SINEW_ERROR_ARGUMENT;
   }
   if (o.reserved != 0) return SINEW_ERROR_VERSION;
-  if (!kHasPublished && o.method == SINEW_METHOD_DISTANCE) return SINEW_ERROR_NOT_BUILT;
+  if (o.method == SINEW_METHOD_DISTANCE && !(kHasExtras && has_published_methods())) return SINEW_ERROR_NOT_BUILT;
   if (!kHasExtras && (o.hints != nullptr || o.symmetric != 0 || o.rigid_parts != SINEW_RIGID_PARTS_AUTO ||
                       o.surface_vertices != 0 || o.answer_count != 0 || o.question_count != 0)) {
     return SINEW_ERROR_NOT_BUILT;

@@ -6,13 +6,10 @@
 #include <stddef.h>
 
 #include "core/counts.hpp"
-#include "kernels/table.hpp"
-#include "network/network.hpp"
 #include "rig/mirror_frame.hpp"
 #include "rig/point_voter.hpp"
+#include "rig/published.hpp"
 #include "rig/rig_task.hpp"
-#include "rig/slots.hpp"
-#include "rig/tree.hpp"
 #include "rig/upright_mesh.hpp"
 
 namespace sinew::rigging {

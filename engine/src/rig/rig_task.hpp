@@ -11,6 +11,8 @@ namespace sinew::rigging {
 
 constexpr uint32_t kRigFeatureSet = 1;
 constexpr uint32_t kHandsFeatureSet = 2;  // the same of a hand's crop; classes are those of hand_class.hpp
+constexpr uint32_t kSlotsFeatureSet = 3,
+                   kConnectionsFeatureSet = 4;  // of published/joint_slots.hpp; files hold both networks
 
 // Channels of the output, Q10. Folded, as the features are.
 enum RigOutput : uint32_t {
