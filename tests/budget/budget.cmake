@@ -30,7 +30,7 @@ endif()
 
 # What SINEW_SMALL_CODE refuses, and that the rest of it works.
 get_target_property(small_sources sinew_engine_objects SOURCES)
-list(FILTER small_sources EXCLUDE REGEX "src/api/(corresponding_points|deform|map|motion|names|rig|simplify|struct_sizes|transfer)\\.cpp|src/(deform|mapping|motion|names|published|rig|simplify|transfer)/")
+list(FILTER small_sources EXCLUDE REGEX "src/api/(corresponding_points|deform|map|motion|names|rig|simplify|struct_sizes|transfer)\\.cpp|src/(deform|details|front|mapping|motion|names|published|rig|simplify|transfer|votes)/")
 list(APPEND small_sources src/api/left_out.cpp src/deform/skinning.cpp)
 list(TRANSFORM small_sources PREPEND ${CMAKE_SOURCE_DIR}/engine/)
 add_library(sinew_engine_small STATIC ${small_sources})

@@ -6,12 +6,12 @@
 
 #include "api/arguments.hpp"
 #include "core/struct_size.hpp"
+#include "details/details.hpp"
+#include "front/front_points.hpp"
 #include "kernels/select.hpp"
 #include "model/reader.hpp"
-#include "rig/details.hpp"
-#include "rig/front_points.hpp"
-#include "rig/rig_task.hpp"
 #include "sinew/rig.h"
+#include "votes/rig_task.hpp"
 
 // The struct of the first release, 0.1.
 static constexpr uint32_t kFirstRigOutputs = offsetof(sinew_rig_outputs, used_bytes) + sizeof(size_t);

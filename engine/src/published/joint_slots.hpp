@@ -4,8 +4,8 @@
 #ifndef SINEW_PUBLISHED_JOINT_SLOTS_HPP
 #define SINEW_PUBLISHED_JOINT_SLOTS_HPP
 
-#include "rig/body_kind.hpp"
-#include "rig/rig_task.hpp"
+#include "votes/body_kind.hpp"
+#include "votes/rig_task.hpp"
 
 namespace sinew::rigging {
 

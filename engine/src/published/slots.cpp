@@ -3,7 +3,7 @@
 #include "published/slots.hpp"
 
 #include "core/vector_math.hpp"
-#include "rig/point_voter.hpp"
+#include "votes/point_voter.hpp"
 
 namespace sinew::rigging {
 namespace {
@@ -57,7 +57,7 @@ struct SlotScratch {
     return true;
   }
   NetworkInput point_input() const {
-    NetworkInput input = points.input(set);
+    NetworkInput input = points.input(set.features, set.near_neighbours, set.far_neighbours);
     input.inputs[0] = features;
     return input;
   }

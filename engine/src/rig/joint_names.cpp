@@ -3,7 +3,7 @@
 #include "rig/joint_names.hpp"
 
 #include "names/standard_names.hpp"
-#include "rig/joint_class.hpp"
+#include "votes/joint_class.hpp"
 
 namespace sinew::rigging {
 namespace {

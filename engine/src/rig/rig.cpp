@@ -12,10 +12,10 @@
 #include "model/task.hpp"
 #include "rig/curve.hpp"
 #include "rig/joint_names.hpp"
-#include "rig/read_votes.hpp"
-#include "rig/rig_task.hpp"
 #include "rig/wishes.hpp"
 #include "sinew/published.h"
+#include "votes/read_votes.hpp"
+#include "votes/rig_task.hpp"
 
 namespace sinew::rigging {
 namespace {

@@ -6,11 +6,11 @@
 #include <stddef.h>
 
 #include "core/counts.hpp"
-#include "rig/mirror_frame.hpp"
-#include "rig/point_voter.hpp"
+#include "front/mirror_frame.hpp"
+#include "front/upright_mesh.hpp"
 #include "rig/published.hpp"
-#include "rig/rig_task.hpp"
-#include "rig/upright_mesh.hpp"
+#include "votes/point_voter.hpp"
+#include "votes/rig_task.hpp"
 
 namespace sinew::rigging {
 

@@ -6,8 +6,8 @@
 #include "core/arena.hpp"
 #include "rig/folded_tree.hpp"
 #include "rig/rig_joint.hpp"
-#include "rig/votes.hpp"
 #include "sinew/sinew.h"
+#include "votes/votes.hpp"
 
 namespace sinew::rigging {
 
