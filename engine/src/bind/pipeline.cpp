@@ -8,7 +8,6 @@
 #include "candidates/own_parts.hpp"
 #include "features/attributes.hpp"
 #include "heat/heat.hpp"
-#include "heat/source_joints.hpp"
 #include "spectral/spectral.hpp"
 
 namespace sinew {

@@ -59,6 +59,19 @@ RowOptions row_options(const sinew_options& o) {
 
 }  // namespace
 
+bool bind_task(uint32_t feature_set, ModelTask* task) {
+  if ((feature_set & ~kFeatureFlags) != kFeatureSet) return false;
+  if (kHasExtras && (feature_set & kAttributesFlag) != 0 && !has_published_methods()) return false;
+  *task = ModelTask();
+  task->id = kTaskBind;
+  task->input_count = 2;
+  task->inputs[kVertexInput] = {input_name("vert"),
+                                {Domain::kVertex, static_cast<uint16_t>(vertex_channels(feature_set))}};
+  task->inputs[kPairInput] = {input_name("pair"), {Domain::kPair, static_cast<uint16_t>(pair_channels(feature_set))}};
+  task->output = {Domain::kPair, 1};
+  return true;
+}
+
 sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints,
                        const sinew_options* options, BindPlan* plan) {
   sinew_options o = sinew_options_init();

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A rest at the begin of the caller's memory, and a pose of it by its method.
-#include "deform/deformer.hpp"
-
 #include <string.h>
 
 #include "deform/correction.hpp"
-#include "kernels/cpu.hpp"
+#include "deform/rest.hpp"
+#include "kernels/select.hpp"
 #include "sinew/published.h"
 
 namespace sinew::deform {

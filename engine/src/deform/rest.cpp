@@ -11,7 +11,6 @@
 #include "deform/correction.hpp"
 #include "deform/dual_quaternion.hpp"
 #include "deform/pins.hpp"
-#include "deform/smoothing.hpp"
 #include "deform/solver.hpp"
 #include "grid/caller_units.hpp"
 #include "sinew/published.h"

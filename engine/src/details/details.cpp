@@ -5,9 +5,6 @@
 #include <string.h>
 
 #include "core/struct_size.hpp"
-#include "details/face.hpp"
-#include "details/hands.hpp"
-#include "details/props.hpp"
 
 namespace sinew::rigging {
 namespace {

@@ -22,5 +22,12 @@ sinew_status plan_details(const sinew_model* hands_model, uint32_t vertices, uin
 sinew_status run_details(const DetailsPlan& plan, const sinew_mesh& mesh, const Kernels& kernels, Arena& arena,
                          sinew_rig_outputs* outputs);
 
+// One stage each: fingers, eyes and a jaw, what hands hold. `outputs` is a skeleton that becomes one with these joints, at the end. plan_rig()
+// has made the plan. With a measuring arena neither mesh nor skeleton is read. Errors are those of sinew_rig_details().
+sinew_status run_hands(const RigPlan& plan, const sinew_mesh& mesh, const Kernels& kernels, Arena& arena,
+                       sinew_rig_outputs* outputs);
+sinew_status run_face(const RigPlan& plan, const sinew_mesh& mesh, Arena& arena, sinew_rig_outputs* outputs);
+sinew_status run_props(const RigPlan& plan, const sinew_mesh& mesh, Arena& arena, sinew_rig_outputs* outputs);
+
 }  // namespace sinew::rigging
 #endif

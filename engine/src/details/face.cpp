@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Loose balls in front of a head's bone are eyes; the jaw follows from where they are.
-#include "details/face.hpp"
-
 #include "core/vector_math.hpp"
+#include "details/details.hpp"
+#include "details/given_skeleton.hpp"
 #include "front/mirror_frame.hpp"
 
 namespace sinew::rigging {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Skeleton to hands, each to crop, points, votes, fingers, and back to the caller's units.
-#include "details/hands.hpp"
-
 #include "core/vector_math.hpp"
+#include "details/details.hpp"
 #include "details/fingers.hpp"
 #include "details/given_skeleton.hpp"
 #include "details/hand_crop.hpp"
@@ -11,6 +10,9 @@
 
 namespace sinew::rigging {
 namespace {
+
+// Sets of points of a hand, each a run of the network.
+constexpr uint32_t kHandSets = 4;
 
 constexpr uint32_t kMostJoints = kMostGivenJoints;
 constexpr int16_t kNoMirror = -1;

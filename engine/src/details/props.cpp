@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A loose part that begins at a hand and reaches far beyond it, away from the arm, is held by it.
-#include "details/props.hpp"
-
 #include "core/vector_math.hpp"
+#include "details/details.hpp"
+#include "details/given_skeleton.hpp"
 
 namespace sinew::rigging {
 namespace {

@@ -8,7 +8,6 @@
 #include "core/read_skeleton.hpp"
 #include "core/struct_size.hpp"
 #include "mapping/matcher.hpp"
-#include "mapping/plain_names.hpp"
 #include "mapping/same_rig.hpp"
 #include "sinew/published.h"
 

@@ -3,6 +3,7 @@
 #ifndef SINEW_MAPPING_MAP_HPP
 #define SINEW_MAPPING_MAP_HPP
 
+#include "core/arena.hpp"
 #include "mapping/anatomy.hpp"
 #include "sinew/map.h"
 
@@ -30,6 +31,11 @@ sinew_status run_map(const MapPlan& plan, Arena& arena, sinew_map_outputs* outpu
 constexpr double kNotCompared = 1e30;
 sinew_status map_branches(const MapPlan& plan, const Anatomy& target, const Anatomy& source, bool wanted, Arena& arena,
                           int32_t* sources, double* costs, double* cost);
+
+// As sinew_limb_classes() in sinew/map.h, whose structs are read and pointers checked; source and sources are both null or none is. A
+// measuring arena reads the counts alone.
+sinew_status find_limb_classes(const sinew_skeleton& target, const sinew_skeleton* source, const int32_t* sources,
+                               Arena& arena, uint8_t* classes);
 
 }  // namespace sinew::mapping
 #endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Class, side and number of a joint as text.
-#include "rig/joint_names.hpp"
-
 #include "names/standard_names.hpp"
+#include "rig/rig_joint.hpp"
 #include "votes/joint_class.hpp"
 
 namespace sinew::rigging {

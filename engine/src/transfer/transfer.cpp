@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Meshes, map, match, binds, rows: strings the stages of a transfer together.
-#include "transfer/transfer.hpp"
-
 #include "sinew/published.h"
 #include "transfer/balance.hpp"
 #include "transfer/inpaint.hpp"
+#include "transfer/plan.hpp"
 #include "transfer/published.hpp"
 #include "transfer/rebind.hpp"
 #include "transfer/report.hpp"
