@@ -10,7 +10,6 @@
 #include <optional>
 
 #include "progress.hpp"
-#include "rig/rig_task.hpp"
 #include "rig_skeleton.hpp"
 #include "rig_slots.hpp"
 #include "sinew/published.h"
@@ -24,6 +23,7 @@
 #include "sinew_trainer/rig_report.hpp"
 #include "sinew_trainer/rig_score.hpp"
 #include "support.hpp"
+#include "votes/rig_task.hpp"
 
 namespace fs = std::filesystem;
 

@@ -12,10 +12,9 @@
 
 #include "commands.hpp"
 #include "eval_studies.hpp"
+#include "front/front_points.hpp"
 #include "options.hpp"
 #include "progress.hpp"
-#include "rig/front_points.hpp"
-#include "rig/rig_task.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
@@ -29,6 +28,7 @@
 #include "sinew_trainer/vote_difference.hpp"
 #include "sinew_trainer/weight_difference.hpp"
 #include "support.hpp"
+#include "votes/rig_task.hpp"
 
 namespace sinew::cli {
 namespace {

@@ -16,7 +16,7 @@
 
 #include "bench_report.hpp"
 #include "bind/bind.hpp"
-#include "heat/source_joints.hpp"
+#include "heat/heat.hpp"
 #include "heat_scene.hpp"
 #include "kernels/select.hpp"
 #include "network/network.hpp"

@@ -30,7 +30,7 @@ endif()
 
 # What SINEW_SMALL_CODE refuses, and that the rest of it works.
 get_target_property(small_sources sinew_engine_objects SOURCES)
-list(FILTER small_sources EXCLUDE REGEX "src/api/(corresponding_points|deform|map|motion|names|rig|simplify|struct_sizes|transfer)\\.cpp|src/(deform|mapping|motion|names|rig|simplify|transfer)/")
+list(FILTER small_sources EXCLUDE REGEX "src/api/(corresponding_points|deform|map|motion|names|rig|simplify|struct_sizes|transfer)\\.cpp|src/(deform|details|front|mapping|motion|names|published|rig|simplify|transfer|votes)/")
 list(APPEND small_sources src/api/left_out.cpp src/deform/skinning.cpp)
 list(TRANSFORM small_sources PREPEND ${CMAKE_SOURCE_DIR}/engine/)
 add_library(sinew_engine_small STATIC ${small_sources})
@@ -41,15 +41,12 @@ target_compile_options(sinew_engine_small PRIVATE -fno-exceptions -fno-rtti $<$<
 target_link_libraries(sinew_engine_small PRIVATE sinew_build_flags)
 sinew_test(small_code_test SOURCES budget/small_code_test.cpp LIBS sinew_engine_small LABELS budget)
 
-# What SINEW_PUBLISHED_METHODS=OFF leaves out, and that nothing else needs it: what knows of the option is compiled anew and linked first, the
-# archive has the rest. Not where the archive's sources were compiled as one: its members would bring those of the first again.
+# What SINEW_PUBLISHED_METHODS=OFF leaves out, and that nothing else needs it: the stub is linked first, the archive has the rest. Not where the
+# archive's sources were compiled as one: its members would bring the stub's names again.
 if(SINEW_PUBLISHED_METHODS AND NOT SINEW_SMALL_CODE AND NOT SINEW_UNITY STREQUAL ALL)
-  set(knows_option api/corresponding_points api/motion bind/pipeline bind/plan deform/deformer deform/rest mapping/map rig/rig transfer/plan transfer/transfer)
-  list(TRANSFORM knows_option REPLACE "(.+)" "${CMAKE_SOURCE_DIR}/engine/src/\\1.cpp")
-  add_library(sinew_engine_plain OBJECT ${knows_option})  # an archive would lose against the other
+  add_library(sinew_engine_plain OBJECT ${CMAKE_SOURCE_DIR}/engine/src/published/none.cpp)  # an archive would lose against the other
   target_compile_features(sinew_engine_plain PUBLIC cxx_std_17)
   target_include_directories(sinew_engine_plain PUBLIC ${CMAKE_SOURCE_DIR}/engine/include PRIVATE ${CMAKE_SOURCE_DIR}/engine/src)
-  target_compile_definitions(sinew_engine_plain PRIVATE SINEW_NO_PUBLISHED_METHODS)
   target_compile_options(sinew_engine_plain PRIVATE $<TARGET_PROPERTY:sinew_engine_objects,COMPILE_OPTIONS>)
   target_link_libraries(sinew_engine_plain PRIVATE sinew_build_flags)
   sinew_test(without_published_test SOURCES budget/without_published_test.cpp LIBS sinew_engine_plain sinew_engine LABELS budget)

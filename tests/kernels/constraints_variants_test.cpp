@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kernels/constraints.hpp"
-#include "kernels/cpu.hpp"
+#include "kernels/select.hpp"
 
 namespace {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "kernels/boxes.hpp"
-#include "kernels/cpu.hpp"
 #include "kernels/front.hpp"
+#include "kernels/select.hpp"
 #include "sinew/sinew.h"
 
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "bind/pipeline.hpp"
-#include "heat/source_joints.hpp"
+#include "heat/heat.hpp"
 #include "kernels/select.hpp"
 #include "scene_parts.hpp"
 

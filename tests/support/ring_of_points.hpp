@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <random>
 
-#include "rig/rig_task.hpp"
 #include "sinew_trainer/network_sample.hpp"
+#include "votes/rig_task.hpp"
 
 namespace sinew {
 

@@ -5,12 +5,11 @@
 #include <cstring>
 #include <filesystem>
 
+#include "front/front_points.hpp"
 #include "models/bundled_models.hpp"
-#include "rig/front_points.hpp"
-#include "rig/joint_slots.hpp"
-#include "rig/rig_task.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
+#include "votes/rig_task.hpp"
 
 namespace sinew {
 

@@ -6,9 +6,9 @@
 #include <array>
 #include <string_view>
 
-#include "rig/joint_class.hpp"
 #include "sinew/sinew.hpp"
 #include "sinew_formats/error.hpp"
+#include "votes/joint_class.hpp"
 
 namespace sinew {
 

@@ -6,7 +6,7 @@
 
 #include "api/arguments.hpp"
 #include "core/struct_size.hpp"
-#include "deform/deformer.hpp"
+#include "deform/rest.hpp"
 
 // The struct of the first release, 0.1.
 static constexpr uint32_t kFirstDeformOutputs = offsetof(sinew_deform_outputs, inverted_tetrahedra) + sizeof(uint32_t);

@@ -4,7 +4,6 @@
 
 #include "api/arguments.hpp"
 #include "core/struct_size.hpp"
-#include "mapping/limb_classes.hpp"
 #include "sinew/map.h"
 #include "sinew/names.h"
 

@@ -7,8 +7,7 @@
 #include "api/arguments.hpp"
 #include "core/build.hpp"
 #include "core/struct_size.hpp"
-#include "motion/joint_limits.hpp"
-#include "motion/measure_clip.hpp"
+#include "motion/contacts.hpp"
 #include "motion/reference_points.hpp"
 #include "motion/retarget.hpp"
 #include "motion/retarget_stream.hpp"
@@ -201,31 +200,24 @@ sinew_status sinew_retarget_reference_points_workspace_size(const sinew_retarget
   if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
   *size_bytes = 0;
   if (plan == nullptr || target == nullptr) return SINEW_ERROR_ARGUMENT;
-  if constexpr (sinew::kHasPublished) {
-    *size_bytes = sinew::motion::measure_reference_points(plan->source.count, plan->target.count, target->vertex_count,
-                                                          target->triangle_count);
-    return *size_bytes == 0 ? SINEW_ERROR_COUNT : SINEW_OK;
-  } else {
-    return SINEW_ERROR_NOT_BUILT;
-  }
+  if (!sinew::has_published_methods()) return SINEW_ERROR_NOT_BUILT;
+  *size_bytes = sinew::motion::measure_reference_points(plan->source.count, plan->target.count, target->vertex_count,
+                                                        target->triangle_count);
+  return *size_bytes == 0 ? SINEW_ERROR_COUNT : SINEW_OK;
 }
 
 sinew_status sinew_retarget_reference_points(sinew_retarget* plan, const sinew_motion_body* source,
                                              const sinew_motion_body* target, const sinew_motion_clip* clip,
                                              const sinew_reference_options* options, void* workspace,
                                              size_t workspace_bytes) {
-  if constexpr (sinew::kHasPublished) {
-    sinew::motion::ReferenceOptions own;
-    sinew::Progress progress = {};
-    sinew_status status = sinew::motion::read_reference_options(options, &own, &progress);
-    if (status == SINEW_OK) status = check_clip(plan, source, target, clip, workspace);
-    if (status != SINEW_OK) return status;
-    const sinew::motion::ClipInputs inputs = clip_inputs(*clip, 30, progress);
-    sinew::Arena arena(workspace, workspace_bytes);
-    return sinew::motion::run_reference_points(plan, source, *target, inputs, own, arena);
-  } else {
-    return SINEW_ERROR_NOT_BUILT;
-  }
+  sinew::motion::ReferenceOptions own;
+  sinew::Progress progress = {};
+  sinew_status status = sinew::motion::read_reference_options(options, &own, &progress);
+  if (status == SINEW_OK) status = check_clip(plan, source, target, clip, workspace);
+  if (status != SINEW_OK) return status;
+  const sinew::motion::ClipInputs inputs = clip_inputs(*clip, 30, progress);
+  sinew::Arena arena(workspace, workspace_bytes);
+  return sinew::motion::run_reference_points(plan, source, *target, inputs, own, arena);
 }
 
 sinew_status sinew_retarget_stream_workspace_size(uint32_t source_joints, uint32_t target_joints,

@@ -5,7 +5,7 @@
 #include "api/arguments.hpp"
 #include "core/struct_size.hpp"
 #include "names/joint_name.hpp"
-#include "names/joint_verdicts.hpp"
+#include "names/named_joints.hpp"
 #include "names/standard_names.hpp"
 
 static_assert(sizeof(sinew_joint_verdicts) == 6 * sizeof(uint32_t) + 6 * sizeof(void*),

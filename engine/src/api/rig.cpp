@@ -6,13 +6,12 @@
 
 #include "api/arguments.hpp"
 #include "core/struct_size.hpp"
+#include "details/details.hpp"
+#include "front/front_points.hpp"
 #include "kernels/select.hpp"
 #include "model/reader.hpp"
-#include "rig/details.hpp"
-#include "rig/front_points.hpp"
-#include "rig/rig_task.hpp"
-#include "rig/slots_model.hpp"
 #include "sinew/rig.h"
+#include "votes/rig_task.hpp"
 
 // The struct of the first release, 0.1.
 static constexpr uint32_t kFirstRigOutputs = offsetof(sinew_rig_outputs, used_bytes) + sizeof(size_t);
@@ -28,16 +27,8 @@ sinew_status sinew_rig_model_open(const void* bytes, size_t size_bytes, sinew_mo
   if (status != SINEW_OK) return status;
   sinew::ModelTask task;
   if (header.task != sinew::kTaskRig) return SINEW_ERROR_MODEL_TASK;
-  if constexpr (sinew::kHasPublished) {
-    if (header.feature_set == sinew::rigging::kSlotsFeatureSet &&
-        sinew::rigging::slots_task(header.feature_set, &task)) {
-      sinew_model opened;
-      sinew_status both = sinew::open_model(bytes, size_bytes, task, &opened, true);
-      if (both == SINEW_OK) both = sinew::rigging::prove_connections(opened);
-      if (both == SINEW_OK) *model = opened;
-      return both;
-    }
-  }
+  if (header.feature_set == sinew::rigging::kSlotsFeatureSet)
+    return sinew::rigging::open_slots_model(bytes, size_bytes, model);
   if (!sinew::rigging::rig_task(header.feature_set, &task) && !sinew::rigging::front_task(header.feature_set, &task))
     return SINEW_ERROR_MODEL_VERSION;
   return sinew::open_model(bytes, size_bytes, task, model);

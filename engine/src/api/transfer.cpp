@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The C API: argument checks of sinew_transfer().
-#include "transfer/transfer.hpp"
+#include "sinew/transfer.h"
 
 #include <stddef.h>
 
 #include "api/arguments.hpp"
 #include "core/struct_size.hpp"
-#include "sinew/transfer.h"
+#include "transfer/plan.hpp"
 
 // The struct of the first release, 0.1.
 static constexpr uint32_t kFirstTransferOutputs = offsetof(sinew_transfer_outputs, used_bytes) + sizeof(size_t);

@@ -7,8 +7,7 @@
 #include "bind/progress.hpp"
 #include "candidates/own_parts.hpp"
 #include "features/attributes.hpp"
-#include "heat/distances.hpp"
-#include "heat/source_joints.hpp"
+#include "heat/heat.hpp"
 #include "spectral/spectral.hpp"
 
 namespace sinew {
@@ -26,7 +25,7 @@ void move_features(const Mesh& mesh, const Counts& counts, Arena& arena, Feature
 }
 
 // The network reads attributes as published, and no heat.
-bool has_attributes(const Counts& counts) { return kHasPublished && (counts.feature_flags & kAttributesFlag) != 0; }
+bool has_attributes(const Counts& counts) { return kHasExtras && (counts.feature_flags & kAttributesFlag) != 0; }
 
 // The search's voxels are most of the workspace of a small mesh: nothing but the mesh is beside them.
 sinew_status find_candidates_then_heat(const Mesh& mesh, const Counts& surface, PrepareFor purpose,
@@ -146,7 +145,7 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
   const Counts surface = counts.surface();
   const Mesh& mesh_of_stages = out->surface();
 
-  if constexpr (kHasPublished) {
+  if constexpr (kHasExtras) {
     if (purpose == PrepareFor::kDistance) {
       if (!out->heat.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
       status = weigh_by_distance(mesh_of_stages, out->skeleton, out->source_joints, surface, arena, &out->heat);
@@ -165,7 +164,7 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
 
   if (!out->features.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
   if (has_attributes(surface)) {
-    if constexpr (kHasPublished) {
+    if constexpr (kHasExtras) {
       if (!arena.measuring()) build_attributes(mesh_of_stages, out->skeleton, out->candidates, &out->features);
     }
   } else {

@@ -34,7 +34,7 @@ sinew_status check_options(const sinew_options& o) {
     return SINEW_ERROR_ARGUMENT;
   }
   if (o.reserved != 0) return SINEW_ERROR_VERSION;
-  if (!kHasPublished && o.method == SINEW_METHOD_DISTANCE) return SINEW_ERROR_NOT_BUILT;
+  if (o.method == SINEW_METHOD_DISTANCE && !(kHasExtras && has_published_methods())) return SINEW_ERROR_NOT_BUILT;
   if (!kHasExtras && (o.hints != nullptr || o.symmetric != 0 || o.rigid_parts != SINEW_RIGID_PARTS_AUTO ||
                       o.surface_vertices != 0 || o.answer_count != 0 || o.question_count != 0)) {
     return SINEW_ERROR_NOT_BUILT;
@@ -58,6 +58,19 @@ RowOptions row_options(const sinew_options& o) {
 }
 
 }  // namespace
+
+bool bind_task(uint32_t feature_set, ModelTask* task) {
+  if ((feature_set & ~kFeatureFlags) != kFeatureSet) return false;
+  if (kHasExtras && (feature_set & kAttributesFlag) != 0 && !has_published_methods()) return false;
+  *task = ModelTask();
+  task->id = kTaskBind;
+  task->input_count = 2;
+  task->inputs[kVertexInput] = {input_name("vert"),
+                                {Domain::kVertex, static_cast<uint16_t>(vertex_channels(feature_set))}};
+  task->inputs[kPairInput] = {input_name("pair"), {Domain::kPair, static_cast<uint16_t>(pair_channels(feature_set))}};
+  task->output = {Domain::kPair, 1};
+  return true;
+}
 
 sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints,
                        const sinew_options* options, BindPlan* plan) {

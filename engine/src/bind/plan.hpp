@@ -5,6 +5,7 @@
 #define SINEW_BIND_PLAN_HPP
 
 #include "bind/pipeline.hpp"
+#include "model/task.hpp"
 #include "network/network.hpp"
 #include "weights/finish.hpp"
 
@@ -38,6 +39,9 @@ struct BindPlan {
 // SINEW_ERROR_COUNT where a count is out of its range.
 sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints,
                        const sinew_options* options, BindPlan* plan);
+
+// The task of the networks that predict skin weights: vertex and pair features of that set, and one logit per pair. False for a set or a flag that this build does not have.
+bool bind_task(uint32_t feature_set, ModelTask* task);
 
 }  // namespace sinew
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a build has beside the bind itself. -DSINEW_PUBLISHED_METHODS=OFF leaves out the methods of sinew/published.h: calls that
-// ask for one return SINEW_ERROR_NOT_BUILT. -DSINEW_SMALL_CODE=ON leaves it out, for microcontrollers: spectral features
+// ask for one return SINEW_ERROR_NOT_BUILT. -DSINEW_SMALL_CODE=ON leaves out, for microcontrollers: these; spectral features
 // (a model that asks for them is refused as of an unknown version), hints, symmetry, rigid_parts and surface_vertices
 // (SINEW_ERROR_NOT_BUILT; no mesh is reduced); threads (any thread_count works as 1 does, parallel_for is never called);
 // and kernels that want weights packed (weights_in_place is always on). Some sums are done the short way round in code
@@ -18,11 +18,9 @@ constexpr bool kSmallCode = false;
 constexpr bool kHasExtras = !kSmallCode;
 constexpr bool kHasThreads = !kSmallCode;
 constexpr bool kHasPackedWeights = !kSmallCode;
-#if defined(SINEW_NO_PUBLISHED_METHODS)
-constexpr bool kHasPublished = false;
-#else
-constexpr bool kHasPublished = !kSmallCode;
-#endif
+// Whether the library holds the methods of the room `published`, or the room's stub none.cpp. Not with SINEW_SMALL_CODE, which
+// has neither.
+bool has_published_methods();
 
 }  // namespace sinew
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A rest at the begin of the caller's memory, and a pose of it by its method.
-#include "deform/deformer.hpp"
-
 #include <string.h>
 
-#include "core/build.hpp"
 #include "deform/correction.hpp"
-#include "kernels/cpu.hpp"
+#include "deform/rest.hpp"
+#include "kernels/select.hpp"
 #include "sinew/published.h"
 
 namespace sinew::deform {
@@ -25,9 +23,7 @@ sinew_status run_pose(const DeformRest& rest, const float* palette, Arena& arena
   const uint32_t n = rest.influence_count;
   if (arena.measuring() || posed.rigid) {
     if (rest.options.method == SINEW_DEFORM_VOLUME) status = pose_volume(posed, arena, positions, &counts);
-    if constexpr (kHasPublished) {
-      if (rest.options.method == SINEW_DEFORM_XPBD) status = pose_published(posed, arena, positions, &counts);
-    }
+    if (rest.options.method == SINEW_DEFORM_XPBD) status = pose_published(posed, arena, positions, &counts);
     if (rest.options.method == SINEW_DEFORM_DELTA_MUSH) status = pose_delta_mush(posed, arena, positions);
     if (status != SINEW_OK || arena.measuring()) return status;
   } else {

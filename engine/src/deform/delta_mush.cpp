@@ -2,7 +2,7 @@
 // Delta mush: J. Mancewicz, M. Derksen, H. Rijpkema, C. Wilson, "Delta Mush: Smoothing Deformations While Preserving Detail", 2014.
 // The frame of a vertex is the rotation nearest to how its smoothed neighbours moved.
 #include "deform/correction.hpp"
-#include "deform/smoothing.hpp"
+#include "deform/rest.hpp"
 
 namespace sinew::deform {
 namespace {

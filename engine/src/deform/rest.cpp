@@ -8,10 +8,9 @@
 #include "bind/pipeline.hpp"
 #include "core/build.hpp"
 #include "core/struct_size.hpp"
+#include "deform/correction.hpp"
 #include "deform/dual_quaternion.hpp"
-#include "deform/node_distances.hpp"
 #include "deform/pins.hpp"
-#include "deform/smoothing.hpp"
 #include "deform/solver.hpp"
 #include "grid/caller_units.hpp"
 #include "sinew/published.h"
@@ -177,7 +176,7 @@ sinew_status read_deform_options(const sinew_deform_options* given, sinew_deform
     return SINEW_ERROR_ARGUMENT;
   }
   if (o.cell_count == 0) o.cell_count = 32;
-  if (!kHasPublished && o.method == SINEW_DEFORM_XPBD) return SINEW_ERROR_NOT_BUILT;
+  if (o.method == SINEW_DEFORM_XPBD && !has_published_methods()) return SINEW_ERROR_NOT_BUILT;
   if (o.round_count == 0)
     o.round_count = o.method == SINEW_DEFORM_DELTA_MUSH ? 5 : o.method == SINEW_DEFORM_VOLUME ? 20 : 60;
   if (o.softness == 0) o.softness = 5 * 256;
@@ -246,11 +245,9 @@ sinew_status build_rest(const RestInput& input, Arena& arena, DeformRest* rest) 
     }
   }
   status = Builder{input, counts, quantizer, *rest}.mesh_and_lattice(bounds, grid, arena);
-  if constexpr (kHasPublished) {
-    if (status == SINEW_OK && rest->options.method == SINEW_DEFORM_XPBD &&
-        rest->options.tet_weights == SINEW_TET_WEIGHTS_DISTANCE) {
-      status = weigh_nodes_by_distance(arena, rest);
-    }
+  if (status == SINEW_OK && rest->options.method == SINEW_DEFORM_XPBD &&
+      rest->options.tet_weights == SINEW_TET_WEIGHTS_DISTANCE) {
+    status = weigh_nodes_by_distance(arena, rest);
   }
   if (status != SINEW_OK || arena.measuring()) return status;
   if (rest->has_lattice()) {

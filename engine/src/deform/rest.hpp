@@ -81,5 +81,18 @@ sinew_status read_deform_options(const sinew_deform_options* given, sinew_deform
 // counts. Errors are those of sinew_deform_create().
 sinew_status build_rest(const RestInput& input, Arena& arena, DeformRest* rest);
 
+// As in sinew/deform.h; pointers were checked for null. With a measuring arena the deformer is not written.
+sinew_status create_deformer(const RestInput& input, Arena& arena, sinew_deformer* deformer);
+sinew_status pose_deformer(const DeformRest& rest, const float* palette, Arena& arena, sinew_deform_outputs* outputs);
+
+// Uniform Laplacian smoothing of the surface, for delta mush and for the end of the published method.
+// Fills rest->border: vertices of edges with one triangle. edge_triangles [6 T] is scratch.
+void find_borders(uint8_t* edge_triangles, DeformRest* rest);
+// Half way to the mean of the neighbours, all at once; border vertices go to border neighbours alone. mask [U]: vertices that move,
+// null = all. scratch [U].
+void smooth(const DeformRest& rest, uint32_t rounds, const uint8_t* mask, Vec3d* scratch, Vec3d* positions);
+// Fills rest->smooth from the rest pose; its second half is scratch.
+void smooth_rest(DeformRest* rest);
+
 }  // namespace sinew::deform
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rounds of Jacobi over the one-ring.
-#include "deform/smoothing.hpp"
+#include "deform/rest.hpp"
 
 namespace sinew::deform {
 

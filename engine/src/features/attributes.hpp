@@ -22,7 +22,7 @@ enum PairAttribute : uint32_t {
   kPairAttributes = 3
 };
 
-// Fills everything but the spectral channels. Candidates are those of `candidates`, as they are.
+// Fills everything but the spectral channels. Candidates are those of `candidates`, as they are. The room `published` defines it.
 void build_attributes(const Mesh& mesh, const Skeleton& skeleton, const Candidates& candidates, Features* out);
 
 }  // namespace sinew

@@ -393,12 +393,12 @@ const uint32_t kPairLogRule = features::kP_rule_log;
 const uint32_t kPairLogParts = features::kP_parts_log;
 
 uint32_t plain_vertex_channels(uint32_t feature_flags) {
-  return kHasPublished && (feature_flags & kAttributesFlag) != 0 ? uint32_t{kVertexAttributes}
-                                                                 : uint32_t{features::kVertexFeatureCount};
+  return kHasExtras && (feature_flags & kAttributesFlag) != 0 ? uint32_t{kVertexAttributes}
+                                                              : uint32_t{features::kVertexFeatureCount};
 }
 uint32_t pair_channels(uint32_t feature_flags) {
-  return kHasPublished && (feature_flags & kAttributesFlag) != 0 ? uint32_t{kPairAttributes}
-                                                                 : uint32_t{features::kPairFeatureCount};
+  return kHasExtras && (feature_flags & kAttributesFlag) != 0 ? uint32_t{kPairAttributes}
+                                                              : uint32_t{features::kPairFeatureCount};
 }
 uint32_t vertex_channels(uint32_t feature_flags) {
   return plain_vertex_channels(feature_flags) + ((feature_flags & kSpectralFlag) != 0 ? kSpectralChannels : 0);

@@ -48,12 +48,27 @@ sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const uint8_
                         const Kernels& kernels, const Progress& progress, Arena& arena, HeatFields* fields,
                         const WorkBeside& beside = {});
 
+// Weights by distance alone, the published way in place of stage 4; the room `published` defines it.
+// Fills fields->field[kFieldRule] with weights by the inverse square of the distance to bones. The vertices that are nearest to a bone are a sub-mesh: of
+// the bones, its own, the one above it and those below it have weight there. Neither the surface nor what lies between is looked at.
+//   source_joints  [J] from choose_source_joints(): bones that may have weight
+//   fields         allocated by the caller with the same counts; the other fields stay undefined
+// Returns SINEW_OK or SINEW_ERROR_WORKSPACE. The same bytes on every platform.
+sinew_status weigh_by_distance(const Mesh& mesh, const Skeleton& skeleton, const uint8_t* source_joints,
+                               const Counts& counts, Arena& arena, HeatFields* fields);
+
 // Finishes a row as the method heat does. Weights under 0.025 become 0. Weights from there to 0.05 are ramped: they
 // rise linearly from 0 to 0.05. Then the row is normalised to Q15; its sum is 32768 but for rounding. A row without
 // weights becomes its nearest joint with 32768.
 //   joints, weights  out [kHeatSlots], kNoJoint and 0 where unused
 // Returns the number of slots used, at least 1.
 uint32_t finish_heat_row(const HeatField& field, uint32_t vertex, uint16_t* joints, uint16_t* weights);
+
+// Fills source_joints [J]: 1 where the joint's bone may be a source. Every usable joint's may, but for a root on the
+// floor: a joint without a parent and with 1 to 4 children, in the lowest 3 % of the mesh's height, unless the caller
+// said which joints deform or the skeleton has two joints at most. If that would leave no source, every usable joint's bone may be one.
+// The mesh is the caller's, not a reduced one, whose height is another.
+void choose_source_joints(const Mesh& mesh, const Skeleton& skeleton, uint8_t* source_joints);
 
 }  // namespace sinew
 #endif

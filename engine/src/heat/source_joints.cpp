@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Leaves out roots that stand on the floor below a character (stage 4, before the sources are found).
-#include "heat/source_joints.hpp"
+#include "heat/heat.hpp"
 
 namespace sinew {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // x86: cpuid for what the processor has, xgetbv for which registers the operating system saves. Elsewhere: nothing.
-#include "kernels/cpu.hpp"
-
 #include <stdint.h>
+
+#include "kernels/select.hpp"
 
 // MinGW's headers define _M_X64 too, so the compiler is asked first.
 #if defined(__x86_64__) && defined(__GNUC__)

@@ -2,7 +2,6 @@
 // Which kernels run: what was built, what the processor has, what the caller wants.
 #include "kernels/select.hpp"
 
-#include "kernels/cpu.hpp"
 #include "kernels/variants.hpp"
 
 namespace sinew {

@@ -21,5 +21,14 @@ inline Kernels fastest_kernels() {
 // See sinew_kernel_name().
 const char* kernel_name(uint32_t kernel);
 
+struct Cpu {
+  bool avx2 = false;
+  bool avxvnni = false;
+  bool vnni = false;  // AVX-512 F, BW, DQ, VL and VNNI
+};
+
+// Asks the processor itself (some hundred cycles; more in a virtual machine). Remembers nothing, so it needs no lock.
+Cpu detect_cpu();
+
 }  // namespace sinew
 #endif

@@ -3,7 +3,6 @@
 #include "mapping/frame.hpp"
 
 #include "core/sort.hpp"
-#include "mapping/twins.hpp"
 
 namespace sinew::mapping {
 namespace {

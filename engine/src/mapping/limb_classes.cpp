@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Which bones are arms and legs: by their names, else by those of their sources, else where a human body has its own.
-#include "mapping/limb_classes.hpp"
-
 #include "mapping/human_body.hpp"
 #include "mapping/map.hpp"
-#include "names/joint_verdicts.hpp"
+#include "names/named_joints.hpp"
 #include "names/standard_names.hpp"
 #include "sinew/published.h"
 

@@ -7,19 +7,16 @@
 #include "core/build.hpp"
 #include "core/read_skeleton.hpp"
 #include "core/struct_size.hpp"
-#include "mapping/branches.hpp"
 #include "mapping/matcher.hpp"
-#include "mapping/plain_names.hpp"
 #include "mapping/same_rig.hpp"
 #include "sinew/published.h"
 
 namespace sinew::mapping {
 namespace {
 
-constexpr double kWhole = 32768;                        // certainty
-constexpr double kGuess = 0.08;                         // how much more alike rigs must be for leaves to be end markers
-constexpr double kNearlyEqual = 0.5;                    // mean cost of a pair of joints by branches
-constexpr uint64_t kMostAutoCells = uint64_t{1} << 22;  // pairs of joints that are compared without being asked
+constexpr double kWhole = 32768;      // certainty
+constexpr double kGuess = 0.08;       // how much more alike rigs must be for leaves to be end markers
+constexpr double kNearlyEqual = 0.5;  // mean cost of a pair of joints by branches
 
 sinew_status check_areas(const float* areas, uint32_t joints) {
   for (uint32_t j = 0; j < joints && areas != nullptr; ++j) {
@@ -272,25 +269,13 @@ class MapRun {
             (is_same_rig(plan_.target, plan_.source, target_.rig, source_.rig, published_.sources, owner_) ||
              is_same_shape(target_.rig, source_.rig, published_.sources, owner_));
     method_ = SINEW_MAP_SINEW;
-    if constexpr (kHasPublished) {
-      const ArenaScope scope(arena_);
-      Branches branches;
-      if (!branches.allocate(arena_, n_, m_)) return SINEW_ERROR_WORKSPACE;
-      if (arena_.measuring()) return SINEW_OK;
-      // Rigs of which little could be read, such as an animal of a thousand spines, may be nearly equal all the same.
-      const bool odd = automatic && !pins_.any && !same_ && says_little();
-      const uint64_t cells = asked || odd ? branches.prepare(target_.anatomy, plan_.options.target_areas,
-                                                             source_.anatomy, plan_.options.source_areas)
-                                          : UINT64_MAX;
-      if (asked && cells == UINT64_MAX) return SINEW_ERROR_COUNT;
-      if (asked || cells < kMostAutoCells) {
-        const double cost =
-            branches.run(plan_.options.branches_first, plan_.options.branches_cost == SINEW_BRANCHES_MEAN,
-                         plan_.options.source_animated, published_.sources, published_.costs);
-        if (asked || cost < kNearlyEqual) method_ = SINEW_MAP_BRANCHES;
-      }
-    }
-    return SINEW_OK;
+    // Rigs of which little could be read, such as an animal of a thousand spines, may be nearly equal all the same.
+    const bool odd = automatic && !arena_.measuring() && !pins_.any && !same_ && says_little();
+    double cost = kNotCompared;
+    const sinew_status status = map_branches(plan_, target_.anatomy, source_.anatomy, asked || odd, arena_,
+                                             published_.sources, published_.costs, &cost);
+    if (status == SINEW_OK && (asked || cost < kNearlyEqual)) method_ = SINEW_MAP_BRANCHES;
+    return status;
   }
 
   void write(sinew_map_outputs* outputs) {
@@ -361,7 +346,7 @@ sinew_status plan_map(const sinew_skeleton* target, const sinew_skeleton* source
   if (status != SINEW_OK) return status;
   const sinew_map_options& o = plan->options;
   if (o.method > SINEW_MAP_BRANCHES || (o.pin_count > 0 && o.pins == nullptr)) return SINEW_ERROR_ARGUMENT;
-  if (!kHasPublished && o.method == SINEW_MAP_BRANCHES) return SINEW_ERROR_NOT_BUILT;
+  if (o.method == SINEW_MAP_BRANCHES && !has_published_methods()) return SINEW_ERROR_NOT_BUILT;
   if (o.reserved != 0) return SINEW_ERROR_VERSION;
   const sinew_skeleton* const rigs[2] = {&plan->target, &plan->source};
   for (const sinew_skeleton* rig : rigs) {

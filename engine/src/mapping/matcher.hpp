@@ -6,6 +6,7 @@
 #include "mapping/align.hpp"
 #include "mapping/anatomy.hpp"
 #include "mapping/assignment.hpp"
+#include "mapping/hierarchy.hpp"
 
 namespace sinew::mapping {
 
@@ -94,6 +95,11 @@ inline void add_up_lengths(const Point* points, int32_t count, Point from, doubl
     from = points[k];
   }
 }
+
+// What plain names of two bodies say of each other, where anatomy goes wrong. Whether a map by anatomy goes against so many of the joints of limbs and heads that are named alike, each once in its rig, that its
+// reading of one of the bodies is wrong; of upright ones alone. Then these joints are pinned; pins that the caller gave stay.
+//   sources  [target n] the map
+bool pin_plain_names(const Hierarchy& target, const Hierarchy& source, const int32_t* sources, Pins* pins);
 
 }  // namespace sinew::mapping
 #endif

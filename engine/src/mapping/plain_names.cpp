@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A copy of every bone beside it, or another odd hierarchy, hides a body from anatomy whose joints are all called by their names.
-#include "mapping/plain_names.hpp"
+#include "mapping/matcher.hpp"
 
 namespace sinew::mapping {
 namespace {

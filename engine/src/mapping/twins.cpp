@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bones of the same lengths on two children of one joint, found from the root down.
-#include "mapping/twins.hpp"
+#include "mapping/frame.hpp"
 
 namespace sinew::mapping {
 namespace {

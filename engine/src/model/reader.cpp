@@ -238,7 +238,7 @@ sinew_status open_model(const void* data, size_t size_bytes, const ModelTask& ta
   }
   if (linear_index != tables.linear_count()) return SINEW_ERROR_MODEL_LAYOUT;
   if (offset < size_bytes) {
-    const bool second = kHasPublished && with_second && has_second(bytes, offset, size_bytes);
+    const bool second = kHasExtras && with_second && has_second(bytes, offset, size_bytes);
     if (!(second ? legal_second(bytes, offset, size_bytes) : legal_confidence(bytes, offset, size_bytes)))
       return SINEW_ERROR_MODEL_LAYOUT;
   }

@@ -63,5 +63,11 @@ sinew_status run_contacts(sinew_retarget* plan, const sinew_motion_body* source,
 // Behind sinew_retarget_keep_range(), in memory of the same size.
 sinew_status keep_range(sinew_retarget* plan, const sinew_motion_body& target, const ClipInputs& inputs, Arena& arena);
 
+// Behind sinew_retarget_measure() and sinew_retarget_spots(), in memory of the same size. `limbs` [kMostLimbs]; `spots` [frames x
+// kMostLimbs] or null.
+sinew_status measure_clip(sinew_retarget* plan, const sinew_motion_body* source, const sinew_motion_body& target,
+                          const ClipInputs& inputs, Arena& arena, sinew_limb_measure* limbs, uint32_t* limb_count,
+                          sinew_contact_spot* spots);
+
 }  // namespace sinew::motion
 #endif

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Rotations as a twist about an axis, then a swing across it, held within sines of half angles.
-#include "motion/joint_limits.hpp"
-
 #include "motion/motion_rig.hpp"
 #include "motion/quaternion.hpp"
+#include "motion/retarget.hpp"
 
 namespace sinew::motion {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sums over the frames of a clip.
-#include "motion/measure_clip.hpp"
-
+#include "motion/contacts.hpp"
 #include "motion/foot_search.hpp"
 #include "motion/natural_range.hpp"
 

@@ -4,6 +4,7 @@
 #define SINEW_MOTION_RETARGET_HPP
 
 #include "motion/retarget_plan.hpp"
+#include "sinew/joint_limits.h"
 
 namespace sinew::motion {
 
@@ -19,6 +20,10 @@ sinew_status source_height(sinew_retarget* plan, const float* rotations, const f
 sinew_status standing_height(const sinew_retarget& plan, float* heights, size_t count, float* ground);
 sinew_status retarget_frame(sinew_retarget* plan, const float* rotations, const float* translations, float ground,
                             float* out_rotations, float* out_translations);
+
+// Hard limits of joints, as robots have them: hinges, and balls with a swing and a twist. As in sinew/joint_limits.h; the caller has checked for null pointers.
+sinew_status keep_joint_limits(const sinew_joint_limit* limits, uint32_t limit_count, uint32_t joint_count,
+                               uint32_t frame_count, float* rotations);
 
 }  // namespace sinew::motion
 #endif

@@ -5,7 +5,6 @@
 #include <stddef.h>
 
 #include "core/struct_size.hpp"
-#include "motion/retarget_worlds.hpp"
 #include "sinew/rig.h"
 
 namespace sinew::motion {

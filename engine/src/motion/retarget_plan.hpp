@@ -57,5 +57,8 @@ sinew_status create_plan(const sinew_skeleton& source, const sinew_skeleton& tar
                          const uint8_t* classes, const RetargetOptions& options, void* memory, size_t memory_bytes,
                          sinew_retarget** plan);
 
+// Sets up and rotation of a plan whose map, anchors and floor joints are found.
+void find_worlds(const RetargetOptions& options, sinew_retarget* plan);
+
 }  // namespace sinew::motion
 #endif

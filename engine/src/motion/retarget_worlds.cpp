@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Up by the legs, front by mapped joints at rest, the rest by where legs begin.
-#include "motion/retarget_worlds.hpp"
+#include "motion/retarget_plan.hpp"
 
 namespace sinew::motion {
 namespace {

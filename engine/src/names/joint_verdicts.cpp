@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Names, roles, classes, partners: in this order into the caller's arrays.
-#include "names/joint_verdicts.hpp"
-
 #include "names/named_joints.hpp"
 #include "names/partners.hpp"
 

@@ -47,5 +47,9 @@ void find_roles(NamedJoints* joints);
 // Into classes and roles.
 void find_classes(NamedJoints* joints);
 
+// sinew_joint_classes() behind its checks. `verdicts` is null where the arena measures. SINEW_ERROR_WORKSPACE and those of NamedJoints::build().
+sinew_status find_joint_verdicts(const sinew_skeleton& joints, const uint8_t* follows, Arena& arena,
+                                 sinew_joint_verdicts* verdicts);
+
 }  // namespace sinew::names
 #endif

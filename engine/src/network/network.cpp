@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "network/run.hpp"
-#include "network/tables.hpp"
 #include "network/tile_layers.hpp"
 
 namespace sinew {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Means and maxima over parts and over the mesh, on one lane or shared by all of them.
-#include "network/tables.hpp"
+#include "network/run.hpp"
 
 namespace sinew::network {
 namespace {

@@ -3,7 +3,7 @@
 #ifndef SINEW_RIG_CLASS_PRIOR_HPP
 #define SINEW_RIG_CLASS_PRIOR_HPP
 
-#include "rig/joint_class.hpp"
+#include "votes/joint_class.hpp"
 
 namespace sinew::rigging {
 

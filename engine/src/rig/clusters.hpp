@@ -3,10 +3,10 @@
 #ifndef SINEW_RIG_CLUSTERS_HPP
 #define SINEW_RIG_CLUSTERS_HPP
 
-#include "rig/mean_shift.hpp"
 #include "rig/rig_joint.hpp"
-#include "rig/votes.hpp"
 #include "sinew/sinew.h"
+#include "votes/mean_shift.hpp"
+#include "votes/votes.hpp"
 
 namespace sinew::rigging {
 

@@ -4,7 +4,7 @@
 #define SINEW_RIG_CURVE_HPP
 
 #include "rig/folded_tree.hpp"
-#include "rig/interior.hpp"
+#include "votes/interior.hpp"
 
 namespace sinew::rigging {
 

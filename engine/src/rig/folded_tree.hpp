@@ -3,8 +3,8 @@
 #ifndef SINEW_RIG_FOLDED_TREE_HPP
 #define SINEW_RIG_FOLDED_TREE_HPP
 
-#include "rig/body_kind.hpp"
 #include "rig/clusters.hpp"
+#include "votes/body_kind.hpp"
 
 namespace sinew::rigging {
 

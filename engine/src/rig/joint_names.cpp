@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Class, side and number of a joint as text.
-#include "rig/joint_names.hpp"
-
 #include "names/standard_names.hpp"
-#include "rig/joint_class.hpp"
+#include "rig/rig_joint.hpp"
+#include "votes/joint_class.hpp"
 
 namespace sinew::rigging {
 namespace {

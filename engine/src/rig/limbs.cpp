@@ -8,36 +8,7 @@ namespace {
 constexpr int32_t kClearSide = side_share(250);
 constexpr int64_t kNoHead = int64_t{1} << 40;  // above all
 
-static_assert(kClassHip - kClassClavicle == kClassFoot - kClassHand &&
-                  kClassThigh - kClassUpperArm == kClassFoot - kClassHand,
-              "an arm's joints and a leg's follow each other alike");
-
 }  // namespace
-
-LimbClass limb_of(uint32_t joint_class) {
-  if (joint_class >= kClassClavicle && joint_class <= kClassHand) return LimbClass::kArm;
-  if (joint_class >= kClassHip && joint_class <= kClassToe) return LimbClass::kLeg;
-  if (joint_class == kClassTail) return LimbClass::kTail;
-  if (joint_class == kClassEar) return LimbClass::kEar;
-  return joint_class == kClassHair ? LimbClass::kHair : LimbClass::kNone;
-}
-
-uint8_t class_in_limb(LimbClass limb, uint8_t c) {
-  const LimbClass now = limb_of(c);
-  if (now == LimbClass::kNone || now == limb) return c;
-  switch (limb) {
-    case LimbClass::kTail:
-      return kClassTail;
-    case LimbClass::kEar:
-      return kClassEar;
-    case LimbClass::kHair:
-      return kClassHair;
-    case LimbClass::kLeg:
-      return now == LimbClass::kArm ? static_cast<uint8_t>(c + (kClassHip - kClassClavicle)) : c;
-    default:
-      return now == LimbClass::kLeg && c != kClassToe ? static_cast<uint8_t>(c - (kClassHip - kClassClavicle)) : c;
-  }
-}
 
 bool continues_limb(uint32_t from, uint32_t to) {
   const bool arm = from >= kClassClavicle && from <= kClassForearm && to >= kClassUpperArm && to <= kClassHand;

@@ -3,17 +3,9 @@
 #ifndef SINEW_RIG_LIMBS_HPP
 #define SINEW_RIG_LIMBS_HPP
 
-#include "rig/body_kind.hpp"
 #include "rig/folded_tree.hpp"
 
 namespace sinew::rigging {
-
-// What hangs on a trunk. Toes are of a leg.
-enum class LimbClass : uint8_t { kArm, kLeg, kTail, kEar, kHair, kNone };
-constexpr uint32_t kLimbs = 5;
-LimbClass limb_of(uint32_t joint_class);
-// The same joint of another limb: the foot of an arm is a hand. Classes of no limb stay.
-uint8_t class_in_limb(LimbClass limb, uint8_t joint_class);
 
 // Whether a joint of the second class is the next of an arm or a leg behind one of the first.
 bool continues_limb(uint32_t from, uint32_t to);

@@ -11,13 +11,11 @@
 #include "kernels/select.hpp"
 #include "model/task.hpp"
 #include "rig/curve.hpp"
-#include "rig/joint_names.hpp"
-#include "rig/read_votes.hpp"
-#include "rig/regions.hpp"
-#include "rig/rig_task.hpp"
-#include "rig/slots_model.hpp"
-#include "rig/wishes.hpp"
+#include "rig/rig_joint.hpp"
+#include "rig/tree.hpp"
 #include "sinew/published.h"
+#include "votes/read_votes.hpp"
+#include "votes/rig_task.hpp"
 
 namespace sinew::rigging {
 namespace {
@@ -120,23 +118,19 @@ sinew_status vote(const RigPlan& plan, const Kernels& kernels, Arena& arena, boo
 // By other means than votes: both networks of slots; without a network the mesh's own middle line, or the regions that its surface falls into.
 sinew_status follow_shape(const RigPlan& plan, const Kernels& kernels, const MirrorFrame& frame, const Mesh& mesh,
                           Arena& arena, Rig* rig) {
-  if constexpr (kHasPublished) {
-    if (plan.method == SINEW_RIG_SLOTS) {
-      const Progress progress = arena.measuring() ? Progress() : plan.progress.part(kMeshEnds, 1000);
-      return find_slots(plan.slots, plan.tree, mesh, kernels, progress, arena, rig);
-    }
+  if (plan.method == SINEW_RIG_SLOTS) {
+    const Progress progress = arena.measuring() ? Progress() : plan.progress.part(kMeshEnds, 1000);
+    return find_slots(plan.slots, plan.tree, mesh, kernels, progress, arena, rig);
   }
   const ArenaScope scope(arena);
   Interior interior;
   FoldedTree* const tree = arena.alloc<FoldedTree>(1);
-  if constexpr (kHasPublished) {
-    if (plan.method == SINEW_RIG_REGIONS) {
-      if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
-      if (!arena.measuring() && !plan.progress.report(kVotesEnd)) return SINEW_ERROR_CANCELLED;
-      const sinew_status status = grow_regions(mesh, plan.counts, arena, tree);
-      if (status == SINEW_OK && !arena.measuring()) unfold_tree(plan.tree, tree, rig);
-      return status;
-    }
+  if (plan.method == SINEW_RIG_REGIONS) {
+    if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
+    if (!arena.measuring() && !plan.progress.report(kVotesEnd)) return SINEW_ERROR_CANCELLED;
+    const sinew_status status = grow_regions(mesh, plan.counts, arena, tree);
+    if (status == SINEW_OK && !arena.measuring()) unfold_tree(plan.tree, tree, rig);
+    return status;
   }
   if (!interior.allocate(arena) || !build_interior(mesh, arena, &interior)) return SINEW_ERROR_WORKSPACE;
   if (!arena.measuring() && !plan.progress.report(kVotesEnd)) return SINEW_ERROR_CANCELLED;
@@ -174,19 +168,6 @@ void write_outputs(const UprightMesh& upright, const MirrorFrame& frame, const R
 
 }  // namespace
 
-namespace {
-
-// Both networks of a file that sinew_rig_model_open() has proved whole: its models alone have this feature set.
-[[maybe_unused]] sinew_status open_slots(const sinew_model* model, SlotsPlan* plan) {
-  if (model == nullptr || model->bytes == nullptr) return SINEW_ERROR_ARGUMENT;
-  if (model->task != kTaskRig || model->feature_set != kSlotsFeatureSet) return SINEW_ERROR_MODEL_TASK;
-  plan->joints = *model;
-  if constexpr (kHasPublished) plan->connections = connections_of(*model);
-  return SINEW_OK;
-}
-
-}  // namespace
-
 sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners,
                       const sinew_rig_options* options, RigPlan* plan, uint32_t feature_set) {
   sinew_rig_options o = sinew_rig_options_init();
@@ -200,18 +181,16 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
     return SINEW_ERROR_ARGUMENT;
   }
   const bool published = o.method == SINEW_RIG_REGIONS || o.method == SINEW_RIG_SLOTS;
-  if (!kHasPublished && published) return SINEW_ERROR_NOT_BUILT;
+  if (published && !has_published_methods()) return SINEW_ERROR_NOT_BUILT;
   if (o.method == SINEW_RIG_VOTES) {
     if (model == nullptr || model->bytes == nullptr) return SINEW_ERROR_ARGUMENT;
     if (model->task != kTaskRig || model->feature_set != feature_set) return SINEW_ERROR_MODEL_TASK;
     plan->model = *model;
   }
-  if constexpr (kHasPublished) {
-    if (o.method == SINEW_RIG_SLOTS) {
-      const sinew_status opened = open_slots(model, &plan->slots);
-      if (opened != SINEW_OK) return opened;
-      plan->slots.category = static_cast<BodyKind>(o.category);
-    }
+  if (o.method == SINEW_RIG_SLOTS) {
+    const sinew_status opened = plan_slots(model, &plan->slots);
+    if (opened != SINEW_OK) return opened;
+    plan->slots.category = static_cast<BodyKind>(o.category);
   }
   if (vertices == 0 || vertices > SINEW_MAX_VERTICES || corners > 24u * SINEW_MAX_VERTICES || faces > corners / 2)
     return SINEW_ERROR_COUNT;

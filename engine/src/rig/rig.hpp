@@ -6,14 +6,11 @@
 #include <stddef.h>
 
 #include "core/counts.hpp"
-#include "kernels/table.hpp"
-#include "network/network.hpp"
-#include "rig/mirror_frame.hpp"
-#include "rig/point_voter.hpp"
-#include "rig/rig_task.hpp"
-#include "rig/slots.hpp"
-#include "rig/tree.hpp"
-#include "rig/upright_mesh.hpp"
+#include "front/mirror_frame.hpp"
+#include "front/upright_mesh.hpp"
+#include "rig/published.hpp"
+#include "votes/point_voter.hpp"
+#include "votes/rig_task.hpp"
 
 namespace sinew::rigging {
 

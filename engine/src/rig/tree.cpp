@@ -3,7 +3,6 @@
 #include "rig/tree.hpp"
 
 #include "core/vector_math.hpp"
-#include "rig/wishes.hpp"
 
 namespace sinew::rigging {
 namespace {

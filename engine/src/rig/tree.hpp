@@ -6,18 +6,17 @@
 #include "core/arena.hpp"
 #include "rig/folded_tree.hpp"
 #include "rig/rig_joint.hpp"
-#include "rig/votes.hpp"
 #include "sinew/sinew.h"
+#include "votes/votes.hpp"
 
 namespace sinew::rigging {
 
 struct RigOptions {
   bool fold =
       true;  // folded votes count on both sides; if not, joints of both sides are found apart and nothing is mirrored
-  int32_t spine =
-      -1;            // joints between pelvis and neck or head, at most kMaxSpine (rig/wishes.hpp); -1: as the votes say
-  bool toes = true;  // keep toe joints
-  bool ends = true;  // keep bone ends
+  int32_t spine = -1;  // joints between pelvis and neck or head, at most kMaxSpine; -1: as the votes say
+  bool toes = true;    // keep toe joints
+  bool ends = true;    // keep bone ends
   BodyKind kind = BodyKind::kAny;
 };
 
@@ -41,6 +40,19 @@ sinew_status find_rig(const Votes& votes, const RigOptions& options, Arena& aren
 
 // The last stage of find_rig(), for a tree from elsewhere: the caller's wishes, then both sides.
 void unfold_tree(const RigOptions& options, FoldedTree* tree, Rig* rig);
+
+constexpr uint32_t kMaxSpine = 16;
+
+// Replaces the spine joints between the pelvis and the neck or head by `joints` <= kMaxSpine at equal steps: from the
+// first to the last that there were, or, where there were less than two, between the joints below and above. Without
+// neck and head it is the longest chain of spine joints. What hung on one that goes hangs on the nearest. A root is no
+// part of the chain, whatever its class. Fewer are made where the tree would be full; nothing is done where there is no
+// such chain.
+void set_spine(FoldedTree* tree, uint32_t joints);
+
+// Takes toe joints away, but for a root. A foot that is a leaf now ends where its heaviest toe was; what else hung on a
+// toe hangs on the foot.
+void drop_toes(FoldedTree* tree);
 
 }  // namespace sinew::rigging
 #endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Chains of the spine cut and placed anew; toes cut off.
-#include "rig/wishes.hpp"
-
 #include "core/vector_math.hpp"
+#include "rig/tree.hpp"
 
 namespace sinew::rigging {
 namespace {

@@ -2,8 +2,8 @@
 // Roles and classes of joints (names/) to ranks.
 #include "simplify/joint_ranks.hpp"
 
-#include "mapping/limb_classes.hpp"
-#include "names/joint_verdicts.hpp"
+#include "mapping/map.hpp"
+#include "names/named_joints.hpp"
 
 namespace sinew::simplifying {
 namespace {

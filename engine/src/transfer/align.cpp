@@ -2,8 +2,6 @@
 // One similarity a joint of the source, parents first.
 #include "transfer/align.hpp"
 
-#include "transfer/best_rotation.hpp"
-
 namespace sinew::transferring {
 namespace {
 

@@ -29,5 +29,12 @@ struct Alignment {
   Vec3d warp(Vec3d point, const uint16_t* row_joints, const uint32_t* row_weights) const;
 };
 
+// The rotation R that makes the sum of v . (R u) largest (Horn 1987).
+//   sums  row-major sum of v u^T
+//   gap   out, when not null: by how much the best is better than the second, 0..1; near 0 the vectors lie on a line
+Mat3 best_rotation(const Mat3& sums, double* gap);
+// The smallest rotation that turns u to v's direction; any about a half turn.
+Mat3 rotation_between(Vec3d u, Vec3d v);
+
 }  // namespace sinew::transferring
 #endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rotations from sums of vectors and from two directions, in doubles of one order.
-#include "transfer/best_rotation.hpp"
-
 #include "core/eigenpairs.hpp"
+#include "transfer/align.hpp"
 
 namespace sinew::transferring {
 

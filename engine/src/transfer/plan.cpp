@@ -23,7 +23,7 @@ sinew_status check_options(const sinew_transfer_options& o) {
       o.pair_count > SINEW_MAX_TRANSFER_PAIRS || (o.pair_count > 0 && o.pairs == nullptr)) {
     return SINEW_ERROR_ARGUMENT;
   }
-  if (!kHasPublished && o.method == SINEW_TRANSFER_BIHARMONIC) return SINEW_ERROR_NOT_BUILT;
+  if (o.method == SINEW_TRANSFER_BIHARMONIC && !has_published_methods()) return SINEW_ERROR_NOT_BUILT;
   return o.garment != 0 && o.method == SINEW_TRANSFER_BIHARMONIC ? SINEW_ERROR_ARGUMENT : SINEW_OK;
 }
 

@@ -39,5 +39,11 @@ struct TransferPlan {
 sinew_status plan_transfer(const sinew_model* model, const TransferInput& input, const sinew_transfer_options* options,
                            TransferPlan* plan);
 
+// A whole transfer: runs the stages of a plan and writes the outputs at the end. Arguments as in sinew_transfer(), checked but for what the arrays
+// hold. With a measuring arena only the memory is counted.
+//   outputs  the library's own struct, with the caller's arrays
+sinew_status run_transfer(const TransferPlan& plan, const TransferInput& input, Arena& arena,
+                          sinew_transfer_outputs* outputs);
+
 }  // namespace sinew::transferring
 #endif

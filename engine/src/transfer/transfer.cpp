@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Meshes, map, match, binds, rows: strings the stages of a transfer together.
-#include "transfer/transfer.hpp"
-
-#include "core/build.hpp"
 #include "sinew/published.h"
 #include "transfer/balance.hpp"
-#include "transfer/biharmonic.hpp"
 #include "transfer/inpaint.hpp"
+#include "transfer/plan.hpp"
+#include "transfer/published.hpp"
 #include "transfer/rebind.hpp"
 #include "transfer/report.hpp"
 #include "weights/given.hpp"
@@ -32,11 +30,9 @@ class Transfer {
       status = find_match(plan_, input_, pair_, source_rows_.rows(), arena_, &match_);
       if (status != SINEW_OK) return status;
     }
-    if constexpr (kHasPublished) {
-      if (plan_.method == SINEW_TRANSFER_BIHARMONIC)
-        status = match_by_distances(plan_, pair_, source_rows_.rows(), arena_, &distance_match_);
-      if (status != SINEW_OK) return status;
-    }
+    if (plan_.method == SINEW_TRANSFER_BIHARMONIC)
+      status = match_by_distances(plan_, pair_, source_rows_.rows(), arena_, &distance_match_);
+    if (status != SINEW_OK) return status;
     if (!arena_.measuring()) {
       for (uint32_t v = 0; v < pair_.source.welded_count; ++v) map_row(pair_.map, source_rows_.rows(), v);
       if (!plan_.progress.report(kMatchEnds)) return SINEW_ERROR_CANCELLED;
@@ -232,11 +228,9 @@ class Transfer {
       for (uint32_t v = 0; v < count; ++v) rows_.copy(v, bound_.rows(), v);
       return SINEW_OK;
     }
-    if constexpr (kHasPublished) {
-      if (plan_.method == SINEW_TRANSFER_BIHARMONIC) {
-        for (uint32_t v = 0; v < count; ++v) distance_match_.carry(source_rows_.rows(), v, rows_);
-        return SINEW_OK;
-      }
+    if (plan_.method == SINEW_TRANSFER_BIHARMONIC) {
+      for (uint32_t v = 0; v < count; ++v) distance_match_.carry(source_rows_.rows(), v, rows_);
+      return SINEW_OK;
     }
     for (uint32_t v = 0; v < count; ++v) {
       match_.carry(source_rows_.rows(), v, rows_, v);

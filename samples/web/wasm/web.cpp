@@ -16,15 +16,15 @@
 #include "characters.hpp"
 #include "colours.hpp"
 #include "contents.hpp"
+#include "front/front_points.hpp"
 #include "keep.hpp"
 #include "paint.hpp"
-#include "rig/front_points.hpp"
-#include "rig/rig_task.hpp"
 #include "session.hpp"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_character/profile/profile.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
+#include "votes/rig_task.hpp"
 
 EM_JS(void, show_progress, (uint32_t permille), {
   if (Module["onProgress"]) Module["onProgress"](permille / 1000);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Targets of the published method: which of a skeleton's joints each slot of the engine's rig/joint_slots.hpp holds.
+// Targets of the published method: which of a skeleton's joints each slot of the engine's published/joint_slots.hpp holds.
 #ifndef SINEW_TRAINER_JOINT_SLOTS_HPP
 #define SINEW_TRAINER_JOINT_SLOTS_HPP
 
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "rig/joint_slots.hpp"
+#include "published/joint_slots.hpp"
 #include "sinew_data_sets/target_skeleton.hpp"
 
 namespace sinew {

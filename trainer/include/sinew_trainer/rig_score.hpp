@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "rig/joint_class.hpp"
 #include "sinew_data_sets/target_skeleton.hpp"
 #include "sinew_formats/character.hpp"
+#include "votes/joint_class.hpp"
 
 namespace sinew {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "rig/mirror_frame.hpp"
+#include "front/mirror_frame.hpp"
 #include "sinew/sinew.hpp"
 #include "sinew_formats/character.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "data/rig_sample.hpp"
-#include "rig/front_points.hpp"
+#include "front/front_points.hpp"
 
 namespace sinew {
 

@@ -10,11 +10,11 @@
 #include "data/eigen_points.hpp"
 #include "data/engine_mesh.hpp"
 #include "data/point_sample.hpp"
-#include "rig/hand_crop.hpp"
-#include "rig/rig_task.hpp"
+#include "details/hand_crop.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/sample.hpp"
+#include "votes/rig_task.hpp"
 
 namespace sinew {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "data/rig_sample.hpp"
-#include "rig/hand_class.hpp"
+#include "details/hand_class.hpp"
 #include "sinew_data_sets/target_hands.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/motion.hpp"

@@ -4,7 +4,7 @@
 #define SINEW_TRAINER_DATA_POINT_SAMPLE_HPP
 
 #include "data/rig_sample.hpp"
-#include "rig/rig_points.hpp"
+#include "votes/rig_points.hpp"
 
 namespace sinew {
 

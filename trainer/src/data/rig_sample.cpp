@@ -13,10 +13,10 @@
 #include "data/grown_shell.hpp"
 #include "data/point_sample.hpp"
 #include "data/silhouette.hpp"
-#include "rig/rig_task.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/sample.hpp"
+#include "votes/rig_task.hpp"
 
 namespace sinew {
 namespace {

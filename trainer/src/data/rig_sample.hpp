@@ -12,15 +12,15 @@
 #include "data/engine_mesh.hpp"
 #include "data/rig_pose.hpp"
 #include "data/rough_surface.hpp"
-#include "rig/rig_points.hpp"
 #include "sinew_data_sets/target_skeleton.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_trainer/network_sample.hpp"
+#include "votes/rig_points.hpp"
 
 namespace sinew {
 
-// One set of N = kSetPoints points (rig/rig_points.hpp of the engine). Lengths are shares of the longest side, x is folded:
+// One set of N = kSetPoints points (votes/rig_points.hpp of the engine). Lengths are shares of the longest side, x is folded:
 // counted away from the mirror plane on the point's side.
 struct RigSample : NetworkSample {
   std::vector<float> medial;                    // [N x 3] what offsets are counted from

@@ -2,8 +2,8 @@
 // The layer list of the network of the front.
 #include "network/front_network.hpp"
 
+#include "front/front_points.hpp"
 #include "network/network_builder.hpp"
-#include "rig/front_points.hpp"
 
 namespace sinew {
 

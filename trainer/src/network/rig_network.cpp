@@ -3,7 +3,7 @@
 #include "network/rig_network.hpp"
 
 #include "network/network_builder.hpp"
-#include "rig/rig_task.hpp"
+#include "votes/rig_task.hpp"
 
 namespace sinew {
 namespace {

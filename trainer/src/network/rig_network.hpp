@@ -12,7 +12,7 @@ struct RigNetworkOptions {
   uint32_t rounds = 4;  // of neighbours
   bool hands = false;   // for hands' crops, not bodies
 };
-// Seeded initial weights. Every point of a set gets kRigOutputs numbers (rig/rig_task.hpp of the engine):
+// Seeded initial weights. Every point of a set gets kRigOutputs numbers (votes/rig_task.hpp of the engine):
 //   h = relu(L x); per round u = relu(L h), z = relu(L [h, max of near u, max of far u, max of all u]), h = z (+ h from the
 //   second on); at the end relu(L [h, h after two rounds, max and mean of all h]), relu(L), L.
 FloatNetwork make_rig_network(const RigNetworkOptions& options, uint64_t seed);

@@ -9,8 +9,8 @@
 #include "core/random.hpp"
 #include "data/slot_sample.hpp"
 #include "network/network_builder.hpp"
-#include "rig/rig_task.hpp"
 #include "sinew_formats/error.hpp"
+#include "votes/rig_task.hpp"
 
 namespace sinew {
 namespace {

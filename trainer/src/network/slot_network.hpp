@@ -22,7 +22,7 @@ struct SlotNetworkOptions {
 };
 
 // Seeded initial weights. The layer list has both networks' graph part, over points of the surface; its output is written in
-// the engine's rig/joint_slots.hpp:
+// the engine's published/joint_slots.hpp:
 //   first network   h = relu(L [h, mean of h over near points, largest h of far ones]) per round; g = relu(L of the largest
 //                   h of all rounds over all points); of every point L relu(L [h of the first and last round, g, its input])
 //   second network  its own two rounds h = relu(L [h, mean of h over near points]); L of the largest h over all points

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "rig/rig_task.hpp"
 #include "sinew_formats/error.hpp"
+#include "votes/rig_task.hpp"
 
 namespace sinew {
 namespace {

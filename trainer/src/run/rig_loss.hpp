@@ -15,7 +15,7 @@ struct RigLoss {
   double start_distance = 0, end_distance = 0;  // shares of the side
 };
 // total = start + end + 0.3 (start_class + end_class). Joints of class `other` teach no class: their names say nothing.
-//   outputs    [N x kRigOutputs], as in rig/rig_task.hpp of the engine
+//   outputs    [N x kRigOutputs], as in votes/rig_task.hpp of the engine
 //   d_outputs  the gradient, overwritten; null = not wanted
 RigLoss rig_loss(const RigSample& sample, const std::vector<float>& outputs, std::vector<float>* d_outputs);
 

@@ -3,10 +3,10 @@
 #include "run/rig_task.hpp"
 
 #include "network/rig_network.hpp"
-#include "rig/rig_task.hpp"
 #include "run/rig_loss.hpp"
 #include "run/sample_as.hpp"
 #include "sinew_formats/error.hpp"
+#include "votes/rig_task.hpp"
 
 namespace sinew {
 

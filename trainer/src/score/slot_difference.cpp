@@ -10,8 +10,7 @@
 #include "data/slot_sample.hpp"
 #include "data/some_characters.hpp"
 #include "network/slot_network.hpp"
-#include "rig/slots.hpp"
-#include "rig/slots_model.hpp"
+#include "published/slots.hpp"
 #include "sinew_trainer/calibrate.hpp"
 #include "sinew_trainer/network_input.hpp"
 

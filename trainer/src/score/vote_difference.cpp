@@ -8,10 +8,10 @@
 
 #include "data/hand_sample.hpp"
 #include "data/some_characters.hpp"
-#include "rig/rig_task.hpp"
 #include "sinew_trainer/calibrate.hpp"
 #include "sinew_trainer/network.hpp"
 #include "sinew_trainer/network_input.hpp"
+#include "votes/rig_task.hpp"
 
 namespace sinew {
 namespace {

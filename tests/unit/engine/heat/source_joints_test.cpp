@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Which joints may be heat sources: every usable one but a root on the floor.
-#include "heat/source_joints.hpp"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
+#include "heat/heat.hpp"
 #include "mesh_scene.hpp"
 
 namespace {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A body that stands in no mirrored pose has sides all the same.
-#include "mapping/twins.hpp"
-
 #include <cmath>
 
 #include "human_rig.hpp"
+#include "mapping/frame.hpp"
 
 namespace sinew::mapping {
 namespace {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Names of joints: what a humanoid's are called, and that none comes twice.
-#include "rig/joint_names.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <set>
 #include <string>
 
+#include "rig/rig_joint.hpp"
 #include "rig_votes.hpp"
 
 namespace sinew::rigging {

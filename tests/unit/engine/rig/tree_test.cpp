@@ -8,7 +8,6 @@
 #include <cmath>
 #include <string>
 
-#include "rig/wishes.hpp"
 #include "rig_votes.hpp"
 
 namespace sinew::rigging {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Rotations that fit vectors: known turns come back, vectors on a line say so, half turns and nothing give a rotation as well.
-#include "transfer/best_rotation.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
+
+#include "transfer/align.hpp"
 
 namespace sinew::transferring {
 namespace {

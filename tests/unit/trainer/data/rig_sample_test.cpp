@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rig/joint_class.hpp"
 #include "sinew_data_sets/synthesize.hpp"
+#include "votes/joint_class.hpp"
 
 namespace sinew {
 namespace {

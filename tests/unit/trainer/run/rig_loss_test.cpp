@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
-#include "rig/rig_task.hpp"
+#include "votes/rig_task.hpp"
 
 namespace sinew {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "rig/joint_class.hpp"
 #include "sinew_formats/character.hpp"
+#include "votes/joint_class.hpp"
 
 namespace sinew {
 
