@@ -19,9 +19,9 @@ bool is_glb(const std::vector<uint8_t>& file) { return file.size() >= 20 && std:
 // The chunk behind the JSON; empty when there is none.
 std::vector<uint8_t> binary_chunk(const std::vector<uint8_t>& file) {
   if (!is_glb(file)) return {};
-  const size_t text_end = 20 + read_u32(file, 12);
+  const size_t text_end = size_t{20} + read_u32(file, 12);
   if (text_end > file.size() || file.size() - text_end < 8) return {};
-  const size_t length = std::min(read_u32(file, text_end), file.size() - text_end - 8);
+  const size_t length = std::min<size_t>(read_u32(file, text_end), file.size() - text_end - 8);
   const auto first = file.begin() + static_cast<std::ptrdiff_t>(text_end + 8);
   return {first, first + static_cast<std::ptrdiff_t>(length)};
 }
