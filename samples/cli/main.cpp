@@ -14,7 +14,6 @@
 
 #include "commands.hpp"
 #include "help.hpp"
-#include "retired.hpp"
 #include "sinew/sinew.h"
 #include "sinew_formats/error.hpp"
 #include "sinew_trainer/ranks.hpp"
@@ -66,7 +65,6 @@ std::string plain_bound(std::string error) {
 
 // What is wrong with a command line, and what to do about it.
 std::string complaint(const CLI::App& app, const std::vector<std::string>& words, const std::string& error) {
-  if (const auto now = sinew::cli::retired_word(words, error)) return *now + see_help(app);
   return unknown_command(app, words).value_or(plain_bound(error)) + see_help(app);
 }
 
