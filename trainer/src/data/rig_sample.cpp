@@ -167,20 +167,6 @@ RigSource::Palette RigSource::palette(const RigPose& pose) const {
   return palette;
 }
 
-RigSource::Palette RigSource::stiff_pose(uint64_t seed) const {
-  Random random(seed);
-  RigPose pose = wide_pose(body_, 1, &random);
-  pose.stretch.assign(body_.bones(), {0, 0});
-  return palette(pose);
-}
-
-RigSource::Palette RigSource::rest_pose() const {
-  Palette rest;
-  for (const Point& p : joints_) rest.origin.push_back(vec(p));
-  rest.linear.assign(joints_.size(), Matrix3d::Identity());
-  return rest;
-}
-
 Vector3d RigSource::follow(const Palette& palette, uint32_t j, const Point& p) const {
   return palette.origin[j] + palette.linear[j] * (vec(p) - vec(joints_[j]));
 }
