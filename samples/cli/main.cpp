@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "help.hpp"
 #include "sinew/sinew.h"
 #include "sinew_formats/error.hpp"
 #include "sinew_trainer/ranks.hpp"
@@ -102,7 +101,7 @@ void add_commands(const std::string& first_word, CLI::App& app) {
 
 int main(int argc, char** argv) {
   CLI::App app("Binds character meshes to their skeletons with a small int16 network.", "sinew");
-  app.formatter(std::make_shared<sinew::cli::HelpText>());
+  app.formatter(sinew::cli::help_text());
   app.set_help_flag("-h,--help", "Print one screen of help");
   app.set_help_all_flag("--help-all", "Print every option with all details");
   app.set_version_flag("--version", std::string("sinew ") + sinew_version(), "Print the version");
