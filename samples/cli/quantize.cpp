@@ -23,11 +23,9 @@
 #include "sinew_quant/model_writer.hpp"
 #include "sinew_trainer/calibrate.hpp"
 #include "sinew_trainer/engine_logits.hpp"
-#include "sinew_trainer/front_difference.hpp"
 #include "sinew_trainer/network.hpp"
-#include "sinew_trainer/slot_difference.hpp"
+#include "sinew_trainer/rig_difference.hpp"
 #include "sinew_trainer/train.hpp"
-#include "sinew_trainer/vote_difference.hpp"
 #include "sinew_trainer/weight_difference.hpp"
 #include "support.hpp"
 
