@@ -12,7 +12,6 @@
 #include "bind_one.hpp"
 #include "commands.hpp"
 #include "options.hpp"
-#include "placement_options.hpp"
 #include "progress.hpp"
 #include "sinew/published.h"
 #include "sinew_formats/file_names.hpp"

@@ -19,7 +19,6 @@
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"
-#include "vertex_locks.hpp"
 
 namespace sinew::cli {
 namespace {

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
-// sinew eval: the subcommands together, weights, skeletons, fingers and studies.
+// sinew eval: the subcommands together, weights, skeletons, fingers, confidences, findings.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdlib>
 #include <memory>
 #include <string>
 #include <thread>
 
 #include "commands.hpp"
-#include "eval_check.hpp"
-#include "eval_hands.hpp"
 #include "eval_rig.hpp"
-#include "eval_stability.hpp"
 #include "eval_studies.hpp"
 #include "eval_weights.hpp"
 #include "options.hpp"
@@ -159,85 +155,31 @@ void add_hands_study(CLI::App* parent) {
   });
 }
 
-// A study that binds with a model or by heat alone.
-struct StudySettings {
-  Study study;
-  std::string model, method = "model", give = "random:5";
-  unsigned questions = 3;
-};
-
-std::shared_ptr<StudySettings> add_study(CLI::App* sub, const std::string& name) {
-  auto s = std::make_shared<StudySettings>();
+void add_confidence_study(CLI::App* parent) {
+  CLI::App* sub = parent->add_subcommand("confidence", "How often the strongest joint is right at each confidence");
+  struct Settings {
+    ConfidenceStudy study;
+    std::string model, method = "model";
+  };
+  auto s = std::make_shared<Settings>();
   add_folder(sub, &s->study.folder, &s->study.jobs);
   shared_option(sub, "--model", s->model)->default_str("bundled");
   shared_option(sub, "--method", s->method, "heat: no model")
       ->check(CLI::IsMember({"model", "heat"}))
       ->capture_default_str();
   add_influences(sub, s->study.influences);
-  sub->footer("Example:\n  sinew eval " + name + " characters/val");
-  return s;
-}
-
-template <class Body>
-void run_study(const StudySettings& s, const Body& body) {
-  if (s.method == "heat" && !s.model.empty()) throw UsageError("--method heat uses no model: leave out --model");
-  const std::unique_ptr<LoadedModel> model = s.method == "heat" ? nullptr : load_model(s.model);
-  Study study = s.study;
-  study.model = model ? &model->model : nullptr;
-  body(study);
-}
-
-// KIND:PERCENT
-void run_hints(const StudySettings& s) {
-  const size_t colon = s.give.find(':');
-  const std::string kind = s.give.substr(0, colon);
-  char* end = nullptr;
-  const double percent = colon == std::string::npos ? 0 : std::strtod(s.give.c_str() + colon + 1, &end);
-  if ((kind != "random" && kind != "patch") || end == nullptr || *end != 0 || !(percent > 0 && percent <= 100))
-    throw UsageError("--give " + s.give + ": expected random:PERCENT or patch:PERCENT, for example random:5");
-  run_study(s, [&](const Study& study) { study_hints(study, kind, percent / 100); });
-}
-
-void add_studies(CLI::App* parent) {
-  CLI::App* sub = parent->add_subcommand("confidence", "How often the strongest joint is right at each confidence");
-  const auto confidence = add_study(sub, "confidence");
-  sub->callback([confidence] { run_study(*confidence, study_confidence); });
-
-  sub = parent->add_subcommand("hints", "What weights of some vertices gain the others");
-  const auto hints = add_study(sub, "hints");
-  sub->add_option("--give", hints->give,
-                  "Which share of the vertices is given. Single ones anywhere (random:PERCENT) or one region "
-                  "(patch:PERCENT)")
-      ->type_name("KIND:PERCENT")
-      ->capture_default_str();
-  sub->callback([hints] { run_hints(*hints); });
-
-  const auto add_questions = [](CLI::App* to, StudySettings* s) {
-    shared_option(to, "--questions", s->questions, "Of every character; the reference answers them")
-        ->check(CLI::Range(1, static_cast<int>(SINEW_MAX_QUESTIONS)))
-        ->capture_default_str();
-  };
-  sub = parent->add_subcommand("questions", "What answers of an artist gain a character");
-  const auto questions = add_study(sub, "questions");
-  add_questions(sub, questions.get());
-  sub->callback([questions] {
-    run_study(*questions, [&](const Study& study) { study_questions(study, questions->questions); });
+  sub->footer("Example:\n  sinew eval confidence characters/val");
+  sub->callback([s] {
+    if (s->method == "heat" && !s->model.empty()) throw UsageError("--method heat uses no model: leave out --model");
+    const std::unique_ptr<LoadedModel> model = s->method == "heat" ? nullptr : load_model(s->model);
+    ConfidenceStudy study = s->study;
+    study.model = model ? &model->model : nullptr;
+    study_confidence(study);
   });
+}
 
-  sub = parent->add_subcommand("style", "What answers about each family's first character gain the others");
-  const auto style = add_study(sub, "style");
-  add_questions(sub, style.get());
-  sub->callback([style] { run_study(*style, [&](const Study& study) { study_style(study, style->questions); }); });
-
-  sub = parent->add_subcommand("robustness", "How far weights move when the character is changed");
-  const auto robustness = add_study(sub, "robustness");
-  sub->footer(
-      "Example:\n  sinew eval robustness characters/val\n\n"
-      "It is moved, scaled, rotated, mirrored, renumbered, unwelded, its faces split or merged, decimated,\n"
-      "subdivided.");
-  sub->callback([robustness] { run_study(*robustness, study_robustness); });
-
-  sub = parent->add_subcommand("check", "How much damage sinew check finds, and how often it is wrong");
+void add_check_study(CLI::App* parent) {
+  CLI::App* sub = parent->add_subcommand("check", "How much damage sinew check finds, and how often it is wrong");
   struct CheckSettings {
     std::string folder;
     unsigned jobs = 1;
@@ -251,48 +193,18 @@ void add_studies(CLI::App* parent) {
       "Every character is damaged in some thirty ways, one at a time; a damage is found where a rule that tells\n"
       "it has a finding that the untouched rig has not.");
   sub->callback([check] { study_check(check->folder, check->jobs, check->names); });
-
-  sub = parent->add_subcommand("seams", "How much weight crosses where parts of the body have grown together");
-  const auto seams = add_study(sub, "seams");
-  sub->footer(
-      "Example:\n  sinew eval seams characters/val\n\n"
-      "Parts are apart that are far from each other along the skeleton and near in space; true seams are\n"
-      "edges between parts by the reference's weights, and what counts is the surface within 5 % of the\n"
-      "longest side around them.");
-  sub->callback([seams] { run_study(*seams, study_seams); });
-}
-
-void add_stability(CLI::App* parent) {
-  CLI::App* sub = parent->add_subcommand("stability", "How far skeletons and weights move when a character is posed");
-  const auto s = add_study(sub, "stability");
-  auto own = std::make_shared<StabilitySettings>();
-  sub->add_option("--per-character", own->poses, "Random poses of every character")
-      ->check(CLI::Range(1, 1000))
-      ->type_name("N")
-      ->capture_default_str();
-  add_figures(sub, &own->output, &own->json);
-  sub->footer(
-      "Example:\n  sinew eval stability characters/val\n\n"
-      "The reference's weights pose it; every pose is rigged with the bundled model of skeletons and bound.\n"
-      "Spread: J2J between joints carried back to rest and those of the mesh at rest, in shares of its longest\n"
-      "side. Flips: vertices whose strongest joint is another one, of skeletons found anew and of the\n"
-      "reference's own, which moves along.");
-  sub->callback([s, own] {
-    if (!own->output.empty()) check_output(own->output, {".json"});
-    run_study(*s, [&](const Study& study) { study_stability(study, *own); });
-  });
 }
 
 }  // namespace
 
 void add_eval(CLI::App& app) {
-  CLI::App* sub = app.add_subcommand("eval", "Measure weights, skeletons and what artists say on a folder");
+  CLI::App* sub = app.add_subcommand("eval", "Measure weights, skeletons and findings on a folder");
   sub->require_subcommand(1);
   add_weights(sub);
   add_rig_study(sub);
   add_hands_study(sub);
-  add_studies(sub);
-  add_stability(sub);
+  add_confidence_study(sub);
+  add_check_study(sub);
   sub->footer(
       "Example:\n  sinew eval characters/val\n"
       "sinew eval DIR is sinew eval weights DIR; a folder that is called like a subcommand is ./rig.");

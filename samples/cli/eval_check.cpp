@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // sinew eval check: how much of the damage seeded into rigs is found, and how often untouched ones are called damaged.
-#include "eval_check.hpp"
-
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -9,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "eval_studies.hpp"
 #include "progress.hpp"
 #include "sinew_character/check/check.hpp"
 #include "sinew_formats/io.hpp"

@@ -10,7 +10,7 @@
 
 namespace sinew::cli {
 
-std::vector<JudgedConfidence> judge_folder(const Study& study) {
+std::vector<JudgedConfidence> judge_folder(const ConfidenceStudy& study) {
   const std::vector<FoundCharacter> found = characters_in(study.folder);
   sinew_model model = {};
   if (study.model != nullptr) model = *study.model;
@@ -31,6 +31,18 @@ std::vector<JudgedConfidence> judge_folder(const Study& study) {
   return judged;
 }
 
+namespace {
+
+ConfidenceTable table_of(const sinew_model& model) {
+  ConfidenceTable table;
+  for (uint32_t i = 0; i < model.confidence_count; ++i) {
+    const uint8_t* entry = model.bytes + model.confidence_offset + 4 * i;
+    table.emplace_back(static_cast<uint16_t>(entry[0] | entry[1] << 8),
+                       static_cast<uint16_t>(entry[2] | entry[3] << 8));
+  }
+  return table;
+}
+
 void print_reliability(const std::string& title, const Reliability& r) {
   std::printf(
       "%s: expected calibration error %.4f\n\n| confidence | vertices | mean confidence | right |\n|---|---|---|---|\n",
@@ -43,8 +55,6 @@ void print_reliability(const std::string& title, const Reliability& r) {
   std::printf("\n");
 }
 
-namespace {
-
 void print_lift(const std::vector<JudgedConfidence>& judged) {
   const DoubtLift lift = doubt_lift(judged);
   std::printf(
@@ -55,7 +65,7 @@ void print_lift(const std::vector<JudgedConfidence>& judged) {
 
 }  // namespace
 
-void study_confidence(const Study& study) {
+void study_confidence(const ConfidenceStudy& study) {
   const std::vector<JudgedConfidence> judged = judge_folder(study);
   print_reliability("strongest joint's share, no table", reliability(judged));
   print_lift(judged);
@@ -65,16 +75,6 @@ void study_confidence(const Study& study) {
     print_lift(mapped);
   }
   print_reliability("table fitted on the other half of the families", reliability_across_families(judged));
-}
-
-ConfidenceTable table_of(const sinew_model& model) {
-  ConfidenceTable table;
-  for (uint32_t i = 0; i < model.confidence_count; ++i) {
-    const uint8_t* entry = model.bytes + model.confidence_offset + 4 * i;
-    table.emplace_back(static_cast<uint16_t>(entry[0] | entry[1] << 8),
-                       static_cast<uint16_t>(entry[2] | entry[3] << 8));
-  }
-  return table;
 }
 
 }  // namespace sinew::cli

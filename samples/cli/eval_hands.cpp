@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Predicts bodies and then hands, as sinew rig --detail hands does, and measures the fingers.
-#include "eval_hands.hpp"
-
+// sinew eval hands: predicts bodies and then hands, as sinew rig --detail hands does, and measures the fingers.
 #include <cstdio>
 #include <memory>
 #include <optional>
 
+#include "eval_studies.hpp"
 #include "progress.hpp"
 #include "sinew_character/predict/predict_hands.hpp"
 #include "sinew_formats/io.hpp"

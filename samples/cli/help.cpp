@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Lays the help texts out in columns.
-#include "help.hpp"
-
+#include <CLI/CLI.hpp>
+#include <memory>
 #include <sstream>
+#include <string>
 #include <vector>
+
+#include "commands.hpp"
 
 namespace sinew::cli {
 namespace {
@@ -122,7 +125,10 @@ std::string usage(const CLI::App& app, const std::string& name) {
   return text + " [OPTIONS]\n";
 }
 
-}  // namespace
+class HelpText : public CLI::Formatter {
+ public:
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
+};
 
 std::string HelpText::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {
   const bool full = mode == CLI::AppFormatMode::All;
@@ -154,5 +160,9 @@ std::string HelpText::make_help(const CLI::App* app, std::string name, CLI::AppF
     out += "\n" + std::string(kTextWidth, '-') + "\n" + make_help(sub, name + " " + sub->get_name(), mode);
   return out;
 }
+
+}  // namespace
+
+std::shared_ptr<CLI::FormatterBase> help_text() { return std::make_shared<HelpText>(); }
 
 }  // namespace sinew::cli

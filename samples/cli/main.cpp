@@ -13,8 +13,6 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "help.hpp"
-#include "retired.hpp"
 #include "sinew/sinew.h"
 #include "sinew_formats/error.hpp"
 #include "sinew_trainer/ranks.hpp"
@@ -66,7 +64,6 @@ std::string plain_bound(std::string error) {
 
 // What is wrong with a command line, and what to do about it.
 std::string complaint(const CLI::App& app, const std::vector<std::string>& words, const std::string& error) {
-  if (const auto now = sinew::cli::retired_word(words, error)) return *now + see_help(app);
   return unknown_command(app, words).value_or(plain_bound(error)) + see_help(app);
 }
 
@@ -104,7 +101,7 @@ void add_commands(const std::string& first_word, CLI::App& app) {
 
 int main(int argc, char** argv) {
   CLI::App app("Binds character meshes to their skeletons with a small int16 network.", "sinew");
-  app.formatter(std::make_shared<sinew::cli::HelpText>());
+  app.formatter(sinew::cli::help_text());
   app.set_help_flag("-h,--help", "Print one screen of help");
   app.set_help_all_flag("--help-all", "Print every option with all details");
   app.set_version_flag("--version", std::string("sinew ") + sinew_version(), "Print the version");

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "map_picture.hpp"
 #include "options.hpp"
+#include "pictures.hpp"
 #include "sinew/published.h"
 #include "sinew_character/motion/map_levels.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"

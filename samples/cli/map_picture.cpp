@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Skeletons as lines and discs, seen a little from the side so that what lies behind each other stays apart.
-#include "map_picture.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <vector>
+
+#include "pictures.hpp"
 
 namespace sinew::cli {
 namespace {

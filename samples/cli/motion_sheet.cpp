@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Poses, draws and lays out the frames of a sheet.
-#include "motion_sheet.hpp"
-
 #include <algorithm>
 
+#include "pictures.hpp"
 #include "sinew_character/picture/picture_mesh.hpp"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/base/box.hpp"

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sinew_formats/base/axis.hpp"
+#include "sinew_character/pose/placement.hpp"
 #include "sinew_formats/file_kinds.hpp"
 
 namespace sinew::cli {
@@ -62,6 +63,9 @@ void section(CLI::App* sub, const std::string& heading);
 // Numbers with a range that several commands share.
 CLI::Option* add_influences(CLI::App* sub, unsigned& count);
 CLI::Option* add_jobs(CLI::App* sub, unsigned& jobs, const std::string& more = "");
+
+// Where a mesh is turned and put, under a heading of its own.
+void add_placement_options(CLI::App* sub, Placement* placement);
 
 }  // namespace sinew::cli
 #endif

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,17 +22,17 @@
 #include "sinew_quant/model_writer.hpp"
 #include "sinew_trainer/calibrate.hpp"
 #include "sinew_trainer/engine_logits.hpp"
-#include "sinew_trainer/front_difference.hpp"
 #include "sinew_trainer/network.hpp"
-#include "sinew_trainer/slot_difference.hpp"
+#include "sinew_trainer/rig_difference.hpp"
 #include "sinew_trainer/train.hpp"
-#include "sinew_trainer/vote_difference.hpp"
 #include "sinew_trainer/weight_difference.hpp"
 #include "support.hpp"
 #include "votes/rig_task.hpp"
 
 namespace sinew::cli {
 namespace {
+
+constexpr size_t kCompared = 16;  // characters beside float; more say the same
 
 struct QuantizeCommandSettings {
   std::string checkpoint, folder, compared, output, release, confidence;
@@ -75,10 +76,9 @@ struct Loss {
 };
 
 Loss measure_loss(const FloatNetwork& network, const sinew_model& model, const std::vector<Sample>& samples) {
-  constexpr size_t kMost = 16;  // characters; more say the same
   constexpr uint32_t kInfluences = 4;
   Loss loss;
-  loss.characters = std::min(kMost, samples.size());
+  loss.characters = std::min(kCompared, samples.size());
   Progress progress(loss.characters, "characters compared");
   for (size_t i = 0; i < loss.characters; ++i) {
     const Sample& sample = samples[i * samples.size() / loss.characters];
@@ -105,25 +105,25 @@ void show_layers(const QuantizedModel& model) {
   }
 }
 
-void say(const QuantizeCommandSettings& s, const QuantizedModel& model, size_t calibrated, const Loss& loss,
-         const std::string& confidence) {
-  std::printf(
-      "%s: %zu bytes; beside the float network %.2f %% of the vertices go to another joint (at most %.2f %%, %s), "
-      "%.2f %% of the weights differ by more than 1/255\n",
-      s.output.c_str(), model.bytes.size(), 100 * loss.all.flip_share(), 100 * loss.worst_flips, loss.worst.c_str(),
-      100 * (1 - loss.all.close_share()));
-  std::printf("calibrated on %zu characters, compared on %zu%s\n%s\n", calibrated, loss.characters, s.remark(),
-              confidence.c_str());
-  show_layers(model);
-  std::printf("\nnext: sinew eval %s --model %s\n", s.confidence.empty() ? s.folder.c_str() : s.confidence.c_str(),
-              s.output.c_str());
-}
-
-void release(const QuantizeCommandSettings& s, const FloatNetwork& network) {
-  if (s.release.empty()) return;
-  Checkpoint weights;
-  weights.network = network;
-  write_checkpoint(s.release, weights);
+// Writes the model, reads it again, and says how it differs from the float network.
+//   parts       the networks in the file, whose layers are listed
+//   difference  of the model from the float network, in words
+//   next        the command that uses the model
+void finish(const QuantizeCommandSettings& s, const FloatNetwork& network, const std::vector<uint8_t>& bytes,
+            const std::vector<QuantizedModel>& parts, ModelUse use,
+            const std::function<std::string(const sinew_model&)>& difference, const std::string& next) {
+  write_file(s.output, bytes);
+  if (!s.release.empty()) {
+    Checkpoint weights;
+    weights.network = network;
+    write_checkpoint(s.release, weights);
+  }
+  if (s.quiet) return;
+  const std::unique_ptr<LoadedModel> loaded = model_from_bytes(bytes, s.output, use);
+  std::printf("%s: %zu bytes; beside the float network %s\n", s.output.c_str(), bytes.size(),
+              difference(loaded->model).c_str());
+  for (const QuantizedModel& part : parts) show_layers(part);
+  std::printf("\nnext: sinew %s %s\n", next.c_str(), s.output.c_str());
 }
 
 // Both networks of the published method become one file.
@@ -131,63 +131,67 @@ void quantize_slots(const QuantizeCommandSettings& s, const FloatNetwork& networ
   const SlotNetworks networks = calibrate_slots(network, s.folder, s.characters);
   const QuantizedModel joints = quantize(networks.joints, networks.joint_ranges, s.options),
                        connections = quantize(networks.connections, networks.connection_ranges, s.options);
-  const std::vector<uint8_t> bytes = with_second_network(joints.bytes, connections.bytes);
-  write_file(s.output, bytes);
-  release(s, network);
-  if (s.quiet) return;
-  const std::unique_ptr<LoadedModel> loaded = model_from_bytes(bytes, s.output, ModelUse::kSlotJoints);
-  constexpr size_t kCompared = 16;
-  const SlotDifference d = compare_slots(network, loaded->model, s.measured_on(), kCompared);
-  std::printf(
-      "%s: %zu bytes; beside the float network joints move by %.5f of the longest side (at most %.5f), %.2f %% of the "
-      "slots and %.2f %% of the connections stay as they are; %zu characters compared%s\n",
-      s.output.c_str(), bytes.size(), d.mean, d.most, 100 * d.same_presence, 100 * d.same_connections, d.characters,
-      s.remark());
-  show_layers(joints);
-  show_layers(connections);
-  std::printf("\nnext: sinew rig MESH.obj --method slots --model %s\n", s.output.c_str());
+  const auto difference = [&](const sinew_model& model) {
+    const SlotDifference d = compare_slots(network, model, s.measured_on(), kCompared);
+    return print(
+        "joints move by %.5f of the longest side (at most %.5f), %.2f %% of the slots and %.2f %% of the connections "
+        "stay as they are; %zu characters compared%s",
+        d.mean, d.most, 100 * d.same_presence, 100 * d.same_connections, d.characters, s.remark());
+  };
+  finish(s, network, with_second_network(joints.bytes, connections.bytes), {joints, connections}, ModelUse::kSlotJoints,
+         difference, "rig MESH.obj --method slots --model");
 }
 
 void quantize_front(const QuantizeCommandSettings& s, const FloatNetwork& network) {
   const QuantizedModel model = quantize(network, calibrate_front(network, s.folder, s.characters), s.options);
-  write_file(s.output, model.bytes);
-  release(s, network);
-  if (s.quiet) return;
-  const std::unique_ptr<LoadedModel> loaded = model_from_bytes(model.bytes, s.output, ModelUse::kFront);
-  constexpr size_t kCompared = 16;
-  const FrontDifference d = compare_fronts(network, loaded->model, s.measured_on(), kCompared);
-  std::printf(
-      "%s: %zu bytes; beside the float network answers of length 1 move by %.5f (at most %.5f); %zu characters "
-      "compared%s\n",
-      s.output.c_str(), model.bytes.size(), d.mean, d.most, d.characters, s.remark());
-  show_layers(model);
-  std::printf("\nnext: sinew rig MESH.obj --front-model %s\n", s.output.c_str());
+  const auto difference = [&](const sinew_model& integers) {
+    const FrontDifference d = compare_fronts(network, integers, s.measured_on(), kCompared);
+    return print("answers of length 1 move by %.5f (at most %.5f); %zu characters compared%s", d.mean, d.most,
+                 d.characters, s.remark());
+  };
+  finish(s, network, model.bytes, {model}, ModelUse::kFront, difference, "rig MESH.obj --front-model");
+}
+
+void quantize_votes(const QuantizeCommandSettings& s, const FloatNetwork& network) {
+  const QuantizedModel model = quantize(network, calibrate_rig(network, s.folder, s.characters), s.options);
+  const auto difference = [&](const sinew_model& integers) {
+    const VoteDifference d = compare_votes(network, integers, s.measured_on(), kCompared);
+    return print(
+        "votes move by %.5f of the longest side (at most %.5f), %.2f %% keep their class; %zu characters compared%s",
+        d.mean, d.most, 100 * d.same_class, d.characters, s.remark());
+  };
+  const bool hands = network.feature_set == sinew::rigging::kHandsFeatureSet;
+  finish(s, network, model.bytes, {model}, hands ? ModelUse::kHands : ModelUse::kRig, difference,
+         "rig MESH.obj --model");
 }
 
 // A network of skeletons: no confidences, and votes instead of weights to compare.
-void quantize_rig(const QuantizeCommandSettings& s, const Checkpoint& checkpoint) {
+void quantize_rig(const QuantizeCommandSettings& s, const FloatNetwork& network) {
   if (!s.confidence.empty() || s.correction > 0)
     throw UsageError(s.checkpoint +
                      " predicts skeletons: --calibrate-confidence and --correction are for skin weights");
-  if (checkpoint.network.architecture == "slots") return quantize_slots(s, checkpoint.network);
-  if (checkpoint.network.feature_set == sinew::rigging::kFrontFeatureSet) return quantize_front(s, checkpoint.network);
-  const QuantizedModel model =
-      quantize(checkpoint.network, calibrate_rig(checkpoint.network, s.folder, s.characters), s.options);
-  write_file(s.output, model.bytes);
-  release(s, checkpoint.network);
-  if (s.quiet) return;
-  const std::unique_ptr<LoadedModel> loaded = model_from_bytes(
-      model.bytes, s.output,
-      checkpoint.network.feature_set == sinew::rigging::kHandsFeatureSet ? ModelUse::kHands : ModelUse::kRig);
-  constexpr size_t kCompared = 16;
-  const VoteDifference d = compare_votes(checkpoint.network, loaded->model, s.measured_on(), kCompared);
-  std::printf(
-      "%s: %zu bytes; beside the float network votes move by %.5f of the longest side (at most %.5f), %.2f %% keep "
-      "their "
-      "class; %zu characters compared%s\n",
-      s.output.c_str(), model.bytes.size(), d.mean, d.most, 100 * d.same_class, d.characters, s.remark());
-  show_layers(model);
-  std::printf("\nnext: sinew rig MESH.obj --model %s\n", s.output.c_str());
+  if (network.architecture == "slots") return quantize_slots(s, network);
+  if (network.feature_set == sinew::rigging::kFrontFeatureSet) return quantize_front(s, network);
+  quantize_votes(s, network);
+}
+
+void quantize_weights(const QuantizeCommandSettings& s, const FloatNetwork& network) {
+  const std::vector<Sample> samples = load_samples_of(s.folder, s.characters, network);
+  QuantizedModel model = quantize(network, calibrate(network, samples), s.options);
+  std::string confidence;
+  if (!s.confidence.empty()) confidence = add_confidence(s, &model.bytes);
+  const auto difference = [&](const sinew_model& integers) {
+    const std::vector<Sample> others =
+        s.compared.empty() ? std::vector<Sample>() : load_samples_of(s.compared, s.characters, network);
+    const Loss loss = measure_loss(network, integers, s.compared.empty() ? samples : others);
+    return print(
+        "%.2f %% of the vertices go to another joint (at most %.2f %%, %s), %.2f %% of the weights differ by more than "
+        "1/255\ncalibrated on %zu characters, compared on %zu%s\n%s",
+        100 * loss.all.flip_share(), 100 * loss.worst_flips, loss.worst.c_str(), 100 * (1 - loss.all.close_share()),
+        samples.size(), loss.characters, s.remark(), confidence.c_str());
+  };
+  finish(s, network, model.bytes, {model}, ModelUse::kBind, difference,
+         "eval " + (s.confidence.empty() ? s.folder : s.confidence) + " --model");
 }
 
 // A model stays as it is but for its table of confidences.
@@ -207,20 +211,9 @@ void run_quantize(const QuantizeCommandSettings& s) {
   if (has_extension(s.checkpoint, ".sinew")) return fit_model(s);
   if (s.folder.empty()) throw UsageError("--calibrate DIR is needed: the characters that the ranges are measured on");
   Checkpoint checkpoint = read_checkpoint(s.checkpoint);
-  if (checkpoint.network.task == kTaskRig) return quantize_rig(s, checkpoint);
+  if (checkpoint.network.task == kTaskRig) return quantize_rig(s, checkpoint.network);
   if (s.correction > 0) change_correction(s.correction, s.checkpoint, &checkpoint);
-  const std::vector<Sample> samples = load_samples_of(s.folder, s.characters, checkpoint.network);
-  QuantizedModel model = quantize(checkpoint.network, calibrate(checkpoint.network, samples), s.options);
-  std::string confidence;
-  if (!s.confidence.empty()) confidence = add_confidence(s, &model.bytes);
-  write_file(s.output, model.bytes);
-  release(s, checkpoint.network);
-  if (s.quiet) return;
-  const std::unique_ptr<LoadedModel> loaded = model_from_bytes(model.bytes, s.output);
-  const std::vector<Sample> others =
-      s.compared.empty() ? std::vector<Sample>() : load_samples_of(s.compared, s.characters, checkpoint.network);
-  say(s, model, samples.size(), measure_loss(checkpoint.network, loaded->model, s.compared.empty() ? samples : others),
-      confidence);
+  quantize_weights(s, checkpoint.network);
 }
 
 }  // namespace

@@ -19,7 +19,6 @@
 #include "folder_files.hpp"
 #include "options.hpp"
 #include "picture_options.hpp"
-#include "placement_options.hpp"
 #include "profile_options.hpp"
 #include "progress.hpp"
 #include "rig_skeleton.hpp"

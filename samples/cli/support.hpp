@@ -43,6 +43,9 @@ Character read_mesh_and_skeleton(const std::string& mesh, const std::string& ske
 // joint.
 std::vector<size_t> read_joint_list(const std::string& path, const Character& character);
 std::vector<size_t> read_vertex_list(const std::string& path, const Character& character);
+// [V] non-zero: keeps its weights. `lock` is a file with a 0-based index per line, each of a vertex with weights, or
+// "all": every vertex that has some. Throws Error naming the line or the vertex.
+std::vector<uint8_t> read_vertex_locks(const std::string& lock, const Character& character);
 
 // A character of a folder, under a name that tells it apart from the others there.
 struct FoundCharacter {

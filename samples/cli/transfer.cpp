@@ -24,7 +24,6 @@
 #include "sinew_formats/print.hpp"
 #include "support.hpp"
 #include "transfer_target.hpp"
-#include "vertex_locks.hpp"
 
 namespace sinew::cli {
 namespace {

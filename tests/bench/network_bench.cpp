@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The network as a whole: the int16 engine with every kernel that runs here, the float trainer's forward pass (Eigen)
-// and PyTorch on the same features of one synthetic body. One run, passes interleaved, processor time of the thread
-// that computes. CSV on standard output; float results that differ from each other end the run.
+// The network as a whole: the int16 engine with every kernel that runs here, and the float trainer's forward pass (Eigen) on
+// the same features of one synthetic body. One run, passes interleaved, processor time of the thread that computes. CSV on
+// standard output; int16 results that differ from each other, or far from float's, end the run.
 //   sinew_bench_network [--repeats N] [VERTICES...]      default: 10000
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "bench_report.hpp"
@@ -22,7 +17,6 @@
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/network.hpp"
 #include "sinew_trainer/network_input.hpp"
-#include "temp_folder.hpp"
 
 namespace {
 
@@ -124,91 +118,6 @@ struct EigenForward : Contestant {
   std::vector<float> logits() const override { return result; }
 };
 
-// A child process that has the network and the sample, and passes once per line.
-struct PyTorch : Contestant {
-  TempFolder folder;
-  size_t logit_count;
-  std::FILE* to = nullptr;
-  std::FILE* from = nullptr;
-  pid_t child = -1;
-
-  PyTorch(const char* python, const FloatNetwork& network, const Sample& s)
-      : logit_count(size_t{s.vertices} * s.candidates) {
-    name = "PyTorch";
-    bytes = activation_bytes(network, s);
-    write_input(network, s);
-    int down[2], up[2];
-    if (pipe(down) != 0 || pipe(up) != 0) throw Error("PyTorch: no pipe");
-    child = fork();
-    if (child == 0) {
-      dup2(down[0], 0);
-      dup2(up[1], 1);
-      close(down[1]);
-      close(up[0]);
-      execlp(python, python, SINEW_SOURCE_DIR "/tests/bench/network_torch.py", folder.path().c_str(), nullptr);
-      _exit(127);
-    }
-    close(down[0]);
-    close(up[1]);
-    to = fdopen(down[1], "w");
-    from = fdopen(up[0], "r");
-  }
-  ~PyTorch() override {
-    std::fclose(to);
-    std::fclose(from);
-    waitpid(child, nullptr, 0);
-  }
-  double pass() override {
-    double seconds = 0;
-    if (std::fputs("run\n", to) < 0 || std::fflush(to) != 0 || std::fscanf(from, "%lf", &seconds) != 1)
-      throw Error("PyTorch: the script ended early; run it alone to see why");
-    const std::vector<float> result = logits();
-    hash = sinew_bench::fnv1a(sinew_bench::kHashStart, result.data(), result.size() * 4);
-    return seconds;
-  }
-  std::vector<float> logits() const override {
-    const std::vector<uint8_t> raw = read_file(folder.file("logits.bin"));
-    std::vector<float> out(logit_count);
-    if (raw.size() != out.size() * 4) throw Error("PyTorch: expected " + std::to_string(logit_count) + " logits");
-    std::memcpy(out.data(), raw.data(), raw.size());
-    return out;
-  }
-  void write_input(const FloatNetwork& network, const Sample& s) {
-    std::string arrays;
-    const auto put = [&](const auto& values) {
-      arrays.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0]));
-    };
-    const auto scaled = [](const std::vector<int16_t>& values) {
-      std::vector<float> out;
-      for (const int16_t x : values) out.push_back(static_cast<float>(x) / 8192);
-      return out;
-    };
-    put(scaled(s.inputs[0].rows));
-    put(scaled(s.inputs[1].rows));
-    put(s.candidate);
-    put(s.row_offsets);
-    put(s.part);
-    put(s.col_indices);
-    nlohmann::json spec = {{"vertices", s.vertices}, {"candidates", s.candidates}, {"joints", s.joints}};
-    for (const Buffer& b : network.buffers) spec["buffers"].push_back({b.domain == Domain::kPair ? 1 : 0, b.channels});
-    const auto region = [](const Region& r) { return nlohmann::json{r.buffer, r.offset, r.channels}; };
-    for (const Layer& l : network.layers)
-      spec["layers"].push_back({{"kind", traits_of(l.kind).name},
-                                {"in", region(l.in)},
-                                {"out", region(l.out)},
-                                {"residual", (l.flags & kLayerResidual) != 0 ? region(l.residual) : nlohmann::json()},
-                                {"relu", (l.flags & kLayerRelu) != 0},
-                                {"parameters", l.parameters}});
-    for (const LinearParameters& p : network.parameters) {
-      spec["linears"].push_back({p.in, p.out});
-      put(p.weights);
-      put(p.bias);
-    }
-    folder.write("network.json", spec.dump());
-    folder.write("arrays.bin", arrays);
-  }
-};
-
 // Largest and mean distance of logits where candidates are present.
 void compare(const Contestant& a, const Contestant& b, const Sample& s, double limit) {
   const std::vector<float> x = a.logits(), y = b.logits();
@@ -236,9 +145,6 @@ void measure(double vertices, const Model& model, const FloatNetwork& network, i
   const size_t best = all.size() - 1, floats = all.size() + 1;  // kernels are numbered by rising speed
   all.push_back(std::make_unique<Int16>(model.model, sample, SINEW_KERNEL_AUTO, true));
   all.push_back(std::make_unique<EigenForward>(network, sample));
-#ifdef SINEW_BENCH_PYTHON
-  all.push_back(std::make_unique<PyTorch>(SINEW_BENCH_PYTHON, network, sample));
-#endif
   for (int i = -1; i < repeats; ++i) {  // the first round warms up
     for (const auto& contestant : all) {
       const double seconds = contestant->pass();
@@ -249,7 +155,6 @@ void measure(double vertices, const Model& model, const FloatNetwork& network, i
     if (all[i]->hash != all[0]->hash) throw Error(all[i]->name + " differs from " + all[0]->name);
   }
   compare(*all[floats], *all[0], sample, 0.05);
-  if (all.size() > floats + 1) compare(*all[floats], *all[floats + 1], sample, 1e-4);
   const double fastest = sinew_bench::median(all[best]->passes);
   for (const auto& contestant : all) {
     const double median = sinew_bench::median(contestant->passes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sinew command's options as a whole: one meaning a name, help on one screen, words that are no longer known.
+// The sinew command's options as a whole: one meaning a name, help on one screen.
 #include <map>
 #include <regex>
 
@@ -94,42 +94,6 @@ TEST_F(CliOptions, HelpFitsAScreen) {
     for (const auto& [name, text] : options) EXPECT_NE(all.find(name), std::string::npos) << command;
     for (const std::string& line : lines_of(all)) EXPECT_LE(line.size(), kColumns) << command << ": " << line;
   }
-}
-
-TEST_F(CliOptions, AFormerWordNamesTheNewOne) {
-  const std::pair<const char*, const char*> former[] = {
-      {"extract m.obj -o o.glb", "sinew rig MESH --method shape"},
-      {"bind m.obj --all-joints", "--all-joints is now --joints all"},
-      {"bind m.obj --deform list.txt", "--deform is now --joints FILE"},
-      {"bind m.obj --compare", "--compare is now --changes"},
-      {"pose m.glb --random 1 --dual-quaternion -o o.obj", "is now --deform dual-quaternion"},
-      {"pose m.glb --random 1 --deform none -o o.obj", "--deform none is now --deform linear"},
-      {"transfer a.glb b.obj --source-up z", "--source-up is now --from-up"},
-      {"animate a.glb --motion b.bvh --motion-up=z -o o.glb", "--motion-up is now --from-up"},
-      {"animate a.glb --motion b.bvh --report -o o.glb", "--report is now --measure"},
-      {"animate a.glb --motion b.bvh --from 1 -o o.glb", "--from is now --start"},
-      {"map a.glb --from b.glb --no-ends", "--no-ends is now --ends none"},
-      {"quantize a.ckpt -o b.sinew --confidence dir", "--confidence is now --calibrate-confidence DIR"},
-      {"crossval dir --from run", "--from is now --reuse RUN"},
-      {"eval dir --task rig", "--task rig is now sinew eval rig DIR"},
-      {"eval dir --task hands", "--task hands is now sinew eval hands DIR"},
-      {"eval dir --confidence", "--confidence is now sinew eval confidence DIR"},
-      {"eval dir --hints random:5", "--hints is now sinew eval hints DIR"},
-      {"eval dir --questions 3", "--questions is now sinew eval questions DIR"},
-      {"eval dir --predictions out", "--predictions is now --save-predictions DIR"},
-      {"eval dir --json -", "--json is now --json without a value"},
-      {"eval dir --json out.json", "--json is now -o FILE.json"},
-      {"dataset check dir --png out", "--png is now --pictures DIR"},
-      {"dataset split dir --val 0.1 -o out", "--val is now --val-share X"},
-      {"dataset stats dir --picture 64", "--picture is now --picture-size N"}};
-  for (const auto& [words, now] : former) {
-    const Outcome outcome = bad(2, words);
-    EXPECT_NE(outcome.error.find(now), std::string::npos) << words << "\n" << outcome.error;
-  }
-  // A word that is known elsewhere, and a wrong value of one that is known.
-  EXPECT_EQ(bad(2, "bind m.obj --task rig").error.find("is now"), std::string::npos);
-  EXPECT_EQ(bad(2, "eval questions dir --questions many").error.find("is now"), std::string::npos);
-  EXPECT_EQ(files(), 0u);
 }
 
 TEST_F(CliOptions, EvalOfAFolderMeasuresWeights) {

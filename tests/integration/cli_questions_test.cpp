@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew bind asks about parts and takes answers; sinew eval questions measures what that is worth.
+// sinew bind asks about parts and takes answers.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -148,29 +148,6 @@ TEST_F(Cli, StyleFilesThatMakeNoSenseAreRefused) {
   EXPECT_EQ(run("bind " + kRobot + " -o out.glb --save-style out.txt --answer 0=soft").status, 2);
   EXPECT_EQ(run("bind " + kRobot + " -o out.glb --save-style out.style").status, 1) << "no answer to keep";
   EXPECT_FALSE(fs::exists(folder_ / "out.style"));
-}
-
-TEST_F(Cli, EvalSaysWhatAnswersAreWorth) {
-  const std::string folder = (folder_ / "set").string();
-  fs::create_directories(folder);
-  for (const std::string file :
-       {"biped__robot.obj", "biped__robot.rig.txt", "bird__winged.obj", "bird__winged.rig.txt"})
-    fs::copy(kData + "/" + file, folder + "/" + file);
-  const Outcome outcome = run("eval questions set --questions 3");
-  ASSERT_EQ(outcome.status, 0) << outcome.error;
-  const size_t at = outcome.out.find("| mean of families | 2 | ");
-  ASSERT_NE(at, std::string::npos) << outcome.out;
-  double before = 0, after = 0;
-  ASSERT_EQ(std::sscanf(outcome.out.c_str() + at, "| mean of families | 2 | %lf | %lf", &before, &after), 2);
-  EXPECT_LT(after, before) << "answers by the reference make nothing worse, and these characters gain";
-  EXPECT_EQ(run("eval style set").status, 1) << "no family has two characters";
-  fs::copy(folder + "/biped__robot.obj", folder + "/biped__robot_b.obj");
-  fs::copy(folder + "/biped__robot.rig.txt", folder + "/biped__robot_b.rig.txt");
-  const Outcome style = run("eval style set --questions 3");
-  const size_t biped = style.out.find("| biped | 1 | ");
-  ASSERT_NE(biped, std::string::npos) << style.out << style.error;
-  ASSERT_EQ(std::sscanf(style.out.c_str() + biped, "| biped | 1 | %lf | %lf", &before, &after), 2);
-  EXPECT_LT(after, before) << "the other is the same character";
 }
 
 }  // namespace

@@ -107,7 +107,6 @@ TEST_F(CliRig, WrongUsage) {
   EXPECT_NE(bad(1, "eval rig set --predictions nowhere").error.find("nowhere: expected a folder"), std::string::npos);
   EXPECT_NE(bad(2, "eval rig set --predictions set --method heat").error.find("--method"), std::string::npos);
   EXPECT_NE(bad(2, "eval rig set --predictions set --known").error.find("--known"), std::string::npos);
-  EXPECT_NE(bad(2, "eval set --task rig").error.find("sinew eval rig DIR"), std::string::npos);
   EXPECT_NE(bad(2, "dataset target set -o set").error.find("among the inputs"), std::string::npos);
   EXPECT_NE(bad(2, "dataset target set -o set/low").error.find("among the inputs"), std::string::npos);
   EXPECT_NE(bad(2, "dataset target set/snake__long.obj -o ./set/low/..").error.find("among the inputs"),

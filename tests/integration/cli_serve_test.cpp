@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew serve: what a client asks line by line, what is refused, that nothing outside of the folder is read or written, and HTTP.
+// sinew serve: what a client asks line by line, what is refused, that nothing outside of the folder is read or written.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -187,40 +187,8 @@ TEST_F(CliServe, JobsHaveLimits) {
   const auto large = ask(call(1, "inspect", {{"file", "snake.obj"}}), "--most-bytes 100");
   EXPECT_NE(text(large.at(1)).find("--most-bytes"), std::string::npos);
   bad(2, "serve");
-  bad(2, "serve --mcp --http 127.0.0.1:0");
-  bad(2, "serve --http 0.0.0.0:8000");
+  EXPECT_NE(bad(2, "serve --mcp --http 127.0.0.1:0").error.find("--http"), std::string::npos);
   bad(1, "serve --mcp --folder nowhere");
-}
-
-TEST_F(CliServe, SpeaksHttpToThisMachineAlone) {
-  if (std::system("command -v curl >/dev/null") != 0) GTEST_SKIP() << "no curl";
-  put(in("ask.sh"),
-      "cd '" + folder_.string() + "'\n'" + kProgram + R"(' serve --http 127.0.0.1:0 --folder served 2>told &
-server=$!
-for i in $(seq 100); do grep -q serving told && break; sleep 0.05; done
-url=$(sed 's/serving //' told)
-post() { curl -s -m 20 -w ' %{http_code}\n' "$@"; }
-post -d '{"jsonrpc":"2.0","id":1,"method":"ping"}' $url
-post -d '{"jsonrpc":"2.0","method":"notifications/initialized"}' $url
-post -H 'Origin: http://elsewhere.example' -d '{"jsonrpc":"2.0","id":1,"method":"ping"}' $url
-post -H 'Host: elsewhere.example' -d '{"jsonrpc":"2.0","id":1,"method":"ping"}' $url
-post $url
-post -d x ${url%/mcp}/other
-kill $server
-)");
-  const Outcome outcome = [&] {
-    Outcome made;
-    std::FILE* pipe = popen(("sh '" + in("ask.sh") + "'").c_str(), "r");
-    char buffer[4096];
-    for (size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) made.out.append(buffer, n);
-    pclose(pipe);
-    return made;
-  }();
-  EXPECT_EQ(outcome.out,
-            "{\"jsonrpc\":\"2.0\",\"id\":1,\"result\":{}}\n 200\n 202\n"
-            "{\"error\":\"expected a request from this machine\"}\n 403\n"
-            "{\"error\":\"expected a request from this machine\"}\n 403\n"
-            "{\"error\":\"expected POST /mcp\"}\n 405\n{\"error\":\"expected POST /mcp\"}\n 404\n");
 }
 
 }  // namespace

@@ -101,15 +101,9 @@ TEST_F(Cli, WrongUsageExitsTwoAndWritesNothing) {
                                           "eval " + kData + " --method nearest --rigid-parts never",
                                           "eval " + kData + " --method heat --softness 2",
                                           "eval " + kData + " --method heat --rigid-parts often",
-                                          "eval hints " + kData + " --method heat --rigid-parts always",
                                           "eval " + kData + " --method heat --jobs 0",
-                                          "eval hints " + kData + " --method heat --give random",
-                                          "eval hints " + kData + " --method heat --give all:5",
-                                          "eval hints " + kData + " --method heat --give random:0",
-                                          "eval hints " + kData + " --method heat --give patch:5x",
-                                          "eval hints " + kData + " --checkpoint x",
                                           "eval confidence " + kData + " --checkpoint x",
-                                          "eval robustness " + kData + " --method heat --model x",
+                                          "eval confidence " + kData + " --method heat --model x",
                                           "bind " + pair + "--png-confidence out.jpg",
                                           "train",
                                           "train " + kData,
@@ -374,22 +368,11 @@ TEST_F(Cli, WrongVerticesAreAmongThoseToLookAtFirst) {
 TEST_F(Cli, EvalStudies) {
   fs::create_directories(in("set"));
   for (const char* file : {"snake__long.obj", "snake__long.rig.txt"}) fs::copy(kData + "/" + file, in("set"));
-  const Outcome hints = good("eval hints set --method heat");
-  EXPECT_NE(hints.out.find("| snake | 1 |"), std::string::npos) << hints.out;
-  EXPECT_NE(good("eval hints set --method heat --give patch:5").out, hints.out);
-  const Outcome changes = good("eval robustness set --method heat --jobs 1");
-  EXPECT_NE(changes.out.find("| unwelded | 0.00000 |"), std::string::npos) << changes.out;
-  EXPECT_NE(changes.out.find("| subdivided | "), std::string::npos) << changes.out;
   EXPECT_NE(bad(1, "eval confidence set --method heat").error.find("famil"), std::string::npos);
   const Outcome confidence = good("eval confidence " + kData + " --method heat");
   EXPECT_NE(confidence.out.find("calibration error"), std::string::npos) << confidence.out;
   fs::create_directories(in("empty"));
-  const Outcome poses = good("eval stability " + kData + " --method heat --per-character 1 --json -o poses.json");
-  EXPECT_NE(poses.out.find("\"mean_of_families\""), std::string::npos) << poses.out;
-  EXPECT_EQ(slurp(in("poses.json")), poses.out);
-  bad(2, "eval stability " + kData + " --per-character 0");
-  for (const char* study : {"weights", "hints", "confidence", "robustness", "questions", "style", "stability"})
-    bad(1, std::string("eval ") + study + " empty --method heat");
+  for (const char* study : {"weights", "confidence"}) bad(1, std::string("eval ") + study + " empty --method heat");
 }
 
 TEST_F(Cli, BundledModelBindsOrSaysThatThereIsNone) {

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "open_bundled_model.hpp"
+#include "robustness.hpp"
 #include "sinew_character/bind/bind.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_trainer/robustness.hpp"
 
 namespace sinew {
 namespace {

@@ -1,28 +1,71 @@
 // SPDX-License-Identifier: MIT
-// sinew serve: the command as a server for programs and agents, for files of one folder.
+// sinew serve: the Model Context Protocol on standard input and output, for files of one folder.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "commands.hpp"
 #include "options.hpp"
-#include "serve/carriers.hpp"
-#include "support.hpp"
+#include "serve/server.hpp"
 
 namespace sinew::cli {
 namespace {
 
 struct ServeCommandSettings {
-  std::string folder = ".", http;
+  std::string folder = ".";
   bool mcp = false;
   double timeout = 600;
   unsigned jobs = 1;
   uint64_t most_bytes = uint64_t{512} << 20;
 };
 
+// Whole lines, whatever threads they come from.
+class Output {
+ public:
+  void write(const OrderedJson& message) {
+    const std::string line = message.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+    const std::lock_guard<std::mutex> guard(lock_);
+    std::fwrite(line.data(), 1, line.size(), stdout);
+    std::fflush(stdout);
+  }
+
+ private:
+  std::mutex lock_;
+};
+
+// The next line without its end; of a longer one than `most` the first bytes beyond it, which is enough to refuse it.
+bool read_line(size_t most, std::string* line) {
+  line->clear();
+  int c = 0;
+  while ((c = std::getc(stdin)) != EOF && c != '\n')
+    if (line->size() <= most) line->push_back(static_cast<char>(c));
+  if (!line->empty() && line->back() == '\r') line->pop_back();
+  return c != EOF || !line->empty();
+}
+
+// Answers a message a line, until the input ends and every job with it.
+void serve_lines(Server* server) {
+  Output output;
+  std::vector<std::jthread> calls;
+  std::string line;
+  const auto answer = [server, &output](const std::string& message) {
+    const auto reply = server->answer(message, [&](const OrderedJson& note) { output.write(note); });
+    if (reply) output.write(*reply);
+  };
+  while (read_line(server->limits().message, &line)) {
+    if (line.find_first_not_of(" \t") == std::string::npos) continue;
+    if (Server::is_call(line) && line.size() <= server->limits().message)
+      calls.emplace_back([answer, message = line] { answer(message); });
+    else
+      answer(line);
+  }
+}
+
 void run_serve(const ServeCommandSettings& s) {
-  if (s.mcp == !s.http.empty()) throw UsageError("expected one of --mcp and --http 127.0.0.1:PORT");
   ServerLimits limits;
   limits.seconds = s.timeout;
   limits.jobs = s.jobs;
@@ -32,22 +75,16 @@ void run_serve(const ServeCommandSettings& s) {
                  "warning: this system cannot keep jobs to a folder (no Landlock): a file that refers to others, such "
                  "as a .gltf, "
                  "may have them read from elsewhere\n");
-  if (s.mcp)
-    serve_lines(&server);
-  else
-    serve_http(&server, s.http);
+  serve_lines(&server);
 }
 
 }  // namespace
 
 void add_serve(CLI::App& app) {
-  CLI::App* sub =
-      app.add_subcommand("serve", "Serve programs and agents: Model Context Protocol, or the same over HTTP");
+  CLI::App* sub = app.add_subcommand("serve", "Serve programs by the Model Context Protocol");
   auto s = std::make_shared<ServeCommandSettings>();
-  sub->add_flag("--mcp", s->mcp, "Messages come on standard input, a line each, and answers go to standard output");
-  sub->add_option("--http", s->http,
-                  "Messages come by POST to /mcp on this machine. Port 0: a free one, which is printed")
-      ->type_name("127.0.0.1:PORT");
+  sub->add_flag("--mcp", s->mcp, "Messages come on standard input, a line each, and answers go to standard output")
+      ->required();
   sub->add_option("--folder", s->folder,
                   "The folder whose files are read and written, no others. Neither '..' nor a link leads out, and jobs "
                   "run where the "
@@ -61,8 +98,7 @@ void add_serve(CLI::App& app) {
   add_jobs(sub, s->jobs, "Others wait");
   sub->add_option("--most-bytes", s->most_bytes, "Of a file that is read")->type_name("N")->capture_default_str();
   sub->footer(
-      "Examples:\n  sinew serve --mcp --folder characters\n"
-      "  sinew serve --http 127.0.0.1:8000 --folder characters --jobs 4\n\n"
+      "Example:\n  sinew serve --mcp --folder characters --jobs 4\n\n"
       "Tools: rig, bind, animate, check, pose, inspect; resources: the folder's files. A job is a process of its own.");
   sub->callback([s] { run_serve(*s); });
 }

@@ -20,8 +20,8 @@
 #include "sinew_trainer/calibrate.hpp"
 #include "sinew_trainer/engine_logits.hpp"
 #include "sinew_trainer/network.hpp"
+#include "sinew_trainer/rig_difference.hpp"
 #include "sinew_trainer/sample.hpp"
-#include "sinew_trainer/slot_difference.hpp"
 
 namespace sinew {
 namespace {

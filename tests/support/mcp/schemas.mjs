@@ -64,7 +64,6 @@ expectValid('dataset dedup', 'set');
 expectValid('eval', 'set', '--method', 'nearest');
 expectValid('eval rig', 'set', '--predictions', 'set');
 expectValid('eval hands', 'set');
-expectValid('eval stability', 'set', '--method', 'heat', '--per-character', '1');
 // What --controls writes.
 execFileSync(sinew, ['bind', robed, '--skeleton', rig, '-o', 'controlled.glb', '--controls', 'robed.controls.json'], { cwd: folder, stdio: 'ignore' });
 const controls = schemas.get('controls');

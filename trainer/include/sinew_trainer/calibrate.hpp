@@ -16,7 +16,12 @@ namespace sinew {
 // Largest absolute value in each layer's output region over all samples, for a network of any task. Throws Error when
 // there is no sample.
 Calibration calibrate(const FloatNetwork& network, const std::vector<const NetworkSample*>& samples);
-Calibration calibrate(const FloatNetwork& network, const std::vector<Sample>& samples);
+template <class S>
+Calibration calibrate(const FloatNetwork& network, const std::vector<S>& samples) {
+  std::vector<const NetworkSample*> pointers;
+  for (const S& sample : samples) pointers.push_back(&sample);
+  return calibrate(network, pointers);
+}
 
 // Samples of at most `limit` characters spread evenly over a folder's sorted list (0 = all). Characters that the engine
 // refuses are left out; throws Error when none is left. `progress`, if there is one, hears how many of how many are done.

@@ -167,20 +167,6 @@ RigSource::Palette RigSource::palette(const RigPose& pose) const {
   return palette;
 }
 
-RigSource::Palette RigSource::stiff_pose(uint64_t seed) const {
-  Random random(seed);
-  RigPose pose = wide_pose(body_, 1, &random);
-  pose.stretch.assign(body_.bones(), {0, 0});
-  return palette(pose);
-}
-
-RigSource::Palette RigSource::rest_pose() const {
-  Palette rest;
-  for (const Point3& p : joints_) rest.origin.push_back(vec(p));
-  rest.linear.assign(joints_.size(), Matrix3d::Identity());
-  return rest;
-}
-
 Vector3d RigSource::follow(const Palette& palette, uint32_t j, const Point3& p) const {
   return palette.origin[j] + palette.linear[j] * (vec(p) - vec(joints_[j]));
 }
@@ -345,7 +331,7 @@ RigSample RigSource::label(const Placed& placed, const PointSet& set) const {
   s.family = family_;
   std::vector<double> sums(body_.target.joints.size());
   for (uint32_t i = 0; i < kSetPoints; ++i) {
-    const SurfacePoint& point = set.points[i];
+    const SurfacePoint3& point = set.points[i];
     std::fill(sums.begin(), sums.end(), 0.0);
     for (int corner = 0; corner < 3; ++corner) {
       for (const Influence& influence : influences_[placed.source[point.corner[corner]]])

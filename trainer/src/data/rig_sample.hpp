@@ -64,28 +64,16 @@ class RigSource {
   };
   Placed make_mesh(uint64_t seed, const RigVariant& variant) const;
 
-  // Where the character's own joints went: a vertex p of joint j goes to origin + linear (p - joint).
-  struct Palette {
-    std::vector<Eigen::Vector3d> origin;  // [J]
-    std::vector<Eigen::Matrix3d> linear;  // [J]
-  };
-  // A wide_pose() of joints that turn and nothing that stretches, as an animation has it.
-  Palette stiff_pose(uint64_t seed) const;
-  Palette rest_pose() const;
-  // The vertices of faces by their own weights, in the mirror frame.
-  std::vector<Point3> skin(const Palette& palette) const;
-  // What belongs to joint j in the mirror frame goes with it.
-  Eigen::Vector3d follow(const Palette& palette, uint32_t j, const Point3& p) const;
-  const std::vector<Point3>& joints() const { return joints_; }                          // [J] mirror frame
-  const std::vector<std::array<uint32_t, 3>>& triangles() const { return triangles_; }   // of skin()'s vertices
-  const std::vector<std::vector<Influence>>& influences() const { return influences_; }  // of skin()'s vertices
-  const PoseBody& body() const { return body_; }
-
   const std::string& name() const { return name_; }
   const std::string& family() const { return family_; }
   const TargetSkeleton& target() const { return body_.target; }
 
  private:
+  // Where the character's own joints went: a vertex p of joint j goes to origin + linear (p - joint).
+  struct Palette {
+    std::vector<Eigen::Vector3d> origin;  // [J]
+    std::vector<Eigen::Matrix3d> linear;  // [J]
+  };
   struct Posed {
     SourcedSurface surface;
     std::vector<Point3> joints;  // of the target
@@ -96,6 +84,10 @@ class RigSource {
   Posed pose(uint64_t seed, const RigVariant& variant) const;
   void draw(Random* random, Posed* posed) const;
   Palette palette(const RigPose& pose) const;
+  // What belongs to joint j in the mirror frame goes with it.
+  Eigen::Vector3d follow(const Palette& palette, uint32_t j, const Point3& p) const;
+  // The vertices of faces by their own weights, in the mirror frame.
+  std::vector<Point3> skin(const Palette& palette) const;
   std::vector<uint8_t> vanish(Random* random) const;  // [T] triangles that are gone
   SourcedSurface surface(const std::vector<Point3>& vertices, const std::vector<uint8_t>& gone) const;
   Placed place(const Posed& posed, uint64_t seed) const;

@@ -32,12 +32,6 @@ Calibration calibrate(const FloatNetwork& network, const std::vector<const Netwo
   return calibration;
 }
 
-Calibration calibrate(const FloatNetwork& network, const std::vector<Sample>& samples) {
-  std::vector<const NetworkSample*> pointers;
-  for (const Sample& sample : samples) pointers.push_back(&sample);
-  return calibrate(network, pointers);
-}
-
 std::vector<Sample> calibration_samples(const std::string& folder, size_t limit, uint32_t candidates, uint32_t grid,
                                         uint32_t feature_set,
                                         const std::function<void(size_t done, size_t total)>& progress) {

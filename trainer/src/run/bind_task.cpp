@@ -4,7 +4,6 @@
 
 #include "features/features.hpp"
 #include "network/networks.hpp"
-#include "run/sample_as.hpp"
 
 namespace sinew {
 

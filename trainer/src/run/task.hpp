@@ -51,5 +51,11 @@ class TrainingTask {
   virtual std::string normalised_config(const std::string& saved, const std::string& /*source*/) const { return saved; }
 };
 
+// A task is asked about samples that it made itself, so their type is known.
+template <class S>
+const S& sample_as(const NetworkSample& sample) {
+  return static_cast<const S&>(sample);
+}
+
 }  // namespace sinew
 #endif

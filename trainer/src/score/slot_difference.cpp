@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Runs both networks of the published method, in float and in integers, on the same points.
-#include "sinew_trainer/slot_difference.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,6 +11,7 @@
 #include "published/slots.hpp"
 #include "sinew_trainer/calibrate.hpp"
 #include "sinew_trainer/network_input.hpp"
+#include "sinew_trainer/rig_difference.hpp"
 
 namespace sinew {
 namespace {
@@ -78,13 +77,8 @@ SlotNetworks calibrate_slots(const FloatNetwork& both, const std::string& folder
     const std::vector<float> outputs = runner.forward(both, parameters, points.back(), {});
     pairs.push_back(pair_sample(float_joints(outputs, list.forward(both, parameters, points.back(), {}))));
   });
-  const auto ranges = [](const FloatNetwork& network, const std::vector<NetworkSample>& samples) {
-    std::vector<const NetworkSample*> views;
-    for (const NetworkSample& sample : samples) views.push_back(&sample);
-    return calibrate(network, views);
-  };
-  networks.joint_ranges = ranges(networks.joints, points);
-  networks.connection_ranges = ranges(networks.connections, pairs);
+  networks.joint_ranges = calibrate(networks.joints, points);
+  networks.connection_ranges = calibrate(networks.connections, pairs);
   return networks;
 }
 

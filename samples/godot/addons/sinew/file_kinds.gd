@@ -5,4 +5,3 @@ extends Reference
 const MESHES = ["obj", "gltf", "glb", "vrm", "fbx", "usda", "usdz", "dae"]
 const SKELETONS = "*.rig.txt,*.gltf,*.glb,*.vrm,*.fbx,*.usda,*.usdz,*.dae,*.bvh,*.vrma,*.npz,*.npy,*.vmd"
 const MOTIONS = "*.gltf,*.glb,*.vrm,*.fbx,*.usda,*.usdz,*.dae,*.bvh,*.vrma,*.npz,*.npy,*.vmd"
-const EXPORTS = "*.gltf,*.glb,*.vrm,*.fbx,*.usda,*.usdz"

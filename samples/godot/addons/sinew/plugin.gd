@@ -18,13 +18,11 @@ func _enter_tree() -> void:
 	add_import_plugin(importer)
 	dock = preload("dock.gd").new()
 	dock.plugin = self
-	get_editor_interface().get_selection().connect("selection_changed", dock, "show_selected")
 	add_control_to_dock(DOCK_SLOT_RIGHT_UL, dock)
 
 
 func _exit_tree() -> void:
 	remove_import_plugin(importer)
 	importer = null
-	get_editor_interface().get_selection().disconnect("selection_changed", dock, "show_selected")
 	remove_control_from_docks(dock)
 	dock.queue_free()

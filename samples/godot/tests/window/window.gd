@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The dock in an editor: Rig, undo, redo, Bind, Animate and Export with the mesh of res://stage.tscn; pictures to WINDOW_PICTURE-NAME.png, in
-# an editor without a window "none".
+# The dock in an editor: Rig, undo, redo and Bind with the mesh of res://stage.tscn; a picture to WINDOW_PICTURE-bound.png, in an editor
+# without a window "none".
 tool
 extends EditorPlugin
 
@@ -57,51 +57,12 @@ func press():
 	var skeleton = root.get_node("Skeleton")
 	skeleton.set_bone_pose(skeleton.find_bone("LeftArm"), Transform(Basis(Vector3(0, 0, 1), 1.0)))
 	skeleton.set_bone_pose(skeleton.find_bone("RightUpLeg"), Transform(Basis(Vector3(1, 0, 0), -0.8)))
-	yield(motion(dock, root, mesh), "completed")
-	yield(exported(dock, root, mesh), "completed")
+	yield(picture("bound"), "completed")
 	print("WINDOW OK" if failed == 0 else "WINDOW FAILED")
 	if has_window():
 		get_tree().quit()
 	else:
 		OS.kill(OS.get_process_id())  # quit() waits for pictures of new files, which godot3-server never draws
-
-
-# Animate: the written character stands in the scene in place of the mesh, which is hidden, as one step of undo.
-func motion(dock, root, mesh):
-	dock.steps.current_tab = 3
-	dock.animate()
-	yield(dock, "done")
-	expect(dock.motion.clip.get_item_count() > 5 and dock.motion.clip.text == "walk", "clips that ship")
-	expect(dock.message.text.begins_with("Animate: res://Mesh.walk.glb\nbuiltin:walk, walk: 33 frames") and dock.message.text.ends_with("is hidden."), dock.message.text)
-	var made = root.get_child(root.get_child_count() - 1)
-	expect(made.filename == "res://Mesh.walk.glb" and made.owner == root and not mesh.visible, "the character moves in the scene")
-	expect(dock.steps.current_tab == 3 and dock.motion.sentence.text == "Moves by walk.", "selected: " + dock.motion.sentence.text)
-	expect(made.global_transform.is_equal_approx(root.get_node("Skeleton").global_transform), "where it stood")
-	get_undo_redo().undo()
-	expect(made.get_parent() == null and mesh.visible, "undone")
-	get_undo_redo().redo()
-	expect(made.get_parent() == root and not mesh.visible, "redone")
-	get_editor_interface().get_selection().clear()
-	get_editor_interface().get_selection().add_node(made)
-	dock.show_selected()
-	expect(dock.steps.current_tab == 4 and dock.motion.sentence.text == "Moves by walk.", "a scene of a character: Export")
-	yield(get_tree(), "idle_frame")
-	dock.steps.current_tab = 3
-	yield(picture("motion"), "completed")
-
-
-# Export: what sinew check finds in the file is listed.
-func exported(dock, root, mesh):
-	dock.steps.current_tab = 4
-	expect(dock.export_step.program.get_item_count() > 5, "programs to write for")
-	dock.export_character()
-	expect(dock.message.text.begins_with("Export: res://Mesh.walk.export.glb"), dock.message.text)
-	expect(dock.export_step.said.text == "Check the rig: nothing found", dock.export_step.said.text)
-	yield(get_editor_interface().get_resource_filesystem(), "filesystem_changed")
-	yield(get_tree(), "idle_frame")
-	dock.export_step.check("res://expected/faulty.glb")
-	expect(dock.export_step.findings.get_child_count() > 0, "findings")
-	yield(picture("export"), "completed")
 
 
 # Of the editor, to WINDOW_PICTURE-NAME.png.

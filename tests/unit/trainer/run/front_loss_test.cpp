@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
-#include "network/front_network.hpp"
 #include "network/layer_runner.hpp"
+#include "network/rig_network.hpp"
 
 namespace sinew {
 namespace {

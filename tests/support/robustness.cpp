@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The same character in other clothes: makes them, binds them and maps the rows back.
-#include "sinew_trainer/robustness.hpp"
+#include "robustness.hpp"
 
 #include <algorithm>
 #include <array>

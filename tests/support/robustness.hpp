@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How far weights move when the same character is moved, scaled, turned, mirrored, renumbered or remeshed.
-#ifndef SINEW_TRAINER_ROBUSTNESS_HPP
-#define SINEW_TRAINER_ROBUSTNESS_HPP
+#ifndef SINEW_TESTS_ROBUSTNESS_HPP
+#define SINEW_TESTS_ROBUSTNESS_HPP
 
 #include <cstddef>
 #include <functional>

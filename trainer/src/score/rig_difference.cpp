@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Runs both networks on the same points.
-#include "sinew_trainer/vote_difference.hpp"
+// Runs both networks on the same points: votes and fronts.
+#include "sinew_trainer/rig_difference.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "data/front_sample.hpp"
 #include "data/hand_sample.hpp"
 #include "data/some_characters.hpp"
+#include "votes/rig_task.hpp"
+#include "run/front_loss.hpp"
 #include "sinew_trainer/calibrate.hpp"
 #include "sinew_trainer/network.hpp"
 #include "sinew_trainer/network_input.hpp"
@@ -18,7 +21,7 @@ namespace {
 
 using namespace rigging;
 
-std::vector<RigSample> some_samples(const FloatNetwork& network, const std::string& folder, size_t limit) {
+std::vector<RigSample> vote_samples(const FloatNetwork& network, const std::string& folder, size_t limit) {
   std::vector<RigSample> samples;
   each_of_some_characters(folder, limit, [&](const Character& character, size_t i) {
     const size_t before = samples.size();
@@ -40,13 +43,19 @@ uint32_t most_likely(const T* logits, uint32_t count) {
   return static_cast<uint32_t>(std::max_element(logits, logits + count) - logits);
 }
 
+std::vector<FrontSample> front_samples(const std::string& folder, size_t limit) {
+  std::vector<FrontSample> samples;
+  each_of_some_characters(folder, limit, [&](const Character& character, size_t i) {
+    for (FrontSample& sample : FrontSource(character).make(i, {.strength = 1})) samples.push_back(std::move(sample));
+    return true;
+  });
+  return samples;
+}
+
 }  // namespace
 
 Calibration calibrate_rig(const FloatNetwork& network, const std::string& folder, size_t limit) {
-  const std::vector<RigSample> samples = some_samples(network, folder, limit);
-  std::vector<const NetworkSample*> views;
-  for (const RigSample& sample : samples) views.push_back(&sample);
-  return calibrate(network, views);
+  return calibrate(network, vote_samples(network, folder, limit));
 }
 
 VoteDifference compare_votes(const FloatNetwork& network, const sinew_model& model, const std::string& folder,
@@ -54,7 +63,7 @@ VoteDifference compare_votes(const FloatNetwork& network, const sinew_model& mod
   VoteDifference difference;
   NetworkRunner runner;
   size_t votes = 0;
-  for (const RigSample& sample : some_samples(network, folder, limit)) {
+  for (const RigSample& sample : vote_samples(network, folder, limit)) {
     const std::vector<float>& exact = runner.forward(network, sample);
     const std::vector<int16_t> rows = engine_rows(model, sample, size_t{sample.vertices} * kRigOutputs);
     ++difference.characters;
@@ -79,6 +88,32 @@ VoteDifference compare_votes(const FloatNetwork& network, const sinew_model& mod
   }
   difference.mean /= static_cast<double>(votes);
   difference.same_class /= static_cast<double>(votes);
+  return difference;
+}
+
+Calibration calibrate_front(const FloatNetwork& network, const std::string& folder, size_t limit) {
+  return calibrate(network, front_samples(folder, limit));
+}
+
+FrontDifference compare_fronts(const FloatNetwork& network, const sinew_model& model, const std::string& folder,
+                               size_t limit) {
+  FrontDifference difference;
+  NetworkRunner runner;
+  size_t answers = 0;
+  for (const FrontSample& sample : front_samples(folder, limit)) {
+    const FrontLoss exact = front_loss(sample, runner.forward(network, sample), nullptr);
+    std::vector<float> integers;
+    for (const int16_t value : engine_rows(model, sample, size_t{sample.vertices} * rigging::kFrontOutputs))
+      integers.push_back(static_cast<float>(value) / 1024.0f);
+    const FrontLoss rounded = front_loss(sample, integers, nullptr);
+    const double distance = std::hypot(exact.answer[0] - rounded.answer[0], exact.answer[1] - rounded.answer[1]);
+    difference.mean += distance;
+    difference.most = std::max(difference.most, distance);
+    ++answers;
+  }
+  constexpr size_t kSamplesEach = 3;
+  difference.characters = answers / kSamplesEach;
+  difference.mean /= static_cast<double>(answers);
   return difference;
 }
 

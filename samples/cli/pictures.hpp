@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
-// A picture of clips: a row of frames each.
-#ifndef SINEW_CLI_MOTION_SHEET_HPP
-#define SINEW_CLI_MOTION_SHEET_HPP
+// Pictures of maps and motions.
+#ifndef SINEW_CLI_PICTURES_HPP
+#define SINEW_CLI_PICTURES_HPP
 
 #include "sinew_character/draw/image.hpp"
+#include "sinew_character/motion/map_skeleton.hpp"
 #include "sinew_character/picture/picture_file.hpp"
 #include "sinew_character/pose/deform.hpp"
 #include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew::cli {
+
+// Both skeletons side by side, what stands for each other in one color. The target on the left. Joints without a counterpart are grey.
+Image draw_map(const MapRig& target, MaybeAxis target_up, const MapRig& source, MaybeAxis source_up, const MappedSkeleton& map);
 
 // The character in frames at equal distances, seen from its front at one scale; it may walk, the picture goes with it. Without a deformer it
 // is skinned linearly.
