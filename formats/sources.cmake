@@ -65,16 +65,9 @@ set(sinew_formats_sources
   text/obj
   text/print
   text/rig
-  usd/gltf_from_usd
   usd/usd_materials
-  usd/usd_mesh
   usd/usd_package
-  usd/usd_parse
-  usd/usd_rig
-  usd/usd_shading
   usd/usd_skeleton
-  usd/usd_tokens
-  usd/usd_transform
   usd/usd_write)
 # Checkpoints and models: what trainer and quant meet in; a page has neither.
 set(sinew_network_sources

@@ -51,12 +51,12 @@ def javascript_text(rows):
 
 
 def godot_text(rows):
-    def offered(*wanted):
-        return [extension for extension, _, uses, _ in rows if set(wanted) | {"offered"} <= set(uses)]
+    def with_uses(*wanted):
+        return [extension for extension, _, uses, _ in rows if set(wanted) <= set(uses)]
     out = ["# SPDX-License-Identifier: MIT", f"# Files by extension. {GENERATOR}", "extends Reference", ""]
-    out.append("const MESHES = [" + ", ".join(f'"{extension[1:]}"' for extension in offered("readsMesh")) + "]")
-    out += [f'const {name} = "{",".join("*" + extension for extension in offered(*uses))}"'
-            for name, *uses in (("SKELETONS", "readsSkeleton"), ("MOTIONS", "readsMotion"), ("EXPORTS", "readsWhole", "writesCharacter"))]
+    out.append("const MESHES = [" + ", ".join(f'"{extension[1:]}"' for extension in with_uses("readsMesh", "offered")) + "]")
+    out += [f'const {name} = "{",".join("*" + extension for extension in with_uses(*uses))}"'
+            for name, *uses in (("SKELETONS", "readsSkeleton", "offered"), ("MOTIONS", "readsMotion", "offered"), ("EXPORTS", "writesSkin", "writesWithMesh"))]
     return "\n".join(out) + "\n"
 
 

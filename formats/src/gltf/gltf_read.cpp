@@ -16,7 +16,6 @@
 #include "sinew_formats/io.hpp"
 #include "text/joint_names.hpp"
 #include "text/text_lines.hpp"
-#include "usd/gltf_from_usd.hpp"
 
 namespace sinew {
 namespace {
@@ -57,7 +56,6 @@ class GltfReader {
 
   Character read() {
     source_ = std::make_shared<GltfSource>(is_scene_file(path_) ? gltf_from_scene(path_)
-                                           : is_usd_file(path_) ? gltf_from_usd(path_)
                                                                 : load_gltf(path_, read_file(path_)));
     character_.notes = source_->notes;
     note_missing_pictures(source_->model, &character_.notes);

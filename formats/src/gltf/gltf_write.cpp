@@ -18,7 +18,6 @@
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/memory_files.hpp"
 #include "text/text_lines.hpp"
-#include "usd/gltf_from_usd.hpp"
 #include "usd/usd_write.hpp"
 
 namespace fs = std::filesystem;
@@ -298,7 +297,7 @@ void write_document(const std::string& path, const Character& character, const G
     if (as_text) return write_text_form(path, &source);
     if (has_extension(path, ".fbx"))
       return write_file(path, fbx_of(path, load_gltf(path, pack_glb(path, &source.document, std::move(source.bytes)))));
-    if (is_usd_file(path))
+    if (has_extension(path, ".usda") || has_extension(path, ".usdz"))
       return write_files(usd_of(path, load_gltf(path, pack_glb(path, &source.document, std::move(source.bytes)))));
     write_file(path, pack_glb(path, &source.document, std::move(source.bytes)));
   } catch (const nlohmann::json::exception& error) {

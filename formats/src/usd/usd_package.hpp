@@ -15,8 +15,5 @@ namespace sinew {
 // Throws Error naming `path` above 4 GiB.
 std::vector<uint8_t> usd_package(const std::string& path, const std::vector<NamedBytes>& files);
 
-// The name of its first file; "" for no zip.
-std::string first_in_package(const std::vector<uint8_t>& bytes);
-
 }  // namespace sinew
 #endif
