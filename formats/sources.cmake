@@ -27,6 +27,7 @@ set(sinew_formats_sources
   gltf/gltf_from_scene
   gltf/gltf_joint_nodes
   gltf/gltf_meshopt
+  gltf/gltf_model
   gltf/gltf_morphs_write
   gltf/morph_animations
   gltf/gltf_motion_read
@@ -40,7 +41,6 @@ set(sinew_formats_sources
   gltf/pick_vertices
   gltf/primitive_triangles
   gltf/reduce_triangles
-  gltf/reread
   gltf/gltf_summary
   gltf/gltf_write
   gltf/lod_document

@@ -2,7 +2,6 @@
 // The ways in by file name: which reader, and which skeleton belongs to which mesh.
 #include <filesystem>
 
-#include "gltf/gltf_from_scene.hpp"
 #include "gltf/gltf_read.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"

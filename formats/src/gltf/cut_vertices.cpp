@@ -10,10 +10,10 @@
 #include <optional>
 #include <utility>
 
+#include "gltf/gltf_source.hpp"
 #include "gltf/mesh_nodes.hpp"
 #include "gltf/pick_vertices.hpp"
 #include "gltf/primitive_triangles.hpp"
-#include "gltf/reread.hpp"
 
 namespace sinew {
 namespace {

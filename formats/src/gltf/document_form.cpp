@@ -9,6 +9,7 @@
 #include <map>
 
 #include "gltf/gltf_container.hpp"
+#include "gltf/gltf_source.hpp"
 #include "gltf/matrix_columns.hpp"
 #include "gltf/node_parts.hpp"
 #include "motion/points.hpp"

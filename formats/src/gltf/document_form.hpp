@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "gltf/gltf_source.hpp"
+#include "sinew_formats/character.hpp"
 #include "sinew_formats/document_form.hpp"
 
 namespace sinew {
+
+struct GltfJoints;
 
 // Changes nodes, skins, animations and extras of the document; `joints` are its joints before, and are not changed. Returns remarks.
 std::vector<std::string> put_into_form(const std::string& path, const DocumentForm& form, const GltfJoints& joints,

@@ -5,10 +5,12 @@
 
 #include <string>
 
-#include "gltf/gltf_source.hpp"
+#include "sinew_formats/character.hpp"
 #include "sinew_formats/morphs.hpp"
 
 namespace sinew {
+
+struct GltfJoints;
 
 // Adds shapes as morph targets of the meshes that they move, behind those that are there; drivers as `extras` of these meshes;
 // clips as weights in the document's animations, of which the last ones are `new_animations`.

@@ -8,6 +8,7 @@
 
 #include "gltf/gltf_container.hpp"
 #include "gltf/gltf_morphs.hpp"
+#include "gltf/gltf_source.hpp"
 #include "gltf/mesh_nodes.hpp"
 #include "gltf/morph_animations.hpp"
 #include "gltf/node_parts.hpp"

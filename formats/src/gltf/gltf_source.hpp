@@ -5,12 +5,12 @@
 #define SINEW_FORMATS_GLTF_GLTF_SOURCE_HPP
 
 #include <cstdint>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "gltf/tinygltf.hpp"
-#include "sinew_formats/affine.hpp"
+#include "gltf/gltf_model.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
 
@@ -23,14 +23,6 @@ struct GltfPart {
   int node = -1;
   int primitive = -1;               // within the node's mesh
   std::vector<uint32_t> vertex_of;  // [vertices of the primitive] -> vertex of the Character
-};
-
-// Where everything stands in the pose that the file's weights are meant for.
-struct GltfBindPose {
-  bool agrees = true;               // false: the inverse bind matrices know no common pose, see find_bind_pose()
-  bool moved = false;               // it is not the pose that the nodes stand in
-  std::vector<Affine> worlds;       // [nodes] of joints, and of nodes that hang on them
-  std::vector<Affine> skin_frames;  // [skins] where a skin's vertices stand; worlds[joint] x inverse bind matrix
 };
 
 // tinygltf's own writer forgets what it does not know (empty arrays and objects inside extensions, extras of skins,
@@ -54,26 +46,8 @@ struct GltfSource {
 // not. Parts and joints are left empty.
 GltfSource load_gltf(const std::string& path, const std::vector<uint8_t>& file);
 
-// "image/png", "image/jpeg", "image/webp", "image/ktx2" by the first bytes; nullptr for anything else.
-const char* image_type(const std::vector<unsigned char>& bytes);
-
-// The node tree. Throws Error when it is none.
-struct GltfNodes {
-  std::vector<int> parents;    // [N], -1 = none
-  std::vector<Affine> worlds;  // [N]
-  std::vector<char> in_scene;  // [N] in the default scene (else the first; without scenes, every node)
-};
-GltfNodes gltf_nodes(const std::string& path, const tinygltf::Model& model);
-
-// Values of an accessor [count x components], sparse ones and normalised integers resolved. Throws Error naming `where`
-// when it is not of that many components, reaches outside of its buffer or holds a value that is not finite.
-std::vector<float> accessor_floats(const std::string& where, const tinygltf::Model& model, int accessor,
-                                   int components);
-std::vector<uint32_t> accessor_integers(const std::string& where, const tinygltf::Model& model, int accessor,
-                                        int components);
-// [joints of the skin]
-std::vector<Affine> inverse_bind_matrices(const std::string& where, const tinygltf::Model& model,
-                                          const tinygltf::Skin& skin);
+// Reads a document that was changed: everything but the model stays as it is in `changed`. Throws Error for a document that cannot be written.
+std::shared_ptr<GltfSource> read_again(const std::string& name, GltfSource changed);
 
 // Whether joints are still those of the file (`b`); one that had no parent there may have got one, see infer_parents().
 bool same_joints(const std::vector<Joint>& a, const std::vector<Joint>& b);

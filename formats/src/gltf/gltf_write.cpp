@@ -296,9 +296,11 @@ void write_document(const std::string& path, const Character& character, const G
     embed_images(path, !as_text || source.path.empty() || in_memory || !same_folder(path, source.path), &source);
     if (as_text) return write_text_form(path, &source);
     if (has_extension(path, ".fbx"))
-      return write_file(path, fbx_of(path, load_gltf(path, pack_glb(path, &source.document, std::move(source.bytes)))));
+      return write_file(path,
+                        fbx_of(path, load_gltf(path, pack_glb(path, &source.document, std::move(source.bytes))).model));
     if (has_extension(path, ".usda") || has_extension(path, ".usdz"))
-      return write_files(usd_of(path, load_gltf(path, pack_glb(path, &source.document, std::move(source.bytes)))));
+      return write_files(
+          usd_of(path, load_gltf(path, pack_glb(path, &source.document, std::move(source.bytes))).model));
     write_file(path, pack_glb(path, &source.document, std::move(source.bytes)));
   } catch (const nlohmann::json::exception& error) {
     throw Error(path + ": cannot write, a name is not UTF-8 text: " + one_line(error.what()));

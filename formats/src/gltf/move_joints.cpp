@@ -3,8 +3,8 @@
 
 #include <utility>
 
+#include "gltf/gltf_source.hpp"
 #include "gltf/node_parts.hpp"
-#include "gltf/reread.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

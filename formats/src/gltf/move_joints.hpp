@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "gltf/gltf_source.hpp"
+#include "sinew_formats/affine.hpp"
+#include "sinew_formats/character.hpp"
 
 namespace sinew {
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "gltf/gltf_source.hpp"
 #include "gltf/mesh_nodes.hpp"
 #include "sinew_formats/error.hpp"
 

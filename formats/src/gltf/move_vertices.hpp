@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "gltf/gltf_source.hpp"
+#include "gltf/tinygltf.hpp"
+#include "sinew_formats/affine.hpp"
+#include "sinew_formats/character.hpp"
 
 namespace sinew {
 

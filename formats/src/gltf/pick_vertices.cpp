@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "gltf/gltf_source.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

@@ -6,7 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "gltf/gltf_source.hpp"
+#include "sinew_formats/affine.hpp"
+#include "sinew_formats/character.hpp"
 
 namespace sinew {
 

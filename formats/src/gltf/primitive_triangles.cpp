@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "gltf/gltf_source.hpp"
+#include "gltf/gltf_model.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

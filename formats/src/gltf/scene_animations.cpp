@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "gltf/gltf_source.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "text/text_lines.hpp"

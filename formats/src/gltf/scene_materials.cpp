@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "files/picture_files.hpp"
+#include "gltf/gltf_source.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {

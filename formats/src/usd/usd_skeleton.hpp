@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "gltf/animation_track.hpp"
-#include "gltf/gltf_source.hpp"
+#include "gltf/gltf_model.hpp"
 #include "sinew_formats/affine.hpp"
 
 namespace sinew {
