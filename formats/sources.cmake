@@ -39,7 +39,6 @@ set(sinew_formats_sources
   gltf/place_document
   gltf/move_vertices
   gltf/pick_vertices
-  gltf/primitive_triangles
   gltf/reduce_triangles
   gltf/gltf_summary
   gltf/gltf_write

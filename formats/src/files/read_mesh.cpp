@@ -2,13 +2,11 @@
 // The ways in by file name: which reader, and which skeleton belongs to which mesh.
 #include <filesystem>
 
-#include "gltf/gltf_read.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"
-#include "text/rig.hpp"
 
 namespace sinew {
 namespace {

@@ -3,6 +3,7 @@
 #ifndef SINEW_FORMATS_GLTF_GLTF_MODEL_HPP
 #define SINEW_FORMATS_GLTF_GLTF_MODEL_HPP
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -40,6 +41,12 @@ std::vector<uint32_t> accessor_integers(const std::string& where, const tinygltf
 // [joints of the skin]
 std::vector<Affine> inverse_bind_matrices(const std::string& where, const tinygltf::Model& model,
                                           const tinygltf::Skin& skin);
+
+// Of lists, strips and fans, in the order in which a Character has them as faces.
+//   vertex_count  of the primitive
+// Throws Error naming `where` for indices that name no vertex, or a list that is not in threes.
+std::vector<std::array<uint32_t, 3>> primitive_triangles(const std::string& where, const tinygltf::Model& model,
+                                                         const tinygltf::Primitive& primitive, size_t vertex_count);
 
 }  // namespace sinew
 #endif

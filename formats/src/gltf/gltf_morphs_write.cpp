@@ -7,13 +7,13 @@
 #include <optional>
 
 #include "gltf/gltf_container.hpp"
-#include "gltf/gltf_morphs.hpp"
 #include "gltf/gltf_source.hpp"
 #include "gltf/mesh_nodes.hpp"
 #include "gltf/morph_animations.hpp"
 #include "gltf/node_parts.hpp"
 #include "gltf/surface_normals.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/morphs.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // glTF 2.0 / GLB / VRM to Character: all mesh nodes of the scene in world space, in the pose that their weights are
 // meant for.
-#include "gltf/gltf_read.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +8,8 @@
 
 #include "gltf/bind_pose.hpp"
 #include "gltf/gltf_from_scene.hpp"
+#include "gltf/gltf_model.hpp"
 #include "gltf/gltf_source.hpp"
-#include "gltf/primitive_triangles.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"

@@ -16,6 +16,9 @@
 
 namespace sinew {
 
+struct DocumentForm;  // sinew_formats/document_form.hpp
+struct Morphs;        // sinew_formats/morphs.hpp
+
 using Json = nlohmann::json;  // not ordered_json, whose elements move when a key is added
 
 // One primitive of one mesh node. A mesh that several nodes use has parts for each of them.
@@ -73,6 +76,24 @@ int add_accessor(GltfSource* source, const void* values, size_t size_bytes, cons
 void drop_unused_accessors(std::vector<int> candidates, GltfSource* source);
 // Removes one buffer view, not its bytes; false where something refers to it, or an extension may.
 bool drop_unused_view(size_t view, Json* document);
+
+// Puts a document into another form: changes its nodes, skins, animations and extras; `joints` are its joints before, and are not changed. Returns remarks.
+std::vector<std::string> put_into_form(const std::string& path, const DocumentForm& form, const GltfJoints& joints,
+                                       GltfSource* source);
+
+// Adds corrective shapes as morph targets of the meshes that they move, behind those that are there; drivers as `extras` of these meshes;
+// clips as weights in the document's animations, of which the last ones are `new_animations`.
+void add_gltf_morphs(const std::string& path, const Character& character, const Morphs& morphs,
+                     const GltfJoints& joints, size_t new_animations, GltfSource* source);
+
+// Values of an accessor for chosen vertices as a new accessor, in the kind of number that it has; floats of a sparse one.
+//   read       the document as it was read, which `accessor` is of
+//   vertices   which values, in their order; one may be there twice
+//   all_stay   every value is among them: bounds stay those that the accessor has; else they are found
+//   written    gets the new accessor
+// Returns its number. Throws Error naming `where` for a vertex that has no value.
+int pick_vertices(const std::string& where, const GltfSource& read, int accessor, const std::vector<uint32_t>& vertices,
+                  bool all_stay, GltfSource* written);
 
 }  // namespace sinew
 #endif

@@ -7,16 +7,16 @@
 #include <set>
 
 #include "fbx/fbx_write.hpp"
-#include "gltf/document_form.hpp"
 #include "gltf/gltf_container.hpp"
-#include "gltf/gltf_morphs.hpp"
 #include "gltf/gltf_source.hpp"
 #include "gltf/gltf_uri.hpp"
 #include "gltf/vrm_write.hpp"
+#include "sinew_formats/document_form.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/memory_files.hpp"
+#include "sinew_formats/morphs.hpp"
 #include "text/text_lines.hpp"
 #include "usd/usd_write.hpp"
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "gltf/move_joints.hpp"
-
 #include <utility>
 
+#include "gltf/changed_document.hpp"
 #include "gltf/gltf_source.hpp"
 #include "gltf/node_parts.hpp"
 #include "sinew_formats/error.hpp"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "gltf/pick_vertices.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Colours, opacity and pictures; what no glTF material has is left out.
-#include "gltf/scene_materials.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +10,7 @@
 
 #include "files/picture_files.hpp"
 #include "gltf/gltf_source.hpp"
+#include "gltf/scene_nodes.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {

@@ -9,7 +9,6 @@
 #include "motion/turns.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
-#include "sinew_formats/motion_layout.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {

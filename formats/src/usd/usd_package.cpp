@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "usd/usd_package.hpp"
-
 #include "core/bytes.hpp"
 #include "sinew_formats/error.hpp"
+#include "usd/usd_write.hpp"
 
 namespace sinew {
 namespace {

@@ -10,7 +10,6 @@
 #include "gltf/control_points.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "usd/usd_materials.hpp"
-#include "usd/usd_package.hpp"
 #include "usd/usd_skeleton.hpp"
 #include "usd/usd_text.hpp"
 

@@ -19,5 +19,10 @@ namespace sinew {
 // Throws Error naming `path` for accessors that are broken.
 std::vector<NamedBytes> usd_of(const std::string& path, const tinygltf::Model& model);
 
+// A .usdz: a zip of stored files whose bytes begin at multiples of 64 (openusd.org, "Usdz File Format Specification").
+// Names are those inside, in this order: the first file is the one that programs open. The same bytes for the same files.
+// Throws Error naming `path` above 4 GiB.
+std::vector<uint8_t> usd_package(const std::string& path, const std::vector<NamedBytes>& files);
+
 }  // namespace sinew
 #endif

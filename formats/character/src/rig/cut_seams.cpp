@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "gltf/cut_vertices.hpp"
+#include "gltf/changed_document.hpp"
 #include "motion/points.hpp"
 #include "sinew_character/bind.hpp"
 #include "sinew_character/mesh_neighbours.hpp"

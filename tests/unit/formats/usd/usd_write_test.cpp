@@ -16,7 +16,6 @@
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/morphs.hpp"
 #include "temp_folder.hpp"
-#include "usd/usd_package.hpp"
 #include "walking_figure.hpp"
 
 namespace sinew {
