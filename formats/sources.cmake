@@ -29,6 +29,7 @@ set(sinew_formats_sources
   gltf/gltf_from_scene
   gltf/gltf_joint_nodes
   gltf/gltf_meshopt
+  gltf/gltf_model
   gltf/gltf_morphs_write
   gltf/morph_animations
   gltf/gltf_motion_read
@@ -40,9 +41,7 @@ set(sinew_formats_sources
   gltf/place_document
   gltf/move_vertices
   gltf/pick_vertices
-  gltf/primitive_triangles
   gltf/reduce_triangles
-  gltf/reread
   gltf/gltf_summary
   gltf/gltf_write
   gltf/lod_document
@@ -65,16 +64,9 @@ set(sinew_formats_sources
   text/obj
   text/print
   text/rig
-  usd/gltf_from_usd
   usd/usd_materials
-  usd/usd_mesh
   usd/usd_package
-  usd/usd_parse
-  usd/usd_rig
-  usd/usd_shading
   usd/usd_skeleton
-  usd/usd_tokens
-  usd/usd_transform
   usd/usd_write)
 # Checkpoints and models: what trainer and quant meet in; a page has neither.
 set(sinew_network_sources

@@ -22,7 +22,7 @@
 #include "sinew_character/picture/plane_motion.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/motion_layout.hpp"
+#include "sinew_formats/motion.hpp"
 #include "sinew_formats/print.hpp"
 #include "support.hpp"
 

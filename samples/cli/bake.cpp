@@ -64,7 +64,7 @@ void tell(const BakeCommandSettings& s, const BakedCharacter& baked) {
 }
 
 void run_bake(const BakeCommandSettings& s) {
-  check_output(s.output, kWholeOutputs);
+  check_output(s.output, kWritesWhole);
   const sinew_deform_options deform = deform_options(s.deform).value();  // --deform takes corrections alone
   const std::atomic<bool>& stop = stop_on_signals();
   const Character character = read_character(s.character);
@@ -102,7 +102,7 @@ void add_bake(CLI::App& app) {
       ->type_name("CHARACTER");
   shared_option(sub, "-o,--output", s->output,
                 "The character with its shapes, what drives them, and their weights in its animations: " +
-                    extensions_text(kWholeOutputs))
+                    extensions_text(kWritesWhole))
       ->required();
   sub->add_option("--poses", s->poses, "Poses to learn from: random ones, or frames of --animation")
       ->check(CLI::Range(1u, 10000u))

@@ -33,13 +33,13 @@ void check_mesh_changes(const BindSettings& one) {
   if (one.cut && one.symmetric)
     throw UsageError("--symmetric keeps both sides alike to the last bit and looks for no seams: leave --cut out");
   if (one.cut && one.no_seams) throw UsageError("--cut opens seams: leave --no-seams out");
-  if ((one.cut || !one.to_pose.empty()) && !has_use(one.output, kReadsMesh))
+  if ((one.cut || !one.to_pose.empty()) && !has_use(one.output, kWritesWithMesh))
     throw UsageError("--cut and --to-pose change the mesh, and rig.txt has none: write a .glb");
 }
 
 // The options that no bind can be done with.
 void check_bind(const BindCommandSettings& s) {
-  check_output(s.one.output, kSkinOutputs, true);
+  check_output(s.one.output, kWritesSkin, true);
   if (!s.one.png.empty()) check_output(s.one.png, {".png"});
   if (!s.one.png_confidence.empty()) check_output(s.one.png_confidence, {".png"});
   if (!s.one.save_style.empty()) check_output(s.one.save_style, {".style"});
@@ -97,7 +97,7 @@ void check_folder(const BindCommandSettings& s) {
   }
   if (s.one.output.empty()) throw UsageError(s.one.mesh + " is a folder: say with -o OUTDIR where its files go");
   std::error_code ignored;
-  const bool is_file = has_use(s.one.output, kSkinOutputs) || std::filesystem::is_regular_file(s.one.output, ignored);
+  const bool is_file = has_use(s.one.output, kWritesSkin) || std::filesystem::is_regular_file(s.one.output, ignored);
   if (s.one.output == "-" || is_file)
     throw UsageError("-o " + s.one.output + ": " + s.one.mesh + " is a folder, expected a folder for its files");
   if (!s.report.empty()) check_output(s.report, {".html", ".htm"});
@@ -236,7 +236,7 @@ void add_bind_rest(CLI::App* sub, BindCommandSettings* s) {
   section(sub, "A folder of meshes");
   add_jobs(sub, s->jobs)->default_str("1");
   shared_option(sub, "--report", s->report, "A picture and a row of every mesh");
-  shared_option(sub, "--format", s->format)->check(CLI::IsMember(format_names(kSkinOutputs)))->default_str("glb");
+  shared_option(sub, "--format", s->format)->check(CLI::IsMember(format_names(kWritesSkin)))->default_str("glb");
   section(sub, "The rest");
   shared_option(sub, "--up", s->one.up)->check(CLI::IsMember({"y", "z"}))->capture_default_str();
   shared_option(sub, "--threads", s->one.threads,

@@ -37,11 +37,11 @@ void synthesize_all(const SynthesizeSettings& s) {
   for (BodyPlan plan : kCreaturePlans) {
     if (s.plan == "creatures" || s.plan == "all" || s.plan == body_plan_name(plan)) chosen.push_back(plan);
   }
-  const bool one_file = has_use(s.output, kMeshOutputs);
+  const bool one_file = has_use(s.output, kWritesWithMesh);
   if (one_file) {
     if (chosen.size() * s.count != 1)
       throw UsageError("one output file holds one character: give --plan and no --count, or a folder as output");
-    check_output(s.output, kMeshOutputs);
+    check_output(s.output, kWritesWithMesh);
   } else {
     make_folder(s.output);
   }
@@ -65,7 +65,8 @@ void synthesize_all(const SynthesizeSettings& s) {
 void add_synthesize(CLI::App* parent) {
   CLI::App* sub = parent->add_subcommand("synthesize", "Make characters with exact weights from a seed");
   auto s = std::make_shared<SynthesizeSettings>();
-  shared_option(sub, "-o,--output", s->output, "A folder, or one file: " + extensions_text(kMeshOutputs))->required();
+  shared_option(sub, "-o,--output", s->output, "A folder, or one file: " + extensions_text(kWritesWithMesh))
+      ->required();
   std::vector<std::string> plans = {"characters", "creatures", "all"};
   for (BodyPlan plan : kBodyPlans) plans.push_back(body_plan_name(plan));
   for (BodyPlan plan : kCreaturePlans) plans.push_back(body_plan_name(plan));

@@ -131,7 +131,7 @@ void add_dataset_convert(CLI::App* parent) {
       ->required();
   shared_option(sub, "--skeleton", s->skeleton, "With its weights");
   shared_option(sub, "--format", s->format, "With a folder; obj comes with .rig.txt")
-      ->check(CLI::IsMember(format_names(kMeshOutputs)))
+      ->check(CLI::IsMember(format_names(kWritesWithMesh)))
       ->default_str("obj");
   sub->footer(
       "Examples:\n  sinew dataset convert hero.obj hero.glb\n"

@@ -9,7 +9,6 @@
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/list_files.hpp"
 #include "support.hpp"
 
 namespace fs = std::filesystem;

@@ -176,7 +176,7 @@ void run_inspect(const InspectCommandSettings& s) {
   read_file(s.path);  // a missing file is told as such, not as an unknown kind
   if (is_checkpoint(s.path)) return inspect_checkpoint(s);
   throw Error(s.path + ": neither a mesh (" + extensions_text(kReadsMesh) +
-              "), a rig (.rig.txt), a checkpoint nor a model (.sinew)");
+              "), a rig (.rig.txt), a checkpoint nor a model (.sinew)" + remedy(s.path));
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ std::string file_of(const std::string& output, size_t level) {
 void run_lod(LodCommandSettings s) {
   settle_profile(s.profile, nullptr);
   if (s.output.empty()) s.output = stem_of(s.character) + (s.one_file ? ".lods.glb" : container_of(s.profile));
-  check_output(s.output, kWholeOutputs);
+  check_output(s.output, kWritesWhole);
   if (s.one_file && !has_extension(s.output, ".glb"))
     throw UsageError("--one-file writes a .glb, and " + s.output + " is none");
   if (s.one_file && s.options.joints)
@@ -110,7 +110,7 @@ void add_lod(CLI::App& app) {
   auto s = std::make_shared<LodCommandSettings>();
   sub->add_option("character", s->character, "Bound character. " + mesh_files())->required()->type_name("CHARACTER");
   shared_option(sub, "-o,--output", s->output,
-                "NAME.lod1, NAME.lod2, ... of this name: " + extensions_text(kWholeOutputs))
+                "NAME.lod1, NAME.lod2, ... of this name: " + extensions_text(kWritesWhole))
       ->default_str("CHARACTER.glb");
   sub->add_option("--levels", s->options.levels, "How many")->check(CLI::Range(1, 8))->capture_default_str();
   sub->add_option("--triangles", s->options.ratio, "Of a level, as a share of the one before")

@@ -18,7 +18,7 @@ std::vector<std::string> format_names(uint32_t uses) {
 }
 
 std::string skin_output_text(const std::string& more) {
-  return extensions_text(kSkinOutputs) + " (a .gltf with its .bin), - for rig.txt on standard output; " + more;
+  return extensions_text(kWritesSkin) + " (a .gltf with its .bin), - for rig.txt on standard output; " + more;
 }
 
 namespace {

@@ -9,8 +9,8 @@
 #include <thread>
 #include <vector>
 
-#include "sinew_formats/base/axis.hpp"
 #include "sinew_character/pose/placement.hpp"
+#include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/file_kinds.hpp"
 
 namespace sinew::cli {
@@ -20,13 +20,8 @@ std::string mesh_files();
 std::string picture_files();
 std::string skeleton_files();
 std::string motion_files();
-// Of what is written: uses of files, for check_output() and extensions_text().
-constexpr uint32_t kSkinOutputs =
-    kReadsSkeleton | kWritesCharacter;  // skeleton and weights in one file, with or without a mesh
-constexpr uint32_t kMeshOutputs =
-    kReadsMesh | kWritesCharacter;  // a character with its mesh; skeleton and weights may lie beside it
-constexpr uint32_t kWholeOutputs = kReadsWhole | kWritesCharacter;  // all in one file
-// Their names as --format has them, "glb".
+constexpr uint32_t kWritesWhole = kWritesSkin | kWritesWithMesh;  // all in one file
+// Names of files with these uses as --format has them, "glb".
 std::vector<std::string> format_names(uint32_t uses);
 // Where a skeleton with weights goes, for -o; `more`: of standard output and folders.
 std::string skin_output_text(const std::string& more);

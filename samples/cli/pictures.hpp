@@ -13,7 +13,8 @@
 namespace sinew::cli {
 
 // Both skeletons side by side, what stands for each other in one color. The target on the left. Joints without a counterpart are grey.
-Image draw_map(const MapRig& target, MaybeAxis target_up, const MapRig& source, MaybeAxis source_up, const MappedSkeleton& map);
+Image draw_map(const MapRig& target, MaybeAxis target_up, const MapRig& source, MaybeAxis source_up,
+               const MappedSkeleton& map);
 
 // The character in frames at equal distances, seen from its front at one scale; it may walk, the picture goes with it. Without a deformer it
 // is skinned linearly.

@@ -289,11 +289,11 @@ void run_rig(RigCommandSettings s) {
   std::error_code ignored;
   if (std::filesystem::is_directory(s.mesh, ignored)) return run_rig_folder(s);
   if (s.output.empty()) s.output = stem_of(s.mesh) + ".rigged" + container_of(s.profile);
-  check_output(s.output, kSkinOutputs, true);
+  check_output(s.output, kWritesSkin, true);
   if (!s.png.empty()) check_output(s.png, {".png"});
   if (s.output == "-" && s.json)
     throw UsageError("-o - and --json both want standard output: give the skeleton a file name");
-  if (s.cut && !has_use(s.output, kReadsMesh) && !is_picture(s.mesh))
+  if (s.cut && !has_use(s.output, kWritesWithMesh) && !is_picture(s.mesh))
     throw UsageError("--cut changes the mesh, and rig.txt has none: write a .glb");
   check_skeleton_source(s.skeleton);
   Rigged rigged = rig_one(s, load_models(s), s.mesh);
@@ -378,7 +378,7 @@ void add_models(CLI::App* sub, RigCommandSettings* s) {
       ->default_str("bundled");
   sub->add_option("--front-model", s->front_model, "Model of fronts")->type_name("FILE")->default_str("bundled");
   shared_option(sub, "--format", s->format, "With a folder")
-      ->check(CLI::IsMember(format_names(kSkinOutputs)))
+      ->check(CLI::IsMember(format_names(kWritesSkin)))
       ->capture_default_str();
 }
 

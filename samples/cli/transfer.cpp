@@ -208,7 +208,7 @@ std::vector<std::string> outputs_of(const TransferCommandSettings& s) {
   if (s.targets.size() == 1) {
     const std::string output =
         s.output.empty() ? stem_of(s.targets[0]) + ".transferred" + container_of(s.profile) : s.output;
-    check_output(output, kSkinOutputs, true);
+    check_output(output, kWritesSkin, true);
     return {output};
   }
   if (s.output.empty()) throw UsageError("several targets: say with -o OUTDIR where their files go");
@@ -341,7 +341,7 @@ void add_transfer_rest(CLI::App* sub, TransferCommandSettings* s) {
   shared_option(sub, "--up", s->up)->check(CLI::IsMember({"y", "z"}))->capture_default_str();
   shared_option(sub, "--from-up", s->source_up, "The source; as --up unless given")->check(CLI::IsMember({"y", "z"}));
   shared_option(sub, "--format", s->format, "With several targets")
-      ->check(CLI::IsMember(format_names(kSkinOutputs)))
+      ->check(CLI::IsMember(format_names(kWritesSkin)))
       ->capture_default_str();
   shared_option(sub, "--threads", s->threads, "On one mesh; the same bytes for any N")
       ->check(CLI::Range(1, static_cast<int>(SINEW_MAX_THREADS)))

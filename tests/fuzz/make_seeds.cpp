@@ -267,7 +267,6 @@ int main(int argc, char** argv) {
   const std::string folder = argv[1];
   write_models(folder + "/model");
   write_glbs(folder + "/glb");
-  write_gltf(folder + "/usd/strip.usdz", read_gltf(folder + "/glb/strip.glb"));
   write_motion_files(folder);
   write_binds(folder + "/bind");
   write_rigs(folder + "/skeleton");

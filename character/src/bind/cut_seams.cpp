@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "gltf/cut_vertices.hpp"
+#include "gltf/changed_document.hpp"
 #include "sinew_character/bind/bind.hpp"
 #include "sinew_character/bind/seams.hpp"
 #include "sinew_character/rig/mesh_neighbours.hpp"

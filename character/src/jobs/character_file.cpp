@@ -65,7 +65,8 @@ CharacterFile open_character(const std::string& path) {
   if (is_builtin_motion(path)) return {skeleton_of(builtin_motions(path)[0]), true};
   if (is_motion_alone(path)) return {skeleton_alone(path), true};
   const FileKind* kind = file_kind(path);
-  if (kind == nullptr) return {read_mesh(path), true};  // throws: says which extensions there are
+  if (kind == nullptr || kind->reader == FileReader::kNone)
+    return {read_mesh(path), true};  // throws: says which extensions there are
   switch (kind->reader) {
     case FileReader::kObj:
       return open_obj(path);

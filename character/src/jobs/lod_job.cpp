@@ -12,9 +12,9 @@
 #include "sinew_character/jobs/simplify_job.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/lod_document.hpp"
 #include "sinew_formats/memory_files.hpp"
 #include "sinew_formats/morphs.hpp"
-#include "sinew_formats/reduce_triangles.hpp"
 
 namespace sinew {
 namespace {

@@ -12,7 +12,7 @@
 #include "sinew_character/predict/own_skeleton.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
-#include "sinew_formats/motion_layout.hpp"
+#include "sinew_formats/motion.hpp"
 
 namespace sinew {
 namespace {

@@ -8,7 +8,7 @@
 #include "sinew_character/motion/map_cover.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"
 #include "sinew_character/motion/rest_floor.hpp"
-#include "sinew_formats/motion_layout.hpp"
+#include "sinew_formats/motion.hpp"
 
 namespace sinew {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "gltf/place_document.hpp"
+#include "gltf/changed_document.hpp"
 #include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"

@@ -7,8 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "gltf/move_joints.hpp"
-#include "gltf/move_vertices.hpp"
+#include "gltf/changed_document.hpp"
 #include "predict/limbs.hpp"
 #include "predict/turn.hpp"
 #include "sinew_character/pose/deform.hpp"

@@ -19,9 +19,11 @@ enum FileUse : uint32_t {
   kReadsWhole = 8,        // mesh, skeleton and weights in one file
   kWritesCharacter = 16,  // mesh, skeleton and weights
   kWritesMotion = 32,
-  kWritesMesh = 64,    // a mesh alone: poses
-  kOffered = 128,      // dialogs of the page and of editors offer it, and the WebAssembly modules read it
-  kReadsPicture = 256  // a drawing or a photograph of a character
+  kWritesMesh = 64,       // a mesh alone: poses
+  kOffered = 128,         // dialogs of the page and of editors offer to open it, and the WebAssembly modules read it
+  kReadsPicture = 256,    // a drawing or a photograph of a character
+  kWritesSkin = 512,      // skeleton and weights in one file, with or without a mesh
+  kWritesWithMesh = 1024  // a character with its mesh; skeleton and weights may lie beside it
 };
 
 // Who reads it.
@@ -30,11 +32,11 @@ enum class FileReader : uint8_t {
   kRig,
   kGltf,
   kScene,  // through Assimp as a glTF document
-  kUsd,    // as a glTF document
   kBvh,
   kVmd,
   kNumpy,
-  kPicture
+  kPicture,
+  kNone  // it is written alone
 };
 
 struct FileKind {
@@ -50,6 +52,9 @@ const std::vector<FileKind>& file_kinds();
 const FileKind* file_kind(const std::string& path);
 bool has_use(const std::string& path, uint32_t uses);  // all of them
 bool is_motion_alone(const std::string& path);         // clips and their skeleton, no mesh
+
+// What to do about a file that is not read here: "; import it in Blender ...", behind "found another extension". "" where nothing is known.
+std::string remedy(const std::string& path);
 
 // ".obj, .gltf, .glb" of the files of a use.
 std::string extensions_text(uint32_t uses, const char* between = ", ");

@@ -55,5 +55,10 @@ FloatNetwork read_model_network(const std::string& path, const FloatNetwork& lik
 // the network's; then *network is as it was.
 void read_model_weights(const std::string& path, FloatNetwork* network);
 
+// What the quantizer must know of a float network beside its checkpoint: the trainer measures it.
+struct Calibration {
+  std::vector<float> layer_max;  // [layers] largest absolute value in each layer's output region
+};
+
 }  // namespace sinew
 #endif

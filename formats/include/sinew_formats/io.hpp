@@ -18,10 +18,15 @@ namespace sinew {
 Character read_mesh(const std::string& path);
 Character read_obj(const std::string& path);
 Character read_gltf(const std::string& path);
+// As read_gltf; a file with a skeleton but no mesh is fine unless need_mesh.
+Character read_gltf_character(const std::string& path, bool need_mesh);
 
 // Adds joints (and influences when with_skin) from a skeleton file to a mesh: .rig.txt / .txt, .gltf/.glb/.vrm/.fbx/.dae
 // (its skin's joints, world positions) or .bvh (offsets of its rest pose, End Sites as NAME_end).
 void read_skeleton(const std::string& path, bool with_skin, Character* character);
+// Replaces joints and influences of `character`; with_skin needs its vertices to be those the skin lines number. Throws
+// Error with the line before anything is replaced.
+void read_rig(const std::string& path, bool with_skin, Character* character);
 // Mesh with its own skin (glTF) or NAME.obj + NAME.rig.txt. `path` is the mesh file, or the .rig.txt beside an .obj.
 Character read_character(const std::string& path);
 // All NAME.obj + NAME.rig.txt pairs and whole files (.glb, .gltf, .vrm, .fbx, .dae) of a folder and of the folders below it,
@@ -31,6 +36,8 @@ std::vector<std::string> list_characters(const std::string& folder);
 std::vector<std::string> list_meshes(const std::string& folder);
 // All files that may hold a motion, sorted by path; otherwise the same.
 std::vector<std::string> list_motions(const std::string& folder);
+// All files that have these uses (FileUse), sorted by path; otherwise the same.
+std::vector<std::string> list_files(const std::string& folder, uint32_t uses);
 // A name for each of the `paths` that were found below `folder`: NAME, or FOLDERS/NAME where several have that name, or
 // FOLDERS/NAME.EXTENSION where that is not enough.
 std::vector<std::string> character_names(const std::string& folder, const std::vector<std::string>& paths);

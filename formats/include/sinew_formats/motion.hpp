@@ -87,5 +87,9 @@ WorldPose world_pose(const Motion& motion, const MotionFrame& frame);
 // Pose times inverse bind for the first `count` joints.
 std::vector<Affine> motion_palette(const Motion& motion, const MotionFrame& frame, size_t count);
 
+// Whether a file's joints are places alone. check_layout() throws Error where they say themselves which they are.
+bool takes_layout(const std::string& path);
+void check_layout(const std::string& path);
+
 }  // namespace sinew
 #endif

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "fbx/fbx_binary.hpp"
-#include "gltf/gltf_source.hpp"
+#include "gltf/gltf_model.hpp"
+#include "sinew_formats/motion.hpp"
 
 namespace sinew {
 

@@ -137,13 +137,13 @@ void FbxScene::connect(int64_t child, int64_t parent, const char* property) {
   connections.push_back(std::move(node));
 }
 
-std::vector<uint8_t> fbx_of(const std::string& path, const GltfSource& source) {
-  const GltfNodes nodes = gltf_nodes(path, source.model);
+std::vector<uint8_t> fbx_of(const std::string& path, const tinygltf::Model& model) {
+  const GltfNodes nodes = gltf_nodes(path, model);
   FbxScene scene;
-  const std::vector<int64_t> materials = add_fbx_materials(source.model, &scene);
-  const FbxModels models = add_fbx_models(path, source.model, nodes, materials, &scene);
+  const std::vector<int64_t> materials = add_fbx_materials(model, &scene);
+  const FbxModels models = add_fbx_models(path, model, nodes, materials, &scene);
   add_bind_pose(models, &scene);
-  add_fbx_animations(path, source.model, models, &scene);
+  add_fbx_animations(path, model, models, &scene);
   FbxNode id("FileId"), time("CreationTime"), creator("Creator"), references("References"), objects("Objects"),
       connections("Connections"), takes("Takes");
   id.bytes(fbx_file_id().data(), fbx_file_id().size());
@@ -152,8 +152,8 @@ std::vector<uint8_t> fbx_of(const std::string& path, const GltfSource& source) {
   for (FbxNode& object : scene.objects) objects.add(std::move(object));
   for (FbxNode& connection : scene.connections) connections.add(std::move(connection));
   takes.add("Current").text("");
-  return fbx_file({header(), id, time, creator, settings(), documents(source.model, 999999), references,
-                   definitions(scene), std::move(objects), std::move(connections), std::move(takes)});
+  return fbx_file({header(), id, time, creator, settings(), documents(model, 999999), references, definitions(scene),
+                   std::move(objects), std::move(connections), std::move(takes)});
 }
 
 }  // namespace sinew

@@ -9,21 +9,22 @@ namespace {
 
 constexpr uint32_t kWhole = kReadsMesh | kReadsSkeleton | kReadsMotion | kReadsWhole;
 constexpr uint32_t kMotionAlone = kReadsSkeleton | kReadsMotion | kOffered;
-constexpr uint32_t kGltfUses = kWhole | kWritesCharacter | kWritesMotion | kOffered;
+constexpr uint32_t kWritesAll = kWritesCharacter | kWritesSkin | kWritesWithMesh | kWritesMotion;
+constexpr uint32_t kGltfUses = kWhole | kWritesAll | kOffered;
 
 }  // namespace
 
 const std::vector<FileKind>& file_kinds() {
   static const std::vector<FileKind> kinds = {
-      {".obj", "OBJ", kReadsMesh | kWritesCharacter | kWritesMesh | kOffered, FileReader::kObj},
-      {".rig.txt", "rig.txt", kReadsSkeleton | kWritesCharacter | kOffered, FileReader::kRig},
+      {".obj", "OBJ", kReadsMesh | kWritesCharacter | kWritesWithMesh | kWritesMesh | kOffered, FileReader::kObj},
+      {".rig.txt", "rig.txt", kReadsSkeleton | kWritesCharacter | kWritesSkin | kOffered, FileReader::kRig},
       {".txt", "rig.txt", kReadsSkeleton, FileReader::kRig},
       {".gltf", "glTF", kGltfUses, FileReader::kGltf},
       {".glb", "GLB", kGltfUses, FileReader::kGltf},
       {".vrm", "VRM", kGltfUses, FileReader::kGltf},
-      {".fbx", "FBX", kWhole | kWritesCharacter | kWritesMotion | kOffered, FileReader::kScene},
-      {".usda", "USD", kGltfUses, FileReader::kUsd},
-      {".usdz", "USD", kGltfUses, FileReader::kUsd},
+      {".fbx", "FBX", kGltfUses, FileReader::kScene},
+      {".usda", "USD", kWritesAll, FileReader::kNone},
+      {".usdz", "USD", kWritesAll, FileReader::kNone},
       {".dae", "COLLADA", kWhole | kOffered, FileReader::kScene},
       {".b3d", "Blitz3D", kWhole, FileReader::kScene},
       {".x", "DirectX", kWhole, FileReader::kScene},
@@ -56,6 +57,30 @@ bool has_use(const std::string& path, uint32_t uses) {
 }
 
 bool is_motion_alone(const std::string& path) { return has_use(path, kMotionAlone) && !has_use(path, kReadsWhole); }
+
+std::string remedy(const std::string& path) {
+  const std::string glb = stem_of(path) + ".glb";
+  const std::string export_glb = "bpy.ops.export_scene.gltf(filepath='" + glb + "')\"";
+  if (has_extension(path, ".blend"))
+    return "; in Blender: File > Export > glTF 2.0, or: blender --background " + path +
+           " --python-expr \"import bpy; " + export_glb;
+  for (const char* extension : {".usda", ".usdz", ".usdc", ".usd"})
+    if (has_extension(path, extension))
+      return "; this is USD, which sinew writes but does not read: export glTF or FBX, or with Blender: blender "
+             "--background --python-expr \"import bpy; bpy.ops.wm.usd_import(filepath='" +
+             path + "'); " + export_glb;
+  if (is_motion_alone(path))
+    return "; a " + std::string(file_kind(path)->name) +
+           " has a skeleton and motion: take it with --skeleton, or with sinew animate --motion";
+  if (has_use(path, kReadsPicture)) return "; sinew rig and sinew animate make a character of a picture";
+  if (has_extension(path, ".max")) return "; in 3ds Max: File > Export > FBX or glTF";
+  if (has_extension(path, ".ma") || has_extension(path, ".mb"))
+    return "; in Maya: File > Export All > FBX export (load the plug-in fbxmaya)";
+  if (has_extension(path, ".c4d")) return "; in Cinema 4D: File > Export > glTF or FBX";
+  for (const char* extension : {".3ds", ".stl", ".ply", ".lwo", ".abc", ".x3d", ".pmx"})
+    if (has_extension(path, extension)) return "; import it in Blender and export it: File > Export > glTF 2.0 or OBJ";
+  return "";
+}
 
 std::vector<std::string> extensions_of(uint32_t uses) {
   std::vector<std::string> extensions;

@@ -12,12 +12,10 @@
 #include <filesystem>
 #include <memory>
 
-#include "files/folders.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/list_files.hpp"
 #include "sinew_formats/memory_files.hpp"
 
 namespace fs = std::filesystem;
@@ -173,28 +171,6 @@ void write_files(const std::vector<NamedBytes>& files) {
 }
 
 void write_text_file(const std::string& path, const std::string& text) { write_bytes(path, text.data(), text.size()); }
-
-std::vector<std::string> list_characters(const std::string& folder) {
-  std::vector<std::pair<std::string, std::string>> found;  // name, path
-  for (const std::string& path : files_below(folder)) {
-    const bool pair = has_use(path, kReadsMesh) && !has_use(path, kReadsWhole) && is_file(rig_path_beside(path));
-    if (pair || has_use(path, kReadsWhole)) found.emplace_back(stem_of(path), path);
-  }
-  std::sort(found.begin(), found.end());
-  std::vector<std::string> paths;
-  for (auto& [name, path] : found) paths.push_back(std::move(path));
-  return paths;
-}
-
-std::vector<std::string> list_files(const std::string& folder, uint32_t use) {
-  std::vector<std::string> paths;
-  for (const std::string& path : files_below(folder))
-    if (has_use(path, use)) paths.push_back(path);
-  return paths;
-}
-
-std::vector<std::string> list_meshes(const std::string& folder) { return list_files(folder, kReadsMesh); }
-std::vector<std::string> list_motions(const std::string& folder) { return list_files(folder, kReadsMotion); }
 
 std::string rig_path_beside(const std::string& mesh_path) {
   const fs::path path = mesh_path;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Folders of files: everything below one, and names that tell its characters apart.
-#include "files/folders.hpp"
-
+// Folders of files: those below one by what they are for, and names that tell its characters apart.
 #include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
 
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/memory_files.hpp"
 
 namespace fs = std::filesystem;
 
@@ -35,8 +35,8 @@ void collect(const fs::path& folder, std::set<fs::path>* entered, std::vector<st
   }
 }
 
-}  // namespace
-
+// Every file of a folder and of the folders below it, sorted by name within each. Hidden files and folders (.name) are
+// left out, links are followed. Throws Error for what is no folder or cannot be read.
 std::vector<std::string> files_below(const std::string& folder) {
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored))
@@ -46,6 +46,30 @@ std::vector<std::string> files_below(const std::string& folder) {
   collect(folder, &entered, &files);
   return files;
 }
+
+}  // namespace
+
+std::vector<std::string> list_characters(const std::string& folder) {
+  std::vector<std::pair<std::string, std::string>> found;  // name, path
+  for (const std::string& path : files_below(folder)) {
+    const bool pair = has_use(path, kReadsMesh) && !has_use(path, kReadsWhole) && is_file(rig_path_beside(path));
+    if (pair || has_use(path, kReadsWhole)) found.emplace_back(stem_of(path), path);
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<std::string> paths;
+  for (auto& [name, path] : found) paths.push_back(std::move(path));
+  return paths;
+}
+
+std::vector<std::string> list_files(const std::string& folder, uint32_t use) {
+  std::vector<std::string> paths;
+  for (const std::string& path : files_below(folder))
+    if (has_use(path, use)) paths.push_back(path);
+  return paths;
+}
+
+std::vector<std::string> list_meshes(const std::string& folder) { return list_files(folder, kReadsMesh); }
+std::vector<std::string> list_motions(const std::string& folder) { return list_files(folder, kReadsMotion); }
 
 std::vector<std::string> character_names(const std::string& folder, const std::vector<std::string>& paths) {
   std::vector<std::string> names;

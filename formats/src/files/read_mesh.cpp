@@ -2,46 +2,17 @@
 // The ways in by file name: which reader, and which skeleton belongs to which mesh.
 #include <filesystem>
 
-#include "gltf/gltf_from_scene.hpp"
-#include "gltf/gltf_read.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"
-#include "text/rig.hpp"
 
 namespace sinew {
 namespace {
 
 // Read as glTF, or turned into one.
 bool is_scene(const std::string& path) { return has_use(path, kReadsWhole); }
-
-// What to do about files of other programs; the words go behind "found another extension".
-std::string remedy(const std::string& path) {
-  const std::string glb = stem_of(path) + ".glb";
-  const std::string export_glb = "bpy.ops.export_scene.gltf(filepath='" + glb + "')\"";
-  if (has_extension(path, ".blend"))
-    return "; in Blender: File > Export > glTF 2.0, or: blender --background " + path +
-           " --python-expr \"import bpy; " + export_glb;
-  for (const char* extension : {".usd", ".usdc"})
-    if (has_extension(path, extension))
-      return "; usdcat --flatten --out NAME.usda makes text of it, Blender a .glb: blender --background --python-expr "
-             "\"import bpy; "
-             "bpy.ops.wm.usd_import(filepath='" +
-             path + "'); " + export_glb;
-  if (is_motion_alone(path))
-    return "; a " + std::string(file_kind(path)->name) +
-           " has a skeleton and motion: take it with --skeleton, or with sinew animate --motion";
-  if (has_use(path, kReadsPicture)) return "; sinew rig and sinew animate make a character of a picture";
-  if (has_extension(path, ".max")) return "; in 3ds Max: File > Export > FBX or glTF";
-  if (has_extension(path, ".ma") || has_extension(path, ".mb"))
-    return "; in Maya: File > Export All > FBX export (load the plug-in fbxmaya)";
-  if (has_extension(path, ".c4d")) return "; in Cinema 4D: File > Export > glTF or FBX";
-  for (const char* extension : {".3ds", ".stl", ".ply", ".lwo", ".abc", ".x3d", ".pmx"})
-    if (has_extension(path, extension)) return "; import it in Blender and export it: File > Export > glTF 2.0 or OBJ";
-  return "";
-}
 
 }  // namespace
 

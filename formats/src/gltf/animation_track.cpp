@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "gltf/gltf_source.hpp"
+#include "gltf/gltf_model.hpp"
 #include "sinew_formats/base/quaternion.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "gltf/gltf_source.hpp"
+#include "gltf/gltf_model.hpp"
+#include "sinew_formats/character.hpp"
 
 namespace sinew {
 

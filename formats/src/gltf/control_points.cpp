@@ -5,8 +5,8 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "gltf/gltf_model.hpp"
 #include "gltf/node_parts.hpp"
-#include "gltf/primitive_triangles.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Accessors of primitives with the values of doubled vertices behind the others, and new indices.
-#include "gltf/cut_vertices.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -10,10 +8,10 @@
 #include <optional>
 #include <utility>
 
+#include "gltf/changed_document.hpp"
+#include "gltf/gltf_model.hpp"
+#include "gltf/gltf_source.hpp"
 #include "gltf/mesh_nodes.hpp"
-#include "gltf/pick_vertices.hpp"
-#include "gltf/primitive_triangles.hpp"
-#include "gltf/reread.hpp"
 
 namespace sinew {
 namespace {

@@ -2,15 +2,17 @@
 // Each joint's world transform W(t) becomes G W(t) C: G turns the whole, C gives the joint its axes. So a node's own transform L becomes
 // A L C, where A is G for a node without a parent and the parent's C^-1 else; an inverse bind matrix B becomes C^-1 B, and skinning gives
 // G W C C^-1 B = G W B. A rotation key q becomes A q C, which is linear in q: tangents of cubic keys go the same way.
-#include "gltf/document_form.hpp"
+
+#include "sinew_formats/document_form.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "gltf/gltf_container.hpp"
-#include "gltf/matrix_columns.hpp"
+#include "gltf/gltf_source.hpp"
 #include "gltf/node_parts.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "text/text_lines.hpp"
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "gltf/gltf_uri.hpp"
 #include "gltf/tinygltf.hpp"

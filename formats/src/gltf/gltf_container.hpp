@@ -4,7 +4,7 @@
 #define SINEW_FORMATS_GLTF_GLTF_CONTAINER_HPP
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "gltf/gltf_source.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "gltf/gltf_source.hpp"
+#include "sinew_formats/character.hpp"
 
 namespace sinew {
 

@@ -7,12 +7,13 @@
 #include <optional>
 
 #include "gltf/gltf_container.hpp"
-#include "gltf/gltf_morphs.hpp"
+#include "gltf/gltf_source.hpp"
 #include "gltf/mesh_nodes.hpp"
 #include "gltf/morph_animations.hpp"
 #include "gltf/node_parts.hpp"
 #include "gltf/surface_normals.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/morphs.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {
@@ -122,8 +123,7 @@ class MorphWriter {
     double apart = 0;
     for (size_t c = 0; c < 3; ++c) apart = std::max(apart, std::abs(posed[c] - rest[c]));
     if (apart < 1e-3) return std::nullopt;
-    const Point3 own = {static_cast<double>(normal[0]), static_cast<double>(normal[1]),
-                           static_cast<double>(normal[2])};
+    const Point3 own = {static_cast<double>(normal[0]), static_cast<double>(normal[1]), static_cast<double>(normal[2])};
     Point3 world = transform_normal(frame, own[0], own[1], own[2]);
     const double length = std::hypot(world[0], world[1], world[2]);
     if (!(length > 0)) return std::nullopt;

@@ -5,13 +5,13 @@
 #include <map>
 
 #include "gltf/animation_track.hpp"
-#include "gltf/gltf_read.hpp"
 #include "gltf/gltf_source.hpp"
 #include "gltf/node_parts.hpp"
 #include "gltf/vrm_animation.hpp"
 #include "sinew_formats/base/quaternion.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
+#include "sinew_formats/io.hpp"
 #include "sinew_formats/morphs.hpp"
 #include "sinew_formats/motion.hpp"
 #include "sinew_formats/print.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // glTF 2.0 / GLB / VRM to Character: all mesh nodes of the scene in world space, in the pose that their weights are
 // meant for.
-#include "gltf/gltf_read.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,14 +8,13 @@
 
 #include "gltf/bind_pose.hpp"
 #include "gltf/gltf_from_scene.hpp"
+#include "gltf/gltf_model.hpp"
 #include "gltf/gltf_source.hpp"
-#include "gltf/primitive_triangles.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/joint_names.hpp"
 #include "text/text_lines.hpp"
-#include "usd/gltf_from_usd.hpp"
 
 namespace sinew {
 namespace {
@@ -57,7 +55,6 @@ class GltfReader {
 
   Character read() {
     source_ = std::make_shared<GltfSource>(is_scene_file(path_) ? gltf_from_scene(path_)
-                                           : is_usd_file(path_) ? gltf_from_usd(path_)
                                                                 : load_gltf(path_, read_file(path_)));
     character_.notes = source_->notes;
     note_missing_pictures(source_->model, &character_.notes);

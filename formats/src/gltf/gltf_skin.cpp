@@ -7,10 +7,10 @@
 #include <set>
 
 #include "gltf/bind_pose.hpp"
+#include "gltf/changed_document.hpp"
 #include "gltf/fixed_weights.hpp"
 #include "gltf/gltf_source.hpp"
 #include "gltf/mesh_nodes.hpp"
-#include "gltf/move_vertices.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"

@@ -5,16 +5,19 @@
 #define SINEW_FORMATS_GLTF_GLTF_SOURCE_HPP
 
 #include <cstdint>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "gltf/tinygltf.hpp"
-#include "sinew_formats/base/affine.hpp"
+#include "gltf/gltf_model.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew {
+
+struct DocumentForm;  // sinew_formats/document_form.hpp
+struct Morphs;        // sinew_formats/morphs.hpp
 
 using Json = nlohmann::json;  // not ordered_json, whose elements move when a key is added
 
@@ -23,14 +26,6 @@ struct GltfPart {
   int node = -1;
   int primitive = -1;               // within the node's mesh
   std::vector<uint32_t> vertex_of;  // [vertices of the primitive] -> vertex of the Character
-};
-
-// Where everything stands in the pose that the file's weights are meant for.
-struct GltfBindPose {
-  bool agrees = true;               // false: the inverse bind matrices know no common pose, see find_bind_pose()
-  bool moved = false;               // it is not the pose that the nodes stand in
-  std::vector<Affine> worlds;       // [nodes] of joints, and of nodes that hang on them
-  std::vector<Affine> skin_frames;  // [skins] where a skin's vertices stand; worlds[joint] x inverse bind matrix
 };
 
 // tinygltf's own writer forgets what it does not know (empty arrays and objects inside extensions, extras of skins,
@@ -54,26 +49,8 @@ struct GltfSource {
 // not. Parts and joints are left empty.
 GltfSource load_gltf(const std::string& path, const std::vector<uint8_t>& file);
 
-// "image/png", "image/jpeg", "image/webp", "image/ktx2" by the first bytes; nullptr for anything else.
-const char* image_type(const std::vector<unsigned char>& bytes);
-
-// The node tree. Throws Error when it is none.
-struct GltfNodes {
-  std::vector<int> parents;    // [N], -1 = none
-  std::vector<Affine> worlds;  // [N]
-  std::vector<char> in_scene;  // [N] in the default scene (else the first; without scenes, every node)
-};
-GltfNodes gltf_nodes(const std::string& path, const tinygltf::Model& model);
-
-// Values of an accessor [count x components], sparse ones and normalised integers resolved. Throws Error naming `where`
-// when it is not of that many components, reaches outside of its buffer or holds a value that is not finite.
-std::vector<float> accessor_floats(const std::string& where, const tinygltf::Model& model, int accessor,
-                                   int components);
-std::vector<uint32_t> accessor_integers(const std::string& where, const tinygltf::Model& model, int accessor,
-                                        int components);
-// [joints of the skin]
-std::vector<Affine> inverse_bind_matrices(const std::string& where, const tinygltf::Model& model,
-                                          const tinygltf::Skin& skin);
+// Reads a document that was changed: everything but the model stays as it is in `changed`. Throws Error for a document that cannot be written.
+std::shared_ptr<GltfSource> read_again(const std::string& name, GltfSource changed);
 
 // Whether joints are still those of the file (`b`); one that had no parent there may have got one, see infer_parents().
 bool same_joints(const std::vector<Joint>& a, const std::vector<Joint>& b);
@@ -99,6 +76,24 @@ int add_accessor(GltfSource* source, const void* values, size_t size_bytes, cons
 void drop_unused_accessors(std::vector<int> candidates, GltfSource* source);
 // Removes one buffer view, not its bytes; false where something refers to it, or an extension may.
 bool drop_unused_view(size_t view, Json* document);
+
+// Puts a document into another form: changes its nodes, skins, animations and extras; `joints` are its joints before, and are not changed. Returns remarks.
+std::vector<std::string> put_into_form(const std::string& path, const DocumentForm& form, const GltfJoints& joints,
+                                       GltfSource* source);
+
+// Adds corrective shapes as morph targets of the meshes that they move, behind those that are there; drivers as `extras` of these meshes;
+// clips as weights in the document's animations, of which the last ones are `new_animations`.
+void add_gltf_morphs(const std::string& path, const Character& character, const Morphs& morphs,
+                     const GltfJoints& joints, size_t new_animations, GltfSource* source);
+
+// Values of an accessor for chosen vertices as a new accessor, in the kind of number that it has; floats of a sparse one.
+//   read       the document as it was read, which `accessor` is of
+//   vertices   which values, in their order; one may be there twice
+//   all_stay   every value is among them: bounds stay those that the accessor has; else they are found
+//   written    gets the new accessor
+// Returns its number. Throws Error naming `where` for a vertex that has no value.
+int pick_vertices(const std::string& where, const GltfSource& read, int accessor, const std::vector<uint32_t>& vertices,
+                  bool all_stay, GltfSource* written);
 
 }  // namespace sinew
 #endif

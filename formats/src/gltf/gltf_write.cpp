@@ -7,18 +7,17 @@
 #include <set>
 
 #include "fbx/fbx_write.hpp"
-#include "gltf/document_form.hpp"
 #include "gltf/gltf_container.hpp"
-#include "gltf/gltf_morphs.hpp"
 #include "gltf/gltf_source.hpp"
 #include "gltf/gltf_uri.hpp"
 #include "gltf/vrm_write.hpp"
+#include "sinew_formats/document_form.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/memory_files.hpp"
+#include "sinew_formats/morphs.hpp"
 #include "text/text_lines.hpp"
-#include "usd/gltf_from_usd.hpp"
 #include "usd/usd_write.hpp"
 
 namespace fs = std::filesystem;
@@ -297,9 +296,11 @@ void write_document(const std::string& path, const Character& character, const G
     embed_images(path, !as_text || source.path.empty() || in_memory || !same_folder(path, source.path), &source);
     if (as_text) return write_text_form(path, &source);
     if (has_extension(path, ".fbx"))
-      return write_file(path, fbx_of(path, load_gltf(path, pack_glb(path, &source.document, std::move(source.bytes)))));
-    if (is_usd_file(path))
-      return write_files(usd_of(path, load_gltf(path, pack_glb(path, &source.document, std::move(source.bytes)))));
+      return write_file(path,
+                        fbx_of(path, load_gltf(path, pack_glb(path, &source.document, std::move(source.bytes))).model));
+    if (has_extension(path, ".usda") || has_extension(path, ".usdz"))
+      return write_files(
+          usd_of(path, load_gltf(path, pack_glb(path, &source.document, std::move(source.bytes))).model));
     write_file(path, pack_glb(path, &source.document, std::move(source.bytes)));
   } catch (const nlohmann::json::exception& error) {
     throw Error(path + ": cannot write, a name is not UTF-8 text: " + one_line(error.what()));

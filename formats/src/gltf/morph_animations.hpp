@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "gltf/gltf_container.hpp"
-#include "gltf/gltf_morphs.hpp"
+#include "gltf/gltf_source.hpp"
+#include "sinew_formats/morphs.hpp"
 
 namespace sinew {
 

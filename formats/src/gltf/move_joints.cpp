@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "gltf/move_joints.hpp"
-
 #include <utility>
 
+#include "gltf/changed_document.hpp"
+#include "gltf/gltf_source.hpp"
 #include "gltf/node_parts.hpp"
-#include "gltf/reread.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Attributes of primitives read, moved and written as new accessors.
-#include "gltf/move_vertices.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 
+#include "gltf/changed_document.hpp"
+#include "gltf/gltf_source.hpp"
 #include "gltf/mesh_nodes.hpp"
 #include "sinew_formats/error.hpp"
 

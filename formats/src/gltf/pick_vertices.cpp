@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "gltf/pick_vertices.hpp"
 
 #include <algorithm>
 #include <cstring>
 
+#include "gltf/gltf_source.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Triangles of all primitives through one simplifier, and the vertices that are left picked from every accessor.
-#include "sinew_formats/reduce_triangles.hpp"
-
 #include <algorithm>
 #include <array>
 #include <set>
 #include <utility>
 
 #include "gltf/gltf_container.hpp"
+#include "gltf/gltf_model.hpp"
 #include "gltf/gltf_source.hpp"
-#include "gltf/pick_vertices.hpp"
-#include "gltf/primitive_triangles.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/lod_document.hpp"
 #ifdef SINEW_HAS_MESHOPT
 #include <meshoptimizer.h>
 #endif

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "gltf/scene_animations.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "gltf/gltf_source.hpp"
+#include "gltf/scene_nodes.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "text/text_lines.hpp"

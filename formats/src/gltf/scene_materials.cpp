@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Colours, opacity and pictures; what no glTF material has is left out.
-#include "gltf/scene_materials.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,8 @@
 #include <vector>
 
 #include "files/picture_files.hpp"
+#include "gltf/gltf_source.hpp"
+#include "gltf/scene_nodes.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Nodes of a scene that Assimp read, in metres with Y up, and which of them are joints. Only where the build has Assimp.
+// Parts of a scene that Assimp read: its nodes, in metres with Y up, and which of them are joints; its materials and animations as a glTF
+// document's. Only where the build has Assimp.
 #ifndef SINEW_FORMATS_GLTF_SCENE_NODES_HPP
 #define SINEW_FORMATS_GLTF_SCENE_NODES_HPP
 
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "sinew_formats/base/affine.hpp"
+#include "sinew_formats/character.hpp"
 
 namespace sinew {
 
@@ -39,6 +41,15 @@ SceneNodes find_scene_nodes(const std::string& path, const aiScene& scene);
 
 Affine affine_of(const aiMatrix4x4& matrix);
 bool is_finite(const Affine& transform);
+
+// Adds all materials, in their order. Pictures that are missing or of another kind than PNG and JPEG are told in its notes.
+void add_scene_materials(const std::string& path, const aiScene& scene, GltfSource* source);
+
+// Adds every animation that moves a node of the document; the others are told in its notes. Nodes are found by name and number, 0 is the
+// scene's root, which stays. Keys are those of the file, from the first one on; a track that stands still has one key.
+// Throws Error for numbers that are not finite.
+void add_scene_animations(const std::string& path, const aiScene& scene, const std::map<std::string, size_t>& nodes,
+                          GltfSource* source);
 
 }  // namespace sinew
 #endif

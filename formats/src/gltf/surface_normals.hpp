@@ -8,8 +8,8 @@
 #include <map>
 #include <vector>
 
-#include "gltf/gltf_morphs.hpp"
-#include "sinew_formats/base/point.hpp"
+#include "gltf/gltf_source.hpp"
+#include "sinew_formats/morphs.hpp"
 
 namespace sinew {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gltf/vrm_animation.hpp"
 
+#include "gltf/gltf_source.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "gltf/gltf_source.hpp"
+#include "sinew_formats/character.hpp"
 
 namespace sinew {
 

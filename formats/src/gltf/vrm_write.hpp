@@ -4,13 +4,15 @@
 #define SINEW_FORMATS_GLTF_VRM_WRITE_HPP
 
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
-#include "gltf/gltf_source.hpp"
 #include "sinew_formats/vrm.hpp"
 
 namespace sinew {
+
+struct GltfSource;
 
 //   joint_nodes  [J]
 // Of VRM 1.0: expressions, look-at and first person of a document that has VRMC_vrm already stay; humanoid and meta are the new ones. A document
@@ -19,7 +21,8 @@ namespace sinew {
 void add_vrm(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes, GltfSource* source);
 
 // The extension VRM of 0.x.
-Json vrm_zero(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes, const Json& document);
+nlohmann::json vrm_zero(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes,
+                        const nlohmann::json& document);
 // The node of each of VrmData::bones, checked.
 std::map<std::string, int> humanoid_nodes(const std::string& path, const VrmData& vrm,
                                           const std::vector<int>& joint_nodes);

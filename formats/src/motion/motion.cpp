@@ -9,7 +9,6 @@
 #include "sinew_formats/base/quaternion.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
-#include "sinew_formats/motion_layout.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {
@@ -176,7 +175,8 @@ void check_layout(const std::string& path) {
 
 Motion read_motion(const std::string& path, double fps, const std::string& layout) {
   if (!has_use(path, kReadsMotion))
-    throw Error(path + ": expected a motion (" + extensions_text(kReadsMotion) + "), found another extension");
+    throw Error(path + ": expected a motion (" + extensions_text(kReadsMotion) + "), found another extension" +
+                remedy(path));
   if (!layout.empty()) check_layout(path);
   switch (file_kind(path)->reader) {
     case FileReader::kBvh:

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // rig.txt (formats/spec/rig.md): joints, hierarchy and skin weights as text, read with exact error lines and written.
-#include "text/rig.hpp"
 
 #include <set>
 #include <unordered_map>

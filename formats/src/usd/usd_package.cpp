@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "usd/usd_package.hpp"
-
 #include "core/bytes.hpp"
 #include "sinew_formats/error.hpp"
+#include "usd/usd_write.hpp"
 
 namespace sinew {
 namespace {
@@ -74,13 +73,6 @@ std::vector<uint8_t> usd_package(const std::string& path, const std::vector<Name
   out.number(start, 4);
   out.number(0, 2);  // comment
   return std::move(out.bytes);
-}
-
-std::string first_in_package(const std::vector<uint8_t>& bytes) {
-  if (bytes.size() < kLocal || bytes[0] != 'P' || bytes[1] != 'K' || bytes[2] != 3 || bytes[3] != 4) return "";
-  const size_t length = bytes[26] + 256u * bytes[27];
-  if (length > bytes.size() - kLocal) return "";
-  return std::string(bytes.begin() + kLocal, bytes.begin() + static_cast<std::ptrdiff_t>(kLocal + length));
 }
 
 }  // namespace sinew

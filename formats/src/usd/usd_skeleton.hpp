@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "gltf/animation_track.hpp"
-#include "gltf/gltf_source.hpp"
+#include "gltf/gltf_model.hpp"
 #include "sinew_formats/base/affine.hpp"
-#include "sinew_formats/motion.hpp"
 
 namespace sinew {
 

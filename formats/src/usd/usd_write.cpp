@@ -10,7 +10,6 @@
 #include "gltf/control_points.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "usd/usd_materials.hpp"
-#include "usd/usd_package.hpp"
 #include "usd/usd_skeleton.hpp"
 #include "usd/usd_text.hpp"
 
@@ -28,10 +27,10 @@ std::string picture_stem(const std::string& path) {
 
 class UsdWriter {
  public:
-  UsdWriter(const std::string& path, const GltfSource& source)
+  UsdWriter(const std::string& path, const tinygltf::Model& model)
       : path_(path),
-        model_(source.model),
-        nodes_(gltf_nodes(path, source.model)),
+        model_(model),
+        nodes_(gltf_nodes(path, model)),
         skeleton_(path, model_, nodes_),
         materials_(picture_stem(path), model_) {}
 
@@ -237,8 +236,8 @@ class UsdWriter {
 
 }  // namespace
 
-std::vector<NamedBytes> usd_of(const std::string& path, const GltfSource& source) {
-  return UsdWriter(path, source).write();
+std::vector<NamedBytes> usd_of(const std::string& path, const tinygltf::Model& model) {
+  return UsdWriter(path, model).write();
 }
 
 }  // namespace sinew

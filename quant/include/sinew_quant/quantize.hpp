@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "sinew_formats/calibration.hpp"
 #include "sinew_formats/checkpoint.hpp"
+#include "sinew_formats/float_network.hpp"
 
 namespace sinew {
 

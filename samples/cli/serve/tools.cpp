@@ -66,7 +66,7 @@ Tool rig_tool() {
       with_placement(
           {{"mesh", "", Value::kInput,
             "Mesh (" + mesh_files() + ") or picture (" + extensions_text(kReadsPicture) + ")", true},
-           output_argument(extensions_text(kSkinOutputs)),
+           output_argument(extensions_text(kWritesSkin)),
            {"skeleton", "--skeleton", Value::kInput, "Put this file's skeleton into the mesh"},
            {"detail", "--detail", Value::kText, "How much of the body has joints", false, {"body", "hands", "full"}},
            class_argument(),
@@ -81,7 +81,7 @@ Tool bind_tool() {
   return {
       "bind", "Predict weights", "Predicts the skin weights of a mesh for a skeleton. Answers how sure they are.", true,
       with_placement({{"mesh", "", Value::kInput, "Mesh (" + mesh_files() + ")", true},
-                      output_argument(extensions_text(kSkinOutputs)),
+                      output_argument(extensions_text(kWritesSkin)),
                       {"skeleton", "--skeleton", Value::kInput, "Skeleton of another file (" + skeleton_files() + ")"},
                       {"influences", "--influences", Value::kNumber, "Most joints a vertex, 4 unless given"},
                       {"symmetric", "--symmetric", Value::kFlag, "Mirror images get mirrored weights"},
@@ -98,7 +98,7 @@ Tool animate_tool() {
           {{"character", "", Value::kInput, "Skinned file, bare mesh or picture", true},
            {"motion", "--motion", Value::kInput, "Motion (" + motion_files() + ")"},
            {"clip", "--motion", Value::kText, "A clip that ships, in place of a file: builtin:walk"},
-           output_argument(extensions_text(kWholeOutputs) + "; one clip alone: " + extensions_text(kWritesMotion)),
+           output_argument(extensions_text(kWritesWhole) + "; one clip alone: " + extensions_text(kWritesMotion)),
            {"map", "--map", Value::kInput, "Which joint is which: lines TARGET_JOINT SOURCE_JOINT"},
            {"in_place", "--in-place", Value::kFlag, "Stay where the character stands"},
            {"force", "--force", Value::kFlag, "Also a motion that does not fit"},
@@ -125,7 +125,7 @@ Tool lod_tool() {
           true,
           {{"character", "", Value::kInput, "Bound character (" + mesh_files() + ")", true},
            {"output", "-o", Value::kOutputs,
-            "NAME.lod1, NAME.lod2, ... of this name, below the served folder: " + extensions_text(kWholeOutputs), true},
+            "NAME.lod1, NAME.lod2, ... of this name, below the served folder: " + extensions_text(kWritesWhole), true},
            {"levels", "--levels", Value::kNumber, "How many, 1 to 8; 3 unless given"},
            {"triangles", "--triangles", Value::kNumber, "Of a level, as a share of the one before; 0.5 unless given"},
            {"fewer_joints", "--fewer-joints", Value::kFlag, "Level 2 has fewer joints, further ones still fewer"}}};

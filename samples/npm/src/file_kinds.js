@@ -2,15 +2,15 @@
 // Files by extension. Generated from formats/src/files/file_kinds.cpp by scripts/file_kinds.py; a test compares.
 
 export const fileKinds = [
-  { extension: ".obj", name: "OBJ", reader: "obj", uses: ["readsMesh", "writesCharacter", "writesMesh", "offered"] },
-  { extension: ".rig.txt", name: "rig.txt", reader: "rig", uses: ["readsSkeleton", "writesCharacter", "offered"] },
+  { extension: ".obj", name: "OBJ", reader: "obj", uses: ["readsMesh", "writesCharacter", "writesMesh", "offered", "writesWithMesh"] },
+  { extension: ".rig.txt", name: "rig.txt", reader: "rig", uses: ["readsSkeleton", "writesCharacter", "offered", "writesSkin"] },
   { extension: ".txt", name: "rig.txt", reader: "rig", uses: ["readsSkeleton"] },
-  { extension: ".gltf", name: "glTF", reader: "gltf", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered"] },
-  { extension: ".glb", name: "GLB", reader: "gltf", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered"] },
-  { extension: ".vrm", name: "VRM", reader: "gltf", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered"] },
-  { extension: ".fbx", name: "FBX", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered"] },
-  { extension: ".usda", name: "USD", reader: "usd", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered"] },
-  { extension: ".usdz", name: "USD", reader: "usd", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered"] },
+  { extension: ".gltf", name: "glTF", reader: "gltf", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered", "writesSkin", "writesWithMesh"] },
+  { extension: ".glb", name: "GLB", reader: "gltf", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered", "writesSkin", "writesWithMesh"] },
+  { extension: ".vrm", name: "VRM", reader: "gltf", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered", "writesSkin", "writesWithMesh"] },
+  { extension: ".fbx", name: "FBX", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered", "writesSkin", "writesWithMesh"] },
+  { extension: ".usda", name: "USD", reader: "none", uses: ["writesCharacter", "writesMotion", "writesSkin", "writesWithMesh"] },
+  { extension: ".usdz", name: "USD", reader: "none", uses: ["writesCharacter", "writesMotion", "writesSkin", "writesWithMesh"] },
   { extension: ".dae", name: "COLLADA", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "offered"] },
   { extension: ".b3d", name: "Blitz3D", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole"] },
   { extension: ".x", name: "DirectX", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole"] },

@@ -56,6 +56,11 @@ export function pairFiles(names, waiting = {}, moving = []) {
   const problems = [];
   const others = names.filter((n) => !isMesh(n) && !isRig(n) && !isModel(n) && !isStyle(n) && !isMotion(n) && !isBeside(n));
   for (const name of others) {
+    const kind = fileKind(name);
+    if (kind?.reader === "none") {
+      problems.push(`${name}: this is ${kind.name}, which sinew writes but does not read: export glTF or FBX`);
+      continue;
+    }
     problems.push(`${name}: expected ${extensionsOf("offered").join(", ")}, .sinew or .style, found another kind of file`);
   }
   if (names.length > 0 && names.every(isPicture)) return { ...none, characters: names.map((name) => ({ name: stem(name), mesh: name, skeleton: "" })) };

@@ -14,6 +14,7 @@ assert.equal(stem("a.b.rig.txt"), "a.b");
 assert.deepEqual(check(["a.obj", "a.rig.txt"], {}, { characters: [character("a", "a.obj", "a.rig.txt")] }), []);
 assert.deepEqual(check(["A.OBJ", "a.Rig.TXT"], {}, { characters: [character("A", "A.OBJ", "a.Rig.TXT")] }), []);
 assert.deepEqual(check(["hero.obj", "skeleton.txt"], {}, { characters: [character("hero", "hero.obj", "skeleton.txt")] }), []);
+assert.deepEqual(check(["hero.usdz"], {}, {}), ["hero.usdz: this is USD, which sinew writes but does not read: export glTF or FBX"]);
 assert.deepEqual(check(["hero.glb"], {}, { characters: [character("hero", "hero.glb", "")] }), []);
 assert.deepEqual(check(["hero.glb", "other.rig.txt"], {}, { characters: [character("hero", "hero.glb", "other.rig.txt")] }), []);
 assert.deepEqual(check(["prop.glb", "hero.obj", "other.rig.txt"], {}, { characters: [character("prop", "prop.glb", ""), character("hero", "hero.obj", "other.rig.txt")] }), []);

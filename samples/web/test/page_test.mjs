@@ -726,6 +726,7 @@ try {
       "\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
     const before = await hash();
     for (const [files, want] of [
+      [[made("hero.usdz", "PK")], /^hero\.usdz: this is USD, which sinew writes but does not read: export glTF or FBX$/],
       [[made("notes.docx", "PK")], /^notes\.docx: expected \.obj, \.rig\.txt, .* found another kind of file$/],
       [[made("broken.glb", "glTF but not really, only a few bytes of it")], /^broken\.glb: /],
       [[made("empty.glb", "")], /^empty\.glb: /],

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "sinew_formats/calibration.hpp"
 #include "sinew_formats/float_network.hpp"
 #include "sinew_trainer/sample.hpp"
 

@@ -2,9 +2,9 @@
 // The layer lists of the networks of votes and of the front.
 #include "network/rig_network.hpp"
 
+#include "front/front_points.hpp"
 #include "network/network_builder.hpp"
 #include "votes/rig_task.hpp"
-#include "front/front_points.hpp"
 
 namespace sinew {
 namespace {

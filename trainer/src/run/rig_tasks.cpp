@@ -4,11 +4,11 @@
 
 #include "network/rig_network.hpp"
 #include "network/slot_network.hpp"
-#include "votes/rig_task.hpp"
 #include "run/front_loss.hpp"
 #include "run/rig_loss.hpp"
 #include "run/slot_loss.hpp"
 #include "sinew_formats/error.hpp"
+#include "votes/rig_task.hpp"
 
 namespace sinew {
 

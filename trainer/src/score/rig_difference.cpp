@@ -9,7 +9,6 @@
 #include "data/front_sample.hpp"
 #include "data/hand_sample.hpp"
 #include "data/some_characters.hpp"
-#include "votes/rig_task.hpp"
 #include "run/front_loss.hpp"
 #include "sinew_trainer/calibrate.hpp"
 #include "sinew_trainer/network.hpp"

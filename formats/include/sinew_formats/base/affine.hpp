@@ -6,6 +6,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "sinew_formats/base/point.hpp"
 
@@ -37,6 +38,17 @@ std::optional<Affine> inverse(const Affine& m);
 // Direction of a surface normal under `m`: the cofactors, which need no inverse and keep the side of a mirrored
 // surface.
 Point3 transform_normal(const Affine& m, double x, double y, double z);
+
+// The 16 numbers of glTF's matrices, column by column.
+inline void append_columns(const Affine& m, std::vector<float>* values) {
+  for (size_t c = 0; c < 4; ++c)
+    for (size_t r = 0; r < 4; ++r) values->push_back(r < 3 ? static_cast<float>(m[r * 4 + c]) : (c == 3 ? 1.0f : 0.0f));
+}
+inline std::vector<float> columns_of(const Affine& m) {
+  std::vector<float> out;
+  append_columns(m, &out);
+  return out;
+}
 
 }  // namespace sinew
 #endif

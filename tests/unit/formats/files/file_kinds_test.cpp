@@ -17,7 +17,8 @@ TEST(FileKinds, AreFoundByTheLongestExtensionInAnyCase) {
   EXPECT_EQ(file_kind(".glb"), nullptr) << "a name is longer than its extension";
   EXPECT_TRUE(has_use("x.vrm", kReadsMesh | kWritesMotion));
   EXPECT_TRUE(has_use("x.fbx", kWritesCharacter | kWritesMotion));
-  EXPECT_TRUE(has_use("x.usdz", kReadsWhole | kWritesCharacter | kWritesMotion));
+  EXPECT_TRUE(has_use("x.usdz", kWritesSkin | kWritesWithMesh | kWritesCharacter | kWritesMotion));
+  EXPECT_FALSE(has_use("x.usdz", kReadsMesh) || has_use("x.usdz", kReadsMotion));
   EXPECT_FALSE(has_use("x.dae", kWritesCharacter));
 }
 
@@ -30,8 +31,10 @@ TEST(FileKinds, RowsStandOnceAndBeforeWhatTheyEndWith) {
     EXPECT_NE(kinds[i].uses, 0u);
   }
   EXPECT_EQ(extensions_text(kReadsMesh),
-            ".obj, .gltf, .glb, .vrm, .fbx, .usda, .usdz, .dae, .b3d, .x, .mesh.xml, .mesh, .md5mesh, .ms3d, .smd");
+            ".obj, .gltf, .glb, .vrm, .fbx, .dae, .b3d, .x, .mesh.xml, .mesh, .md5mesh, .ms3d, .smd");
   EXPECT_EQ(extensions_text(kWritesMesh, " "), ".obj");
+  EXPECT_EQ(extensions_text(kWritesSkin, " "), ".rig.txt .gltf .glb .vrm .fbx .usda .usdz");
+  EXPECT_EQ(extensions_text(kWritesWithMesh, " "), ".obj .gltf .glb .vrm .fbx .usda .usdz");
   EXPECT_EQ(extensions_text(kReadsPicture), ".png, .jpg, .jpeg");
 }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "sinew_formats/reduce_triangles.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "expect_error.hpp"
 #include "gltf/gltf_source.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/lod_document.hpp"
 #include "sinew_formats/morphs.hpp"
 #include "temp_folder.hpp"
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// A parsed glTF document: its node tree, the values of its accessors, its bind matrices.
+#ifndef SINEW_FORMATS_GLTF_GLTF_MODEL_HPP
+#define SINEW_FORMATS_GLTF_GLTF_MODEL_HPP
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gltf/tinygltf.hpp"
+#include "sinew_formats/base/affine.hpp"
+
+namespace sinew {
+
+// Where everything stands in the pose that the file's weights are meant for.
+struct GltfBindPose {
+  bool agrees = true;               // false: the inverse bind matrices know no common pose, see find_bind_pose()
+  bool moved = false;               // it is not the pose that the nodes stand in
+  std::vector<Affine> worlds;       // [nodes] of joints, and of nodes that hang on them
+  std::vector<Affine> skin_frames;  // [skins] where a skin's vertices stand; worlds[joint] x inverse bind matrix
+};
+
+// "image/png", "image/jpeg", "image/webp", "image/ktx2" by the first bytes; nullptr for anything else.
+const char* image_type(const std::vector<unsigned char>& bytes);
+
+// The node tree. Throws Error when it is none.
+struct GltfNodes {
+  std::vector<int> parents;    // [N], -1 = none
+  std::vector<Affine> worlds;  // [N]
+  std::vector<char> in_scene;  // [N] in the default scene (else the first; without scenes, every node)
+};
+GltfNodes gltf_nodes(const std::string& path, const tinygltf::Model& model);
+
+// Values of an accessor [count x components], sparse ones and normalised integers resolved. Throws Error naming `where`
+// when it is not of that many components, reaches outside of its buffer or holds a value that is not finite.
+std::vector<float> accessor_floats(const std::string& where, const tinygltf::Model& model, int accessor,
+                                   int components);
+std::vector<uint32_t> accessor_integers(const std::string& where, const tinygltf::Model& model, int accessor,
+                                        int components);
+// [joints of the skin]
+std::vector<Affine> inverse_bind_matrices(const std::string& where, const tinygltf::Model& model,
+                                          const tinygltf::Skin& skin);
+
+// Of lists, strips and fans, in the order in which a Character has them as faces.
+//   vertex_count  of the primitive
+// Throws Error naming `where` for indices that name no vertex, or a list that is not in threes.
+std::vector<std::array<uint32_t, 3>> primitive_triangles(const std::string& where, const tinygltf::Model& model,
+                                                         const tinygltf::Primitive& primitive, size_t vertex_count);
+
+}  // namespace sinew
+#endif
