@@ -99,7 +99,7 @@ class Camera {
     return {shrink * dot(p, right_), shrink * dot(p, up_), 1 / distance};
   }
 
-  Axis up_;
+  bool z_up_;
   V3 towards_, right_, up_, centre_;
   float unit_ = 1, scale_ = 1, offset_x_ = 0, offset_y_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "motion/moved_joints.hpp"
+#include "sinew_character/bind/engine_views.hpp"
 #include "sinew_character/jobs/rig_job.hpp"
 #include "sinew_character/motion/joint_limits.hpp"
 #include "sinew_character/motion/map_source.hpp"

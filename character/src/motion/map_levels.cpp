@@ -16,7 +16,7 @@ namespace {
 // What each joint of a rig is part of at a level.
 std::vector<uint32_t> merged(const MapRig& rig, const MapSkeletonOptions& options, const std::vector<uint8_t>& keep,
                              bool low) {
-  const MapRigView view(rig, 'a', options);
+  const MapRigView view(rig, {}, options);
   SimplifySettings settings;
   settings.level = low ? SINEW_SIMPLIFY_LOW : SINEW_SIMPLIFY_HIGH;
   Workspace workspace;

@@ -178,7 +178,7 @@ void Retargeter::stream_clip(const sinew_motion_clip& whole, float fps) const {
 
 // The source in the target's vertices: every one the point of the source's surface that is the same place of the body.
 bool Retargeter::take_corresponding(const Character& target, const Character& source) {
-  const EngineViews from(source, {}, 0), to(target, {}, 0);
+  const EngineViews from(source, {}), to(target, {});
   const SkinArrays rows = skin_arrays(source);
   std::vector<int32_t> joint_map(source.joints.size(), -1);
   for (size_t t = map_.size(); t-- > 0;)

@@ -45,7 +45,7 @@ std::vector<uint32_t> joints_to_merge(const SimplifyOptions& options, const Char
   if (joints.empty()) throw Error(character.name + ": no joints to simplify");
   const std::vector<uint8_t> keep = kept_joints(options, character);
   const MapRig rig = map_rig_of(character);  // arms and legs are what they are to maps
-  const MapRigView view(rig, 'a', {});
+  const MapRigView view(rig, {}, {});
   const JointSurfaces surfaces = joint_surfaces(character);
   SimplifySettings settings;
   settings.level = options.low ? SINEW_SIMPLIFY_LOW : SINEW_SIMPLIFY_HIGH;

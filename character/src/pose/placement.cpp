@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gltf/changed_document.hpp"
+#include "gltf/gltf_source.hpp"
 #include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
@@ -32,11 +33,11 @@ void move_point(const Affine& m, Vec3* p) {
 }
 
 // Least and greatest of the vertices along a component, once they are transformed.
-std::array<double, 2> reach(const Character& character, const Affine& m, uint32_t axis) {
+std::array<double, 2> reach(const Character& character, const Affine& m, Axis axis) {
   std::array<double, 2> reach = {INFINITY, -INFINITY};
   for (const Vec3& p : character.vertices) {
     const double x =
-        transform_point(m, static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z))[axis];
+        transform_point(m, static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z))[axis_index(axis)];
     reach = {std::min(reach[0], x), std::max(reach[1], x)};
   }
   return reach;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "gltf/changed_document.hpp"
+#include "gltf/gltf_source.hpp"
 #include "predict/limbs.hpp"
 #include "predict/turn.hpp"
 #include "sinew_character/pose/deform.hpp"

@@ -394,9 +394,9 @@ class Fitter {
 };
 
 // No turn first, then quarters about the up axis, then the same after another up axis was brought there.
-std::vector<Rotation> rotations_of_the_whole(uint32_t up) {
-  const Rotation tip = up == 2 ? Rotation{1, 0, 0, 0, 0, -1, 0, 1, 0} : Rotation{1, 0, 0, 0, 0, 1, 0, -1, 0};
-  const Rotation quarter = up == 2 ? Rotation{0, -1, 0, 1, 0, 0, 0, 0, 1} : Rotation{0, 0, 1, 0, 1, 0, -1, 0, 0};
+std::vector<Rotation> rotations_of_the_whole(Axis up) {
+  const Rotation tip = up == Axis::kZ ? Rotation{1, 0, 0, 0, 0, -1, 0, 1, 0} : Rotation{1, 0, 0, 0, 0, 1, 0, -1, 0};
+  const Rotation quarter = up == Axis::kZ ? Rotation{0, -1, 0, 1, 0, 0, 0, 0, 1} : Rotation{0, 0, 1, 0, 1, 0, -1, 0, 0};
   std::vector<Rotation> rotations;
   for (const Rotation& start : {kNoRotation, tip}) {
     rotations.push_back(start);

@@ -83,8 +83,7 @@ DocumentForm form_of(const Profile& profile, const ProfileOptions& options, cons
   }
   std::vector<Joint> turned_joints = joints;
   for (Joint& joint : turned_joints) {
-    const Point p = turned(form.turn, point(joint.position));
-    joint.position = {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+    joint.position = to_vec3(turned(form.turn, point(joint.position)));
   }
   form.axes = joint_axes(turned_joints, *profile.axes);
   if (root >= 0) form.axes[static_cast<size_t>(root)] = kNoRotation;
@@ -104,8 +103,7 @@ void tell_names(const Profile& profile, const std::vector<Joint>& joints, const 
 std::string formed_controls(const Character& character, const DocumentForm& form) {
   std::vector<Joint> joints = character.joints;
   for (size_t j = 0; j < joints.size(); ++j) {
-    const Point p = turned(form.turn, point(joints[j].position));
-    joints[j].position = {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+    joints[j].position = to_vec3(turned(form.turn, point(joints[j].position)));
     if (!form.names.empty()) joints[j].name = form.names[j];
   }
   return controls_text(find_controls(character), character.name, joints, form.turn);

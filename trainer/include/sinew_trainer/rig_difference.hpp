@@ -7,7 +7,7 @@
 #include <string>
 
 #include "sinew/sinew.h"
-#include "sinew_formats/checkpoint.hpp"
+#include "sinew_formats/float_network.hpp"
 #include "sinew_formats/float_network.hpp"
 
 namespace sinew {

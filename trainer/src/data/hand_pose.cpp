@@ -45,11 +45,11 @@ class HandSource::Motion {
     }
   }
 
-  Vector3d moved(size_t j, const Point& p) const {
+  Vector3d moved(size_t j, const Point3& p) const {
     return all_ * (origin_[j] + linear_[j] * (vec(p) - vec(hand_.joints_[j].at)));
   }
   Vector3d moved(size_t vertex) const {
-    const Point& p = hand_.vertices_[vertex];
+    const Point3& p = hand_.vertices_[vertex];
     Vector3d sum = Vector3d::Zero();
     double weights = 0;
     for (const Influence& i : hand_.influences_[vertex]) {

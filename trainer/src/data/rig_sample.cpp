@@ -331,7 +331,7 @@ RigSample RigSource::label(const Placed& placed, const PointSet& set) const {
   s.family = family_;
   std::vector<double> sums(body_.target.joints.size());
   for (uint32_t i = 0; i < kSetPoints; ++i) {
-    const SurfacePoint3& point = set.points[i];
+    const SurfacePoint& point = set.points[i];
     std::fill(sums.begin(), sums.end(), 0.0);
     for (int corner = 0; corner < 3; ++corner) {
       for (const Influence& influence : influences_[placed.source[point.corner[corner]]])

@@ -22,8 +22,8 @@ Vec3d rotation_axis(const Character& character, size_t joint, const Bend& bend, 
   if (bend.twist) return unit(at - position_of(character.joints[static_cast<size_t>(character.joints[joint].parent)]));
   const Vec3d after = bone_direction(character, joint);
   const Vec3d front = up == Axis::kZ ? Vec3d{0, -1, 0} : Vec3d{0, 0, 1},
-              up = up == Axis::kZ ? Vec3d{0, 0, 1} : Vec3d{0, 1, 0};
-  const Vec3d direction = bend.upwards ? up : bend.backwards ? -1.0 * front : front;
+              upwards = up == Axis::kZ ? Vec3d{0, 0, 1} : Vec3d{0, 1, 0};
+  const Vec3d direction = bend.upwards ? upwards : bend.backwards ? -1.0 * front : front;
   const Vec3d axis = cross(after, direction);
   return unit(length(axis) > 0.3 ? axis : cross(after, front));  // an arm that hangs down
 }
