@@ -17,6 +17,7 @@ from bindings.csharp import csharp_text
 from bindings.headers import ROOT, headers_of, library
 from bindings.javascript import javascript_text
 from bindings.python import python_text
+from bindings.python_jobs import jobs_text, results_text
 
 PYTHON, CSHARP, NPM = ROOT / "samples/python/src/sinew", ROOT / "samples/csharp", ROOT / "samples/npm/src"
 TABLES = {False: ROOT / "engine/src/api/struct_sizes.cpp", True: ROOT / "character/src/capi/struct_sizes.cpp"}
@@ -33,7 +34,7 @@ def main() -> int:
         print("declarations: SKIPPED, no libclang for python3 (Debian: apt-get install python3-clang)", file=sys.stderr)
         return 77
     native, wasm = headers_of(cindex, "x86_64-unknown-linux-gnu"), headers_of(cindex, "wasm32-unknown-unknown")
-    texts = {PYTHON / "declarations.py": python_text(native),
+    texts = {PYTHON / "declarations.py": python_text(native), PYTHON / "jobs.py": jobs_text(native), PYTHON / "results.py": results_text(native),
              CSHARP / "Native.cs": csharp_text(native),
              NPM / "layouts.js": javascript_text(wasm)}
     for character, path in TABLES.items():
