@@ -17,6 +17,7 @@ from bindings.csharp import csharp_text
 from bindings.csharp_jobs import csharp_jobs_text
 from bindings.headers import ROOT, headers_of, library
 from bindings.javascript import javascript_text
+from bindings.javascript_jobs import jobs_js_text, jobs_types_text
 from bindings.python import python_text
 from bindings.python_jobs import jobs_text, results_text
 
@@ -37,7 +38,7 @@ def main() -> int:
     native, wasm = headers_of(cindex, "x86_64-unknown-linux-gnu"), headers_of(cindex, "wasm32-unknown-unknown")
     texts = {PYTHON / "declarations.py": python_text(native), PYTHON / "jobs.py": jobs_text(native), PYTHON / "results.py": results_text(native),
              CSHARP / "Native.cs": csharp_text(native), CSHARP / "CharacterJobs.cs": csharp_jobs_text(native),
-             NPM / "layouts.js": javascript_text(wasm)}
+             NPM / "layouts.js": javascript_text(wasm), NPM / "jobs.js": jobs_js_text(wasm), NPM / "jobs.d.ts": jobs_types_text(wasm)}
     for character, path in TABLES.items():
         if path.parent.is_dir() and any(s.character == character for s in native.structs):
             texts[path] = table_text(native, character)
