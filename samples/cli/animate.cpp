@@ -73,25 +73,15 @@ Animated read_animated(const AnimateSettings& s) {
 }
 
 AnimateOptions animate_options(const AnimateSettings& s) {
-  AnimateOptions options;
-  options.character = s.character;
-  options.up = maybe_axis(s.up);
-  options.motion_up = maybe_axis(s.motion_up);
-  options.map = s.map;
-  options.method = s.method == "copy"               ? AnimateMethod::kCopy
-                   : s.method == "contacts"         ? AnimateMethod::kContacts
-                   : s.method == "reference-points" ? AnimateMethod::kReferencePoints
-                   : s.method == "stream"           ? AnimateMethod::kStream
-                                                    : AnimateMethod::kAuto;
-  options.limits = s.limits;
-  options.in_place = s.in_place;
-  options.range = s.range;
-  options.report = s.report;
+  AnimateOptions options = s;
+  options.up = maybe_axis(s.up_name);
+  options.motion_up = maybe_axis(s.motion_up_name);
+  options.method = s.method_name == "copy"               ? AnimateMethod::kCopy
+                   : s.method_name == "contacts"         ? AnimateMethod::kContacts
+                   : s.method_name == "reference-points" ? AnimateMethod::kReferencePoints
+                   : s.method_name == "stream"           ? AnimateMethod::kStream
+                                                         : AnimateMethod::kAuto;
   options.force = s.force || s.motions.empty();  // of a picture, whose clip nobody asked for: a warning will do
-  options.translations = s.translations;
-  options.fps = s.fps;
-  options.from = s.from;
-  options.to = s.to;
   options.reference.area_power = s.area_power == 0 ? SINEW_NO_AREA : s.area_power;
   options.reference.falloff = s.falloff == 0 ? SINEW_NO_FALLOFF : static_cast<float>(s.falloff);
   options.reference.own_limb = s.own_limb ? 1 : 0;
@@ -117,7 +107,7 @@ void add_motion_file(const AnimateSettings& s, const MotionChoice& choice, const
                      Animated* out) {
   const std::string layout = choice.of_folder && !takes_layout(choice.file) ? "" : s.layout;
   MotionFile source =
-      read_motion_for({choice.file, s.fps, layout, s.actor, maybe_axis(s.up)}, map_rig_of(out->character));
+      read_motion_for({choice.file, s.fps, layout, s.actor, maybe_axis(s.up_name)}, map_rig_of(out->character));
   if (choice.of_folder || choice.clip.empty()) name_clips(choice.file, choice.of_folder, out->motion, &source.motion);
   const auto body = [&] { return source.whole ? body_of_motion(choice.file) : std::nullopt; };
   const MotionInput input = {choice.file, choice.clip, &source.motion, body};
@@ -198,7 +188,8 @@ Animated animate_one(const AnimateSettings& s, const std::atomic<bool>& stop) {
   std::optional<CharacterDeformer> deformer;
   if (deform && (!s.sheet.empty() || wants_sprites(wanted))) deformer.emplace(animated.character, *deform);
   if (!s.sheet.empty())
-    sheet = encode_png(motion_sheet(animated.character, animated.motion, axis_of(s.up), deformer ? &*deformer : nullptr,
+    sheet = encode_png(motion_sheet(animated.character, animated.motion, axis_of(s.up_name),
+                                    deformer ? &*deformer : nullptr,
                                     animated.picture ? animated.picture->picture.get() : nullptr));
   std::vector<NamedBytes> sprites;
   if (animated.picture)
@@ -282,7 +273,7 @@ void add_animate_inputs(CLI::App* sub, AnimateSettings* s) {
       ->required();
   shared_option(sub, "--map", s->map, "By anatomy and names unless given");
   shared_option(
-      sub, "--method", s->method,
+      sub, "--method", s->method_name,
       "copy: every joint rotates as its source does, rest poses aligned; contacts: then feet stay where they "
       "stand, arms stay out of the body, and where the motion has a body of the same mesh, hands keep in touch "
       "with it; stream: the same without a look ahead, each frame of those before it alone, as a capture or a game has "
@@ -290,10 +281,10 @@ void add_animate_inputs(CLI::App* sub, AnimateSettings* s) {
       ->check(CLI::IsMember({"auto", "copy", "contacts", "stream", "reference-points"}))
       ->capture_default_str();
   sub->add_option("--sheet", s->sheet, "Also draw frames of every clip side by side")->type_name("FILE");
-  shared_option(sub, "--up", s->up, "For the character")
+  shared_option(sub, "--up", s->up_name, "For the character")
       ->check(CLI::IsMember({"auto", "x", "y", "z"}))
       ->capture_default_str();
-  shared_option(sub, "--from-up", s->motion_up, "For the motions")
+  shared_option(sub, "--from-up", s->motion_up_name, "For the motions")
       ->check(CLI::IsMember({"auto", "x", "y", "z"}))
       ->capture_default_str();
   shared_option(sub, "--layout", s->layout, motion_layouts() + ". Guessed by their count unless given");
@@ -388,7 +379,7 @@ void add_animate(CLI::App& app) {
   sub->callback([s, of_reference, sub] {
     check_picture_options(*sub, s->character);
     for (const CLI::Option* option : of_reference)
-      if (option->count() > 0 && s->method != "reference-points")
+      if (option->count() > 0 && s->method_name != "reference-points")
         throw UsageError(option->get_name() + " goes with --method reference-points");
     run_animate(*s);
   });

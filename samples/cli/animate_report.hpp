@@ -17,8 +17,8 @@
 
 namespace sinew::cli {
 
-struct AnimateSettings {
-  std::string character, output, map, method = "auto", up = "auto", motion_up = "auto", sheet, layout, actor, limits;
+struct AnimateSettings : AnimateOptions {
+  std::string output, method_name = "auto", up_name = "auto", motion_up_name = "auto", sheet, layout, actor;
   std::string format = "glb";
   std::vector<std::string> motions;
   DeformSettings deform;
@@ -26,11 +26,10 @@ struct AnimateSettings {
   SpriteSettings sprites;
   ProfileSettings profile;
   size_t shapes = 16;
-  double fps = 0, from = 0, to = 1e9;
   uint32_t area_power = 3;
   double falloff = 0.05;
-  bool own_limb = false, legs = false, head = false, torso = false, source_points = false, range = true;
-  bool in_place = false, json = false, report = false, force = false, translations = false, depth = false;
+  bool own_limb = false, legs = false, head = false, torso = false, source_points = false;
+  bool json = false, depth = false;
 };
 
 struct Animated : AnimatedCharacter {

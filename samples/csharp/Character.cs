@@ -17,178 +17,6 @@ namespace Sinew
         public Func<float, bool> Progress;
     }
 
-    /// <summary>`sinew bind`. What is not set is the command's default.</summary>
-    public sealed class CharacterBindSettings : JobSettings
-    {
-        public Method Method;
-        public JointsFrom Joints;
-        public RigidParts RigidParts;
-        public int Influences, SoftnessPercent, SurfaceVertices;
-        public bool ZUp, KeepTips, BindProps, Fit, Symmetric, KeepConfidence;
-        /// <summary>[joints] Native.JOINT_NEVER, JOINT_DEFORMS; or null.</summary>
-        public byte[] JointFlags;
-        /// <summary>[vertices] not 0: keeps its weights; or null. Hinted: and they steer the vertices around it.</summary>
-        public byte[] Locked, Hinted;
-        /// <summary>A bound character whose weights are carried over where they fit; or null.</summary>
-        public Character Like;
-        /// <summary>A file of `sinew bind --save-style`; or null.</summary>
-        public string Style;
-        /// <summary>Open what has grown together: vertices along it are doubled, the new ones come last.</summary>
-        public bool Cut;
-        /// <summary>The rest pose that the character is put into, cut before: "t", "a", or a file whose skeleton stands so; or null.</summary>
-        public string ToPose;
-        /// <summary>Bytes of a .sinew file in place of the bundled model; or null.</summary>
-        public byte[] Model;
-    }
-
-    /// <summary>`sinew rig`.</summary>
-    public sealed class CharacterRigSettings : JobSettings
-    {
-        public CharacterRigMethod Method;
-        public CharacterDetail Detail;
-        public Mirror Mirror;
-        public int SpineCount, Influences;
-        public bool ZUp, NoToes, NoEnds, NoBind, KeepLengths;
-        /// <summary>Measure the result: what fails is a note that begins with "gate: ".</summary>
-        public bool Gate;
-        /// <summary>Open what has grown together; ToPose does so, too.</summary>
-        public bool Cut;
-        /// <summary>The rest pose that the character is put into: "t", "a", or a file whose skeleton stands so; or null.</summary>
-        public string ToPose;
-        /// <summary>A file or template:NAME that is put into the mesh; or null.</summary>
-        public string Skeleton;
-        /// <summary>What kind of body it is, where the model takes it for another.</summary>
-        public Category Category;
-        /// <summary>Bytes of .sinew files in place of the bundled models; or null. Model: of the method.</summary>
-        public byte[] Model, HandsModel;
-    }
-
-    /// <summary>`sinew map`.</summary>
-    public sealed class CharacterMapSettings
-    {
-        public MapMethod Method;
-        public bool NoNames, NoEnds, GuessUp;
-        public Up TargetUp, SourceUp;
-        /// <summary>Of MapMethod.Branches: whose branches choose, and what two branches cost.</summary>
-        public BranchesFirst First;
-        public BranchesCost Cost;
-        /// <summary>A map whose lines are kept; or null.</summary>
-        public string PinsFile;
-    }
-
-    /// <summary>Which joint of the source stands for which of the target.</summary>
-    public sealed class CharacterMap
-    {
-        /// <summary>[joints of the target] joint of the source, or -1.</summary>
-        public int[] Sources;
-        public float[] Confidence;
-        public MapReason[] Reasons;
-        public float Certainty;
-        /// <summary>The map as `sinew map -o` writes it.</summary>
-        public string Text;
-    }
-
-    /// <summary>`sinew animate`.</summary>
-    public sealed class AnimateSettings : JobSettings
-    {
-        public AnimateMethod Method;
-        public bool InPlace, NoRange, BodyContact, Force, Translations;
-        public Up TargetUp, MotionUp;
-        /// <summary>Volume and above: every frame is corrected by morph targets.</summary>
-        public PoseDeform Deform;
-        /// <summary>Of PoseDeform.Xpbd: of its springs, 0 = 0.2; where its tetrahedra have weights from; without smoothing.</summary>
-        public double Stiffness;
-        public TetWeights TetWeights;
-        public bool NoSmoothing;
-        public int Shapes;
-        public double Fps, From, To;
-        /// <summary>By name or number; null: all.</summary>
-        public string Clip;
-        /// <summary>A map file; null: found.</summary>
-        public string Map;
-        /// <summary>Which joints places alone are (.npy, .npz): "smpl24", "humanml3d22", "coco17", "mediapipe33"; null: guessed by their count.</summary>
-        public string Layout;
-        /// <summary>Of a file of several people, by the root's name or number; null: the first where all are alike.</summary>
-        public string Actor;
-        /// <summary>What joints stay within: a .urdf, a file of limits, or "human"; null: nothing but the natural range.</summary>
-        public string Limits;
-        /// <summary>Bones of a picture's character leave its plane as the motion's do.</summary>
-        public bool Depth;
-    }
-
-    /// <summary>How a drawing or a photograph of a character is opened.</summary>
-    public sealed class PictureSettings
-    {
-        /// <summary>What kind of body it is; Found: as the model says.</summary>
-        public BodyClass BodyClass;
-        /// <summary>Of several figures, from left to right, from 1 on; 0: the largest.</summary>
-        public int Figure;
-        /// <summary>Flat: a card. Pixels: places are the picture's, x right, y up from the bottom edge. Cut: opened along lines that are drawn into it
-        /// from its outline, as a guess.</summary>
-        public bool Flat, Pixels, Cut;
-        /// <summary>A picture that is bright where the figure is, a path or the name of a file beside; null: found.</summary>
-        public string Mask;
-        /// <summary>Closed lines round the figure, x and y by turns, as PictureInfo has them; null: found.</summary>
-        public float[][] Outline;
-    }
-
-    /// <summary>What was found in a picture.</summary>
-    public sealed class PictureInfo
-    {
-        public int Width, Height, FigureCount, Figure;
-        /// <summary>Found, and 0, before Rig(). Certainty: 0 to 1, of class and view together.</summary>
-        public BodyClass BodyClass;
-        public PictureView View;
-        public float Certainty;
-        /// <summary>Closed lines of the figure, x and y by turns, in pixels, x right, y down from the top left corner; the border first.</summary>
-        public float[][] Outline;
-    }
-
-    /// <summary>`sinew pose`: one of four says the pose.</summary>
-    public sealed class PoseSettings
-    {
-        public int Threads = 1;
-        public PoseDeform Deform;
-        public bool BodyContact;
-        /// <summary>Of PoseDeform.Xpbd: of its springs, 0 = 0.2; where its tetrahedra have weights from; without smoothing.</summary>
-        public double Stiffness;
-        public TetWeights TetWeights;
-        public bool NoSmoothing;
-        /// <summary>[joints x 3] turned about x, then y, then z, degrees.</summary>
-        public double[] Angles;
-        /// <summary>[joints x 4] x y z w, local, against the rest pose.</summary>
-        public double[] Rotations;
-        /// <summary>[joints x 12] rows of 3x4, rest to posed space.</summary>
-        public double[] Matrices;
-        public string Clip;
-        public double Time;
-    }
-
-    /// <summary>`sinew transfer`.</summary>
-    public sealed class CharacterTransferSettings : JobSettings
-    {
-        public TransferMethod Method;
-        public int Influences;
-        public bool ZUp, SourceZUp, Garment, Heat;
-        public byte[] Locked;
-        public string Map;
-    }
-
-    /// <summary>`sinew bake`.</summary>
-    public sealed class BakeSettings
-    {
-        public PoseDeform Deform;
-        /// <summary>Of PoseDeform.Xpbd: of its springs, 0 = 0.2; where its tetrahedra have weights from; without smoothing.</summary>
-        public double Stiffness;
-        public TetWeights TetWeights;
-        public bool NoSmoothing;
-        public int Poses, Shapes;
-        public ulong Seed;
-        public double Limit;
-        public string Clip;
-        public Func<float, bool> Progress;
-    }
-
     /// <summary>A file in memory.</summary>
     public sealed class NamedFile
     {
@@ -229,7 +57,7 @@ namespace Sinew
             handle_ = IntPtr.Zero;
         }
 
-        IntPtr Handle
+        internal IntPtr Handle
         {
             get
             {
@@ -282,27 +110,8 @@ namespace Sinew
             CheckLibrary();
             IntPtr handle;
             using (var pins = new Pins())
-                Check(Native.sinew_character_open_picture(pins.Of(path), Options(settings, pins), out handle), IntPtr.Zero, "open");
+                Check(Native.sinew_character_open_picture(pins.Of(path), (settings ?? new PictureSettings()).Options(pins, null, default(Native.sinew_character_arrays)), out handle), IntPtr.Zero, "open");
             return new Character(handle);
-        }
-
-        static IntPtr Options(PictureSettings settings, Pins pins)
-        {
-            settings = settings ?? new PictureSettings();
-            var places = new List<float>();
-            var offsets = new List<uint> { 0 };
-            foreach (float[] line in settings.Outline ?? new float[0][])
-            {
-                places.AddRange(line);
-                offsets.Add((uint)places.Count / 2);
-            }
-            bool drawn = offsets.Count > 1;
-            return pins.Of(new Native.sinew_character_picture_options
-            {
-                struct_size = Size<Native.sinew_character_picture_options>(), body_class = (uint)settings.BodyClass, figure = (uint)settings.Figure,
-                flat = One(settings.Flat), cut = One(settings.Cut), pixels = One(settings.Pixels), mask = pins.Of(settings.Mask), line_count = (uint)offsets.Count - 1,
-                line_offsets = drawn ? pins.Of(offsets.ToArray()) : IntPtr.Zero, outline = drawn ? pins.Of(places.ToArray()) : IntPtr.Zero
-            });
         }
 
         /// <summary>What was found in the picture that it is of.</summary>
@@ -313,22 +122,9 @@ namespace Sinew
             {
                 using (var pins = new Pins())
                 {
-                    IntPtr at = pins.Of(new Native.sinew_character_picture_info { struct_size = Size<Native.sinew_character_picture_info>() });
-                    Check(Native.sinew_character_picture(Handle, at), handle_, "picture");
-                    var info = Read<Native.sinew_character_picture_info>(at);
-                    var offsets = Ints(info.line_offsets, info.line_count + 1);
-                    var places = Floats(info.outline, 2 * (uint)offsets[info.line_count]);
-                    var outline = new float[info.line_count][];
-                    for (int l = 0; l < outline.Length; ++l)
-                    {
-                        outline[l] = new float[2 * (offsets[l + 1] - offsets[l])];
-                        Array.Copy(places, 2 * offsets[l], outline[l], 0, outline[l].Length);
-                    }
-                    return new PictureInfo
-                    {
-                        Width = (int)info.width, Height = (int)info.height, FigureCount = (int)info.figure_count, Figure = (int)info.figure,
-                        BodyClass = (BodyClass)info.body_class, View = (PictureView)info.view, Certainty = info.certainty, Outline = outline
-                    };
+                    IntPtr result = PictureInfo.Room(pins);
+                    Check(Native.sinew_character_picture(Handle, result), handle_, "picture");
+                    return PictureInfo.Of(result, default(Native.sinew_character_arrays));
                 }
             }
         }
@@ -537,151 +333,6 @@ namespace Sinew
 
         // ---- jobs
 
-        /// <summary>Skin weights for the mesh. Returns their hash, as `sinew bind --json` has it.</summary>
-        public string Bind(CharacterBindSettings settings = null)
-        {
-            settings = settings ?? new CharacterBindSettings();
-            var a = Arrays();
-            Length(settings.JointFlags, a.joint_count, "CharacterBindSettings.JointFlags: expected a number a joint");
-            Length(settings.Locked, a.vertex_count, "CharacterBindSettings.Locked: expected a number a vertex");
-            Length(settings.Hinted, a.vertex_count, "CharacterBindSettings.Hinted: expected a number a vertex");
-            using (var pins = new Pins())
-            {
-                var watch = new Watch(settings.Progress);
-                IntPtr result = pins.Of(new Native.sinew_character_bind_result { struct_size = Size<Native.sinew_character_bind_result>() });
-                int status = Native.sinew_character_bind(Handle, pins.Of(new Native.sinew_character_bind_options
-                {
-                    struct_size = Size<Native.sinew_character_bind_options>(), thread_count = (uint)settings.Threads, progress = watch.Callback,
-                    models = Models(pins, settings.Model, null, null, null), method = (uint)settings.Method, joints = (uint)settings.Joints,
-                    rigid_parts = (uint)settings.RigidParts, influence_count = (uint)settings.Influences,
-                    softness_percent = (uint)settings.SoftnessPercent, surface_vertices = (uint)settings.SurfaceVertices,
-                    up = Axis(settings.ZUp), keep_tips = One(settings.KeepTips), bind_props = One(settings.BindProps), fit = One(settings.Fit),
-                    symmetric = One(settings.Symmetric), keep_confidence = One(settings.KeepConfidence), joint_flags = pins.Of(settings.JointFlags),
-                    locked = pins.Of(settings.Locked), hinted = pins.Of(settings.Hinted),
-                    like = settings.Like == null ? IntPtr.Zero : settings.Like.Handle, style = pins.Of(settings.Style),
-                    cut = One(settings.Cut), to_pose = pins.Of(settings.ToPose)
-                }), result);
-                Check(status, handle_, "bind", watch);
-                GC.KeepAlive(settings);
-                return Text(Read<Native.sinew_character_bind_result>(result).hash);
-            }
-        }
-
-        /// <summary>A skeleton for the mesh, and weights for it. Returns how far off the joints are thought to be.</summary>
-        public float Rig(CharacterRigSettings settings = null)
-        {
-            settings = settings ?? new CharacterRigSettings();
-            using (var pins = new Pins())
-            {
-                var watch = new Watch(settings.Progress);
-                bool slots = settings.Method == CharacterRigMethod.Slots;
-                IntPtr result = pins.Of(new Native.sinew_character_rig_result { struct_size = Size<Native.sinew_character_rig_result>() });
-                int status = Native.sinew_character_rig(Handle, pins.Of(new Native.sinew_character_rig_options
-                {
-                    struct_size = Size<Native.sinew_character_rig_options>(), thread_count = (uint)settings.Threads, progress = watch.Callback,
-                    models = Models(pins, null, slots ? null : settings.Model, settings.HandsModel, slots ? settings.Model : null),
-                    method = (uint)settings.Method, category = (uint)settings.Category,
-                    detail = (uint)settings.Detail, mirror = (uint)settings.Mirror, up = Axis(settings.ZUp),
-                    spine_count = (uint)settings.SpineCount, no_toes = One(settings.NoToes), no_ends = One(settings.NoEnds),
-                    no_bind = One(settings.NoBind), keep_lengths = One(settings.KeepLengths), influence_count = (uint)settings.Influences,
-                    skeleton = pins.Of(settings.Skeleton), gate = One(settings.Gate), cut = One(settings.Cut), to_pose = pins.Of(settings.ToPose)
-                }), result);
-                Check(status, handle_, "rig", watch);
-                return Read<Native.sinew_character_rig_result>(result).spread;
-            }
-        }
-
-        /// <summary>Which joint of the source stands for which of this character. Changes neither.</summary>
-        public CharacterMap Map(Character source, CharacterMapSettings settings = null)
-        {
-            settings = settings ?? new CharacterMapSettings();
-            using (var pins = new Pins())
-            {
-                IntPtr at = pins.Of(new Native.sinew_character_map_result { struct_size = Size<Native.sinew_character_map_result>() });
-                Check(Native.sinew_character_map(Handle, source.Handle, pins.Of(new Native.sinew_character_map_options
-                {
-                    struct_size = Size<Native.sinew_character_map_options>(), method = (uint)settings.Method, no_names = One(settings.NoNames),
-                    no_ends = One(settings.NoEnds), guess_up = One(settings.GuessUp), target_up = (uint)settings.TargetUp,
-                    source_up = (uint)settings.SourceUp, pins_file = pins.Of(settings.PinsFile), branches_first = (uint)settings.First,
-                    branches_cost = (uint)settings.Cost
-                }), at), handle_, "map");
-                GC.KeepAlive(source);
-                var result = Read<Native.sinew_character_map_result>(at);
-                var reasons = new byte[result.joint_count];
-                Marshal.Copy(result.reasons, reasons, 0, reasons.Length);
-                return new CharacterMap
-                {
-                    Sources = Ints(result.sources, result.joint_count), Confidence = Floats(result.confidence, result.joint_count),
-                    Reasons = Array.ConvertAll(reasons, r => (MapReason)r), Certainty = result.certainty, Text = Text(result.text)
-                };
-            }
-        }
-
-        /// <summary>Adds clips of another skeleton; a bare mesh is rigged first. Null: a clip of its class, for a picture's character. Returns how many.</summary>
-        public int Animate(Character motion, AnimateSettings settings = null)
-        {
-            settings = settings ?? new AnimateSettings();
-            using (var pins = new Pins())
-            {
-                var watch = new Watch(settings.Progress);
-                IntPtr result = pins.Of(new Native.sinew_character_animate_result { struct_size = Size<Native.sinew_character_animate_result>() });
-                int status = Native.sinew_character_animate(Handle, motion == null ? IntPtr.Zero : motion.Handle, pins.Of(new Native.sinew_character_animate_options
-                {
-                    struct_size = Size<Native.sinew_character_animate_options>(), thread_count = (uint)settings.Threads, progress = watch.Callback,
-                    method = (uint)settings.Method, in_place = One(settings.InPlace), no_range = One(settings.NoRange), force = One(settings.Force), translations = One(settings.Translations),
-                    target_up = (uint)settings.TargetUp, motion_up = (uint)settings.MotionUp, deform = (uint)settings.Deform,
-                    body_contact = One(settings.BodyContact), shapes = (uint)settings.Shapes, stiffness = settings.Stiffness,
-                    tet_weights = (uint)settings.TetWeights, no_smoothing = One(settings.NoSmoothing), fps = settings.Fps, from = settings.From,
-                    to = settings.To, clip = pins.Of(settings.Clip), map = pins.Of(settings.Map), layout = pins.Of(settings.Layout), actor = pins.Of(settings.Actor),
-                    limits = pins.Of(settings.Limits), depth = One(settings.Depth)
-                }), result);
-                Check(status, handle_, "animate", watch);
-                GC.KeepAlive(motion);
-                return (int)Read<Native.sinew_character_animate_result>(result).clip_count;
-            }
-        }
-
-        /// <summary>A copy in a pose, to save as .obj or to take positions of.</summary>
-        public Character Pose(PoseSettings settings)
-        {
-            uint joints = Arrays().joint_count;
-            Length(settings.Angles, 3 * joints, "PoseSettings.Angles: expected three numbers a joint");
-            Length(settings.Rotations, 4 * joints, "PoseSettings.Rotations: expected four numbers a joint");
-            Length(settings.Matrices, 12 * joints, "PoseSettings.Matrices: expected twelve numbers a joint");
-            IntPtr posed;
-            using (var pins = new Pins())
-                Check(Native.sinew_character_pose(Handle, pins.Of(new Native.sinew_character_pose_options
-                {
-                    struct_size = Size<Native.sinew_character_pose_options>(), thread_count = (uint)settings.Threads, deform = (uint)settings.Deform,
-                    body_contact = One(settings.BodyContact), angles = pins.Of(settings.Angles), rotations = pins.Of(settings.Rotations),
-                    matrices = pins.Of(settings.Matrices), clip = pins.Of(settings.Clip), time = settings.Time, stiffness = settings.Stiffness,
-                    tet_weights = (uint)settings.TetWeights, no_smoothing = One(settings.NoSmoothing)
-                }), out posed), handle_, "pose");
-            return new Character(posed);
-        }
-
-        /// <summary>Weights of a bound character for this mesh. Returns the share that was carried over.</summary>
-        public double Transfer(Character source, CharacterTransferSettings settings = null)
-        {
-            settings = settings ?? new CharacterTransferSettings();
-            Length(settings.Locked, Arrays().vertex_count, "CharacterTransferSettings.Locked: expected a number a vertex");
-            using (var pins = new Pins())
-            {
-                var watch = new Watch(settings.Progress);
-                IntPtr result = pins.Of(new Native.sinew_character_transfer_result { struct_size = Size<Native.sinew_character_transfer_result>() });
-                int status = Native.sinew_character_transfer(source.Handle, Handle, pins.Of(new Native.sinew_character_transfer_options
-                {
-                    struct_size = Size<Native.sinew_character_transfer_options>(), thread_count = (uint)settings.Threads, progress = watch.Callback,
-                    method = (uint)settings.Method, influence_count = (uint)settings.Influences, target_up = Axis(settings.ZUp),
-                    source_up = Axis(settings.SourceZUp), garment = One(settings.Garment), heat = One(settings.Heat),
-                    locked = pins.Of(settings.Locked), map = pins.Of(settings.Map)
-                }), result);
-                Check(status, handle_, "transfer", watch);
-                GC.KeepAlive(source);
-                return Read<Native.sinew_character_transfer_result>(result).carried;
-            }
-        }
-
         /// <summary>Leaves joints out. Returns the joint, of those before, that each is part of now.</summary>
         public uint[] Simplify(bool low = false, int jointCount = 0, params string[] keep)
         {
@@ -689,30 +340,10 @@ namespace Sinew
             using (var pins = new Pins())
                 Check(Native.sinew_character_simplify(Handle, pins.Of(new Native.sinew_character_simplify_options
                 {
-                    struct_size = Size<Native.sinew_character_simplify_options>(), low = One(low), joint_count = (uint)jointCount,
+                    struct_size = Size<Native.sinew_character_simplify_options>(), low = low ? 1u : 0, joint_count = (uint)jointCount,
                     keep_count = (uint)keep.Length, keep = pins.Of(keep)
                 }), pins.Of(into)), handle_, "simplify");
             return into;
-        }
-
-        /// <summary>Morph targets that correct bends, with what drives them. Returns how many.</summary>
-        public int Bake(BakeSettings settings = null)
-        {
-            settings = settings ?? new BakeSettings();
-            using (var pins = new Pins())
-            {
-                var watch = new Watch(settings.Progress);
-                IntPtr result = pins.Of(new Native.sinew_character_bake_result { struct_size = Size<Native.sinew_character_bake_result>() });
-                int status = Native.sinew_character_bake(Handle, pins.Of(new Native.sinew_character_bake_options
-                {
-                    struct_size = Size<Native.sinew_character_bake_options>(), progress = watch.Callback, deform = (uint)settings.Deform,
-                    poses = (uint)settings.Poses, shapes = (uint)settings.Shapes, seed = settings.Seed, limit = settings.Limit,
-                    clip = pins.Of(settings.Clip), stiffness = settings.Stiffness,
-                    tet_weights = (uint)settings.TetWeights, no_smoothing = One(settings.NoSmoothing)
-                }), result);
-                Check(status, handle_, "bake", watch);
-                return (int)Read<Native.sinew_character_bake_result>(result).shape_count;
-            }
         }
 
         // ---- how
@@ -726,30 +357,29 @@ namespace Sinew
             throw new SinewException(Text(Native.sinew_character_error(handle)), status);
         }
 
-        static uint Axis(bool z) { return (uint)(z ? Up.Z : Up.Y); }
-        static uint One(bool value) { return value ? 1u : 0; }
-        static uint Size<T>() { return (uint)Marshal.SizeOf(typeof(T)); }
-        static T Read<T>(IntPtr at) { return (T)Marshal.PtrToStructure(at, typeof(T)); }
+        internal static uint Count(Array array) { return (uint)(array == null ? 0 : array.Length); }
+        internal static uint Size<T>() { return (uint)Marshal.SizeOf(typeof(T)); }
+        internal static T Read<T>(IntPtr at) { return (T)Marshal.PtrToStructure(at, typeof(T)); }
 
-        static void Length(Array array, uint expected, string what)
+        internal static void Length(Array array, uint expected, string what)
         {
             if (array != null && array.Length != expected) throw new ArgumentException(what);
         }
 
-        static IntPtr Models(Pins pins, byte[] bind, byte[] rig, byte[] hands, byte[] slots)
+        internal static IntPtr Models(Pins pins, byte[] bind, byte[] rig, byte[] hands, byte[] slots, byte[] front)
         {
-            if (bind == null && rig == null && hands == null && slots == null) return IntPtr.Zero;
+            if (bind == null && rig == null && hands == null && slots == null && front == null) return IntPtr.Zero;
             return pins.Of(new Native.sinew_character_models
             {
                 struct_size = Size<Native.sinew_character_models>(), bind = pins.Of(bind), bind_size = Bytes(bind), rig = pins.Of(rig),
                 rig_size = Bytes(rig), hands = pins.Of(hands), hands_size = Bytes(hands), slots = pins.Of(slots),
-                slots_size = Bytes(slots)
+                slots_size = Bytes(slots), front = pins.Of(front), front_size = Bytes(front)
             });
         }
 
-        static UIntPtr Bytes(byte[] file) { return (UIntPtr)(file == null ? 0 : file.Length); }
+        static UIntPtr Bytes(byte[] file) { return (UIntPtr)Count(file); }
 
-        static string Text(IntPtr at)
+        internal static string Text(IntPtr at)
         {
             if (at == IntPtr.Zero) return "";
             int length = 0;
@@ -759,25 +389,54 @@ namespace Sinew
             return Encoding.UTF8.GetString(bytes);
         }
 
-        static float[] Floats(IntPtr at, uint count)
+        // Copies of arrays of the library; without one zeros.
+        internal static float[] Floats(IntPtr at, uint count)
         {
             var array = new float[count];
-            if (count > 0) Marshal.Copy(at, array, 0, array.Length);
+            if (at != IntPtr.Zero) Marshal.Copy(at, array, 0, array.Length);
             return array;
         }
 
-        static double[] Doubles(IntPtr at, uint count)
+        internal static double[] Doubles(IntPtr at, uint count)
         {
             var array = new double[count];
-            if (count > 0) Marshal.Copy(at, array, 0, array.Length);
+            if (at != IntPtr.Zero) Marshal.Copy(at, array, 0, array.Length);
             return array;
         }
 
-        static int[] Ints(IntPtr at, uint count)
+        internal static int[] Ints(IntPtr at, uint count)
         {
             var array = new int[count];
-            if (count > 0) Marshal.Copy(at, array, 0, array.Length);
+            if (at != IntPtr.Zero) Marshal.Copy(at, array, 0, array.Length);
             return array;
+        }
+
+        internal static byte[] Bytes(IntPtr at, uint count)
+        {
+            var array = new byte[count];
+            if (at != IntPtr.Zero) Marshal.Copy(at, array, 0, array.Length);
+            return array;
+        }
+
+        // Lines of x and y from arrays of all of them.
+        internal static float[][] Lines(IntPtr at, IntPtr offsets, uint count)
+        {
+            int[] ends = Ints(offsets, count + 1);
+            float[] all = Floats(at, 2 * (uint)ends[count]);
+            var lines = new float[count][];
+            for (int l = 0; l < count; ++l)
+            {
+                lines[l] = new float[2 * (ends[l + 1] - ends[l])];
+                Array.Copy(all, 2 * ends[l], lines[l], 0, lines[l].Length);
+            }
+            return lines;
+        }
+
+        internal static T[] Structs<N, T>(IntPtr at, uint count, Native.sinew_character_arrays sizes, Func<IntPtr, Native.sinew_character_arrays, T> of)
+        {
+            var list = new T[at == IntPtr.Zero ? 0 : count];
+            for (int i = 0; i < list.Length; ++i) list[i] = of(new IntPtr(at.ToInt64() + i * (long)Size<N>()), sizes);
+            return list;
         }
     }
 }

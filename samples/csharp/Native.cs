@@ -501,13 +501,20 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_left_out
+        {
+            public IntPtr why;
+            public uint joint, reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
         public struct sinew_character_bind_result
         {
             public uint struct_size, symmetric_vertices, kept_meshes, folded_tips, left_out_count, question_count, answers_by_style,
                 seam_count;
             public double seconds;
             public UIntPtr workspace_bytes;
-            public IntPtr left_out, left_out_why, questions, vertex_questions, hash, seams;
+            public IntPtr left_out, questions, vertex_questions, hash, seams;
             public uint doubled_vertices, reserved;
         }
 
@@ -1062,6 +1069,7 @@ namespace Sinew
             new StructSize("sinew_character_models", Marshal.SizeOf(typeof(sinew_character_models)), true),
             new StructSize("sinew_character_bind_options", Marshal.SizeOf(typeof(sinew_character_bind_options)), true),
             new StructSize("sinew_character_seam", Marshal.SizeOf(typeof(sinew_character_seam)), false),
+            new StructSize("sinew_character_left_out", Marshal.SizeOf(typeof(sinew_character_left_out)), false),
             new StructSize("sinew_character_bind_result", Marshal.SizeOf(typeof(sinew_character_bind_result)), true),
             new StructSize("sinew_skeleton_edit", Marshal.SizeOf(typeof(sinew_skeleton_edit)), false),
             new StructSize("sinew_character_rig_options", Marshal.SizeOf(typeof(sinew_character_rig_options)), true),

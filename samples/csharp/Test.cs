@@ -219,7 +219,7 @@ static class Test
         using (Character one = Character.Open(input))
         using (Character two = other == null ? null : Character.Open(other))
         {
-            if (job == "bind") Console.WriteLine(one.Bind());
+            if (job == "bind") Console.WriteLine(one.Bind().Hash);
             if (job == "rig") one.Rig();
             if (job == "simplify") one.Simplify();
             if (job == "transfer") one.Transfer(two);
@@ -227,7 +227,7 @@ static class Test
             if (job == "animate")
             {
                 File.WriteAllText(output + ".map", one.Map(two).Text);
-                Require(one.Animate(two) == one.ClipCount && one.Clip(0).Rotations.Length > 0, "clips");
+                Require(one.Animate(two).ClipCount == one.ClipCount && one.Clip(0).Rotations.Length > 0, "clips");
             }
             one.Save(output);
             Require(one.Write(Path.GetFileName(output))[0].Bytes.Length == new FileInfo(output).Length, "Write() is Save() in memory");
@@ -291,7 +291,7 @@ static class Test
         using (Character one = Character.OpenPicture(input, new PictureSettings { Pixels = true, BodyClass = BodyClass.Biped }))
         {
             Require(one.Picture.BodyClass == BodyClass.Found && one.Picture.Width > 0, "not rigged yet");
-            Require(one.Animate(null) == 1, "a clip of its class");
+            Require(one.Animate(null).ClipCount == 1, "a clip of its class");
             Require(one.Picture.BodyClass == BodyClass.Biped && one.Picture.View == PictureView.Front, "class and view");
             one.Save(output);
             float[][] outline = one.Picture.Outline;

@@ -437,6 +437,13 @@ typedef struct sinew_character_seam {
   float length;
 } sinew_character_seam;
 
+/* A joint that may get no weight. */
+typedef struct sinew_character_left_out {
+  const char* why; /* "control", "no weight in the file", ... */
+  uint32_t joint;
+  uint32_t reserved; /* 0 */
+} sinew_character_left_out;
+
 typedef struct sinew_character_bind_result {
   uint32_t struct_size;        /* sizeof(sinew_character_bind_result) */
   uint32_t symmetric_vertices; /* with symmetric */
@@ -448,14 +455,13 @@ typedef struct sinew_character_bind_result {
   uint32_t seam_count;
   double seconds; /* in sinew_bind() */
   size_t workspace_bytes;
-  const uint32_t* left_out;          /* [left_out_count] */
-  const char* const* left_out_why;   /* [left_out_count] "control", "no weight in the file", ... */
-  const sinew_question* questions;   /* [question_count] by falling gain */
-  const uint32_t* vertex_questions;  /* [V] before a cut, or SINEW_NO_QUESTION; null without questions */
-  const char* hash;                  /* of the weights, as `sinew bind --json` has it */
-  const sinew_character_seam* seams; /* [seam_count] longest first */
-  uint32_t doubled_vertices;         /* with cut or to_pose */
-  uint32_t reserved;                 /* 0 */
+  const sinew_character_left_out* left_out; /* [left_out_count] */
+  const sinew_question* questions;          /* [question_count] by falling gain */
+  const uint32_t* vertex_questions;         /* [V] before a cut, or SINEW_NO_QUESTION; null without questions */
+  const char* hash;                         /* of the weights, as `sinew bind --json` has it */
+  const sinew_character_seam* seams;        /* [seam_count] longest first */
+  uint32_t doubled_vertices;                /* with cut or to_pose */
+  uint32_t reserved;                        /* 0 */
 } sinew_character_bind_result;
 
 static inline sinew_character_bind_result sinew_character_bind_result_init(void) {
@@ -516,9 +522,9 @@ typedef struct sinew_character_rig_options {
   uint32_t spine_count;                 /* 1..16; 0 = as the model says */
   uint32_t no_toes, no_ends;            /* 1: without */
   uint32_t no_bind;                     /* 1: the skeleton alone */
-  uint32_t keep_lengths;                /* with a skeleton: its bones are turned and all scaled alike */
+  uint32_t keep_lengths;                /* 1: with a skeleton, its bones are turned and all scaled alike */
   uint32_t influence_count;             /* of the bind, and the three below */
-  uint32_t rigid_parts;
+  uint32_t rigid_parts;                 /* sinew_rigid_parts */
   uint32_t softness_percent;
   uint32_t surface_vertices;
   uint32_t edit_count;
@@ -677,10 +683,10 @@ typedef struct sinew_character_animate_options {
   const char* map;            /* a map file; null: found */
   const int32_t* sources;     /* [J] joint of the motion or -1, in place of a map; or null */
   uint32_t area_power;        /* reference points: 1..4, or SINEW_NO_AREA; 0 = 3 */
-  uint32_t no_own_limb, legs; /* reference points */
+  uint32_t no_own_limb, legs; /* 1: reference points */
   uint32_t report;            /* 1: limbs are measured before and after */
   double falloff;             /* reference points; 0 = 0.05, SINEW_NO_FALLOFF: none */
-  uint32_t own_limb, head, torso, source_points; /* reference points, as in sinew_reference_options */
+  uint32_t own_limb, head, torso, source_points; /* 1: reference points, as in sinew_reference_options */
   uint32_t force;        /* 1: plays a motion that does not fit, such as a person's on a horse; else an error */
   uint32_t translations; /* 1: bones stretch as the source's do, as in sinew_retarget_options */
   double stiffness;      /* SINEW_POSE_XPBD: of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2 */
@@ -712,10 +718,10 @@ typedef struct sinew_character_animate_result {
   uint32_t shape_count; /* morph targets that were added */
   float certainty;      /* 0..1, of front and sides, and no more than how much of both bodies the map reaches */
   uint32_t limb_count;  /* with report: [clip_count x limb_count] of both below */
-  const sinew_limb_measure* limbs_before;
-  const sinew_limb_measure* limbs_after;
-  const char* mapped_by;  /* "anatomy and names" */
-  const int32_t* sources; /* [J] the map that was used */
+  const sinew_limb_measure* limbs_before; /* [clip_count x limb_count] with report; or null */
+  const sinew_limb_measure* limbs_after;  /* [clip_count x limb_count] with report; or null */
+  const char* mapped_by;                  /* "anatomy and names" */
+  const int32_t* sources;                 /* [J] the map that was used */
 } sinew_character_animate_result;
 
 static inline sinew_character_animate_result sinew_character_animate_result_init(void) {
@@ -743,8 +749,8 @@ typedef struct sinew_character_pose_options {
   const double* matrices;  /* [J x 12] row-major 3x4, rest to posed space */
   const char* clip;        /* of the character's own, by name or number */
   double time;             /* second of the clip */
-  double stiffness;        /* SINEW_POSE_XPBD, as in sinew_character_animate_options; and the two below */
-  uint32_t tet_weights;
+  double stiffness;        /* SINEW_POSE_XPBD, as in sinew_character_animate_options, and the two below */
+  uint32_t tet_weights;    /* sinew_tet_weights */
   uint32_t no_smoothing;
 } sinew_character_pose_options;
 
@@ -771,11 +777,11 @@ typedef struct sinew_character_transfer_options {
   uint32_t influence_count;             /* 1..12; 0 = 4 */
   uint32_t target_up, source_up;        /* sinew_up; 0 = Y */
   uint32_t garment;                     /* 1: the target is worn by the source */
-  uint32_t as_drawn;                    /* of SINEW_TRANSFER_BIHARMONIC */
+  uint32_t as_drawn;                    /* 1: of SINEW_TRANSFER_BIHARMONIC */
   uint32_t heat;                        /* 1: binds by heat alone, without a model */
   uint32_t pair_count;
   const sinew_vertex_pair* pairs; /* [pair_count] of SINEW_TRANSFER_BIHARMONIC; or null */
-  const uint8_t* locked;          /* [V of the target]; or null */
+  const uint8_t* locked;          /* [V] of the target; or null */
   const char* map;                /* a map file; null: found */
 } sinew_character_transfer_options;
 
@@ -814,7 +820,7 @@ SINEW_API sinew_status sinew_character_transfer(const sinew_character* source, s
 /* `sinew simplify` */
 typedef struct sinew_character_simplify_options {
   uint32_t struct_size; /* sizeof(sinew_character_simplify_options) */
-  uint32_t low;         /* 0 = high: bone ends, helpers, faces, twists. 1: fingers and small parts too */
+  uint32_t low;         /* 0 = high: bone ends, helpers, faces, twists; 1: fingers and small parts too */
   uint32_t joint_count; /* not 0: so many are left */
   uint32_t keep_count;
   const char* const* keep; /* [keep_count] joints that stay; or null */
@@ -900,7 +906,7 @@ typedef struct sinew_character_check_options {
   uint32_t bound_count;
   const char* const* bound_rules; /* [bound_count] rules that get other bounds; or null */
   const double* bounds;           /* [bound_count] */
-  uint32_t score;                 /* 1: sinew_character_check_result::score */
+  uint32_t score;                 /* 1: the result has a score */
   uint32_t reserved;              /* 0 */
 } sinew_character_check_options;
 
@@ -944,14 +950,14 @@ typedef struct sinew_character_bake_options {
   void* progress_user;
   uint32_t deform;        /* sinew_pose_deform; 0 = SINEW_POSE_VOLUME */
   uint32_t cells, rounds; /* of the deformer; 0 = its own */
-  uint32_t body_contact;
-  uint32_t poses;   /* to learn from; 0 = 1500 */
-  uint32_t shapes;  /* a bend; 0 = 8 */
-  uint64_t seed;    /* of the poses; 0 = 1 */
-  double limit;     /* largest angle, degrees; 0 = 60 */
-  const char* clip; /* learn from a clip of the character's own; null: random poses */
-  double stiffness; /* SINEW_POSE_XPBD, as in sinew_character_animate_options; and the two below */
-  uint32_t tet_weights;
+  uint32_t body_contact;  /* 1: as in sinew_character_animate_options */
+  uint32_t poses;         /* to learn from; 0 = 1500 */
+  uint32_t shapes;        /* a bend; 0 = 8 */
+  uint64_t seed;          /* of the poses; 0 = 1 */
+  double limit;           /* largest angle, degrees; 0 = 60 */
+  const char* clip;       /* learn from a clip of the character's own; null: random poses */
+  double stiffness;       /* SINEW_POSE_XPBD, as in sinew_character_animate_options, and the two below */
+  uint32_t tet_weights;   /* sinew_tet_weights */
   uint32_t no_smoothing;
 } sinew_character_bake_options;
 

@@ -68,11 +68,9 @@ void fill_result(const Character& character, const BindJob& job, const Character
                  size_t by_style, ResultViews* views, sinew_character_bind_result* result) {
   if (result == nullptr) return;
   *views = {};
-  for (const LeftOutJoint& left : job.choice().left_out) {
-    views->left_out.push_back(count32(left.joint));
-    views->texts.push_back(left.why);
-  }
-  for (const std::string& why : views->texts) views->left_out_why.push_back(why.c_str());
+  for (const LeftOutJoint& left : job.choice().left_out) views->texts.push_back(left.why);
+  for (size_t i = 0; i < views->texts.size(); ++i)
+    views->left_out.push_back({views->texts[i].c_str(), count32(job.choice().left_out[i].joint), 0});
   views->questions = bound.questions;
   views->vertex_questions = bound.vertex_questions;
   views->text = bind_hash(character.influences, influence_count);
@@ -86,7 +84,6 @@ void fill_result(const Character& character, const BindJob& job, const Character
   filled.seconds = bound.seconds;
   filled.workspace_bytes = bound.workspace_bytes;
   filled.left_out = views->left_out.data();
-  filled.left_out_why = views->left_out_why.data();
   filled.questions = views->questions.data();
   filled.vertex_questions = views->vertex_questions.empty() ? nullptr : views->vertex_questions.data();
   filled.hash = views->text.c_str();

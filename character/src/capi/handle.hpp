@@ -53,9 +53,9 @@ struct ClipView {
 
 // Arrays of results.
 struct ResultViews {
-  std::vector<uint32_t> left_out, vertex_questions;
+  std::vector<sinew_character_left_out> left_out;
+  std::vector<uint32_t> vertex_questions;
   std::vector<std::string> texts;
-  std::vector<const char*> left_out_why;
   std::vector<sinew_question> questions;
   std::vector<uint8_t> ends, reasons;
   std::vector<float> confidence, parent_confidence;

@@ -20,6 +20,7 @@ constexpr StructSize kStructSizes[] = {
     {"sinew_character_models", sizeof(sinew_character_models)},
     {"sinew_character_bind_options", sizeof(sinew_character_bind_options)},
     {"sinew_character_seam", sizeof(sinew_character_seam)},
+    {"sinew_character_left_out", sizeof(sinew_character_left_out)},
     {"sinew_character_bind_result", sizeof(sinew_character_bind_result)},
     {"sinew_skeleton_edit", sizeof(sinew_skeleton_edit)},
     {"sinew_character_rig_options", sizeof(sinew_character_rig_options)},

@@ -17,10 +17,10 @@ static class Demo
         {
             using (Character one = Character.Open(args[0]))
             {
-                if (one.Skeleton == null) Console.WriteLine("skeleton: off by {0:P1} of the size", one.Rig());
-                else Console.WriteLine("weights: {0}", one.Bind());
+                if (one.Skeleton == null) Console.WriteLine("skeleton: off by {0:P1} of the size", one.Rig().Spread);
+                else Console.WriteLine("weights: {0}", one.Bind().Hash);
                 if (args.Length > 2)
-                    using (Character motion = Character.Open(args[2])) Console.WriteLine("clips: {0}", one.Animate(motion));
+                    using (Character motion = Character.Open(args[2])) Console.WriteLine("clips: {0}", one.Animate(motion).ClipCount);
                 one.Save(args[1]);
                 Console.Write(one.Notes);
             }

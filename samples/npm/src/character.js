@@ -1,48 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Whole characters from and to files, as the command has them: its defaults, its bytes. `sinew/character.h` as WebAssembly.
-import { WORDS } from "./layouts.js";
+import { OPTIONS } from "./jobs.js";
+import { LAYOUTS } from "./layouts.js";
 import { compile, hasExceptions, hasSimd } from "./loader.js";
+import { blocksOf, optionsAt, resultAt } from "./marshalling.js";
 import { SinewError } from "./memory.js";
 import { fileKind } from "./file_kinds.js";
 import { isScene, readScenesBy } from "./scenes.js";
-import { choice } from "./shapes.js";
-
-
-// Options by name to members of the C structs: a number or yes as it is, a word by its place in a list.
-const BIND = {
-  method: WORDS.method, influences: "influence_count", up: WORDS.up, joints: WORDS.jointsFrom, rigidParts: WORDS.rigidParts,
-  softness: "softness_percent", surfaceVertices: "surface_vertices", keepTips: "keep_tips", bindProps: "bind_props", fit: "fit", symmetric: "symmetric", keepConfidence: "keep_confidence", cut: "cut", toPose: "to_pose",
-};
-const RIG = {
-  method: WORDS.characterRigMethod, detail: WORDS.characterDetail, mirror: WORDS.mirror, up: WORDS.up, front: WORDS.front, spine: "spine_count",
-  toes: "!no_toes", ends: "!no_ends", bind: "!no_bind", keepLengths: "keep_lengths", influences: "influence_count", category: WORDS.category, template: "skeleton",
-  toPose: "to_pose", gate: "gate", cut: "cut",
-};
-const RETARGET = {
-  method: WORDS.animateMethod, inPlace: "in_place", range: "!no_range", force: "force", translations: "translations", targetUp: WORDS.up, motionUp: WORDS.up, deform: WORDS.poseDeform, bodyContact: "body_contact", shapes: "shapes", fps: "fps", from: "from", to: "to",
-  clip: "clip", layout: "layout", actor: "actor", limits: "limits", depth: "depth", stiffness: "stiffness", tetWeights: WORDS.tetWeights, smoothing: "!no_smoothing",
-};
-const TRANSFER = { method: WORDS.transferMethod, influences: "influence_count", targetUp: WORDS.up, sourceUp: WORDS.up, garment: "garment", heat: "heat" };
-const PLACE = { turns: "turns", height: "height", floor: "floor", up: WORDS.up };
-const PROFILE = { profile: "profile", keepAxes: "keep_axes", controls: "controls", authors: "authors", licence: "licence", title: "title" };
-const CHECK = { poses: "!no_poses", clips: "!no_clips", score: "score", bounds: "bounds" };
-const PICTURE = { bodyClass: WORDS.bodyClass, figure: "figure", flat: "flat", cut: "cut", units: ["figure", "pixels"], mask: "mask", outline: "outline" };
-const MEMBERS = { bodyClass: "body_class", units: "pixels",  rigidParts: "rigid_parts", targetUp: "target_up", sourceUp: "source_up", motionUp: "motion_up", tetWeights: "tet_weights" };
-
-function wishOf(call, known, options) {
-  const wish = {};
-  for (const [name, value] of Object.entries(options)) {
-    const member = known[name];
-    if (value === undefined || name === "onProgress") continue;
-    if (member === undefined) throw new SinewError(`${call}: options.${name}: expected ${Object.keys(known).join(", ")}, found another option`);
-    if (Array.isArray(member)) wish[MEMBERS[name] ?? name] = choice(value, member, `${call}: options.${name}`);
-    else if (member[0] === "!") wish[member.slice(1)] = value === false;
-    else if (name === "softness") wish[member] = Math.round(value * 100);
-    else if (name === "template") wish[member] = `template:${value}`;
-    else wish[member] = name === "clip" || name === "actor" ? String(value) : value;
-  }
-  return JSON.stringify(wish);
-}
 
 /** A character in the module's memory; close() gives it back. Made by CharacterModule.open(). */
 export class CharacterFile {
@@ -59,24 +23,33 @@ export class CharacterFile {
     return this.#handle;
   }
 
-  #job(call, known, options, run) {
-    const at = this.#at(call);
-    return this.#house.said(call, options.onProgress, () => this.#house.withText(wishOf(call, known, options), (text) => run(at, text)));
+  // `call` of C with options and, where it has one, a result; `source`: another character and its place.
+  #job(call, name, options, { result = "", before = [], after = [] } = {}) {
+    const house = this.#house, at = this.#at(call), counts = () => house.arrays(at);
+    return house.withBlocks(options.onProgress, (blocks) => {
+      const handle = (one, what) => (one instanceof CharacterFile ? one.#at(call) : house.refuse(`${what}: expected what open() gave`));
+      const sizes = () => ({ V: counts().vertex_count, J: counts().joint_count });
+      const given = optionsAt(call, OPTIONS[name], options, { blocks, sizes, handle, progress: house.progress });
+      const out = result ? [blocks.struct(result)] : [];
+      house.check(house.module[`_sinew_character_${name === "profile" ? "set_profile" : name}`](...before, at, ...after, given, ...out), at);
+      return result ? resultAt(house.module, result, out[0], sizes()) : undefined;
+    });
   }
 
   /** Remarks of the reader and of the jobs, a line each. */
   get notes() {
-    return this.#house.said("notes", null, () => this.#house.module._character_notes(this.#at("notes"))).split("\n").filter(Boolean);
+    const { module } = this.#house;
+    return module.UTF8ToString(module._sinew_character_notes(this.#at("notes"))).split("\n").filter(Boolean);
   }
 
   /** `sinew bind` */
   bind(options = {}) {
-    return this.#job("bind", BIND, options, (at, text) => this.#house.module._character_bind(at, text));
+    return this.#job("bind", "bind", options, { result: "characterBindResult" });
   }
 
   /** `sinew rig`: a skeleton, and the mesh bound to it. */
   rig(options = {}) {
-    return this.#job("rig", RIG, options, (at, text) => this.#house.module._character_rig(at, text));
+    return this.#job("rig", "rig", options, { result: "characterRigResult" });
   }
 
   /**
@@ -85,60 +58,65 @@ export class CharacterFile {
    */
   retarget(motion, options = {}) {
     if (motion !== null && !(motion instanceof CharacterFile)) throw new SinewError("retarget: expected what open() gave for the motion's file");
-    return this.#job("retarget", RETARGET, options, (at, text) => this.#house.module._character_animate(at, motion ? motion.#at("retarget") : 0, text));
+    return this.#job("retarget", "animate", options, { result: "characterAnimateResult", after: [motion ? motion.#at("retarget") : 0] });
   }
 
   /** What was found in the picture that it is of: class, view and certainty once it is rigged, the outline as lines of x, y. */
   get picture() {
-    const { module } = this.#house;
-    const { lineOffsets, outline, bodyClass, view, ...told } = this.#house.said("picture", null, () => module._character_picture(this.#at("picture")));
-    const lines = lineOffsets.slice(1).map((to, l) => new Float32Array(module.HEAPU8.buffer, outline + 8 * lineOffsets[l], 2 * (to - lineOffsets[l])).slice());
-    return { ...told, bodyClass: WORDS.bodyClass[bodyClass], view: WORDS.pictureView[view], outline: lines };
+    const house = this.#house, at = this.#at("picture");
+    return house.withBlocks(null, (blocks) => {
+      const info = blocks.struct("characterPictureInfo");
+      house.check(house.module._sinew_character_picture(at, info), at);
+      return resultAt(house.module, "characterPictureInfo", info);
+    });
   }
 
   /** `sinew transfer`: carries the weights of a bound character to this one. @param {CharacterFile} source */
   transfer(source, options = {}) {
     if (!(source instanceof CharacterFile)) throw new SinewError("transfer: expected what open() gave for the bound character's file");
-    return this.#job("transfer", TRANSFER, options, (at, text) => this.#house.module._character_transfer(source.#at("transfer"), at, text));
+    return this.#job("transfer", "transfer", options, { result: "characterTransferResult", before: [source.#at("transfer")] });
   }
 
   /** `--turn`, `--height`, `--floor`: turns and scales all of it. */
   place(options) {
-    this.#job("place", PLACE, options, (at, text) => this.#house.module._character_place(at, text));
+    this.#job("place", "place", options);
   }
 
   /** `--for`: what save() writes from now on. The rest pose stays: that is toPose of bind() and rig(). */
   setProfile(options) {
-    this.#job("setProfile", PROFILE, options, (at, text) => this.#house.module._character_profile(at, text));
+    this.#job("setProfile", "profile", options);
   }
 
   /** `--controls`: which joints an animator's controls move, of the skeleton as it would be saved; the text of a file. */
   get controls() {
-    return this.#house.said("controls", null, () => this.#house.module._character_controls(this.#at("controls")));
+    const house = this.#house, at = this.#at("controls");
+    return house.withBlocks(null, (blocks) => {
+      const text = blocks.room(Uint32Array, 1);
+      house.check(house.module._sinew_character_controls(at, text), at);
+      return house.module.UTF8ToString(blocks.view(Uint32Array, text, 1)[0]);
+    });
   }
 
   /** `sinew check`: what is wrong with the rig. Changes nothing. */
   check(options = {}) {
-    const told = this.#job("check", CHECK, options, (at, text) => this.#house.module._character_check(at, text));
-    const findings = told.findings.map((one) => ({ ...one, severity: WORDS.checkSeverity[one.severity], vertices: Uint32Array.from(one.vertices) }));
-    return { ...told, findings };
+    return this.#job("check", "check", options, { result: "characterCheckResult" });
   }
 
   /** Copies of its arrays: mesh, skeleton and, where it has weights, rows of them as CSR. */
   view() {
-    const { module } = this.#house;
-    const told = this.#house.said("view", null, () => module._character_view(this.#at("view")));
+    const { module } = this.#house, a = this.#house.arrays(this.#at("view"));
+    const { vertex_count: V, joint_count: J, mesh_count: M, face_count: F, corner_count: C } = a;
     const take = (type, at, length) => (at === 0 ? null : new type(module.HEAPU8.buffer, at, length).slice());
-    const { vertexCount: V, jointCount: J, faceCount: F, cornerCount: C, name, jointNames, meshes } = told;
-    const rowOffsets = take(Uint32Array, told.rowOffsets, V + 1);
-    const count = rowOffsets ? rowOffsets[V] : 0;
+    const texts = (at, count) => Array.from(take(Uint32Array, at, count) ?? [], (one) => module.UTF8ToString(one));
+    const rowOffsets = take(Uint32Array, a.row_offsets, V + 1), count = rowOffsets ? rowOffsets[V] : 0;
+    const joints = take(Int32Array, a.mesh_joints, M), skinned = take(Uint8Array, a.mesh_skinned, M);
     return {
-      name,
-      mesh: { positions: take(Float32Array, told.positions, 3 * V), faceOffsets: take(Uint32Array, told.faceOffsets, F + 1), faceVertices: take(Uint32Array, told.faceVertices, C) },
-      skeleton: { names: jointNames, positions: take(Float32Array, told.jointPositions, 3 * J), parents: take(Int32Array, told.parents, J) },
-      meshes,
-      weights: rowOffsets ? { rowOffsets, joints: take(Uint32Array, told.jointIndices, count), weights: take(Float32Array, told.weights, count) } : null,
-      confidence: take(Uint8Array, told.confidence, V),
+      name: module.UTF8ToString(a.name),
+      mesh: { positions: take(Float32Array, a.positions, 3 * V), faceOffsets: take(Uint32Array, a.face_offsets, F + 1), faceVertices: take(Uint32Array, a.face_vertices, C) },
+      skeleton: { names: texts(a.joint_names, J), positions: take(Float32Array, a.joint_positions, 3 * J), parents: take(Int32Array, a.parents, J) },
+      meshes: texts(a.mesh_names, M).map((name, m) => ({ name, joint: joints[m], skinned: skinned[m] !== 0 })),
+      weights: rowOffsets ? { rowOffsets, joints: take(Uint32Array, a.joint_indices, count), weights: take(Float32Array, a.weights, count) } : null,
+      confidence: take(Uint8Array, a.confidence, V),
     };
   }
 
@@ -149,9 +127,16 @@ export class CharacterFile {
 
   /** All files that the command would write: [{name, bytes}], the named one first. */
   files(name) {
-    const { module } = this.#house;
-    const list = this.#house.said("save", null, () => this.#house.withText(name, (text) => module._character_write(this.#at("save"), text)));
-    return list.map(({ name: one, at, size }) => ({ name: one, bytes: module.HEAPU8.slice(at, at + size) }));
+    const house = this.#house, { module } = house, from = this.#at("save");
+    return house.withBlocks(null, (blocks) => {
+      const out = blocks.room(Uint32Array, 2);
+      house.check(module._sinew_character_write(from, blocks.texts([name]).address, out, out + 4), from);
+      const [first, count] = blocks.view(Uint32Array, out, 2);
+      return Array.from({ length: count }, (_, i) => blocks.read("file", first + i * LAYOUTS.file.size)).map((file) => ({
+        name: module.UTF8ToString(file.name),
+        bytes: blocks.take(Uint8Array, file.bytes, file.size_bytes),
+      }));
+    });
   }
 
   /**
@@ -161,15 +146,15 @@ export class CharacterFile {
   placesFrame(places) {
     const at = this.#at("placesFrame");
     const joints = (this.#joints ??= this.view().skeleton.names.length);
-    return this.#house.withPlaces("placesFrame", [places], 7 * joints, (from, count, out) => {
-      this.#house.said("placesFrame", null, () => this.#house.module._character_places_frame(at, from, count, out, out + 16 * joints));
-      const take = (first, length) => new Float32Array(this.#house.module.HEAPU8.buffer, first, length).slice();
-      return { rotations: take(out, 4 * joints), translations: take(out + 16 * joints, 3 * joints) };
+    return this.#house.withPlaces("placesFrame", [places], (blocks, from, count) => {
+      const [rotations, translations] = [4, 3].map((width) => blocks.room(Float32Array, width * joints));
+      this.#house.check(this.#house.module._sinew_character_places_frame(at, from, count, rotations, translations), at);
+      return { rotations: blocks.take(Float32Array, rotations, 4 * joints), translations: blocks.take(Float32Array, translations, 3 * joints) };
     });
   }
 
   close() {
-    if (this.#handle !== 0) this.#house.module._character_close(this.#handle);
+    if (this.#handle !== 0) this.#house.module._sinew_character_close(this.#handle);
     this.#handle = 0;
   }
 }
@@ -182,6 +167,8 @@ export class CharacterModule {
   constructor(module, scenesFrom) {
     /** Of emscripten. */
     this.module = module;
+    /** sinew_progress that calls module.onProgress. */
+    this.progress = module._character_progress();
     this.#scenesFrom = scenesFrom;
   }
 
@@ -198,29 +185,17 @@ export class CharacterModule {
     const { module } = this;
     if (isScene(name)) await (this.#scenes ??= this.#scenesFrom(module));
     const files = [[name, bytes], ...Object.entries(beside)];
-    const blocks = [];
-    const put = (data) => {
-      const at = module._malloc(Math.max(data.length, 1));
-      blocks.push(at);
-      module.HEAPU8.set(data, at);
-      return at;
-    };
-    try {
-      const rows = files.flatMap(([one, data]) => {
+    return this.withBlocks(null, (blocks) => {
+      const rows = files.map(([one, data]) => {
         if (typeof one !== "string" || !(data instanceof ArrayBuffer || ArrayBuffer.isView(data))) throw new SinewError(`open: ${one}: expected a name and the file's bytes`);
         const view = data instanceof ArrayBuffer ? new Uint8Array(data) : new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
-        return [put(new TextEncoder().encode(`${one}\0`)), put(view), view.length];
+        return [blocks.texts([one]).address, blocks.copy(view), view.length];
       });
-      const at = put(new Uint8Array(Uint32Array.from(rows).buffer));
-      const { handle } = this.said("open", null, () =>
-        fileKind(name)?.reader === "picture"
-          ? this.withText(wishOf("open", PICTURE, picture), (text) => module._character_open_picture(at, files.length, text))
-          : module._character_open(at, files.length),
-      );
-      return new CharacterFile(this, handle);
-    } finally {
-      for (const at of blocks) module._free(at);
-    }
+      const at = blocks.copy(Uint32Array.from(rows.flat()));
+      if (fileKind(name)?.reader !== "picture") return this.opened((out) => module._sinew_character_open_files(at, files.length, out), blocks);
+      const options = optionsAt("open", OPTIONS.picture, picture, { blocks, sizes: () => ({}), handle: () => 0, progress: 0 });
+      return this.opened((out) => module._sinew_character_open_picture_files(at, files.length, options, out), blocks);
+    });
   }
 
   /**
@@ -230,46 +205,56 @@ export class CharacterModule {
    * @param {Float32Array[]} frames [n x 3] each, any unit
    */
   openPlaces(layout, frames) {
-    return this.withPlaces("openPlaces", frames, 0, (at, count) => {
-      const { handle } = this.said("openPlaces", null, () => this.withText(layout, (text) => this.module._character_open_places(text, at, count, frames.length)));
-      return new CharacterFile(this, handle);
+    return this.withPlaces("openPlaces", frames, (blocks, at, count) =>
+      this.opened((out) => this.module._sinew_character_open_places(blocks.texts([layout]).address, at, count, frames.length, out), blocks));
+  }
+
+  // Frames of as many places each in the module's memory.
+  withPlaces(call, frames, use) {
+    const length = frames[0]?.length ?? 0;
+    if (length === 0 || length % 3 !== 0 || frames.some((frame) => frame?.length !== length)) throw new SinewError(`${call}: expected frames of as many places each, three numbers a place`);
+    const numbers = new Float32Array(frames.length * length);
+    frames.forEach((frame, f) => numbers.set(frame, f * length));
+    return this.withBlocks(null, (blocks) => use(blocks, blocks.copy(numbers), length / 3));
+  }
+
+  // The character that a call gives.
+  opened(run, blocks) {
+    const out = blocks.room(Uint32Array, 1);
+    this.check(run(out), 0);
+    return new CharacterFile(this, blocks.view(Uint32Array, out, 1)[0]);
+  }
+
+  // sinew_character_arrays.
+  arrays(at) {
+    return this.withBlocks(null, (blocks) => {
+      const arrays = blocks.struct("characterArrays");
+      this.check(this.module._sinew_character_view(at, arrays), at);
+      return blocks.read("characterArrays", arrays);
     });
   }
 
-  // Frames of as many places each in the module's memory, and room for so many numbers behind them.
-  withPlaces(call, frames, room, use) {
-    const length = frames[0]?.length ?? 0;
-    if (length === 0 || length % 3 !== 0 || frames.some((frame) => frame?.length !== length)) throw new SinewError(`${call}: expected frames of as many places each, three numbers a place`);
-    const { module } = this, at = module._malloc(4 * (frames.length * length + room));
+  // Memory for one call.
+  withBlocks(onProgress, use) {
+    const blocks = blocksOf(this.module), before = this.module.onProgress;
+    this.module.onProgress = onProgress ?? before;
     try {
-      const numbers = new Float32Array(module.HEAPU8.buffer, at, frames.length * length);
-      frames.forEach((frame, f) => numbers.set(frame, f * length));
-      return use(at, length / 3, at + 4 * frames.length * length);
+      return use(blocks);
     } finally {
-      module._free(at);
+      this.module.onProgress = before;
+      blocks.free();
     }
   }
 
-  withText(value, use) {
-    const size = this.module.lengthBytesUTF8(value) + 1, at = this.module._malloc(size);
-    try {
-      this.module.stringToUTF8(value, at, size);
-      return use(at);
-    } finally {
-      this.module._free(at);
-    }
+  // A call's error is thrown.
+  check(status, character) {
+    if (status === 0) return;
+    const line = this.module.UTF8ToString(this.module._sinew_character_error(character));
+    this.refuse(line || this.module.UTF8ToString(this.module._sinew_status_text(status)), status);
   }
 
-  // What a call replies; its error is thrown.
-  said(call, onProgress, run) {
-    this.module.onProgress = onProgress ?? null;
-    try {
-      const reply = JSON.parse(this.module.UTF8ToString(run()));
-      if (reply?.error !== undefined) throw new SinewError(reply.error, reply.status);
-      return reply;
-    } finally {
-      this.module.onProgress = null;
-    }
+  refuse(line, status = 0) {
+    throw new SinewError(line, status);
   }
 }
 

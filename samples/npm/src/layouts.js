@@ -130,11 +130,11 @@ export const LAYOUTS = {
     "answer_count@72:u32 answers@76:u32 joint_flags@80:u32 locked@84:u32 hinted@88:u32 hints@92:u32 like@96:u32 style@100:u32 " +
     "to_pose@104:u32 cut@108:u32 reserved@112:u32"),
   characterSeam: layout(24, "joints@0:u32x2 position@8:f32x3 length@20:f32"),
-  characterBindResult: layout(80,
+  characterLeftOut: layout(12, "why@0:u32 joint@4:u32 reserved@8:u32"),
+  characterBindResult: layout(72,
     "struct_size@0:u32 symmetric_vertices@4:u32 kept_meshes@8:u32 folded_tips@12:u32 left_out_count@16:u32 " +
     "question_count@20:u32 answers_by_style@24:u32 seam_count@28:u32 seconds@32:f64 workspace_bytes@40:u32 left_out@44:u32 " +
-    "left_out_why@48:u32 questions@52:u32 vertex_questions@56:u32 hash@60:u32 seams@64:u32 doubled_vertices@68:u32 " +
-    "reserved@72:u32"),
+    "questions@48:u32 vertex_questions@52:u32 hash@56:u32 seams@60:u32 doubled_vertices@64:u32 reserved@68:u32"),
   skeletonEdit: layout(12, "kind@0:u32 reserved@4:u32 text@8:u32"),
   characterRigOptions: layout(108,
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 detail@24:u32 " +

@@ -35,7 +35,7 @@ class Declarations(unittest.TestCase):
                 lines.append(f'printf("{name}.{field} %zu %zu\\n", offsetof({name}, {field}), sizeof((({name}*)0)->{field}));')
                 one = getattr(struct, field)
                 expected.append(f"{name}.{field} {one.offset} {one.size}")
-        folders = [ROOT / "engine" / "include", ROOT / "formats" / "character" / "include"]
+        folders = [ROOT / "engine" / "include", ROOT / "character" / "include"]
         headers = [h for f in folders for h in sorted((f / "sinew").glob("*.h"))]
         with folder() as where:
             source = Path(where) / "sizes.c"

@@ -13,7 +13,7 @@ from .deforming import Deformer
 from .files import load, save
 from .mapping import REASONS, JointMap, map
 from .models import Model
-from .opened import OpenCharacter, Picture, create, extensions, open, open_picture, open_places, templates  # noqa: A004
+from .opened import OpenCharacter, create, extensions, open, open_picture, open_places, templates  # noqa: A004
 from .retargeting import RetargetStream, joint_classes, retarget
 from .rigger import Rig, rig
 from .style import answers_by_style

@@ -377,10 +377,14 @@ class sinew_character_seam(Structure):
     _fields_ = [("joints", c_uint32 * 2), ("position", c_float * 3), ("length", c_float)]
 
 
+class sinew_character_left_out(Structure):
+    _fields_ = [("why", c_char_p), ("joint", c_uint32), ("reserved", c_uint32)]
+
+
 class sinew_character_bind_result(Structure):
     _fields_ = [("struct_size", c_uint32), ("symmetric_vertices", c_uint32), ("kept_meshes", c_uint32), ("folded_tips", c_uint32),
         ("left_out_count", c_uint32), ("question_count", c_uint32), ("answers_by_style", c_uint32), ("seam_count", c_uint32),
-        ("seconds", c_double), ("workspace_bytes", c_size_t), ("left_out", c_void_p), ("left_out_why", POINTER(c_char_p)),
+        ("seconds", c_double), ("workspace_bytes", c_size_t), ("left_out", POINTER(sinew_character_left_out)),
         ("questions", POINTER(sinew_question)), ("vertex_questions", c_void_p), ("hash", c_char_p),
         ("seams", POINTER(sinew_character_seam)), ("doubled_vertices", c_uint32), ("reserved", c_uint32)]
 
@@ -514,8 +518,8 @@ STRUCTS: Tuple[Any, ...] = (sinew_mesh, sinew_model, sinew_answer, sinew_alterna
 
 CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_picture_options, sinew_character_picture_info,
     sinew_character_profile_options, sinew_character_arrays, sinew_character_clip, sinew_character_place_options, sinew_character_models,
-    sinew_character_bind_options, sinew_character_seam, sinew_character_bind_result, sinew_skeleton_edit, sinew_character_rig_options,
-    sinew_character_doubt, sinew_character_rig_result, sinew_character_map_options, sinew_character_map_result,
+    sinew_character_bind_options, sinew_character_seam, sinew_character_left_out, sinew_character_bind_result, sinew_skeleton_edit,
+    sinew_character_rig_options, sinew_character_doubt, sinew_character_rig_result, sinew_character_map_options, sinew_character_map_result,
     sinew_character_animate_options, sinew_character_animate_result, sinew_character_pose_options, sinew_character_transfer_options,
     sinew_character_transfer_result, sinew_character_simplify_options, sinew_character_lod_options, sinew_character_lod_level,
     sinew_character_finding, sinew_character_check_options, sinew_character_check_result, sinew_character_bake_options,

@@ -1,0 +1,1041 @@
+// SPDX-License-Identifier: MIT
+// Settings and results of a character's jobs, and the jobs. Generated from the C headers by scripts/declarations.py; a test compares.
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Sinew
+{
+    /// <summary>sinew_character_picture_options of C; what is not set is its default.</summary>
+    public sealed class PictureSettings
+    {
+        public BodyClass BodyClass;
+        /// <summary>Of several figures, from left to right, from 1 on; 0: the largest</summary>
+        public int Figure;
+        /// <summary>A card instead of a body as thick as it is wide</summary>
+        public bool Flat;
+        /// <summary>Places are the picture's pixels, x right, y up from the bottom edge; else the longest side is 1</summary>
+        public bool Pixels;
+        /// <summary>A picture that is bright where the figure is, as a file or the name of one in memory; null: found</summary>
+        public string Mask;
+        /// <summary>The figure as picture_info has it, in place of what is found</summary>
+        public float[][] Outline;
+        /// <summary>The figure is opened along lines that are drawn into it from its outline, as a guess</summary>
+        public bool Cut;
+
+        internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
+        {
+            var ends = new List<uint> { 0 };
+            foreach (float[] line in Outline ?? new float[0][]) ends.Add(ends[ends.Count - 1] + (uint)line.Length / 2);
+            return pins.Of(new Native.sinew_character_picture_options {
+                struct_size = Character.Size<Native.sinew_character_picture_options>(), body_class = (uint)BodyClass, figure = (uint)Figure,
+                flat = Flat ? 1u : 0, pixels = Pixels ? 1u : 0, mask = pins.Of(Mask), line_count = Character.Count(Outline),
+                line_offsets = Outline == null ? IntPtr.Zero : pins.Of(ends.ToArray()),
+                outline = Outline == null ? IntPtr.Zero : pins.Of(Outline.SelectMany(line => line).ToArray()), cut = Cut ? 1u : 0 });
+        }
+    }
+
+    /// <summary>sinew_character_profile_options of C; what is not set is its default.</summary>
+    public sealed class ProfileSettings
+    {
+        /// <summary>Axes, names and roots of the skeleton stay as they are</summary>
+        public bool KeepAxes;
+        /// <summary>"mixamo", "vrm": one of profiles(); null: none, files as they were read</summary>
+        public string Profile;
+        /// <summary>Of a VRM, in the words of its format; null: nothing is allowed</summary>
+        public string Licence;
+        /// <summary>Of a VRM; null: the character's name</summary>
+        public string Title;
+        /// <summary>Of a VRM, which has at least one</summary>
+        public string[] Authors;
+        /// <summary>A glTF's extras have what controls() says</summary>
+        public bool Controls;
+
+        internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
+        {
+            return pins.Of(new Native.sinew_character_profile_options {
+                struct_size = Character.Size<Native.sinew_character_profile_options>(), keep_axes = KeepAxes ? 1u : 0,
+                profile = pins.Of(Profile), licence = pins.Of(Licence), title = pins.Of(Title), author_count = Character.Count(Authors),
+                authors = pins.Of(Authors), controls = Controls ? 1u : 0 });
+        }
+    }
+
+    /// <summary>sinew_character_place_options of C; what is not set is its default.</summary>
+    public sealed class PlaceSettings
+    {
+        /// <summary>Quarters about the origin, one after the other: "x", "-x", "y", ...</summary>
+        public string[] Turns;
+        /// <summary>Metres along up; 0 = as it is</summary>
+        public double Height;
+        /// <summary>The lowest vertex is at 0 along up</summary>
+        public bool Floor;
+        /// <summary>Afterwards; 0 = Y</summary>
+        public Up Up;
+
+        internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
+        {
+            return pins.Of(new Native.sinew_character_place_options {struct_size = Character.Size<Native.sinew_character_place_options>(),
+                turn_count = Character.Count(Turns), turns = pins.Of(Turns), height = Height, floor = Floor ? 1u : 0, up = (uint)Up });
+        }
+    }
+
+    /// <summary>sinew_character_bind_options of C; what is not set is its default.</summary>
+    public sealed class CharacterBindSettings : JobSettings
+    {
+        public Method Method;
+        /// <summary>1..12; 0 = 4</summary>
+        public int Influences;
+        /// <summary>0 = Y</summary>
+        public Up Up;
+        public JointsFrom Joints;
+        public RigidParts RigidParts;
+        /// <summary>25..400; 0 = 100</summary>
+        public int SoftnessPercent;
+        /// <summary>0 = 32768</summary>
+        public int SurfaceVertices;
+        /// <summary>Joints that only end a chain keep the weight they get</summary>
+        public bool KeepTips;
+        /// <summary>Meshes without a skin are bound too</summary>
+        public bool BindProps;
+        /// <summary>A skeleton in other units or beside the mesh is brought into it</summary>
+        public bool Fit;
+        /// <summary>Mirrored vertices get mirrored rows</summary>
+        public bool Symmetric;
+        /// <summary>A saved .glb has the confidence as _CONFIDENCE</summary>
+        public bool KeepConfidence;
+        /// <summary>JOINT_NEVER, JOINT_DEFORMS (if any has it, no other deforms); or null</summary>
+        public byte[] JointFlags;
+        /// <summary>Not 0: keeps the weights it has; or null</summary>
+        public byte[] Locked;
+        /// <summary>Not 0: keeps the weights it has, which steer their surroundings; or null</summary>
+        public byte[] Hinted;
+        /// <summary>Weights of some vertices of the same mesh, joints by name: the same as hints; or null</summary>
+        public Character Hints;
+        /// <summary>A bound character whose weights are carried over where they fit; or null</summary>
+        public Character Like;
+        /// <summary>A .style file that answers what it knows</summary>
+        public string Style;
+        /// <summary>Rest pose of the result: "t", "a", or a file whose skeleton stands so; null: as it stands. Cuts, too</summary>
+        public string ToPose;
+        /// <summary>What has grown together is opened, its vertices doubled; the new ones come last</summary>
+        public bool Cut;
+        /// <summary>Bytes of .sinew files in place of the bundled models; or null.</summary>
+        public byte[] Model;
+
+        internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
+        {
+            Character.Length(JointFlags, sizes.joint_count, "CharacterBindSettings.JointFlags: expected [J] numbers");
+            Character.Length(Locked, sizes.vertex_count, "CharacterBindSettings.Locked: expected [V] numbers");
+            Character.Length(Hinted, sizes.vertex_count, "CharacterBindSettings.Hinted: expected [V] numbers");
+            return pins.Of(new Native.sinew_character_bind_options {struct_size = Character.Size<Native.sinew_character_bind_options>(),
+                thread_count = (uint)Threads, progress = watch.Callback, models = Character.Models(pins, Model, null, null, null, null),
+                method = (uint)Method, influence_count = (uint)Influences, up = (uint)Up, joints = (uint)Joints,
+                rigid_parts = (uint)RigidParts, softness_percent = (uint)SoftnessPercent, surface_vertices = (uint)SurfaceVertices,
+                keep_tips = KeepTips ? 1u : 0, bind_props = BindProps ? 1u : 0, fit = Fit ? 1u : 0, symmetric = Symmetric ? 1u : 0,
+                keep_confidence = KeepConfidence ? 1u : 0, joint_flags = pins.Of(JointFlags), locked = pins.Of(Locked),
+                hinted = pins.Of(Hinted), hints = Hints == null ? IntPtr.Zero : Hints.Handle,
+                like = Like == null ? IntPtr.Zero : Like.Handle, style = pins.Of(Style), to_pose = pins.Of(ToPose), cut = Cut ? 1u : 0 });
+        }
+    }
+
+    /// <summary>sinew_character_rig_options of C; what is not set is its default.</summary>
+    public sealed class CharacterRigSettings : JobSettings
+    {
+        public CharacterRigMethod Method;
+        public CharacterDetail Detail;
+        public Mirror Mirror;
+        /// <summary>0 = found, or as the file's format says</summary>
+        public Up Up;
+        /// <summary>1..16; 0 = as the model says</summary>
+        public int SpineCount;
+        /// <summary>Without</summary>
+        public bool NoToes;
+        /// <summary>Without</summary>
+        public bool NoEnds;
+        /// <summary>The skeleton alone</summary>
+        public bool NoBind;
+        /// <summary>With a skeleton, its bones are turned and all scaled alike</summary>
+        public bool KeepLengths;
+        /// <summary>Of the bind, and the three below</summary>
+        public int Influences;
+        public RigidParts RigidParts;
+        public int SoftnessPercent;
+        public int SurfaceVertices;
+        /// <summary>A file, or template:NAME, that is put into the mesh</summary>
+        public string Skeleton;
+        /// <summary>The same of a character; or null</summary>
+        public Character SkeletonCharacter;
+        /// <summary>What kind of body it is; 0 = as the model says</summary>
+        public Category Category;
+        /// <summary>0 = found</summary>
+        public Front Front;
+        /// <summary>The result is measured; what fails is a note that begins with "gate: "</summary>
+        public bool Gate;
+        /// <summary>What has grown together is opened, as of a bind; to_pose does so, too</summary>
+        public bool Cut;
+        /// <summary>Rest pose of the result: "t", "a", or a file whose skeleton stands so; null: as the mesh stands</summary>
+        public string ToPose;
+        /// <summary>Bytes of .sinew files in place of the bundled models; or null.</summary>
+        public byte[] Model, HandsModel, FrontModel;
+
+        internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
+        {
+            return pins.Of(new Native.sinew_character_rig_options {struct_size = Character.Size<Native.sinew_character_rig_options>(),
+                thread_count = (uint)Threads, progress = watch.Callback,
+                models = Character.Models(pins, null, Method == CharacterRigMethod.Slots ? null : Model, HandsModel, Method == CharacterRigMethod.Slots ? Model : null, FrontModel),
+                method = (uint)Method, detail = (uint)Detail, mirror = (uint)Mirror, up = (uint)Up, spine_count = (uint)SpineCount,
+                no_toes = NoToes ? 1u : 0, no_ends = NoEnds ? 1u : 0, no_bind = NoBind ? 1u : 0, keep_lengths = KeepLengths ? 1u : 0,
+                influence_count = (uint)Influences, rigid_parts = (uint)RigidParts, softness_percent = (uint)SoftnessPercent,
+                surface_vertices = (uint)SurfaceVertices, skeleton = pins.Of(Skeleton),
+                skeleton_character = SkeletonCharacter == null ? IntPtr.Zero : SkeletonCharacter.Handle, category = (uint)Category,
+                front = (uint)Front, gate = Gate ? 1u : 0, cut = Cut ? 1u : 0, to_pose = pins.Of(ToPose) });
+        }
+    }
+
+    /// <summary>sinew_character_map_options of C; what is not set is its default.</summary>
+    public sealed class CharacterMapSettings
+    {
+        public MapMethod Method;
+        /// <summary>Not read</summary>
+        public bool NoNames;
+        /// <summary>Not read</summary>
+        public bool NoEnds;
+        /// <summary>0 = along the legs of a body that has two, else Y</summary>
+        public Up TargetUp;
+        /// <summary>0 = as the target's, Y for a template</summary>
+        public Up SourceUp;
+        /// <summary>As with target_up 0, whatever it is</summary>
+        public bool GuessUp;
+        /// <summary>Pairs that are kept</summary>
+        public Native.sinew_map_pin[] Pins;
+        /// <summary>A map whose lines are kept</summary>
+        public string PinsFile;
+        /// <summary>Of "branches"</summary>
+        public BranchesFirst First;
+        /// <summary>Of "branches"</summary>
+        public BranchesCost Cost;
+        /// <summary>Of the source, as in animate()</summary>
+        public string Layout;
+        /// <summary>Of the source, as in animate()</summary>
+        public string Actor;
+
+        internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
+        {
+            return pins.Of(new Native.sinew_character_map_options {struct_size = Character.Size<Native.sinew_character_map_options>(),
+                method = (uint)Method, no_names = NoNames ? 1u : 0, no_ends = NoEnds ? 1u : 0, target_up = (uint)TargetUp,
+                source_up = (uint)SourceUp, guess_up = GuessUp ? 1u : 0, pin_count = Character.Count(Pins), pins = pins.Of((object)Pins),
+                pins_file = pins.Of(PinsFile), branches_first = (uint)First, branches_cost = (uint)Cost, layout = pins.Of(Layout),
+                actor = pins.Of(Actor) });
+        }
+    }
+
+    /// <summary>sinew_character_animate_options of C; what is not set is its default.</summary>
+    public sealed class AnimateSettings : JobSettings
+    {
+        public AnimateMethod Method;
+        /// <summary>Stays above where it stands at rest</summary>
+        public bool InPlace;
+        /// <summary>Knees and elbows may leave their natural range</summary>
+        public bool NoRange;
+        public Up TargetUp;
+        public Up MotionUp;
+        /// <summary>Every frame is corrected by morph targets, VOLUME and above</summary>
+        public PoseDeform Deform;
+        /// <summary>Of the deformer; 0 = its own</summary>
+        public int Cells;
+        /// <summary>Of the deformer; 0 = its own</summary>
+        public int Rounds;
+        /// <summary>With "volume" or "xpbd", limbs keep out of the body</summary>
+        public bool BodyContact;
+        /// <summary>Most morph targets a clip; 0 = 16</summary>
+        public int Shapes;
+        /// <summary>0 = as the motion has</summary>
+        public double Fps;
+        /// <summary>Seconds; to 0 = the end</summary>
+        public double From;
+        /// <summary>Seconds; to 0 = the end</summary>
+        public double To;
+        /// <summary>By name or number; null: all</summary>
+        public string Clip;
+        /// <summary>A map file; null: found</summary>
+        public string Map;
+        /// <summary>Joint of the motion or -1, in place of a map; or null</summary>
+        public int[] Sources;
+        /// <summary>Reference points: 1..4, or NO_AREA; 0 = 3</summary>
+        public int AreaPower;
+        /// <summary>Reference points</summary>
+        public bool Legs;
+        /// <summary>Limbs are measured before and after</summary>
+        public bool Report;
+        /// <summary>Reference points; 0 = 0.05, NO_FALLOFF: none</summary>
+        public double Falloff;
+        /// <summary>Reference points, as in sinew_reference_options</summary>
+        public bool OwnLimb;
+        /// <summary>Reference points, as in sinew_reference_options</summary>
+        public bool Head;
+        /// <summary>Reference points, as in sinew_reference_options</summary>
+        public bool Torso;
+        /// <summary>Reference points, as in sinew_reference_options</summary>
+        public bool SourcePoints;
+        /// <summary>Plays a motion that does not fit, such as a person's on a horse; else an error</summary>
+        public bool Force;
+        /// <summary>Bones stretch as the source's do, as in sinew_retarget_options</summary>
+        public bool Translations;
+        /// <summary>"xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2</summary>
+        public double Stiffness;
+        /// <summary>"xpbd": sinew_tet_weights</summary>
+        public TetWeights TetWeights;
+        /// <summary>"xpbd": bends are not smoothed</summary>
+        public bool NoSmoothing;
+        /// <summary>Which joints places alone are (.npy, .npz): "smpl24", ...; null: guessed by their count</summary>
+        public string Layout;
+        /// <summary>Of a file of several people, by the root's name or number; null: the first where all are alike</summary>
+        public string Actor;
+        /// <summary>What joints stay within, contacts or not: a .urdf, a file of formats/spec/limits.md, or "human" for what bodies can do;
+        /// null: nothing but the natural range</summary>
+        public string Limits;
+        /// <summary>Bones of a picture's character leave its plane as the motion's do</summary>
+        public bool Depth;
+        /// <summary>Bytes of .sinew files in place of the bundled models; or null.</summary>
+        public byte[] Model, HandsModel, FrontModel;
+
+        internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
+        {
+            Character.Length(Sources, sizes.joint_count, "AnimateSettings.Sources: expected [J] numbers");
+            return pins.Of(new Native.sinew_character_animate_options {
+                struct_size = Character.Size<Native.sinew_character_animate_options>(), thread_count = (uint)Threads,
+                progress = watch.Callback, models = Character.Models(pins, null, Model, HandsModel, null, FrontModel),
+                method = (uint)Method, in_place = InPlace ? 1u : 0, no_range = NoRange ? 1u : 0, target_up = (uint)TargetUp,
+                motion_up = (uint)MotionUp, deform = (uint)Deform, cells = (uint)Cells, rounds = (uint)Rounds,
+                body_contact = BodyContact ? 1u : 0, shapes = (uint)Shapes, fps = Fps, from = From, to = To, clip = pins.Of(Clip),
+                map = pins.Of(Map), sources = pins.Of(Sources), area_power = (uint)AreaPower, legs = Legs ? 1u : 0,
+                report = Report ? 1u : 0, falloff = Falloff, own_limb = OwnLimb ? 1u : 0, head = Head ? 1u : 0, torso = Torso ? 1u : 0,
+                source_points = SourcePoints ? 1u : 0, force = Force ? 1u : 0, translations = Translations ? 1u : 0, stiffness = Stiffness,
+                tet_weights = (uint)TetWeights, no_smoothing = NoSmoothing ? 1u : 0, layout = pins.Of(Layout), actor = pins.Of(Actor),
+                limits = pins.Of(Limits), depth = Depth ? 1u : 0 });
+        }
+    }
+
+    /// <summary>sinew_character_pose_options of C; what is not set is its default.</summary>
+    public sealed class PoseSettings
+    {
+        public PoseDeform Deform;
+        /// <summary>Of the deformer; 0 = its own</summary>
+        public int Cells;
+        /// <summary>Of the deformer; 0 = its own</summary>
+        public int Rounds;
+        /// <summary>With "volume" or "xpbd"</summary>
+        public bool BodyContact;
+        /// <summary>Joints turned about x, then y, then z, in degrees; or null</summary>
+        public double[] Angles;
+        /// <summary>X y z w, local, against the rest pose; or null</summary>
+        public double[] Rotations;
+        /// <summary>Row-major 3x4, rest to posed space; or null</summary>
+        public double[] Matrices;
+        /// <summary>Of the character's own, by name or number</summary>
+        public string Clip;
+        /// <summary>Second of the clip</summary>
+        public double Time;
+        /// <summary>"xpbd", as in animate(), and the two below</summary>
+        public double Stiffness;
+        public TetWeights TetWeights;
+        public bool NoSmoothing;
+        public int Threads = 1;
+
+        internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
+        {
+            Character.Length(Angles, sizes.joint_count * 3, "PoseSettings.Angles: expected [J x 3] numbers");
+            Character.Length(Rotations, sizes.joint_count * 4, "PoseSettings.Rotations: expected [J x 4] numbers");
+            Character.Length(Matrices, sizes.joint_count * 12, "PoseSettings.Matrices: expected [J x 12] numbers");
+            return pins.Of(new Native.sinew_character_pose_options {struct_size = Character.Size<Native.sinew_character_pose_options>(),
+                thread_count = (uint)Threads, deform = (uint)Deform, cells = (uint)Cells, rounds = (uint)Rounds,
+                body_contact = BodyContact ? 1u : 0, angles = pins.Of(Angles), rotations = pins.Of(Rotations), matrices = pins.Of(Matrices),
+                clip = pins.Of(Clip), time = Time, stiffness = Stiffness, tet_weights = (uint)TetWeights,
+                no_smoothing = NoSmoothing ? 1u : 0 });
+        }
+    }
+
+    /// <summary>sinew_character_transfer_options of C; what is not set is its default.</summary>
+    public sealed class CharacterTransferSettings : JobSettings
+    {
+        public TransferMethod Method;
+        /// <summary>1..12; 0 = 4</summary>
+        public int Influences;
+        /// <summary>0 = Y</summary>
+        public Up TargetUp;
+        /// <summary>0 = Y</summary>
+        public Up SourceUp;
+        /// <summary>The target is worn by the source</summary>
+        public bool Garment;
+        /// <summary>Of "biharmonic"</summary>
+        public bool AsDrawn;
+        /// <summary>Binds by heat alone, without a model</summary>
+        public bool Heat;
+        /// <summary>Of "biharmonic"</summary>
+        public Native.sinew_vertex_pair[] Pairs;
+        /// <summary>Of the target; or null</summary>
+        public byte[] Locked;
+        /// <summary>A map file; null: found</summary>
+        public string Map;
+        /// <summary>Bytes of .sinew files in place of the bundled models; or null.</summary>
+        public byte[] Model;
+
+        internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
+        {
+            Character.Length(Locked, sizes.vertex_count, "CharacterTransferSettings.Locked: expected [V] numbers");
+            return pins.Of(new Native.sinew_character_transfer_options {
+                struct_size = Character.Size<Native.sinew_character_transfer_options>(), thread_count = (uint)Threads,
+                progress = watch.Callback, models = Character.Models(pins, Model, null, null, null, null), method = (uint)Method,
+                influence_count = (uint)Influences, target_up = (uint)TargetUp, source_up = (uint)SourceUp, garment = Garment ? 1u : 0,
+                as_drawn = AsDrawn ? 1u : 0, heat = Heat ? 1u : 0, pair_count = Character.Count(Pairs), pairs = pins.Of((object)Pairs),
+                locked = pins.Of(Locked), map = pins.Of(Map) });
+        }
+    }
+
+    /// <summary>sinew_character_check_options of C; what is not set is its default.</summary>
+    public sealed class CheckSettings
+    {
+        /// <summary>The mesh is not posed: no tears, lost volume, flips, crossings</summary>
+        public bool NoPoses;
+        /// <summary>Animations are not looked at</summary>
+        public bool NoClips;
+        /// <summary>Rules that get other bounds</summary>
+        public Dictionary<string, double> Bounds;
+        /// <summary>The result has a score</summary>
+        public bool Score;
+
+        internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
+        {
+            string[] rules = Bounds == null ? null : Bounds.Keys.ToArray();
+            return pins.Of(new Native.sinew_character_check_options {struct_size = Character.Size<Native.sinew_character_check_options>(),
+                no_poses = NoPoses ? 1u : 0, no_clips = NoClips ? 1u : 0, bound_count = Character.Count(rules),
+                bound_rules = pins.Of(rules), bounds = pins.Of(Bounds == null ? null : Bounds.Values.ToArray()), score = Score ? 1u : 0 });
+        }
+    }
+
+    /// <summary>sinew_character_bake_options of C; what is not set is its default.</summary>
+    public sealed class BakeSettings
+    {
+        /// <summary>0 = "volume"</summary>
+        public PoseDeform Deform;
+        /// <summary>Of the deformer; 0 = its own</summary>
+        public int Cells;
+        /// <summary>Of the deformer; 0 = its own</summary>
+        public int Rounds;
+        /// <summary>As in animate()</summary>
+        public bool BodyContact;
+        /// <summary>To learn from; 0 = 1500</summary>
+        public int Poses;
+        /// <summary>A bend; 0 = 8</summary>
+        public int Shapes;
+        /// <summary>Of the poses; 0 = 1</summary>
+        public ulong Seed;
+        /// <summary>Largest angle, degrees; 0 = 60</summary>
+        public double Limit;
+        /// <summary>Learn from a clip of the character's own; null: random poses</summary>
+        public string Clip;
+        /// <summary>"xpbd", as in animate(), and the two below</summary>
+        public double Stiffness;
+        public TetWeights TetWeights;
+        public bool NoSmoothing;
+        public Func<float, bool> Progress;
+
+        internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
+        {
+            return pins.Of(new Native.sinew_character_bake_options {struct_size = Character.Size<Native.sinew_character_bake_options>(),
+                progress = watch.Callback, deform = (uint)Deform, cells = (uint)Cells, rounds = (uint)Rounds,
+                body_contact = BodyContact ? 1u : 0, poses = (uint)Poses, shapes = (uint)Shapes, seed = Seed, limit = Limit,
+                clip = pins.Of(Clip), stiffness = Stiffness, tet_weights = (uint)TetWeights, no_smoothing = NoSmoothing ? 1u : 0 });
+        }
+    }
+
+    /// <summary>sinew_character_picture_info of C.</summary>
+    public sealed class PictureInfo
+    {
+        /// <summary>Pixels as the picture is seen</summary>
+        public int Width;
+        /// <summary>Pixels as the picture is seen</summary>
+        public int Height;
+        /// <summary>In the picture</summary>
+        public int FigureCount;
+        /// <summary>The one that was taken, from 1 on</summary>
+        public int Figure;
+        /// <summary>0 before it is rigged</summary>
+        public BodyClass BodyClass;
+        /// <summary>0 before it is rigged</summary>
+        public PictureView View;
+        /// <summary>0..1, of class and view together; 0 before it is rigged</summary>
+        public float Certainty;
+        /// <summary>Pixels, x right, y down from the top left corner</summary>
+        public float[][] Outline;
+
+        internal static IntPtr Room(Pins pins)
+        {
+            return pins.Of(new Native.sinew_character_picture_info { struct_size = Character.Size<Native.sinew_character_picture_info>() });
+        }
+
+        internal static PictureInfo Of(IntPtr at, Native.sinew_character_arrays sizes)
+        {
+            var r = Character.Read<Native.sinew_character_picture_info>(at);
+            return new PictureInfo {Width = (int)r.width, Height = (int)r.height, FigureCount = (int)r.figure_count, Figure = (int)r.figure,
+                BodyClass = (BodyClass)r.body_class, View = (PictureView)r.view, Certainty = r.certainty,
+                Outline = Character.Lines(r.outline, r.line_offsets, r.line_count) };
+        }
+    }
+
+    /// <summary>sinew_character_left_out of C.</summary>
+    public sealed class LeftOutJoint
+    {
+        /// <summary>"control", "no weight in the file", ...</summary>
+        public string Why;
+        public int Joint;
+
+        internal static LeftOutJoint Of(IntPtr at, Native.sinew_character_arrays sizes)
+        {
+            var r = Character.Read<Native.sinew_character_left_out>(at);
+            return new LeftOutJoint {Why = Character.Text(r.why), Joint = (int)r.joint };
+        }
+    }
+
+    /// <summary>sinew_character_seam of C.</summary>
+    public sealed class Seam
+    {
+        /// <summary>That most of it lies between</summary>
+        public int[] Joints;
+        /// <summary>Its middle</summary>
+        public float[] Position;
+        public float Length;
+
+        internal static Seam Of(IntPtr at, Native.sinew_character_arrays sizes)
+        {
+            var r = Character.Read<Native.sinew_character_seam>(at);
+            return new Seam {Joints = new[] { (int)r.joints_0, (int)r.joints_1 },
+                Position = new[] { r.position_0, r.position_1, r.position_2 }, Length = r.length };
+        }
+    }
+
+    /// <summary>sinew_character_bind_result of C.</summary>
+    public sealed class CharacterBindResult
+    {
+        /// <summary>With symmetric</summary>
+        public int SymmetricVertices;
+        /// <summary>That stayed attached</summary>
+        public int KeptMeshes;
+        /// <summary>That gave their weight to their parents</summary>
+        public int FoldedTips;
+        /// <summary>That the style file gave</summary>
+        public int AnswersByStyle;
+        /// <summary>In sinew_bind()</summary>
+        public double Seconds;
+        public long WorkspaceBytes;
+        public LeftOutJoint[] LeftOut;
+        /// <summary>Of the weights, as `sinew bind --json` has it</summary>
+        public string Hash;
+        /// <summary>Longest first</summary>
+        public Seam[] Seams;
+        /// <summary>With cut or to_pose</summary>
+        public int DoubledVertices;
+
+        internal static IntPtr Room(Pins pins)
+        {
+            return pins.Of(new Native.sinew_character_bind_result { struct_size = Character.Size<Native.sinew_character_bind_result>() });
+        }
+
+        internal static CharacterBindResult Of(IntPtr at, Native.sinew_character_arrays sizes)
+        {
+            var r = Character.Read<Native.sinew_character_bind_result>(at);
+            return new CharacterBindResult {SymmetricVertices = (int)r.symmetric_vertices, KeptMeshes = (int)r.kept_meshes,
+                FoldedTips = (int)r.folded_tips, AnswersByStyle = (int)r.answers_by_style, Seconds = r.seconds,
+                WorkspaceBytes = (long)r.workspace_bytes,
+                LeftOut = Character.Structs<Native.sinew_character_left_out, LeftOutJoint>(r.left_out, r.left_out_count, sizes, LeftOutJoint.Of),
+                Hash = Character.Text(r.hash),
+                Seams = Character.Structs<Native.sinew_character_seam, Seam>(r.seams, r.seam_count, sizes, Seam.Of),
+                DoubledVertices = (int)r.doubled_vertices };
+        }
+    }
+
+    /// <summary>sinew_character_doubt of C.</summary>
+    public sealed class LimbDoubt
+    {
+        /// <summary>Of the joint that the limb is called by: LeftArm, RightUpLeg, Tail</summary>
+        public string Name;
+        /// <summary>How likely the limb is wrong, 0..1</summary>
+        public float Doubt;
+
+        internal static LimbDoubt Of(IntPtr at, Native.sinew_character_arrays sizes)
+        {
+            var r = Character.Read<Native.sinew_character_doubt>(at);
+            return new LimbDoubt {Name = Character.Text(r.name), Doubt = r.doubt };
+        }
+    }
+
+    /// <summary>sinew_character_rig_result of C.</summary>
+    public sealed class CharacterRigResult
+    {
+        /// <summary>The skeleton is its own mirror image</summary>
+        public bool Mirrored;
+        /// <summary>With a skeleton: joints that have a like in the prediction</summary>
+        public int Matched;
+        /// <summary>N, of the arrays below</summary>
+        public int JointCount;
+        /// <summary>How far off the votes think they are, see sinew_rig_outputs</summary>
+        public float Spread;
+        /// <summary>With a skeleton: how much larger it became</summary>
+        public double Scale;
+        public double Seconds;
+        public double BindSeconds;
+        /// <summary>A bone end</summary>
+        public byte[] Ends;
+        /// <summary>0..1</summary>
+        public float[] Confidence;
+        /// <summary>0..1</summary>
+        public float[] ParentConfidence;
+        /// <summary>The direction that it faces, unit vector</summary>
+        public float[] Front;
+        /// <summary>Y or Z</summary>
+        public Up Up;
+        /// <summary>0..1, see sinew_rig_outputs; below 0.7 a coin toss</summary>
+        public float FrontConfidence;
+        public float UpConfidence;
+        /// <summary>Longest first</summary>
+        public Seam[] Seams;
+        /// <summary>Most doubtful first; of votes</summary>
+        public LimbDoubt[] Doubtful;
+
+        internal static IntPtr Room(Pins pins)
+        {
+            return pins.Of(new Native.sinew_character_rig_result { struct_size = Character.Size<Native.sinew_character_rig_result>() });
+        }
+
+        internal static CharacterRigResult Of(IntPtr at, Native.sinew_character_arrays sizes)
+        {
+            var r = Character.Read<Native.sinew_character_rig_result>(at);
+            return new CharacterRigResult {Mirrored = r.mirrored != 0, Matched = (int)r.matched, JointCount = (int)r.joint_count,
+                Spread = r.spread, Scale = r.scale, Seconds = r.seconds, BindSeconds = r.bind_seconds,
+                Ends = Character.Bytes(r.ends, r.joint_count), Confidence = Character.Floats(r.confidence, r.joint_count),
+                ParentConfidence = Character.Floats(r.parent_confidence, r.joint_count), Front = new[] { r.front_0, r.front_1, r.front_2 },
+                Up = (Up)r.up, FrontConfidence = r.front_confidence, UpConfidence = r.up_confidence,
+                Seams = Character.Structs<Native.sinew_character_seam, Seam>(r.seams, r.seam_count, sizes, Seam.Of),
+                Doubtful = Character.Structs<Native.sinew_character_doubt, LimbDoubt>(r.doubtful, r.doubtful_count, sizes, LimbDoubt.Of) };
+        }
+    }
+
+    /// <summary>sinew_character_map_result of C.</summary>
+    public sealed class CharacterMap
+    {
+        /// <summary>That was used</summary>
+        public MapMethod Method;
+        /// <summary>J of the target</summary>
+        public int JointCount;
+        /// <summary>Of them with a source</summary>
+        public int Mapped;
+        /// <summary>0..1, of front, sides and trunk</summary>
+        public float Certainty;
+        /// <summary>0..1, how much of both bodies it reaches; below 0.5 animate() refuses it</summary>
+        public float Cover;
+        public double Seconds;
+        /// <summary>Joint of the source, -1 = none</summary>
+        public int[] Sources;
+        /// <summary>0..1</summary>
+        public float[] Confidence;
+        public byte[] Reasons;
+        /// <summary>The map as `sinew map -o` writes it</summary>
+        public string Text;
+
+        internal static IntPtr Room(Pins pins)
+        {
+            return pins.Of(new Native.sinew_character_map_result { struct_size = Character.Size<Native.sinew_character_map_result>() });
+        }
+
+        internal static CharacterMap Of(IntPtr at, Native.sinew_character_arrays sizes)
+        {
+            var r = Character.Read<Native.sinew_character_map_result>(at);
+            return new CharacterMap {Method = (MapMethod)r.method, JointCount = (int)r.joint_count, Mapped = (int)r.mapped,
+                Certainty = r.certainty, Cover = r.cover, Seconds = r.seconds, Sources = Character.Ints(r.sources, r.joint_count),
+                Confidence = Character.Floats(r.confidence, r.joint_count), Reasons = Character.Bytes(r.reasons, r.joint_count),
+                Text = Character.Text(r.text) };
+        }
+    }
+
+    /// <summary>sinew_limb_measure of C.</summary>
+    public sealed class LimbMeasure
+    {
+        /// <summary>Of the target: wrist or ankle</summary>
+        public int Joint;
+        /// <summary>Leg, 0: arm</summary>
+        public bool Leg;
+        /// <summary>Of the clip</summary>
+        public int Frames;
+        /// <summary>With a depth above 0.006</summary>
+        public int DeepFrames;
+        /// <summary>With a contact</summary>
+        public int ContactFrames;
+        /// <summary>Elbow or knee is out of its natural range by more than a degree</summary>
+        public int RangeFrames;
+        /// <summary>Mean over frames</summary>
+        public float Depth;
+        public float GreatestDepth;
+        /// <summary>Mean over contact frames</summary>
+        public float Error;
+        public float GreatestError;
+
+        internal static LimbMeasure Of(IntPtr at, Native.sinew_character_arrays sizes)
+        {
+            var r = Character.Read<Native.sinew_limb_measure>(at);
+            return new LimbMeasure {Joint = (int)r.joint, Leg = r.leg != 0, Frames = (int)r.frames, DeepFrames = (int)r.deep_frames,
+                ContactFrames = (int)r.contact_frames, RangeFrames = (int)r.range_frames, Depth = r.depth, GreatestDepth = r.greatest_depth,
+                Error = r.error, GreatestError = r.greatest_error };
+        }
+    }
+
+    /// <summary>sinew_character_animate_result of C.</summary>
+    public sealed class AnimateResult
+    {
+        /// <summary>That were added</summary>
+        public int ClipCount;
+        /// <summary>Index of the first of them, for get_clip()</summary>
+        public int FirstClip;
+        /// <summary>Joints that move</summary>
+        public int Mapped;
+        /// <summary>Was a bare mesh</summary>
+        public bool Rigged;
+        /// <summary>Morph targets that were added</summary>
+        public int ShapeCount;
+        /// <summary>0..1, of front and sides, and no more than how much of both bodies the map reaches</summary>
+        public float Certainty;
+        /// <summary>With report: [clip_count x limb_count] of both below</summary>
+        public int LimbCount;
+        /// <summary>With report</summary>
+        public LimbMeasure[] LimbsBefore;
+        /// <summary>With report</summary>
+        public LimbMeasure[] LimbsAfter;
+        /// <summary>"anatomy and names"</summary>
+        public string MappedBy;
+        /// <summary>The map that was used</summary>
+        public int[] Sources;
+
+        internal static IntPtr Room(Pins pins)
+        {
+            return pins.Of(new Native.sinew_character_animate_result { struct_size = Character.Size<Native.sinew_character_animate_result>() });
+        }
+
+        internal static AnimateResult Of(IntPtr at, Native.sinew_character_arrays sizes)
+        {
+            var r = Character.Read<Native.sinew_character_animate_result>(at);
+            return new AnimateResult {ClipCount = (int)r.clip_count, FirstClip = (int)r.first_clip, Mapped = (int)r.mapped,
+                Rigged = r.rigged != 0, ShapeCount = (int)r.shape_count, Certainty = r.certainty, LimbCount = (int)r.limb_count,
+                LimbsBefore = Character.Structs<Native.sinew_limb_measure, LimbMeasure>(r.limbs_before, r.clip_count * r.limb_count, sizes, LimbMeasure.Of),
+                LimbsAfter = Character.Structs<Native.sinew_limb_measure, LimbMeasure>(r.limbs_after, r.clip_count * r.limb_count, sizes, LimbMeasure.Of),
+                MappedBy = Character.Text(r.mapped_by), Sources = Character.Ints(r.sources, sizes.joint_count) };
+        }
+    }
+
+    /// <summary>sinew_transfer_part of C.</summary>
+    public sealed class TransferPart
+    {
+        /// <summary>Its vertex of lowest index</summary>
+        public int Vertex;
+        /// <summary>Of the target</summary>
+        public int VertexCount;
+        /// <summary>Of the larger share</summary>
+        public TransferReason Reason;
+        /// <summary>How far the source's weights there are from a bind's: sum over joints of the difference, mean over the vertices,
+        /// 0..131072. 0 where nothing was bound.</summary>
+        public double Carried;
+        /// <summary>The same between a bind of the target and the source's bind carried over: how far the match is off.</summary>
+        public double Style;
+        /// <summary>Mean distance of its vertices from the source as it was laid over the target, longest sides of the target.</summary>
+        public double Mismatch;
+        public double Distance;
+
+        internal static TransferPart Of(IntPtr at, Native.sinew_character_arrays sizes)
+        {
+            var r = Character.Read<Native.sinew_transfer_part>(at);
+            return new TransferPart {Vertex = (int)r.vertex, VertexCount = (int)r.vertex_count, Reason = (TransferReason)r.reason,
+                Carried = r.carried_q16 / 65536.0, Style = r.style_q16 / 65536.0, Mismatch = r.mismatch_q16 / 65536.0,
+                Distance = r.distance_q16 / 65536.0 };
+        }
+    }
+
+    /// <summary>sinew_character_transfer_result of C.</summary>
+    public sealed class CharacterTransferResult
+    {
+        /// <summary>Of the source</summary>
+        public int MappedJoints;
+        /// <summary>The target had no skeleton and has the source's</summary>
+        public bool Fitted;
+        /// <summary>Something was bound anew</summary>
+        public bool Bound;
+        public Method BoundBy;
+        /// <summary>See sinew_transfer_outputs, as numbers</summary>
+        public double Carried;
+        /// <summary>See sinew_transfer_outputs, as numbers</summary>
+        public double Style;
+        /// <summary>See sinew_transfer_outputs, as numbers</summary>
+        public double Mismatch;
+        public double Seconds;
+        public string MappedBy;
+        /// <summary>By falling size</summary>
+        public TransferPart[] Parts;
+
+        internal static IntPtr Room(Pins pins)
+        {
+            return pins.Of(new Native.sinew_character_transfer_result { struct_size = Character.Size<Native.sinew_character_transfer_result>() });
+        }
+
+        internal static CharacterTransferResult Of(IntPtr at, Native.sinew_character_arrays sizes)
+        {
+            var r = Character.Read<Native.sinew_character_transfer_result>(at);
+            return new CharacterTransferResult {MappedJoints = (int)r.mapped_joints, Fitted = r.fitted != 0, Bound = r.bound != 0,
+                BoundBy = (Method)r.bound_by, Carried = r.carried, Style = r.style, Mismatch = r.mismatch, Seconds = r.seconds,
+                MappedBy = Character.Text(r.mapped_by),
+                Parts = Character.Structs<Native.sinew_transfer_part, TransferPart>(r.parts, r.part_count, sizes, TransferPart.Of) };
+        }
+    }
+
+    /// <summary>sinew_character_finding of C.</summary>
+    public sealed class Finding
+    {
+        /// <summary>"left-right"; check_rules() lists them</summary>
+        public string Rule;
+        /// <summary>One line of English</summary>
+        public string What;
+        /// <summary>What to do, one line</summary>
+        public string Cure;
+        /// <summary>Test pose in which it shows; "": none</summary>
+        public string Pose;
+        /// <summary>Animation in which it shows; "": none</summary>
+        public string Clip;
+        /// <summary>In the clip</summary>
+        public double Seconds;
+        /// <summary>What was measured, and above which it is a finding</summary>
+        public double Value;
+        /// <summary>What was measured, and above which it is a finding</summary>
+        public double Bound;
+        /// <summary>Ascending; null where it is about joints or clips</summary>
+        public int[] Vertices;
+        public CheckSeverity Severity;
+        /// <summary>That it is about, and that it is compared with; -1: none</summary>
+        public int Joint;
+        /// <summary>That it is about, and that it is compared with; -1: none</summary>
+        public int Other;
+        /// <summary>Where all its vertices lie in one; -1: none</summary>
+        public int Mesh;
+        /// <summary>Where to look, and how far around it, the mesh's units</summary>
+        public float[] Position;
+        public float Radius;
+
+        internal static Finding Of(IntPtr at, Native.sinew_character_arrays sizes)
+        {
+            var r = Character.Read<Native.sinew_character_finding>(at);
+            return new Finding {Rule = Character.Text(r.rule), What = Character.Text(r.what), Cure = Character.Text(r.cure),
+                Pose = Character.Text(r.pose), Clip = Character.Text(r.clip), Seconds = r.seconds, Value = r.value, Bound = r.bound,
+                Vertices = Character.Ints(r.vertices, r.vertex_count), Severity = (CheckSeverity)r.severity, Joint = r.joint,
+                Other = r.other, Mesh = r.mesh, Position = new[] { r.position_0, r.position_1, r.position_2 }, Radius = r.radius };
+        }
+    }
+
+    /// <summary>sinew_character_check_result of C.</summary>
+    public sealed class CheckResult
+    {
+        public int Errors;
+        public int Warnings;
+        public int Notes;
+        /// <summary>Errors first</summary>
+        public Finding[] Findings;
+        /// <summary>"checked: 0 findings"</summary>
+        public string Line;
+        /// <summary>With score: how near the weights are to those of three methods, 0..100; -1 where it was not asked for</summary>
+        public double? Score;
+
+        internal static IntPtr Room(Pins pins)
+        {
+            return pins.Of(new Native.sinew_character_check_result { struct_size = Character.Size<Native.sinew_character_check_result>() });
+        }
+
+        internal static CheckResult Of(IntPtr at, Native.sinew_character_arrays sizes)
+        {
+            var r = Character.Read<Native.sinew_character_check_result>(at);
+            return new CheckResult {Errors = (int)r.errors, Warnings = (int)r.warnings, Notes = (int)r.notes,
+                Findings = Character.Structs<Native.sinew_character_finding, Finding>(r.findings, r.finding_count, sizes, Finding.Of),
+                Line = Character.Text(r.line), Score = r.score < 0 ? (double?)null : r.score };
+        }
+    }
+
+    /// <summary>sinew_character_bake_result of C.</summary>
+    public sealed class BakeResult
+    {
+        public int ShapeCount;
+        public int BendCount;
+        public int MovedVertices;
+        public int LearntPoses;
+        public int HeldOutPoses;
+        /// <summary>Of the poses that were learnt, shares of the size</summary>
+        public double LinearError;
+        /// <summary>Of the poses that were learnt, shares of the size</summary>
+        public double BakedError;
+        /// <summary>Of others</summary>
+        public double HeldOutLinearError;
+        /// <summary>Of others</summary>
+        public double HeldOutBakedError;
+
+        internal static IntPtr Room(Pins pins)
+        {
+            return pins.Of(new Native.sinew_character_bake_result { struct_size = Character.Size<Native.sinew_character_bake_result>() });
+        }
+
+        internal static BakeResult Of(IntPtr at, Native.sinew_character_arrays sizes)
+        {
+            var r = Character.Read<Native.sinew_character_bake_result>(at);
+            return new BakeResult {ShapeCount = (int)r.shape_count, BendCount = (int)r.bend_count, MovedVertices = (int)r.moved_vertices,
+                LearntPoses = (int)r.learnt_poses, HeldOutPoses = (int)r.held_out_poses, LinearError = r.linear_error,
+                BakedError = r.baked_error, HeldOutLinearError = r.held_out_linear_error, HeldOutBakedError = r.held_out_baked_error };
+        }
+    }
+
+    public sealed partial class Character
+    {
+        /// <summary>What Save() and Write() write from now on: joint names and axes, a root, influences, facing, and what a VRM says. The
+        /// picture stays, and the rest pose too: that is to_pose of a bind or rig ("t" for most, "a" for unreal). Remarks go to Notes() as
+        /// files are written.</summary>
+        public void SetProfile(ProfileSettings settings)
+        {
+            using (var pins = new Pins())
+            {
+                var watch = new Watch(null);
+                Check(Native.sinew_character_set_profile(Handle, settings.Options(pins, watch, Arrays())), handle_, "set_profile", watch);
+                GC.KeepAlive(settings);
+            }
+        }
+
+        /// <summary>Turns and scales the character as a whole: mesh, joints, the file's own animations. Weights stay. A picture, a
+        /// character without a mesh, and one that has clips or morph targets of other calls are an error.</summary>
+        public void Place(PlaceSettings settings)
+        {
+            using (var pins = new Pins())
+            {
+                var watch = new Watch(null);
+                Check(Native.sinew_character_place(Handle, settings.Options(pins, watch, Arrays())), handle_, "place", watch);
+                GC.KeepAlive(settings);
+            }
+        }
+
+        /// <summary>Gives the mesh weights for its skeleton. A mesh without a skeleton is an error.</summary>
+        public CharacterBindResult Bind(CharacterBindSettings settings = null)
+        {
+            settings = settings ?? new CharacterBindSettings();
+            using (var pins = new Pins())
+            {
+                var watch = new Watch(settings.Progress);
+                IntPtr result = CharacterBindResult.Room(pins);
+                Check(Native.sinew_character_bind(Handle, settings.Options(pins, watch, Arrays()), result), handle_, "bind", watch);
+                GC.KeepAlive(settings);
+                return CharacterBindResult.Of(result, Arrays());
+            }
+        }
+
+        /// <summary>Makes a skeleton for a mesh and binds the mesh to it. A skeleton that the character has is left out.</summary>
+        public CharacterRigResult Rig(CharacterRigSettings settings = null)
+        {
+            settings = settings ?? new CharacterRigSettings();
+            using (var pins = new Pins())
+            {
+                var watch = new Watch(settings.Progress);
+                IntPtr result = CharacterRigResult.Room(pins);
+                Check(Native.sinew_character_rig(Handle, settings.Options(pins, watch, Arrays()), result), handle_, "rig", watch);
+                GC.KeepAlive(settings);
+                return CharacterRigResult.Of(result, Arrays());
+            }
+        }
+
+        /// <summary>Which joint of the source stands for which of the target. Changes neither; the result's arrays are the target's. The
+        /// source is read as Animate() reads it as a motion: in a stance that is guessed where its rest pose is none. A joint of its motion
+        /// that it has beside its own (an animated node without skin) is counted behind them.</summary>
+        public CharacterMap Map(Character source, CharacterMapSettings settings = null)
+        {
+            settings = settings ?? new CharacterMapSettings();
+            using (var pins = new Pins())
+            {
+                var watch = new Watch(null);
+                IntPtr result = CharacterMap.Room(pins);
+                Check(Native.sinew_character_map(Handle, source.Handle, settings.Options(pins, watch, Arrays()), result), handle_, "map", watch);
+                GC.KeepAlive(settings);
+                GC.KeepAlive(source);
+                return CharacterMap.Of(result, Arrays());
+            }
+        }
+
+        /// <summary>Adds clips of another skeleton to a bound character, which are saved with it. A bare mesh is rigged first.</summary>
+        public AnimateResult Animate(Character motion, AnimateSettings settings = null)
+        {
+            settings = settings ?? new AnimateSettings();
+            using (var pins = new Pins())
+            {
+                var watch = new Watch(settings.Progress);
+                IntPtr result = AnimateResult.Room(pins);
+                Check(Native.sinew_character_animate(Handle, motion == null ? IntPtr.Zero : motion.Handle, settings.Options(pins, watch, Arrays()), result), handle_, "animate", watch);
+                GC.KeepAlive(settings);
+                GC.KeepAlive(motion);
+                return AnimateResult.Of(result, Arrays());
+            }
+        }
+
+        /// <summary>A copy of a bound character in a pose; saved as .obj, or viewed.</summary>
+        public Character Pose(PoseSettings settings)
+        {
+            IntPtr posed;
+            using (var pins = new Pins())
+            {
+                var watch = new Watch(null);
+                Check(Native.sinew_character_pose(Handle, settings.Options(pins, watch, Arrays()), out posed), handle_, "pose", watch);
+                GC.KeepAlive(settings);
+                return new Character(posed);
+            }
+        }
+
+        /// <summary>Carries the weights of a bound character to the target's mesh, which keeps its skeleton or gets the source's,
+        /// fitted.</summary>
+        public CharacterTransferResult Transfer(Character source, CharacterTransferSettings settings = null)
+        {
+            settings = settings ?? new CharacterTransferSettings();
+            using (var pins = new Pins())
+            {
+                var watch = new Watch(settings.Progress);
+                IntPtr result = CharacterTransferResult.Room(pins);
+                Check(Native.sinew_character_transfer(source.Handle, Handle, settings.Options(pins, watch, Arrays()), result), handle_, "transfer", watch);
+                GC.KeepAlive(settings);
+                GC.KeepAlive(source);
+                return CharacterTransferResult.Of(result, Arrays());
+            }
+        }
+
+        /// <summary>Looks for what is wrong with the skeleton, the weights, the matrices and the animations; changes nothing. A character
+        /// without joints is an error.</summary>
+        public CheckResult Check(CheckSettings settings = null)
+        {
+            settings = settings ?? new CheckSettings();
+            using (var pins = new Pins())
+            {
+                var watch = new Watch(null);
+                IntPtr result = CheckResult.Room(pins);
+                Check(Native.sinew_character_check(Handle, settings.Options(pins, watch, Arrays()), result), handle_, "check", watch);
+                GC.KeepAlive(settings);
+                return CheckResult.Of(result, Arrays());
+            }
+        }
+
+        /// <summary>Adds morph targets that correct bends, with what drives them, which are saved with the character.</summary>
+        public BakeResult Bake(BakeSettings settings = null)
+        {
+            settings = settings ?? new BakeSettings();
+            using (var pins = new Pins())
+            {
+                var watch = new Watch(settings.Progress);
+                IntPtr result = BakeResult.Room(pins);
+                Check(Native.sinew_character_bake(Handle, settings.Options(pins, watch, Arrays()), result), handle_, "bake", watch);
+                GC.KeepAlive(settings);
+                return BakeResult.Of(result, Arrays());
+            }
+        }
+    }
+}
