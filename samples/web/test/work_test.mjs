@@ -7,7 +7,6 @@ import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { brotliCompressSync, constants, gzipSync } from "node:zlib";
-import { testClip } from "../src/test_clips.js";
 import { apartGlbs, fileOf, made, startPage } from "./page.mjs";
 import { strangeFbx } from "./scene_files.mjs";
 
@@ -241,17 +240,16 @@ try {
   });
 
   await step("dropped motions move the character that is open; several are several clips", async () => {
-    writeFileSync(at("squat.bvh"), testClip("squat"));
-    writeFileSync(at("arms.bvh"), testClip("arms up"));
+    for (const name of ["squat", "reach"]) command("animate", join(data, "biped__robed.obj"), "--motion", `builtin:${name}`, "-o", `${name}.bvh`);
     await give(made("robot.obj", readFileSync(at("robot.obj"))));
-    await give(made("squat.bvh", testClip("squat")), made("arms.bvh", testClip("arms up")));
+    await give(fileOf(at("squat.bvh")), fileOf(at("reach.bvh")));
     assert.equal(await errorLine(), "");
     assert.equal(await page.evaluate(() => sinewPage.step), "motion");
     assert.equal(await clips(), 2);
-    command("animate", "robot.obj", "--motion", "squat.bvh", "--motion", "arms.bvh", "-o", "both.glb");
+    command("animate", "robot.obj", "--motion", "squat.bvh", "--motion", "reach.bvh", "-o", "both.glb");
     assert.ok((await downloaded("#download")).bytes.equals(readFileSync(at("both.glb"))), "the page's GLB differs from the command's");
     // A file with a body: its motion, where motions are worked on. An archive is what is in it.
-    command("animate", "robot.obj", "--motion", "arms.bvh", "-o", "moving.glb");
+    command("animate", "robot.obj", "--motion", "reach.bvh", "-o", "moving.glb");
     execFileSync("python3", ["-c", "import zipfile; zipfile.ZipFile('moving.zip', 'w', zipfile.ZIP_DEFLATED).write('moving.glb')"], { cwd: work });
     await give(fileOf(at("moving.zip")));
     assert.equal(await errorLine(), "");
