@@ -8,7 +8,7 @@ here=$(cd "$(dirname "$0")" && pwd) root=$(cd "$(dirname "$0")/../.." && pwd)
 if [ "${1:-}" = --packages ]; then
   command -v emcc >/dev/null || echo emscripten
   [ -f /usr/include/stb/stb_image.h ] || echo libstb-dev # PNG and JPEG in WebAssembly
-  command -v xz >/dev/null || echo xz-utils
+  command -v zopfli >/dev/null || echo zopfli
   [ -f /usr/include/utf8.h ] || echo libutfcpp-dev # Assimp's, whose sources samples/npm/wasm/scenes/assimp.sh fetches
   command -v chromium google-chrome google-chrome-stable chromium-browser >/dev/null || echo chromium
   exit 0
@@ -25,17 +25,17 @@ build_host || exit 1
 build_module modules "$here/wasm" -DSINEW_ENGINE_ARCHIVES="$SINEW_WASM_ENGINE" "${host_arguments[@]}" --no-warn-unused-cli
 build_scenes
 step "splitting what the first bind needs from the rest"
-rm -f "$out"/*.{wasm,sinew,lzma}
+rm -f "$out"/*.{wasm,sinew,zlib}
 for kind in simd scalar; do split_module "$kind" "$out"; done
 pack_code "$scenes/scenes.wasm" "$out/sinew-scenes.wasm"
 
 step "scripts and pages"
 node_modules_has() { local name; for name in "$@"; do [ -d "$here/node_modules/$name" ] || return 1; done; }
-node_modules_has three esbuild @comfyorg three-mesh-bvh typescript eslint || npm ci --silent --no-audit --no-fund --prefix "$here"
+node_modules_has three esbuild three-mesh-bvh typescript eslint || npm ci --silent --no-audit --no-fund --prefix "$here"
 cd "$here"
 rm -f "$out"/*.js
-# What writes FBX, what reads it and what shows materials are files of their own, loaded when they are asked for.
-node_modules/.bin/esbuild src/main.js src/worker.js src/fbx_worker.js --bundle --splitting --minify --format=esm --target=es2022 --outdir="$out" --log-level=warning \
+# What reads FBX and what shows materials are files of their own, loaded when they are asked for.
+node_modules/.bin/esbuild src/main.js src/worker.js --bundle --splitting --minify --format=esm --target=es2022 --outdir="$out" --log-level=warning \
   --alias:@sinew/skin/loader="$root/samples/npm/src/loader.js" --alias:@sinew/skin/scenes="$root/samples/npm/src/scenes.js" --alias:sinew-scenes="$scenes/scenes.mjs" \
   --alias:sinew-simd="$build/modules/simd/sinew_web.mjs" --alias:sinew-scalar="$build/modules/scalar/sinew_web.mjs"
 node_modules/.bin/esbuild src/style.css --minify --outdir="$out" --log-level=warning
@@ -46,6 +46,6 @@ cp src/thumbs/*.webp "$out/thumbs"
 node samples/clothed.mjs "$out/samples/biped__clothed.glb"
 cp "$root"/samples/data/*.{obj,rig.txt,gltf} "$root"/samples/data/drawing__child.png "$out/samples"
 # What sw.js keeps for a page without a network; the rest is kept when it is used.
-(cd "$out" && ls -- *.html *.css *.svg *.js *.webmanifest thumbs/*.webp sinew-simd{,-rig,-rest}.wasm.lzma sinew_{default,rig,front}.sinew.lzma) | grep -v '^sw\.js$' |
+(cd "$out" && ls -- *.html *.css *.svg *.js *.webmanifest thumbs/*.webp sinew-simd{,-rig,-rest}.wasm.zlib sinew_{default,rig,front}.sinew.zlib) | grep -v '^sw\.js$' |
   sed 's/.*/"&"/' | paste -sd, | sed 's/.*/[&]/' >"$out/files.json"
 echo "web: built $out"

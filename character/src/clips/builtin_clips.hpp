@@ -7,7 +7,7 @@
 
 namespace sinew::clips {
 
-Motion person_clips();     // walk, run, idle, wave, jump, sit
+Motion person_clips();     // walk, run, idle, wave, jump, sit, squat, reach
 Motion quadruped_clips();  // walk, trot, idle
 Motion bird_clips();       // flap
 Motion fish_clips();       // swim

@@ -20,11 +20,12 @@ struct Kind {
   std::vector<std::string> clips;
 };
 const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> all = {{"person", clips::person_clips, {"walk", "run", "idle", "wave", "jump", "sit"}},
-                                        {"quadruped", clips::quadruped_clips, {"walk", "trot", "idle"}},
-                                        {"bird", clips::bird_clips, {"flap"}},
-                                        {"fish", clips::fish_clips, {"swim"}},
-                                        {"spider", clips::spider_clips, {"crawl"}}};
+  static const std::vector<Kind> all = {
+      {"person", clips::person_clips, {"walk", "run", "idle", "wave", "jump", "sit", "squat", "reach"}},
+      {"quadruped", clips::quadruped_clips, {"walk", "trot", "idle"}},
+      {"bird", clips::bird_clips, {"flap"}},
+      {"fish", clips::fish_clips, {"swim"}},
+      {"spider", clips::spider_clips, {"crawl"}}};
   return all;
 }
 

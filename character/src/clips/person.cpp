@@ -187,12 +187,38 @@ Clip sit(Person* p) {
   });
 }
 
+// The two ends of what weights must bear: deep knees and hips with the arms ahead, arms above the head.
+Clip squat(Person* p) {
+  return cycle(p->puppet(), "squat", 90, {}, [&](double t, double drop) {
+    const double down = curve({{0, 0}, {0.04, 0}, {0.4, 1}, {0.6, 1}, {0.96, 0}}, t);
+    p->hips({0, -drop - 0.5 * down, -0.24 * down}, 0, 0);
+    p->trunk(30 * down, 0, 0, 0, 15 * down);
+    for (const int side : {0, 1}) {
+      p->arm(side, {3 + 87 * down, 9 - 3 * down, 0, 16});
+      p->stand(side);
+    }
+  });
+}
+
+Clip reach(Person* p) {
+  return cycle(p->puppet(), "reach", 90, {}, [&](double t, double drop) {
+    const double up = curve({{0, 0}, {0.04, 0}, {0.4, 1}, {0.6, 1}, {0.96, 0}}, t);
+    p->hips({0, -0.008 - drop, 0}, 0, 0);
+    p->trunk(-6 * up, 0, 0, 0, -10 * up);
+    for (const int side : {0, 1}) {
+      p->arm(side, {3 - 3 * up, 9 + 151 * up, 0, 16 - 12 * up});
+      p->stand(side);
+    }
+  });
+}
+
 }  // namespace
 
 Motion person_clips() {
   Person person;
   Motion motion = person.puppet()->motion();
-  motion.clips = {walk(&person), run(&person), idle(&person), wave_hand(&person), jump(&person), sit(&person)};
+  motion.clips = {walk(&person), run(&person), idle(&person),  wave_hand(&person),
+                  jump(&person), sit(&person), squat(&person), reach(&person)};
   return motion;
 }
 

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Motions to try, each a button with a tick, and the list of clips that the character has: all of them are exported.
 import { $ } from "./elements.js";
-import { testClips } from "./test_clips.js";
 
 // Clips that ship: builtin:NAME, which finds the kind of body by itself.
-const shipped = ["walk", "run", "idle", "wave", "jump", "sit", "trot", "flap", "swim", "crawl"];
-const own = testClips.filter((name) => !shipped.includes(name));
+const shipped = ["walk", "run", "idle", "wave", "jump", "sit", "squat", "reach", "trot", "flap", "swim", "crawl"];
 
-export const fileOfClip = (name) => (shipped.includes(name) ? `builtin:${name}` : `${name}.bvh`);
 // builtin:person/walk is a walk too.
-const isClip = (file, name) => file === fileOfClip(name) || (file.startsWith("builtin:") && file.endsWith(`/${name}`));
+const isClip = (file, name) => file === `builtin:${name}` || (file.startsWith("builtin:") && file.endsWith(`/${name}`));
 export const clipName = (file) => file.replace(/^builtin:/, "");
 
 export class ClipList {
@@ -22,7 +19,7 @@ export class ClipList {
 
   constructor() {
     $("clip-grid").append(
-      ...[...shipped, ...own].map((name) => {
+      ...shipped.map((name) => {
         const button = Object.assign(document.createElement("button"), { type: "button", textContent: name[0].toUpperCase() + name.slice(1), ariaPressed: "false" });
         button.dataset.clip = name;
         button.onclick = () => this.onTry(name, button.dataset.file, button.ariaPressed !== "true");
@@ -42,7 +39,7 @@ export class ClipList {
     for (const button of $("clip-grid").children) {
       button.disabled = !enabled;
       const there = files.find((file) => isClip(file, button.dataset.clip));
-      button.dataset.file = there ?? fileOfClip(button.dataset.clip);
+      button.dataset.file = there ?? `builtin:${button.dataset.clip}`;
       button.ariaPressed = String(there !== undefined);
     }
     $("clips").hidden = !motion;

@@ -12,17 +12,6 @@ const written = async (kind, profile) => (await engine.call("file", { name: at.c
 /** @type {(extension: string) => string} */
 const fileName = (extension) => `${at.character.name}.${at.character.predicted ? "rigged" : "bound"}.${extension}`;
 
-/** @param {Uint8Array} glb @returns {Promise<Uint8Array<ArrayBuffer>>} */
-function fbxOf(glb) {
-  return new Promise((resolve, reject) => {
-    const worker = new Worker("fbx_worker.js", { type: "module" });
-    const end = (/** @type {(event: any) => void} */ use) => (/** @type {Event} */ event) => (worker.terminate(), use(event));
-    worker.onmessage = end(({ data }) => (data.error ? reject(new Error(`cannot be written as FBX: ${data.error}`)) : resolve(data.bytes)));
-    worker.onerror = end((event) => (event.preventDefault(), reject(new Error(`cannot be written as FBX: ${event.message}`))));
-    worker.postMessage(glb, [glb.buffer]);
-  });
-}
-
 // In the rest pose that files of a profile have, where the user chose none; the character stands as before afterwards.
 /** @param {string} profile */
 async function writtenFor(profile) {
@@ -41,7 +30,7 @@ async function writtenFor(profile) {
 /** @type {Record<string, () => Promise<void>>} */
 const writers = {
   glb: async () => save(await written("glb"), "model/gltf-binary", fileName("glb")),
-  fbx: async () => save(await fbxOf(await written("glb")), "application/octet-stream", fileName("fbx")),
+  fbx: async () => save(await written("fbx"), "application/octet-stream", fileName("fbx")),
   vrm: async () => save(await writtenFor("vrm"), "model/gltf-binary", fileName("vrm")),
   rig: async () => save((await engine.call("rigText", { name: at.character.name })).buffers.bytes, "text/plain", `${at.character.name}.rig.txt`),
 };

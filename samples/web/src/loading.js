@@ -16,7 +16,6 @@ import { sampleFiles } from "./samples.js";
 import { sendPose } from "./showing.js";
 import { $, at, engine } from "./state.js";
 import { firstStep, setStep } from "./steps.js";
-import { testClip, testClips } from "./test_clips.js";
 import { unzip } from "./zip.js";
 
 // Files for the module. Dropped ones stay with the page, which writes them again for a project or another worker.
@@ -241,7 +240,6 @@ export function tryClip(name, file, wanted) {
   if (!wanted) return changeMotion(`remove ${name}`, () => at.motions.remove(file));
   return run(async () => {
     clearError();
-    if (testClips.includes(name) && file.endsWith(".bvh")) await giveFiles([new File([testClip(name)], file)]);
     await playMotions([file]);
     if (!at.player.playing && !matchMedia("(prefers-reduced-motion: reduce)").matches) at.player.toggle();
   });

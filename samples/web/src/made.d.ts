@@ -15,4 +15,3 @@ declare module "*/models/fronts.js";
 declare module "*/models/hands.js";
 declare module "node:fs/promises";
 declare module "node:worker_threads";
-declare module "@comfyorg/fbx-exporter-three";

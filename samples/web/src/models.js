@@ -10,9 +10,13 @@ export async function useModel(name) {
   models[task] = { name, ...model };
 }
 
+// Words of 16 bits, whose low bytes come first in the file.
+/** @param {Uint8Array} planes */
+const wordsOf = (planes) => Uint16Array.from({ length: planes.length >> 1 }, (_, i) => planes[i] | (planes[(planes.length >> 1) + i] << 8));
+
 /** @param {string} name */
 export async function fetchModel(name) {
-  const model = (await fetchPacked(name)).buffer;
+  const model = wordsOf(await fetchPacked(name)).buffer;
   at.modelFiles = [...at.modelFiles.filter((file) => file.name !== name), new File([model], name)];
   await engine.call("write", { files: [{ name, bytes: model }] }, [model]);
   await useModel(name);

@@ -219,7 +219,7 @@ const calls = {
   // Positions of the mesh are left out.
   frameJoints: ({ clip, seconds }) => ({ ...checked(module._web_frame_joints(clip, seconds)), buffers: take(["jointPositions", "palette"]) }),
   frame: ({ clip, seconds, skinning }) => ({ ...checked(module._web_frame(clip, seconds, skinning)), buffers: take(posed) }),
-  // kind: glb or vrm; wish: {clips, profile, author, title, licence}
+  // kind: glb, fbx or vrm; wish: {clips, profile, author, title, licence}
   file({ name, kind, wish }) {
     const file = `${plain(name)}.bound.${kind}`;
     withText(file, (f) => withText(JSON.stringify(wish), (w) => checked(module._web_write(f, w))));

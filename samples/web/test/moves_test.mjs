@@ -3,10 +3,9 @@
 // while a motion plays, the map as a table, fingers and faces of new skeletons. Positions, maps and files are the command's.
 //   moves_test.mjs DIST_DIR SOURCE_DIR WORK_DIR SINEW_COMMAND
 import assert from "node:assert/strict";
-import { copyFileSync, readFileSync, writeFileSync } from "node:fs";
+import { copyFileSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { testClip } from "../src/test_clips.js";
-import { made, startPage } from "./page.mjs";
+import { fileOf, made, startPage } from "./page.mjs";
 
 const { data, server, browser, page, at, command, settled, shoot, errorLine, legend, positions, joints, pick, give, slide, downloaded, step } = await startPage("moves_");
 const asked = [];
@@ -105,9 +104,9 @@ try {
 
   await step("methods of retargeting while the motion plays", async () => {
     copyFileSync(join(data, "biped__robed.obj"), figure);
-    writeFileSync(at("squat.bvh"), testClip("squat"));
+    command("animate", join(data, "biped__robot.obj"), "--motion", "builtin:squat", "-o", at("squat.bvh"));
     await give(made("figure.obj", readFileSync(figure)));
-    await give(made("squat.bvh", testClip("squat")));
+    await give(fileOf(at("squat.bvh")));
     assert.equal(await errorLine(), "");
     assert.equal(await page.locator("#motion-method input:checked").inputValue(), "0");
     await page.click("#play");
@@ -179,7 +178,7 @@ try {
 
   await step("the camera goes along with a motion, and back", async () => {
     // The hips go forward by five times the body's height, nothing else moves.
-    const lines = testClip("squat").split("\n");
+    const lines = readFileSync(at("squat.bvh"), "utf8").split("\n");
     const motion = lines.indexOf("MOTION");
     const still = lines[motion + 3].split(" ");
     const far = [...still];
@@ -205,7 +204,7 @@ try {
     await settled();
   };
   await step("reference points, for a motion without a body and for one with the character's own mesh", async () => {
-    await give(made("squat.bvh", testClip("squat")));
+    await give(fileOf(at("squat.bvh")));
     await method("Ref. points");
     assert.equal(await errorLine(), "");
     command("animate", figure, "--motion", at("squat.bvh"), "--method", "reference-points", "-o", at("capsules.glb"));
@@ -225,7 +224,7 @@ try {
 
   await step("the map is shown, and followed as it is edited", async () => {
     await nothingMoves();
-    await give(made("squat.bvh", testClip("squat")));
+    await give(fileOf(at("squat.bvh")));
     await page.locator("#map > summary").click();
     await page.locator("#map-rows tr").first().waitFor();
     const list = await joints();

@@ -48,7 +48,7 @@ try {
 
   await step("two meshes of one skeleton, one without weights, a blend shape, an animation, a picture that is not there", async () => {
     const gltf = await same("strange.fbx", strangeFbx());
-    assert.ok(asked.includes("sinew-scenes.wasm.lzma"));
+    assert.ok(asked.includes("sinew-scenes.wasm.zlib"));
     assert.deepEqual((await joints()).map(({ name }) => name).filter((name) => name !== "rig"), ["hip", "knee", "tip"], "shared joints stay one");
     assert.deepEqual(gltf.meshes.map(({ name }) => name), ["body", "coat", "lamp"]);
     assert.equal(gltf.meshes[0].primitives[0].targets.length, 1, "the blend shape");

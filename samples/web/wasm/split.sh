@@ -16,6 +16,10 @@ split_by() {
   node "$here/wasm/first_bind.mjs" "$1" "$work/sinew_web.mjs" "$work/instrumented.wasm" "$root/samples/data" "$work/$1.profile"
   wasm-split --split "${split_features[@]}" "$2" --profile="$work/$1.profile" -o1 "$3" -o2 "$4"
 }
-# pack_code FILE NAME, pack_model FILE NAME: into NAME.lzma, which src/lzma.js unpacks. lc, lp, pb: what is best for code, and for words of 16 bits.
-pack_code() { xz --format=lzma --lzma1=preset=9e,lc=4,pb=0 -c "$1" >"$2.lzma"; }
-pack_model() { xz --format=lzma --lzma1=preset=9e,lc=0,lp=1,pb=1 -c "$1" >"$2.lzma"; }
+# pack_code FILE NAME: into NAME.zlib, which src/packed.js unpacks.
+pack_code() { zopfli --zlib -c "$1" >"$2.zlib"; }
+# pack_model FILE NAME: the same of the low bytes of all words of 16 bits, then the high ones, which is a tenth smaller; src/models.js puts them together.
+pack_model() {
+  node -e 'const bytes = fs.readFileSync(0); process.stdout.write(Buffer.concat([0, 1].map((part) => bytes.filter((_, i) => i % 2 === part))))' <"$1" >"$build/planes"
+  pack_code "$build/planes" "$2"
+}

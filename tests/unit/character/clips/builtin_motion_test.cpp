@@ -89,6 +89,8 @@ TEST(BuiltinMotion, FeetStandWhereTheyStand) {
     expect_planted("builtin:wave", foot, toe, 75);
     expect_planted("builtin:sit", foot, toe, 135);
     expect_planted("builtin:jump", foot, toe, 20);
+    expect_planted("builtin:squat", foot, toe, 90);
+    expect_planted("builtin:reach", foot, toe, 90);
   }
   for (const char* side : {".L", ".R"}) {
     for (const char* foot : {"FrontFoot", "BackToe"}) {
@@ -139,11 +141,25 @@ TEST(BuiltinMotion, WingsFlapAndFishBend) {
   EXPECT_GT(left - right, 0.2);
 }
 
+TEST(BuiltinMotion, ASquatBringsTheHipsToTheKneesAndAReachTheHandsAboveTheHead) {
+  const Motion squat = only("builtin:squat"), reach = only("builtin:reach");
+  const WorldPose down = world_pose(squat, squat.clips[0].frames[45]),
+                  up = world_pose(reach, reach.clips[0].frames[45]);
+  for (const char* side : {"Left", "Right"}) {
+    const std::string of = side;
+    const Point3 hip = down.positions[joint_of(squat, of + "UpLeg")],
+                 knee = down.positions[joint_of(squat, of + "Leg")];
+    EXPECT_NEAR(hip[1], knee[1], 0.08) << side;
+    EXPECT_GT(down.positions[joint_of(squat, of + "Hand")][2], hip[2] + 0.5) << side;
+    EXPECT_GT(up.positions[joint_of(reach, of + "Hand")][1], up.positions[joint_of(reach, ":Head")][1] + 0.3) << side;
+  }
+}
+
 TEST(BuiltinMotion, NamesAreClipsKindsOrBoth) {
   EXPECT_TRUE(is_builtin_motion("builtin:walk"));
   EXPECT_FALSE(is_builtin_motion("walk.bvh"));
   EXPECT_EQ(builtin_motions("builtin:walk").size(), 2u) << "a person's, a quadruped's";
-  EXPECT_EQ(only("builtin:person").clips.size(), 6u);
+  EXPECT_EQ(only("builtin:person").clips.size(), 8u);
   EXPECT_EQ(only("builtin:quadruped/walk").joints[0].name, "Hips");
   EXPECT_EQ(only("builtin:wave").clips[0].name, "wave");
   for (const char* wrong : {"builtin:", "builtin:dance", "builtin:bird/walk", "builtin:/", "builtin:cat/walk"})
