@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The sinew command: reads the command line, runs one subcommand, turns every failure into one line and an exit status.
 #include <CLI/CLI.hpp>
+#ifdef __GLIBC__
+#include <malloc.h>
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -97,9 +103,27 @@ void add_commands(const std::string& first_word, CLI::App& app) {
     if (all || asked(command)) command.add(app);
 }
 
+// Page faults of 4 KiB each are a third of a bind's time. The heap keeps what it once had, and Linux is asked for pages of 2 MiB for its
+// first part.
+void prepare_heap() {
+#ifdef __GLIBC__
+  constexpr uintptr_t kLargePage = 2 << 20, kFirstPart = 64 << 20;
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  mallopt(M_TOP_PAD, kFirstPart);
+  void* const block = std::malloc(1 << 20);  // makes the heap grow
+  const uintptr_t first = (reinterpret_cast<uintptr_t>(block) + kLargePage - 1) / kLargePage * kLargePage;
+  const uintptr_t end = reinterpret_cast<uintptr_t>(sbrk(0));
+  if (block != nullptr && end > first && end - first <= 2 * kFirstPart)
+    madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+  std::free(block);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  prepare_heap();
   CLI::App app("Binds character meshes to their skeletons with a small int16 network.", "sinew");
   app.formatter(sinew::cli::help_text());
   app.set_help_flag("-h,--help", "Print one screen of help");

@@ -3,6 +3,7 @@
 #ifndef SINEW_TESTS_BLOCK_BODY_HPP
 #define SINEW_TESTS_BLOCK_BODY_HPP
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -62,6 +63,26 @@ inline Character block_body(int low, int high) {
                                      : uint32_t{left ? kLeftLeg : kRightLeg};
     body.influences.push_back({{joint, 1.0f}});
   }
+  return body;
+}
+
+// Weights as a binder gives them that sees one surface: a third of what lies between the legs is the other one's.
+inline std::vector<std::vector<Influence>> blurred(const Character& body) {
+  std::vector<std::vector<Influence>> rows = body.influences;
+  for (size_t v = 0; v < rows.size(); ++v) {
+    const uint32_t joint = rows[v][0].joint;
+    const uint32_t other = joint == kHips ? uint32_t{kHips} : joint < kRightUpLeg ? joint + 2 : joint - 2;
+    if (other != joint && body.vertices[v].x >= 3 && body.vertices[v].x <= 7)
+      rows[v] = {{joint, 0.67f}, {other, 0.33f}};
+  }
+  return rows;
+}
+
+// The same body, all its faces turned inside out.
+inline Character inside_out(Character body) {
+  for (size_t f = 0; f < body.face_count(); ++f)
+    std::reverse(body.face_vertices.begin() + body.face_offsets[f],
+                 body.face_vertices.begin() + body.face_offsets[f + 1]);
   return body;
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "bind/seam_surface.hpp"
 #include "gltf/changed_document.hpp"
 #include "sinew_character/bind/bind.hpp"
 #include "sinew_character/bind/seams.hpp"
@@ -25,6 +26,8 @@ class SeamCutter {
 
   size_t run() {
     const size_t before = character_.vertices.size();
+    const std::vector<char> inside_out = faces_inside_out(character_, welded_);
+    reverse_faces(inside_out);
     stays_.assign(before, 0);
     for (size_t f = 0; f < character_.face_count(); ++f) {
       const std::vector<uint32_t> corners = corners_of(f);
@@ -36,12 +39,20 @@ class SeamCutter {
     const size_t doubled = character_.vertices.size() - before;
     if (!character_.influences.empty()) weigh(before);
     part_copies(before);
+    reverse_faces(inside_out);
     if (character_.gltf && doubled > 0)
       character_.gltf = cut_document(character_.name, *character_.gltf, character_.face_vertices, character_.vertices);
     return doubled;
   }
 
  private:
+  // Which corners leave a face depends on its order of corners, which is that of a look from outside while seams are cut.
+  void reverse_faces(const std::vector<char>& which) {
+    const auto corner = [&](size_t f) { return character_.face_vertices.begin() + character_.face_offsets[f]; };
+    for (size_t f = 0; f < which.size(); ++f)
+      if (which[f] != 0) std::reverse(corner(f), corner(f + 1));
+  }
+
   bool crosses(uint32_t a, uint32_t b) const {
     return std::binary_search(crossing_.begin(), crossing_.end(),
                               std::array<uint32_t, 2>{std::min(a, b), std::max(a, b)});

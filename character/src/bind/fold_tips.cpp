@@ -5,6 +5,7 @@
 #include <map>
 
 #include "sinew_character/bind/bind_character.hpp"
+#include "sinew_character/rig/mesh_neighbours.hpp"
 
 namespace sinew {
 namespace {
@@ -30,20 +31,15 @@ void merge(std::vector<Influence>* row) {
 // of the mesh without them: a head in one piece is the head's, even where head_end is in its middle.
 std::vector<uint32_t> tips_with_a_part(const Character& whole, const JointChoice& choice,
                                        const std::vector<std::vector<Influence>>& rows) {
-  std::vector<uint32_t> part(whole.vertices.size());
-  for (size_t v = 0; v < part.size(); ++v) part[v] = static_cast<uint32_t>(v);
-  const auto top = [&part](uint32_t v) {
-    while (part[v] != v) v = part[v] = part[part[v]];
-    return v;
-  };
+  VertexGroups parts(whole.vertices.size());
   for (size_t f = 0; f < whole.face_count(); ++f)
     for (size_t c = whole.face_offsets[f] + 1; c < whole.face_offsets[f + 1]; ++c)
-      part[top(whole.face_vertices[c])] = top(whole.face_vertices[whole.face_offsets[f]]);
+      parts.join(whole.face_vertices[c], whole.face_vertices[whole.face_offsets[f]]);
   std::map<uint32_t, std::map<uint32_t, size_t>> strongest;  // part -> joint -> vertices
   std::map<uint32_t, size_t> sizes;
   std::vector<double> sums(whole.joints.size(), 0);
-  for (size_t v = 0; v < part.size(); ++v) {
-    const uint32_t at = top(static_cast<uint32_t>(v));
+  for (size_t v = 0; v < rows.size(); ++v) {
+    const uint32_t at = parts.of(static_cast<uint32_t>(v));
     ++sizes[at];
     for (const Influence& influence : rows[v]) sums[influence.joint] += static_cast<double>(influence.weight);
     if (!rows[v].empty()) ++strongest[at][rows[v].front().joint];

@@ -2,6 +2,8 @@
 #include "bind/seam_surface.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -15,6 +17,43 @@ namespace {
 constexpr int kSmoothings = 2;  // of normals: shells of voxels have steps
 
 }  // namespace
+
+std::vector<char> faces_inside_out(const Character& character, const std::vector<uint32_t>& welded) {
+  constexpr double kSteps = 65536;  // of the box: in whole steps no rounding depends on a face's direction
+  const Box box = box_of(character.vertices);
+  const double scale = kSteps / static_cast<double>(box.longest_side());
+  const Point3 middle = 0.5 * (point(box.low) + point(box.high));
+  std::vector<Point3> grid;
+  for (const Vec3& p : character.vertices) {
+    grid.push_back(scale * (point(p) - middle));
+    for (double& coordinate : grid.back()) coordinate = std::round(coordinate);
+  }
+  VertexGroups parts(welded.size());
+  std::vector<std::array<double, 4>> faces;  // volume; the area that looks along each axis, where there is none
+  for (size_t f = 0; f < character.face_count(); ++f) {
+    const uint32_t first = character.face_offsets[f], end = character.face_offsets[f + 1];
+    Point3 area = {}, corners = {};
+    for (uint32_t c = first; c < end; ++c) {
+      const Point3& corner = grid[character.face_vertices[c]];
+      area = area + cross(corner, grid[character.face_vertices[c + 1 < end ? c + 1 : first]]);
+      corners = corners + corner;
+      parts.join(welded[character.face_vertices[first]], welded[character.face_vertices[c]]);
+    }
+    faces.push_back({first < end ? dot(area, corners) / (end - first) : 0, area[0], area[1], area[2]});
+  }
+  std::vector<std::array<double, 4>> sums(welded.size() + 1,
+                                          std::array<double, 4>{});  // the last: of faces without corners
+  const auto sum_of = [&](size_t f) -> std::array<double, 4>& {
+    const uint32_t first = character.face_offsets[f];
+    return sums[first < character.face_offsets[f + 1] ? parts.of(welded[character.face_vertices[first]])
+                                                      : welded.size()];
+  };
+  for (size_t f = 0; f < faces.size(); ++f)
+    for (size_t i = 0; i < faces[f].size(); ++i) sum_of(f)[i] += faces[f][i];
+  std::vector<char> inside_out;
+  for (size_t f = 0; f < faces.size(); ++f) inside_out.push_back(sum_of(f) < std::array<double, 4>{} ? 1 : 0);
+  return inside_out;
+}
 
 SeamSurface::SeamSurface(const Character& character) : welded(first_at_position(character)) {
   for (const Vec3& p : character.vertices) positions.push_back(point(p));
@@ -51,12 +90,15 @@ void SeamSurface::find_edges(const Character& character) {
 }
 
 void SeamSurface::find_normals(const Character& character) {
+  const std::vector<char> inside_out = faces_inside_out(character, welded);
   std::vector<Point3> sums(positions.size(), Point3{});
   for (size_t f = 0; f < character.face_count(); ++f) {
     const uint32_t first = character.face_offsets[f], end = character.face_offsets[f + 1];
+    const auto vertex_at = [&](uint32_t c) {
+      return welded[character.face_vertices[inside_out[f] != 0 ? first + end - 1 - c : c]];
+    };
     for (uint32_t c = first + 2; c < end; ++c) {
-      const uint32_t corners[3] = {welded[character.face_vertices[first]], welded[character.face_vertices[c - 1]],
-                                   welded[character.face_vertices[c]]};
+      const uint32_t corners[3] = {vertex_at(first), vertex_at(c - 1), vertex_at(c)};
       const Point3 normal =
           cross(positions[corners[1]] - positions[corners[0]], positions[corners[2]] - positions[corners[0]]);
       for (const uint32_t corner : corners) sums[corner] = sums[corner] + normal;

@@ -14,6 +14,11 @@ namespace sinew {
 
 constexpr size_t kFewestEdges = 8;  // of a seam
 
+// [F] 1: the face belongs to a connected part that encloses a negative volume, so that outside sees its corners in reverse order. A mesh
+// with all faces reversed has the opposite answers.
+//   welded  of first_at_position()
+std::vector<char> faces_inside_out(const Character& character, const std::vector<uint32_t>& welded);
+
 struct SurfaceEdge {
   uint32_t from = 0, to = 0;  // welded: indices of Character's vertices
   double length = 0;

@@ -73,7 +73,7 @@ class Labels {
     welded_ = first_at_position(c_);
     neighbours_ = welded_rings(c_, welded_);
     give_leaves_length();
-    find_distances();
+    find_usual_distances();
   }
 
   std::vector<LabelFinding> run() {
@@ -123,25 +123,30 @@ class Labels {
     }
   }
 
-  void find_distances() {
-    nearest_.assign(c_.vertices.size(), 0);
-    nearest_distance_.assign(c_.vertices.size(), INFINITY);
+  void find_usual_distances() {
     std::vector<std::vector<double>> own(c_.joints.size());
-    for (size_t v = 0; v < c_.vertices.size(); ++v) {
-      for (uint32_t j = 0; j < c_.joints.size(); ++j) {
-        if (!has_weight_[j]) continue;
-        const double d = distance_(c_.vertices[v], j);
-        if (d < nearest_distance_[v]) {
-          nearest_distance_[v] = d;
-          nearest_[v] = j;
-        }
-        if (dominant_[v] == j) own[j].push_back(d);
-      }
-    }
+    for (size_t v = 0; v < c_.vertices.size(); ++v)
+      if (dominant_[v] != UINT32_MAX && has_weight_[dominant_[v]])
+        own[dominant_[v]].push_back(distance_(c_.vertices[v], dominant_[v]));
     usual_.assign(c_.joints.size(), 0);
     for (size_t j = 0; j < own.size(); ++j) {
       if (!own[j].empty()) usual_[j] = median(&own[j]);
     }
+  }
+
+  struct NearestJoint {
+    uint32_t joint = 0;
+    double distance = INFINITY;
+  };
+  // Of the joints that have weight; few vertices are asked about.
+  NearestJoint nearest(uint32_t vertex) const {
+    NearestJoint best;
+    for (uint32_t j = 0; j < c_.joints.size(); ++j) {
+      if (!has_weight_[j]) continue;
+      const double d = distance_(c_.vertices[vertex], j);
+      if (d < best.distance) best = {j, d};
+    }
+    return best;
   }
 
   size_t steps_between(uint32_t a, uint32_t b) const {
@@ -196,7 +201,9 @@ class Labels {
 
   bool across(uint32_t v, uint32_t joint) const {
     const double own = distance_(c_.vertices[v], joint);
-    return own > kFar && nearest_distance_[v] < kMuchNearer * own && steps_between(joint, nearest_[v]) >= kOtherBranch;
+    if (!(own > kFar)) return false;
+    const NearestJoint near = nearest(v);
+    return near.distance < kMuchNearer * own && steps_between(joint, near.joint) >= kOtherBranch;
   }
 
   // Patches of one strongest joint that lie across the body while most of that joint's vertices do not.
@@ -224,7 +231,7 @@ class Labels {
         return across(v, joint) && distance_(c_.vertices[v], joint) > kUsualReach * usual_[joint];
       }));
       if (10 * over < 9 * patch.size()) continue;
-      add("island", joint, nearest_[patch[0]], patch);
+      add("island", joint, nearest(patch[0]).joint, patch);
     }
   }
 
@@ -233,7 +240,7 @@ class Labels {
       for (const auto& [joint, weight] : rows_[v])
         if (weight >= static_cast<double>(kNoticeable) && across(v, joint) &&
             distance_(c_.vertices[v], joint) > kUsualReach * usual_[joint])
-          add("far-weight", joint, nearest_[v], {v});
+          add("far-weight", joint, nearest(v).joint, {v});
   }
 
   void odd_vertices() {
@@ -317,7 +324,7 @@ class Labels {
       double own = 0, near = 0;
       for (const uint32_t v : f.vertices) {
         own += distance_(c_.vertices[v], f.joint) / static_cast<double>(f.vertices.size());
-        near += nearest_distance_[v] / static_cast<double>(f.vertices.size());
+        near += nearest(v).distance / static_cast<double>(f.vertices.size());
       }
       text = count + print(" %.2f of the mesh's size away, ", own) + better + print(" at %.2f", near);
     }
@@ -328,9 +335,9 @@ class Labels {
 
   const Character& c_;
   BoneDistance distance_;
-  std::vector<uint32_t> twins_, dominant_, welded_, nearest_;
+  std::vector<uint32_t> twins_, dominant_, welded_;
   std::vector<Row> rows_;
-  std::vector<double> nearest_distance_, usual_;
+  std::vector<double> usual_;
   double shared_ = 0;  // of the vertices, on joints that share their place
   std::vector<std::vector<uint32_t>> neighbours_;
   std::vector<size_t> strong_vertices_;

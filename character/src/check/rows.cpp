@@ -85,12 +85,15 @@ void long_rows(const RigFacts& facts, Findings* findings) {
 // Edges that two faces have at the same places but with vertices of their own: a seam of the mesh that poses may open.
 void cracks(const RigFacts& facts, Findings* findings) {
   const Character& c = facts.character;
+  std::vector<uint8_t> shared(c.vertices.size(), 0);  // a place of several vertices: without one, an edge has no other
+  for (uint32_t v = 0; v < shared.size(); ++v)
+    if (facts.first[v] != v) shared[facts.first[v]] = 1;
   std::map<std::array<uint32_t, 2>, std::vector<std::array<uint32_t, 2>>> edges;  // by first vertices
   for (size_t f = 0; f < c.face_count(); ++f) {
     const uint32_t begin = c.face_offsets[f], end = c.face_offsets[f + 1];
     for (uint32_t k = begin; k < end; ++k) {
       const uint32_t a = c.face_vertices[k], b = c.face_vertices[k + 1 < end ? k + 1 : begin];
-      if (facts.first[a] == facts.first[b]) continue;
+      if (facts.first[a] == facts.first[b] || shared[facts.first[a]] + shared[facts.first[b]] == 0) continue;
       const bool turned = facts.first[a] > facts.first[b];
       auto& known = edges[{facts.first[turned ? b : a], facts.first[turned ? a : b]}];
       known.push_back({turned ? b : a, turned ? a : b});

@@ -25,23 +25,6 @@ Point3 point(const std::vector<float>& positions, uint32_t v) {
           static_cast<double>(positions[3 * v + 2])};
 }
 
-// Sets that are joined, by their least member.
-class Groups {
- public:
-  explicit Groups(size_t count) : of_(count) { std::iota(of_.begin(), of_.end(), 0u); }
-  uint32_t of(uint32_t v) {
-    while (of_[v] != v) v = of_[v] = of_[of_[v]];
-    return v;
-  }
-  void join(uint32_t a, uint32_t b) {
-    const uint32_t one = of(a), other = of(b);
-    of_[std::max(one, other)] = std::min(one, other);
-  }
-
- private:
-  std::vector<uint32_t> of_;
-};
-
 // Six times the signed volume between triangles and the point `from`.
 double six_volumes(const std::vector<std::array<uint32_t, 3>>& triangles, const std::vector<float>& positions,
                    const Point3& from) {
@@ -127,7 +110,7 @@ void BendVolumes::find_holes(Part* part) const {
       ++count;
       as_given = edge;
     }
-  Groups groups(position_.size());
+  VertexGroups groups(position_.size());
   for (const auto& [key, edge] : edges)
     if (edge.first == 1) groups.join(key[0], key[1]);
   std::map<uint32_t, std::vector<Edge>> holes;
@@ -148,7 +131,7 @@ double BendVolumes::area(const Part& part) const {
 
 BendVolumes::Bend BendVolumes::make_bend(size_t joint) const {
   const std::vector<Triangle> found = bend_triangles(joint);
-  Groups groups(position_.size());
+  VertexGroups groups(position_.size());
   for (const Triangle& t : found) {
     groups.join(t[0], t[1]);
     groups.join(t[1], t[2]);

@@ -3,12 +3,31 @@
 #ifndef SINEW_CHARACTER_MESH_NEIGHBOURS_HPP
 #define SINEW_CHARACTER_MESH_NEIGHBOURS_HPP
 
+#include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
+
+// Sets of vertices that are joined, each known by its least member.
+class VertexGroups {
+ public:
+  explicit VertexGroups(size_t count) : of_(count) { std::iota(of_.begin(), of_.end(), 0u); }
+  uint32_t of(uint32_t v) {
+    while (of_[v] != v) v = of_[v] = of_[of_[v]];
+    return v;
+  }
+  void join(uint32_t a, uint32_t b) {
+    const uint32_t one = of(a), other = of(b);
+    of_[std::max(one, other)] = std::min(one, other);
+  }
+
+ private:
+  std::vector<uint32_t> of_;
+};
 
 // [V] the first vertex with the same position: meshes are cut at seams of normals and textures, surfaces are not.
 std::vector<uint32_t> first_at_position(const Character& character);

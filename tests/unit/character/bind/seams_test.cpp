@@ -14,18 +14,6 @@
 namespace sinew {
 namespace {
 
-// Weights as a binder gives them that sees one surface: a third of what lies between the legs is the other one's.
-WeightRows blurred(const Character& body) {
-  WeightRows rows = body.influences;
-  for (size_t v = 0; v < rows.size(); ++v) {
-    const uint32_t joint = rows[v][0].joint;
-    const uint32_t other = joint == kHips ? uint32_t{kHips} : joint < kRightUpLeg ? joint + 2 : joint - 2;
-    if (other != joint && body.vertices[v].x >= 3 && body.vertices[v].x <= 7)
-      rows[v] = {{joint, 0.67f}, {other, 0.33f}};
-  }
-  return rows;
-}
-
 bool is_left(uint32_t joint) { return joint == kLeftUpLeg || joint == kLeftLeg; }
 bool is_right(uint32_t joint) { return joint == kRightUpLeg || joint == kRightLeg; }
 
