@@ -55,7 +55,7 @@ void print_joints(const Character& character) {
   }
 }
 
-nlohmann::ordered_json point(const Vec3& p) { return {p.x, p.y, p.z}; }
+nlohmann::ordered_json position_json(const Vec3& p) { return {p.x, p.y, p.z}; }
 
 }  // namespace
 
@@ -106,7 +106,7 @@ nlohmann::ordered_json character_json(const Character& character) {
     json["faces"] = character.face_count();
     for (const auto& [corners, faces] : face_sizes(character))
       json["faces_by_corners"][std::to_string(corners)] = faces;
-    json["box"] = {point(low), point(high)};
+    json["box"] = {position_json(low), position_json(high)};
     json["parts"] = report.parts;
     json["boundary_edges"] = report.boundary_edges;
     json["non_manifold_edges"] = report.non_manifold_edges;
@@ -120,7 +120,8 @@ nlohmann::ordered_json character_json(const Character& character) {
   json["joints"] = nlohmann::ordered_json::array();
   for (size_t j = 0; j < character.joints.size(); ++j) {
     const Joint& joint = character.joints[j];
-    nlohmann::ordered_json one = {{"name", joint.name}, {"parent", joint.parent}, {"position", point(joint.position)}};
+    nlohmann::ordered_json one = {
+        {"name", joint.name}, {"parent", joint.parent}, {"position", position_json(joint.position)}};
     if (!character.influences.empty()) one["vertices"] = share[j];
     json["joints"].push_back(std::move(one));
   }

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "mesh_scene.hpp"
-#include "sinew_formats/base/point.hpp"
 
 namespace sinew_test {
 
@@ -18,15 +17,16 @@ namespace sinew_test {
 inline void add_limb(MeshScene* scene, const std::array<double, 3>& a, const std::array<double, 3>& b, double from,
                      double to, double side, double flat = 1) {
   constexpr int kAround = 12, kRings = 14;
-  const Point3 d = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+  using Point = std::array<double, 3>;
+  const Point d = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
   const double length = std::hypot(d[0], d[1], d[2]);
-  const Point3 along = {d[0] / length, d[1] / length, d[2] / length};
+  const Point along = {d[0] / length, d[1] / length, d[2] / length};
   // z without its part along, and what is across both
-  Point3 u = {-along[2] * along[0], -along[2] * along[1], 1 - along[2] * along[2]};
+  Point u = {-along[2] * along[0], -along[2] * along[1], 1 - along[2] * along[2]};
   const double norm = std::hypot(u[0], u[1], u[2]);
   for (double& x : u) x /= norm;
-  const Point3 w = {along[1] * u[2] - along[2] * u[1], along[2] * u[0] - along[0] * u[2],
-                    along[0] * u[1] - along[1] * u[0]};
+  const Point w = {along[1] * u[2] - along[2] * u[1], along[2] * u[0] - along[0] * u[2],
+                   along[0] * u[1] - along[1] * u[0]};
   const uint32_t first = scene->vertex_count();
   for (int r = 0; r <= kRings; ++r) {
     const double t = static_cast<double>(r) / kRings, radius = from + (to - from) * t;
@@ -34,7 +34,7 @@ inline void add_limb(MeshScene* scene, const std::array<double, 3>& a, const std
     const double here = in < 1 ? radius * std::sqrt(std::max(1 - (1 - in) * (1 - in), 0.01)) : radius;
     for (int s = 0; s < kAround; ++s) {
       const double angle = 2 * M_PI * s / kAround, c = here * std::cos(angle), h = here * flat * std::sin(angle);
-      Point3 p;
+      Point p;
       for (size_t i = 0; i < 3; ++i) p[i] = a[i] + t * d[i] + c * u[i] + h * w[i];
       scene->add_vertex(static_cast<float>(side * p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]));
     }

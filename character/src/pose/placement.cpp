@@ -36,8 +36,8 @@ void move_point(const Affine& m, Vec3* p) {
 std::array<double, 2> reach(const Character& character, const Affine& m, Axis axis) {
   std::array<double, 2> reach = {INFINITY, -INFINITY};
   for (const Vec3& p : character.vertices) {
-    const double x =
-        transform_point(m, static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z))[axis_index(axis)];
+    const double x = transform_point(m, static_cast<double>(p.x), static_cast<double>(p.y),
+                                     static_cast<double>(p.z))[axis_index(axis)];
     reach = {std::min(reach[0], x), std::max(reach[1], x)};
   }
   return reach;

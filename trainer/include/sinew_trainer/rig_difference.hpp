@@ -8,7 +8,6 @@
 
 #include "sinew/sinew.h"
 #include "sinew_formats/float_network.hpp"
-#include "sinew_formats/float_network.hpp"
 
 namespace sinew {
 

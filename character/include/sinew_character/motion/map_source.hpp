@@ -29,7 +29,7 @@ MapSource map_source_of(const Motion& motion, const Character* body, const std::
 struct MapSourceRequest {
   std::string path;                     // as read_map_rig() takes it
   std::string layout = {}, actor = {};  // as in MotionRequest
-  MaybeAxis up, target_up;              // of either world
+  MaybeAxis up = {}, target_up = {};    // of either world
 };
 // A file's motion; nullopt for a skeleton alone. Throws Error for what is a motion alone and cannot be read, and for a layout or an actor
 // that the file does not have.

@@ -16,7 +16,7 @@ struct MotionRequest {
   double fps = 0;           // as in read_motion()
   std::string layout = {};  // as in read_motion()
   std::string actor = {};   // as in one_actor()
-  MaybeAxis up;             // of the target
+  MaybeAxis up = {};        // of the target
 };
 struct MotionFile {
   Motion motion;

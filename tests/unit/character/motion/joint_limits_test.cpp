@@ -68,7 +68,7 @@ TEST(JointLimits, OfText) {
   const std::string path = folder.write(
       "arm.limits",
       "# arm\nhinge lower 0 0 2 -10 20.5 # a hinge\n\nball upper 0 1 0  1 0 0  -5 5  -30 40  0 12\nfixed base\n");
-  const std::vector<sinew_joint_limit> limits = joint_limits(path, rig, "auto");
+  const std::vector<sinew_joint_limit> limits = joint_limits(path, rig, {});
   ASSERT_EQ(limits.size(), 3u);
   EXPECT_EQ(limits[0].joint, 1u);
   EXPECT_EQ(limits[0].kind, SINEW_LIMIT_HINGE);
@@ -78,19 +78,19 @@ TEST(JointLimits, OfText) {
   EXPECT_EQ(limits[1].least[1], -30);
   EXPECT_EQ(limits[1].most[2], 12);
   EXPECT_EQ(limits[2].least[0], limits[2].most[0]);
-  EXPECT_ERROR((void)joint_limits(folder.write("a.limits", "\nhinge knee 0 0 1 0 1\n"), rig, "auto"), "a.limits:2",
+  EXPECT_ERROR((void)joint_limits(folder.write("a.limits", "\nhinge knee 0 0 1 0 1\n"), rig, {}), "a.limits:2",
                "a joint of arm.glb", "'knee'");
-  EXPECT_ERROR((void)joint_limits(folder.write("b.limits", "hinge lower 0 0 1 5 -5\n"), rig, "auto"), "b.limits:1",
+  EXPECT_ERROR((void)joint_limits(folder.write("b.limits", "hinge lower 0 0 1 5 -5\n"), rig, {}), "b.limits:1",
                "the least first");
-  EXPECT_ERROR((void)joint_limits(folder.write("c.limits", "hinge lower 0 0 0 -5 5\n"), rig, "auto"), "not 0 0 0");
-  EXPECT_ERROR((void)joint_limits(folder.write("d.limits", "slide lower 0 0 1 -5 5\n"), rig, "auto"), "'hinge JOINT");
-  EXPECT_ERROR((void)joint_limits(folder.write("e.limits", "# none\n"), rig, "auto"), "e.limits", "found none");
+  EXPECT_ERROR((void)joint_limits(folder.write("c.limits", "hinge lower 0 0 0 -5 5\n"), rig, {}), "not 0 0 0");
+  EXPECT_ERROR((void)joint_limits(folder.write("d.limits", "slide lower 0 0 1 -5 5\n"), rig, {}), "'hinge JOINT");
+  EXPECT_ERROR((void)joint_limits(folder.write("e.limits", "# none\n"), rig, {}), "e.limits", "found none");
 }
 
 TEST(JointLimits, ARobotStaysWithinItsUrdf) {
   const TempFolder folder;
   const MapRig rig = robot_rig();
-  const std::vector<sinew_joint_limit> limits = joint_limits(folder.write("arm.urdf", kRobot), rig, "auto");
+  const std::vector<sinew_joint_limit> limits = joint_limits(folder.write("arm.urdf", kRobot), rig, {});
   ASSERT_EQ(limits.size(), 2u) << "the base has no joint";
   EXPECT_EQ(limits[0].joint, 1u);
   EXPECT_NEAR(static_cast<double>(limits[0].axis[0]), -1, 1e-6) << "y of the joint is -x of the world";
@@ -121,22 +121,22 @@ TEST(JointLimits, WrongUrdfsAreOneLine) {
     other.replace(other.find(from), from.size(), to);
     return folder.write("bad.urdf", other);
   };
-  EXPECT_ERROR((void)joint_limits(with("<limit lower=\"-0.5\" upper=\"1.0\" effort=\"1\"/>", ""), rig, "auto"),
+  EXPECT_ERROR((void)joint_limits(with("<limit lower=\"-0.5\" upper=\"1.0\" effort=\"1\"/>", ""), rig, {}),
                "bad.urdf:5", "'shoulder'");
-  EXPECT_ERROR((void)joint_limits(with("lower=\"-0.5\"", "lower=\"x\""), rig, "auto"), "bad.urdf:8", "a number");
-  EXPECT_ERROR((void)joint_limits(with("<axis xyz='0 1 0'/>", "<axis xyz='0 1"), rig, "auto"), "bad.urdf");
-  EXPECT_ERROR((void)joint_limits(with("</joint>", "</link>"), rig, "auto"), "bad.urdf:9", "</joint>");
-  EXPECT_ERROR((void)joint_limits(with("<transmission", "<xacro:macro"), rig, "auto"), "bad.urdf:11", "xacro FILE");
-  EXPECT_ERROR((void)joint_limits(with("xyz=\"0 2 1\"", "xyz=\"2 2 2\""), rig, "auto"), "stand otherwise");
+  EXPECT_ERROR((void)joint_limits(with("lower=\"-0.5\"", "lower=\"x\""), rig, {}), "bad.urdf:8", "a number");
+  EXPECT_ERROR((void)joint_limits(with("<axis xyz='0 1 0'/>", "<axis xyz='0 1"), rig, {}), "bad.urdf");
+  EXPECT_ERROR((void)joint_limits(with("</joint>", "</link>"), rig, {}), "bad.urdf:9", "</joint>");
+  EXPECT_ERROR((void)joint_limits(with("<transmission", "<xacro:macro"), rig, {}), "bad.urdf:11", "xacro FILE");
+  EXPECT_ERROR((void)joint_limits(with("xyz=\"0 2 1\"", "xyz=\"2 2 2\""), rig, {}), "stand otherwise");
   MapRig other = rig;
   for (Joint& joint : other.joints) joint.name += "_x";
-  EXPECT_ERROR((void)joint_limits(folder.write("arm.urdf", text), other, "auto"), "none of its 2 joints");
+  EXPECT_ERROR((void)joint_limits(folder.write("arm.urdf", text), other, {}), "none of its 2 joints");
 }
 
 TEST(JointLimits, NoKneeBendsForwardAndNoHeadTurnsRound) {
   const Motion person = walking_person();
   const MapRig rig = map_rig_of(person);
-  const std::vector<sinew_joint_limit> limits = joint_limits("human", rig, "auto");
+  const std::vector<sinew_joint_limit> limits = joint_limits("human", rig, {});
   EXPECT_GE(limits.size(), 10u);
   const auto number = [&](const std::string& name) {
     for (size_t j = 0; j < rig.joints.size(); ++j)
@@ -168,7 +168,7 @@ TEST(JointLimits, NoKneeBendsForwardAndNoHeadTurnsRound) {
     EXPECT_GT(std::abs(dot(walk.rotations[j], before.rotations[j])), 1 - 1e-6)
         << rig.joints[j].name << ": people walk so";
   MapRig chain = robot_rig();
-  EXPECT_ERROR((void)joint_limits("human", chain, "auto"), "arm.glb", "no human body");
+  EXPECT_ERROR((void)joint_limits("human", chain, {}), "arm.glb", "no human body");
 }
 
 }  // namespace

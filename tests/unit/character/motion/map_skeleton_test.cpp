@@ -64,7 +64,7 @@ MapRig fish(const Vec3& tip) {
   return rig;
 }
 
-std::vector<int32_t> sources_of(const MapRig& target, const MapRig& source, char target_up, char source_up) {
+std::vector<int32_t> sources_of(const MapRig& target, const MapRig& source, MaybeAxis target_up, MaybeAxis source_up) {
   MapSkeletonOptions options;
   options.names = false;
   options.target_up = target_up;
@@ -79,15 +79,15 @@ MapRig lying(MapRig rig) {  // z up
 
 TEST(MapRig, WhatHasNoLegsHasYUp) {
   const MapRig swept = fish({0.4f, -0.1f, -0.5f}), hanging = fish({0.4f, -0.6f, 0.3f});
-  EXPECT_EQ(sources_of(swept, hanging, 'a', 'a'), sources_of(swept, hanging, 'y', 'y'));
-  EXPECT_EQ(sources_of(hanging, swept, 'a', 'a'), sources_of(hanging, swept, 'y', 'y'));
+  EXPECT_EQ(sources_of(swept, hanging, {}, {}), sources_of(swept, hanging, Axis::kY, Axis::kY));
+  EXPECT_EQ(sources_of(hanging, swept, {}, {}), sources_of(hanging, swept, Axis::kY, Axis::kY));
 }
 
 TEST(MapRig, ABodyHasItsUpAlongItsLegs) {
   const MapRig person = map_rig_of(walking_person());
-  const std::vector<int32_t> wanted = sources_of(person, person, 'y', 'y');
-  EXPECT_EQ(sources_of(lying(person), person, 'a', 'a'), wanted);
-  EXPECT_EQ(sources_of(person, lying(person), 'a', 'a'), wanted);
+  const std::vector<int32_t> wanted = sources_of(person, person, Axis::kY, Axis::kY);
+  EXPECT_EQ(sources_of(lying(person), person, {}, {}), wanted);
+  EXPECT_EQ(sources_of(person, lying(person), {}, {}), wanted);
 }
 
 // Four legs and a tail. With `beside`, hips and spine hang side by side on a root where the hips are.
@@ -120,7 +120,7 @@ MapRig animal(bool beside) {
 
 TEST(MapRig, HipsBesideTheSpineLeaveTheTrunkWhole) {
   const MapRig plain = animal(false), beside = animal(true);
-  const std::vector<int32_t> sources = sources_of(beside, plain, 'y', 'y');
+  const std::vector<int32_t> sources = sources_of(beside, plain, Axis::kY, Axis::kY);
   for (size_t j = 0; j < beside.joints.size(); ++j) {
     const std::string& name = beside.joints[j].name;
     if (name == "root" || name == "hips" || name.rfind("tail", 0) == 0) continue;

@@ -23,7 +23,7 @@ double angle_between(const Rotation& a, const Rotation& b) {
   return std::acos(std::min(1.0, std::max(-1.0, (trace - 1) / 2))) / kDegree;
 }
 
-Point column(const Rotation& r, size_t c) { return {r[c], r[3 + c], r[6 + c]}; }
+Point3 column(const Rotation& r, size_t c) { return {r[c], r[3 + c], r[6 + c]}; }
 
 struct Posed {
   const char *name, *parent;
@@ -65,7 +65,7 @@ TEST(JointAxes, AreThoseOfMixamosOwnCharacters) {
     const Rotation local =
         multiply(axis_rotation({0, 0, 1}, one.z * kDegree),
                  multiply(axis_rotation({0, 1, 0}, one.y * kDegree), axis_rotation({1, 0, 0}, one.x * kDegree)));
-    Point at = {0, 1, 0};
+    Point3 at = {0, 1, 0};
     if (parent >= 0) {
       const size_t p = static_cast<size_t>(parent);
       real.push_back(multiply(real[p], local));
@@ -74,7 +74,7 @@ TEST(JointAxes, AreThoseOfMixamosOwnCharacters) {
       const bool limb = name.find("Shoulder") != std::string::npos || name.find("UpLeg") != std::string::npos;
       const double side = name.rfind("Left", 0) == 0 ? 1 : -1;
       at = point(joints[p].position) +
-           (limb ? Point{side * 0.08, name.find("UpLeg") != std::string::npos ? -0.05 : 0.1, 0}
+           (limb ? Point3{side * 0.08, name.find("UpLeg") != std::string::npos ? -0.05 : 0.1, 0}
                  : kMixamo[p].length * column(real[p], 1));
     } else {
       real.push_back(local);
@@ -87,7 +87,7 @@ TEST(JointAxes, AreThoseOfMixamosOwnCharacters) {
   for (const char* name : {"Head", "LeftHand", "RightHand", "LeftToeBase", "RightToeBase"})
     for (size_t j = 0; j < kMixamo.size(); ++j)
       if (kMixamo[j].name == std::string(name)) {
-        const Point at = point(joints[j].position) + kMixamo[j].length * column(real[j], 1);
+        const Point3 at = point(joints[j].position) + kMixamo[j].length * column(real[j], 1);
         joints.push_back({joints[j].name + "_End",
                           {static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2])},
                           static_cast<int>(j)});
@@ -108,7 +108,7 @@ TEST(JointAxes, OfEveryTableAreRightHandedAndHaveTheBoneAlongOne) {
   const auto axis_of = [&](const char* profile, const char* name, size_t c) {
     for (size_t j = 0; j < joints.size(); ++j)
       if (joints[j].name == name) return column(joint_axes(joints, *profile_named(profile).axes)[j], c);
-    return Point{};
+    return Point3{};
   };
   EXPECT_NEAR(axis_of("mixamo", "LeftForeArm", 1)[0], 1, 1e-6);  // +y to the hand
   EXPECT_NEAR(axis_of("mixamo", "RightForeArm", 1)[0], -1, 1e-6);

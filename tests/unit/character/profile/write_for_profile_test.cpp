@@ -41,16 +41,16 @@ std::string write(const std::string& profile, const std::string& path, const Cha
 }
 
 // Skinned vertices of each frame of the file's own animation, by the file's own matrices. [frames][V]
-std::vector<std::vector<Point>> shown(const std::string& path) {
+std::vector<std::vector<Point3>> shown(const std::string& path) {
   const Character character = read_character(path);
   const Motion motion = read_gltf_motion(path, 30);
-  std::vector<std::vector<Point>> frames;
+  std::vector<std::vector<Point3>> frames;
   for (const MotionFrame& frame : motion.clips.at(0).frames) {
     const std::vector<Affine> palette = motion_palette(motion, frame, character.joints.size());
     frames.emplace_back();
     for (size_t v = 0; v < character.vertices.size(); ++v) {
-      const Point p = point(character.vertices[v]);
-      Point sum{};
+      const Point3 p = point(character.vertices[v]);
+      Point3 sum{};
       for (const Influence& one : character.influences[v])
         sum = sum + static_cast<double>(one.weight) * transform_point(palette[one.joint], p[0], p[1], p[2]);
       frames.back().push_back(sum);
@@ -59,14 +59,14 @@ std::vector<std::vector<Point>> shown(const std::string& path) {
   return frames;
 }
 
-double largest_distance(const std::vector<std::vector<Point>>& a, const std::vector<std::vector<Point>>& b,
+double largest_distance(const std::vector<std::vector<Point3>>& a, const std::vector<std::vector<Point3>>& b,
                         double side) {
   EXPECT_EQ(a.size(), b.size());
   double largest = 0;
   for (size_t f = 0; f < std::min(a.size(), b.size()); ++f) {
     EXPECT_EQ(a[f].size(), b[f].size());
     for (size_t v = 0; v < std::min(a[f].size(), b[f].size()); ++v)
-      largest = std::max(largest, length(Point{side * a[f][v][0], a[f][v][1], side * a[f][v][2]} - b[f][v]));
+      largest = std::max(largest, length(Point3{side * a[f][v][0], a[f][v][1], side * a[f][v][2]} - b[f][v]));
   }
   return largest;
 }
@@ -87,7 +87,7 @@ TEST_P(EachProfile, ShowsTheSamePictureInEveryFrame) {
   GlbOptions glb;
   glb.motion = &walk;
   write_character(plain, walking_figure(), glb);
-  const std::vector<std::vector<Point>> wanted = shown(plain);
+  const std::vector<std::vector<Point3>> wanted = shown(plain);
   ASSERT_EQ(wanted.size(), 20u);
   EXPECT_GT(largest_distance({wanted[0]}, {wanted[7]}, 1), 0.1);  // it moves
   write(GetParam(), once, walking_figure(), &walk);
@@ -130,11 +130,11 @@ INSTANTIATE_TEST_SUITE_P(Profiles, EachProfile, ::testing::ValuesIn(profile_list
 
 // Places of joints by name, frame by frame, where the clip's rotation keys are copied onto the nodes of `onto` that have the same name; the
 // places are against the hips'.
-std::vector<std::map<std::string, Point>> by_name(const std::string& clip, const std::string& onto,
-                                                  const std::string& hips) {
+std::vector<std::map<std::string, Point3>> by_name(const std::string& clip, const std::string& onto,
+                                                   const std::string& hips) {
   const GltfSource from = *read_character(clip).gltf, to = *read_character(onto).gltf;
   const tinygltf::Animation& animation = from.model.animations.at(0);
-  std::vector<std::map<std::string, Point>> frames;
+  std::vector<std::map<std::string, Point3>> frames;
   for (size_t f = 0; f < 20; ++f) {
     std::map<std::string, std::vector<double>> keys;
     for (const tinygltf::Node& node : from.model.nodes) keys[node.name] = node.rotation;
@@ -156,7 +156,7 @@ std::vector<std::map<std::string, Point>> by_name(const std::string& clip, const
       const Affine& world = nodes.worlds[n];
       frames.back()[posed.nodes[n].name] = {world[3], world[7], world[11]};
     }
-    const Point at_hips = frames.back().at(hips);
+    const Point3 at_hips = frames.back().at(hips);
     for (auto& [name, place] : frames.back()) place = place - at_hips;
   }
   return frames;

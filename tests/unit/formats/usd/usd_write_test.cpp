@@ -88,8 +88,10 @@ TEST_P(UsdWrite, HasSkeletonWeightsAndRestPose) {
   for (size_t v = 0; v < figure.vertices.size(); ++v) {
     EXPECT_NEAR(weights[2 * v] + weights[2 * v + 1], 1, 1e-6);
     for (const Influence& one : figure.influences[v])
-      for (size_t k = 2 * v; k < 2 * v + 2; ++k)
-        if (joints[k] == one.joint && weights[k] > 0) EXPECT_NEAR(weights[k], static_cast<double>(one.weight), 1e-6);
+      for (size_t k = 2 * v; k < 2 * v + 2; ++k) {
+        if (joints[k] != one.joint || weights[k] <= 0) continue;
+        EXPECT_NEAR(weights[k], static_cast<double>(one.weight), 1e-6);
+      }
   }
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 TEST(BendPictures, AHumanHasFive) {
   const Character biped = read_character(std::string(SINEW_SOURCE_DIR) + "/samples/data/biped__robed.obj");
-  const ReportPicture picture = bend_pictures(biped, false, 64);
+  const ReportPicture picture = bend_pictures(biped, Axis::kY, 64);
   ASSERT_EQ(picture.panels.size(), 5u);
   for (const ReportPicture::Panel& panel : picture.panels) EXPECT_GT(panel.png.size(), 500u);
   EXPECT_NE(picture.panels[0].caption.find("elbow"), std::string::npos);
@@ -19,7 +19,7 @@ TEST(BendPictures, AHumanHasFive) {
 
 TEST(BendPictures, ASnakeHasNone) {
   const Character snake = read_character(std::string(SINEW_SOURCE_DIR) + "/samples/data/snake__long.obj");
-  EXPECT_TRUE(bend_pictures(snake, false, 64).panels.empty());
+  EXPECT_TRUE(bend_pictures(snake, Axis::kY, 64).panels.empty());
 }
 
 }  // namespace

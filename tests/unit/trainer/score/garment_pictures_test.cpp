@@ -22,7 +22,7 @@ TEST(GarmentPictures, AShirtBeforeAndAfter) {
   const Character caped = sample("biped__caped.gltf");
   const Clothing clothing = measure_clothing(caped);
   ASSERT_EQ(clothing.bends, 1u);
-  const ReportPicture picture = garment_pictures(caped, nullptr, false, 64);
+  const ReportPicture picture = garment_pictures(caped, nullptr, Axis::kY, 64);
   ASSERT_EQ(picture.panels.size(), 4u);
   EXPECT_EQ(picture.columns, 4);
   const char* const what[] = {"bound alone", "nearest point", "--garment", "volume"};
@@ -35,7 +35,7 @@ TEST(GarmentPictures, AShirtBeforeAndAfter) {
   EXPECT_GT(alone, 20u) << "or this test could not fail";
   EXPECT_LT(crossings_in(picture.panels[2].caption), alone);
   EXPECT_LT(crossings_in(picture.panels[3].caption), alone);
-  const ReportPicture again = garment_pictures(caped, nullptr, false, 64);
+  const ReportPicture again = garment_pictures(caped, nullptr, Axis::kY, 64);
   for (size_t p = 0; p < 4; ++p) {
     EXPECT_EQ(again.panels[p].png, picture.panels[p].png);
     EXPECT_EQ(again.panels[p].caption, picture.panels[p].caption);
@@ -45,7 +45,7 @@ TEST(GarmentPictures, AShirtBeforeAndAfter) {
 TEST(GarmentPictures, NoneOfTheUndressed) {
   for (const char* file : {"biped__robot.obj", "snake__long.obj"}) {
     EXPECT_EQ(measure_clothing(sample(file)).bends, 0u) << file;
-    EXPECT_TRUE(garment_pictures(sample(file), nullptr, false, 64).panels.empty()) << file;
+    EXPECT_TRUE(garment_pictures(sample(file), nullptr, Axis::kY, 64).panels.empty()) << file;
   }
 }
 

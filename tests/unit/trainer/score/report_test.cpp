@@ -161,7 +161,7 @@ TEST(Report, DrawsACharacterInSixPanels) {
   c.face_offsets = {0, 3};
   c.face_vertices = {0, 1, 2};
   c.influences = {{{0, 1.0f}}, {{0, 0.5f}, {1, 0.5f}}, {{1, 1.0f}}};
-  const ReportPicture picture = report_picture(c, {{{0, 1.0f}}, {{0, 1.0f}}, {{1, 1.0f}}}, "worst", false, 64);
+  const ReportPicture picture = report_picture(c, {{{0, 1.0f}}, {{0, 1.0f}}, {{1, 1.0f}}}, "worst", Axis::kY, 64);
   EXPECT_EQ(picture.character, "F__x");
   EXPECT_NE(picture.note.find("L1 0.333"), std::string::npos) << picture.note;
   ASSERT_EQ(picture.panels.size(), 6u);
@@ -171,7 +171,7 @@ TEST(Report, DrawsACharacterInSixPanels) {
   }
   EXPECT_NE(picture.panels[0].png, picture.panels[1].png);
   EXPECT_NE(picture.panels[3].png, picture.panels[4].png) << "other weights, another skin";
-  const ReportPicture perfect = report_picture(c, c.influences, "best", false, 64);
+  const ReportPicture perfect = report_picture(c, c.influences, "best", Axis::kY, 64);
   EXPECT_EQ(perfect.panels[0].png, perfect.panels[1].png);
   EXPECT_EQ(perfect.panels[3].png, perfect.panels[4].png);
 }

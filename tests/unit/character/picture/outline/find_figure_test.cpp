@@ -12,32 +12,32 @@ namespace sinew::test {
 namespace {
 
 constexpr int kSide = 200;
-bool in_body(int x, int y) { return in_disc(x, y, 100, 60, 30) || (x >= 80 && x < 120 && y >= 60 && y < 170); }
+bool in_figure(int x, int y) { return in_disc(x, y, 100, 60, 30) || (x >= 80 && x < 120 && y >= 60 && y < 170); }
 bool in_rim(int x, int y) {
   for (int dy = -2; dy <= 2; ++dy)
     for (int dx = -2; dx <= 2; ++dx)
-      if (!in_body(x + dx, y + dy)) return in_body(x, y);
+      if (!in_figure(x + dx, y + dy)) return in_figure(x, y);
   return false;
 }
 Rgba body_colour(int x, int y) { return in_rim(x, y) ? kInk : kRed; }
 
 TEST(FindFigure, OnAFlatColour) {
-  const auto colour = [](int x, int y) { return in_body(x, y) ? body_colour(x, y) : Rgba{120, 190, 230, 255}; };
-  EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, colour)).mask, in_body), 0.999);
+  const auto colour = [](int x, int y) { return in_figure(x, y) ? body_colour(x, y) : Rgba{120, 190, 230, 255}; };
+  EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, colour)).mask, in_figure), 0.999);
 }
 
 TEST(FindFigure, ByAlpha) {
-  const auto colour = [](int x, int y) { return in_body(x, y) ? kWhite : kClear; };
+  const auto colour = [](int x, int y) { return in_figure(x, y) ? kWhite : kClear; };
   const Figure figure = find_figure(picture_of(kSide, kSide, colour));
   EXPECT_EQ(figure.source, FigureSource::kAlpha);
-  EXPECT_GT(overlap(figure.mask, in_body), 0.999);
+  EXPECT_GT(overlap(figure.mask, in_figure), 0.999);
 }
 
 // Darker towards a corner, grain, a ruled line every 17 rows, a soft shadow below.
 TEST(FindFigure, OnPaper) {
   uint32_t state = 1;
   const auto colour = [&state](int x, int y) {
-    if (in_body(x, y)) return body_colour(x, y);
+    if (in_figure(x, y)) return body_colour(x, y);
     state = state * 1664525u + 1013904223u;
     double light = 240 - 0.08 * (x + y) + static_cast<double>(state >> 24) / 255 * 8 - 4;
     const double shadow = std::hypot(std::max(0, std::abs(x - 108) - 20), std::max(0, std::abs(y - 125) - 50));
@@ -46,15 +46,15 @@ TEST(FindFigure, OnPaper) {
     return Rgba{static_cast<uint8_t>(light - line), static_cast<uint8_t>(light - 0.6 * line),
                 static_cast<uint8_t>(0.96 * light), 255};
   };
-  EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, colour)).mask, in_body), 0.97);
+  EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, colour)).mask, in_figure), 0.97);
 }
 
 TEST(FindFigure, BeforeSeveralColours) {
   const auto colour = [](int x, int y) {
-    if (in_body(x, y)) return body_colour(x, y);
+    if (in_figure(x, y)) return body_colour(x, y);
     return y < 110 ? Rgba{150, 200, 250, 255} : Rgba{90, 160, 70, 255};
   };
-  EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, colour)).mask, in_body), 0.99);
+  EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, colour)).mask, in_figure), 0.99);
 }
 
 TEST(FindFigure, HolesStayOpen) {
@@ -68,9 +68,9 @@ TEST(FindFigure, FacesAreClosed) {
   const auto colour = [](int x, int y) {
     if (in_disc(x, y, 90, 60, 3) || in_disc(x, y, 110, 60, 3)) return kInk;
     if (in_disc(x, y, 100, 60, 22)) return kWhite;
-    return in_body(x, y) || in_disc(x, y, 100, 140, 50) ? kRed : kWhite;
+    return in_figure(x, y) || in_disc(x, y, 100, 140, 50) ? kRed : kWhite;
   };
-  const auto whole = [](int x, int y) { return in_body(x, y) || in_disc(x, y, 100, 140, 50); };
+  const auto whole = [](int x, int y) { return in_figure(x, y) || in_disc(x, y, 100, 140, 50); };
   EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, colour)).mask, whole), 0.999);
 }
 
@@ -80,17 +80,17 @@ TEST(FindFigure, OutlinesAreFilled) {
     const auto colour = [gap](int x, int y) {
       return in_rim(x, y) && !(x > 110 && y >= 120 && y < 120 + gap) ? kInk : kWhite;
     };
-    EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, colour)).mask, in_body), 0.97) << gap;
+    EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, colour)).mask, in_figure), 0.97) << gap;
   }
 }
 
 TEST(FindFigure, OnASheetOnATable) {
   const auto colour = [](int x, int y) {
-    if (in_body(x, y)) return body_colour(x, y);
+    if (in_figure(x, y)) return body_colour(x, y);
     return x > 30 && x < 175 && y > 12 && y < 190 ? Rgba{244, 242, 236, 255} : Rgba{120, 84, 50, 255};
   };
   const Figure figure = find_figure(picture_of(kSide, kSide, colour));
-  EXPECT_GT(overlap(figure.mask, in_body), 0.99);
+  EXPECT_GT(overlap(figure.mask, in_figure), 0.99);
   ASSERT_FALSE(figure.notes.empty());
   EXPECT_NE(figure.notes[0].find("sheet"), std::string::npos);
 }
@@ -161,10 +161,10 @@ TEST(FindFigure, NothingThereIsALine) {
 TEST(FigureOfMask, AsDrawn) {
   const PictureFile picture = picture_of(kSide, kSide, [](int, int) { return kRed; });
   const PictureFile mask =
-      picture_of(kSide / 2, kSide / 2, [](int x, int y) { return in_body(2 * x, 2 * y) ? kWhite : kInk; });
+      picture_of(kSide / 2, kSide / 2, [](int x, int y) { return in_figure(2 * x, 2 * y) ? kWhite : kInk; });
   const Figure figure = figure_of_mask(picture, mask);
   EXPECT_EQ(figure.source, FigureSource::kMask);
-  EXPECT_GT(overlap(figure.mask, in_body), 0.97);
+  EXPECT_GT(overlap(figure.mask, in_figure), 0.97);
   EXPECT_ERROR(figure_of_mask(picture, picture_of(50, 100, [](int, int) { return kWhite; })),
                "expected a mask of the shape", "50 x 100");
 }
