@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -72,26 +73,51 @@ TEST_P(UsdWrite, HasSkeletonWeightsAndRestPose) {
   const std::string text = layer();
   const std::vector<double> points = numbers_of(text, "point3f[] points");
   ASSERT_EQ(points.size(), 3 * figure.vertices.size());
-  for (size_t v = 0; v < figure.vertices.size(); ++v)
-    EXPECT_NEAR(points[3 * v + 1], static_cast<double>(figure.vertices[v].y), 1e-6);
+  // Vertices are written in the order of faces: each is one of the figure's.
+  std::vector<size_t> written;
+  for (size_t v = 0; v < figure.vertices.size(); ++v) {
+    const auto away = [&](const Vec3& p) {
+      return std::hypot(points[3 * v] - static_cast<double>(p.x), points[3 * v + 1] - static_cast<double>(p.y),
+                        points[3 * v + 2] - static_cast<double>(p.z));
+    };
+    const auto nearest = std::min_element(figure.vertices.begin(), figure.vertices.end(),
+                                          [&](const Vec3& a, const Vec3& b) { return away(a) < away(b); });
+    EXPECT_LT(away(*nearest), 1e-6);
+    written.push_back(static_cast<size_t>(nearest - figure.vertices.begin()));
+  }
+  EXPECT_EQ(std::set<size_t>(written.begin(), written.end()).size(), figure.vertices.size());
   EXPECT_EQ(numbers_of(text, "int[] faceVertexIndices").size(), figure.face_vertices.size());
   EXPECT_TRUE(has(list_of(text, "uniform token[] jointNames"), "\"mixamorig:Spine 2\""));
   const std::vector<double> binds = numbers_of(text, "uniform matrix4d[] bindTransforms");
   ASSERT_EQ(binds.size(), 16 * figure.joints.size());
   EXPECT_EQ(numbers_of(text, "uniform matrix4d[] restTransforms").size(), binds.size());
-  for (size_t j = 0; j < figure.joints.size(); ++j)
-    EXPECT_NEAR(binds[16 * j + 13], static_cast<double>(figure.joints[j].position.y), 1e-6);
+  // Joints are written parents first: jointNames says which is which.
+  std::vector<uint32_t> joint_of;
+  const std::string names = list_of(text, "uniform token[] jointNames");
+  for (size_t from = names.find('"'); from != std::string::npos;) {
+    const size_t to = names.find('"', from + 1);
+    const std::string name = names.substr(from + 1, to - from - 1);
+    const auto found = std::find_if(figure.joints.begin(), figure.joints.end(),
+                                    [&](const Joint& joint) { return joint.name == name; });
+    ASSERT_NE(found, figure.joints.end()) << name;
+    joint_of.push_back(static_cast<uint32_t>(found - figure.joints.begin()));
+    from = names.find('"', to + 1);
+  }
+  ASSERT_EQ(joint_of.size(), figure.joints.size());
+  for (size_t j = 0; j < joint_of.size(); ++j)
+    EXPECT_NEAR(binds[16 * j + 13], static_cast<double>(figure.joints[joint_of[j]].position.y), 1e-6);
   const std::vector<double> joints = numbers_of(text, "int[] primvars:skel:jointIndices");
   const std::vector<double> weights = numbers_of(text, "float[] primvars:skel:jointWeights");
   ASSERT_EQ(weights.size(), 2 * figure.vertices.size());
   ASSERT_EQ(joints.size(), weights.size());
   for (size_t v = 0; v < figure.vertices.size(); ++v) {
     EXPECT_NEAR(weights[2 * v] + weights[2 * v + 1], 1, 1e-6);
-    for (const Influence& one : figure.influences[v])
-      for (size_t k = 2 * v; k < 2 * v + 2; ++k) {
-        if (joints[k] != one.joint || weights[k] <= 0) continue;
-        EXPECT_NEAR(weights[k], static_cast<double>(one.weight), 1e-6);
-      }
+    for (const Influence& one : figure.influences[written[v]]) {
+      double weight = 0;
+      for (size_t k = 2 * v; k < 2 * v + 2; ++k)
+        if (joint_of.at(static_cast<size_t>(joints[k])) == one.joint) weight += weights[k];
+      EXPECT_NEAR(weight, static_cast<double>(one.weight), 2e-5) << "unorm16";
+    }
   }
 }
 
