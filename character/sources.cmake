@@ -118,6 +118,7 @@ set(sinew_character_sources
   check/label_check
   check/layer_crossings
   check/matrices
+  check/mesh_check
   check/names
   check/places
   check/poses

@@ -2,6 +2,7 @@
 # What formats is compiled from, once for every build of it: this folder's and the WebAssembly modules'.
 set(sinew_formats_sources
   base/affine
+  base/parallel
   base/quaternion
   fbx/fbx_animations
   fbx/fbx_binary

@@ -14,7 +14,7 @@ mkdir -p "$out"
 "$sinew" rig samples/data/biped__robed.obj -o "$out/rigged.glb" --png "$out/rigged.png"
 "$sinew" pose "$out/rigged.glb" --random 7 -o "$out/rigged.posed.png"
 "$sinew" bind samples/data/biped__robed.obj --skeleton samples/data/biped__robed.rig.txt -o "$out/robed.glb" --png "$out/robed.png"
-"$sinew" dataset convert samples/data/quadruped__tailed.obj "$out/quadruped.glb"
+"$sinew" bind samples/data/quadruped__tailed.obj --skeleton samples/data/quadruped__tailed.rig.txt --method heat -o "$out/quadruped.glb"
 "$sinew" bind "$out/quadruped.glb" -o "$out/quadruped.bound.glb" --png "$out/quadruped.png"
 "$sinew" pose "$out/robed.glb" --random 7 -o "$out/robed.posed.png"
 echo

@@ -11,15 +11,14 @@
 #include <utility>
 #include <vector>
 
-#include "dataset.hpp"
 #include "folder_files.hpp"
 #include "progress.hpp"
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/page/bind_page.hpp"
+#include "sinew_formats/base/parallel.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
-#include "sinew_trainer/parallel.hpp"
 #include "support.hpp"
 
 namespace fs = std::filesystem;

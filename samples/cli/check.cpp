@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "commands.hpp"
-#include "dataset.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "sinew_character/check/check_output.hpp"

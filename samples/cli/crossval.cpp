@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew crossval: trains with whole family groups left out and measures on them; compares such runs.
+// sinew-lab crossval: trains with whole family groups left out and measures on them; compares such runs.
 #include "sinew_trainer/crossval.hpp"
 
 #include <CLI/CLI.hpp>
@@ -67,7 +67,7 @@ void run_crossval(CrossvalCommandSettings s) {
   const CrossvalReport report = crossval(config, s.options);
   if (!report.seeds.empty()) std::printf("%s", crossval_markdown(report).c_str());
   if (*s.options.stop) {
-    throw Error("stopped; go on with: sinew crossval ... -o " + s.options.folder + " --resume");
+    throw Error("stopped; go on with: sinew-lab crossval ... -o " + s.options.folder + " --resume");
   }
 }
 
@@ -120,10 +120,10 @@ void add_crossval(CLI::App& app) {
   sub->footer(
       "FOLDER gets crossval.md, crossval.csv and crossval.json; the table goes to standard output.\n"
       "Examples:\n"
-      "  sinew crossval characters/train --groups trainer/configs/groups.json -o base\n"
-      "  sinew crossval --compare base wide\n\n"
-      "  sinew crossval characters/train --groups groups.json --leave-out old --folds 2 -o quick\n"
-      "  sinew crossval characters/train --config wide.json --groups groups.json -o wide --seeds 2");
+      "  sinew-lab crossval characters/train --groups trainer/configs/groups.json -o base\n"
+      "  sinew-lab crossval --compare base wide\n\n"
+      "  sinew-lab crossval characters/train --groups groups.json --leave-out old --folds 2 -o quick\n"
+      "  sinew-lab crossval characters/train --config wide.json --groups groups.json -o wide --seeds 2");
   sub->callback([s] { run_crossval(*s); });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew dataset: the subcommands together; characters made from a seed.
+// sinew-lab dataset: the subcommands together; characters made from a seed.
 #include "sinew_data_sets/dataset.hpp"
 
 #include <CLI/CLI.hpp>
@@ -85,43 +85,18 @@ void add_synthesize(CLI::App* parent) {
       ->type_name("N");
   sub->add_flag("--no-clothing", s->no_clothing, "Bodies only");
   sub->footer(
-      "Examples:\n  sinew dataset synthesize --count 20 -o made\n  sinew dataset synthesize --plan biped --seed 2 -o "
+      "Examples:\n  sinew-lab dataset synthesize --count 20 -o made\n  sinew-lab dataset synthesize --plan biped "
+      "--seed 2 -o "
       "hero.obj");
   sub->callback([s] { synthesize_all(*s); });
 }
 
 }  // namespace
 
-std::vector<FoundCharacter> expand(const std::vector<std::string>& inputs) {
-  std::vector<FoundCharacter> found;
-  for (const std::string& input : inputs) {
-    std::error_code ignored;
-    if (!fs::is_directory(input, ignored)) {
-      found.push_back({input, stem_of(input), ""});
-      continue;
-    }
-    const std::vector<FoundCharacter> inside = characters_in(input);
-    found.insert(found.end(), inside.begin(), inside.end());
-  }
-  return found;
-}
-
-Character read_any(const std::string& path) {
-  std::error_code ignored;
-  if (has_extension(path, ".obj") && !fs::exists(rig_path_beside(path), ignored)) return read_mesh(path);
-  return path == "-" ? read_mesh(path) : read_character(path);
-}
-
-void make_folder(const std::string& path) {
-  std::error_code failed;
-  fs::create_directories(path, failed);
-  if (failed || !fs::is_directory(path)) throw Error(path + ": cannot make this folder: " + failed.message());
-}
-
 void add_dataset(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("dataset", "Check, show, divide, convert, decimate and make characters");
   sub->require_subcommand(1);
-  sub->footer("Example:\n  sinew dataset stats characters/train");
+  sub->footer("Example:\n  sinew-lab dataset stats characters/train");
   add_dataset_check(sub);
   add_dataset_stats(sub);
   add_dataset_dedup(sub);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew dataset check: defects of meshes, skeletons and weights, as text, JSON and pictures of the places.
+// sinew-lab dataset check: defects of meshes, skeletons and weights, as text, JSON and pictures of the places.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -124,7 +124,7 @@ Checked check_one(const FoundCharacter& found, const std::string& pictures) {
   Character character;
   try {
     character = read_any(found.path);
-    checked.report = check_character(character);
+    checked.report = check_training_character(character);
   } catch (const Error& error) {
     checked.unreadable = error.what();
   }
@@ -183,7 +183,7 @@ void add_dataset_check(CLI::App* parent) {
   sub->add_option("--pictures", s->pictures, "Folder for a picture of every character with suspicious vertices, ringed")
       ->type_name("DIR");
   sub->footer(
-      "Example:\n  sinew dataset check characters/train hero.glb --pictures suspicious\n\n"
+      "Example:\n  sinew-lab dataset check characters/train hero.glb --pictures suspicious\n\n"
       "Suspicious weights are warnings: far-weight (a joint across the body while another is near), island (a patch\n"
       "bound across the body), odd-vertex (its neighbours agree on something else), left-right (the place of the\n"
       "joint's mirror twin), idle-twin (no weight, but the twin has some), shared-place (joints at one place\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew dataset convert and decimate: characters in other formats, one or a folder of them for training.
+// sinew-lab dataset convert and decimate: characters in other formats, one or a folder of them for training.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -134,8 +134,8 @@ void add_dataset_convert(CLI::App* parent) {
       ->check(CLI::IsMember(format_names(kWritesWithMesh)))
       ->default_str("obj");
   sub->footer(
-      "Examples:\n  sinew dataset convert hero.obj hero.glb\n"
-      "  sinew dataset convert studio -o characters && sinew train characters -o studio.ckpt");
+      "Examples:\n  sinew-lab dataset convert hero.obj hero.glb\n"
+      "  sinew-lab dataset convert studio -o characters && sinew-lab train characters -o studio.ckpt");
   sub->callback([s] { convert(*s); });
 }
 
@@ -151,7 +151,7 @@ void add_dataset_decimate(CLI::App* parent) {
       ->required()
       ->check(CLI::Range(0.01, 1.0))
       ->type_name("X");
-  sub->footer("Example:\n  sinew dataset decimate hero.obj hero_small.obj --ratio 0.5");
+  sub->footer("Example:\n  sinew-lab dataset decimate hero.obj hero_small.obj --ratio 0.5");
   sub->callback([s] { convert_one(*s); });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew dataset dedup and split: which characters are copies, and two folders of what belongs together.
+// sinew-lab dataset dedup and split: which characters are copies, and two folders of what belongs together.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -148,8 +148,8 @@ void add_dataset_dedup(CLI::App* parent) {
   sub->add_flag("--one-per-mesh", s->one_per_mesh, "Keep one of characters whose mesh alone is the same, too");
   shared_flag(sub, "--json", s->json, "A line for every group with one mesh");
   sub->footer(
-      "Examples:\n  sinew dataset dedup characters/train -o characters/unique\n"
-      "  sinew dataset dedup characters/train characters/val      # does val hold a copy of train?\n\n"
+      "Examples:\n  sinew-lab dataset dedup characters/train -o characters/unique\n"
+      "  sinew-lab dataset dedup characters/train characters/val      # does val hold a copy of train?\n\n"
       "Meshes are compared after moving and scaling, weights by joints at the same place. Near: positions within 1 %\n"
       "of the size and weights within an L1 of 0.05 on average. Nothing is ever deleted.");
   sub->callback([s] { dedup(*s); });
@@ -175,8 +175,9 @@ void add_dataset_split(CLI::App* parent) {
                 "A folder for train and val: hard links, copies where links are not possible")
       ->required();
   sub->footer(
-      "Example:\n  sinew dataset split characters --val-share 0.1 --groups trainer/configs/groups.json -o divided\n\n"
-      "Look for copies first (sinew dataset dedup): they would sit on both sides.");
+      "Example:\n  sinew-lab dataset split characters --val-share 0.1 --groups trainer/configs/groups.json -o "
+      "divided\n\n"
+      "Look for copies first (sinew-lab dataset dedup): they would sit on both sides.");
   sub->callback([s] { split(*s); });
 }
 

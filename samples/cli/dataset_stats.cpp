@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew dataset stats: sizes, influences and candidates' recall of a folder, as a table, JSON and a page with pictures.
+// sinew-lab dataset stats: sizes, influences and candidates' recall of a folder, as a table, JSON and a page with pictures.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
@@ -12,9 +12,9 @@
 #include "progress.hpp"
 #include "sinew_character/draw/image.hpp"
 #include "sinew_data_sets/dataset_page.hpp"
+#include "sinew_formats/base/parallel.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
-#include "sinew_trainer/parallel.hpp"
 #include "sinew_trainer/recall.hpp"
 #include "support.hpp"
 
@@ -98,7 +98,7 @@ void add_dataset_stats(CLI::App* parent) {
   add_jobs(sub, s->jobs)->capture_default_str();
   shared_flag(sub, "--json", s->json, "Each size is [smallest, median, largest]");
   sub->footer(
-      "Example:\n  sinew dataset stats characters/train -o train.html\n\n"
+      "Example:\n  sinew-lab dataset stats characters/train -o train.html\n\n"
       "Recall: the share of the reference weight on the K joints that the network may choose from, grid 64.");
   sub->callback([s] { stats(*s); });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew dataset target: the target skeletons of characters as files.
+// sinew-lab dataset target: the target skeletons of characters as files.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -97,7 +97,7 @@ void add_dataset_target(CLI::App* parent) {
       ->check(CLI::IsMember({"body", "hands"}))
       ->capture_default_str();
   sub->footer(
-      "Example:\n  sinew dataset target characters/val -o targets\n\n"
+      "Example:\n  sinew-lab dataset target characters/val -o targets\n\n"
       "The target skeleton has the joints that move the body: fingers, faces and twist bones belong to their parents,\n"
       "joints without a 0.2 % share of the mesh are left out, joints at one place are one. Every leaf has a bone end,\n"
       "a joint NAME_end below it.");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew eval: the subcommands together, weights, skeletons, fingers, confidences, findings.
+// sinew-lab eval: the subcommands together, weights, skeletons, fingers, confidences, findings.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
@@ -77,12 +77,12 @@ void add_weights(CLI::App* parent) {
   section(sub, "The rest");
   shared_option(sub, "--calibrate", s->calibrate, "With --checkpoint --report; those of DIR unless given");
   sub->footer(
-      "Examples:\n  sinew eval weights characters/val --report out.html\n"
-      "  sinew eval characters/val --method heat --known --json     # weights may be left out\n"
-      "  sinew eval toys --rigid-parts always\n\n"
-      "  sinew eval characters/train --against-nearest\n"
-      "  sinew eval characters/val --report out.html --with blender=blender_weights\n"
-      "  sinew eval characters/val --checkpoint run.ckpt --calibrate characters/train --report bits.html\n"
+      "Examples:\n  sinew-lab eval weights characters/val --report out.html\n"
+      "  sinew-lab eval characters/val --method heat --known --json     # weights may be left out\n"
+      "  sinew-lab eval toys --rigid-parts always\n\n"
+      "  sinew-lab eval characters/train --against-nearest\n"
+      "  sinew-lab eval characters/val --report out.html --with blender=blender_weights\n"
+      "  sinew-lab eval characters/val --checkpoint run.ckpt --calibrate characters/train --report bits.html\n"
       "SOURCE_DATE_EPOCH puts its date on the report; without it the same inputs give the same page.");
   sub->callback([s] {
     check_weights(*s);
@@ -99,7 +99,7 @@ void run_rig(RigEvaluation s) {
   if (!s.output.empty()) check_output(s.output, {".json"});
   if (!s.report.empty()) {
     check_output(s.report, {".html", ".htm"});
-    std::string command = "sinew eval rig " + s.folder;
+    std::string command = "sinew-lab eval rig " + s.folder;
     if (!s.method.empty()) command += " --method " + s.method;
     if (!s.model.empty()) command += " --model " + s.model;
     if (!s.predictions.empty()) command += " --predictions " + s.predictions;
@@ -132,7 +132,7 @@ void add_rig_study(CLI::App* parent) {
   shared_option(sub, "--report", s->report, "Every character's skeleton beside the reference");
   add_figures(sub, &s->output, &s->json);
   sub->footer(
-      "Example:\n  sinew eval rig characters/val --predictions skeletons --json\n\n"
+      "Example:\n  sinew-lab eval rig characters/val --predictions skeletons --json\n\n"
       "A predicted joint counts by its place, its parent and the class that its name says (upperarm.L,\n"
       "mixamorig:LeftArm); a leaf called NAME_end or NAME_tip is a bone end. The reference is what sinew\n"
       "dataset target writes. Lengths are shares of the mesh's longest side; J2J, J2B, B2B: between joints,\n"
@@ -148,7 +148,7 @@ void add_hands_study(CLI::App* parent) {
   add_folder(sub, &s->folder, &s->jobs);
   shared_option(sub, "--model", s->model, "Of hands; bodies are the bundled model's")->default_str("bundled");
   add_figures(sub, &s->output, &s->json);
-  sub->footer("Example:\n  sinew eval hands characters/val");
+  sub->footer("Example:\n  sinew-lab eval hands characters/val");
   sub->callback([s] {
     if (!s->output.empty()) check_output(s->output, {".json"});
     evaluate_hands(*s);
@@ -168,7 +168,7 @@ void add_confidence_study(CLI::App* parent) {
       ->check(CLI::IsMember({"model", "heat"}))
       ->capture_default_str();
   add_influences(sub, s->study.influences);
-  sub->footer("Example:\n  sinew eval confidence characters/val");
+  sub->footer("Example:\n  sinew-lab eval confidence characters/val");
   sub->callback([s] {
     if (s->method == "heat" && !s->model.empty()) throw UsageError("--method heat uses no model: leave out --model");
     const std::unique_ptr<LoadedModel> model = s->method == "heat" ? nullptr : load_model(s->model);
@@ -189,7 +189,7 @@ void add_check_study(CLI::App* parent) {
   add_folder(sub, &check->folder, &check->jobs);
   sub->add_flag("--names", check->names, "Also every miss and every alarm, by the character's name");
   sub->footer(
-      "Example:\n  sinew eval check characters/val\n\n"
+      "Example:\n  sinew-lab eval check characters/val\n\n"
       "Every character is damaged in some thirty ways, one at a time; a damage is found where a rule that tells\n"
       "it has a finding that the untouched rig has not.");
   sub->callback([check] { study_check(check->folder, check->jobs, check->names); });
@@ -206,8 +206,8 @@ void add_eval(CLI::App& app) {
   add_confidence_study(sub);
   add_check_study(sub);
   sub->footer(
-      "Example:\n  sinew eval characters/val\n"
-      "sinew eval DIR is sinew eval weights DIR; a folder that is called like a subcommand is ./rig.");
+      "Example:\n  sinew-lab eval characters/val\n"
+      "sinew-lab eval DIR is sinew-lab eval weights DIR; a folder that is called like a subcommand is ./rig.");
 }
 
 }  // namespace sinew::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew eval check: how much of the damage seeded into rigs is found, and how often untouched ones are called damaged.
+// sinew-lab eval check: how much of the damage seeded into rigs is found, and how often untouched ones are called damaged.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -10,9 +10,9 @@
 #include "eval_studies.hpp"
 #include "progress.hpp"
 #include "sinew_character/check/check.hpp"
+#include "sinew_formats/base/parallel.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
-#include "sinew_trainer/parallel.hpp"
 #include "sinew_trainer/rig_damage.hpp"
 #include "support.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// sinew eval confidence: is a vertex that the binder is 90 % sure of right nine times in ten?
+// sinew-lab eval confidence: is a vertex that the binder is 90 % sure of right nine times in ten?
 #include <cstdio>
 
 #include "eval_studies.hpp"
 #include "progress.hpp"
 #include "sinew_character/bind/bind_character.hpp"
-#include "sinew_trainer/parallel.hpp"
+#include "sinew_formats/base/parallel.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

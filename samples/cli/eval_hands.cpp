@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew eval hands: predicts bodies and then hands, as sinew rig --detail hands does, and measures the fingers.
+// sinew-lab eval hands: predicts bodies and then hands, as sinew rig --detail hands does, and measures the fingers.
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -7,10 +7,10 @@
 #include "eval_studies.hpp"
 #include "progress.hpp"
 #include "sinew_character/predict/predict_hands.hpp"
+#include "sinew_formats/base/parallel.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/hand_score.hpp"
-#include "sinew_trainer/parallel.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

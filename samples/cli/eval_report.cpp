@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page of sinew eval weights --report.
+// The page of sinew-lab eval weights --report.
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -19,7 +19,7 @@ namespace {
 
 // The command as it would be typed, without what does not change the numbers.
 std::string command_line(const WeightsEvaluation& s) {
-  std::string line = "sinew eval " + s.folder;
+  std::string line = "sinew-lab eval " + s.folder;
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) line += std::string(" ") + option + " " + value;
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew eval rig: predicted skeletons against those of a folder's characters.
+// sinew-lab eval rig: predicted skeletons against those of a folder's characters.
 #ifndef SINEW_CLI_EVAL_RIG_HPP
 #define SINEW_CLI_EVAL_RIG_HPP
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Studies of sinew eval beside weights and skeletons: fingers, confidences, what `sinew check` finds.
+// Studies of sinew-lab eval beside weights and skeletons: fingers, confidences, what `sinew check` finds.
 #ifndef SINEW_CLI_EVAL_STUDIES_HPP
 #define SINEW_CLI_EVAL_STUDIES_HPP
 

@@ -12,9 +12,9 @@
 
 #include "dataset.hpp"
 #include "progress.hpp"
+#include "sinew_formats/base/parallel.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
-#include "sinew_trainer/parallel.hpp"
 #include "sinew_trainer/reliability_plot.hpp"
 #include "support.hpp"
 

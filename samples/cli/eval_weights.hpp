@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew eval weights: every character of a folder bound in several ways and compared with its reference.
+// sinew-lab eval weights: every character of a folder bound in several ways and compared with its reference.
 #ifndef SINEW_CLI_EVAL_WEIGHTS_HPP
 #define SINEW_CLI_EVAL_WEIGHTS_HPP
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "inspect_parts.hpp"
-#include "sinew_data_sets/dataset.hpp"
+#include "sinew_character/check/mesh_check.hpp"
 #include "sinew_formats/base/box.hpp"
 
 namespace sinew::cli {

@@ -30,7 +30,7 @@ constexpr OptionWord kWords[] = {
     {"--cache", "DIR", "Folder for computed features"},
     {"--calibrate", "DIR", "Characters that the ranges of integers are measured on"},
     {"--cells", "N", "Cells of the lattice along the longest side, for volume and xpbd"},
-    {"--checkpoint", "FILE", "Float checkpoint of sinew train"},
+    {"--checkpoint", "FILE", "Float checkpoint of sinew-lab train"},
     {"--config", "FILE", "Settings that differ from the defaults, as JSON"},
     {"--cut", "", "Open what has grown together as a slit: vertices along it are doubled"},
     {"--deform", "METHOD", "How vertices follow their joints"},

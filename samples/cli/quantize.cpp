@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew quantize: a float checkpoint in, an int16 model out.
+// sinew-lab quantize: a float checkpoint in, an int16 model out.
 #include "sinew_quant/quantize.hpp"
 
 #include <CLI/CLI.hpp>
@@ -222,7 +222,7 @@ void add_quantize(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("quantize", "Turn a checkpoint into an int16 model");
   auto s = std::make_shared<QuantizeCommandSettings>();
   sub->add_option("checkpoint", s->checkpoint,
-                  "Checkpoint of sinew train. Or a model, with --calibrate-confidence alone")
+                  "Checkpoint of sinew-lab train. Or a model, with --calibrate-confidence alone")
       ->required()
       ->type_name("CKPT");
   shared_option(sub, "-o,--output", s->output, "A model (.sinew)")->required();
@@ -232,10 +232,11 @@ void add_quantize(CLI::App& app) {
          "Characters to measure the integers on beside float; those of --calibrate unless given, whose ranges are "
          "known")
       ->type_name("DIR");
-  sub->add_option("--calibrate-confidence", s->confidence,
-                  "Characters outside the training data, of many families, for the table of confidence. The model "
-                  "learns from them how often its strongest joint is right (sinew eval confidence tells how well that "
-                  "carries over)")
+  sub->add_option(
+         "--calibrate-confidence", s->confidence,
+         "Characters outside the training data, of many families, for the table of confidence. The model "
+         "learns from them how often its strongest joint is right (sinew-lab eval confidence tells how well that "
+         "carries over)")
       ->type_name("DIR");
   sub->add_option("--characters", s->characters, "Characters to calibrate on, spread over the folder; 0 = all")
       ->capture_default_str()
@@ -256,8 +257,8 @@ void add_quantize(CLI::App& app) {
   shared_option(sub, "--release", s->release);
   shared_flag(sub, "--quiet", s->quiet);
   sub->footer(
-      "Example:\n  sinew quantize run.sinewckpt --calibrate characters/train -o run.sinew\n"
-      "  sinew quantize run.sinew --calibrate-confidence characters/others -o run.sinew");
+      "Example:\n  sinew-lab quantize run.sinewckpt --calibrate characters/train -o run.sinew\n"
+      "  sinew-lab quantize run.sinew --calibrate-confidence characters/others -o run.sinew");
   sub->callback([s] { run_quantize(*s); });
 }
 

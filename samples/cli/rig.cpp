@@ -15,7 +15,6 @@
 
 #include "bind_summary.hpp"
 #include "commands.hpp"
-#include "dataset.hpp"
 #include "folder_files.hpp"
 #include "options.hpp"
 #include "picture_options.hpp"

@@ -144,6 +144,32 @@ std::atomic<bool> stop_requested = false;
 
 }  // namespace
 
+std::vector<FoundCharacter> expand(const std::vector<std::string>& inputs) {
+  std::vector<FoundCharacter> found;
+  for (const std::string& input : inputs) {
+    std::error_code ignored;
+    if (!fs::is_directory(input, ignored)) {
+      found.push_back({input, stem_of(input), ""});
+      continue;
+    }
+    const std::vector<FoundCharacter> inside = characters_in(input);
+    found.insert(found.end(), inside.begin(), inside.end());
+  }
+  return found;
+}
+
+Character read_any(const std::string& path) {
+  std::error_code ignored;
+  if (has_extension(path, ".obj") && !fs::exists(rig_path_beside(path), ignored)) return read_mesh(path);
+  return path == "-" ? read_mesh(path) : read_character(path);
+}
+
+void make_folder(const std::string& path) {
+  std::error_code failed;
+  fs::create_directories(path, failed);
+  if (failed || !fs::is_directory(path)) throw Error(path + ": cannot make this folder: " + failed.message());
+}
+
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;

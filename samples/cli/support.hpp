@@ -56,6 +56,14 @@ struct FoundCharacter {
 std::vector<FoundCharacter> characters_in(const std::string& folder);
 Character read_found(const FoundCharacter& found);
 
+// Files as they are; a folder stands for its characters and those of the folders below it. Throws Error for a folder
+// without any.
+std::vector<FoundCharacter> expand(const std::vector<std::string>& inputs);
+// A bare mesh is a character without joints.
+Character read_any(const std::string& path);
+// With those above it.
+void make_folder(const std::string& path);
+
 // "a, b, c".
 std::string joined(const std::vector<std::string>& names);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew train: a folder of rigged characters in, a float checkpoint out.
+// sinew-lab train: a folder of rigged characters in, a float checkpoint out.
 #include "sinew_trainer/train.hpp"
 
 #include <CLI/CLI.hpp>
@@ -60,7 +60,7 @@ void say_next(const TrainOptions& options) {
   if (state.best_score < 1e9) line += print(", best score %.4f on val", state.best_score);
   std::printf("%s; log %s.csv\n", line.c_str(), options.output.c_str());
   const std::string model = std::filesystem::path(options.output).replace_extension(".sinew").string();
-  std::printf("next: sinew quantize %s --calibrate %s -o %s\n", options.output.c_str(), options.data_dir.c_str(),
+  std::printf("next: sinew-lab quantize %s --calibrate %s -o %s\n", options.output.c_str(), options.data_dir.c_str(),
               model.c_str());
 }
 
@@ -72,7 +72,7 @@ void say_end(const TrainCommandSettings& s, const TrainOptions& options, const R
     write_checkpoint(s.release, weights);
   }
   if (*options.stop) {
-    std::fprintf(stderr, "\nstopped; go on with: sinew train ... -o %s --resume\n", options.output.c_str());
+    std::fprintf(stderr, "\nstopped; go on with: sinew-lab train ... -o %s --resume\n", options.output.c_str());
   } else if (!options.quiet) {
     say_next(options);
   }
@@ -188,13 +188,13 @@ void add_train(CLI::App& app) {
   add_train_inputs(sub, s.get());
   CLI::Option* const threads = add_rest(sub, s.get());
   sub->footer(
-      "Example:\n  sinew train characters/train --val characters/val -o run.sinewckpt --minutes 60\n"
-      "then\n  sinew quantize run.sinewckpt --calibrate characters/train -o run.sinew\n\n"
+      "Example:\n  sinew-lab train characters/train --val characters/val -o run.sinewckpt --minutes 60\n"
+      "then\n  sinew-lab quantize run.sinewckpt --calibrate characters/train -o run.sinew\n\n"
       "Ranks share each batch and give the same checkpoint as one; they need the same files:\n"
-      "  mpirun -n 2 sinew train characters/train -o run.sinewckpt\n"
+      "  mpirun -n 2 sinew-lab train characters/train -o run.sinewckpt\n"
       "Features from two processes at once:\n"
-      "  sinew train characters/train --cache cache --cache-only --shard 1/2 &\n"
-      "  sinew train characters/train --cache cache --cache-only --shard 2/2");
+      "  sinew-lab train characters/train --cache cache --cache-only --shard 1/2 &\n"
+      "  sinew-lab train characters/train --cache cache --cache-only --shard 2/2");
   sub->callback([s, threads] {
     s->threads_given = threads->count() > 0;
     run_train(*s);

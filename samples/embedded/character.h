@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: CC0-1.0 */
 /* clang-format off */
 /* A character of our own, written by make_character.py from an OBJ made with
- *   sinew dataset synthesize --plan biped --seed 1 --resolution 24 --no-clothing -o biped.obj, sinew dataset decimate biped.obj -o character.obj --ratio 0.72 */
+ *   sinew-lab dataset synthesize --plan biped --seed 1 --resolution 24 --no-clothing -o biped.obj, sinew-lab dataset decimate biped.obj -o character.obj --ratio 0.72 */
 enum { kVertices = 498, kTriangles = 992, kJoints = 29 };
 static const float kPositions[] = {
     -0.04522f, 0.71567f, -0.61801f, 0.0003f, 0.71231f, -0.63298f, 0.04542f, 0.7157f, -0.61786f, -0.04404f, 0.74866f,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew dataset convert: a studio's folder of files of other programs becomes a training set.
+// sinew-lab dataset convert: a studio's folder of files of other programs becomes a training set.
 #include "cli_fixture.hpp"
 #include "scene_files.hpp"
 

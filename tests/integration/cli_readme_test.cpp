@@ -6,14 +6,15 @@
 namespace sinew {
 namespace {
 
-const std::string kCommand = "    build/release/sinew ";
+const std::string kCommand = "    build/release/sinew", kLabCommand = kCommand + "-lab ";
 
 std::vector<std::string> commands_of_readme() {
   std::vector<std::string> found;
   std::ifstream file(SINEW_SOURCE_DIR "/README.md");
   for (std::string line; std::getline(file, line);) {
+    const size_t at = line.rfind(kLabCommand, 0) == 0 ? kLabCommand.size() : kCommand.size() + 1;
     if (line.rfind(kCommand, 0) != 0) continue;
-    line = line.substr(kCommand.size(), line.find(" #") - kCommand.size());
+    line = line.substr(at, line.find(" #") - at);
     found.push_back(line.substr(0, line.find_last_not_of(' ') + 1));
   }
   return found;

@@ -30,7 +30,7 @@ class CliSlots : public Cli {
 
 TEST_F(CliSlots, TrainsRigsAndIsMeasured) {
   const std::string said = good(train("--release alone.ckpt")).out;
-  EXPECT_NE(said.find("next: sinew quantize slots.ckpt"), std::string::npos) << said;
+  EXPECT_NE(said.find("next: sinew-lab quantize slots.ckpt"), std::string::npos) << said;
   const std::string layers = good("quantize alone.ckpt --calibrate set -o slots.sinew").out;
   EXPECT_NE(layers.find("beside the float network joints move by"), std::string::npos) << layers;
   EXPECT_LT(fs::file_size(in("alone.ckpt")) * 3, fs::file_size(in("slots.ckpt")));

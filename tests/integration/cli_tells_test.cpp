@@ -123,11 +123,11 @@ TEST_F(CliTells, WhatToDoNext) {
       R"({"steps": 2, "validate_every": 2, "variants": 0, "synthetic": 0, "field": {"width": 8, "rounds": 1}})");
   const std::string trained = good("train set --config config.json -o run.sinewckpt").out;
   EXPECT_TRUE(has(trained, "wrote run.sinewckpt: 2 steps")) << trained;
-  EXPECT_TRUE(has(trained, "\nnext: sinew quantize run.sinewckpt --calibrate set -o run.sinew\n")) << trained;
+  EXPECT_TRUE(has(trained, "\nnext: sinew-lab quantize run.sinewckpt --calibrate set -o run.sinew\n")) << trained;
   const std::string made = good("quantize run.sinewckpt --calibrate set -o run.sinew").out;
   EXPECT_EQ(made.rfind("run.sinew: " + std::to_string(fs::file_size(in("run.sinew"))) + " bytes; ", 0), 0u) << made;
   EXPECT_TRUE(has(made, " of the vertices go to another joint (at most ")) << made;
-  EXPECT_TRUE(has(made, "\nnext: sinew eval set --model run.sinew\n")) << made;
+  EXPECT_TRUE(has(made, "\nnext: sinew-lab eval set --model run.sinew\n")) << made;
   EXPECT_EQ(good("quantize run.sinewckpt --calibrate set -o run.sinew --quiet").out, "");
 }
 

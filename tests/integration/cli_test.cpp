@@ -48,7 +48,7 @@ TEST_F(Cli, HelpHasAnExampleEverywhere) {
 
 TEST_F(Cli, AnUnknownCommandIsNamed) {
   EXPECT_NE(bad(2, "frob").error.find("no such command: frob; see sinew --help"), std::string::npos);
-  EXPECT_NE(bad(2, "dataset frob").error.find("no such command: dataset frob; see sinew dataset --help"),
+  EXPECT_NE(bad(2, "dataset frob").error.find("no such command: dataset frob; see sinew-lab dataset --help"),
             std::string::npos);
 }
 
@@ -401,7 +401,7 @@ TEST_F(Cli, EvalScoresTheSamples) {
   good("eval " + kData + " --method heat --save-predictions out1 --jobs 1");
   EXPECT_TRUE(slurp(in("out/quadruped__tailed.rig.txt")) == slurp(in("out1/quadruped__tailed.rig.txt")));
   EXPECT_EQ(good("eval " + kData + " --method heat --known --json").out[0], '{');
-  EXPECT_NE(html.find("sinew eval " + kData + " --method heat --report report.html"), std::string::npos);
+  EXPECT_NE(html.find("sinew-lab eval " + kData + " --method heat --report report.html"), std::string::npos);
   EXPECT_NE(html.find("Confidence: the largest weight of a vertex"), std::string::npos);
   EXPECT_NE(html.find("<h3>cloth: biped__caped"), std::string::npos);
   EXPECT_NE(html.find("nearest bone"), std::string::npos);

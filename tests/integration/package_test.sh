@@ -92,7 +92,7 @@ for command in $commands; do
     grep -F -e "${option//-/\\-}" "$work/sinew.1" >/dev/null || fail "the manual page does not name $command $option"
   done
 done
-complete_words sinew dataset "" | grep -x check >/dev/null || fail "the completion does not offer sinew dataset check"
+complete_words sinew-lab dataset "" | grep -x check >/dev/null || fail "the completion does not offer sinew-lab dataset check"
 complete_words sinew map --method "" | grep -x auto >/dev/null || fail "the completion does not offer the values of sinew map --method"
 
 # Binds far from the sources, and to the same bytes with the installed model.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Training on several processes: `mpirun -n N sinew train` gives the checkpoint of one process, writes through rank 0
+// Training on several processes: `mpirun -n N sinew-lab train` gives the checkpoint of one process, writes through rank 0
 // alone, and ends as a whole when one rank fails.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -35,7 +35,7 @@ class RanksTest : public ::testing::Test {
            "OMPI_MCA_btl_vader_single_copy_mechanism=none timeout 300 " SINEW_MPIRUN " --oversubscribe --bind-to none ";
   }
   std::string train(const std::string& data, const std::string& config, const std::string& output) const {
-    return SINEW_BINARY_DIR "/sinew train " + data + " --val " + kData + " --config " + folder_.file(config) +
+    return SINEW_BINARY_DIR "/sinew-lab train " + data + " --val " + kData + " --config " + folder_.file(config) +
            " --cache " + folder_.file("cache") + " -o " + folder_.file(output) + " --threads 1";
   }
   int run(const std::string& command) {
@@ -46,7 +46,7 @@ class RanksTest : public ::testing::Test {
     std::istringstream text(folder_.text_of("err.txt"));
     std::vector<std::string> lines;
     for (std::string line; std::getline(text, line);) {
-      if (line.find("sinew: error: ") != std::string::npos) lines.push_back(line);
+      if (line.find("sinew-lab: error: ") != std::string::npos) lines.push_back(line);
     }
     return lines;
   }
@@ -116,11 +116,11 @@ TEST_F(RanksTest, OneRanksFailureEndsAllWithOneLine) {
   const std::string good = train(kData, "a.json", "x.ckpt");
   EXPECT_EQ(run(mpirun() + "-n 1 " + good + " : -n 1 " + train("nowhere", "a.json", "x.ckpt")), 1);
   ASSERT_EQ(error_lines().size(), 1u) << folder_.text_of("err.txt");
-  EXPECT_NE(error_lines()[0].find("sinew: error: rank 1: nowhere: expected a folder"), std::string::npos);
+  EXPECT_NE(error_lines()[0].find("sinew-lab: error: rank 1: nowhere: expected a folder"), std::string::npos);
 
   EXPECT_EQ(run(mpirun() + "-n 2 " + train("nowhere", "a.json", "x.ckpt")), 1);
   ASSERT_EQ(error_lines().size(), 1u) << folder_.text_of("err.txt");
-  EXPECT_NE(error_lines()[0].find("sinew: error: nowhere"), std::string::npos)
+  EXPECT_NE(error_lines()[0].find("sinew-lab: error: nowhere"), std::string::npos)
       << "said by all, so by none in particular";
 
   EXPECT_EQ(run(mpirun() + "-n 1 " + good + " : -n 1 " + train(kData, "b.json", "x.ckpt")), 1);

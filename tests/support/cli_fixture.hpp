@@ -23,7 +23,13 @@ namespace fs = std::filesystem;
 
 namespace sinew {
 
-inline const std::string kProgram = std::string(SINEW_BINARY_DIR) + "/sinew";
+// sinew, or sinew-lab for what is one of its commands.
+inline std::string program_of(const std::string& arguments) {
+  const std::string command = arguments.substr(0, arguments.find(' '));
+  for (const char* of_lab : {"train", "crossval", "quantize", "dataset", "eval"})
+    if (command == of_lab) return "sinew-lab";
+  return "sinew";
+}
 inline const std::string kData = std::string(SINEW_SOURCE_DIR) + "/samples/data";
 inline const std::string kSnake = kData + "/snake__long.obj", kSnakeRig = kData + "/snake__long.rig.txt";
 inline const std::string kRobed = kData + "/biped__robed.obj", kRobedRig = kData + "/biped__robed.rig.txt";
@@ -69,8 +75,8 @@ class Cli : public ::testing::Test {
   Outcome run(const std::string& arguments, const std::string& input = "") {
     const fs::path error = folder_ / ".stderr", feed = folder_ / ".stdin";
     put(feed, input);
-    const std::string command = "cd '" + folder_.string() + "' && '" + kProgram + "' " + arguments + " <'" +
-                                feed.string() + "' 2>'" + error.string() + "'";
+    const std::string command = "cd '" + folder_.string() + "' && '" + SINEW_BINARY_DIR "/" + program_of(arguments) +
+                                "' " + arguments + " <'" + feed.string() + "' 2>'" + error.string() + "'";
     Outcome outcome;
     std::FILE* pipe = popen(command.c_str(), "r");
     if (pipe == nullptr) return outcome;
@@ -88,11 +94,12 @@ class Cli : public ::testing::Test {
     EXPECT_EQ(outcome.status, 0) << "sinew " << arguments << "\n" << outcome.error;
     return outcome;
   }
-  // A failure is exactly one line that starts with "sinew: error: ".
+  // A failure is exactly one line that starts with the program, as in "sinew: error: ".
   Outcome bad(int status, const std::string& arguments, const std::string& input = "") {
     Outcome outcome = run(arguments, input);
     EXPECT_EQ(outcome.status, status) << "sinew " << arguments << "\n" << outcome.error;
-    EXPECT_EQ(outcome.error.rfind("sinew: error: ", 0), 0u) << "sinew " << arguments << "\n" << outcome.error;
+    EXPECT_EQ(outcome.error.rfind(program_of(arguments) + ": error: ", 0), 0u) << "sinew " << arguments << "\n"
+                                                                               << outcome.error;
     EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << "sinew " << arguments << "\n"
                                                                                << outcome.error;
     return outcome;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The one table of what is looked for. A rule is a row here and the call of Findings::add() that names it.
-// Bounds were chosen on families of train with `sinew eval check`; no family of val or val2 was looked at.
+// Bounds were chosen on families of train with `sinew-lab eval check`; no family of val or val2 was looked at.
 #include "sinew_character/check/check.hpp"
 #include "sinew_formats/error.hpp"
 

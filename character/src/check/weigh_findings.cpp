@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How heavy findings are, once all are there: what both sides of a body have alike is how it was built, and a few vertices that follow a joint
-// close by are a slip that hardly shows. Both are notes. Chosen on families of train with `sinew eval check`.
+// close by are a slip that hardly shows. Both are notes. Chosen on families of train with `sinew-lab eval check`.
 #include <algorithm>
 #include <cstring>
 

@@ -43,7 +43,7 @@ std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes,
   loaded->storage.resize(bytes.size() / 8 + 1);
   if (!bytes.empty()) std::memcpy(loaded->storage.data(), bytes.data(), bytes.size());
   const sinew_status status = open_for(use, loaded->storage.data(), bytes.size(), &loaded->model);
-  const char* cure = status == SINEW_ERROR_MODEL_MAGIC ? "; make one from a checkpoint with: sinew quantize" : "";
+  const char* cure = status == SINEW_ERROR_MODEL_MAGIC ? "; make one from a checkpoint with: sinew-lab quantize" : "";
   if (bytes.empty()) throw Error(what + ": the file is empty, expected a model (.sinew)");
   if (status != SINEW_OK) throw Error(what + ": " + sinew_status_text(status) + cure);
   pack_weights(loaded.get());

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "sinew_trainer/parallel.hpp"
+#include "sinew_formats/base/parallel.hpp"
 
 namespace sinew {
 

@@ -19,11 +19,11 @@
 #include "data/augment.hpp"
 #include "features/features.hpp"
 #include "sinew_data_sets/dataset.hpp"
+#include "sinew_formats/base/parallel.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
-#include "sinew_trainer/parallel.hpp"
 
 namespace sinew {
 

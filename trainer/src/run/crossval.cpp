@@ -12,10 +12,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "sinew_formats/base/parallel.hpp"
 #include "sinew_formats/checkpoint.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_trainer/parallel.hpp"
 
 namespace sinew {
 namespace {

@@ -240,7 +240,7 @@ CrossvalReport read_crossval(const std::string& path) {
   CrossvalReport report;
   try {
     const Json json = Json::parse(bytes.begin(), bytes.end());
-    if (json.value("crossval", 0) != 1) throw Error(file + ": not written by sinew crossval");
+    if (json.value("crossval", 0) != 1) throw Error(file + ": not written by sinew-lab crossval");
     report.label = json.at("label").get<std::string>();
     report.config_json = json.at("config").dump(2);
     report.fold_count = json.at("folds").get<uint32_t>();
@@ -254,7 +254,7 @@ CrossvalReport read_crossval(const std::string& path) {
       report.seeds.push_back(std::move(seed));
     }
   } catch (const nlohmann::json::exception& error) {
-    throw Error(file + ": not a report of sinew crossval: " + error.what());
+    throw Error(file + ": not a report of sinew-lab crossval: " + error.what());
   }
   return report;
 }

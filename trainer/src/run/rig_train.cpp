@@ -20,8 +20,8 @@
 #include "run/training_run.hpp"
 #include "run/training_set.hpp"
 #include "sinew_data_sets/synthesize.hpp"
+#include "sinew_formats/base/parallel.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_trainer/parallel.hpp"
 #include "sinew_trainer/ranks.hpp"
 
 namespace sinew {

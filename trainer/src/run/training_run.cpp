@@ -18,9 +18,9 @@
 #include "data/family_queue.hpp"
 #include "network/widen.hpp"
 #include "run/optimizer.hpp"
+#include "sinew_formats/base/parallel.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_trainer/parallel.hpp"
 
 namespace sinew {
 namespace {

@@ -82,7 +82,8 @@ std::string pictures(const RigReport& report) {
 }
 
 constexpr const char* kRigMeaning =
-    "Everything times 100. The reference is the target skeleton that sinew dataset target writes; bone ends count as "
+    "Everything times 100. The reference is the target skeleton that sinew-lab dataset target writes; bone ends count "
+    "as "
     "joints. Lengths are shares of the mesh's longest side. J2J, J2B, B2B: between joints, joints and bones, bones, "
     "nearest and both ways. Precision, recall, IoU: joints in pairs, one to one, at most 0.05 apart. Joined: bones "
     "between pairs that the prediction has too. Class: pairs of one class. Symmetric: skeletons that are their own "

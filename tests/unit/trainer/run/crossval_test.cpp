@@ -68,7 +68,7 @@ TEST(CrossvalReport, JsonComesBackAndCompares) {
   EXPECT_NE(crossval_markdown(report).find("| **mean of the 2 of old** | | 5 | 0.660 | 0.650 |"), std::string::npos);
   EXPECT_EQ(same.find("Not comparable"), std::string::npos);
   EXPECT_NE(different.find("Not comparable: fewer has 2 families"), std::string::npos) << different;
-  EXPECT_ERROR(read_crossval(folder.write("x.json", "{}")), "x.json", "not written by sinew crossval");
+  EXPECT_ERROR(read_crossval(folder.write("x.json", "{}")), "x.json", "not written by sinew-lab crossval");
   EXPECT_ERROR(read_crossval(folder.write("y.json", R"({"crossval": 1})")), "y.json", "label");
 }
 

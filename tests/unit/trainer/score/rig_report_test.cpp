@@ -28,7 +28,7 @@ TEST(RigReport, ShowsEveryCharacterTheWorstFirst) {
   report.scores = summarise({{"toys__good", with_j2j(0.01)}, {"toys__<b>bad</b>", with_j2j(0.09)}});
   report.scores.humanoids["toys__good"] = {"no head in the middle"};
   report.scores.failures["toys__gone"] = "gone.obj: not there & never was";
-  report.facts = {{"command", "sinew eval toys --task rig"}};
+  report.facts = {{"command", "sinew-lab eval toys --task rig"}};
   report.pictures = {{"toys__good", {1, 2, 3}, {4, 5, 6}}, {"toys__<b>bad</b>", {7}, {8}}};
   const std::string page = rig_report_html(report);
   EXPECT_EQ(page.find("<b>bad</b>"), std::string::npos) << "names are text";

@@ -6,27 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "sinew_character/check/mesh_check.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
 
-struct CheckFinding {
-  enum class Level { kNote, kWarning, kError } level;
-  std::string code;                     // "non-manifold-edges", "weight-sum", ...
-  size_t count = 0;                     // how many elements
-  std::string text;                     // one line, names the first few elements
-  std::vector<uint32_t> vertices = {};  // of findings about weights: all of them, ascending
-};
-
-struct CheckReport {
-  size_t vertices = 0, faces = 0, joints = 0, parts = 0, boundary_edges = 0, non_manifold_edges = 0;
-  size_t degenerate_faces = 0, duplicate_faces = 0, isolated_vertices = 0, unbound_vertices = 0, bad_weight_sums = 0;
-  size_t joints_outside = 0, roots = 0, hierarchy_cycles = 0, max_influences = 0;
-  std::vector<CheckFinding> findings;
-};
-
-// Findings with the codes of check_labels() (label_check.hpp) are warnings, one each.
-CheckReport check_character(const Character& character);
+// check_character() whose note about boundary edges says how many loops they make.
+CheckReport check_training_character(const Character& character);
 
 // Quadric decimation to about `ratio` (0..1] of the vertices; seams and boundaries kept, weights carried along (a
 // surviving vertex keeps its own row). Vertices that end in no face are dropped. Throws Error when there are no faces.

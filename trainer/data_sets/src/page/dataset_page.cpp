@@ -174,7 +174,7 @@ CharacterStats character_stats(const Character& character) {
   CharacterStats stats;
   stats.name = character.name;
   stats.family = family_of(character.name);
-  stats.report = check_character(character);
+  stats.report = check_training_character(character);
   std::vector<uint8_t> bound(character.joints.size(), 0);
   for (const auto& row : character.influences) {
     size_t count = 0;

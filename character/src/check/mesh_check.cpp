@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: MIT
-// What is odd about a character: topology, skeleton and weights. Reports, changes nothing and throws nothing.
-#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+// Counts and findings of one character: faces, edges, joints, weights.
+#include "sinew_character/check/mesh_check.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
 
-#include "dataset/half_edge_mesh.hpp"
 #include "sinew_character/check/label_check.hpp"
-#include "sinew_data_sets/dataset.hpp"
 
 namespace sinew {
 namespace {
 
 using Level = CheckFinding::Level;
-using PolyMesh = OpenMesh::PolyMesh_ArrayKernelT<HalfEdgeTraits>;
 using Edge = std::pair<uint32_t, uint32_t>;
 
 constexpr double kWeightSumTolerance = 1e-3;
@@ -60,12 +58,12 @@ double twice_area(const Character& character, const std::vector<uint32_t>& corne
   return std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
 }
 
-struct Box {
+struct Bounds {
   double low[3] = {}, high[3] = {}, longest = 0;
 };
 
-Box box_of(const std::vector<Vec3>& vertices) {
-  Box box;
+Bounds bounds_of(const std::vector<Vec3>& vertices) {
+  Bounds box;
   for (size_t v = 0; v < vertices.size(); ++v) {
     const double p[3] = {static_cast<double>(vertices[v].x), static_cast<double>(vertices[v].y),
                          static_cast<double>(vertices[v].z)};
@@ -78,38 +76,13 @@ Box box_of(const std::vector<Vec3>& vertices) {
   return box;
 }
 
-// Holes are loops of boundary half-edges with at least one edge that is a boundary of the faces themselves, not of a
-// split.
-size_t count_boundary_loops(const Character& character, const std::vector<std::vector<uint32_t>>& faces,
-                            const std::map<Edge, size_t>& faces_at) {
-  PolyMesh mesh;
-  std::vector<size_t> face_origin;
-  const std::vector<uint32_t> origin = fill_half_edges(character.vertices, faces, &mesh, &face_origin);
-  std::vector<char> seen(mesh.n_halfedges(), 0);
-  size_t loops = 0;
-  for (const auto start : mesh.halfedges()) {
-    if (!mesh.is_boundary(start) || seen[static_cast<size_t>(start.idx())] != 0) continue;
-    bool real = false;
-    OpenMesh::HalfedgeHandle at = start;
-    do {
-      seen[static_cast<size_t>(at.idx())] = 1;
-      const Edge edge = edge_of(origin[static_cast<size_t>(mesh.from_vertex_handle(at).idx())],
-                                origin[static_cast<size_t>(mesh.to_vertex_handle(at).idx())]);
-      real = real || faces_at.at(edge) == 1;
-      at = mesh.next_halfedge_handle(at);
-    } while (at != start);
-    loops += real ? 1 : 0;
-  }
-  return loops;
-}
-
 // What is wrong with faces one by one.
 struct FaceCheck {
   Examples broken, degenerate, duplicate;
   std::vector<std::vector<uint32_t>> sound;
   std::vector<char> used;  // [vertices] in a face
 
-  FaceCheck(const Character& character, const Box& box) : used(character.vertices.size(), 0) {
+  FaceCheck(const Character& character, const Bounds& box) : used(character.vertices.size(), 0) {
     std::set<std::vector<uint32_t>> known;
     for (size_t f = 0; f < character.face_count(); ++f) {
       std::vector<uint32_t> corners(
@@ -168,7 +141,7 @@ struct EdgeCheck {
   std::vector<uint32_t> set_of_;
 };
 
-void check_mesh(const Character& character, const Box& box, CheckReport* report) {
+void check_mesh(const Character& character, const Bounds& box, const BoundaryLoops& loops, CheckReport* report) {
   const size_t vertex_count = character.vertices.size();
   Examples not_finite, isolated;
   for (size_t v = 0; v < vertex_count; ++v) {
@@ -202,13 +175,13 @@ void check_mesh(const Character& character, const Box& box, CheckReport* report)
   if (report->parts > 1)
     report->findings.push_back({Level::kNote, "parts", report->parts, std::to_string(report->parts) + " parts"});
   if (report->boundary_edges != 0)
-    report->findings.push_back({Level::kNote, "boundary-edges", report->boundary_edges,
-                                std::to_string(report->boundary_edges) + " boundary edges in " +
-                                    std::to_string(count_boundary_loops(character, faces.sound, edges.faces_at)) +
-                                    " loops"});
+    report->findings.push_back(
+        {Level::kNote, "boundary-edges", report->boundary_edges,
+         std::to_string(report->boundary_edges) + " boundary edges" +
+             (loops ? " in " + std::to_string(loops(faces.sound, edges.faces_at)) + " loops" : "")});
 }
 
-void check_skeleton(const Character& character, const Box& box, CheckReport* report) {
+void check_skeleton(const Character& character, const Bounds& box, CheckReport* report) {
   const std::vector<Joint>& joints = character.joints;
   Examples outside, roots, bad_parents, cycles;
   std::vector<size_t> seen_from(joints.size(), SIZE_MAX);
@@ -295,13 +268,13 @@ void check_weights(const Character& character, CheckReport* report) {
 
 }  // namespace
 
-CheckReport check_character(const Character& character) {
+CheckReport check_character(const Character& character, const BoundaryLoops& loops) {
   CheckReport report;
   report.vertices = character.vertices.size();
   report.faces = character.face_count();
   report.joints = character.joints.size();
-  const Box box = box_of(character.vertices);
-  check_mesh(character, box, &report);
+  const Bounds box = bounds_of(character.vertices);
+  check_mesh(character, box, loops, &report);
   check_skeleton(character, box, &report);
   check_weights(character, &report);
   for (LabelFinding& f : check_labels(character)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A loop over independent items on several threads; the first exception is handed to the caller.
-#ifndef SINEW_TRAINER_PARALLEL_HPP
-#define SINEW_TRAINER_PARALLEL_HPP
+#ifndef SINEW_FORMATS_BASE_PARALLEL_HPP
+#define SINEW_FORMATS_BASE_PARALLEL_HPP
 
 #include <cstddef>
 #include <functional>

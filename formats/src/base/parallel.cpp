@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A loop over independent items on several threads, for loading samples, training steps and validation.
-#include "sinew_trainer/parallel.hpp"
+// Threads are started anew for each loop.
+#include "sinew_formats/base/parallel.hpp"
 
 #include <algorithm>
 #include <atomic>

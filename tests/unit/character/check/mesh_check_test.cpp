@@ -12,7 +12,7 @@ namespace sinew {
 namespace {
 
 TEST(Check, ASoundCharacterHasOnlyNotes) {
-  const CheckReport r = check_character(tube());
+  const CheckReport r = check_training_character(tube());
   EXPECT_FALSE(has_more_than_notes(r));
   EXPECT_EQ(r.vertices, 320u);
   EXPECT_EQ(r.faces, 304u);
