@@ -62,7 +62,7 @@ std::vector<uint8_t> scene_to_glb(const std::string& path, std::vector<std::stri
   if (!text)
     throw Error(path +
                 ": cannot be read here, where FBX and COLLADA alone are read by Assimp; the sinew command reads it");
-  const Json said = Json::parse(text.get());
+  const nlohmann::json said = nlohmann::json::parse(text.get());
   if (said.contains("error")) throw Error(said["error"].get<std::string>());
   *notes = said.at("notes").get<std::vector<std::string>>();
   std::vector<uint8_t> bytes = read_file(glb);
