@@ -4,7 +4,7 @@
 
     scripts/outline_class.py SINEW CHARACTERS OPENCLIPART OUT.hpp [--seed 0]
 
-SINEW        the command: makes characters (`dataset synthesize`) and finds the figures of pictures
+SINEW        the command: finds the figures of pictures; sinew-lab beside it makes characters (`dataset synthesize`)
 CHARACTERS   folder of NAME.obj + NAME.rig.txt that are trained on; kinds of body come from their names (KINDS)
 OPENCLIPART  png folder of Debian's openclipart-png (public domain); kinds in trainer/configs/outline_class.tsv
 
@@ -179,7 +179,7 @@ def features(cells):
 def of_characters(sinew, folder):
     with tempfile.TemporaryDirectory() as made:
         for plan in PLANS:
-            subprocess.run([sinew, "dataset", "synthesize", "--plan", plan, "--seed", "2000", "--count", "60",
+            subprocess.run([sinew + "-lab", "dataset", "synthesize", "--plan", plan, "--seed", "2000", "--count", "60",
                             "--resolution", "24", "-o", made], check=True, stdout=subprocess.DEVNULL)
         for path in sorted(glob.glob(folder + "/*.obj")) + sorted(glob.glob(made + "/*.obj")):
             name = os.path.basename(path)[:-4]

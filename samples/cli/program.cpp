@@ -88,8 +88,8 @@ void prepare_heap() {
 }
 
 // The exit status of a failure, and its line where no other process reports it.
-int report(const Program& program, const std::vector<std::string>& words, const std::exception& error, const std::string& text,
-           int status) {
+int report(const Program& program, const std::vector<std::string>& words, const std::exception& error,
+           const std::string& text, int status) {
   const bool elsewhere = program.is_reported_elsewhere != nullptr && program.is_reported_elsewhere(words, error);
   return elsewhere ? 0 : fail(program.name, text, status);
 }

@@ -123,7 +123,7 @@ void finish(const QuantizeCommandSettings& s, const FloatNetwork& network, const
   std::printf("%s: %zu bytes; beside the float network %s\n", s.output.c_str(), bytes.size(),
               difference(loaded->model).c_str());
   for (const QuantizedModel& part : parts) show_layers(part);
-  std::printf("\nnext: sinew %s %s\n", next.c_str(), s.output.c_str());
+  std::printf("\nnext: sinew-lab %s %s\n", next.c_str(), s.output.c_str());
 }
 
 // Both networks of the published method become one file.

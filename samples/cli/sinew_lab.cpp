@@ -18,7 +18,8 @@ namespace {
 bool is_reported_elsewhere(const std::vector<std::string>& words, const std::exception& error) {
   const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
   if (rank == nullptr) rank = std::getenv("PMI_RANK");
-  const bool shared = dynamic_cast<const CLI::ParseError*>(&error) != nullptr || dynamic_cast<const UsageError*>(&error) != nullptr ||
+  const bool shared = dynamic_cast<const CLI::ParseError*>(&error) != nullptr ||
+                      dynamic_cast<const UsageError*>(&error) != nullptr ||
                       dynamic_cast<const RanksError*>(&error) != nullptr;
   return shared && !words.empty() && words[0] == "train" && rank != nullptr && std::string(rank) != "0";
 }
@@ -33,17 +34,18 @@ std::vector<std::string> read_words(const CLI::App& app, std::vector<std::string
 }
 
 const Program& lab_program() {
-  static const Program program = {"sinew-lab",
-                                  "Trains, quantizes and measures the networks of sinew.",
-                                  "Example:\n  sinew-lab train characters/train --val characters/val -o studio.ckpt --minutes 30\n"
-                                  "Every subcommand has its own --help. Exit status: 0 done, 1 the job failed, 2 wrong usage.",
-                                  {{"train", add_train},
-                                   {"crossval", add_crossval},
-                                   {"quantize", add_quantize},
-                                   {"dataset", add_dataset},
-                                   {"eval", add_eval}},
-                                  read_words,
-                                  is_reported_elsewhere};
+  static const Program program = {
+      "sinew-lab",
+      "Trains, quantizes and measures the networks of sinew.",
+      "Example:\n  sinew-lab train characters/train --val characters/val -o studio.ckpt --minutes 30\n"
+      "Every subcommand has its own --help. Exit status: 0 done, 1 the job failed, 2 wrong usage.",
+      {{"train", add_train},
+       {"crossval", add_crossval},
+       {"quantize", add_quantize},
+       {"dataset", add_dataset},
+       {"eval", add_eval}},
+      read_words,
+      is_reported_elsewhere};
   return program;
 }
 

@@ -34,7 +34,9 @@ def jobs_js_text(h: Headers) -> str:
 
 def jobs_types_text(h: Headers) -> str:
     out = ["// SPDX-License-Identifier: MIT", f"// Types of options and results of a character's jobs; what is missing is 0, or the first word. {GENERATOR}",
-           'import type { Progress } from "./index.js";', 'import type { CharacterFile } from "./character.js";', ""]
+           'import type { Progress } from "./index.js";', 'import type { CharacterFile } from "./character.js";', "",
+           "// Tables for marshalling.js: name, kind, member, what the kind needs.",
+           *(f"export declare const {table}: Record<string, {{ struct: any; members: Record<string, any[]> }}>;" for table in ("OPTIONS", "RESULTS")), ""]
     for struct in h.structs:
         call = base(struct.name).removesuffix("_options")
         if struct.character and struct.name.endswith("_options") and call in CALLS:

@@ -105,7 +105,6 @@ TEST_F(CliSlots, WrongUsage) {
   const std::string rig = "rig set/biped__robot.obj --method slots ";
   EXPECT_NE(bad(2, rig + "--model x.sinew --spine 3").error.find("--spine does not go with"), std::string::npos);
   EXPECT_NE(bad(2, rig + "--model x.sinew --class crab").error.find("--class"), std::string::npos);
-  EXPECT_NE(bad(2, rig + "--model x.sinew --category biped").error.find("--class KIND"), std::string::npos);
   EXPECT_NE(bad(2, "rig set/biped__robot.obj --method shape --class biped").error.find("--class steers"),
             std::string::npos);
   EXPECT_NE(bad(1, rig + "--model x.sinew").error.find("x.sinew"), std::string::npos);

@@ -40,7 +40,7 @@ TEST_F(Cli, HelpHasAnExampleEverywhere) {
                               "dataset synthesize", "inspect", "pose"}) {
     const Outcome outcome = good(std::string(command) + " --help");
     EXPECT_NE(outcome.out.find("Example"), std::string::npos) << command;
-    EXPECT_NE(outcome.out.find(std::string("sinew ") + command), std::string::npos) << command;
+    EXPECT_NE(outcome.out.find(program_of(command) + " " + command), std::string::npos) << command;
     EXPECT_EQ(outcome.error, "") << command;
   }
   EXPECT_EQ(good("--version").out.rfind("sinew ", 0), 0u);

@@ -128,7 +128,7 @@ TEST_F(RanksTest, OneRanksFailureEndsAllWithOneLine) {
   EXPECT_NE(error_lines()[0].find("rank 1: has a configuration, checkpoint or characters unlike rank 0's"),
             std::string::npos);
 
-  EXPECT_EQ(run(mpirun() + "-n 2 " SINEW_BINARY_DIR "/sinew train"), 2);
+  EXPECT_EQ(run(mpirun() + "-n 2 " SINEW_BINARY_DIR "/sinew-lab train"), 2);
   EXPECT_EQ(error_lines().size(), 1u) << folder_.text_of("err.txt");
   EXPECT_FALSE(fs::exists(folder_.file("x.ckpt")));
 }

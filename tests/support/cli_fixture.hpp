@@ -23,10 +23,10 @@ namespace fs = std::filesystem;
 
 namespace sinew {
 
-// sinew, or sinew-lab for what is one of its commands.
+// sinew, or sinew-lab for what is one of its commands; "lab --help" is sinew-lab --help.
 inline std::string program_of(const std::string& arguments) {
   const std::string command = arguments.substr(0, arguments.find(' '));
-  for (const char* of_lab : {"train", "crossval", "quantize", "dataset", "eval"})
+  for (const char* of_lab : {"train", "crossval", "quantize", "dataset", "eval", "lab"})
     if (command == of_lab) return "sinew-lab";
   return "sinew";
 }
@@ -76,7 +76,8 @@ class Cli : public ::testing::Test {
     const fs::path error = folder_ / ".stderr", feed = folder_ / ".stdin";
     put(feed, input);
     const std::string command = "cd '" + folder_.string() + "' && '" + SINEW_BINARY_DIR "/" + program_of(arguments) +
-                                "' " + arguments + " <'" + feed.string() + "' 2>'" + error.string() + "'";
+                                "' " + arguments.substr(arguments.rfind("lab ", 0) == 0 ? 4 : 0) + " <'" +
+                                feed.string() + "' 2>'" + error.string() + "'";
     Outcome outcome;
     std::FILE* pipe = popen(command.c_str(), "r");
     if (pipe == nullptr) return outcome;

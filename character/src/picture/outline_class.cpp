@@ -15,7 +15,7 @@ namespace {
 constexpr int kPairs = kOutlineCells / 2;
 constexpr int32_t kSolid = 64;  // a cell that is covered by more is the figure's
 
-OutlineCells turned(const OutlineCells& cells) {
+OutlineCells turned_cells(const OutlineCells& cells) {
   OutlineCells out{};
   for (size_t y = 0; y < kOutlineCells; ++y)
     for (size_t x = 0; x < kOutlineCells; ++x) out[x][y] = cells[y][x];
@@ -78,7 +78,7 @@ std::array<int32_t, 5> shape_features(const OutlineCells& cells) {
       either += std::max(a, b);
     }
   }
-  const int32_t wide = solid_rows(turned(cells)), high = solid_rows(cells);
+  const int32_t wide = solid_rows(turned_cells(cells)), high = solid_rows(cells);
   return {wide * 10, high * 10, static_cast<int32_t>(total / (kOutlineCells * kOutlineCells)),
           static_cast<int32_t>(std::min<int64_t>(255, total / (wide * high))),
           static_cast<int32_t>(255 * both / std::max<int64_t>(either, 1))};
@@ -164,7 +164,7 @@ std::array<int32_t, kOutlineFeatures> outline_features(const OutlineCells& cells
   std::array<int32_t, kOutlineFeatures> out{};
   auto at = out.begin();
   const auto put = [&at](const auto& values) { at = std::copy(values.begin(), values.end(), at); };
-  const LineFeatures rows = lines_of(cells), columns = lines_of(turned(cells));
+  const LineFeatures rows = lines_of(cells), columns = lines_of(turned_cells(cells));
   put(rows.parts);
   put(columns.parts);
   put(rows.cover);

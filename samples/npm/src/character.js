@@ -12,6 +12,7 @@ import { isScene, readScenesBy } from "./scenes.js";
 export class CharacterFile {
   #house;
   #handle;
+  /** @type {number | null} */
   #joints = null; // of places, how many
   constructor(house, handle) {
     this.#house = house;
@@ -23,11 +24,17 @@ export class CharacterFile {
     return this.#handle;
   }
 
-  // `call` of C with options and, where it has one, a result; `source`: another character and its place.
+  /**
+   * `call` of C with options and, where it has one, a result.
+   * @param {string} call for errors
+   * @param {string} name of C's call and of its options
+   * @param {Record<string, any>} options
+   * @param {{result?: string, before?: any[], after?: any[]}} around what C's call takes before and after this character
+   */
   #job(call, name, options, { result = "", before = [], after = [] } = {}) {
     const house = this.#house, at = this.#at(call), counts = () => house.arrays(at);
     return house.withBlocks(options.onProgress, (blocks) => {
-      const handle = (one, what) => (one instanceof CharacterFile ? one.#at(call) : house.refuse(`${what}: expected what open() gave`));
+      const handle = (/** @type {any} */ one, /** @type {string} */ what) => (one instanceof CharacterFile ? one.#at(call) : house.refuse(`${what}: expected what open() gave`));
       const sizes = () => ({ V: counts().vertex_count, J: counts().joint_count });
       const given = optionsAt(call, OPTIONS[name], options, { blocks, sizes, handle, progress: house.progress });
       const out = result ? [blocks.struct(result)] : [];

@@ -3,6 +3,10 @@
 import type { Progress } from "./index.js";
 import type { CharacterFile } from "./character.js";
 
+// Tables for marshalling.js: name, kind, member, what the kind needs.
+export declare const OPTIONS: Record<string, { struct: any; members: Record<string, any[]> }>;
+export declare const RESULTS: Record<string, { struct: any; members: Record<string, any[]> }>;
+
 export interface PictureOptions {
   bodyClass?: "found" | "biped" | "quadruped" | "bird" | "fish" | "snake" | "many-legged" | "other";
   /** of several figures, from left to right, from 1 on; 0: the largest */

@@ -5,23 +5,27 @@ import { LAYOUTS } from "./layouts.js";
 import { Blocks, SinewError } from "./memory.js";
 import { choice, typed } from "./shapes.js";
 
-/** Memory of a module of emscripten. */
+/** Memory of a module of emscripten. @param {any} module */
 export const blocksOf = (module) =>
   new Blocks({
-    malloc: (size) => module._malloc(size),
-    free: (at) => module._free(at),
+    malloc: (/** @type {number} */ size) => module._malloc(size),
+    free: (/** @type {number} */ at) => module._free(at),
     memory: { get buffer() { return module.HEAPU8.buffer; } }, // prettier-ignore
   });
 
+/** @type {(type: string) => (value: any, name: string) => any} */
 const need = (type) => (value, name) => {
   if (typeof value !== type) throw new SinewError(`${name}: expected a ${type}, found ${value === null ? "null" : typeof value}`);
   return value;
 };
 const [number, flag] = [need("number"), need("boolean")];
+/** @type {(value: any, name: string) => string} */
 const text = (value, name) => (typeof value === "number" ? String(value) : need("string")(value, name));
+/** @type {(value: any, name: string) => any[]} */
 const list = (value, name) => (Array.isArray(value) ? value : need("list")(value, name));
 
 // Each gives the members that a value sets: (value, its name, the row's member and what follows it, {blocks, sizes}).
+/** @type {Record<string, (value: any, name: string, row: any[], memory: any) => Record<string, any>>} */
 const SETTERS = {
   number: (value, name, [member]) => ({ [member]: number(value, name) }),
   flag: (value, name, [member]) => ({ [member]: Number(flag(value, name)) }),
@@ -39,12 +43,12 @@ const SETTERS = {
     [member]: blocks.copy(Float64Array.from(Object.values(value), (one) => number(one, name))),
   }),
   lines: (value, name, [member, offsets, count], { blocks }) => {
-    const points = list(value, name).flat(2), ends = value.map((line) => line.length);
-    if (value.flat().some((point) => point.length !== 2)) throw new SinewError(`${name}: expected lines of [x, y]`);
-    const starts = Uint32Array.from({ length: ends.length + 1 }, (_, i) => ends.slice(0, i).reduce((sum, one) => sum + one, 0));
+    const points = list(value, name).flat(2), ends = value.map((/** @type {any[]} */ line) => line.length);
+    if (value.flat().some((/** @type {any[]} */ point) => point.length !== 2)) throw new SinewError(`${name}: expected lines of [x, y]`);
+    const starts = Uint32Array.from({ length: ends.length + 1 }, (_, i) => ends.slice(0, i).reduce((/** @type {number} */ sum, /** @type {number} */ one) => sum + one, 0));
     return { [member]: blocks.copy(Float32Array.from(points)), [offsets]: blocks.copy(starts), [count]: ends.length };
   },
-  array: (value, name, [member, type, counts], { blocks, sizes }) => ({ [member]: blocks.copy(typed(type, value, name, counts.reduce((all, one) => all * (sizes()[one] ?? Number(one)), 1))) }),
+  array: (value, name, [member, type, counts], { blocks, sizes }) => ({ [member]: blocks.copy(typed(type, value, name, counts.reduce((/** @type {number} */ all, /** @type {string} */ one) => all * (sizes()[one] ?? Number(one)), 1))) }),
   character: (value, name, [member], { handle }) => ({ [member]: handle(value, name) }),
 };
 
@@ -56,6 +60,7 @@ const SETTERS = {
  * @param {{blocks: Blocks, sizes: () => Record<string, number>, handle: (character: any, name: string) => number, progress: number}} memory
  */
 export function optionsAt(call, { struct, members }, options, memory) {
+  /** @type {Record<string, any>} */
   const values = { progress: memory.progress };
   for (const [name, value] of Object.entries(options)) {
     if (value === undefined || name === "onProgress") continue;
@@ -74,9 +79,14 @@ export function optionsAt(call, { struct, members }, options, memory) {
  * @param {Record<string, number>} sizes the character's joints (J) and vertices (V)
  */
 export function resultAt(module, struct, address, sizes = {}) {
-  const blocks = blocksOf(module), raw = blocks.read(/** @type {any} */ (struct), address);
+  const blocks = blocksOf(module);
+  /** @type {Record<string, any>} */
+  const raw = blocks.read(/** @type {any} */ (struct), address);
+  /** @type {(counts: string[]) => number} */
   const count = (counts) => counts.reduce((all, one) => all * (raw[one] ?? sizes[one] ?? Number(one)), 1);
+  /** @type {(type: any, at: number, length: number) => any} */
   const array = (type, at, length) => (at === 0 ? new type(0) : blocks.take(type, at, length));
+  /** @type {Record<string, (value: any, ...extra: any[]) => any>} */
   const readers = {
     number: (value) => value,
     numbers: (value) => value,
@@ -86,7 +96,7 @@ export function resultAt(module, struct, address, sizes = {}) {
     text: (value) => (value === 0 ? "" : module.UTF8ToString(value)),
     word: (value, words) => words[value],
     array: (value, type, counts) => array(type, value, count(counts)),
-    structs: (value, of, counts) => Array.from({ length: value === 0 ? 0 : count(counts) }, (_, i) => resultAt(module, of, value + i * LAYOUTS[of].size, sizes)),
+    structs: (value, of, counts) => Array.from({ length: value === 0 ? 0 : count(counts) }, (_, i) => resultAt(module, of, value + i * /** @type {any} */ (LAYOUTS)[of].size, sizes)),
     lines: (value, offsets, lines) => {
       const ends = array(Uint32Array, raw[offsets], raw[lines] + 1);
       return Array.from({ length: raw[lines] }, (_, l) => array(Float32Array, value + 8 * ends[l], 2 * (ends[l + 1] - ends[l])));

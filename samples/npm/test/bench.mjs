@@ -15,13 +15,14 @@ const [{ load }, { loadModel }] = [await entry("index.js"), await entry("model.j
 const model = await loadModel();
 const folder = mkdtempSync(join(tmpdir(), "sinew-npm-bench-"));
 const median = (values) => values.sort((a, b) => a - b)[values.length >> 1];
-const sinew = (...args) => execFileSync(resolve(command), args, { encoding: "utf8", maxBuffer: 1 << 26 });
+const run = (program, args) => execFileSync(resolve(program), args, { encoding: "utf8", maxBuffer: 1 << 26 });
+const sinew = (...args) => run(command, args);
 
 try {
   console.log("vertices,engine,median_ms,least_ms,most_ms,hash,ratio");
   for (const resolution of [28, 75]) {
     const file = join(folder, `body${resolution}.obj`), rig = file.replace(".obj", ".rig.txt");
-    sinew("dataset", "synthesize", "--plan", "biped", "--seed", "27", "--resolution", String(resolution), "-o", file);
+    run(`${command}-lab`, ["dataset", "synthesize", "--plan", "biped", "--seed", "27", "--resolution", String(resolution), "-o", file]);
     const mesh = readObj(readFileSync(file, "utf8")), { skeleton } = readRig(readFileSync(rig, "utf8"));
     const timed = (name, bind) => {
       const times = [];

@@ -28,7 +28,8 @@ function documents(text) {
 
 function expectValid(command, ...words) {
   const [name] = command.split(' ');
-  const text = execFileSync(sinew, [...command.split(' '), ...words, '--json'], { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] });
+  const program = ['dataset', 'eval'].includes(name) ? `${sinew}-lab` : sinew;
+  const text = execFileSync(program, [...command.split(' '), ...words, '--json'], { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] });
   const validate = schemas.get(name);
   for (const document of documents(text))
     assert.ok(validate(document), `sinew ${command} ${words.join(' ')}: ${ajv.errorsText(validate.errors)}\n${JSON.stringify(document).slice(0, 2000)}`);

@@ -33,7 +33,7 @@ size_t count_boundary_loops(const Character& character, const std::vector<std::v
     do {
       seen[static_cast<size_t>(at.idx())] = 1;
       const BoundaryEdge edge = lower_first(origin[static_cast<size_t>(mesh.from_vertex_handle(at).idx())],
-                                origin[static_cast<size_t>(mesh.to_vertex_handle(at).idx())]);
+                                            origin[static_cast<size_t>(mesh.to_vertex_handle(at).idx())]);
       real = real || faces_at.at(edge) == 1;
       at = mesh.next_halfedge_handle(at);
     } while (at != start);
