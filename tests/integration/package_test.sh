@@ -69,16 +69,16 @@ copyright=$root/usr/share/doc/sinew/copyright
 grep -F "$(sed -n 's/^Copyright (c) //p' "$source_dir/LICENSE")" "$copyright" >/dev/null || fail "$copyright lacks the line of LICENSE"
 # What the command's code is built of; MPI and threads are the system's.
 cd "$source_dir"
-for library in tinygltf $(sed -n 's/^ *find_package(\([A-Za-z0-9_]*\).*/\1/p' formats/CMakeLists.txt formats/*/CMakeLists.txt trainer/CMakeLists.txt \
-                          quant/CMakeLists.txt samples/cli/CMakeLists.txt | grep -v -x 'MPI\|Threads'); do
+for library in tinygltf $(sed -n 's/^ *find_package(\([A-Za-z0-9_]*\).*/\1/p' formats/CMakeLists.txt character/CMakeLists.txt trainer/CMakeLists.txt \
+                          trainer/data_sets/CMakeLists.txt quant/CMakeLists.txt samples/cli/CMakeLists.txt | grep -v -x 'MPI\|Threads'); do
   case $library in PNG) library=libpng ;; ZLIB) library=zlib ;; esac
   grep -w "$library" "$copyright" >/dev/null || fail "$copyright does not name $library"
 done
 # Manual page and completion: every command, and its options as --help lists them.
 gzip -dc "$root/usr/share/man/man1/sinew.1.gz" >"$work/sinew.1"
 complete_words() { # WORD...: what bash offers for the last word
-  bash -c '. "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _sinew 2>/dev/null; printf "%s\n" "${COMPREPLY[@]}"' - \
-    "$root/usr/share/bash-completion/completions/sinew" "$@"
+  bash -c '. "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); "_${COMP_WORDS[0]//-/_}" 2>/dev/null; printf "%s\n" "${COMPREPLY[@]}"' - \
+    "$root/usr/share/bash-completion/completions/$1" "$@"
 }
 commands=$("$sinew" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\) .*/\1/p')
 [ -n "$commands" ] || fail "sinew --help lists no commands"
