@@ -14,6 +14,7 @@
 
 #include "gltf/gltf_container.hpp"
 #include "gltf/gltf_from_scene.hpp"
+#include "gltf/gltf_source.hpp"
 #include "gltf/scene_files.hpp"
 #include "gltf/scene_nodes.hpp"
 #include "gltf/scene_process.hpp"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gltf/gltf_source.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "gltf/gltf_source.hpp"
 #include "gltf/vrm_write.hpp"
 
 namespace sinew {
