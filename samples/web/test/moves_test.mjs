@@ -5,7 +5,7 @@
 import assert from "node:assert/strict";
 import { copyFileSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { fileOf, made, startPage } from "./page.mjs";
+import { apartGlbs, fileOf, made, startPage } from "./page.mjs";
 
 const { data, server, browser, page, at, command, settled, shoot, errorLine, legend, positions, joints, pick, give, slide, downloaded, step } = await startPage("moves_");
 const asked = [];
@@ -219,7 +219,9 @@ try {
     await to(0.42);
     await shoot("reference_points");
     command("animate", figure, "--motion", at("squat.glb"), "--method", "reference-points", "-o", at("points.glb"));
-    assert.ok((await downloaded("#download")).bytes.equals(readFileSync(at("points.glb"))), "the page's GLB differs from the command's");
+    // The clip is read back from a GLB: between its keys C's sine and arc cosine turn joints, which differ from library to library.
+    const apart = apartGlbs((await downloaded("#download")).bytes, readFileSync(at("points.glb")));
+    assert.ok(apart < 1e-5, `the page's GLB is ${apart} off the command's`);
   });
 
   await step("the map is shown, and followed as it is edited", async () => {
