@@ -239,10 +239,10 @@ try {
     await page.locator("#map").scrollIntoViewIfNeeded();
     await shoot("map");
     await mapRow("LeftArm").locator("select").focus();
-    await mapRow("LeftArm").locator("select").selectOption({ label: "RightArm" });
+    await mapRow("LeftArm").locator("select").selectOption({ label: "upper_arm.R" });
     await settled();
     assert.equal(await errorLine(), "");
-    assert.deepEqual(await mapShown(), toldMap("--set", "LeftArm=RightArm"));
+    assert.deepEqual(await mapShown(), toldMap("--set", "LeftArm=upper_arm.R"));
     assert.notDeepEqual(await positions(), found, "it moves by the new map at once");
     assert.match(await page.locator("#map-count").innerText(), /1 by you$/);
     await shoot("map_edited");
@@ -250,7 +250,7 @@ try {
     await mapRow("Head").locator("select").focus();
     await mapRow("Head").locator("select").selectOption({ label: "none" });
     await settled();
-    assert.deepEqual(await mapShown(), toldMap("--set", "LeftArm=RightArm", "--set", "Head=-"));
+    assert.deepEqual(await mapShown(), toldMap("--set", "LeftArm=upper_arm.R", "--set", "Head=-"));
     await mapRow("LeftArm").locator("select").focus();
     await mapRow("LeftArm").locator("select").selectOption({ label: "as it is found" });
     await settled();
