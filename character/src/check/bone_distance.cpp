@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Point3 to segment distances.
+// Distances from points to segments.
 #include "sinew_character/check/bone_distance.hpp"
 
 #include <algorithm>
