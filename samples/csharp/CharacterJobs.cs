@@ -296,6 +296,8 @@ namespace Sinew
         public string Limits;
         /// <summary>Bones of a picture's character leave its plane as the motion's do</summary>
         public bool Depth;
+        /// <summary>Pairs that a found map keeps</summary>
+        public Native.sinew_map_pin[] Pins;
         /// <summary>Bytes of .sinew files in place of the bundled models; or null.</summary>
         public byte[] Model, HandsModel, FrontModel;
 
@@ -312,7 +314,7 @@ namespace Sinew
                 report = Report ? 1u : 0, falloff = Falloff, own_limb = OwnLimb ? 1u : 0, head = Head ? 1u : 0, torso = Torso ? 1u : 0,
                 source_points = SourcePoints ? 1u : 0, force = Force ? 1u : 0, translations = Translations ? 1u : 0, stiffness = Stiffness,
                 tet_weights = (uint)TetWeights, no_smoothing = NoSmoothing ? 1u : 0, layout = pins.Of(Layout), actor = pins.Of(Actor),
-                limits = pins.Of(Limits), depth = Depth ? 1u : 0 });
+                limits = pins.Of(Limits), depth = Depth ? 1u : 0, pin_count = Character.Count(Pins), pins = pins.Of((object)Pins) });
         }
     }
 
@@ -711,8 +713,17 @@ namespace Sinew
         public LimbMeasure[] LimbsAfter;
         /// <summary>"anatomy and names"</summary>
         public string MappedBy;
-        /// <summary>The map that was used</summary>
+        /// <summary>The map that was used: joint of the motion, -1 = none</summary>
         public int[] Sources;
+        public byte[] Reasons;
+        /// <summary>A mere end, which never turns</summary>
+        public byte[] SourceEnds;
+        /// <summary>Joints of the motion, a line each, '\n' between two</summary>
+        public string SourceNames;
+        public byte[] SpotKinds;
+        /// <summary>See sinew_contact_spot, as the errors</summary>
+        public float[] SpotPositions;
+        public float[] SpotErrors;
 
         internal static IntPtr Room(Pins pins)
         {
@@ -726,7 +737,11 @@ namespace Sinew
                 Rigged = r.rigged != 0, ShapeCount = (int)r.shape_count, Certainty = r.certainty, LimbCount = (int)r.limb_count,
                 LimbsBefore = Character.Structs<Native.sinew_limb_measure, LimbMeasure>(r.limbs_before, r.clip_count * r.limb_count, sizes, LimbMeasure.Of),
                 LimbsAfter = Character.Structs<Native.sinew_limb_measure, LimbMeasure>(r.limbs_after, r.clip_count * r.limb_count, sizes, LimbMeasure.Of),
-                MappedBy = Character.Text(r.mapped_by), Sources = Character.Ints(r.sources, sizes.joint_count) };
+                MappedBy = Character.Text(r.mapped_by), Sources = Character.Ints(r.sources, sizes.joint_count),
+                Reasons = Character.Bytes(r.reasons, sizes.joint_count), SourceEnds = Character.Bytes(r.source_ends, r.source_count),
+                SourceNames = Character.Text(r.source_names), SpotKinds = Character.Bytes(r.spot_kinds, r.spot_count),
+                SpotPositions = Character.Floats(r.spot_positions, r.spot_count * r.3),
+                SpotErrors = Character.Floats(r.spot_errors, r.spot_count) };
         }
     }
 

@@ -593,7 +593,8 @@ namespace Sinew
             public double stiffness;
             public uint tet_weights, no_smoothing;
             public IntPtr layout, actor, limits;
-            public uint depth, reserved;
+            public uint depth, pin_count;
+            public IntPtr pins;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -602,7 +603,9 @@ namespace Sinew
             public uint struct_size, clip_count, first_clip, mapped, rigged, shape_count;
             public float certainty;
             public uint limb_count;
-            public IntPtr limbs_before, limbs_after, mapped_by, sources;
+            public IntPtr limbs_before, limbs_after, mapped_by, sources, reasons, source_ends, source_names;
+            public uint source_count, spot_count;
+            public IntPtr spot_kinds, spot_positions, spot_errors;
         }
 
         [StructLayout(LayoutKind.Sequential)]

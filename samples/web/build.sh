@@ -36,7 +36,8 @@ cd "$here"
 rm -f "$out"/*.js
 # What reads FBX and what shows materials are files of their own, loaded when they are asked for.
 node_modules/.bin/esbuild src/main.js src/worker.js --bundle --splitting --minify --format=esm --target=es2022 --outdir="$out" --log-level=warning \
-  --alias:@sinew/skin/loader="$root/samples/npm/src/loader.js" --alias:@sinew/skin/scenes="$root/samples/npm/src/scenes.js" --alias:sinew-scenes="$scenes/scenes.mjs" \
+  --alias:@sinew/skin/loader="$root/samples/npm/src/loader.js" --alias:@sinew/skin/scenes="$root/samples/npm/src/scenes.js" \
+  --alias:@sinew/skin/character="$root/samples/npm/src/character.js" --external:../wasm/\* --alias:sinew-scenes="$scenes/scenes.mjs" \
   --alias:sinew-simd="$build/modules/simd/sinew_web.mjs" --alias:sinew-scalar="$build/modules/scalar/sinew_web.mjs"
 node_modules/.bin/esbuild src/style.css --minify --outdir="$out" --log-level=warning
 cp src/index.html src/icon.svg src/manifest.webmanifest src/sw.js "$out"

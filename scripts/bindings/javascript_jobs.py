@@ -95,9 +95,14 @@ def _type(v: Value, call: str, h: Headers) -> str:
         return '"figure" | "pixels"'
     result = "_" in call
     return {"flag": "boolean", "number": "number", "percent": "number", "text": "string" if result or v.name not in ("clip", "actor") else "string | number",
-            "texts": "string[]", "array": _ARRAYS.get(v.of, "") if result else "ArrayLike<number>", "structs": f"{camel(base(v.of))}[]", "character": "CharacterFile",
+            "texts": "string[]", "array": _ARRAYS.get(v.of, "") if result else "ArrayLike<number>", "structs": f"{camel(base(v.of))}[]" if result else _rows(v, h), "character": "CharacterFile",
             "mapping": "Record<string, number>", "lines": "Float32Array[]" if result else "[number, number][][]",
             "numbers": "[" + ", ".join(["number"] * int(v.counts[0])) + "]" if v.kind == "numbers" else ""}[v.kind]
+
+
+def _rows(v: Value, h: Headers) -> str:
+    members = next((s.members for s in h.structs if s.name == v.of), [])
+    return "{ " + "; ".join(f"{m.name}: number" for m in members) + " }[]"
 
 
 def _said(v: Value, h: Headers) -> str:

@@ -698,8 +698,9 @@ typedef struct sinew_character_animate_options {
   const char*
       limits; /* what joints stay within, contacts or not: a .urdf, a file of formats/spec/limits.md, or "human" for what
                        * bodies can do; null: nothing but the natural range */
-  uint32_t depth;    /* 1: bones of a picture's character leave its plane as the motion's do */
-  uint32_t reserved; /* 0 */
+  uint32_t depth; /* 1: bones of a picture's character leave its plane as the motion's do */
+  uint32_t pin_count;
+  const sinew_map_pin* pins; /* [pin_count] pairs that a found map keeps; or null */
 } sinew_character_animate_options;
 
 static inline sinew_character_animate_options sinew_character_animate_options_init(void) {
@@ -721,7 +722,15 @@ typedef struct sinew_character_animate_result {
   const sinew_limb_measure* limbs_before; /* [clip_count x limb_count] with report; or null */
   const sinew_limb_measure* limbs_after;  /* [clip_count x limb_count] with report; or null */
   const char* mapped_by;                  /* "anatomy and names" */
-  const int32_t* sources;                 /* [J] the map that was used */
+  const int32_t* sources;                 /* [J] the map that was used: joint of the motion, -1 = none */
+  const uint8_t* reasons;                 /* [J] sinew_map_reason */
+  const uint8_t* source_ends;             /* [source_count] 1: a mere end, which never turns */
+  const char* source_names;               /* joints of the motion, a line each, '\n' between two */
+  uint32_t source_count;
+  uint32_t spot_count;         /* with report: limb_count of each frame, one clip's after another's */
+  const uint8_t* spot_kinds;   /* [spot_count] sinew_spot_kind */
+  const float* spot_positions; /* [spot_count x 3] see sinew_contact_spot, as the errors */
+  const float* spot_errors;    /* [spot_count] */
 } sinew_character_animate_result;
 
 static inline sinew_character_animate_result sinew_character_animate_result_init(void) {

@@ -29,6 +29,8 @@ AnimateOptions job_of(const sinew_character_animate_options& options, const sine
   if (options.sources != nullptr)
     job.sources.assign(options.sources, options.sources + character.character.joints.size());
   job.method = static_cast<AnimateMethod>(options.method);
+  need(options.pins != nullptr || options.pin_count == 0, "pins");
+  job.pins.assign(options.pins, options.pins + options.pin_count);
   job.limits = text_or_empty(options.limits);
   job.in_place = options.in_place != 0;
   job.range = options.no_range == 0;
@@ -73,7 +75,14 @@ AnimatedCharacter start(const sinew_character& from, const sinew_character_anima
   return out;
 }
 
-void fill_result(const AnimatedCharacter& made, uint32_t first_clip, ResultViews* views,
+// Pins name joints of both skeletons.
+void check_pins(const std::vector<sinew_map_pin>& pins, size_t joint_count, size_t source_count) {
+  for (const sinew_map_pin& pin : pins)
+    if (pin.target >= joint_count || pin.source < -1 || pin.source >= static_cast<int32_t>(source_count))
+      throw Failure(SINEW_ERROR_RANGE, "pins: a pin names a joint that does not exist");
+}
+
+void fill_result(const AnimatedCharacter& made, const Motion& source, uint32_t first_clip, ResultViews* views,
                  sinew_character_animate_result* result) {
   if (result == nullptr) return;
   *views = {};
@@ -89,12 +98,32 @@ void fill_result(const AnimatedCharacter& made, uint32_t first_clip, ResultViews
     views->text = one.map;
     views->before.insert(views->before.end(), one.report.before.begin(), one.report.before.end());
     views->after.insert(views->after.end(), one.report.after.begin(), one.report.after.end());
+    for (size_t s = 0; s < one.report.spots.size(); ++s) {
+      const sinew_contact_spot& spot = one.report.spots[s];
+      if (s % SINEW_MAX_MOTION_LIMBS >= filled.limb_count) continue;
+      views->spot_kinds.push_back(static_cast<uint8_t>(spot.kind));
+      views->spot_positions.insert(views->spot_positions.end(), spot.position, spot.position + 3);
+      views->spot_errors.push_back(spot.error);
+    }
   }
+  for (const MotionJoint& joint : source.joints) {
+    views->joint_names += (views->ends.empty() ? "" : "\n") + joint.name;
+    views->ends.push_back(joint.end ? 1 : 0);
+  }
+  views->reasons = made.map.reasons;
   views->sources.assign(made.map.sources.begin(), made.map.sources.end());
   filled.limbs_before = views->before.data();
   filled.limbs_after = views->after.data();
   filled.mapped_by = views->text.c_str();
   filled.sources = views->sources.data();
+  filled.reasons = views->reasons.data();
+  filled.source_count = count32(views->ends.size());
+  filled.source_ends = views->ends.data();
+  filled.source_names = views->joint_names.c_str();
+  filled.spot_count = count32(views->spot_kinds.size());
+  filled.spot_kinds = views->spot_kinds.data();
+  filled.spot_positions = views->spot_positions.data();
+  filled.spot_errors = views->spot_errors.data();
   give(filled, result);
 }
 
@@ -114,7 +143,13 @@ void animate(const sinew_character_animate_options& options, ProgressOfCaller* p
     job.force = true;  // nobody asked for it: a warning will do
     motion = &own;
   }
-  const MotionFile source = motion_of_handle(motion, options, job, made.character);
+  MotionFile source = motion_of_handle(motion, options, job, made.character);
+  check_pins(job.pins, made.character.joints.size(), source.motion.joints.size());
+  if (options.clip == nullptr) {
+    Motion before;
+    for (const Clip& clip : target->clips) before.clips.emplace_back().name = clip.name;
+    name_clips(file_of(*motion), false, before, &source.motion);
+  }
   MotionInput input;
   input.file = file_of(*motion);
   input.clip = text_or_empty(options.clip);
@@ -145,7 +180,7 @@ void animate(const sinew_character_animate_options& options, ProgressOfCaller* p
   target->character = made.character;
   target->clips.insert(target->clips.end(), made.motion.clips.begin(), made.motion.clips.end());
   if (deform) target->morphs = made.morphs;
-  fill_result(made, first, &target->results, result);
+  fill_result(made, source.motion, first, &target->results, result);
 }
 
 }  // namespace

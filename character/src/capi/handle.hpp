@@ -61,6 +61,9 @@ struct ResultViews {
   std::vector<float> confidence, parent_confidence;
   std::vector<int32_t> sources;
   std::vector<sinew_limb_measure> before, after;
+  std::vector<uint8_t> spot_kinds;
+  std::vector<float> spot_positions, spot_errors;
+  std::string joint_names;
   std::vector<sinew_transfer_part> parts;
   std::vector<sinew_character_seam> seams;
   std::vector<sinew_character_doubt> doubtful;

@@ -3,6 +3,7 @@
 #include "sinew_character/jobs/animate_job.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "motion/moved_joints.hpp"
@@ -19,12 +20,13 @@ namespace {
 
 std::vector<Clip> chosen_clips(const AnimateOptions& s, const std::string& file, const std::string& name,
                                const Motion& motion) {
-  if (motion.clips.empty()) throw Error(file + ": expected a motion, found a skeleton without frames");
   std::vector<Clip> chosen;
-  if (name.empty())
-    chosen = motion.clips;
-  else
+  if (!name.empty() && !motion.clips.empty())
     chosen.push_back(find_clip(motion, file, name));
+  else
+    std::copy_if(motion.clips.begin(), motion.clips.end(), std::back_inserter(chosen),
+                 [](const Clip& clip) { return !clip.frames.empty(); });
+  if (chosen.empty()) throw Error(file + ": expected a motion, found a skeleton without frames");
   for (Clip& clip : chosen) {
     const double seconds = static_cast<double>(clip.frames.size() - 1) * clip.frame_time;
     clip = cut(clip, s.from, s.to);

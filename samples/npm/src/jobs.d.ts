@@ -180,6 +180,8 @@ export interface RetargetOptions {
   limits?: string;
   /** bones of a picture's character leave its plane as the motion's do */
   depth?: boolean;
+  /** pairs that a found map keeps */
+  pins?: { target: number; source: number }[];
   onProgress?: Progress;
 }
 export interface TransferOptions {
@@ -338,8 +340,17 @@ export interface AnimateResult {
   limbsAfter: LimbMeasure[];
   /** "anatomy and names" */
   mappedBy: string;
-  /** the map that was used */
+  /** the map that was used: joint of the motion, -1 = none */
   sources: Int32Array;
+  reasons: Uint8Array;
+  /** a mere end, which never turns */
+  sourceEnds: Uint8Array;
+  /** joints of the motion, a line each, '\n' between two */
+  sourceNames: string;
+  spotKinds: Uint8Array;
+  /** see sinew_contact_spot, as the errors */
+  spotPositions: Float32Array;
+  spotErrors: Float32Array;
 }
 export interface TransferPart {
   /** its vertex of lowest index */

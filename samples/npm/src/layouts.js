@@ -158,10 +158,12 @@ export const LAYOUTS = {
     "shapes@56:u32 fps@64:f64 from@72:f64 to@80:f64 clip@88:u32 map@92:u32 sources@96:u32 area_power@100:u32 " +
     "no_own_limb@104:u32 legs@108:u32 report@112:u32 falloff@120:f64 own_limb@128:u32 head@132:u32 torso@136:u32 " +
     "source_points@140:u32 force@144:u32 translations@148:u32 stiffness@152:f64 tet_weights@160:u32 no_smoothing@164:u32 " +
-    "layout@168:u32 actor@172:u32 limits@176:u32 depth@180:u32 reserved@184:u32"),
-  characterAnimateResult: layout(48,
+    "layout@168:u32 actor@172:u32 limits@176:u32 depth@180:u32 pin_count@184:u32 pins@188:u32"),
+  characterAnimateResult: layout(80,
     "struct_size@0:u32 clip_count@4:u32 first_clip@8:u32 mapped@12:u32 rigged@16:u32 shape_count@20:u32 certainty@24:f32 " +
-    "limb_count@28:u32 limbs_before@32:u32 limbs_after@36:u32 mapped_by@40:u32 sources@44:u32"),
+    "limb_count@28:u32 limbs_before@32:u32 limbs_after@36:u32 mapped_by@40:u32 sources@44:u32 reasons@48:u32 " +
+    "source_ends@52:u32 source_names@56:u32 source_count@60:u32 spot_count@64:u32 spot_kinds@68:u32 spot_positions@72:u32 " +
+    "spot_errors@76:u32"),
   characterPoseOptions: layout(64,
     "struct_size@0:u32 thread_count@4:u32 deform@8:u32 cells@12:u32 rounds@16:u32 body_contact@20:u32 angles@24:u32 " +
     "rotations@28:u32 matrices@32:u32 clip@36:u32 time@40:f64 stiffness@48:f64 tet_weights@56:u32 no_smoothing@60:u32"),

@@ -49,6 +49,11 @@ const SETTERS = {
     return { [member]: blocks.copy(Float32Array.from(points)), [offsets]: blocks.copy(starts), [count]: ends.length };
   },
   array: (value, name, [member, type, counts], { blocks, sizes }) => ({ [member]: blocks.copy(typed(type, value, name, counts.reduce((/** @type {number} */ all, /** @type {string} */ one) => all * (sizes()[one] ?? Number(one)), 1))) }),
+  structs: (value, name, [member, of, [count]], { blocks }) => {
+    const { size } = /** @type {any} */ (LAYOUTS)[of], rows = list(value, name), at = blocks.bytes(Math.max(size * rows.length, 1));
+    rows.forEach((row, i) => blocks.view(Uint8Array, at + i * size, size).set(blocks.take(Uint8Array, blocks.struct(of, row), size)));
+    return { [member]: at, [count]: rows.length };
+  },
   character: (value, name, [member], { handle }) => ({ [member]: handle(value, name) }),
 };
 

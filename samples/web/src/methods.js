@@ -2,7 +2,7 @@
 // The switch between methods of retargeting while a motion plays, what each leaves to be mended, and whether contacts are shown.
 import { $, all } from "./elements.js";
 
-export const motionMethods = { contacts: 0, copy: 1, referencePoints: 2, stream: 3 }; // MotionMethod of player.hpp
+export const motionMethods = { contacts: 0, copy: 1, referencePoints: 2, stream: 3 }; // methods of handles.js
 
 const percent = (share, digits = 0) => `${(100 * share).toFixed(digits)} %`;
 
@@ -11,11 +11,11 @@ const percent = (share, digits = 0) => `${(100 * share).toFixed(digits)} %`;
 export function clipFigures({ frames, limbs }, when) {
   const arms = limbs.filter(({ leg }) => !leg);
   const weighted = (list) => {
-    const contacts = list.reduce((sum, limb) => sum + limb[when].contacts, 0);
-    return contacts === 0 ? null : list.reduce((sum, limb) => sum + limb[when].contacts * limb[when].error, 0) / contacts;
+    const contacts = list.reduce((sum, limb) => sum + limb[when].contactFrames, 0);
+    return contacts === 0 ? null : list.reduce((sum, limb) => sum + limb[when].contactFrames * limb[when].error, 0) / contacts;
   };
   return {
-    deep: arms.length === 0 ? null : arms.reduce((sum, limb) => sum + limb[when].deep, 0) / (arms.length * frames),
+    deep: arms.length === 0 ? null : arms.reduce((sum, limb) => sum + limb[when].deepFrames, 0) / (arms.length * frames),
     slide: weighted(limbs.filter(({ leg }) => leg)),
     touch: weighted(arms),
   };

@@ -28,10 +28,10 @@ export class Motions {
   async open(files, { method = motionMethods.contacts, pins = {} } = {}) {
     const character = this.#current();
     if (!character?.result) throw new Error(`${files[0]}: is a motion; open a character first`);
-    const { source, joints, up } = character;
+    const { source, joints, up, picture } = character;
     const own = files.length === 1 && files[0] === source.mesh;
     const known = files.map((file) => new Map(joints.flatMap((joint, j) => (joint.name in (pins[file] ?? {}) ? [[j, pins[file][joint.name]]] : []))));
-    const wish = { up, own, method, pins: known.map((one) => [...one]) };
+    const wish = { up, own, picture: Boolean(picture), method, pins: known.map((one) => [...one]) };
     const motion = await whileBusy("Moving it", () => this.#engine.call("motion", { names: files, wish }));
     source.motion = { files, method, pins };
     this.#show({ own, method, pins: known, ...motion });

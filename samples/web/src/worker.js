@@ -10,6 +10,7 @@ import { Parts } from "./parts.js";
 const kinds = { triangles: 0, vertexOf: 1, positions: 2, normals: 3, colours: 4, jointPositions: 5, strongest: 6, vertexQuestions: 7, palette: 8 };
 /** @type {Record<string, any>} */
 const arrays = { triangles: Uint32Array, vertexOf: Uint32Array, colours: Uint8Array, strongest: Uint16Array, vertexQuestions: Uint32Array };
+const outOfMemory = -31; // SINEW_ERROR_MEMORY
 const posed = ["positions", "normals", "jointPositions", "palette"];
 
 /** @type {any} */
@@ -17,6 +18,8 @@ let module;
 let moduleBytes = 0;
 /** @type {Parts} */
 let parts; // of the module
+/** @type {import("./handles.js").Handles} */
+let handles; // once the last of these is there
 
 // What reads FBX and COLLADA, once there is such a file.
 /** @type {Promise<any> | null} */
@@ -167,9 +170,9 @@ const calls = {
   // {mesh, joints, clips} of a file
   async contents({ name }) {
     await needScenes(name);
-    return withText(plain(name), (at) => checked(module._web_contents(at)));
+    return handles.contents(plain(name));
   },
-  check: () => checked(module._web_check()),
+  check: () => handles.check(),
   // An edit with weights and colours at once, while a joint is dragged.
   move({ edits, mirror, continues, wish, answers, mode, joint }) {
     const rig = calls.edit({ edits, mirror, continues });
@@ -209,29 +212,27 @@ const calls = {
       module._free(at);
     }
   },
-  // names: of files with motions, or builtin:NAME; [] for none any more. wish: {up, own, method, pins}
-  async motion({ names, wish = {} }) {
+  // names: of files with motions, or builtin:NAME; [] for none any more
+  async motion({ names, wish }) {
     for (const name of names) await needScenes(name);
     const files = names.map((/** @type {string} */ name) => (name.startsWith("builtin:") ? name : plain(name)));
-    return withTexts(files, wish, (n, w) => checked(module._web_motion(n, w)));
+    return files.length > 0 ? handles.openMotions(files, wish) : handles.closeMotions();
   },
-  motionMethod: ({ method }) => checked(module._web_motion_method(method)),
+  motionMethod: ({ method }) => handles.useMethod(method),
   // Positions of the mesh are left out.
-  frameJoints: ({ clip, seconds }) => ({ ...checked(module._web_frame_joints(clip, seconds)), buffers: take(["jointPositions", "palette"]) }),
-  frame: ({ clip, seconds, skinning }) => ({ ...checked(module._web_frame(clip, seconds, skinning)), buffers: take(posed) }),
-  // kind: glb, fbx or vrm; wish: {clips, profile, author, title, licence}
-  file({ name, kind, wish }) {
-    const file = `${plain(name)}.bound.${kind}`;
-    withText(file, (f) => withText(JSON.stringify(wish), (w) => checked(module._web_write(f, w))));
-    return { buffers: { bytes: readOnce(file) } };
+  frameJoints({ clip, seconds }) {
+    const { at, spots } = handles.playing(clip, seconds);
+    return { ...checked(module._web_frame_joints(at, clip, seconds)), spots, buffers: take(["jointPositions", "palette"]) };
   },
+  frame({ clip, seconds, skinning }) {
+    const { at, spots } = handles.playing(clip, seconds);
+    return { ...checked(module._web_frame(at, clip, seconds, skinning)), spots, buffers: take(posed) };
+  },
+  // kind: glb, fbx or vrm; wish: {clips, profile, author, title, licence}
+  file: ({ name, kind, wish }) => ({ buffers: { bytes: handles.file(`${plain(name)}.bound.${kind}`, wish) } }),
   // {pose} that files of a profile stand in
   profile: ({ name }) => withText(name, (at) => checked(module._web_profile(at))),
-  rigText({ name }) {
-    const file = `${plain(name)}.saved.rig.txt`; // not the file that was dropped
-    withText(file, (at) => checked(module._web_write_rig(at)));
-    return { buffers: { bytes: readOnce(file) } };
-  },
+  rigText: ({ name }) => ({ buffers: { bytes: handles.rigText(`${plain(name)}.rig.txt`) } }),
 };
 
 // How many of the later parts of the module a call waits for: none to open and bind a character, the first to make it a skeleton, else all.
@@ -242,6 +243,7 @@ const needs = new Map([...["start", "write", "remove", "setAside", "model", "loa
 async function answer({ id, call, ...options }) {
   try {
     if (needs.get(call) !== 0) await parts.loaded(needs.get(call));
+    if (!needs.has(call)) handles ??= new (await import("./handles.js")).Handles(module);
     const reply = (await calls[call](options)) ?? {};
     const transfer = Object.values(reply.buffers ?? {}).map((b) => b.buffer);
     postMessage({ id, reply }, { transfer });
@@ -249,8 +251,8 @@ async function answer({ id, call, ...options }) {
     if (call === "load" && reply.joints?.length === 0) parts.loaded(1).catch(() => {});
     if (call === "bind") parts.loaded().catch(() => {});
   } catch (error) {
-    let line = String(error?.message ?? error);
-    if (error instanceof RangeError) line = "out of memory: the file is too large for this browser; try the sinew command";
+    let line = String(error?.message ?? error).replace(": give --author", ""); // which the page has a field for
+    if (error instanceof RangeError || error?.status === outOfMemory) line = "out of memory: the file is too large for this browser; try the sinew command";
     if (error instanceof WebAssembly.RuntimeError) line = `the engine stopped (${line}); reload the page`;
     postMessage({ id, error: line });
   }

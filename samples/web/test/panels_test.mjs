@@ -14,7 +14,7 @@ assert.deepEqual(worstFirst([bend(0, 0.99), bend(1, 1.2), bend(2, 0.5), bend(3, 
 assert.equal(worstFirst(Array.from({ length: 9 }, (_, j) => bend(j, 1))).length, 6);
 
 const limb = (leg, before, after) => ({ joint: 0, leg, before, after });
-const measure = (deep, contacts, error) => ({ deep, contacts, depth: 0, error });
+const measure = (deepFrames, contactFrames, error) => ({ deepFrames, contactFrames, depth: 0, error });
 const clip = {
   frames: 50,
   limbs: [

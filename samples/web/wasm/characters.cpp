@@ -93,7 +93,6 @@ Json start(Session& s, Character character, JointChoice choice, std::vector<std:
   s.locked.clear();
   s.hints.clear();
   s.began.clear();
-  s.player.close();
   s.taken = {};
   const bool is_files = !s.rigs().now().predicted && reference.size() == s.character.vertices.size();
   const bool some = std::any_of(reference.begin(), reference.end(), [](const auto& row) { return !row.empty(); });
@@ -119,9 +118,8 @@ Character bare(Character mesh) {
 }  // namespace
 
 std::string without_option(std::string line) {
-  for (const char* option :
-       {" (--no-mirror)", "; --fit mends that", ", --cut opens it", "; --class says what it is", ": give --author",
-        " (--mask-out shows where, --mask cuts by hand)", " (--mask cuts by hand)"})
+  for (const char* option : {" (--no-mirror)", "; --fit mends that", ", --cut opens it", "; --class says what it is",
+                             " (--mask-out shows where, --mask cuts by hand)", " (--mask cuts by hand)"})
     if (const size_t at = line.find(option); at != std::string::npos) line.erase(at, std::string(option).size());
   return line;
 }
@@ -140,14 +138,17 @@ Json picture_json(const PictureCharacter& picture) {
           {"outline", std::move(outline)}};
 }
 
+bool are_alike(const std::vector<Joint>& some, const std::vector<Joint>& others) {
+  return std::equal(some.begin(), some.end(), others.begin(), others.end(),
+                    [](const Joint& a, const Joint& b) { return a.parent == b.parent; });
+}
+
 // The character has the present rig. Weights stay where joints were moved or renamed, until the next bind.
 Json show_rig(Session& s) {
   const std::vector<Joint>&before = s.character.joints, &now = s.rigs().now().joints;
-  const bool alike = std::equal(before.begin(), before.end(), now.begin(), now.end(),
-                                [](const Joint& a, const Joint& b) { return a.parent == b.parent; });
+  const bool alike = are_alike(before, now);
   s.character.joints = now;
   s.taken = {};
-  if (!alike) s.player.close();  // it is of the joints before
   if (!alike) {
     s.character.influences.clear();
     s.locked.clear();

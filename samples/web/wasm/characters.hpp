@@ -19,6 +19,8 @@ Json load_picture(Session& s, const std::string& path, const Json& wishes, uint3
 Json picture_json(const PictureCharacter& picture);
 Json predict(Session& s, const Json& wishes);
 Json edit(Session& s, const Json& edits, bool mirror, bool continues);
+// Whether joints have the same parents, so that weights and clips of some are good for the others.
+bool are_alike(const std::vector<Joint>& some, const std::vector<Joint>& others);
 // The character has the present rig. Weights stay where joints were moved or renamed, until the next bind.
 Json show_rig(Session& s);
 // What the command says of its options the page has as boxes, or not at all.

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "player.hpp"
 #include "rigs.hpp"
 #include "sinew/sinew.h"
 #include "sinew_character/bind/seams.hpp"
@@ -59,7 +58,6 @@ struct Session {
   uint32_t number = 0;            // the character's
   std::map<uint32_t, Kept> kept;  // by the page's numbers
   Style style;                    // for the next characters
-  Player player;
   Skinning skinning;
   std::shared_ptr<const PictureCharacter> picture() const {  // null: the character is of none
     const auto found = pictures_of.find(number);

@@ -13,22 +13,22 @@
 #include <vector>
 
 #include "binds.hpp"
+#include "capi/handle.hpp"
 #include "characters.hpp"
 #include "colours.hpp"
-#include "contents.hpp"
 #include "front/front_points.hpp"
+#include "handles.hpp"
 #include "keep.hpp"
 #include "paint.hpp"
 #include "session.hpp"
+#include "sinew_character/motion/map_skeleton.hpp"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_character/profile/profile.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "votes/rig_task.hpp"
 
-EM_JS(void, show_progress, (uint32_t permille), {
-  if (Module["onProgress"]) Module["onProgress"](permille / 1000);
-});
+extern "C" sinew_progress character_progress();  // of samples/npm
 
 namespace {
 
@@ -69,11 +69,6 @@ const char* answer(Call call) {
 
 void check(const std::string& what, sinew_status status) {
   if (status != SINEW_OK) throw Error(what + ": " + sinew_status_text(status));
-}
-
-int progress(void*, uint32_t permille) {
-  show_progress(permille);
-  return 0;
 }
 
 // Vertices whose strongest joint is among these keep their rows from the next bind on; none: no vertex does.
@@ -126,11 +121,6 @@ Json pose(Session& s, const float* turns, SkinMethod method) {
 SkinMethod skin_method(uint32_t number) {
   if (number > static_cast<uint32_t>(SkinMethod::kVolumeAndContact)) throw Error("no such skinning");
   return static_cast<SkinMethod>(number);
-}
-
-MotionMethod motion_method(uint32_t number) {
-  if (number > static_cast<uint32_t>(MotionMethod::kStream)) throw Error("no such method");
-  return static_cast<MotionMethod>(number);
 }
 
 }  // namespace
@@ -225,26 +215,13 @@ EMSCRIPTEN_KEEPALIVE const char* web_put_rows(const char* rows) {
   });
 }
 
-// What a file holds: {mesh, joints, clips}; a clip has frames. Throws for what cannot be read at all.
-EMSCRIPTEN_KEEPALIVE const char* web_contents(const char* path) {
-  return answer([&] { return contents(path); });
-}
-
-// Findings of `sinew check`: [{rule, severity, what, cure, joint, place, radius}]
-EMSCRIPTEN_KEEPALIVE const char* web_check() {
-  return answer([&] {
-    need_weights(session());
-    return check_json(session());
-  });
-}
-
 EMSCRIPTEN_KEEPALIVE const char* web_rebind(const char* wish, const char* answers) {
   return answer([&] { return rebind(session(), read_wish(wish, nullptr), read_answers(answers)); });
 }
 
 // answers: [[vertex, kind, joint], ...], as sinew_answer has them.
 EMSCRIPTEN_KEEPALIVE const char* web_bind(const char* wish, const char* answers) {
-  return answer([&] { return bind_shown(session(), read_wish(wish, progress), read_answers(answers)); });
+  return answer([&] { return bind_shown(session(), read_wish(wish, character_progress()), read_answers(answers)); });
 }
 
 // Until web_end_preview(), colours and poses are of a bind with these answers. Files never are.
@@ -330,79 +307,35 @@ EMSCRIPTEN_KEEPALIVE const char* web_pose(const float* turns, uint32_t method) {
   });
 }
 
-// Clips of animated files for the character as it is; [] closes what was open.
-// files: [name or builtin:..., ...]; wish: {up (as in web_rig()), own, method, pins: [[[joint, joint of the file or -1], ...], ...] by files},
-// method a MotionMethod
-EMSCRIPTEN_KEEPALIVE const char* web_motion(const char* files, const char* wish) {
-  return answer([&]() -> Json {
-    Session& s = session();
-    need_weights(s);
-    const auto names = Json::parse(files).get<std::vector<std::string>>();
-    if (names.empty()) {
-      s.player.close();
-      return Json::object();
-    }
-    const Json json = Json::parse(wish);
-    std::vector<std::vector<sinew_map_pin>> pins(names.size());
-    for (size_t f = 0; f < names.size() && f < json.at("pins").size(); ++f)
-      for (const Json& pin : json.at("pins").at(f))
-        pins[f].push_back({pin.at(0).get<uint32_t>(), pin.at(1).get<int32_t>()});
-    return s.player.open(names, s.character, s.picture(), json.at("up").get<uint32_t>(), json.at("own").get<bool>(),
-                         motion_method(json.at("method").get<uint32_t>()), pins);
+// A handle of the character, see handle_of().
+EMSCRIPTEN_KEEPALIVE sinew_status web_character(uint32_t what, const sinew_character* moving, sinew_character** out) {
+  return guarded(nullptr, [&] {
+    if (static_cast<CopyOf>(what) != CopyOf::kShown) end_preview(session());
+    *out = handle_of(session(), static_cast<CopyOf>(what), moving).release();
   });
 }
 
-// The open motion by another method. Returns {clips}.
-EMSCRIPTEN_KEEPALIVE const char* web_motion_method(uint32_t method) {
-  return answer([&] { return session().player.use(motion_method(method)); });
+// The clips of a handle, see clips_json().
+EMSCRIPTEN_KEEPALIVE const char* web_clips(const sinew_character* moving) {
+  return answer([&] { return clips_json(*moving); });
+}
+EMSCRIPTEN_KEEPALIVE const char* web_map_reason(uint32_t reason) {
+  return map_reason_text(static_cast<uint8_t>(reason));
 }
 
-// As web_pose(), of joints that are turned far; and {spots} as Player has them.
-EMSCRIPTEN_KEEPALIVE const char* web_frame(uint32_t clip, double seconds, uint32_t method) {
+// As web_pose(), by a clip of a handle, of joints that are turned far.
+EMSCRIPTEN_KEEPALIVE const char* web_frame(const sinew_character* moving, uint32_t clip, double seconds,
+                                           uint32_t method) {
   return answer([&] {
     Session& s = session();
-    need_weights(s);
-    Json reply = show_pose(s, s.player.palette(clip, seconds), skin_method(method), kLeastPlayedDegrees);
-    reply["spots"] = s.player.spots(clip, seconds);
-    return reply;
+    return show_pose(s, palette_at(s, moving, clip, seconds), skin_method(method), kLeastPlayedDegrees);
   });
 }
 
 // The joints alone, where the picture skins linearly by itself; positions and normals stay what they were.
-EMSCRIPTEN_KEEPALIVE const char* web_frame_joints(uint32_t clip, double seconds) {
+EMSCRIPTEN_KEEPALIVE const char* web_frame_joints(const sinew_character* moving, uint32_t clip, double seconds) {
   return answer([&] {
-    Session& s = session();
-    need_weights(s);
-    show_joints(s, s.player.palette(clip, seconds));
-    return Json({{"spots", s.player.spots(clip, seconds)}});
-  });
-}
-
-// With the clips of the motion that is open. wish: {clips, profile (of --for, or ""), author, title, licence}
-EMSCRIPTEN_KEEPALIVE const char* web_write(const char* path, const char* wish) {
-  return answer([&] {
-    Session& s = session();
-    need_weights(s);
-    end_preview(s);
-    const Json json = Json::parse(wish);
-    GlbOptions options;
-    if (json.at("clips").get<bool>()) options.motion = s.player.for_file();
-    const std::string profile = json.at("profile").get<std::string>();
-    if (profile.empty()) {
-      write_gltf(path, written(s), options);
-      return Json::object();
-    }
-    ProfileOptions more;
-    const std::string author = json.at("author").get<std::string>();
-    if (!author.empty()) more.authors = {author};
-    more.title = json.at("title").get<std::string>();
-    more.licence = json.at("licence").get<std::string>();
-    try {
-      check_profile(profile_named(profile), more);
-    } catch (const Error& error) {
-      throw Error(without_option(error.what()));
-    }
-    write_for_profile(profile_named(profile), more, path, written(s), options);
+    show_joints(session(), palette_at(session(), moving, clip, seconds));
     return Json::object();
   });
 }
@@ -410,17 +343,6 @@ EMSCRIPTEN_KEEPALIVE const char* web_write(const char* path, const char* wish) {
 // {pose}: the rest pose that files of a profile have, "" for as it stands.
 EMSCRIPTEN_KEEPALIVE const char* web_profile(const char* name) {
   return answer([&]() -> Json { return {{"pose", profile_named(name).pose}}; });
-}
-
-EMSCRIPTEN_KEEPALIVE const char* web_write_rig(const char* path) {
-  return answer([&] {
-    need_weights(session());
-    end_preview(session());
-    Character beside = session().character;  // the mesh's own file, which stands as it does
-    if (session().standing) beside.joints = session().standing->joints;
-    write_rig(path, beside);
-    return Json::object();
-  });
 }
 
 EMSCRIPTEN_KEEPALIVE const void* web_buffer(uint32_t which, size_t* bytes) {

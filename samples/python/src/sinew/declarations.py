@@ -435,13 +435,15 @@ class sinew_character_animate_options(Structure):
         ("report", c_uint32), ("falloff", c_double), ("own_limb", c_uint32), ("head", c_uint32), ("torso", c_uint32),
         ("source_points", c_uint32), ("force", c_uint32), ("translations", c_uint32), ("stiffness", c_double), ("tet_weights", c_uint32),
         ("no_smoothing", c_uint32), ("layout", c_char_p), ("actor", c_char_p), ("limits", c_char_p), ("depth", c_uint32),
-        ("reserved", c_uint32)]
+        ("pin_count", c_uint32), ("pins", POINTER(sinew_map_pin))]
 
 
 class sinew_character_animate_result(Structure):
     _fields_ = [("struct_size", c_uint32), ("clip_count", c_uint32), ("first_clip", c_uint32), ("mapped", c_uint32), ("rigged", c_uint32),
         ("shape_count", c_uint32), ("certainty", c_float), ("limb_count", c_uint32), ("limbs_before", POINTER(sinew_limb_measure)),
-        ("limbs_after", POINTER(sinew_limb_measure)), ("mapped_by", c_char_p), ("sources", c_void_p)]
+        ("limbs_after", POINTER(sinew_limb_measure)), ("mapped_by", c_char_p), ("sources", c_void_p), ("reasons", c_void_p),
+        ("source_ends", c_void_p), ("source_names", c_char_p), ("source_count", c_uint32), ("spot_count", c_uint32),
+        ("spot_kinds", c_void_p), ("spot_positions", c_void_p), ("spot_errors", c_void_p)]
 
 
 class sinew_character_pose_options(Structure):

@@ -114,8 +114,9 @@ class Jobs:
                  legs: bool = False, report: bool = False, falloff: float = 0, own_limb: bool = False, head: bool = False,
                  torso: bool = False, source_points: bool = False, force: bool = False, translations: bool = False, stiffness: float = 0,
                  tet_weights: declarations.TetWeights = "skin", smoothing: bool = True, layout: Text = None, actor: Text = None,
-                 limits: Text = None, depth: bool = False, model: ModelFile = None, hands_model: ModelFile = None,
-                 front_model: ModelFile = None, threads: int = 1, progress: ProgressFunction = None) -> AnimateResult:
+                 limits: Text = None, depth: bool = False, pins: Sequence[Tuple[int, int]] = (), model: ModelFile = None,
+                 hands_model: ModelFile = None, front_model: ModelFile = None, threads: int = 1,
+                 progress: ProgressFunction = None) -> AnimateResult:
         """Adds clips of another skeleton to a bound character, which are saved with it. A bare mesh is rigged first.
 
         in_place  stays above where it stands at rest
@@ -149,6 +150,7 @@ class Jobs:
         limits  what joints stay within, contacts or not: a .urdf, a file of formats/spec/limits.md, or "human" for what bodies
             can do; None: nothing but the natural range
         depth  bones of a picture's character leave its plane as the motion's do
+        pins  pairs that a found map keeps
         model, hands_model, front_model  files or bytes in place of the bundled ones
         """
         return run("animate", locals())

@@ -192,7 +192,10 @@ class AnimateResult:
     limbs_before  with report
     limbs_after  with report
     mapped_by  "anatomy and names"
-    sources  the map that was used
+    sources  the map that was used: joint of the motion, -1 = none
+    source_ends  a mere end, which never turns
+    source_names  joints of the motion, a line each, '\n' between two
+    spot_positions  see sinew_contact_spot, as the errors
     """
 
     clips: range
@@ -205,6 +208,12 @@ class AnimateResult:
     limbs_after: List[LimbMeasure]
     mapped_by: str
     sources: np.ndarray
+    reasons: np.ndarray
+    source_ends: np.ndarray
+    source_names: str
+    spot_kinds: np.ndarray
+    spot_positions: np.ndarray
+    spot_errors: np.ndarray
 
 
 @dataclass
@@ -395,7 +404,7 @@ OPTIONS: Dict[Any, Rows] = {
         ("translations", "flag", "translations", False), ("stiffness", "number", "stiffness", False),
         ("tet_weights", "word", "tet_weights", declarations.TET_WEIGHTS), ("smoothing", "flag", "no_smoothing", True),
         ("layout", "text", "layout", None), ("actor", "text", "actor", None), ("limits", "text", "limits", None),
-        ("depth", "flag", "depth", False)],
+        ("depth", "flag", "depth", False), ("pins", "structs", "pins", (declarations.sinew_map_pin, ('pin_count',)))],
     declarations.sinew_character_pose_options: [("method", "word", "deform", declarations.POSE_DEFORM), ("cells", "number", "cells", False),
         ("rounds", "number", "rounds", False), ("body_contact", "flag", "body_contact", False),
         ("angles", "array", "angles", ('float64', ('J', '3'), False, False)),
@@ -465,7 +474,12 @@ RESULTS: Dict[Any, Tuple[Any, Rows]] = {
         ("limb_count", "number", "limb_count", False),
         ("limbs_before", "structs", "limbs_before", (declarations.sinew_limb_measure, ('clip_count', 'limb_count'))),
         ("limbs_after", "structs", "limbs_after", (declarations.sinew_limb_measure, ('clip_count', 'limb_count'))),
-        ("mapped_by", "text", "mapped_by", None), ("sources", "array", "sources", ('int32', ('J',), False, False))]),
+        ("mapped_by", "text", "mapped_by", None), ("sources", "array", "sources", ('int32', ('J',), False, False)),
+        ("reasons", "array", "reasons", ('uint8', ('J',), False, False)),
+        ("source_ends", "array", "source_ends", ('uint8', ('source_count',), False, False)), ("source_names", "text", "source_names", None),
+        ("spot_kinds", "array", "spot_kinds", ('uint8', ('spot_count',), False, False)),
+        ("spot_positions", "array", "spot_positions", ('float32', ('spot_count', '3'), False, False)),
+        ("spot_errors", "array", "spot_errors", ('float32', ('spot_count',), False, False))]),
     declarations.sinew_transfer_part: (TransferPart, [("vertex", "number", "vertex", False),
         ("vertex_count", "number", "vertex_count", False), ("reason", "word", "reason", declarations.TRANSFER_REASON),
         ("carried", "fraction", "carried_q16", False), ("style", "fraction", "style_q16", False),

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Handles are copies: what a job does to one, the session does not see.
+#include "handles.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "capi/handle.hpp"
+#include "characters.hpp"
+
+namespace sinew::web {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json room_json(const Motion& motion, const Clip& clip, const std::vector<Joint>& rest) {
+  std::array<std::array<double, 2>, 3> is, around;
+  is.fill({1e30, -1e30});
+  around = is;
+  for (const MotionFrame& frame : clip.frames) {
+    const std::vector<Affine> palette = motion_palette(motion, frame, rest.size());
+    std::vector<std::array<double, 3>> places;
+    std::array<double, 3> middle = {0, 0, 0};
+    for (size_t j = 0; j < rest.size(); ++j) {
+      const Vec3& p = rest[j].position;
+      const auto at = transform_point(palette[j], p.x, p.y, p.z);
+      places.push_back({at[0], at[1], at[2]});
+      for (size_t i = 0; i < 3; ++i) middle[i] += at[i] / static_cast<double>(rest.size());
+    }
+    for (const auto& at : places)
+      for (size_t i = 0; i < 3; ++i) {
+        is[i] = {std::min(is[i][0], at[i]), std::max(is[i][1], at[i])};
+        around[i] = {std::min(around[i][0], at[i] - middle[i]), std::max(around[i][1], at[i] - middle[i])};
+      }
+  }
+  return {{"is", is}, {"around", around}};
+}
+
+}  // namespace
+
+std::unique_ptr<sinew_character> handle_of(const Session& s, CopyOf what, const sinew_character* moving) {
+  need_weights(s);
+  auto handle = std::make_unique<sinew_character>();
+  handle->character = what == CopyOf::kWritten ? written(s) : s.character;
+  if (what == CopyOf::kFile && s.standing) handle->character.joints = s.standing->joints;
+  handle->picture = s.picture();
+  handle->same_skin = false;
+  if (moving != nullptr && are_alike(moving->character.joints, s.character.joints)) handle->clips = moving->clips;
+  return handle;
+}
+
+Json clips_json(const sinew_character& moving) {
+  const std::vector<Joint>& rest = moving.character.joints;
+  const Motion motion = motion_of(rest);
+  Json list = Json::array();
+  for (const Clip& clip : moving.clips)
+    list.push_back({{"name", clip.name},
+                    {"frames", clip.frames.size()},
+                    {"seconds", static_cast<double>(clip.frames.size() - 1) * clip.frame_time},
+                    {"room", room_json(motion, clip, rest)}});
+  return list;
+}
+
+std::vector<Affine> palette_at(const Session& s, const sinew_character* moving, uint32_t clip, double seconds) {
+  need_weights(s);
+  if (moving == nullptr || clip >= moving->clips.size() || !are_alike(moving->character.joints, s.character.joints))
+    throw Error("no motion is open");
+  const std::vector<Joint>& rest = moving->character.joints;
+  return motion_palette(motion_of(rest), frame_at(moving->clips[clip], seconds), rest.size());
+}
+
+}  // namespace sinew::web

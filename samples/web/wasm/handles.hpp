@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The session's character for the jobs of sinew/character.h, and what the page shows of the clips that they make.
+#ifndef SINEW_WEB_HANDLES_HPP
+#define SINEW_WEB_HANDLES_HPP
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "session.hpp"
+#include "sinew/character.h"
+
+namespace sinew::web {
+
+enum class CopyOf : uint32_t { kShown = 0, kWritten, kFile };
+
+// A copy of the bound character as it is shown, as files of it are (see written()), or with the joints where its own file has them.
+//   moving  whose clips it gets where they are of its joints; or null
+std::unique_ptr<sinew_character> handle_of(const Session& s, CopyOf what, const sinew_character* moving);
+// Clips that were added to a handle: [{name, frames, seconds, room}]. room, what joints take up by axes: {is: [[least, most] x 3], around: the same,
+// from the joints' middle in each frame}
+nlohmann::ordered_json clips_json(const sinew_character& moving);
+// Pose times inverse bind of all joints, `seconds` into an added clip. Throws Error where it is not of the session's joints.
+std::vector<Affine> palette_at(const Session& s, const sinew_character* moving, uint32_t clip, double seconds);
+
+}  // namespace sinew::web
+#endif
