@@ -254,6 +254,24 @@ TEST_F(CharacterC, AnimatesAsTheCommand) {
   expect_same("bare_ours.glb", "bare.glb");
 }
 
+TEST_F(CharacterC, TellsHowAMotionFits) {
+  make_swing();
+  const Handle robed = open(kRobed), swing = open(in("swing.bvh"));
+  sinew_map_pin pin = {0, -1};
+  sinew_character_animate_options options = sinew_character_animate_options_init();
+  options.report = options.force = options.pin_count = 1;
+  options.pins = &pin;
+  sinew_character_animate_result result = sinew_character_animate_result_init();
+  good_call(sinew_character_animate(robed.get(), swing.get(), &options, &result), robed);
+  EXPECT_EQ(result.sources[0], -1);
+  EXPECT_EQ(result.reasons[0], SINEW_MAP_PINNED);
+  EXPECT_EQ(result.spot_count, 10 * result.limb_count);
+  EXPECT_EQ(std::count(result.source_names, result.source_names + std::strlen(result.source_names), '\n') + 1,
+            static_cast<std::ptrdiff_t>(result.source_count));
+  pin.target = 9999;
+  EXPECT_EQ(sinew_character_animate(robed.get(), swing.get(), &options, &result), SINEW_ERROR_RANGE);
+}
+
 TEST_F(CharacterC, PosesAsTheCommand) {
   const Handle caped = open(kCaped);
   const sinew_character_arrays arrays = view(caped.get());

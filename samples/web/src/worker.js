@@ -11,6 +11,7 @@ const kinds = { triangles: 0, vertexOf: 1, positions: 2, normals: 3, colours: 4,
 /** @type {Record<string, any>} */
 const arrays = { triangles: Uint32Array, vertexOf: Uint32Array, colours: Uint8Array, strongest: Uint16Array, vertexQuestions: Uint32Array };
 const outOfMemory = -31; // SINEW_ERROR_MEMORY
+const opened = ["triangles", "vertexOf", "positions", "normals"];
 const posed = ["positions", "normals", "jointPositions", "palette"];
 
 /** @type {any} */
@@ -63,32 +64,30 @@ async function start({ forceScalar }) {
 /** @type {(at: number) => string} */
 const text = (at) => module.UTF8ToString(at);
 
-/**
- * @template Result
- * @param {string} value
- * @param {(at: number) => Result} use
- * @returns {Result}
- */
-function withText(value, use) {
+/** @param {string} value */
+function textAt(value) {
   const bytes = module.lengthBytesUTF8(value) + 1;
   const at = module._malloc(bytes);
   module.stringToUTF8(value, at, bytes);
-  try {
-    return use(at);
-  } finally {
-    module._free(at);
-  }
+  return at;
 }
 
-// Arguments as JSON.
-/** @type {<Result>(one: any, other: any, use: (a: number, b: number) => Result) => Result} */
-const withTexts = (one, other, use) => withText(JSON.stringify(one), (a) => withText(JSON.stringify(other), (b) => use(a, b)));
-
-/** @param {number} at */
-function checked(at) {
-  const reply = JSON.parse(text(at));
-  if (reply.error) throw new Error(reply.error);
-  return reply;
+// The reply of web_NAME; arguments that are no numbers are texts, or JSON as texts.
+/** @param {string} name @param {any[]} options */
+function ask(name, ...options) {
+  /** @type {number[]} */
+  const texts = [];
+  const given = options.map((one) => {
+    if (typeof one === "number" || typeof one === "boolean") return one;
+    return texts[texts.push(textAt(typeof one === "string" ? one : JSON.stringify(one))) - 1];
+  });
+  try {
+    const reply = JSON.parse(text(module[`_web_${name}`](...given)));
+    if (reply.error) throw new Error(reply.error);
+    return reply;
+  } finally {
+    for (const at of texts) module._free(at);
+  }
 }
 
 // Copies: the module's memory moves when it grows.
@@ -111,13 +110,6 @@ function take(names) {
 /** @type {(name: string) => string} */
 const plain = (name) => name.split(/[/\\]/).pop() ?? name;
 
-/** @param {string} file */
-function readOnce(file) {
-  const bytes = module.FS.readFile(file);
-  module.FS.unlink(file);
-  return bytes;
-}
-
 /** @type {Record<string, (options: any) => any>} */
 const calls = {
   start,
@@ -139,34 +131,30 @@ const calls = {
       else module.FS.rename(`${from}/${name}`, `${to}/${name}`);
     }
   },
-  model: ({ name }) => withText(plain(name), (at) => checked(module._web_model(at))),
+  model: ({ name }) => ask("model", plain(name)),
   // place: {turns, height, floor, up} as web_load() has it
   async load({ mesh, skeleton, number, place = {} }) {
     await needScenes(mesh);
-    const reply = withText(plain(mesh), (m) => withText(skeleton && plain(skeleton), (s) => withText(JSON.stringify(place), (p) => checked(module._web_load(m, s, number, p)))));
-    return { ...reply, buffers: take(["triangles", "vertexOf", "positions", "normals"]) };
+    return { ...ask("load", plain(mesh), skeleton && plain(skeleton), number, place), buffers: take(opened) };
   },
   // A drawing by other wishes: {class, ...} as web_picture() has them.
-  picture({ mesh, wishes, number }) {
-    const reply = withText(plain(mesh), (m) => withText(JSON.stringify(wishes), (w) => checked(module._web_picture(m, w, number))));
-    return { ...reply, buffers: take(["triangles", "vertexOf", "positions", "normals"]) };
-  },
+  picture: ({ mesh, wishes, number }) => ({ ...ask("picture", plain(mesh), wishes, number), buffers: take(opened) }),
   // answers: [[vertex, kind, joint], ...]
   // wish: as BindOptions of options.js has it. Replies whether the last part of the module had none in it, too.
   bind({ wish, answers }) {
-    const reply = withTexts(wish, answers, (w, a) => checked(module._web_bind(w, a)));
+    const reply = ask("bind", wish, answers);
     return { ...reply, alone: !parts.wasLastAsked, buffers: take(["strongest", "vertexQuestions"]) };
   },
-  rig: ({ wishes }) => withText(JSON.stringify(wishes), (at) => checked(module._web_rig(at))),
+  rig: ({ wishes }) => ask("rig", wishes),
   // edits: [{kind, joint, other, place}, ...]
-  edit: ({ edits, mirror, continues }) => withText(JSON.stringify(edits), (at) => checked(module._web_edit(at, mirror, continues))),
+  edit: ({ edits, mirror, continues }) => ask("edit", edits, mirror, continues),
   // The character as it is now, under a number that restore knows until drop.
   keep: ({ number }) => module._web_keep(number),
   drop: ({ numbers }) => numbers.forEach((/** @type {number} */ number) => module._web_drop(number)),
-  restore: ({ number }) => checked(module._web_restore(number)),
+  restore: ({ number }) => ask("restore", number),
   // Locked and painted rows, for a project and from one.
-  rows: () => checked(module._web_rows()),
-  putRows: ({ rows }) => withText(JSON.stringify(rows), (at) => checked(module._web_put_rows(at))),
+  rows: () => ask("rows"),
+  putRows: ({ rows }) => ask("put_rows", rows),
   // {mesh, joints, clips} of a file
   async contents({ name }) {
     await needScenes(name);
@@ -176,38 +164,32 @@ const calls = {
   // An edit with weights and colours at once, while a joint is dragged.
   move({ edits, mirror, continues, wish, answers, mode, joint }) {
     const rig = calls.edit({ edits, mirror, continues });
-    const { seconds } = withTexts(wish, answers, (w, a) => checked(module._web_rebind(w, a)));
+    const { seconds } = ask("rebind", wish, answers);
     return { rig, seconds, ...calls.colour({ mode, joint }) };
   },
-  preview: ({ wish, answers }) => withTexts(wish, answers, (w, a) => checked(module._web_preview(w, a))),
-  endPreview: () => checked(module._web_end_preview()),
-  style: ({ name }) => withText(name && plain(name), (at) => checked(module._web_style(at))),
-  styleAnswers({ wish }) {
-    return { ...withText(JSON.stringify(wish), (w) => checked(module._web_style_answers(w))), buffers: take(["vertexQuestions"]) };
-  },
+  preview: ({ wish, answers }) => ask("preview", wish, answers),
+  endPreview: () => ask("end_preview"),
+  style: ({ name }) => ask("style", name && plain(name)),
+  styleAnswers: ({ wish }) => ({ ...ask("style_answers", wish), buffers: take(["vertexQuestions"]) }),
   saveStyle({ wish, answers, name }) {
     const file = plain(name);
-    withTexts(wish, answers, (w, a) => withText(file, (f) => checked(module._web_save_style(w, a, f))));
-    return { buffers: { bytes: readOnce(file) } };
+    ask("save_style", wish, answers, file);
+    const bytes = module.FS.readFile(file);
+    module.FS.unlink(file);
+    return { buffers: { bytes } };
   },
-  colour({ mode, joint }) {
-    const { mean } = checked(module._web_colour(mode, joint));
-    return { mean, buffers: take(["colours"]) };
-  },
+  colour: ({ mode, joint }) => ({ ...ask("colour", mode, joint), buffers: take(["colours"]) }),
   // joints: [joint, ...] whose vertices keep their weights from now on
-  lock: ({ joints }) => withText(JSON.stringify(joints), (at) => checked(module._web_lock(at))),
+  lock: ({ joints }) => ask("lock", joints),
   // A stroke of the brush, with colours at once.
-  paint({ stroke, mode, joint }) {
-    const reply = withText(JSON.stringify(stroke), (at) => checked(module._web_paint(at)));
-    return { ...reply, ...calls.colour({ mode, joint }) };
-  },
+  paint: ({ stroke, mode, joint }) => ({ ...ask("paint", stroke), ...calls.colour({ mode, joint }) }),
   forgetPaint: () => module._web_forget_paint(),
   // skinning: 0 linear, 1 dual quaternions, 2 volume, 3 volume with contact. Replies with {bends: [{joint, degrees, kept}]}.
   pose({ turns, skinning }) {
     const at = module._malloc(turns.byteLength);
     try {
       module.HEAPF32.set(turns, at / 4);
-      return { ...checked(module._web_pose(at, skinning)), buffers: take(posed) };
+      return { ...ask("pose", at, skinning), buffers: take(posed) };
     } finally {
       module._free(at);
     }
@@ -222,16 +204,16 @@ const calls = {
   // Positions of the mesh are left out.
   frameJoints({ clip, seconds }) {
     const { at, spots } = handles.playing(clip, seconds);
-    return { ...checked(module._web_frame_joints(at, clip, seconds)), spots, buffers: take(["jointPositions", "palette"]) };
+    return { ...ask("frame_joints", at, clip, seconds), spots, buffers: take(["jointPositions", "palette"]) };
   },
   frame({ clip, seconds, skinning }) {
     const { at, spots } = handles.playing(clip, seconds);
-    return { ...checked(module._web_frame(at, clip, seconds, skinning)), spots, buffers: take(posed) };
+    return { ...ask("frame", at, clip, seconds, skinning), spots, buffers: take(posed) };
   },
   // kind: glb, fbx or vrm; wish: {clips, profile, author, title, licence}
   file: ({ name, kind, wish }) => ({ buffers: { bytes: handles.file(`${plain(name)}.bound.${kind}`, wish) } }),
   // {pose} that files of a profile stand in
-  profile: ({ name }) => withText(name, (at) => checked(module._web_profile(at))),
+  profile: ({ name }) => ask("profile", name),
   rigText: ({ name }) => ({ buffers: { bytes: handles.rigText(`${plain(name)}.rig.txt`) } }),
 };
 

@@ -54,8 +54,8 @@ BindJob job_for(Session& s, const Wish& wish) {
   Binder binder;
   binder.method = wish.method;
   if (wish.method == SINEW_METHOD_MODEL) {
-    if (s.bind_model.bytes.empty()) throw Error("no model is loaded");
-    binder.model = &s.bind_model.model;
+    if (s.bind_model == nullptr) throw Error("no model is loaded");
+    binder.model = &s.bind_model->model;
     job.softness_percent = wish.softness_percent;
   }
   return BindJob(job, binder, &s.character);

@@ -165,7 +165,7 @@ Json show_rig(Session& s) {
 }
 
 Json predict(Session& s, const Json& wishes) {
-  if (s.rig_model.bytes.empty()) throw Error("no model of skeletons is loaded");
+  if (s.rig_model == nullptr) throw Error("no model of skeletons is loaded");
   stand(s);
   RigJobOptions job;
   job.bind = false;  // the page shows the skeleton first
@@ -181,9 +181,9 @@ Json predict(Session& s, const Json& wishes) {
   const std::vector<SkeletonEdit> markers = read_edits(wishes.value("at", Json::array()));
   const bool alike = wishes.value("alike", true);
   if (alike) job.edits = markers;
-  if (job.detail != SkeletonDetail::kBody && s.hands_model.bytes.empty()) throw Error("no model of hands is loaded");
-  const RigModels models = {&s.rig_model.model, nullptr, s.hands_model.bytes.empty() ? nullptr : &s.hands_model.model,
-                            s.front_model.bytes.empty() ? nullptr : &s.front_model.model};
+  if (job.detail != SkeletonDetail::kBody && s.hands_model == nullptr) throw Error("no model of hands is loaded");
+  const auto model_of = [](const std::unique_ptr<LoadedModel>& one) { return one == nullptr ? nullptr : &one->model; };
+  const RigModels models = {&s.rig_model->model, nullptr, model_of(s.hands_model), model_of(s.front_model)};
   RiggedCharacter rigged;
   const std::shared_ptr<const PictureCharacter> picture = s.picture();
   if (picture != nullptr) {

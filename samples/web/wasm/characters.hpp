@@ -10,7 +10,7 @@
 
 namespace sinew::web {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 // As web_load() of web.cpp: what is asked of each is said there.
 Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint32_t number, const Json& place);

@@ -10,7 +10,7 @@
 
 namespace sinew::web {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 namespace {
 

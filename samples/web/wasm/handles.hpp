@@ -19,7 +19,7 @@ enum class CopyOf : uint32_t { kShown = 0, kWritten, kFile };
 std::unique_ptr<sinew_character> handle_of(const Session& s, CopyOf what, const sinew_character* moving);
 // Clips that were added to a handle: [{name, frames, seconds, room}]. room, what joints take up by axes: {is: [[least, most] x 3], around: the same,
 // from the joints' middle in each frame}
-nlohmann::ordered_json clips_json(const sinew_character& moving);
+nlohmann::json clips_json(const sinew_character& moving);
 // Pose times inverse bind of all joints, `seconds` into an added clip. Throws Error where it is not of the session's joints.
 std::vector<Affine> palette_at(const Session& s, const sinew_character* moving, uint32_t clip, double seconds);
 

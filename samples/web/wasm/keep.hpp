@@ -10,7 +10,7 @@
 
 namespace sinew::web {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 // The present character's rig, with what is locked and painted, under a number of the page.
 void keep(Session& s, uint32_t number);

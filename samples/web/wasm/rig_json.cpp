@@ -12,7 +12,7 @@
 
 namespace sinew::web {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 namespace {
 

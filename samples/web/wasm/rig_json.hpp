@@ -15,10 +15,10 @@ namespace sinew::web {
 // canRedo}, and of one that can be edited {mirrored, axis, plane, spread, doubtful, seconds}, of a predicted one upAxis, which it
 // is bound with. Of others nobody knows partners,
 // ends and confidence: -1, false and 1.
-nlohmann::ordered_json rig_json(const Rigs& rigs);
+nlohmann::json rig_json(const Rigs& rigs);
 
 // From [{kind, joint, other, place}, ...], as SkeletonEdit has them.
-std::vector<SkeletonEdit> read_edits(const nlohmann::ordered_json& edits);
+std::vector<SkeletonEdit> read_edits(const nlohmann::json& edits);
 
 }  // namespace sinew::web
 #endif

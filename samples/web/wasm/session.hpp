@@ -13,6 +13,7 @@
 #include "rigs.hpp"
 #include "sinew/sinew.h"
 #include "sinew_character/bind/seams.hpp"
+#include "sinew_character/models/models.hpp"
 #include "sinew_character/picture/picture_job.hpp"
 #include "sinew_character/style/style.hpp"
 #include "skinning.hpp"
@@ -24,12 +25,6 @@ namespace sinew::web {
 struct Rows {
   std::vector<std::vector<Influence>> influences;  // [V]
   std::vector<uint8_t> confidence;                 // [V]
-};
-
-// The block stays where it is, and with it what the model points to.
-struct OpenModel {
-  std::vector<uint64_t> bytes;
-  sinew_model model = {};
 };
 
 // All that undo brings back of a character in the module. Rows are there where some are locked or painted, which the bind began with.
@@ -49,8 +44,8 @@ struct Stance {
 };
 
 struct Session {
-  OpenModel bind_model, rig_model, hands_model, front_model;
-  Character character;                           // with the joints of rigs().now()
+  std::unique_ptr<LoadedModel> bind_model, rig_model, hands_model, front_model;  // null: not fetched
+  Character character;                                                           // with the joints of rigs().now()
   std::map<uint32_t, Rigs> rigs_of;              // of all characters that are open, by the page's numbers
   std::map<uint32_t, std::string> placement_of;  // of the same, as JSON
   // Of those that are of pictures, without their meshes.

@@ -56,9 +56,9 @@ void Skinning::pose(const SkinnedMesh& mesh, const std::vector<Affine>& palette,
   if (status != SINEW_OK) throw Error(mesh.character.name + ": " + sinew_status_text(status));
 }
 
-nlohmann::ordered_json Skinning::bends(const Character& character, const std::vector<Affine>& palette,
-                                       double least_degrees, const std::vector<float>& posed) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+nlohmann::json Skinning::bends(const Character& character, const std::vector<Affine>& palette, double least_degrees,
+                               const std::vector<float>& posed) {
+  nlohmann::json list = nlohmann::json::array();
   for (size_t j = 0; j < palette.size(); ++j) {
     if (character.joints[j].parent < 0) continue;  // turns the whole
     const double degrees = turn_of(character, palette, j);

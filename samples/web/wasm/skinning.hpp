@@ -35,8 +35,8 @@ class Skinning {
 
   // [{joint, degrees, kept}], by joints: bends of joints that the palette turns by at least `least_degrees` against their
   // parents, and how much of their volume at rest they have, 1 = all.
-  nlohmann::ordered_json bends(const Character& character, const std::vector<Affine>& palette, double least_degrees,
-                               const std::vector<float>& posed);
+  nlohmann::json bends(const Character& character, const std::vector<Affine>& palette, double least_degrees,
+                       const std::vector<float>& posed);
 
  private:
   std::optional<CharacterDeformer> deformer_;

@@ -5,7 +5,7 @@
 #include <emscripten.h>
 
 #include <algorithm>
-#include <cstring>
+#include <memory>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -16,7 +16,6 @@
 #include "capi/handle.hpp"
 #include "characters.hpp"
 #include "colours.hpp"
-#include "front/front_points.hpp"
 #include "handles.hpp"
 #include "keep.hpp"
 #include "paint.hpp"
@@ -26,7 +25,6 @@
 #include "sinew_character/profile/profile.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
-#include "votes/rig_task.hpp"
 
 extern "C" sinew_progress character_progress();  // of samples/npm
 
@@ -65,10 +63,6 @@ const char* answer(Call call) {
   }
   session().reply = reply.dump(-1, ' ', false, Json::error_handler_t::replace);
   return session().reply.c_str();
-}
-
-void check(const std::string& what, sinew_status status) {
-  if (status != SINEW_OK) throw Error(what + ": " + sinew_status_text(status));
 }
 
 // Vertices whose strongest joint is among these keep their rows from the next bind on; none: no vertex does.
@@ -131,32 +125,31 @@ extern "C" {
 EMSCRIPTEN_KEEPALIVE const char* web_kernel() { return sinew_kernel_name(sinew_kernel_select(SINEW_KERNEL_AUTO)); }
 EMSCRIPTEN_KEEPALIVE const char* web_version() { return sinew_version(); }
 
-// A model of weights, of skeletons or of hands: the file says which.
+// A model, for the task that its file says.
 EMSCRIPTEN_KEEPALIVE const char* web_model(const char* path) {
   return answer([&]() -> Json {
-    Session& s = session();
+    static const struct {
+      ModelUse use;
+      const char* task;
+      std::unique_ptr<LoadedModel> Session::*place;
+    } kTasks[] = {{ModelUse::kBind, "weights", &Session::bind_model},
+                  {ModelUse::kHands, "hands", &Session::hands_model},
+                  {ModelUse::kFront, "fronts", &Session::front_model},
+                  {ModelUse::kRig, "skeletons", &Session::rig_model}};
     const std::vector<uint8_t> bytes = read_file(path);
-    OpenModel opened;
-    opened.bytes.resize(bytes.size() / 8 + 1);
-    if (!bytes.empty()) std::memcpy(opened.bytes.data(), bytes.data(), bytes.size());
-    sinew_status status = sinew_rig_model_open(opened.bytes.data(), bytes.size(), &opened.model);
-    const bool of_weights = status == SINEW_ERROR_MODEL_TASK;
-    if (of_weights) status = sinew_model_open(opened.bytes.data(), bytes.size(), &opened.model);
-    check(path, status);
-    const bool of_hands = !of_weights && opened.model.feature_set == rigging::kHandsFeatureSet;
-    const bool of_fronts = !of_weights && opened.model.feature_set == rigging::kFrontFeatureSet;
-    const Json reply = {{"bytes", bytes.size()},
-                        {"parameters", opened.model.parameter_count},
-                        {"layers", opened.model.layer_count},
-                        {"task", of_weights  ? "weights"
-                                 : of_hands  ? "hands"
-                                 : of_fronts ? "fronts"
-                                             : "skeletons"}};
-    (of_weights  ? s.bind_model
-     : of_hands  ? s.hands_model
-     : of_fronts ? s.front_model
-                 : s.rig_model) = std::move(opened);
-    return reply;
+    for (const auto& one : kTasks) {
+      try {
+        std::unique_ptr<LoadedModel>& place = session().*one.place;
+        place = model_from_bytes(bytes, path, one.use);
+        return {{"bytes", bytes.size()},
+                {"parameters", place->model.parameter_count},
+                {"layers", place->model.layer_count},
+                {"task", one.task}};
+      } catch (const Error&) {
+        if (one.use == ModelUse::kRig) throw;
+      }
+    }
+    return {};
   });
 }
 
