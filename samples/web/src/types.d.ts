@@ -79,9 +79,6 @@ export interface Picture {
   height: number;
   figures: number;
   figure: number;
-  class: string;
-  view: string;
-  certainty: number;
   clip: string;
   flat: boolean;
   cut: boolean;

@@ -129,11 +129,8 @@ Json bind_shown(Session& s, const Wish& wish, const std::vector<sinew_answer>& a
   s.seams = result.seams;
   strike(s);
   std::vector<double> sums(s.character.joints.size(), 0);
-  size_t pairs = 0;
-  for (const std::vector<Influence>& row : s.character.influences) {
+  for (const std::vector<Influence>& row : s.character.influences)
     for (const Influence& influence : row) sums[influence.joint] += influence.weight;
-    pairs += row.size();
-  }
   s.strongest.resize(s.surface.vertex_of.size());
   for (size_t i = 0; i < s.strongest.size(); ++i) s.strongest[i] = s.joints[size_t{s.surface.vertex_of[i]} * s.slots];
   Json off = Json::array();
@@ -149,7 +146,6 @@ Json bind_shown(Session& s, const Wish& wish, const std::vector<sinew_answer>& a
     places.push_back({joint.position.x, joint.position.y, joint.position.z});
   return {{"seconds", result.seconds},
           {"places", std::move(places)},
-          {"workspaceBytes", result.workspace_bytes},
           {"usedBytes", result.used_bytes},
           {"hash", bind_hash(s.character.influences, s.slots)},
           {"jointWeights", sums},
@@ -157,14 +153,12 @@ Json bind_shown(Session& s, const Wish& wish, const std::vector<sinew_answer>& a
           {"off", off},
           {"lockedVertices", std::count(s.locked.begin(), s.locked.end(), uint8_t{1})},
           {"paintedVertices", std::count(s.hints.begin(), s.hints.end(), uint8_t{1})},
-          {"symmetricVertices", result.symmetric_vertices},
           {"keptMeshes", result.kept_meshes},
           {"rigidParts", !s.rigs().now().predicted && is_of_rigid_parts(s.character) ? s.character.meshes.size() : 0},
           {"grownTogether",
            result.seams.seams.empty() ? "" : without_option(seams_text(s.character.joints, result.seams, 0))},
           {"lookFirst", (s.confidence.size() + 9) / 10},
           {"lookFirstSure", sure_of_least_tenth(s.confidence)},
-          {"meanInfluences", static_cast<double>(pairs) / static_cast<double>(s.character.vertices.size())},
           {"questions", std::move(questions)}};
 }
 

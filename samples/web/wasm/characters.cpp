@@ -132,10 +132,8 @@ Json picture_json(const PictureCharacter& picture) {
   }
   return {{"width", picture.picture->pixels.width}, {"height", picture.picture->pixels.height},
           {"figures", picture.figure.count},        {"figure", picture.figure.number},
-          {"class", body_class_word(picture.body)}, {"view", picture_view_text(picture.view)},
-          {"certainty", picture.certainty},         {"clip", default_clip(picture.body)},
-          {"flat", picture.options.mesh.flat},      {"cut", picture.options.figure.cut},
-          {"outline", std::move(outline)}};
+          {"clip", default_clip(picture.body)},     {"flat", picture.options.mesh.flat},
+          {"cut", picture.options.figure.cut},      {"outline", std::move(outline)}};
 }
 
 bool are_alike(const std::vector<Joint>& some, const std::vector<Joint>& others) {

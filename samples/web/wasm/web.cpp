@@ -162,9 +162,9 @@ EMSCRIPTEN_KEEPALIVE const char* web_load(const char* mesh, const char* skeleton
 
 // A PNG or JPEG of a character. wishes: {class, figure, mask (a file), flat, outline: [[[x, y], ...], ...]}, all may be missing: found; places are
 // pixels, x right, y down from the top left corner. Replies as web_load() does, for which a picture is one without wishes, with
-// {picture: {width, height, figures, figure, class, view, certainty, clip, flat, outline, place}}; place: {scale, left, bottom}, where the picture
-// lies behind its mesh: pixel (x, y) is at ((x - left) scale, (bottom - y) scale, 0). certainty is 0 before web_rig(), which replies with
-// `picture` but its place, too. `clip` is what web_motion() plays where the user has none.
+// {picture: {width, height, figures, figure, clip, flat, cut, outline, place}}; place: {scale, left, bottom}, where the picture lies behind its mesh: pixel
+// (x, y) is at ((x - left) scale, (bottom - y) scale, 0). `clip` is what the page plays where the user has none. web_rig() replies with `picture` but
+// its place, too.
 EMSCRIPTEN_KEEPALIVE const char* web_picture(const char* path, const char* wishes, uint32_t number) {
   return answer([&] { return load_picture(session(), path, Json::parse(wishes), number); });
 }
