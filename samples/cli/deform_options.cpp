@@ -12,7 +12,7 @@
 namespace sinew::cli {
 
 std::optional<sinew_deform_options> deform_options(const DeformSettings& settings) {
-  sinew_deform_options options = sinew_deform_options_init();
+  sinew_deform_options options = SINEW_INIT(sinew_deform_options);
   options.cell_count = settings.cells;
   options.round_count = settings.rounds;
   options.body_contact = settings.body_contact ? 1 : 0;

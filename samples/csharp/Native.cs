@@ -182,7 +182,7 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_options
+        public struct sinew_bind_options
         {
             public uint struct_size, method, influence_count, weight_format, candidate_count, grid_size, surface_vertices, symmetric,
                 rigid_parts, softness_percent, weights_in_place, kernel, thread_count, reserved;
@@ -1028,7 +1028,7 @@ namespace Sinew
             new StructSize("sinew_question", Marshal.SizeOf(typeof(sinew_question)), false),
             new StructSize("sinew_skeleton", Marshal.SizeOf(typeof(sinew_skeleton)), true),
             new StructSize("sinew_skin", Marshal.SizeOf(typeof(sinew_skin)), false),
-            new StructSize("sinew_options", Marshal.SizeOf(typeof(sinew_options)), true),
+            new StructSize("sinew_bind_options", Marshal.SizeOf(typeof(sinew_bind_options)), true),
             new StructSize("sinew_bind_outputs", Marshal.SizeOf(typeof(sinew_bind_outputs)), true),
             new StructSize("sinew_deform_options", Marshal.SizeOf(typeof(sinew_deform_options)), true),
             new StructSize("sinew_deformer", Marshal.SizeOf(typeof(sinew_deformer)), false),

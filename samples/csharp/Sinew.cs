@@ -226,9 +226,9 @@ namespace Sinew
             using (var pins = new Pins())
             {
                 var watch = new Watch(settings.Progress);
-                var options = new Native.sinew_options
+                var options = new Native.sinew_bind_options
                 {
-                    struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_options)),
+                    struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_bind_options)),
                     influence_count = (uint)settings.Influences,
                     symmetric = settings.Symmetric ? 1u : 0, rigid_parts = (uint)settings.RigidParts,
                     softness_percent = (uint)settings.SoftnessPercent, locked = pins.Of(settings.Locked),

@@ -17,7 +17,7 @@ struct Call : MeshInput, SkeletonInput, Hindrance {
   std::vector<uint16_t> joints, weights;
   std::vector<float> palette, rest_palette;
   sinew_skin skin = {};
-  sinew_deform_options options = sinew_deform_options_init();
+  sinew_deform_options options = SINEW_INIT(sinew_deform_options);
   bool raw = false;  // places of sixty decades, which no sum of doubles keeps
 
   explicit Call(Bytes in) {
@@ -101,7 +101,8 @@ struct Made {
     std::vector<float> positions(size_t{3} * deformer.vertex_count + 1, 77);
     const std::vector<float> before = positions;
     Workspace workspace(deformer.pose_bytes, 0, fill);
-    *outputs = sinew_deform_outputs_init(positions.data());
+    *outputs = SINEW_INIT(sinew_deform_outputs);
+    outputs->positions = positions.data();
     *posed = sinew_deform_pose(&deformer, palette.data(), workspace.data(), deformer.pose_bytes, outputs);
     demand(workspace.guards_hold(), "the workspace is not written beyond its size");
     demand(memory.guards_hold(), "a pose does not touch what is around the memory");

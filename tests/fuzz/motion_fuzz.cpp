@@ -48,7 +48,10 @@ struct RigInput {
   uint32_t up = SINEW_UP_AUTO;
 
   sinew_skeleton view() const {
-    sinew_skeleton view = sinew_skeleton_init(positions.data(), parents.data(), static_cast<uint32_t>(parents.size()));
+    sinew_skeleton view = SINEW_INIT(sinew_skeleton);
+    view.positions = positions.data();
+    view.parents = parents.data();
+    view.joint_count = static_cast<uint32_t>(parents.size());
     if (!rotations.empty()) view.rotations = rotations.data();
     view.up = up;
     return view;
@@ -83,9 +86,9 @@ struct Call {
   std::vector<int32_t> map;
   std::vector<uint8_t> classes;
   BodyInput source_body, target_body;
-  sinew_retarget_options options = sinew_retarget_options_init();
-  sinew_contact_options contacts = sinew_contact_options_init();
-  sinew_reference_options points = sinew_reference_options_init();
+  sinew_retarget_options options = SINEW_INIT(sinew_retarget_options);
+  sinew_contact_options contacts = SINEW_INIT(sinew_contact_options);
+  sinew_reference_options points = SINEW_INIT(sinew_reference_options);
   uint32_t frames = 0, cancel_at = 0, reports = 0;
   std::vector<float> rotations, translations;
 

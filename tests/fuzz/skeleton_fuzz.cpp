@@ -43,7 +43,7 @@ struct Skeleton {
 
 // An input as a call. Every enumeration reaches one beyond its last legal value.
 struct Call : MeshInput, Hindrance {
-  sinew_rig_options options = sinew_rig_options_init();
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   bool all_outputs = true;
 
   explicit Call(Bytes in) {
@@ -79,7 +79,9 @@ struct Call : MeshInput, Hindrance {
     reports = 0;
     const size_t bytes = given(need);
     Workspace workspace(bytes, misaligned, fill);
-    s.outputs = sinew_rig_outputs_init(s.positions.data(), s.parents.data());
+    s.outputs = SINEW_INIT(sinew_rig_outputs);
+    s.outputs.positions = s.positions.data();
+    s.outputs.parents = s.parents.data();
     s.outputs.flags = s.flags.data();
     if (all_outputs) {
       s.outputs.joint_classes = s.classes.data();
@@ -145,7 +147,7 @@ void check_skeleton(const Call& call, const Skeleton& s) {
 // The skeleton grows by fingers, faces and props, whatever its joints are said to be, and keeps the joints that it has but for
 // the bone ends of hands.
 void check_details(const Call& call, const Skeleton& given, size_t seed) {
-  sinew_rig_options options = sinew_rig_options_init();
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   options.up = call.options.up;
   const sinew_mesh& mesh = call.mesh;
   Skeleton s = given;
@@ -190,9 +192,12 @@ void check_details(const Call& call, const Skeleton& given, size_t seed) {
 
 // What comes out is a skeleton for sinew_bind().
 void check_bind(const Call& call, const Skeleton& s) {
-  sinew_skeleton skeleton = sinew_skeleton_init(s.positions.data(), s.parents.data(), s.outputs.joint_count);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+  skeleton.positions = s.positions.data();
+  skeleton.parents = s.parents.data();
+  skeleton.joint_count = s.outputs.joint_count;
   skeleton.flags = s.flags.data();
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.grid_size = 16;
   skeleton.up = call.options.up;
   size_t need = 0;

@@ -29,7 +29,7 @@ Handle open_memory(const std::vector<std::string>& paths) {
 }
 
 sinew_character_arrays view(sinew_character* character) {
-  sinew_character_arrays arrays = sinew_character_arrays_init();
+  sinew_character_arrays arrays = SINEW_INIT(sinew_character_arrays);
   EXPECT_EQ(sinew_character_view(character, &arrays), SINEW_OK) << sinew_character_error(character);
   return arrays;
 }
@@ -75,7 +75,7 @@ class CharacterC : public Cli {
         }
       }
     }
-    sinew_character_clip clip = sinew_character_clip_init();
+    sinew_character_clip clip = SINEW_INIT(sinew_character_clip);
     clip.frame_count = frames;
     clip.joint_count = joints;
     clip.frame_time = 0.05;
@@ -90,7 +90,7 @@ class CharacterC : public Cli {
 TEST_F(CharacterC, BindsAsTheCommand) {
   good("bind " + kSnake + " --skeleton " + kSnakeRig + " -o command.glb");
   const Handle snake = open(kSnake);
-  sinew_character_bind_result result = sinew_character_bind_result_init();
+  sinew_character_bind_result result = SINEW_INIT(sinew_character_bind_result);
   good_call(sinew_character_bind(snake.get(), nullptr, &result), snake);
   save(snake, "ours.glb");
   expect_same("ours.glb", "command.glb");
@@ -105,7 +105,7 @@ TEST_F(CharacterC, BindsAsTheCommand) {
 
   good("bind " + kCaped + " --method heat --influences 8 --symmetric --joints all --confidence -o heat.glb");
   const Handle heat = open(kCaped);
-  sinew_character_bind_options options = sinew_character_bind_options_init();
+  sinew_character_bind_options options = SINEW_INIT(sinew_character_bind_options);
   options.method = SINEW_METHOD_HEAT;
   options.influence_count = 8;
   options.symmetric = 1;
@@ -163,7 +163,7 @@ TEST_F(CharacterC, MeshesThatHangOnJointsStayThere) {
   const uint32_t plain = arrays.mesh_skinned[0] != 0 ? 1 : 0;
   ASSERT_GE(arrays.mesh_joints[plain], 0);
   EXPECT_STREQ(arrays.joint_names[arrays.mesh_joints[plain]], "Head");
-  sinew_character_bind_result result = sinew_character_bind_result_init();
+  sinew_character_bind_result result = SINEW_INIT(sinew_character_bind_result);
   good_call(sinew_character_bind(character.get(), nullptr, &result), character);
   EXPECT_EQ(result.kept_meshes, 1u);
   save(character, "ours.glb");
@@ -173,7 +173,7 @@ TEST_F(CharacterC, MeshesThatHangOnJointsStayThere) {
 TEST_F(CharacterC, RigsAsTheCommand) {
   good("rig " + kRobed + " -o command.glb");
   const Handle robed = open(kRobed);
-  sinew_character_rig_result result = sinew_character_rig_result_init();
+  sinew_character_rig_result result = SINEW_INIT(sinew_character_rig_result);
   good_call(sinew_character_rig(robed.get(), nullptr, &result), robed);
   EXPECT_EQ(result.joint_count, view(robed.get()).joint_count);
   save(robed, "ours.glb");
@@ -181,7 +181,7 @@ TEST_F(CharacterC, RigsAsTheCommand) {
 
   good("rig " + kCaped + " --detail full --no-toes --skeleton template:mixamo --influences 2 -o command.rig.txt");
   const Handle caped = open(kCaped);
-  sinew_character_rig_options options = sinew_character_rig_options_init();
+  sinew_character_rig_options options = SINEW_INIT(sinew_character_rig_options);
   options.detail = SINEW_CHARACTER_DETAIL_FULL;
   options.no_toes = 1;
   options.skeleton = "template:mixamo";
@@ -191,7 +191,7 @@ TEST_F(CharacterC, RigsAsTheCommand) {
   expect_same("ours.rig.txt", "command.rig.txt");
 
   good("rig " + kCaped + " --to-pose t -o posed.glb");
-  options = sinew_character_rig_options_init();
+  options = SINEW_INIT(sinew_character_rig_options);
   options.to_pose = "t";
   const Handle posed = open(kCaped);
   good_call(sinew_character_rig(posed.get(), &options, nullptr), posed);
@@ -201,7 +201,7 @@ TEST_F(CharacterC, RigsAsTheCommand) {
   EXPECT_NE(sinew_character_rig(posed.get(), &options, nullptr), SINEW_OK);
 
   good("rig " + kRobed + " --method shape --no-bind --no-mirror -o shape.rig.txt");
-  options = sinew_character_rig_options_init();
+  options = SINEW_INIT(sinew_character_rig_options);
   options.method = SINEW_CHARACTER_RIG_SHAPE;
   options.no_bind = 1;
   options.mirror = SINEW_MIRROR_NEVER;
@@ -213,7 +213,7 @@ TEST_F(CharacterC, RigsAsTheCommand) {
 TEST_F(CharacterC, MapsAsTheCommand) {
   good("map " + kCaped + " --to mixamo -o command.map");
   const Handle caped = open(kCaped), robed = open(kRobed);
-  sinew_character_map_result result = sinew_character_map_result_init();
+  sinew_character_map_result result = SINEW_INIT(sinew_character_map_result);
   good_call(sinew_character_map_file(caped.get(), "template:mixamo", nullptr, &result), caped);
   EXPECT_EQ(result.text, slurp(in("command.map")));
   good("map " + kCaped + " --from " + kRobed + " -o other.map");
@@ -229,12 +229,12 @@ TEST_F(CharacterC, AnimatesAsTheCommand) {
   uint32_t clips = 0;
   good_call(sinew_character_clip_count(swing.get(), &clips), swing);
   EXPECT_EQ(clips, 1u);
-  sinew_character_animate_result result = sinew_character_animate_result_init();
+  sinew_character_animate_result result = SINEW_INIT(sinew_character_animate_result);
   good_call(sinew_character_animate(robed.get(), swing.get(), nullptr, &result), robed);
   EXPECT_EQ(result.clip_count, 1u);
   save(robed, "ours.glb");
   expect_same("ours.glb", "command.glb");
-  sinew_character_clip clip = sinew_character_clip_init();
+  sinew_character_clip clip = SINEW_INIT(sinew_character_clip);
   good_call(sinew_character_get_clip(robed.get(), result.first_clip, &clip), robed);
   EXPECT_EQ(clip.frame_count, 10u);
   EXPECT_STREQ(clip.name, "swing");
@@ -243,7 +243,7 @@ TEST_F(CharacterC, AnimatesAsTheCommand) {
   put(in("bare.obj"), slurp(kRobed));
   good("animate bare.obj --motion swing.bvh --in-place --deform volume --cells 16 --shapes 2 -o bare.glb");
   const Handle bare = open_memory({in("bare.obj")}), memory = open_memory({in("swing.bvh")});
-  sinew_character_animate_options options = sinew_character_animate_options_init();
+  sinew_character_animate_options options = SINEW_INIT(sinew_character_animate_options);
   options.in_place = 1;
   options.deform = SINEW_POSE_VOLUME;
   options.cells = 16;
@@ -269,7 +269,7 @@ TEST_F(CharacterC, PosesAsTheCommand) {
                                                       {"delta-mush", SINEW_POSE_DELTA_MUSH}};
   for (const auto& [name, method] : methods) {
     good("pose " + kCaped + joint + "--deform " + name + " -o command.obj");
-    sinew_character_pose_options options = sinew_character_pose_options_init();
+    sinew_character_pose_options options = SINEW_INIT(sinew_character_pose_options);
     options.angles = angles.data();
     options.deform = method;
     sinew_character* posed = nullptr;
@@ -282,7 +282,7 @@ TEST_F(CharacterC, PosesAsTheCommand) {
 TEST_F(CharacterC, PublishedMethodsAsTheCommand) {
   const Handle robed = open(kRobed), caped = open(kCaped);
   good("rig " + kRobed + " --method slots --class biped --no-bind -o command.rig.txt");
-  sinew_character_rig_options rig = sinew_character_rig_options_init();
+  sinew_character_rig_options rig = SINEW_INIT(sinew_character_rig_options);
   rig.method = SINEW_CHARACTER_RIG_SLOTS;
   rig.category = SINEW_CATEGORY_BIPED;
   rig.no_bind = 1;
@@ -293,12 +293,12 @@ TEST_F(CharacterC, PublishedMethodsAsTheCommand) {
   // A pair whose map is another one by each of these.
   const std::string spider = kData + "/many-legged__plated.obj", quadruped = kData + "/quadruped__tailed.obj";
   const Handle target = open(spider), source = open(quadruped);
-  sinew_character_map_result mapped = sinew_character_map_result_init();
+  sinew_character_map_result mapped = SINEW_INIT(sinew_character_map_result);
   for (const auto& [words, first, cost] :
        {std::tuple("--first source --cost sum", SINEW_BRANCHES_SOURCE, SINEW_BRANCHES_SUM),
         std::tuple("--first target --cost mean", SINEW_BRANCHES_TARGET, SINEW_BRANCHES_MEAN)}) {
     good("map " + spider + " --from " + quadruped + " --no-names --method branches " + words + " -o command.map");
-    sinew_character_map_options map = sinew_character_map_options_init();
+    sinew_character_map_options map = SINEW_INIT(sinew_character_map_options);
     map.method = SINEW_MAP_BRANCHES;
     map.no_names = 1;
     map.branches_first = static_cast<uint32_t>(first);
@@ -308,7 +308,7 @@ TEST_F(CharacterC, PublishedMethodsAsTheCommand) {
   }
 
   std::vector<double> angles(3 * size_t{view(caped.get()).joint_count}, 20);
-  sinew_character_pose_options pose = sinew_character_pose_options_init();
+  sinew_character_pose_options pose = SINEW_INIT(sinew_character_pose_options);
   pose.angles = angles.data();
   pose.deform = SINEW_POSE_XPBD;
   pose.cells = 16;
@@ -333,21 +333,21 @@ TEST_F(CharacterC, RefusesWhatAnotherMethodTakes) {
     EXPECT_EQ(std::string(sinew_character_error(caped.get())).rfind(beginning, 0), 0u)
         << sinew_character_error(caped.get());
   };
-  sinew_character_rig_options rig = sinew_character_rig_options_init();
+  sinew_character_rig_options rig = SINEW_INIT(sinew_character_rig_options);
   rig.category = SINEW_CATEGORY_BIRD;
   rig.method = SINEW_CHARACTER_RIG_SHAPE;
   refused(sinew_character_rig(caped.get(), &rig, nullptr), "category: ");
   rig.method = SINEW_CHARACTER_RIG_SLOTS + 1;
   refused(sinew_character_rig(caped.get(), &rig, nullptr), "method: ");
-  sinew_character_map_options map = sinew_character_map_options_init();
-  sinew_character_map_result mapped = sinew_character_map_result_init();
+  sinew_character_map_options map = SINEW_INIT(sinew_character_map_options);
+  sinew_character_map_result mapped = SINEW_INIT(sinew_character_map_result);
   map.branches_cost = SINEW_BRANCHES_SUM;
   refused(sinew_character_map(caped.get(), source.get(), &map, &mapped), "branches_first and branches_cost: ");
   map.method = SINEW_MAP_BRANCHES;
   map.branches_first = SINEW_BRANCHES_SOURCE + 1;
   refused(sinew_character_map(caped.get(), source.get(), &map, &mapped), "branches_first: ");
   std::vector<double> angles(3 * size_t{view(caped.get()).joint_count}, 0);
-  sinew_character_pose_options pose = sinew_character_pose_options_init();
+  sinew_character_pose_options pose = SINEW_INIT(sinew_character_pose_options);
   sinew_character* posed = nullptr;
   pose.angles = angles.data();
   pose.deform = SINEW_POSE_VOLUME;
@@ -363,7 +363,7 @@ TEST_F(CharacterC, RefusesWhatAnotherMethodTakes) {
 TEST_F(CharacterC, TransfersAsTheCommand) {
   good("transfer " + kCaped + " " + kRobed + " -o command.glb");
   const Handle source = open(kCaped), target = open(kRobed);
-  sinew_character_transfer_result result = sinew_character_transfer_result_init();
+  sinew_character_transfer_result result = SINEW_INIT(sinew_character_transfer_result);
   good_call(sinew_character_transfer(source.get(), target.get(), nullptr, &result), target);
   EXPECT_GT(result.part_count, 0u);
   save(target, "ours.glb");
@@ -381,7 +381,7 @@ TEST_F(CharacterC, TransfersAsTheCommand) {
 TEST_F(CharacterC, SimplifiesAndBakesAsTheCommand) {
   good("simplify " + kCaped + " --level low -o command.glb");
   const Handle caped = open(kCaped);
-  sinew_character_simplify_options options = sinew_character_simplify_options_init();
+  sinew_character_simplify_options options = SINEW_INIT(sinew_character_simplify_options);
   options.low = 1;
   std::vector<uint32_t> into(view(caped.get()).joint_count);
   good_call(sinew_character_simplify(caped.get(), &options, into.data()), caped);
@@ -391,11 +391,11 @@ TEST_F(CharacterC, SimplifiesAndBakesAsTheCommand) {
 
   good("bake " + kSnake + " --poses 40 --shapes 2 --cells 16 -o baked.glb");
   const Handle snake = open(kSnake);
-  sinew_character_bake_options bake = sinew_character_bake_options_init();
+  sinew_character_bake_options bake = SINEW_INIT(sinew_character_bake_options);
   bake.poses = 40;
   bake.shapes = 2;
   bake.cells = 16;
-  sinew_character_bake_result result = sinew_character_bake_result_init();
+  sinew_character_bake_result result = SINEW_INIT(sinew_character_bake_result);
   good_call(sinew_character_bake(snake.get(), &bake, &result), snake);
   EXPECT_LT(result.baked_error, result.linear_error);
   save(snake, "baked_ours.glb");
@@ -408,7 +408,10 @@ TEST_F(CharacterC, ArraysInAreArraysOut) {
   const int32_t parents[] = {-1, 0};
   const char* names[] = {"Hips", "Head"};
   const sinew_mesh mesh = {positions, 4, nullptr, faces, 2, 6};
-  sinew_skeleton skeleton = sinew_skeleton_init(joints, parents, 2);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+  skeleton.positions = joints;
+  skeleton.parents = parents;
+  skeleton.joint_count = 2;
   skeleton.names = names;
   sinew_character* made = nullptr;
   ASSERT_EQ(sinew_character_create(&mesh, &skeleton, &made), SINEW_OK) << sinew_character_error(nullptr);
@@ -477,22 +480,22 @@ TEST_F(CharacterC, WhatIsWrongIsSaidInOneLineAndChangesNothing) {
   struct {
     sinew_character_bind_options known;
     uint64_t later;
-  } newer = {sinew_character_bind_options_init(), 0};
+  } newer = {SINEW_INIT(sinew_character_bind_options), 0};
   newer.known.struct_size = sizeof newer;
   good_call(sinew_character_bind(snake.get(), &newer.known, nullptr), snake);
   const std::string bound = written(snake, "snake.glb");
   newer.later = 1;
   refused(SINEW_ERROR_VERSION, sinew_character_bind(snake.get(), &newer.known, nullptr), snake.get(), "older");
-  options = sinew_character_bind_options_init();
+  options = SINEW_INIT(sinew_character_bind_options);
   options.influence_count = 13;
   refused(SINEW_ERROR_ARGUMENT, sinew_character_bind(snake.get(), &options, nullptr), snake.get(), "influence_count");
-  options = sinew_character_bind_options_init();
+  options = SINEW_INIT(sinew_character_bind_options);
   options.progress = [](void*, uint32_t) { return 1; };
   refused(SINEW_ERROR_CANCELLED, sinew_character_bind(snake.get(), &options, nullptr), snake.get(), "");
-  sinew_character_models models = sinew_character_models_init();
+  sinew_character_models models = SINEW_INIT(sinew_character_models);
   models.bind = "nonsense";
   models.bind_size = 8;
-  options = sinew_character_bind_options_init();
+  options = SINEW_INIT(sinew_character_bind_options);
   options.models = &models;
   refused(SINEW_ERROR_INPUT, sinew_character_bind(snake.get(), &options, nullptr), snake.get(), "the model");
   EXPECT_EQ(written(snake, "snake.glb"), bound) << "a call that failed changed the character";
@@ -506,7 +509,7 @@ TEST_F(CharacterC, WhatIsWrongIsSaidInOneLineAndChangesNothing) {
 TEST_F(CharacterC, ControlsAndPlacesAsTheCommand) {
   good("bind " + kRobed + " --skeleton " + kRobedRig + " --turn y --turn -x --height 2 --floor -o placed.glb");
   const Handle robed = open(kRobed);
-  sinew_character_place_options place = sinew_character_place_options_init();
+  sinew_character_place_options place = SINEW_INIT(sinew_character_place_options);
   const char* turns[] = {"y", "-x"};
   place.turns = turns;
   place.turn_count = 2;
@@ -526,7 +529,7 @@ TEST_F(CharacterC, ControlsAndPlacesAsTheCommand) {
        " --for mixamo --to-pose none -o command.glb --controls command.controls.json");
   const Handle again = open(kRobed);
   bind(again);
-  sinew_character_profile_options profile = sinew_character_profile_options_init();
+  sinew_character_profile_options profile = SINEW_INIT(sinew_character_profile_options);
   profile.profile = "mixamo";
   profile.controls = 1;
   good_call(sinew_character_set_profile(again.get(), &profile), again);
@@ -546,7 +549,7 @@ TEST_F(CharacterC, ControlsAndPlacesAsTheCommand) {
 TEST_F(CharacterC, LevelsAndScoreAsTheCommand) {
   good("lod " + kCaped + " --levels 2 --fewer-joints -o far.glb");
   const Handle caped = open(kCaped);
-  sinew_character_lod_options options = sinew_character_lod_options_init();
+  sinew_character_lod_options options = SINEW_INIT(sinew_character_lod_options);
   options.level_count = 2;
   options.fewer_joints = 1;
   sinew_character* levels[2] = {};
@@ -565,8 +568,8 @@ TEST_F(CharacterC, LevelsAndScoreAsTheCommand) {
   EXPECT_EQ(untouched, nullptr);
 
   const auto told = nlohmann::json::parse(good("check " + kCaped + " --no-poses --score --json").out);
-  sinew_character_check_options check = sinew_character_check_options_init();
-  sinew_character_check_result result = sinew_character_check_result_init();
+  sinew_character_check_options check = SINEW_INIT(sinew_character_check_options);
+  sinew_character_check_result result = SINEW_INIT(sinew_character_check_result);
   check.no_poses = 1;
   good_call(sinew_character_check(caped.get(), &check, &result), caped);
   EXPECT_EQ(result.score, -1);
@@ -596,7 +599,7 @@ TEST_F(CharacterC, PlacesAloneAreAMotionAndThenFramesOfAStream) {
   ASSERT_EQ(sinew_character_open_places("humanml3d22", places.data(), kPlaces, 2, &opened), SINEW_OK)
       << sinew_character_error(nullptr);
   const Handle person(opened);
-  sinew_character_arrays arrays = sinew_character_arrays_init();
+  sinew_character_arrays arrays = SINEW_INIT(sinew_character_arrays);
   good_call(sinew_character_view(person.get(), &arrays), person);
   ASSERT_EQ(arrays.joint_count, kPlaces);
   uint32_t clips = 0;
@@ -661,7 +664,7 @@ TEST_F(CharacterC, WritesForAProgramAsTheCommand) {
   good("bind " + kRobed + " --skeleton " + kRobedRig + " --for mixamo --to-pose none -o command.glb");
   const Handle robed = open(kRobed);
   bind(robed);
-  sinew_character_profile_options options = sinew_character_profile_options_init();
+  sinew_character_profile_options options = SINEW_INIT(sinew_character_profile_options);
   options.profile = "mixamo";
   good_call(sinew_character_set_profile(robed.get(), &options), robed);
   good_call(sinew_character_save(robed.get(), in("ours.glb").c_str()), robed);

@@ -61,7 +61,7 @@ double side_of(const MeshScene& scene) {
 
 TEST(RigFront, AFrontThatIsGivenIsWhereTheSkeletonFaces) {
   const MeshScene scene = from_file("biped__robot.obj");
-  sinew_rig_options options = sinew_rig_options_init();
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   options.front = SINEW_FRONT_PLUS_Z;
   const RiggedScene plain(scene, options);
   plain.expect_sound();
@@ -88,20 +88,20 @@ TEST(RigFront, AFrontThatIsGivenIsWhereTheSkeletonFaces) {
 
 TEST(RigFront, AFrontAlongTheUpAxisIsRefused) {
   const MeshScene scene = from_file("snake__long.obj");
-  sinew_rig_options options = sinew_rig_options_init();
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   options.up = SINEW_UP_Z;
   options.front = SINEW_FRONT_PLUS_Z;
   EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_ARGUMENT);
   options.front = 7;
   EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_ARGUMENT);
-  options = sinew_rig_options_init();
+  options = SINEW_INIT(sinew_rig_options);
   options.front_model = bundled_rig_model();
   EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_MODEL_TASK) << "a model of bodies knows no fronts";
 }
 
 TEST(RigFront, IsFoundAtAnyAngleAndWithZUp) {
   const MeshScene scene = from_file("biped__robot.obj");
-  sinew_rig_options options = sinew_rig_options_init();
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   options.front_model = bundled_front_model();
   const RiggedScene plain(scene, options);
   plain.expect_sound();

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-typedef struct sinew_options_0_1 {
+typedef struct sinew_bind_options_0_1 {
   uint32_t struct_size;
   uint32_t method;
   uint32_t influence_count;
@@ -28,7 +28,7 @@ typedef struct sinew_options_0_1 {
   void* parallel_user;
   int (*progress)(void* user, uint32_t done_permille);
   void* progress_user;
-} sinew_options_0_1;
+} sinew_bind_options_0_1;
 
 typedef struct sinew_bind_outputs_0_1 {
   uint32_t struct_size;

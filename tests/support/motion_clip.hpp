@@ -120,7 +120,7 @@ struct PlayedClip {
   }
   // source_body null: capsules.
   sinew_status reference_points(const BoxBody* source_body, const BoxBody& target_body,
-                                const sinew_reference_options& options = sinew_reference_options_init()) {
+                                const sinew_reference_options& options = SINEW_INIT(sinew_reference_options)) {
     return on_bodies(
         source_body, target_body,
         [&](const sinew_motion_body* own, size_t* bytes) {
@@ -131,7 +131,7 @@ struct PlayedClip {
         });
   }
   sinew_status reference_points(const BoxBody& source_body, const BoxBody& target_body,
-                                const sinew_reference_options& options = sinew_reference_options_init()) {
+                                const sinew_reference_options& options = SINEW_INIT(sinew_reference_options)) {
     return reference_points(&source_body, target_body, options);
   }
   // With `spots` frame by frame as well.

@@ -29,7 +29,10 @@ struct MotionScene {
   uint32_t up = SINEW_UP_AUTO;
 
   sinew_skeleton view() const {
-    sinew_skeleton view = sinew_skeleton_init(positions.data(), parents.data(), count());
+    sinew_skeleton view = SINEW_INIT(sinew_skeleton);
+    view.positions = positions.data();
+    view.parents = parents.data();
+    view.joint_count = count();
     if (!rotations.empty()) view.rotations = rotations.data();
     view.up = up;
     return view;

@@ -30,7 +30,7 @@ struct SceneParts {
   }
   // A view of the scene, which must outlive it.
   sinew_skeleton skeleton_view() const {
-    sinew_skeleton view = sinew_skeleton_init(nullptr, nullptr, 0);
+    sinew_skeleton view = SINEW_INIT(sinew_skeleton);
     view.positions = joints.data();
     view.parents = parents.data();
     view.flags = flags.empty() ? nullptr : flags.data();

@@ -18,8 +18,6 @@
 #ifndef SINEW_CHARACTER_H
 #define SINEW_CHARACTER_H
 
-#include <string.h>
-
 #include "sinew/published.h"
 #include "sinew/sinew.h"
 
@@ -135,13 +133,6 @@ typedef struct sinew_character_picture_options {
   uint32_t reserved;    /* 0 */
 } sinew_character_picture_options;
 
-static inline sinew_character_picture_options sinew_character_picture_options_init(void) {
-  sinew_character_picture_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
-
 /* Opens a drawing or a photograph of a character (PNG, JPEG): its figure as a mesh in the plane z = 0, seen from +z, with the picture as
  * its texture. sinew_character_rig() gives it a skeleton in that plane (its category may say the class, too);
  * sinew_character_animate() does so where it has none, and plays a clip of its class where no motion is given.
@@ -168,13 +159,6 @@ typedef struct sinew_character_picture_info {
   const uint32_t* line_offsets; /* [line_count + 1] */
   const float* outline;         /* [line_offsets[line_count] x 2] pixels, x right, y down from the top left corner */
 } sinew_character_picture_info;
-
-static inline sinew_character_picture_info sinew_character_picture_info_init(void) {
-  sinew_character_picture_info info;
-  memset(&info, 0, sizeof info);
-  info.struct_size = sizeof info;
-  return info;
-}
 
 /* A character that is not of a picture is SINEW_ERROR_INPUT. */
 SINEW_API sinew_status sinew_character_picture(sinew_character* character, sinew_character_picture_info* info);
@@ -215,13 +199,6 @@ typedef struct sinew_character_profile_options {
   uint32_t author_count;
   uint32_t controls; /* 1: a glTF's extras have what sinew_character_controls() says */
 } sinew_character_profile_options;
-
-static inline sinew_character_profile_options sinew_character_profile_options_init(void) {
-  sinew_character_profile_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
 
 /* What sinew_character_save() and sinew_character_write() write from now on: joint names and axes, a root, influences, facing, and what a
  * VRM says. The picture stays, and the rest pose too: that is to_pose of a bind or rig ("t" for most, "a" for unreal). Remarks go to
@@ -266,13 +243,6 @@ typedef struct sinew_character_arrays {
   const uint8_t* mesh_skinned;    /* [M] 1: it has a skin */
 } sinew_character_arrays;
 
-static inline sinew_character_arrays sinew_character_arrays_init(void) {
-  sinew_character_arrays arrays;
-  memset(&arrays, 0, sizeof arrays);
-  arrays.struct_size = sizeof arrays;
-  return arrays;
-}
-
 SINEW_API sinew_status sinew_character_view(sinew_character* character, sinew_character_arrays* arrays);
 
 /* Weights as the engine takes them: the strongest of each row, unorm16, rounded as sinew_bind() rounds. A row without weight is 0.
@@ -316,13 +286,6 @@ typedef struct sinew_character_clip {
   const int32_t* parents;         /* [N] */
 } sinew_character_clip;
 
-static inline sinew_character_clip sinew_character_clip_init(void) {
-  sinew_character_clip clip;
-  memset(&clip, 0, sizeof clip);
-  clip.struct_size = sizeof clip;
-  return clip;
-}
-
 /* Clips of the file, then those that were added. 0 for a file without motion. */
 SINEW_API sinew_status sinew_character_clip_count(sinew_character* character, uint32_t* count);
 SINEW_API sinew_status sinew_character_get_clip(sinew_character* character, uint32_t index, sinew_character_clip* clip);
@@ -341,13 +304,6 @@ typedef struct sinew_character_place_options {
   uint32_t floor; /* 1: the lowest vertex is at 0 along up */
   uint32_t up;    /* sinew_up, afterwards; 0 = Y */
 } sinew_character_place_options;
-
-static inline sinew_character_place_options sinew_character_place_options_init(void) {
-  sinew_character_place_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
 
 /* Turns and scales the character as a whole: mesh, joints, the file's own animations. Weights stay. A picture, a character without a mesh, and
  * one that has clips or morph targets of other calls are SINEW_ERROR_INPUT. */
@@ -370,13 +326,6 @@ typedef struct sinew_character_models {
   const void* front; /* of where a mesh faces */
   size_t front_size;
 } sinew_character_models;
-
-static inline sinew_character_models sinew_character_models_init(void) {
-  sinew_character_models models;
-  memset(&models, 0, sizeof models);
-  models.struct_size = sizeof models;
-  return models;
-}
 
 /* Where it is known from which joints may get weight. */
 typedef enum sinew_joints_from {
@@ -423,13 +372,6 @@ typedef struct sinew_character_bind_options {
   uint32_t reserved; /* 0 */
 } sinew_character_bind_options;
 
-static inline sinew_character_bind_options sinew_character_bind_options_init(void) {
-  sinew_character_bind_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
-
 /* A line along which two parts of the body that move apart have grown together. No weight crosses it. */
 typedef struct sinew_character_seam {
   uint32_t joints[2]; /* that most of it lies between */
@@ -463,13 +405,6 @@ typedef struct sinew_character_bind_result {
   uint32_t doubled_vertices;                /* with cut or to_pose */
   uint32_t reserved;                        /* 0 */
 } sinew_character_bind_result;
-
-static inline sinew_character_bind_result sinew_character_bind_result_init(void) {
-  sinew_character_bind_result result;
-  memset(&result, 0, sizeof result);
-  result.struct_size = sizeof result;
-  return result;
-}
 
 /* Gives the mesh weights for its skeleton. A mesh without a skeleton is SINEW_ERROR_INPUT.
  *   options  null = all defaults.   result  or null
@@ -539,13 +474,6 @@ typedef struct sinew_character_rig_options {
       to_pose; /* rest pose of the result: "t", "a", or a file whose skeleton stands so; null = as the mesh stands */
 } sinew_character_rig_options;
 
-static inline sinew_character_rig_options sinew_character_rig_options_init(void) {
-  sinew_character_rig_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
-
 /* A limb that may be wrong. */
 typedef struct sinew_character_doubt {
   const char* name; /* of the joint that the limb is called by: LeftArm, RightUpLeg, Tail */
@@ -575,13 +503,6 @@ typedef struct sinew_character_rig_result {
   const sinew_character_doubt* doubtful; /* [doubtful_count] most doubtful first; of votes */
 } sinew_character_rig_result;
 
-static inline sinew_character_rig_result sinew_character_rig_result_init(void) {
-  sinew_character_rig_result result;
-  memset(&result, 0, sizeof result);
-  result.struct_size = sizeof result;
-  return result;
-}
-
 /* Makes a skeleton for a mesh and binds the mesh to it. A skeleton that the character has is left out. */
 SINEW_API sinew_status sinew_character_rig(sinew_character* character, const sinew_character_rig_options* options,
                                            sinew_character_rig_result* result);
@@ -606,13 +527,6 @@ typedef struct sinew_character_map_options {
   const char* actor;         /* of the source, as in sinew_character_animate_options */
 } sinew_character_map_options;
 
-static inline sinew_character_map_options sinew_character_map_options_init(void) {
-  sinew_character_map_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
-
 typedef struct sinew_character_map_result {
   uint32_t struct_size; /* sizeof(sinew_character_map_result) */
   uint32_t method;      /* sinew_map_method that was used */
@@ -626,13 +540,6 @@ typedef struct sinew_character_map_result {
   const uint8_t* reasons;  /* [J] sinew_map_reason */
   const char* text;        /* the map as `sinew map -o` writes it */
 } sinew_character_map_result;
-
-static inline sinew_character_map_result sinew_character_map_result_init(void) {
-  sinew_character_map_result result;
-  memset(&result, 0, sizeof result);
-  result.struct_size = sizeof result;
-  return result;
-}
 
 /* Which joint of the source stands for which of the target. Changes neither; the result's arrays are the target's. The source is read as
  * sinew_character_animate() reads it as a motion: in a stance that is guessed where its rest pose is none. A joint of its motion that it
@@ -702,13 +609,6 @@ typedef struct sinew_character_animate_options {
   uint32_t reserved; /* 0 */
 } sinew_character_animate_options;
 
-static inline sinew_character_animate_options sinew_character_animate_options_init(void) {
-  sinew_character_animate_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
-
 typedef struct sinew_character_animate_result {
   uint32_t struct_size; /* sizeof(sinew_character_animate_result) */
   uint32_t clip_count;  /* that were added */
@@ -723,13 +623,6 @@ typedef struct sinew_character_animate_result {
   const char* mapped_by;                  /* "anatomy and names" */
   const int32_t* sources;                 /* [J] the map that was used */
 } sinew_character_animate_result;
-
-static inline sinew_character_animate_result sinew_character_animate_result_init(void) {
-  sinew_character_animate_result result;
-  memset(&result, 0, sizeof result);
-  result.struct_size = sizeof result;
-  return result;
-}
 
 /* Adds clips of another skeleton to a bound character, which are saved with it. A bare mesh is rigged first.
  *   motion  null: a clip that ships, for a character that is of a picture (sinew_character_open_picture()) alone: that of its class */
@@ -753,13 +646,6 @@ typedef struct sinew_character_pose_options {
   uint32_t tet_weights;    /* sinew_tet_weights */
   uint32_t no_smoothing;
 } sinew_character_pose_options;
-
-static inline sinew_character_pose_options sinew_character_pose_options_init(void) {
-  sinew_character_pose_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
 
 /* A copy of a bound character in a pose; saved as .obj, or viewed.
  *   posed  out, closed by sinew_character_close() */
@@ -785,13 +671,6 @@ typedef struct sinew_character_transfer_options {
   const char* map;                /* a map file; null: found */
 } sinew_character_transfer_options;
 
-static inline sinew_character_transfer_options sinew_character_transfer_options_init(void) {
-  sinew_character_transfer_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
-
 typedef struct sinew_character_transfer_result {
   uint32_t struct_size;   /* sizeof(sinew_character_transfer_result) */
   uint32_t mapped_joints; /* of the source */
@@ -804,13 +683,6 @@ typedef struct sinew_character_transfer_result {
   const char* mapped_by;
   const sinew_transfer_part* parts; /* [part_count] by falling size */
 } sinew_character_transfer_result;
-
-static inline sinew_character_transfer_result sinew_character_transfer_result_init(void) {
-  sinew_character_transfer_result result;
-  memset(&result, 0, sizeof result);
-  result.struct_size = sizeof result;
-  return result;
-}
 
 /* Carries the weights of a bound character to the target's mesh, which keeps its skeleton or gets the source's, fitted. */
 SINEW_API sinew_status sinew_character_transfer(const sinew_character* source, sinew_character* target,
@@ -825,13 +697,6 @@ typedef struct sinew_character_simplify_options {
   uint32_t keep_count;
   const char* const* keep; /* [keep_count] joints that stay; or null */
 } sinew_character_simplify_options;
-
-static inline sinew_character_simplify_options sinew_character_simplify_options_init(void) {
-  sinew_character_simplify_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
 
 /* Leaves joints out; weights and the file's own animations follow. The body stays at both levels; at the high one vertices move
  * by less than 1 % of the height in these animations.
@@ -849,13 +714,6 @@ typedef struct sinew_character_lod_options {
   uint32_t fewer_joints; /* 1: level 2 has the joints of sinew_character_simplify(), further ones of its low level */
   uint32_t reserved;     /* 0 */
 } sinew_character_lod_options;
-
-static inline sinew_character_lod_options sinew_character_lod_options_init(void) {
-  sinew_character_lod_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
 
 /* How far a level is from the whole character, shares of its height. */
 typedef struct sinew_character_lod_level {
@@ -910,13 +768,6 @@ typedef struct sinew_character_check_options {
   uint32_t reserved;              /* 0 */
 } sinew_character_check_options;
 
-static inline sinew_character_check_options sinew_character_check_options_init(void) {
-  sinew_character_check_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
-
 typedef struct sinew_character_check_result {
   uint32_t struct_size; /* sizeof(sinew_character_check_result) */
   uint32_t finding_count;
@@ -927,13 +778,6 @@ typedef struct sinew_character_check_result {
   double
       score; /* with score: how near the weights are to those of three methods, 0..100; -1 where it was not asked for */
 } sinew_character_check_result;
-
-static inline sinew_character_check_result sinew_character_check_result_init(void) {
-  sinew_character_check_result result;
-  memset(&result, 0, sizeof result);
-  result.struct_size = sizeof result;
-  return result;
-}
 
 /* Looks for what is wrong with the skeleton, the weights, the matrices and the animations; changes nothing. A character without joints is
  * SINEW_ERROR_INPUT. */
@@ -961,13 +805,6 @@ typedef struct sinew_character_bake_options {
   uint32_t no_smoothing;
 } sinew_character_bake_options;
 
-static inline sinew_character_bake_options sinew_character_bake_options_init(void) {
-  sinew_character_bake_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
-
 typedef struct sinew_character_bake_result {
   uint32_t struct_size; /* sizeof(sinew_character_bake_result) */
   uint32_t shape_count, bend_count, moved_vertices;
@@ -975,13 +812,6 @@ typedef struct sinew_character_bake_result {
   double linear_error, baked_error;                   /* of the poses that were learnt, shares of the size */
   double held_out_linear_error, held_out_baked_error; /* of others */
 } sinew_character_bake_result;
-
-static inline sinew_character_bake_result sinew_character_bake_result_init(void) {
-  sinew_character_bake_result result;
-  memset(&result, 0, sizeof result);
-  result.struct_size = sizeof result;
-  return result;
-}
 
 /* Adds morph targets that correct bends, with what drives them, which are saved with the character. */
 SINEW_API sinew_status sinew_character_bake(sinew_character* character, const sinew_character_bake_options* options,

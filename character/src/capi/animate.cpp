@@ -66,7 +66,7 @@ AnimatedCharacter start(const sinew_character& from, const sinew_character_anima
   if (character.vertices.empty()) throw Error(character.name + ": has no mesh to animate");
   if (!character.joints.empty() || (options.models == nullptr && from.picture == nullptr))
     return animated_character(std::move(character), file_of(from));
-  sinew_character_rig_options rig = sinew_character_rig_options_init();
+  sinew_character_rig_options rig = SINEW_INIT(sinew_character_rig_options);
   rig.models = options.models;
   AnimatedCharacter out = animated_character(rig_of(from, rig, progress, picture).character, file_of(from));
   out.rigged = true;
@@ -77,7 +77,7 @@ void fill_result(const AnimatedCharacter& made, uint32_t first_clip, ResultViews
                  sinew_character_animate_result* result) {
   if (result == nullptr) return;
   *views = {};
-  sinew_character_animate_result filled = sinew_character_animate_result_init();
+  sinew_character_animate_result filled = SINEW_INIT(sinew_character_animate_result);
   filled.clip_count = count32(made.made.size());
   filled.first_clip = first_clip;
   filled.rigged = made.rigged ? 1 : 0;

@@ -51,7 +51,7 @@ void bake(const sinew_character_bake_options& options, ProgressOfCaller* progres
   const OwnMotion own = motion_of_handle(character);
   BakedCharacter baked = bake_character(character->character, own, job, steps_of(progress));
   play_in_added(*character, &baked.morphs);
-  sinew_character_bake_result filled = sinew_character_bake_result_init();
+  sinew_character_bake_result filled = SINEW_INIT(sinew_character_bake_result);
   filled.shape_count = count32(baked.morphs.shapes.size());
   filled.bend_count = count32(baked.morphs.drivers.size());
   for (const MorphShape& shape : baked.morphs.shapes) filled.moved_vertices += count32(shape.vertices.size());

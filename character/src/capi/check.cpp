@@ -95,7 +95,7 @@ sinew_status sinew_character_check(sinew_character* character, const sinew_chara
     views.check = std::move(check);
     for (const RigFinding& finding : views.check.findings) views.findings.push_back(view_of(finding));
     views.text = checked_line(views.check);
-    sinew_character_check_result filled = sinew_character_check_result_init();
+    sinew_character_check_result filled = SINEW_INIT(sinew_character_check_result);
     filled.finding_count = count32(views.findings.size());
     filled.errors = count32(views.check.errors);
     filled.warnings = count32(views.check.warnings);

@@ -35,7 +35,7 @@ std::optional<sinew_deform_options> corrections_of(uint32_t deform, const Option
       throw Failure(SINEW_ERROR_ARGUMENT, "cells and rounds: are for poses that are corrected");
     return std::nullopt;
   }
-  sinew_deform_options out = sinew_deform_options_init();
+  sinew_deform_options out = SINEW_INIT(sinew_deform_options);
   out.cell_count = options.cells;
   out.round_count = options.rounds;
   out.body_contact = options.body_contact != 0 ? 1 : 0;

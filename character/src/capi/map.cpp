@@ -83,7 +83,7 @@ void map(const sinew_character_map_options& options, bool from_template, const M
   views.confidence = mapped.confidence;
   views.reasons = mapped.reasons;
   views.text = map_text(target, source, mapped);
-  sinew_character_map_result filled = sinew_character_map_result_init();
+  sinew_character_map_result filled = SINEW_INIT(sinew_character_map_result);
   filled.method = mapped.method;
   filled.joint_count = count32(target.joints.size());
   filled.mapped = count32(mapped.mapped);

@@ -99,7 +99,7 @@ sinew_status sinew_character_picture(sinew_character* character, sinew_character
     if (character->picture == nullptr)
       throw Error(character->character.name + ": is not of a picture; open a .png or .jpg");
     const PictureCharacter& picture = *character->picture;
-    sinew_character_picture_info filled = sinew_character_picture_info_init();
+    sinew_character_picture_info filled = SINEW_INIT(sinew_character_picture_info);
     filled.width = picture.picture->pixels.width;
     filled.height = picture.picture->pixels.height;
     filled.figure_count = picture.figure.count;

@@ -77,7 +77,7 @@ void fill_result(const RiggedCharacter& rigged, ResultViews* views, sinew_charac
   views->ends = skeleton.ends;
   views->confidence = skeleton.confidence;
   views->parent_confidence = skeleton.parent_confidence;
-  sinew_character_rig_result filled = sinew_character_rig_result_init();
+  sinew_character_rig_result filled = SINEW_INIT(sinew_character_rig_result);
   filled.mirrored = skeleton.mirrored ? 1 : 0;
   filled.joint_count = count32(skeleton.joints.size());
   filled.spread = skeleton.spread;

@@ -30,8 +30,10 @@ struct RigArrays {
     }
   }
   sinew_skeleton view(uint32_t up) const {
-    sinew_skeleton skeleton =
-        sinew_skeleton_init(positions.data(), parents.data(), static_cast<uint32_t>(parents.size()));
+    sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+    skeleton.positions = positions.data();
+    skeleton.parents = parents.data();
+    skeleton.joint_count = static_cast<uint32_t>(parents.size());
     skeleton.up = up;
     return skeleton;
   }
@@ -157,7 +159,7 @@ void Retargeter::stream_clip(const sinew_motion_clip& whole, float fps) const {
   const sinew_skeleton source_rig = from.view(up_.source), target_rig = to.view(up_.target);
   const sinew_motion_body body = view(target_body_), source = view(source_body_);
   const bool has_body = body.vertex_count > 0;
-  sinew_retarget_stream_options options = sinew_retarget_stream_options_init();
+  sinew_retarget_stream_options options = SINEW_INIT(sinew_retarget_stream_options);
   options.fps = fps;
   options.no_range = range_ ? 0 : 1;
   options.source = has_source_ ? &source : nullptr;

@@ -345,7 +345,7 @@ Character in_rest_pose(const Character& character, const RestPose& pose, Axis up
   } catch (const Error& error) {
     throw Error(character.name + ": " + error.what());
   }
-  CharacterDeformer deformer(character, sinew_deform_options_init());
+  CharacterDeformer deformer(character, SINEW_INIT(sinew_deform_options));
   Character posed = deformer.pose_character(character, palette);
   const float fall = lowest(character, up_axis) - lowest(posed, up_axis);
   const auto height = [up_axis](Vec3& p) -> float& { return up_axis == Axis::kY ? p.y : p.z; };

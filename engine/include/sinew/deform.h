@@ -4,8 +4,6 @@
 #ifndef SINEW_DEFORM_H
 #define SINEW_DEFORM_H
 
-#include <string.h>
-
 #include "sinew/skeleton.h"
 #include "sinew/skin.h"
 
@@ -32,7 +30,7 @@ typedef enum sinew_tet_weights {
   SINEW_TET_WEIGHTS_DISTANCE = 1 /* distances to bones: the nearest one and those beside it */
 } sinew_tet_weights;
 
-/* What a deformer is asked to be: inputs only. Start from sinew_deform_options_init(), which asks for every default. Later
+/* What a deformer is asked to be: inputs only. Start from SINEW_INIT(sinew_deform_options), which asks for every default. Later
  * versions add members at the end, and 0 asks for what this version does; see struct_size in sinew/types.h.
  *   cell_count       not for delta mush
  *   round_count      more are slower and keep more volume
@@ -42,7 +40,7 @@ typedef enum sinew_tet_weights {
  *                    each other: an arm and the torso, a thigh and the belly, two thighs, cloth on them as well. Takes
  *                    several times as long. Where a motion drives limbs through each other, dents come and go within a
  *                    frame. Not for delta mush; on the calling thread
- *   parallel_for     as in sinew_options. The result does not depend on it. Where several threads pose one deformer, each
+ *   parallel_for     as in sinew_bind_options. The result does not depend on it. Where several threads pose one deformer, each
  *                    calls it. SINEW_DEFORM_VOLUME alone
  *   thread_count     more than 1 is worth while for large lattices: at 64 cells, hardly at 32 */
 typedef struct sinew_deform_options {
@@ -63,14 +61,6 @@ typedef struct sinew_deform_options {
   uint32_t tet_weights; /* sinew_tet_weights, of SINEW_DEFORM_XPBD */
 } sinew_deform_options;
 
-/* Options that ask for every default. */
-static inline sinew_deform_options sinew_deform_options_init(void) {
-  sinew_deform_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
-
 /* A deformer, filled by sinew_deform_create(). Keeps its size. Its memory is the caller's and must stay as it is while the
  * deformer is used; the mesh, skeleton and weights that it was made from need not. Any number of threads may pose one
  * deformer, each with a workspace of its own. */
@@ -85,7 +75,7 @@ typedef struct sinew_deformer {
   uint32_t reserved[7];       /* 0 */
 } sinew_deformer;
 
-/* What a pose gives: the caller's array, and numbers that the call writes. Start from sinew_deform_outputs_init(). */
+/* What a pose gives: the caller's array, and numbers that the call writes. Start from SINEW_INIT(sinew_deform_outputs). */
 typedef struct sinew_deform_outputs {
   uint32_t struct_size;         /* sizeof(sinew_deform_outputs) */
   uint32_t corrected;           /* written: 1; 0 where the matrices are not rotations with one common scale, so that
@@ -94,15 +84,6 @@ typedef struct sinew_deform_outputs {
   uint32_t active_tetrahedra;   /* written: how many took part: those near bends */
   uint32_t inverted_tetrahedra; /* written: how many of them ended inside out */
 } sinew_deform_outputs;
-
-/* Outputs with the array that every call fills. */
-static inline sinew_deform_outputs sinew_deform_outputs_init(float* positions) {
-  sinew_deform_outputs outputs;
-  memset(&outputs, 0, sizeof outputs);
-  outputs.struct_size = sizeof outputs;
-  outputs.positions = positions;
-  return outputs;
-}
 
 /* Bytes that sinew_deform_create() needs for this mesh. Walks the mesh once, without memory. The same on every host.
  *   influence_count  of the weights, 1..SINEW_MAX_INFLUENCES

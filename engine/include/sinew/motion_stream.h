@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-/* Start from sinew_retarget_stream_options_init(). Later versions add members at the end, as in sinew_retarget_options. */
+/* Start from SINEW_INIT(sinew_retarget_stream_options). Later versions add members at the end, as in sinew_retarget_options. */
 typedef struct sinew_retarget_stream_options {
   uint32_t struct_size;     /* sizeof(sinew_retarget_stream_options) */
   float fps;                /* frames a second; 0 = 30 */
@@ -23,13 +23,6 @@ typedef struct sinew_retarget_stream_options {
    * that is; null: nobody knows what hands touch, and arms may be in the target's body as deep as at rest */
   const sinew_motion_body* source;
 } sinew_retarget_stream_options;
-
-static inline sinew_retarget_stream_options sinew_retarget_stream_options_init(void) {
-  sinew_retarget_stream_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
 
 /* A stream; it lies in the caller's memory, holds pointers into it and must not be moved. */
 typedef struct sinew_retarget_stream sinew_retarget_stream;

@@ -4,8 +4,6 @@
 #ifndef SINEW_NAMES_H
 #define SINEW_NAMES_H
 
-#include <string.h>
-
 #include "sinew/rig.h"
 
 #ifdef __cplusplus
@@ -33,7 +31,7 @@ typedef enum sinew_follows {
 } sinew_follows;
 
 /* What a call gives: the caller's arrays, null = not wanted, and numbers that the call writes. Start from
- * sinew_joint_verdicts_init(). */
+ * SINEW_INIT(sinew_joint_verdicts). */
 typedef struct sinew_joint_verdicts {
   uint32_t struct_size; /* sizeof(sinew_joint_verdicts) */
   uint32_t mirror_axis; /* written: that the mirror plane is across, 0 = x; needs parents and positions */
@@ -48,13 +46,6 @@ typedef struct sinew_joint_verdicts {
   float mirror_planes[3]; /* written: where a plane across each axis is: amid partners, else amid all joints */
   uint32_t mirrored;      /* written: 1 where every joint has an image and parents are images as well */
 } sinew_joint_verdicts;
-
-static inline sinew_joint_verdicts sinew_joint_verdicts_init(void) {
-  sinew_joint_verdicts verdicts;
-  memset(&verdicts, 0, sizeof verdicts);
-  verdicts.struct_size = sizeof verdicts;
-  return verdicts;
-}
 
 /* Bytes sinew_joint_classes() needs for at most so many joints. A pure function of its argument: the same on every host.
  * Returns SINEW_OK, or with *size_bytes 0 SINEW_ERROR_ARGUMENT or SINEW_ERROR_COUNT. */

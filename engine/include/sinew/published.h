@@ -21,7 +21,7 @@ extern "C" {
 
 /* Values of the `method` of options beside those of the call's own enum, which skips them. Numbers are never reused. */
 enum {
-  /* sinew_options: by distance to bones; model may be null. Vertices nearest to a bone are a sub-mesh, on which that bone
+  /* sinew_bind_options: by distance to bones; model may be null. Vertices nearest to a bone are a sub-mesh, on which that bone
    * and those beside it in the hierarchy have weights by the inverse square of their distance */
   SINEW_METHOD_DISTANCE = 2,
   /* sinew_rig_options: as SINEW_RIG_SHAPE, but from regions of the surface, their boxes and contacts, as published for
@@ -60,7 +60,7 @@ typedef enum sinew_branches_cost {
 #define SINEW_NO_AREA 0xFFFFFFFFu /* sinew_reference_options.area_power: 0, which as a number asks for the default */
 #define SINEW_NO_FALLOFF (-1.0f)  /* sinew_reference_options.falloff: none, as drawn; 0 asks for the default */
 
-/* Start from sinew_reference_options_init(). Later versions add members at the end, as in sinew_retarget_options. Legs are
+/* Start from SINEW_INIT(sinew_reference_options). Later versions add members at the end, as in sinew_retarget_options. Legs are
  * left as they are copied unless asked for, because feet leave the floor by it. */
 typedef struct sinew_reference_options {
   uint32_t struct_size; /* sizeof(sinew_reference_options) */
@@ -76,13 +76,6 @@ typedef struct sinew_reference_options {
   uint32_t torso;    /* 1: torso joints lie as the source's do, each seen from the one before; 0: they turn as copied */
   uint32_t source_points; /* 1: reference points are the source's, in the size of the target; 0: the target's */
 } sinew_reference_options;
-
-static inline sinew_reference_options sinew_reference_options_init(void) {
-  sinew_reference_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
 
 /* Bytes sinew_retarget_reference_points() needs.
  *   size_bytes  out, 0 on failure

@@ -68,7 +68,7 @@ sinew::motion::ClipInputs clip_inputs(const sinew_motion_clip& clip, double fps,
 sinew_status read_contacts(const sinew_retarget* plan, const sinew_motion_body* source, const sinew_motion_body* target,
                            const sinew_motion_clip* clip, const sinew_contact_options* options, const void* workspace,
                            sinew::motion::ClipInputs* inputs) {
-  sinew_contact_options own = sinew_contact_options_init();
+  sinew_contact_options own = SINEW_INIT(sinew_contact_options);
   constexpr uint32_t kFirstSize = offsetof(sinew_contact_options, floor);  // the struct of the first release
   sinew_status status = options == nullptr ? SINEW_OK : sinew::read_struct(options, kFirstSize, sizeof own, &own);
   if (status == SINEW_OK) status = check_clip(plan, source, target, clip, workspace);

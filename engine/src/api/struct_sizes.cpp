@@ -34,7 +34,7 @@ constexpr StructSize kStructSizes[] = {
     {"sinew_question", sizeof(sinew_question)},
     {"sinew_skeleton", sizeof(sinew_skeleton)},
     {"sinew_skin", sizeof(sinew_skin)},
-    {"sinew_options", sizeof(sinew_options)},
+    {"sinew_bind_options", sizeof(sinew_bind_options)},
     {"sinew_bind_outputs", sizeof(sinew_bind_outputs)},
     {"sinew_deform_options", sizeof(sinew_deform_options)},
     {"sinew_deformer", sizeof(sinew_deformer)},

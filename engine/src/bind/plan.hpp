@@ -38,7 +38,7 @@ struct BindPlan {
 // model, or the model is missing; SINEW_ERROR_VERSION where an option is set that this library does not know;
 // SINEW_ERROR_COUNT where a count is out of its range.
 sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints,
-                       const sinew_options* options, BindPlan* plan);
+                       const sinew_bind_options* options, BindPlan* plan);
 
 // The task of the networks that predict skin weights: vertex and pair features of that set, and one logit per pair. False for a set or a flag that this build does not have.
 bool bind_task(uint32_t feature_set, ModelTask* task);

@@ -161,7 +161,7 @@ struct Builder {
 }  // namespace
 
 sinew_status read_deform_options(const sinew_deform_options* given, sinew_deform_options* options) {
-  *options = sinew_deform_options_init();
+  *options = SINEW_INIT(sinew_deform_options);
   if (given != nullptr) {
     const sinew_status status = read_struct(given, kFirstOptionsSize, sizeof *options, options);
     if (status != SINEW_OK) return status;

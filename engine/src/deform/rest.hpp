@@ -69,7 +69,7 @@ struct DeformRest {
 
 struct RestInput {
   sinew_mesh mesh = {};
-  sinew_skeleton skeleton = sinew_skeleton_init(nullptr, nullptr, 0);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
   sinew_skin skin = {};
   sinew_deform_options options = {};  // defaults filled in
 };

@@ -50,7 +50,7 @@ struct StreamMemory {
 }  // namespace
 
 sinew_status read_stream_options(const sinew_retarget_stream_options* options, StreamOptions* out) {
-  sinew_retarget_stream_options o = sinew_retarget_stream_options_init();
+  sinew_retarget_stream_options o = SINEW_INIT(sinew_retarget_stream_options);
   constexpr uint32_t kFirstSize = offsetof(sinew_retarget_stream_options, source);
   const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstSize, sizeof o, &o);
   if (status != SINEW_OK) return status;

@@ -8,7 +8,7 @@
 namespace sinew::motion {
 
 sinew_status read_reference_options(const sinew_reference_options* options, ReferenceOptions* out, Progress* progress) {
-  sinew_reference_options o = sinew_reference_options_init();
+  sinew_reference_options o = SINEW_INIT(sinew_reference_options);
   // The struct of the first release, 0.1, ends with progress_user.
   constexpr uint32_t kFirstSize = offsetof(sinew_reference_options, progress_user) + sizeof(void*);
   const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstSize, sizeof o, &o);

@@ -170,7 +170,7 @@ void write_outputs(const UprightMesh& upright, const MirrorFrame& frame, const R
 
 sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners,
                       const sinew_rig_options* options, RigPlan* plan, uint32_t feature_set) {
-  sinew_rig_options o = sinew_rig_options_init();
+  sinew_rig_options o = SINEW_INIT(sinew_rig_options);
   const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstRigOptionsSize, sizeof o, &o);
   if (status != SINEW_OK) return status;
   const sinew_status front = plan_front(o, &plan->front);

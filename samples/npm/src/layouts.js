@@ -33,7 +33,7 @@ export const LAYOUTS = {
     "struct_size@0:u32 joint_count@4:u32 positions@8:u32 parents@12:u32 flags@16:u32 ends@20:u32 names@24:u32 " +
     "rotations@28:u32 up@32:u32 reserved@36:u32"),
   skin: layout(16, "joint_indices@0:u32 weights@4:u32 influence_count@8:u32 weight_format@12:u32"),
-  options: layout(92,
+  bindOptions: layout(92,
     "struct_size@0:u32 method@4:u32 influence_count@8:u32 weight_format@12:u32 candidate_count@16:u32 grid_size@20:u32 " +
     "surface_vertices@24:u32 symmetric@28:u32 rigid_parts@32:u32 softness_percent@36:u32 weights_in_place@40:u32 kernel@44:u32 " +
     "thread_count@48:u32 reserved@52:u32 locked@56:u32 hints@60:u32 parallel_for@64:u32 parallel_user@68:u32 progress@72:u32 " +

@@ -56,7 +56,9 @@ void expect_the_same_bytes(uint32_t influences) {
   options.weight_format = sinew::WeightFormat<Weight>::value;
   std::vector<uint16_t> joints(skin.joint_indices.size(), 99);
   std::vector<Weight> weights(skin.weights.size(), static_cast<Weight>(99));
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = joints.data();
+  outputs.weights = weights.data();
   ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, workspace.data(), workspace.size(), &outputs), SINEW_OK);
   EXPECT_EQ(skin.joint_indices, joints);
   EXPECT_EQ(std::memcmp(skin.weights.data(), weights.data(), weights.size() * sizeof(Weight)), 0);
@@ -178,7 +180,10 @@ TEST(CppWrapper, WorkspaceGrowsAndMoves) {
 TEST(CppWrapper, ARetargetPlanThatWasNotMadeRefuses) {
   const float positions[6] = {0, 0, 0, 0, 1, 0};
   const int32_t parents[2] = {-1, 0}, map[2] = {0, 1}, none[2] = {-1, -1};
-  const sinew_skeleton rig = sinew_skeleton_init(positions, parents, 2);
+  sinew_skeleton rig = SINEW_INIT(sinew_skeleton);
+  rig.positions = positions;
+  rig.parents = parents;
+  rig.joint_count = 2;
   const float rotations[8] = {0, 0, 0, 1, 0, 0, 0.6f, 0.8f}, places[6] = {1, 2, 3, 0, 1, 0};
   float turned[8], moved[6], ground = 0;
   sinew::RetargetPlan plan;

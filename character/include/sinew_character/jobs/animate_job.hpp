@@ -32,7 +32,7 @@ struct AnimateOptions {
   bool translations = false;  // bones of the body stretch as the source's do
   bool force = false;         // plays a motion whose map reaches less than kLeastCover, with a note; an Error else
   double fps = 0, from = 0, to = 1e9;  // seconds
-  sinew_reference_options reference = sinew_reference_options_init();
+  sinew_reference_options reference = SINEW_INIT(sinew_reference_options);
 };
 
 struct MotionInput {

@@ -169,7 +169,7 @@ class sinew_skin(Structure):
     _fields_ = [("joint_indices", c_void_p), ("weights", c_void_p), ("influence_count", c_uint32), ("weight_format", c_uint32)]
 
 
-class sinew_options(Structure):
+class sinew_bind_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("influence_count", c_uint32), ("weight_format", c_uint32),
         ("candidate_count", c_uint32), ("grid_size", c_uint32), ("surface_vertices", c_uint32), ("symmetric", c_uint32),
         ("rigid_parts", c_uint32), ("softness_percent", c_uint32), ("weights_in_place", c_uint32), ("kernel", c_uint32),
@@ -509,7 +509,7 @@ class sinew_character_bake_result(Structure):
 
 
 STRUCTS: Tuple[Any, ...] = (sinew_mesh, sinew_model, sinew_answer, sinew_alternative, sinew_question, sinew_skeleton, sinew_skin,
-    sinew_options, sinew_bind_outputs, sinew_deform_options, sinew_deformer, sinew_deform_outputs, sinew_joint_limit, sinew_map_pin,
+    sinew_bind_options, sinew_bind_outputs, sinew_deform_options, sinew_deformer, sinew_deform_outputs, sinew_joint_limit, sinew_map_pin,
     sinew_map_options, sinew_map_outputs, sinew_retarget_options, sinew_motion_body, sinew_floor, sinew_contact_options, sinew_motion_clip,
     sinew_limb_measure, sinew_contact_spot, sinew_retarget_stream_options, sinew_rig_options, sinew_rig_outputs, sinew_joint_verdicts,
     sinew_bound_character, sinew_vertex_pair, sinew_transfer_options, sinew_transfer_part, sinew_transfer_outputs, sinew_reference_options,
@@ -538,10 +538,10 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_model_pack": (c_int, [POINTER(sinew_model), c_void_p, c_size_t]),
     "sinew_skin_linear": (c_int, [c_void_p, c_uint32, POINTER(sinew_skin), c_void_p, c_uint32, c_void_p]),
     "sinew_skin_dual_quaternion": (c_int, [c_void_p, c_uint32, POINTER(sinew_skin), c_void_p, c_uint32, c_void_p]),
-    "sinew_bind_workspace_size": (c_int, [POINTER(sinew_model), c_uint32, c_uint32, c_uint32, c_uint32, POINTER(sinew_options),
+    "sinew_bind_workspace_size": (c_int, [POINTER(sinew_model), c_uint32, c_uint32, c_uint32, c_uint32, POINTER(sinew_bind_options),
         POINTER(c_size_t)]),
-    "sinew_bind": (c_int, [POINTER(sinew_model), POINTER(sinew_mesh), POINTER(sinew_skeleton), POINTER(sinew_options), c_void_p, c_size_t,
-        POINTER(sinew_bind_outputs)]),
+    "sinew_bind": (c_int, [POINTER(sinew_model), POINTER(sinew_mesh), POINTER(sinew_skeleton), POINTER(sinew_bind_options), c_void_p,
+        c_size_t, POINTER(sinew_bind_outputs)]),
     "sinew_deform_create_workspace_size": (c_int, [POINTER(sinew_mesh), c_uint32, c_uint32, POINTER(sinew_deform_options),
         POINTER(c_size_t)]),
     "sinew_deform_create": (c_int, [POINTER(sinew_mesh), POINTER(sinew_skeleton), POINTER(sinew_skin), POINTER(sinew_deform_options),

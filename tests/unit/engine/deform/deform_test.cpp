@@ -19,7 +19,7 @@ using sinew_test::BentTube, sinew_test::Posed, sinew_test::farthest, sinew_test:
 constexpr uint32_t kMethods[] = {SINEW_DEFORM_VOLUME, SINEW_DEFORM_XPBD, SINEW_DEFORM_DELTA_MUSH};
 
 sinew_deform_options options_of(uint32_t method) {
-  sinew_deform_options options = sinew_deform_options_init();
+  sinew_deform_options options = SINEW_INIT(sinew_deform_options);
   options.method = method;
   return options;
 }
@@ -420,7 +420,7 @@ class DeformRefusals : public ::testing::Test {
  protected:
   DeformRefusals() : palette(tube.turned({0, 0, 1}, 45)), out(3 * tube.vertex_count(), 7) {}
   sinew_status create(const sinew_mesh& mesh, const sinew_skeleton& skeleton, const sinew_skin& skin,
-                      const sinew_deform_options& options = sinew_deform_options_init()) {
+                      const sinew_deform_options& options = SINEW_INIT(sinew_deform_options)) {
     return deformer.create(mesh, skeleton, skin, options);
   }
   BentTube tube;
@@ -433,7 +433,8 @@ TEST_F(DeformRefusals, MatricesThatAreNoNumbers) {
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e20f}) {
     std::vector<float> broken = palette;
     broken[17] = bad;
-    sinew_deform_outputs outputs = sinew_deform_outputs_init(out.data());
+    sinew_deform_outputs outputs = SINEW_INIT(sinew_deform_outputs);
+    outputs.positions = out.data();
     EXPECT_EQ(deformer.pose(broken.data(), &outputs), SINEW_ERROR_NOT_FINITE);
     EXPECT_EQ(out, std::vector<float>(out.size(), 7));
     EXPECT_EQ(outputs.corrected, 0u);
@@ -468,7 +469,7 @@ TEST_F(DeformRefusals, InputsThatBreakTheRules) {
 
 TEST_F(DeformRefusals, OptionsOutOfRange) {
   const auto refused = [&](auto change) {
-    sinew_deform_options options = sinew_deform_options_init();
+    sinew_deform_options options = SINEW_INIT(sinew_deform_options);
     change(options);
     return create(tube.mesh(), tube.skeleton(), tube.skin(), options);
   };
@@ -505,7 +506,8 @@ TEST_F(DeformRefusals, MemoryThatIsShort) {
     sinew::Workspace workspace(made.pose_bytes + 64);
     uint8_t* const scratch = static_cast<uint8_t*>(workspace.data());
     std::fill_n(scratch + made.pose_bytes, 64, uint8_t{0x5A});
-    sinew_deform_outputs outputs = sinew_deform_outputs_init(out.data());
+    sinew_deform_outputs outputs = SINEW_INIT(sinew_deform_outputs);
+    outputs.positions = out.data();
     EXPECT_EQ(sinew_deform_pose(&made, palette.data(), scratch, made.pose_bytes - 64, &outputs), SINEW_ERROR_WORKSPACE);
     EXPECT_EQ(out[0], 7);
     ASSERT_EQ(sinew_deform_pose(&made, palette.data(), scratch, made.pose_bytes, &outputs), SINEW_OK);

@@ -17,7 +17,7 @@ namespace {
 struct Built {
   explicit Built(const sinew_test::BentTube& tube, uint32_t cells = 0) {
     RestInput input;
-    sinew_deform_options options = sinew_deform_options_init();
+    sinew_deform_options options = SINEW_INIT(sinew_deform_options);
     options.cell_count = cells;
     EXPECT_EQ(read_deform_options(&options, &input.options), SINEW_OK);
     input.mesh = tube.mesh();

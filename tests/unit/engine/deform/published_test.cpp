@@ -15,7 +15,7 @@ using sinew_test::BentTube, sinew_test::Posed, sinew_test::farthest, sinew_test:
     sinew_test::stretch;
 
 sinew_deform_options shipped() {
-  sinew_deform_options options = sinew_deform_options_init();
+  sinew_deform_options options = SINEW_INIT(sinew_deform_options);
   options.method = SINEW_DEFORM_XPBD;
   return options;
 }

@@ -394,7 +394,8 @@ class MapRefusals : public ::testing::Test {
     (void)sinew_map_workspace_size(a_.count(), a_.count(), &bytes_);
     block_ = sinew::test::AlignedBytes(bytes_);
     sources_.assign(a_.count(), -7);
-    outputs_ = sinew_map_outputs_init(sources_.data());
+    outputs_ = SINEW_INIT(sinew_map_outputs);
+    outputs_.sources = sources_.data();
   }
   void expect(sinew_status status, const char* what) {
     EXPECT_EQ(sinew_map(&rig_, &rig_, &options_, block_.data(), bytes_, &outputs_), status) << what;
@@ -404,7 +405,7 @@ class MapRefusals : public ::testing::Test {
   MapCall call_;
   std::vector<const char*> names_;
   sinew_skeleton rig_;
-  sinew_map_options options_ = sinew_map_options_init();
+  sinew_map_options options_ = SINEW_INIT(sinew_map_options);
   size_t bytes_ = 0;
   sinew::test::AlignedBytes block_{0};
   std::vector<int32_t> sources_;
@@ -433,7 +434,7 @@ TEST_F(MapRefusals, Arguments) {
 TEST_F(MapRefusals, StructsOfOtherVersions) {
   options_.struct_size = 4;
   expect(SINEW_ERROR_ARGUMENT, "too small");
-  options_ = sinew_map_options_init();
+  options_ = SINEW_INIT(sinew_map_options);
   options_.reserved = 1;
   expect(SINEW_ERROR_VERSION, "reserved");
   options_.reserved = 0;
@@ -443,7 +444,7 @@ TEST_F(MapRefusals, StructsOfOtherVersions) {
   struct Future {
     sinew_map_options known;
     uint64_t more;
-  } future = {sinew_map_options_init(), 0};
+  } future = {SINEW_INIT(sinew_map_options), 0};
   future.known.struct_size = sizeof future;
   EXPECT_EQ(sinew_map(&rig_, &rig_, &future.known, block_.data(), bytes_, &outputs_), SINEW_OK);
   future.more = 1;

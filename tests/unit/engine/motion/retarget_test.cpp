@@ -321,7 +321,7 @@ TEST(Retarget, WhatIsWrongIsRefusedAndNothingIsWritten) {
   broken = scene;
   broken.rotations.assign(68, std::numeric_limits<float>::infinity());
   EXPECT_EQ(create(broken, scene, map, nullptr), SINEW_ERROR_NOT_FINITE);
-  sinew_retarget_options options = sinew_retarget_options_init();
+  sinew_retarget_options options = SINEW_INIT(sinew_retarget_options);
   for (uint32_t* const member : {&options.method, &options.in_place}) {
     *member = 9;
     EXPECT_EQ(create(scene, scene, map, &options), SINEW_ERROR_ARGUMENT);

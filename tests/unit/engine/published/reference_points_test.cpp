@@ -149,7 +149,7 @@ TEST(ReferencePoints, ArmsGoWhereTheEquationsSay) {
     const Pose pose = arms_forward(bodies.source, 0.6);
     clip.add(pose);
     const Placed from = placed(bodies.source, pose), copied = clip.frame(0);
-    sinew_reference_options settings = sinew_reference_options_init();
+    sinew_reference_options settings = SINEW_INIT(sinew_reference_options);
     settings.area_power = wish.power == 0 ? SINEW_NO_AREA : static_cast<uint32_t>(wish.power);
     settings.falloff = wish.falloff > 0 ? static_cast<float>(wish.falloff) : SINEW_NO_FALLOFF;
     settings.own_limb = wish.own_limb ? 1 : 0;
@@ -186,7 +186,7 @@ TEST(ReferencePoints, LegsGoAlongWhereTheyAreWanted) {
   PlayedClip clip(bodies.source, bodies.target);
   clip.add(arms_forward(bodies.source, 0.6));
   const Placed copied = clip.frame(0);
-  sinew_reference_options settings = sinew_reference_options_init();
+  sinew_reference_options settings = SINEW_INIT(sinew_reference_options);
   settings.legs = 1;
   ASSERT_EQ(clip.reference_points(bodies.a, bodies.b, settings), SINEW_OK);
   const Placed made = clip.frame(0);
@@ -226,7 +226,7 @@ TEST(ReferencePoints, AHeadAndATorsoMoveWhereAskedAndKeepTheirBones) {
     const Pose pose = arms_forward(bodies.source, 0.6);
     clip.add(pose);
     const Placed from = placed(bodies.source, pose), copied = clip.frame(0);
-    sinew_reference_options settings = sinew_reference_options_init();
+    sinew_reference_options settings = SINEW_INIT(sinew_reference_options);
     (torso ? settings.torso : settings.head) = 1;
     ASSERT_EQ(clip.reference_points(bodies.a, bodies.b, settings), SINEW_OK);
     const Placed made = clip.frame(0);
@@ -251,7 +251,7 @@ TEST(ReferencePoints, TheSourcesPointsOfAScaledBodyAreTheTargets) {
   const BoxBody a(source, 0.1), b(target, 0.1, 2);
   PlayedClip own(source, target), others(source, target);
   for (PlayedClip* clip : {&own, &others}) clip->add(arms_forward(source, 0.6));
-  sinew_reference_options settings = sinew_reference_options_init();
+  sinew_reference_options settings = SINEW_INIT(sinew_reference_options);
   ASSERT_EQ(own.reference_points(a, b, settings), SINEW_OK);
   settings.source_points = 1;
   ASSERT_EQ(others.reference_points(a, b, settings), SINEW_OK);
@@ -304,7 +304,7 @@ TEST(ReferencePoints, FramesDoNotKnowOfEachOther) {
 
 // The command says it, other front-ends do not: the same bytes.
 TEST(ReferencePoints, TheDefaultFalloffIsTheOneThatACallerCanSay) {
-  sinew_reference_options options = sinew_reference_options_init();
+  sinew_reference_options options = SINEW_INIT(sinew_reference_options);
   sinew::motion::ReferenceOptions unsaid, said;
   sinew::Progress progress;
   ASSERT_EQ(sinew::motion::read_reference_options(&options, &unsaid, &progress), SINEW_OK);
@@ -319,7 +319,7 @@ TEST(ReferencePoints, WhatIsWrongIsRefused) {
   for (uint32_t f = 0; f < 3; ++f) clip.add(random_pose(bodies.source, f, 0.5));
   const std::vector<float> before = clip.rotations;
   const auto refused = [&](const auto& change) {
-    sinew_reference_options settings = sinew_reference_options_init();
+    sinew_reference_options settings = SINEW_INIT(sinew_reference_options);
     change(&settings);
     EXPECT_EQ(clip.reference_points(bodies.a, bodies.b, settings), SINEW_ERROR_ARGUMENT);
   };
@@ -347,7 +347,7 @@ TEST(ReferencePoints, WhatIsWrongIsRefused) {
   clip.from_rotations[30] = 0;
   EXPECT_EQ(clip.rotations, before);
   int calls = 0;
-  sinew_reference_options settings = sinew_reference_options_init();
+  sinew_reference_options settings = SINEW_INIT(sinew_reference_options);
   settings.progress_user = &calls;
   settings.progress = [](void* user, uint32_t) { return ++*static_cast<int*>(user) == 2 ? 1 : 0; };
   EXPECT_EQ(clip.reference_points(bodies.a, bodies.b, settings), SINEW_ERROR_CANCELLED);

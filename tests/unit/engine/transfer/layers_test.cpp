@@ -92,7 +92,7 @@ size_t crossings(const MeshScene& body, const std::vector<float>& skin, const Me
 TEST(Layers, ASleeveComesThroughTheSkinLessThanOneThatIsBoundAlone) {
   const MeshScene body = limb(25, 12, 3, 0.3);
   const BoundRows rows = painted(body, 3);
-  sinew_transfer_options worn_options = sinew_transfer_options_init(), alone_options = worn_options;
+  sinew_transfer_options worn_options = SINEW_INIT(sinew_transfer_options), alone_options = worn_options;
   worn_options.garment = 1;
   alone_options.method = SINEW_TRANSFER_REBIND;
   size_t worn_crossings = 0, alone_crossings = 0;
