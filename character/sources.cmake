@@ -160,18 +160,18 @@ set(sinew_job_sources
   capi/bind
   capi/check
   capi/clips
+  capi/keypoints
   capi/lod
   capi/map
   capi/open
   capi/picture
-  capi/place
-  capi/places
   capi/pose
   capi/rig
   capi/save
   capi/simplify
   capi/struct_sizes
   capi/transfer
+  capi/transform
   jobs/animate_job
   jobs/bake_job
   jobs/bind_job

@@ -58,7 +58,7 @@ set(sinew_formats_sources
   motion/npy
   motion/numpy_read
   motion/person
-  motion/places
+  motion/keypoints
   motion/unzip
   motion/vmd_read
   text/mtl

@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-Json limb_json(const sinew_limb_measure& limb) {
+Json limb_json(const sinew_limb_quality& limb) {
   return {{"deep_frames", limb.deep_frames},       {"depth", limb.depth}, {"greatest_depth", limb.greatest_depth},
           {"contact_frames", limb.contact_frames}, {"error", limb.error}, {"greatest_error", limb.greatest_error},
           {"range_frames", limb.range_frames}};
@@ -22,7 +22,7 @@ Json limb_json(const sinew_limb_measure& limb) {
 void tell_report(const Character& character, const ClipReport& report) {
   if (report.before.empty()) std::printf("  no arms or legs to measure\n");
   for (size_t i = 0; i < report.before.size(); ++i) {
-    const sinew_limb_measure &a = report.before[i], &b = report.after[i];
+    const sinew_limb_quality &a = report.before[i], &b = report.after[i];
     const auto percent = [](float share) { return 100 * static_cast<double>(share); };
     const bool leg = a.leg != 0;
     std::printf("  %s: %s in %u of %u frames -> %u, at most %.2f %% of the height -> %.2f",

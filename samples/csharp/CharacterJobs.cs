@@ -14,7 +14,7 @@ namespace Sinew
         public int Figure;
         /// <summary>A card instead of a body as thick as it is wide</summary>
         public bool Flat;
-        /// <summary>Places are the picture's pixels, x right, y up from the bottom edge; else the longest side is 1</summary>
+        /// <summary>Positions are the picture's pixels, x right, y up from the bottom edge; else the longest side is 1</summary>
         public bool Pixels;
         /// <summary>A picture that is bright where the figure is, as a file or the name of one in memory; null: found</summary>
         public string Mask;
@@ -60,8 +60,8 @@ namespace Sinew
         }
     }
 
-    /// <summary>sinew_character_place_options of C; what is not set is its default.</summary>
-    public sealed class PlaceSettings
+    /// <summary>sinew_character_transform_options of C; what is not set is its default.</summary>
+    public sealed class TransformSettings
     {
         /// <summary>Quarters about the origin, one after the other: "x", "-x", "y", ...</summary>
         public string[] Turns;
@@ -74,8 +74,9 @@ namespace Sinew
 
         internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
         {
-            return pins.Of(new Native.sinew_character_place_options {struct_size = Character.Size<Native.sinew_character_place_options>(),
-                turn_count = Character.Count(Turns), turns = pins.Of(Turns), height = Height, floor = Floor ? 1u : 0, up = (uint)Up });
+            return pins.Of(new Native.sinew_character_transform_options {
+                struct_size = Character.Size<Native.sinew_character_transform_options>(), turn_count = Character.Count(Turns),
+                turns = pins.Of(Turns), height = Height, floor = Floor ? 1u : 0, up = (uint)Up });
         }
     }
 
@@ -657,8 +658,8 @@ namespace Sinew
         }
     }
 
-    /// <summary>sinew_limb_measure of C.</summary>
-    public sealed class LimbMeasure
+    /// <summary>sinew_limb_quality of C.</summary>
+    public sealed class LimbQuality
     {
         /// <summary>Of the target: wrist or ankle</summary>
         public int Joint;
@@ -679,10 +680,10 @@ namespace Sinew
         public float Error;
         public float GreatestError;
 
-        internal static LimbMeasure Of(IntPtr at, Native.sinew_character_arrays sizes)
+        internal static LimbQuality Of(IntPtr at, Native.sinew_character_arrays sizes)
         {
-            var r = Character.Read<Native.sinew_limb_measure>(at);
-            return new LimbMeasure {Joint = (int)r.joint, Leg = r.leg != 0, Frames = (int)r.frames, DeepFrames = (int)r.deep_frames,
+            var r = Character.Read<Native.sinew_limb_quality>(at);
+            return new LimbQuality {Joint = (int)r.joint, Leg = r.leg != 0, Frames = (int)r.frames, DeepFrames = (int)r.deep_frames,
                 ContactFrames = (int)r.contact_frames, RangeFrames = (int)r.range_frames, Depth = r.depth, GreatestDepth = r.greatest_depth,
                 Error = r.error, GreatestError = r.greatest_error };
         }
@@ -706,9 +707,9 @@ namespace Sinew
         /// <summary>With report: [clip_count x limb_count] of both below</summary>
         public int LimbCount;
         /// <summary>With report</summary>
-        public LimbMeasure[] LimbsBefore;
+        public LimbQuality[] LimbsBefore;
         /// <summary>With report</summary>
-        public LimbMeasure[] LimbsAfter;
+        public LimbQuality[] LimbsAfter;
         /// <summary>"anatomy and names"</summary>
         public string MappedBy;
         /// <summary>The map that was used</summary>
@@ -724,8 +725,8 @@ namespace Sinew
             var r = Character.Read<Native.sinew_character_animate_result>(at);
             return new AnimateResult {ClipCount = (int)r.clip_count, FirstClip = (int)r.first_clip, Mapped = (int)r.mapped,
                 Rigged = r.rigged != 0, ShapeCount = (int)r.shape_count, Certainty = r.certainty, LimbCount = (int)r.limb_count,
-                LimbsBefore = Character.Structs<Native.sinew_limb_measure, LimbMeasure>(r.limbs_before, r.clip_count * r.limb_count, sizes, LimbMeasure.Of),
-                LimbsAfter = Character.Structs<Native.sinew_limb_measure, LimbMeasure>(r.limbs_after, r.clip_count * r.limb_count, sizes, LimbMeasure.Of),
+                LimbsBefore = Character.Structs<Native.sinew_limb_quality, LimbQuality>(r.limbs_before, r.clip_count * r.limb_count, sizes, LimbQuality.Of),
+                LimbsAfter = Character.Structs<Native.sinew_limb_quality, LimbQuality>(r.limbs_after, r.clip_count * r.limb_count, sizes, LimbQuality.Of),
                 MappedBy = Character.Text(r.mapped_by), Sources = Character.Ints(r.sources, sizes.joint_count) };
         }
     }
@@ -910,12 +911,12 @@ namespace Sinew
 
         /// <summary>Turns and scales the character as a whole: mesh, joints, the file's own animations. Weights stay. A picture, a
         /// character without a mesh, and one that has clips or morph targets of other calls are an error.</summary>
-        public void Place(PlaceSettings settings)
+        public void Transform(TransformSettings settings)
         {
             using (var pins = new Pins())
             {
                 var watch = new Watch(null);
-                Check(Native.sinew_character_place(Handle, settings.Options(pins, watch, Arrays())), handle_, "place", watch);
+                Check(Native.sinew_character_transform(Handle, settings.Options(pins, watch, Arrays())), handle_, "transform", watch);
                 GC.KeepAlive(settings);
             }
         }

@@ -300,7 +300,7 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_limb_measure
+        public struct sinew_limb_quality
         {
             public uint joint, leg, frames, deep_frames, contact_frames, range_frames;
             public float depth, greatest_depth, error, greatest_error;
@@ -458,7 +458,7 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_character_place_options
+        public struct sinew_character_transform_options
         {
             public uint struct_size, turn_count;
             public IntPtr turns;
@@ -907,11 +907,11 @@ namespace Sinew
         public static extern int sinew_character_open_files(IntPtr files, uint file_count, out IntPtr character);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_character_open_places(IntPtr layout, IntPtr places, uint place_count, uint frame_count,
+        public static extern int sinew_character_open_keypoints(IntPtr layout, IntPtr keypoints, uint keypoint_count, uint frame_count,
             out IntPtr character);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_character_places_frame(IntPtr character, IntPtr places, uint place_count, IntPtr rotations,
+        public static extern int sinew_character_keypoints_frame(IntPtr character, IntPtr keypoints, uint keypoint_count, IntPtr rotations,
             IntPtr translations);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
@@ -978,7 +978,7 @@ namespace Sinew
         public static extern int sinew_character_add_clip(IntPtr character, IntPtr clip);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_character_place(IntPtr character, IntPtr options);
+        public static extern int sinew_character_transform(IntPtr character, IntPtr options);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_bind(IntPtr character, IntPtr options, IntPtr result);
@@ -1042,7 +1042,7 @@ namespace Sinew
             new StructSize("sinew_floor", Marshal.SizeOf(typeof(sinew_floor)), false),
             new StructSize("sinew_contact_options", Marshal.SizeOf(typeof(sinew_contact_options)), true),
             new StructSize("sinew_motion_clip", Marshal.SizeOf(typeof(sinew_motion_clip)), false),
-            new StructSize("sinew_limb_measure", Marshal.SizeOf(typeof(sinew_limb_measure)), false),
+            new StructSize("sinew_limb_quality", Marshal.SizeOf(typeof(sinew_limb_quality)), false),
             new StructSize("sinew_contact_spot", Marshal.SizeOf(typeof(sinew_contact_spot)), false),
             new StructSize("sinew_retarget_stream_options", Marshal.SizeOf(typeof(sinew_retarget_stream_options)), true),
             new StructSize("sinew_rig_options", Marshal.SizeOf(typeof(sinew_rig_options)), true),
@@ -1065,7 +1065,7 @@ namespace Sinew
             new StructSize("sinew_character_profile_options", Marshal.SizeOf(typeof(sinew_character_profile_options)), true),
             new StructSize("sinew_character_arrays", Marshal.SizeOf(typeof(sinew_character_arrays)), true),
             new StructSize("sinew_character_clip", Marshal.SizeOf(typeof(sinew_character_clip)), true),
-            new StructSize("sinew_character_place_options", Marshal.SizeOf(typeof(sinew_character_place_options)), true),
+            new StructSize("sinew_character_transform_options", Marshal.SizeOf(typeof(sinew_character_transform_options)), true),
             new StructSize("sinew_character_models", Marshal.SizeOf(typeof(sinew_character_models)), true),
             new StructSize("sinew_character_bind_options", Marshal.SizeOf(typeof(sinew_character_bind_options)), true),
             new StructSize("sinew_character_seam", Marshal.SizeOf(typeof(sinew_character_seam)), false),

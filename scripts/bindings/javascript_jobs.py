@@ -8,7 +8,7 @@ from .headers import GENERATOR, Headers, Struct, camel, filled, short, words_of
 from .members import Value, base, result_structs, values_of
 
 # Calls that the module has: name in C, options, result.
-CALLS = {"bind": "BindOptions", "rig": "RigOptions", "animate": "RetargetOptions", "transfer": "TransferOptions", "place": "PlaceOptions",
+CALLS = {"bind": "BindOptions", "rig": "RigOptions", "animate": "RetargetOptions", "transfer": "TransferOptions", "transform": "TransformOptions",
          "profile": "ProfileOptions", "check": "CheckOptions", "picture": "PictureOptions"}
 RESULTS = ("bind_result", "rig_result", "animate_result", "transfer_result", "check_result", "picture_info")
 # Names that differ from those of C, of one call or of all.

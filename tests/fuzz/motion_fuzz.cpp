@@ -205,13 +205,13 @@ void check_clip(Call& call, sinew_retarget* plan, const ClipResult& copied, floa
   };
   const auto measure = [&](void* block, size_t bytes, ClipResult* result) {
     const sinew_motion_clip clip = clip_of(result);
-    sinew_limb_measure limbs[SINEW_MAX_MOTION_LIMBS];
+    sinew_limb_quality limbs[SINEW_MAX_MOTION_LIMBS];
     uint32_t count = 77;
     const sinew_status status =
         sinew_retarget_measure(plan, source, &own, &clip, &call.contacts, block, bytes, limbs, &count);
     demand(status == SINEW_OK ? count <= SINEW_MAX_MOTION_LIMBS : count == 77, "limbs are counted, or left alone");
     if (status != SINEW_OK) return status;
-    sinew_limb_measure same[SINEW_MAX_MOTION_LIMBS];
+    sinew_limb_quality same[SINEW_MAX_MOTION_LIMBS];
     sinew_contact_options uncancelled = call.contacts;
     uncancelled.progress = nullptr;
     std::vector<sinew_contact_spot> spots(size_t{call.frames} * SINEW_MAX_MOTION_LIMBS + 1);
@@ -224,9 +224,9 @@ void check_clip(Call& call, sinew_retarget* plan, const ClipResult& copied, floa
                  (spots[i].kind == SINEW_SPOT_NONE || i % SINEW_MAX_MOTION_LIMBS < count),
              "a spot belongs to a limb");
     const uint8_t* const first = reinterpret_cast<const uint8_t*>(limbs);
-    result->limbs.assign(first, first + count * sizeof(sinew_limb_measure));
+    result->limbs.assign(first, first + count * sizeof(sinew_limb_quality));
     for (uint32_t l = 0; l < count; ++l) {
-      const sinew_limb_measure& limb = limbs[l];
+      const sinew_limb_quality& limb = limbs[l];
       demand(limb.joint < call.map.size() && limb.leg <= 1 && limb.deep_frames <= call.frames &&
                  limb.contact_frames <= call.frames && limb.range_frames <= call.frames,
              "a limb's figures are in their range");

@@ -691,7 +691,7 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   add(out_rotations);
   add(out_positions);
   const auto measure = [&](const sinew_motion_body* from) {
-    sinew_limb_measure limbs[SINEW_MAX_MOTION_LIMBS];
+    sinew_limb_quality limbs[SINEW_MAX_MOTION_LIMBS];
     uint32_t count = 0;
     check(sinew_retarget_measure(plan, from, &own, &clip, nullptr, workspace.data, bytes, limbs, &count));
     std::vector<uint32_t> words(size_t{12} * count);

@@ -509,18 +509,18 @@ TEST_F(CharacterC, WhatIsWrongIsSaidInOneLineAndChangesNothing) {
 TEST_F(CharacterC, ControlsAndPlacesAsTheCommand) {
   good("bind " + kRobed + " --skeleton " + kRobedRig + " --turn y --turn -x --height 2 --floor -o placed.glb");
   const Handle robed = open(kRobed);
-  sinew_character_place_options place = SINEW_INIT(sinew_character_place_options);
+  sinew_character_transform_options place = SINEW_INIT(sinew_character_transform_options);
   const char* turns[] = {"y", "-x"};
   place.turns = turns;
   place.turn_count = 2;
   place.height = 2;
   place.floor = 1;
-  good_call(sinew_character_place(robed.get(), &place), robed);
+  good_call(sinew_character_transform(robed.get(), &place), robed);
   bind(robed);
   save(robed, "ours.glb");
   expect_same("ours.glb", "placed.glb");
   turns[1] = "w";
-  EXPECT_EQ(sinew_character_place(robed.get(), &place), SINEW_ERROR_INPUT);
+  EXPECT_EQ(sinew_character_transform(robed.get(), &place), SINEW_ERROR_INPUT);
   EXPECT_NE(std::string(sinew_character_error(robed.get())).find("expected x, y, z"), std::string::npos);
   save(robed, "after.glb");
   expect_same("after.glb", "placed.glb");
@@ -587,21 +587,22 @@ std::vector<float> t_pose() {
           0.5f, 1.4f,  0, -0.5f, 1.4f, 0, 0.75f,  1.4f, 0, -0.75f, 1.4f,  0};
 }
 
-TEST_F(CharacterC, PlacesAloneAreAMotionAndThenFramesOfAStream) {
-  constexpr uint32_t kPlaces = 22, kLeftHand = 20;
-  std::vector<float> places = t_pose(), up = places;
+TEST_F(CharacterC, KeypointsAloneAreAMotionAndThenFramesOfAStream) {
+  constexpr uint32_t kKeypoints = 22, kLeftHand = 20;
+  std::vector<float> keypoints = t_pose(), up = keypoints;
   up[3 * 18] = up[3 * 20] = 0.2f;  // the left arm points up
   up[3 * 18 + 1] = 1.7f;
   up[3 * 20 + 1] = 1.95f;
-  for (size_t x = 0; x < up.size(); x += 3) up[x] += 0.01f;  // hips that never move stand for places relative to them
-  places.insert(places.end(), up.begin(), up.end());
+  for (size_t x = 0; x < up.size(); x += 3)
+    up[x] += 0.01f;  // hips that never move stand for keypoints relative to them
+  keypoints.insert(keypoints.end(), up.begin(), up.end());
   sinew_character* opened = nullptr;
-  ASSERT_EQ(sinew_character_open_places("humanml3d22", places.data(), kPlaces, 2, &opened), SINEW_OK)
+  ASSERT_EQ(sinew_character_open_keypoints("humanml3d22", keypoints.data(), kKeypoints, 2, &opened), SINEW_OK)
       << sinew_character_error(nullptr);
   const Handle person(opened);
   sinew_character_arrays arrays = SINEW_INIT(sinew_character_arrays);
   good_call(sinew_character_view(person.get(), &arrays), person);
-  ASSERT_EQ(arrays.joint_count, kPlaces);
+  ASSERT_EQ(arrays.joint_count, kKeypoints);
   uint32_t clips = 0;
   good_call(sinew_character_clip_count(person.get(), &clips), person);
   EXPECT_EQ(clips, 1u);
@@ -610,14 +611,15 @@ TEST_F(CharacterC, PlacesAloneAreAMotionAndThenFramesOfAStream) {
     good_call(sinew_character_copy(person.get(), &made), person);
     return Handle(made);
   }();
-  std::vector<float> rotations(4 * kPlaces), translations(3 * kPlaces);
-  good_call(sinew_character_places_frame(copy.get(), up.data(), kPlaces, rotations.data(), translations.data()), copy);
+  std::vector<float> rotations(4 * kKeypoints), translations(3 * kKeypoints);
+  good_call(sinew_character_keypoints_frame(copy.get(), up.data(), kKeypoints, rotations.data(), translations.data()),
+            copy);
   // Where they put the hand.
   const auto hand_height = [&] {
     float height = 0;
-    std::vector<std::array<float, 4>> turns(kPlaces);
-    std::vector<std::array<float, 3>> at(kPlaces);
-    for (uint32_t j = 0; j < kPlaces; ++j) {
+    std::vector<std::array<float, 4>> turns(kKeypoints);
+    std::vector<std::array<float, 3>> at(kKeypoints);
+    for (uint32_t j = 0; j < kKeypoints; ++j) {
       const int parent = arrays.parents[j];
       const float* q = &rotations[4 * j];
       const float* t = &translations[3 * j];
@@ -645,18 +647,19 @@ TEST_F(CharacterC, PlacesAloneAreAMotionAndThenFramesOfAStream) {
   good_call(sinew_character_animate(robed.get(), person.get(), nullptr, nullptr), robed);
 
   const std::vector<float> before = rotations;
-  EXPECT_EQ(sinew_character_places_frame(robed.get(), up.data(), kPlaces, rotations.data(), translations.data()),
+  EXPECT_EQ(sinew_character_keypoints_frame(robed.get(), up.data(), kKeypoints, rotations.data(), translations.data()),
             SINEW_ERROR_ARGUMENT);
-  EXPECT_EQ(sinew_character_places_frame(copy.get(), up.data(), 21, rotations.data(), translations.data()),
+  EXPECT_EQ(sinew_character_keypoints_frame(copy.get(), up.data(), 21, rotations.data(), translations.data()),
             SINEW_ERROR_INPUT);
-  EXPECT_STREQ(sinew_character_error(copy.get()), "places: expected 22 places as humanml3d22 has, found 21");
+  EXPECT_STREQ(sinew_character_error(copy.get()), "keypoints: expected 22 keypoints as humanml3d22 has, found 21");
   up[7] = std::nanf("");
-  EXPECT_NE(sinew_character_places_frame(copy.get(), up.data(), kPlaces, rotations.data(), translations.data()),
+  EXPECT_NE(sinew_character_keypoints_frame(copy.get(), up.data(), kKeypoints, rotations.data(), translations.data()),
             SINEW_OK);
   EXPECT_EQ(rotations, before);
   sinew_character* untouched = nullptr;
-  EXPECT_EQ(sinew_character_open_places("h36m", places.data(), kPlaces, 2, &untouched), SINEW_ERROR_INPUT);
-  EXPECT_EQ(sinew_character_open_places("humanml3d22", places.data(), kPlaces, 0, &untouched), SINEW_ERROR_INPUT);
+  EXPECT_EQ(sinew_character_open_keypoints("h36m", keypoints.data(), kKeypoints, 2, &untouched), SINEW_ERROR_INPUT);
+  EXPECT_EQ(sinew_character_open_keypoints("humanml3d22", keypoints.data(), kKeypoints, 0, &untouched),
+            SINEW_ERROR_INPUT);
   EXPECT_EQ(untouched, nullptr);
 }
 

@@ -135,9 +135,9 @@ struct PlayedClip {
     return reference_points(&source_body, target_body, options);
   }
   // With `spots` frame by frame as well.
-  std::vector<sinew_limb_measure> measure(const BoxBody* source_body, const BoxBody& target_body,
+  std::vector<sinew_limb_quality> measure(const BoxBody* source_body, const BoxBody& target_body,
                                           std::vector<sinew_contact_spot>* spots = nullptr) {
-    std::vector<sinew_limb_measure> limbs(SINEW_MAX_MOTION_LIMBS);
+    std::vector<sinew_limb_quality> limbs(SINEW_MAX_MOTION_LIMBS);
     uint32_t count = 0;
     if (spots != nullptr) spots->assign(size_t{frames} * SINEW_MAX_MOTION_LIMBS, {9, {9, 9, 9}, 9, 9});
     EXPECT_EQ(on_bodies(source_body, target_body, contacts_size(),

@@ -5,7 +5,7 @@
  *   open, create, copy, close         a character from a file, from files in memory, from arrays, from a picture
  *   view, clip, notes                 its arrays, its motion, what the reader has to say
  *   bind, rig, map, animate, pose, transfer, simplify, lod, check, bake   one call for each command of that name
- *   place, controls                   --turn, --height and --floor of rig and bind; --controls
+ *   transform, controls               --turn, --height and --floor of rig and bind; --controls
  *   save, write                       to a file, to memory
  *
  * Errors: a call that can fail returns a sinew_status; 0 is success. sinew_character_error() has one line of English then: what is
@@ -77,23 +77,24 @@ SINEW_API sinew_status sinew_character_open(const char* path, sinew_character** 
 SINEW_API sinew_status sinew_character_open_files(const sinew_file* files, uint32_t file_count,
                                                   sinew_character** character);
 
-/* Places of a person's joints alone, as cameras and captures tell them, as a motion: a skeleton whose bones are as long as they mostly are
- * in these frames, which are its clip. Which way is up, a mirrored world and places relative to the hips are found out, and told in the
+/* Keypoints of a person's joints alone, as cameras and captures tell them, as a motion: a skeleton whose bones are as long as they mostly are
+ * in these frames, which are its clip. Which way is up, a mirrored world and keypoints relative to the hips are found out, and told in the
  * notes; one frame will do, a second or two are better.
  *   layout       "smpl24", "humanml3d22", "coco17" or "mediapipe33"
- *   places       [frame_count x place_count x 3] any unit
- *   place_count  of the layout: 24, 22, 17 or 33
+ *   keypoints       [frame_count x keypoint_count x 3] any unit
+ *   keypoint_count  of the layout: 24, 22, 17 or 33
  *   character    out; untouched on failure */
-SINEW_API sinew_status sinew_character_open_places(const char* layout, const float* places, uint32_t place_count,
-                                                   uint32_t frame_count, sinew_character** character);
-/* The frames that come: what sinew_retarget_stream_frame() takes of a source with this character's skeleton. Each is made of its own places
+SINEW_API sinew_status sinew_character_open_keypoints(const char* layout, const float* keypoints,
+                                                      uint32_t keypoint_count, uint32_t frame_count,
+                                                      sinew_character** character);
+/* The frames that come: what sinew_retarget_stream_frame() takes of a source with this character's skeleton. Each is made of its own keypoints
  * alone.
- *   character     of sinew_character_open_places(), with the J joints of sinew_character_view()
- *   places        [place_count x 3] in the units of the first ones
+ *   character     of sinew_character_open_keypoints(), with the J joints of sinew_character_view()
+ *   keypoints        [keypoint_count x 3] in the units of the first ones
  *   rotations     out [J x 4] x y z w, local; untouched on failure
  *   translations  out [J x 3] in the parents' axes; untouched on failure */
-SINEW_API sinew_status sinew_character_places_frame(const sinew_character* character, const float* places,
-                                                    uint32_t place_count, float* rotations, float* translations);
+SINEW_API sinew_status sinew_character_keypoints_frame(const sinew_character* character, const float* keypoints,
+                                                       uint32_t keypoint_count, float* rotations, float* translations);
 
 /* ---- pictures ---- */
 
@@ -122,7 +123,7 @@ typedef struct sinew_character_picture_options {
   uint32_t figure;      /* of several figures, from left to right, from 1 on; 0: the largest */
   uint32_t flat;        /* 1: a card instead of a body as thick as it is wide */
   uint32_t
-      pixels; /* 1: places are the picture's pixels, x right, y up from the bottom edge; else the longest side is 1 */
+      pixels; /* 1: positions are the picture's pixels, x right, y up from the bottom edge; else the longest side is 1 */
   uint32_t line_count; /* closed lines of the outline */
   const char*
       mask; /* a picture that is bright where the figure is, as a file or the name of one in memory; null: found */
@@ -295,19 +296,20 @@ SINEW_API sinew_status sinew_character_add_clip(sinew_character* character, cons
 /* ---- where it stands ---- */
 
 /* `--turn`, `--height` and `--floor`, in this order. */
-typedef struct sinew_character_place_options {
-  uint32_t struct_size; /* sizeof(sinew_character_place_options) */
+typedef struct sinew_character_transform_options {
+  uint32_t struct_size; /* sizeof(sinew_character_transform_options) */
   uint32_t turn_count;
   const char* const*
       turns;      /* [turn_count] quarters about the origin, one after the other: "x", "-x", "y", ...; or null */
   double height;  /* metres along up; 0 = as it is */
   uint32_t floor; /* 1: the lowest vertex is at 0 along up */
   uint32_t up;    /* sinew_up, afterwards; 0 = Y */
-} sinew_character_place_options;
+} sinew_character_transform_options;
 
 /* Turns and scales the character as a whole: mesh, joints, the file's own animations. Weights stay. A picture, a character without a mesh, and
  * one that has clips or morph targets of other calls are SINEW_ERROR_INPUT. */
-SINEW_API sinew_status sinew_character_place(sinew_character* character, const sinew_character_place_options* options);
+SINEW_API sinew_status sinew_character_transform(sinew_character* character,
+                                                 const sinew_character_transform_options* options);
 
 /* ---- jobs ---- */
 
@@ -618,8 +620,8 @@ typedef struct sinew_character_animate_result {
   uint32_t shape_count; /* morph targets that were added */
   float certainty;      /* 0..1, of front and sides, and no more than how much of both bodies the map reaches */
   uint32_t limb_count;  /* with report: [clip_count x limb_count] of both below */
-  const sinew_limb_measure* limbs_before; /* [clip_count x limb_count] with report; or null */
-  const sinew_limb_measure* limbs_after;  /* [clip_count x limb_count] with report; or null */
+  const sinew_limb_quality* limbs_before; /* [clip_count x limb_count] with report; or null */
+  const sinew_limb_quality* limbs_after;  /* [clip_count x limb_count] with report; or null */
   const char* mapped_by;                  /* "anatomy and names" */
   const int32_t* sources;                 /* [J] the map that was used */
 } sinew_character_animate_result;

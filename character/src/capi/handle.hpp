@@ -22,10 +22,10 @@
 #include "sinew_character/profile/profile.hpp"
 #include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/keypoints_stream.hpp"
 #include "sinew_formats/memory_files.hpp"
 #include "sinew_formats/morphs.hpp"
 #include "sinew_formats/motion.hpp"
-#include "sinew_formats/places_stream.hpp"
 
 namespace sinew {
 
@@ -42,7 +42,7 @@ struct CharacterViews {
 // Of a picture's outline.
 struct OutlineViews {
   std::vector<uint32_t> offsets;
-  std::vector<float> places;
+  std::vector<float> points;
 };
 
 struct ClipView {
@@ -60,7 +60,7 @@ struct ResultViews {
   std::vector<uint8_t> ends, reasons;
   std::vector<float> confidence, parent_confidence;
   std::vector<int32_t> sources;
-  std::vector<sinew_limb_measure> before, after;
+  std::vector<sinew_limb_quality> before, after;
   std::vector<sinew_transfer_part> parts;
   std::vector<sinew_character_seam> seams;
   std::vector<sinew_character_doubt> doubtful;
@@ -83,9 +83,9 @@ struct sinew_character {
   bool keep_confidence = false;
   std::string profile;  // what is written for another program; empty: none
   sinew::ProfileOptions profile_options;
-  std::optional<sinew::Motion> own_motion;            // of the file, once it was asked for
-  std::vector<sinew::Clip> clips;                     // added ones, of the character's joints
-  std::shared_ptr<const sinew::PlacesStream> places;  // that it is of; null: of a file or of arrays
+  std::optional<sinew::Motion> own_motion;                  // of the file, once it was asked for
+  std::vector<sinew::Clip> clips;                           // added ones, of the character's joints
+  std::shared_ptr<const sinew::KeypointsStream> keypoints;  // that it is of; null: of a file or of arrays
   sinew::Morphs morphs;
   sinew::CharacterViews views;
   sinew::OutlineViews outline;
@@ -204,7 +204,7 @@ inline void check_at_most(const char* what, uint32_t value, uint32_t most) {
                   std::string(what) + ": expected 0 to " + std::to_string(most) + ", found " + std::to_string(value));
 }
 
-// The progress members of options, before these are checked: they stand at the same place of every struct.
+// The progress members of options, before these are checked: they have the same offsets in every struct.
 template <class Options>
 ProgressOfCaller progress_of(const Options* given) {
   const bool has = given != nullptr && given->struct_size >= offsetof(Options, progress_user) + sizeof(void*);

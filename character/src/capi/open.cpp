@@ -211,7 +211,7 @@ sinew_status sinew_character_copy(const sinew_character* from, sinew_character**
     copy->profile_options = from->profile_options;
     copy->own_motion = from->own_motion;
     copy->clips = from->clips;
-    copy->places = from->places;
+    copy->keypoints = from->keypoints;
     copy->morphs = from->morphs;
     *character = copy.release();
   });

@@ -16,7 +16,7 @@ constexpr StructSize kStructSizes[] = {
     {"sinew_character_profile_options", sizeof(sinew_character_profile_options)},
     {"sinew_character_arrays", sizeof(sinew_character_arrays)},
     {"sinew_character_clip", sizeof(sinew_character_clip)},
-    {"sinew_character_place_options", sizeof(sinew_character_place_options)},
+    {"sinew_character_transform_options", sizeof(sinew_character_transform_options)},
     {"sinew_character_models", sizeof(sinew_character_models)},
     {"sinew_character_bind_options", sizeof(sinew_character_bind_options)},
     {"sinew_character_seam", sizeof(sinew_character_seam)},

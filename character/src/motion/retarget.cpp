@@ -259,7 +259,7 @@ Clip Retargeter::run(const Clip& clip, const std::function<bool()>& keep_going, 
     check(sinew_retarget_contacts_workspace_size(plan_, &target, whole.frame_count, &bytes));
     check(workspace_.reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE);
   }
-  const auto measure = [&](std::vector<sinew_limb_measure>* limbs) {
+  const auto measure = [&](std::vector<sinew_limb_quality>* limbs) {
     uint32_t count = 0;
     limbs->resize(SINEW_MAX_MOTION_LIMBS);
     if (has_body) {

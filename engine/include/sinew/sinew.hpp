@@ -497,10 +497,10 @@ class RetargetPlan {
   }
   // `limbs` has one element a limb afterwards; as it was on failure.
   sinew_status measure(const sinew_motion_body* source, const sinew_motion_body& target, const sinew_motion_clip& clip,
-                       const ContactSettings& settings, Workspace* workspace, std::vector<sinew_limb_measure>* limbs) {
+                       const ContactSettings& settings, Workspace* workspace, std::vector<sinew_limb_quality>* limbs) {
     sinew_status status = reserve_contacts(target, clip, workspace);
     if (status != SINEW_OK) return status;
-    sinew_limb_measure measured[SINEW_MAX_MOTION_LIMBS];
+    sinew_limb_quality measured[SINEW_MAX_MOTION_LIMBS];
     uint32_t count = 0;
     status = sinew_retarget_measure(plan_, source, &target, &clip, &settings, workspace->data(), workspace->size(),
                                     measured, &count);

@@ -48,7 +48,7 @@ constexpr StructSize kStructSizes[] = {
     {"sinew_floor", sizeof(sinew_floor)},
     {"sinew_contact_options", sizeof(sinew_contact_options)},
     {"sinew_motion_clip", sizeof(sinew_motion_clip)},
-    {"sinew_limb_measure", sizeof(sinew_limb_measure)},
+    {"sinew_limb_quality", sizeof(sinew_limb_quality)},
     {"sinew_contact_spot", sizeof(sinew_contact_spot)},
     {"sinew_retarget_stream_options", sizeof(sinew_retarget_stream_options)},
     {"sinew_rig_options", sizeof(sinew_rig_options)},

@@ -41,7 +41,7 @@ class Measure {
     s_.search.open(s_);
   }
 
-  sinew_status run(sinew_limb_measure* out, uint32_t* count) {
+  sinew_status run(sinew_limb_quality* out, uint32_t* count) {
     Tally tallies[kMostLimbs];
     const uint32_t frames = s_.in->frames;
     for (size_t i = 0; spots_ != nullptr && i < size_t{frames} * kMostLimbs; ++i) spots_[i] = {};
@@ -126,7 +126,7 @@ class Measure {
     spot->error = static_cast<float>(error);
   }
 
-  static void write(const Limb& limb, const Tally& tally, uint32_t frames, sinew_limb_measure* out) {
+  static void write(const Limb& limb, const Tally& tally, uint32_t frames, sinew_limb_quality* out) {
     *out = {};
     out->joint = limb.last;
     out->leg = limb.leg ? 1 : 0;
@@ -151,7 +151,7 @@ class Measure {
 }  // namespace
 
 sinew_status measure_clip(sinew_retarget* plan, const sinew_motion_body* source, const sinew_motion_body& target,
-                          const ClipInputs& inputs, Arena& arena, sinew_limb_measure* limbs, uint32_t* limb_count,
+                          const ClipInputs& inputs, Arena& arena, sinew_limb_quality* limbs, uint32_t* limb_count,
                           sinew_contact_spot* spots) {
   ContactScene scene;
   if (!scene.allocate_all(arena, plan->source.count, plan->target.count, target.vertex_count, target.triangle_count,

@@ -44,7 +44,7 @@ struct Motion {
 };
 
 // .bvh, .vmd, .npy, .npz, .vrma, or an animated .gltf, .glb, .vrm, .fbx or .dae. Animations are sampled at `fps` frames a second, 0 = at the
-// rate of their own keys, 30 where these have none. `layout` says which joints the places of a NumPy file are (places_layouts()), ""
+// rate of their own keys, 30 where these have none. `layout` says which joints the places of a NumPy file are (keypoint_layouts()), ""
 // asks for a guess. Throws Error for a file without motion.
 Motion read_motion(const std::string& path, double fps = 0, const std::string& layout = "");
 Motion read_bvh(const std::string& path);

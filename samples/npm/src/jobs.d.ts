@@ -13,7 +13,7 @@ export interface PictureOptions {
   figure?: number;
   /** a card instead of a body as thick as it is wide */
   flat?: boolean;
-  /** places are the picture's pixels, x right, y up from the bottom edge; else the longest side is 1 */
+  /** positions are the picture's pixels, x right, y up from the bottom edge; else the longest side is 1 */
   units?: "figure" | "pixels";
   /** a picture that is bright where the figure is, as a file or the name of one in memory; null: found */
   mask?: string;
@@ -36,7 +36,7 @@ export interface ProfileOptions {
   /** a glTF's extras have what controls() says */
   controls?: boolean;
 }
-export interface PlaceOptions {
+export interface TransformOptions {
   /** quarters about the origin, one after the other: "x", "-x", "y", ... */
   turns?: string[];
   /** metres along up; 0 = as it is */
@@ -297,7 +297,7 @@ export interface RigResult {
   /** most doubtful first; of votes */
   doubtful: Doubt[];
 }
-export interface LimbMeasure {
+export interface LimbQuality {
   /** of the target: wrist or ankle */
   joint: number;
   /** leg, 0: arm */
@@ -333,9 +333,9 @@ export interface AnimateResult {
   /** with report: [clip_count x limb_count] of both below */
   limbCount: number;
   /** with report */
-  limbsBefore: LimbMeasure[];
+  limbsBefore: LimbQuality[];
   /** with report */
-  limbsAfter: LimbMeasure[];
+  limbsAfter: LimbQuality[];
   /** "anatomy and names" */
   mappedBy: string;
   /** the map that was used */

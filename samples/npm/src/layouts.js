@@ -66,7 +66,7 @@ export const LAYOUTS = {
   contactOptions: layout(20, "struct_size@0:u32 fps@4:f32 progress@8:u32 progress_user@12:u32 floor@16:u32"),
   motionClip: layout(24,
     "source_rotations@0:u32 source_translations@4:u32 rotations@8:u32 translations@12:u32 frame_count@16:u32 ground@20:f32"),
-  limbMeasure: layout(48,
+  limbQuality: layout(48,
     "joint@0:u32 leg@4:u32 frames@8:u32 deep_frames@12:u32 contact_frames@16:u32 range_frames@20:u32 depth@24:f32 " +
     "greatest_depth@28:f32 error@32:f32 greatest_error@36:f32 reserved@40:u32x2"),
   contactSpot: layout(24, "kind@0:u32 position@4:f32x3 error@16:f32 reserved@20:u32"),
@@ -119,7 +119,7 @@ export const LAYOUTS = {
   characterClip: layout(48,
     "struct_size@0:u32 frame_count@4:u32 joint_count@8:u32 reserved@12:u32 frame_time@16:f64 name@24:u32 rotations@28:u32 " +
     "translations@32:u32 joint_names@36:u32 parents@40:u32"),
-  characterPlaceOptions: layout(32, "struct_size@0:u32 turn_count@4:u32 turns@8:u32 height@16:f64 floor@24:u32 up@28:u32"),
+  characterTransformOptions: layout(32, "struct_size@0:u32 turn_count@4:u32 turns@8:u32 height@16:f64 floor@24:u32 up@28:u32"),
   characterModels: layout(48,
     "struct_size@0:u32 reserved@4:u32 bind@8:u32 bind_size@12:u32 rig@16:u32 rig_size@20:u32 hands@24:u32 hands_size@28:u32 " +
     "slots@32:u32 slots_size@36:u32 front@40:u32 front_size@44:u32"),

@@ -19,7 +19,7 @@ namespace {
 
 MaybeAxis up_of(uint32_t up) { return up == 0 ? MaybeAxis(Axis::kY) : up == 1 ? MaybeAxis(Axis::kZ) : std::nullopt; }
 
-Json limb_json(const sinew_limb_measure& limb) {
+Json limb_json(const sinew_limb_quality& limb) {
   return {{"deep", limb.deep_frames}, {"contacts", limb.contact_frames}, {"depth", limb.depth}, {"error", limb.error}};
 }
 

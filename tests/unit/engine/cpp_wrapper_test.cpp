@@ -206,7 +206,7 @@ TEST(CppWrapper, ARetargetPlanMendsAndMeasuresClips) {
   sinew_test::Pose pose = sinew_test::rest_pose(scene), out(other.count());
   sinew::RetargetPlan plan;
   sinew::Workspace workspace;
-  std::vector<sinew_limb_measure> limbs(1);
+  std::vector<sinew_limb_quality> limbs(1);
   sinew_motion_clip clip = {
       pose.rotations.data(), pose.translations.data(), out.rotations.data(), out.translations.data(), 1, 0};
   EXPECT_EQ(plan.get(), nullptr);

@@ -245,7 +245,7 @@ class sinew_motion_clip(Structure):
         ("frame_count", c_uint32), ("ground", c_float)]
 
 
-class sinew_limb_measure(Structure):
+class sinew_limb_quality(Structure):
     _fields_ = [("joint", c_uint32), ("leg", c_uint32), ("frames", c_uint32), ("deep_frames", c_uint32), ("contact_frames", c_uint32),
         ("range_frames", c_uint32), ("depth", c_float), ("greatest_depth", c_float), ("error", c_float), ("greatest_error", c_float),
         ("reserved", c_uint32 * 2)]
@@ -352,7 +352,7 @@ class sinew_character_clip(Structure):
         ("joint_names", POINTER(c_char_p)), ("parents", c_void_p)]
 
 
-class sinew_character_place_options(Structure):
+class sinew_character_transform_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("turn_count", c_uint32), ("turns", POINTER(c_char_p)), ("height", c_double),
         ("floor", c_uint32), ("up", c_uint32)]
 
@@ -440,8 +440,8 @@ class sinew_character_animate_options(Structure):
 
 class sinew_character_animate_result(Structure):
     _fields_ = [("struct_size", c_uint32), ("clip_count", c_uint32), ("first_clip", c_uint32), ("mapped", c_uint32), ("rigged", c_uint32),
-        ("shape_count", c_uint32), ("certainty", c_float), ("limb_count", c_uint32), ("limbs_before", POINTER(sinew_limb_measure)),
-        ("limbs_after", POINTER(sinew_limb_measure)), ("mapped_by", c_char_p), ("sources", c_void_p)]
+        ("shape_count", c_uint32), ("certainty", c_float), ("limb_count", c_uint32), ("limbs_before", POINTER(sinew_limb_quality)),
+        ("limbs_after", POINTER(sinew_limb_quality)), ("mapped_by", c_char_p), ("sources", c_void_p)]
 
 
 class sinew_character_pose_options(Structure):
@@ -511,19 +511,19 @@ class sinew_character_bake_result(Structure):
 STRUCTS: Tuple[Any, ...] = (sinew_mesh, sinew_model, sinew_answer, sinew_alternative, sinew_question, sinew_skeleton, sinew_skin,
     sinew_bind_options, sinew_bind_outputs, sinew_deform_options, sinew_deformer, sinew_deform_outputs, sinew_joint_limit, sinew_map_pin,
     sinew_map_options, sinew_map_outputs, sinew_retarget_options, sinew_motion_body, sinew_floor, sinew_contact_options, sinew_motion_clip,
-    sinew_limb_measure, sinew_contact_spot, sinew_retarget_stream_options, sinew_rig_options, sinew_rig_outputs, sinew_joint_verdicts,
+    sinew_limb_quality, sinew_contact_spot, sinew_retarget_stream_options, sinew_rig_options, sinew_rig_outputs, sinew_joint_verdicts,
     sinew_bound_character, sinew_vertex_pair, sinew_transfer_options, sinew_transfer_part, sinew_transfer_outputs, sinew_reference_options,
     sinew_simplify_options)
 
 
 CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_picture_options, sinew_character_picture_info,
-    sinew_character_profile_options, sinew_character_arrays, sinew_character_clip, sinew_character_place_options, sinew_character_models,
-    sinew_character_bind_options, sinew_character_seam, sinew_character_left_out, sinew_character_bind_result, sinew_skeleton_edit,
-    sinew_character_rig_options, sinew_character_doubt, sinew_character_rig_result, sinew_character_map_options, sinew_character_map_result,
-    sinew_character_animate_options, sinew_character_animate_result, sinew_character_pose_options, sinew_character_transfer_options,
-    sinew_character_transfer_result, sinew_character_simplify_options, sinew_character_lod_options, sinew_character_lod_level,
-    sinew_character_finding, sinew_character_check_options, sinew_character_check_result, sinew_character_bake_options,
-    sinew_character_bake_result)
+    sinew_character_profile_options, sinew_character_arrays, sinew_character_clip, sinew_character_transform_options,
+    sinew_character_models, sinew_character_bind_options, sinew_character_seam, sinew_character_left_out, sinew_character_bind_result,
+    sinew_skeleton_edit, sinew_character_rig_options, sinew_character_doubt, sinew_character_rig_result, sinew_character_map_options,
+    sinew_character_map_result, sinew_character_animate_options, sinew_character_animate_result, sinew_character_pose_options,
+    sinew_character_transfer_options, sinew_character_transfer_result, sinew_character_simplify_options, sinew_character_lod_options,
+    sinew_character_lod_level, sinew_character_finding, sinew_character_check_options, sinew_character_check_result,
+    sinew_character_bake_options, sinew_character_bake_result)
 
 
 # Result and arguments.
@@ -562,9 +562,9 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
         POINTER(sinew_contact_options), c_void_p, c_size_t]),
     "sinew_retarget_keep_range": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_clip), c_void_p, c_size_t]),
     "sinew_retarget_measure": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_body), POINTER(sinew_motion_clip),
-        POINTER(sinew_contact_options), c_void_p, c_size_t, POINTER(sinew_limb_measure), c_void_p]),
+        POINTER(sinew_contact_options), c_void_p, c_size_t, POINTER(sinew_limb_quality), c_void_p]),
     "sinew_retarget_spots": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_body), POINTER(sinew_motion_clip),
-        POINTER(sinew_contact_options), c_void_p, c_size_t, POINTER(sinew_limb_measure), c_void_p, POINTER(sinew_contact_spot)]),
+        POINTER(sinew_contact_options), c_void_p, c_size_t, POINTER(sinew_limb_quality), c_void_p, POINTER(sinew_contact_spot)]),
     "sinew_retarget_stream_workspace_size": (c_int, [c_uint32, c_uint32, c_uint32, c_uint32, POINTER(c_size_t)]),
     "sinew_retarget_stream_create": (c_int, [POINTER(sinew_skeleton), POINTER(sinew_skeleton), c_void_p, c_void_p,
         POINTER(sinew_retarget_options), POINTER(sinew_motion_body), POINTER(sinew_retarget_stream_options), c_void_p, c_size_t,
@@ -611,8 +611,8 @@ CHARACTER_FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_character_extensions": (c_char_p, [c_uint32]),
     "sinew_character_open": (c_int, [c_char_p, POINTER(c_void_p)]),
     "sinew_character_open_files": (c_int, [POINTER(sinew_file), c_uint32, POINTER(c_void_p)]),
-    "sinew_character_open_places": (c_int, [c_char_p, c_void_p, c_uint32, c_uint32, POINTER(c_void_p)]),
-    "sinew_character_places_frame": (c_int, [c_void_p, c_void_p, c_uint32, c_void_p, c_void_p]),
+    "sinew_character_open_keypoints": (c_int, [c_char_p, c_void_p, c_uint32, c_uint32, POINTER(c_void_p)]),
+    "sinew_character_keypoints_frame": (c_int, [c_void_p, c_void_p, c_uint32, c_void_p, c_void_p]),
     "sinew_character_open_picture": (c_int, [c_char_p, POINTER(sinew_character_picture_options), POINTER(c_void_p)]),
     "sinew_character_open_picture_files": (c_int, [POINTER(sinew_file), c_uint32, POINTER(sinew_character_picture_options),
         POINTER(c_void_p)]),
@@ -635,7 +635,7 @@ CHARACTER_FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_character_clip_count": (c_int, [c_void_p, c_void_p]),
     "sinew_character_get_clip": (c_int, [c_void_p, c_uint32, POINTER(sinew_character_clip)]),
     "sinew_character_add_clip": (c_int, [c_void_p, POINTER(sinew_character_clip)]),
-    "sinew_character_place": (c_int, [c_void_p, POINTER(sinew_character_place_options)]),
+    "sinew_character_transform": (c_int, [c_void_p, POINTER(sinew_character_transform_options)]),
     "sinew_character_bind": (c_int, [c_void_p, POINTER(sinew_character_bind_options), POINTER(sinew_character_bind_result)]),
     "sinew_character_rig": (c_int, [c_void_p, POINTER(sinew_character_rig_options), POINTER(sinew_character_rig_result)]),
     "sinew_character_templates": (c_char_p, []),

@@ -18,7 +18,7 @@ class Jobs:
     Cancelled; a failed call changes nothing. `progress` is called with the share that is done and returns True to stop; `threads` work, and the
     bytes are the same for any number."""
 
-    def place(self, *, turns: Sequence[str] = (), height: float = 0, floor: bool = False, up: declarations.Up = "auto") -> None:
+    def transform(self, *, turns: Sequence[str] = (), height: float = 0, floor: bool = False, up: declarations.Up = "auto") -> None:
         """Turns and scales the character as a whole: mesh, joints, the file's own animations. Weights stay. A picture, a
         character without a mesh, and one that has clips or morph targets of other calls are an Error.
 
@@ -27,7 +27,7 @@ class Jobs:
         floor  the lowest vertex is at 0 along up
         up  afterwards; "auto": Y
         """
-        run("place", locals())
+        run("transform", locals())
 
     def bind(self, *, method: declarations.Method = "model", influences: int = 0, up: declarations.Up = "auto",
              joints: declarations.JointsFrom = "auto", rigid_parts: declarations.RigidParts = "auto", softness: float = 1,

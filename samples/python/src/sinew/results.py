@@ -154,8 +154,8 @@ class MapResult:
 
 
 @dataclass
-class LimbMeasure:
-    """sinew_limb_measure of C.
+class LimbQuality:
+    """sinew_limb_quality of C.
 
     joint  of the target: wrist or ankle
     leg  leg, 0: arm
@@ -201,8 +201,8 @@ class AnimateResult:
     shape_count: int
     certainty: float
     limb_count: int
-    limbs_before: List[LimbMeasure]
-    limbs_after: List[LimbMeasure]
+    limbs_before: List[LimbQuality]
+    limbs_after: List[LimbQuality]
     mapped_by: str
     sources: np.ndarray
 
@@ -353,7 +353,7 @@ OPTIONS: Dict[Any, Rows] = {
     declarations.sinew_character_profile_options: [("keep_axes", "flag", "keep_axes", False), ("profile", "text", "profile", None),
         ("licence", "text", "licence", None), ("title", "text", "title", None), ("authors", "texts", "authors", ('author_count',)),
         ("controls", "flag", "controls", False)],
-    declarations.sinew_character_place_options: [("turns", "texts", "turns", ('turn_count',)), ("height", "number", "height", False),
+    declarations.sinew_character_transform_options: [("turns", "texts", "turns", ('turn_count',)), ("height", "number", "height", False),
         ("floor", "flag", "floor", False), ("up", "word", "up", declarations.UP)],
     declarations.sinew_character_bind_options: [("method", "word", "method", declarations.METHOD),
         ("influences", "number", "influence_count", False), ("up", "word", "up", declarations.UP),
@@ -454,7 +454,7 @@ RESULTS: Dict[Any, Tuple[Any, Rows]] = {
         ("sources", "array", "sources", ('int32', ('joint_count',), False, False)),
         ("confidence", "array", "confidence", ('float32', ('joint_count',), False, False)),
         ("reasons", "array", "reasons", ('uint8', ('joint_count',), False, False)), ("text", "text", "text", None)]),
-    declarations.sinew_limb_measure: (LimbMeasure, [("joint", "number", "joint", False), ("leg", "flag", "leg", False),
+    declarations.sinew_limb_quality: (LimbQuality, [("joint", "number", "joint", False), ("leg", "flag", "leg", False),
         ("frames", "number", "frames", False), ("deep_frames", "number", "deep_frames", False),
         ("contact_frames", "number", "contact_frames", False), ("range_frames", "number", "range_frames", False),
         ("depth", "number", "depth", False), ("greatest_depth", "number", "greatest_depth", False), ("error", "number", "error", False),
@@ -463,8 +463,8 @@ RESULTS: Dict[Any, Tuple[Any, Rows]] = {
         ("first_clip", "number", "first_clip", False), ("mapped", "number", "mapped", False), ("rigged", "flag", "rigged", False),
         ("shape_count", "number", "shape_count", False), ("certainty", "number", "certainty", False),
         ("limb_count", "number", "limb_count", False),
-        ("limbs_before", "structs", "limbs_before", (declarations.sinew_limb_measure, ('clip_count', 'limb_count'))),
-        ("limbs_after", "structs", "limbs_after", (declarations.sinew_limb_measure, ('clip_count', 'limb_count'))),
+        ("limbs_before", "structs", "limbs_before", (declarations.sinew_limb_quality, ('clip_count', 'limb_count'))),
+        ("limbs_after", "structs", "limbs_after", (declarations.sinew_limb_quality, ('clip_count', 'limb_count'))),
         ("mapped_by", "text", "mapped_by", None), ("sources", "array", "sources", ('int32', ('J',), False, False))]),
     declarations.sinew_transfer_part: (TransferPart, [("vertex", "number", "vertex", False),
         ("vertex_count", "number", "vertex_count", False), ("reason", "word", "reason", declarations.TRANSFER_REASON),
@@ -499,7 +499,7 @@ RESULTS: Dict[Any, Tuple[Any, Rows]] = {
 # Options, result, the other character, and whether that comes first.
 JOBS: Dict[str, Tuple[Any, Any, str, bool]] = {
     "set_profile": (declarations.sinew_character_profile_options, None, "", False),
-    "place": (declarations.sinew_character_place_options, None, "", False),
+    "transform": (declarations.sinew_character_transform_options, None, "", False),
     "bind": (declarations.sinew_character_bind_options, declarations.sinew_character_bind_result, "", False),
     "rig": (declarations.sinew_character_rig_options, declarations.sinew_character_rig_result, "", False),
     "map": (declarations.sinew_character_map_options, declarations.sinew_character_map_result, "source", False),

@@ -214,7 +214,7 @@ TEST(Measure, CountsWhatIsLeftToBeMended) {
   PlayedClip clip(scene, scene);
   reach_forward(&clip, {0.05, -0.3, 0.95});
   for (const bool with_source : {true, false}) {
-    std::vector<sinew_limb_measure> before = clip.measure(with_source ? &thin : nullptr, thick);
+    std::vector<sinew_limb_quality> before = clip.measure(with_source ? &thin : nullptr, thick);
     ASSERT_EQ(before.size(), 4u);
     EXPECT_EQ(before[0].joint, uint32_t{kLeftHand});
     EXPECT_EQ(before[3].joint, uint32_t{kRightFoot});
@@ -237,7 +237,7 @@ TEST(Measure, CountsWhatIsLeftToBeMended) {
   PlayedClip touching(scene, scene);
   reach_forward(&touching, {0.1, -0.8, 0.35});
   const BoxBody source(scene, 0.12), target(scene, 0.06);
-  const sinew_limb_measure copied = touching.measure(&source, target)[0];
+  const sinew_limb_quality copied = touching.measure(&source, target)[0];
   EXPECT_EQ(copied.contact_frames, 12u);
   EXPECT_GT(copied.error, 0.01);
   ASSERT_EQ(touching.contacts(&source, target), SINEW_OK);
@@ -250,7 +250,7 @@ TEST(Measure, CountsWhatIsLeftToBeMended) {
     sliding.translations[3 * 17 * f] += 0.01f * static_cast<float>(f);
     sliding.translations[3 * 17 * f + 1] -= 0.05f;
   }
-  const sinew_limb_measure foot = sliding.measure(nullptr, thin)[2];
+  const sinew_limb_quality foot = sliding.measure(nullptr, thin)[2];
   EXPECT_NEAR(foot.error * 1.58, 0.01, 1e-4);
   EXPECT_EQ(foot.contact_frames, 5u);
   EXPECT_EQ(foot.deep_frames, 6u);
@@ -265,8 +265,8 @@ TEST(Spots, AreTheMeasureFrameByFrame) {
   reach_forward(&clip, {0.05, -0.3, 0.95});
   for (const bool with_source : {true, false}) {
     std::vector<sinew_contact_spot> spots;
-    const std::vector<sinew_limb_measure> limbs = clip.measure(with_source ? &thin : nullptr, thick, &spots);
-    const std::vector<sinew_limb_measure> plain = clip.measure(with_source ? &thin : nullptr, thick);
+    const std::vector<sinew_limb_quality> limbs = clip.measure(with_source ? &thin : nullptr, thick, &spots);
+    const std::vector<sinew_limb_quality> plain = clip.measure(with_source ? &thin : nullptr, thick);
     ASSERT_EQ(limbs.size(), 4u);
     EXPECT_EQ(std::memcmp(limbs.data(), plain.data(), limbs.size() * sizeof limbs[0]), 0);
     for (uint32_t f = 0; f < clip.frames; ++f) {
@@ -290,7 +290,7 @@ TEST(Spots, AreTheMeasureFrameByFrame) {
   reach_forward(&touching, {0.1, -0.8, 0.35});
   const BoxBody source(scene, 0.12), target(scene, 0.06);
   std::vector<sinew_contact_spot> spots;
-  const sinew_limb_measure copied = touching.measure(&source, target, &spots)[0];
+  const sinew_limb_quality copied = touching.measure(&source, target, &spots)[0];
   EXPECT_EQ(spots[0].kind, uint32_t{SINEW_SPOT_TOUCHES});
   EXPECT_NEAR(spots[0].error, copied.error, 1e-4);
 
