@@ -257,11 +257,11 @@ static class Test
             one.SetProfile(new ProfileSettings { Controls = true });
             one.Save(output);
             File.WriteAllText(output + ".json", one.Controls);
-            CheckResult told = one.Check(new CheckSettings { NoPoses = true, Score = true });
+            CheckResult told = one.Check(new CheckSettings { Poses = false, Score = true });
             Require(told.Line.StartsWith("checked: ") && told.Score > 0 && told.Score <= 100, "a check says its line and a score: " + told.Line);
-            Require(one.Check(new CheckSettings { NoPoses = true }).Score == null, "no score where none is asked for");
+            Require(one.Check(new CheckSettings { Poses = false }).Score == null, "no score where none is asked for");
             var bounds = new Dictionary<string, double> { { "speck", -1 }, { "far-weight", -1 } };
-            CheckResult strict = one.Check(new CheckSettings { NoPoses = true, Bounds = bounds });
+            CheckResult strict = one.Check(new CheckSettings { Poses = false, Bounds = bounds });
             Require(strict.Findings.Length > told.Findings.Length, "bounds of the user's own");
             foreach (Finding finding in strict.Findings)
                 Require(Array.IndexOf(Character.CheckRules, finding.Rule) >= 0 && finding.What != "" && finding.Position.Length == 3, "a finding says what and where");

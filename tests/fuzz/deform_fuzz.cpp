@@ -32,9 +32,9 @@ struct Call : MeshInput, SkeletonInput, Hindrance {
       options.cell_count = kCells[in.below(6)];
       options.round_count = in.below(6);
       options.softness = in.u16();
-      options.no_twist_spread = in.below(8) == 7 ? 2 : in.below(2);
-      options.no_contact = in.below(2);
-      options.no_smoothing = in.below(2);
+      options.without = in.below(8) == 7 ? uint32_t{SINEW_WITHOUT_TOES} : in.below(2) * SINEW_WITHOUT_TWIST_SPREAD;
+      options.without |= in.below(2) * SINEW_WITHOUT_CONTACTS;
+      options.without |= in.below(2) * SINEW_WITHOUT_SMOOTHING;
       options.body_contact = in.below(2);
     }
     read_hindrance(in, extras & 0x7F);  // nothing to cancel

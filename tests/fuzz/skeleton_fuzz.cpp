@@ -54,8 +54,8 @@ struct Call : MeshInput, Hindrance {
       options.up = in.below(5);
       options.mirror = in.below(4);
       options.spine_count = in.below(18);
-      options.no_toes = in.below(8) == 7 ? 2 : in.below(2);
-      options.no_ends = in.below(8) == 7 ? 2 : in.below(2);
+      options.without = in.below(8) == 7 ? uint32_t{SINEW_WITHOUT_BIND} : in.below(2) * SINEW_WITHOUT_TOES;
+      options.without |= in.below(8) == 7 ? uint32_t{SINEW_WITHOUT_NAMES} : in.below(2) * SINEW_WITHOUT_ENDS;
       options.weights_in_place = in.below(8) == 7 ? 2 : in.below(2);
       options.method = in.below(2) * in.below(4);
     }
@@ -125,11 +125,12 @@ void check_skeleton(const Call& call, const Skeleton& s) {
     const int32_t parent = s.parents[j];
     demand(j == 0 || (parent >= 0 && parent < static_cast<int32_t>(j)), "parents come before their children");
     for (uint32_t axis = 0; axis < 3; ++axis) demand(std::isfinite(s.positions[3 * j + axis]), "places are finite");
-    demand(s.flags[j] == 0 || (s.flags[j] == SINEW_JOINT_NEVER && call.options.no_ends == 0),
+    demand(s.flags[j] == 0 || (s.flags[j] == SINEW_JOINT_NEVER && (call.options.without & SINEW_WITHOUT_ENDS) == 0),
            "a joint, or a bone end where those are wanted");
     if (!call.all_outputs) continue;
     demand(s.classes[j] <= SINEW_CLASS_OTHER, "a class that is known");
-    demand(s.classes[j] != SINEW_CLASS_TOE || call.options.no_toes == 0, "no toes where those are unwanted");
+    demand(s.classes[j] != SINEW_CLASS_TOE || (call.options.without & SINEW_WITHOUT_TOES) == 0,
+           "no toes where those are unwanted");
     demand(s.confidence[j] <= 32768 && s.parent_confidence[j] <= 32768, "confidences are shares");
     const char* const name = &s.names[size_t{j} * SINEW_JOINT_NAME_BYTES];
     demand(std::memchr(name, 0, SINEW_JOINT_NAME_BYTES) != nullptr && name[0] != 0, "a name that ends");

@@ -301,7 +301,7 @@ struct SetLine {
     if (key == "spine") return &rig_options.spine_count;
     if (key == "names") return &names;
     if (key == "pin") return &pin;
-    if (key == "no-toes") return &rig_options.no_toes;
+    if (key == "no-toes") return &rig_options.without;  // 1: SINEW_WITHOUT_TOES
     if (key == "motion") return &motion_frames;
     if (key == "transfer") return &transfer.method;
     if (key == "garment") return &transfer.garment;
@@ -560,7 +560,7 @@ void hash_stream(const char* name, const sinew_skeleton& source, const sinew_ske
   for (const bool on_mesh : {true, false}) {
     sinew_retarget_stream_options options = SINEW_INIT(sinew_retarget_stream_options);
     options.fps = on_mesh ? 30 : 60;
-    options.no_range = on_mesh ? 0 : 1;
+    if (!on_mesh) options.without = SINEW_WITHOUT_RANGE;
     if (on_mesh) options.floor = &floor;
     size_t bytes = 0;
     check(sinew_retarget_stream_workspace_size(target.joint_count, target.joint_count, on_mesh ? body.vertex_count : 0,

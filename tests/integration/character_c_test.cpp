@@ -183,27 +183,31 @@ TEST_F(CharacterC, RigsAsTheCommand) {
   const Handle caped = open(kCaped);
   sinew_character_rig_options options = SINEW_INIT(sinew_character_rig_options);
   options.detail = SINEW_CHARACTER_DETAIL_FULL;
-  options.no_toes = 1;
+  options.without = SINEW_WITHOUT_TOES;
   options.skeleton = "template:mixamo";
-  options.influence_count = 2;
+  sinew_character_bind_options bind = SINEW_INIT(sinew_character_bind_options);
+  bind.influence_count = 2;
+  options.bind = &bind;
   good_call(sinew_character_rig(caped.get(), &options, nullptr), caped);
   save(caped, "ours.rig.txt");
   expect_same("ours.rig.txt", "command.rig.txt");
 
   good("rig " + kCaped + " --to-pose t -o posed.glb");
   options = SINEW_INIT(sinew_character_rig_options);
-  options.to_pose = "t";
+  bind = SINEW_INIT(sinew_character_bind_options);
+  bind.to_pose = "t";
+  options.bind = &bind;
   const Handle posed = open(kCaped);
   good_call(sinew_character_rig(posed.get(), &options, nullptr), posed);
   save(posed, "posed_ours.glb");
   expect_same("posed_ours.glb", "posed.glb");
-  options.no_bind = 1;
+  options.without = SINEW_WITHOUT_BIND;
   EXPECT_NE(sinew_character_rig(posed.get(), &options, nullptr), SINEW_OK);
 
   good("rig " + kRobed + " --method shape --no-bind --no-mirror -o shape.rig.txt");
   options = SINEW_INIT(sinew_character_rig_options);
   options.method = SINEW_CHARACTER_RIG_SHAPE;
-  options.no_bind = 1;
+  options.without = SINEW_WITHOUT_BIND;
   options.mirror = SINEW_MIRROR_NEVER;
   good_call(sinew_character_rig(robed.get(), &options, nullptr), robed);
   save(robed, "shape_ours.rig.txt");
@@ -214,12 +218,17 @@ TEST_F(CharacterC, MapsAsTheCommand) {
   good("map " + kCaped + " --to mixamo -o command.map");
   const Handle caped = open(kCaped), robed = open(kRobed);
   sinew_character_map_result result = SINEW_INIT(sinew_character_map_result);
-  good_call(sinew_character_map_file(caped.get(), "template:mixamo", nullptr, &result), caped);
+  sinew_motion_source source = SINEW_INIT(sinew_motion_source);
+  source.file = "template:mixamo";
+  sinew_character_map_options options = SINEW_INIT(sinew_character_map_options);
+  options.source = &source;
+  good_call(sinew_character_map(caped.get(), nullptr, &options, &result), caped);
   EXPECT_EQ(result.text, slurp(in("command.map")));
   good("map " + kCaped + " --from " + kRobed + " -o other.map");
   good_call(sinew_character_map(caped.get(), robed.get(), nullptr, &result), caped);
   EXPECT_EQ(result.text, slurp(in("other.map")));
   EXPECT_GT(result.mapped, 5u);
+  EXPECT_EQ(sinew_character_map(caped.get(), nullptr, nullptr, &result), SINEW_ERROR_ARGUMENT);
 }
 
 TEST_F(CharacterC, AnimatesAsTheCommand) {
@@ -245,13 +254,59 @@ TEST_F(CharacterC, AnimatesAsTheCommand) {
   const Handle bare = open_memory({in("bare.obj")}), memory = open_memory({in("swing.bvh")});
   sinew_character_animate_options options = SINEW_INIT(sinew_character_animate_options);
   options.in_place = 1;
-  options.deform = SINEW_POSE_VOLUME;
-  options.cells = 16;
+  sinew_character_deformation deform = SINEW_INIT(sinew_character_deformation);
+  deform.method = SINEW_POSE_VOLUME;
+  deform.cells = 16;
+  options.deform = &deform;
   options.shapes = 2;
   good_call(sinew_character_animate(bare.get(), memory.get(), &options, &result), bare);
   EXPECT_EQ(result.rigged, 1u);
   save(bare, "bare_ours.glb");
   expect_same("bare_ours.glb", "bare.glb");
+}
+
+TEST_F(CharacterC, AnimatesByAFileAndAPartOfIt) {
+  make_swing();
+  good("animate " + kRobed + " --motion swing.bvh --from 0.1 --to 0.3 --method reference-points --legs -o command.glb");
+  const Handle robed = open(kRobed);
+  const std::string file = in("swing.bvh");
+  sinew_motion_source motion = SINEW_INIT(sinew_motion_source);
+  motion.file = file.c_str();
+  motion.from = 0.1;
+  motion.to = 0.3;
+  sinew_reference_options reference = SINEW_INIT(sinew_reference_options);
+  reference.legs = 1;
+  sinew_character_animate_options options = SINEW_INIT(sinew_character_animate_options);
+  EXPECT_EQ(sinew_character_animate(robed.get(), nullptr, &options, nullptr), SINEW_ERROR_ARGUMENT);
+  options.motion = &motion;
+  options.method = SINEW_ANIMATE_REFERENCE_POINTS;
+  options.reference = &reference;
+  good_call(sinew_character_animate(robed.get(), nullptr, &options, nullptr), robed);
+  save(robed, "ours.glb");
+  expect_same("ours.glb", "command.glb");
+}
+
+TEST_F(CharacterC, EditsAsTheCommand) {
+  good("rig " + kRobed + " --no-bind --rename Head=Skull --add Hat=Skull:0,2,0 --move Hat=0,2.5,0 --parent Hat=Neck" +
+       " --remove LeftHand --at LeftHand=0.8,1.2,0 -o command.rig.txt");
+  sinew_skeleton_edit edits[] = {{SINEW_EDIT_RENAME, 0, "Head", "Skull", {}, 0},
+                                 {SINEW_EDIT_ADD, 0, "Hat", "Skull", {0, 2, 0}, 0},
+                                 {SINEW_EDIT_MOVE, 0, "Hat", nullptr, {0, 2.5f, 0}, 0},
+                                 {SINEW_EDIT_PARENT, 0, "Hat", "Neck", {}, 0},
+                                 {SINEW_EDIT_REMOVE, 0, "LeftHand", nullptr, {}, 0},
+                                 {SINEW_EDIT_AT, 0, "LeftHand", nullptr, {0.8f, 1.2f, 0}, 0}};
+  const Handle robed = open(kRobed);
+  sinew_character_rig_options options = SINEW_INIT(sinew_character_rig_options);
+  options.without = SINEW_WITHOUT_BIND;
+  options.edits = edits;
+  options.edit_count = 6;
+  good_call(sinew_character_rig(robed.get(), &options, nullptr), robed);
+  save(robed, "ours.rig.txt");
+  expect_same("ours.rig.txt", "command.rig.txt");
+  edits[2].position[1] = NAN;
+  EXPECT_EQ(sinew_character_rig(robed.get(), &options, nullptr), SINEW_ERROR_NOT_FINITE);
+  edits[1].other = nullptr;
+  EXPECT_EQ(sinew_character_rig(robed.get(), &options, nullptr), SINEW_ERROR_ARGUMENT);
 }
 
 TEST_F(CharacterC, PosesAsTheCommand) {
@@ -271,7 +326,9 @@ TEST_F(CharacterC, PosesAsTheCommand) {
     good("pose " + kCaped + joint + "--deform " + name + " -o command.obj");
     sinew_character_pose_options options = SINEW_INIT(sinew_character_pose_options);
     options.angles = angles.data();
-    options.deform = method;
+    sinew_character_deformation deform = SINEW_INIT(sinew_character_deformation);
+    deform.method = method;
+    options.deform = &deform;
     sinew_character* posed = nullptr;
     good_call(sinew_character_pose(caped.get(), &options, &posed), caped);
     const Handle owner(posed);
@@ -285,7 +342,7 @@ TEST_F(CharacterC, PublishedMethodsAsTheCommand) {
   sinew_character_rig_options rig = SINEW_INIT(sinew_character_rig_options);
   rig.method = SINEW_CHARACTER_RIG_SLOTS;
   rig.category = SINEW_CATEGORY_BIPED;
-  rig.no_bind = 1;
+  rig.without = SINEW_WITHOUT_BIND;
   good_call(sinew_character_rig(robed.get(), &rig, nullptr), robed);
   save(robed, "ours.rig.txt");
   expect_same("ours.rig.txt", "command.rig.txt");
@@ -300,7 +357,7 @@ TEST_F(CharacterC, PublishedMethodsAsTheCommand) {
     good("map " + spider + " --from " + quadruped + " --no-names --method branches " + words + " -o command.map");
     sinew_character_map_options map = SINEW_INIT(sinew_character_map_options);
     map.method = SINEW_MAP_BRANCHES;
-    map.no_names = 1;
+    map.without = SINEW_WITHOUT_NAMES;
     map.branches_first = static_cast<uint32_t>(first);
     map.branches_cost = static_cast<uint32_t>(cost);
     good_call(sinew_character_map(target.get(), source.get(), &map, &mapped), target);
@@ -310,11 +367,13 @@ TEST_F(CharacterC, PublishedMethodsAsTheCommand) {
   std::vector<double> angles(3 * size_t{view(caped.get()).joint_count}, 20);
   sinew_character_pose_options pose = SINEW_INIT(sinew_character_pose_options);
   pose.angles = angles.data();
-  pose.deform = SINEW_POSE_XPBD;
-  pose.cells = 16;
-  pose.stiffness = 0.003;
-  pose.tet_weights = SINEW_TET_WEIGHTS_DISTANCE;
-  pose.no_smoothing = 1;
+  sinew_character_deformation deform = SINEW_INIT(sinew_character_deformation);
+  deform.method = SINEW_POSE_XPBD;
+  deform.cells = 16;
+  deform.stiffness = 0.003;
+  deform.tet_weights = SINEW_TET_WEIGHTS_DISTANCE;
+  deform.without = SINEW_WITHOUT_SMOOTHING;
+  pose.deform = &deform;
   std::string joints;
   for (uint32_t j = 0; j < view(caped.get()).joint_count; ++j)
     joints += std::string(" --joint '") + view(caped.get()).joint_names[j] + "=20,20,20'";
@@ -350,12 +409,17 @@ TEST_F(CharacterC, RefusesWhatAnotherMethodTakes) {
   sinew_character_pose_options pose = SINEW_INIT(sinew_character_pose_options);
   sinew_character* posed = nullptr;
   pose.angles = angles.data();
-  pose.deform = SINEW_POSE_VOLUME;
-  pose.stiffness = 0.2;
-  refused(sinew_character_pose(caped.get(), &pose, &posed), "stiffness, tet_weights and no_smoothing: ");
-  pose.deform = SINEW_POSE_XPBD;
+  sinew_character_deformation deform = SINEW_INIT(sinew_character_deformation);
+  deform.method = SINEW_POSE_VOLUME;
+  deform.stiffness = 0.2;
+  pose.deform = &deform;
+  refused(sinew_character_pose(caped.get(), &pose, &posed), "stiffness, tet_weights and SINEW_WITHOUT_SMOOTHING: ");
+  deform.without = SINEW_WITHOUT_TOES;
+  refused(sinew_character_pose(caped.get(), &pose, &posed), "without: ");
+  deform = SINEW_INIT(sinew_character_deformation);
+  deform.method = SINEW_POSE_XPBD;
   for (const double wrong : {1001.0, 0.0001, -1.0}) {
-    pose.stiffness = wrong;
+    deform.stiffness = wrong;
     refused(sinew_character_pose(caped.get(), &pose, &posed), "stiffness: ");
   }
 }
@@ -394,7 +458,9 @@ TEST_F(CharacterC, SimplifiesAndBakesAsTheCommand) {
   sinew_character_bake_options bake = SINEW_INIT(sinew_character_bake_options);
   bake.poses = 40;
   bake.shapes = 2;
-  bake.cells = 16;
+  sinew_character_deformation deform = SINEW_INIT(sinew_character_deformation);
+  deform.cells = 16;
+  bake.deform = &deform;
   sinew_character_bake_result result = SINEW_INIT(sinew_character_bake_result);
   good_call(sinew_character_bake(snake.get(), &bake, &result), snake);
   EXPECT_LT(result.baked_error, result.linear_error);
@@ -506,24 +572,24 @@ TEST_F(CharacterC, WhatIsWrongIsSaidInOneLineAndChangesNothing) {
   EXPECT_EQ(none, nullptr);
 }
 
-TEST_F(CharacterC, ControlsAndPlacesAsTheCommand) {
-  good("bind " + kRobed + " --skeleton " + kRobedRig + " --turn y --turn -x --height 2 --floor -o placed.glb");
+TEST_F(CharacterC, ControlsAndTransformsAsTheCommand) {
+  good("bind " + kRobed + " --skeleton " + kRobedRig + " --turn y --turn -x --height 2 --floor -o transformed.glb");
   const Handle robed = open(kRobed);
-  sinew_character_transform_options place = SINEW_INIT(sinew_character_transform_options);
+  sinew_character_transform_options transform = SINEW_INIT(sinew_character_transform_options);
   const char* turns[] = {"y", "-x"};
-  place.turns = turns;
-  place.turn_count = 2;
-  place.height = 2;
-  place.floor = 1;
-  good_call(sinew_character_transform(robed.get(), &place), robed);
+  transform.turns = turns;
+  transform.turn_count = 2;
+  transform.height = 2;
+  transform.floor = 1;
+  good_call(sinew_character_transform(robed.get(), &transform), robed);
   bind(robed);
   save(robed, "ours.glb");
-  expect_same("ours.glb", "placed.glb");
+  expect_same("ours.glb", "transformed.glb");
   turns[1] = "w";
-  EXPECT_EQ(sinew_character_transform(robed.get(), &place), SINEW_ERROR_INPUT);
+  EXPECT_EQ(sinew_character_transform(robed.get(), &transform), SINEW_ERROR_INPUT);
   EXPECT_NE(std::string(sinew_character_error(robed.get())).find("expected x, y, z"), std::string::npos);
   save(robed, "after.glb");
-  expect_same("after.glb", "placed.glb");
+  expect_same("after.glb", "transformed.glb");
 
   good("bind " + kRobed + " --skeleton " + kRobedRig +
        " --for mixamo --to-pose none -o command.glb --controls command.controls.json");
@@ -570,7 +636,7 @@ TEST_F(CharacterC, LevelsAndScoreAsTheCommand) {
   const auto told = nlohmann::json::parse(good("check " + kCaped + " --no-poses --score --json").out);
   sinew_character_check_options check = SINEW_INIT(sinew_character_check_options);
   sinew_character_check_result result = SINEW_INIT(sinew_character_check_result);
-  check.no_poses = 1;
+  check.without = SINEW_WITHOUT_POSES;
   good_call(sinew_character_check(caped.get(), &check, &result), caped);
   EXPECT_EQ(result.score, -1);
   check.score = 1;

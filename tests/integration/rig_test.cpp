@@ -185,7 +185,7 @@ TEST(SkeletonOfAMesh, ItIsFoundWhicheverWayItFaces) {
 TEST(SkeletonOfAMesh, OptionsAreKept) {
   const MeshScene scene = from_file("biped__robot.obj");
   sinew_rig_options options = SINEW_INIT(sinew_rig_options);
-  options.no_ends = options.no_toes = 1;
+  options.without = SINEW_WITHOUT_ENDS | SINEW_WITHOUT_TOES;
   options.spine_count = 5;
   const RiggedScene rigged(scene, options);
   rigged.expect_sound();
@@ -379,8 +379,8 @@ TEST(SkeletonOfAMesh, RandomMeshesAreSound) {
     options.mirror = below(3);
     options.up = below(2) == 0 ? SINEW_UP_Y : SINEW_UP_Z;
     options.spine_count = below(5);
-    options.no_toes = below(2);
-    options.no_ends = below(2);
+    options.without = below(2) * SINEW_WITHOUT_TOES;
+    options.without |= below(2) * SINEW_WITHOUT_ENDS;
     RiggedScene(scene, options).expect_sound();
     for (const uint32_t method : {uint32_t{SINEW_RIG_SHAPE}, uint32_t{SINEW_RIG_REGIONS}}) {
       options.method = method;

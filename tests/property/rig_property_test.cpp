@@ -231,8 +231,8 @@ TEST(RigProperty, RandomMeshesGetSoundSkeletons) {
     options.up = draw.below(2) == 0 ? SINEW_UP_Y : SINEW_UP_Z;
     options.mirror = draw.below(3);
     options.spine_count = draw.chance(50) ? 0 : draw.below(17);
-    options.no_toes = draw.below(2);
-    options.no_ends = draw.below(2);
+    options.without = draw.below(2) * SINEW_WITHOUT_TOES;
+    options.without |= draw.below(2) * SINEW_WITHOUT_ENDS;
     const RiggedScene rigged(scene, options);
     rigged.expect_sound();
     if (HasFailure()) return;

@@ -35,8 +35,7 @@ void bake(const sinew_character_bake_options& options, ProgressOfCaller* progres
           sinew_character_bake_result* result) {
   BakeJobOptions job;
   job.character = file_of(*character);
-  const uint32_t deform = options.deform == 0 ? uint32_t{SINEW_POSE_VOLUME} : options.deform;
-  const auto corrections = corrections_of(deform, options);
+  const auto corrections = corrections_of(options.deform, SINEW_POSE_VOLUME);
   if (!corrections) throw Failure(SINEW_ERROR_ARGUMENT, "deform: expected a correction, SINEW_POSE_VOLUME or above");
   job.deform = *corrections;
   check_at_most("poses", options.poses, 10000);

@@ -56,7 +56,7 @@ BindJobOptions job_of(const sinew_character_bind_options& options, const sinew_c
   job.symmetric = options.symmetric != 0;
   job.cut = options.cut != 0;
   if (options.to_pose != nullptr) job.to_pose = options.to_pose;
-  job.said = marks(options.joint_flags, character.joints.size());
+  job.joint_flags = marks(options.joint_flags, character.joints.size());
   job.locked = marks(options.locked, character.vertices.size());
   job.hinted = marks(options.hinted, character.vertices.size());
   check_kept("locked", job.locked, character);

@@ -175,7 +175,7 @@ Options options_of(const Options* given) {
   if (given == nullptr) return options;
   constexpr uint32_t kMost = 4096;
   if (given->struct_size < 2 * sizeof(uint32_t) || given->struct_size > kMost)
-    throw Failure(SINEW_ERROR_ARGUMENT, "options: struct_size is not set; start from the struct's _init()");
+    throw Failure(SINEW_ERROR_ARGUMENT, "options: struct_size is not set; start from SINEW_INIT()");
   std::memcpy(&options, given, std::min<size_t>(given->struct_size, sizeof options));
   const auto* bytes = reinterpret_cast<const uint8_t*>(given);
   for (size_t i = sizeof options; i < given->struct_size; ++i)
@@ -186,7 +186,7 @@ Options options_of(const Options* given) {
 template <class Result>
 void check_result(const Result* result) {
   if (result != nullptr && (result->struct_size < 2 * sizeof(uint32_t) || result->struct_size > 4096))
-    throw Failure(SINEW_ERROR_ARGUMENT, "result: struct_size is not set; start from the struct's _init()");
+    throw Failure(SINEW_ERROR_ARGUMENT, "result: struct_size is not set; start from SINEW_INIT()");
 }
 
 // Writes what the caller's header has.
@@ -202,6 +202,11 @@ inline void check_at_most(const char* what, uint32_t value, uint32_t most) {
   if (value > most)
     throw Failure(SINEW_ERROR_ARGUMENT,
                   std::string(what) + ": expected 0 to " + std::to_string(most) + ", found " + std::to_string(value));
+}
+
+// `known`: the bits of sinew_without that the call takes.
+inline void check_without(uint32_t without, uint32_t known) {
+  if ((without & ~known) != 0) throw Failure(SINEW_ERROR_ARGUMENT, "without: has a bit that this call does not take");
 }
 
 // The progress members of options, before these are checked: they have the same offsets in every struct.
@@ -230,6 +235,8 @@ inline uint32_t count32(size_t count) { return static_cast<uint32_t>(count); }
 
 // Copies of a caller's files.
 std::shared_ptr<FileBytes> bytes_of(const sinew_file* files, uint32_t file_count);
+// Reads the file at `opened->path`.
+void open_into(sinew_character* opened);
 // Reads the figure of the picture at `opened->path`.
 void open_picture_into(const PictureJobOptions& options, sinew_character* opened);
 // What is not the mesh, which the handle has.

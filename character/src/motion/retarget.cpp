@@ -161,7 +161,7 @@ void Retargeter::stream_clip(const sinew_motion_clip& whole, float fps) const {
   const bool has_body = body.vertex_count > 0;
   sinew_retarget_stream_options options = SINEW_INIT(sinew_retarget_stream_options);
   options.fps = fps;
-  options.no_range = range_ ? 0 : 1;
+  if (!range_) options.without = SINEW_WITHOUT_RANGE;
   options.source = has_source_ ? &source : nullptr;
   size_t bytes = 0;
   Workspace room;

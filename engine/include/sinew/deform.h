@@ -35,7 +35,9 @@ typedef enum sinew_tet_weights {
  *   cell_count       not for delta mush
  *   round_count      more are slower and keep more volume
  *   softness         less is calmer over time and keeps less volume. Not for delta mush
- *   no_twist_spread  0: the parent's bone takes a part of the twist, as twist joints do. SINEW_DEFORM_VOLUME alone
+ *   without          SINEW_WITHOUT_TWIST_SPREAD: a joint's twist about its parent's bone stays at the joint, where the bone takes a
+ *                    part of it, as twist joints do (SINEW_DEFORM_VOLUME); SINEW_WITHOUT_CONTACTS: the two sides of a bend
+ *                    may pass through each other; SINEW_WITHOUT_SMOOTHING: none at the end of SINEW_DEFORM_XPBD
  *   body_contact     1: parts of the body that are no neighbours keep apart too, as far as they lie less than two cells in
  *                    each other: an arm and the torso, a thigh and the belly, two thighs, cloth on them as well. Takes
  *                    several times as long. Where a motion drives limbs through each other, dents come and go within a
@@ -49,13 +51,11 @@ typedef struct sinew_deform_options {
   uint32_t cell_count;             /* cells along the longest side, 8..SINEW_MAX_DEFORM_CELLS; 0 = 32 */
   uint32_t round_count;            /* 1..SINEW_MAX_DEFORM_ROUNDS; 0 = 20, SINEW_DEFORM_XPBD 60, delta mush 5 */
   uint32_t softness;               /* compliance of the stretch in 1/256, 1..65535; 0 = 1280 */
-  uint32_t no_twist_spread;        /* 1: a joint's twist about its parent's bone stays at the joint */
-  uint32_t no_contact;             /* 1: the two sides of a bend may pass through each other */
-  uint32_t no_smoothing;           /* 1: no smoothing at the end of SINEW_DEFORM_XPBD, which is published.h's */
+  uint32_t without;                /* bits of sinew_without */
+  uint32_t thread_count;           /* 1..SINEW_MAX_THREADS pieces that work is cut into; 0 = 1 */
+  uint32_t body_contact;           /* 1: contact between all parts of the body, not only in bends */
   sinew_parallel_for parallel_for; /* lends threads to sinew_deform_pose(); null: the calling thread alone */
   void* parallel_user;
-  uint32_t thread_count; /* 1..SINEW_MAX_THREADS pieces that work is cut into; 0 = 1 */
-  uint32_t body_contact; /* 1: contact between all parts of the body, not only in bends */
   uint32_t energy; /* k of SINEW_DEFORM_XPBD's springs from a tetrahedron's centroid to its corners, in thousandths,
                           * 1..SINEW_MAX_DEFORM_ENERGY; 0 = 200 */
   uint32_t tet_weights; /* sinew_tet_weights, of SINEW_DEFORM_XPBD */

@@ -65,16 +65,16 @@ typedef enum sinew_branches_cost {
 typedef struct sinew_reference_options {
   uint32_t struct_size; /* sizeof(sinew_reference_options) */
   uint32_t area_power;  /* n, 1 .. 4, or SINEW_NO_AREA for 0; 0 = 3 */
-  uint32_t no_own_limb; /* 1 says what 0 does: see own_limb */
+  uint32_t own_limb;    /* 1: triangles of the limb itself have influence as well */
   uint32_t legs;        /* 1: knees and ankles move as well */
   float falloff; /* d: influence also falls by exp(-(distance / (d * source's height))^2); 0 = 0.05, which is ours */
   float least_cosine;      /* eps, up to 1; 0 = 1e-5 */
   sinew_progress progress; /* or null */
   void* progress_user;
-  uint32_t own_limb; /* 1: triangles of the limb itself have influence as well; not with no_own_limb */
-  uint32_t head;     /* 1: the head moves as well */
-  uint32_t torso;    /* 1: torso joints lie as the source's do, each seen from the one before; 0: they turn as copied */
+  uint32_t head;  /* 1: the head moves as well */
+  uint32_t torso; /* 1: torso joints lie as the source's do, each seen from the one before; 0: they turn as copied */
   uint32_t source_points; /* 1: reference points are the source's, in the size of the target; 0: the target's */
+  uint32_t reserved;      /* 0 */
 } sinew_reference_options;
 
 /* Bytes sinew_retarget_reference_points() needs.

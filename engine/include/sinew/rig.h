@@ -90,8 +90,8 @@ typedef struct sinew_rig_options {
   uint32_t up;               /* sinew_up of the mesh */
   uint32_t mirror;           /* sinew_mirror */
   uint32_t spine_count;      /* 1..16 joints between pelvis and neck or head; 0 = as the model says */
-  uint32_t no_toes;          /* 1: no toe joints */
-  uint32_t no_ends;          /* 1: no bone ends */
+  uint32_t without;          /* bits of sinew_without: SINEW_WITHOUT_TOES, SINEW_WITHOUT_ENDS */
+  uint32_t reserved;         /* 0 */
   uint32_t weights_in_place; /* as in sinew_bind_options */
   uint32_t kernel;           /* sinew_kernel; another than AUTO is for tests and measurements */
   sinew_progress progress;   /* or null */

@@ -128,6 +128,21 @@ typedef int (*sinew_progress)(void* user, uint32_t done_permille);
 typedef void (*sinew_parallel_for)(void* user, uint32_t count, void (*body)(void* body_data, uint32_t index),
                                    void* body_data);
 
+/* What a call leaves out: bits of the member `without` of options, whose comment lists those that it takes. Any other bit is
+ * SINEW_ERROR_ARGUMENT. Numbers are never reused. */
+typedef enum sinew_without {
+  SINEW_WITHOUT_TOES = 1,          /* toe joints */
+  SINEW_WITHOUT_ENDS = 2,          /* bone ends */
+  SINEW_WITHOUT_BIND = 4,          /* weights of a new skeleton */
+  SINEW_WITHOUT_NAMES = 8,         /* joints' names */
+  SINEW_WITHOUT_RANGE = 16,        /* the natural range of knees and elbows */
+  SINEW_WITHOUT_CONTACTS = 32,     /* contacts with the floor, or of the two sides of a bend */
+  SINEW_WITHOUT_TWIST_SPREAD = 64, /* twists that are spread along a bone */
+  SINEW_WITHOUT_SMOOTHING = 128,   /* smoothing of bends */
+  SINEW_WITHOUT_POSES = 256,       /* test poses */
+  SINEW_WITHOUT_CLIPS = 512        /* animations */
+} sinew_without;
+
 /* A polygon mesh, borrowed for the time of a call. Any topology is legal. face_count may be 0. */
 typedef struct sinew_mesh {
   const float* positions;        /* [vertex_count x 3] any unit, rest pose */

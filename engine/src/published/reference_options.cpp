@@ -15,10 +15,9 @@ sinew_status read_reference_options(const sinew_reference_options* options, Refe
   if (status != SINEW_OK) return status;
   const double no_falloff = static_cast<double>(SINEW_NO_FALLOFF);
   const double falloff = static_cast<double>(o.falloff), least = static_cast<double>(o.least_cosine);
-  if ((o.area_power > 4 && o.area_power != SINEW_NO_AREA) || o.no_own_limb > 1 || o.own_limb > 1 ||
-      (o.no_own_limb != 0 && o.own_limb != 0) || o.legs > 1 || o.head > 1 || o.torso > 1 || o.source_points > 1 ||
-      !(falloff >= 0 || (falloff <= no_falloff && falloff >= no_falloff)) || !is_finite(falloff) ||
-      !(least >= 0 && least <= 1)) {
+  if ((o.area_power > 4 && o.area_power != SINEW_NO_AREA) || o.own_limb > 1 || o.legs > 1 || o.head > 1 ||
+      o.torso > 1 || o.source_points > 1 || !(falloff >= 0 || (falloff <= no_falloff && falloff >= no_falloff)) ||
+      !is_finite(falloff) || !(least >= 0 && least <= 1)) {
     return SINEW_ERROR_ARGUMENT;
   }
   *out = ReferenceOptions();

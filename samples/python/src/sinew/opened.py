@@ -157,10 +157,10 @@ class OpenCharacter(Jobs):
         _check(binding.character_library().sinew_character_write(self.pointer, name.encode(), ctypes.byref(files), ctypes.byref(count)), self)
         return {files[i].name.decode(): ctypes.string_at(files[i].bytes, files[i].size_bytes) for i in range(count.value)}
 
-    def set_profile(self, profile: Optional[str], *, authors: Sequence[str] = (), licence: str = "", title: str = "", keep_axes: bool = False,
+    def set_profile(self, profile: Optional[str], *, authors: Sequence[str] = (), license: str = "", title: str = "", keep_axes: bool = False,
                     controls: bool = False) -> None:
         """What save() and write() write from now on: a program or format that `sinew rig --for` lists, None for files as they were read.
-        authors, licence and title are of a VRM; controls: a glTF says in its extras what controls() says. The rest pose stays: that is
+        authors, license and title are of a VRM; controls: a glTF says in its extras what controls() says. The rest pose stays: that is
         to_pose of bind and rig."""
         run("set_profile", locals())
 

@@ -41,7 +41,7 @@ TEST(RetargetStream, InTheAirItIsTheRetargetOfAFrame) {
   sinew_motion_body body = boxes.view();
   body.triangle_count = 0;  // so hands know nothing of it
   StreamSettings settings;
-  settings.no_range = 1;
+  settings.without |= SINEW_WITHOUT_RANGE;
   Live live(source, target, &body, settings), bare(source, target, nullptr, settings);
   PlayedClip clip(source, target);
   for (uint32_t f = 0; f < 20; ++f) {
@@ -63,7 +63,7 @@ TEST(RetargetStream, KeepsTheRangeThatClipsKeep) {
   const BoxBody boxes(target, 0.1);
   const sinew_motion_body own = boxes.view();
   StreamSettings settings;
-  settings.no_contacts = 1;
+  settings.without |= SINEW_WITHOUT_CONTACTS;
   Live live(source, target, &own, settings);
   PlayedClip clip(source, target);
   std::vector<float> rotations;
@@ -243,7 +243,7 @@ TEST(RetargetStream, ArmsMayBeAsDeepAsTheyAreMeantToBe) {
   StreamSettings settings;
   settings.source = &thick;
   Live same(scene, scene, &thick, settings);
-  settings.no_contacts = 1;
+  settings.without |= SINEW_WITHOUT_CONTACTS;
   Live copied(scene, scene, &thick, settings);
   const Pose touching = reaching_pose(scene, {0.1, -0.8, 0.35});
   EXPECT_EQ(same.next(touching).rotations, copied.next(touching).rotations);
@@ -296,7 +296,7 @@ TEST(RetargetStream, MisuseIsAStatus) {
   wrong.fps = 0.5f;
   EXPECT_EQ(make(wrong, &own), SINEW_ERROR_ARGUMENT);
   wrong = {};
-  wrong.no_range = 2;
+  wrong.without = SINEW_WITHOUT_TOES;
   EXPECT_EQ(make(wrong, &own), SINEW_ERROR_ARGUMENT);
   wrong = {};
   wrong.ground = std::numeric_limits<float>::infinity();

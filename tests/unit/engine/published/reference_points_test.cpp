@@ -325,10 +325,9 @@ TEST(ReferencePoints, WhatIsWrongIsRefused) {
   };
   refused([](sinew_reference_options* s) { s->struct_size = 8; });
   refused([](sinew_reference_options* s) { s->area_power = 5; });
-  refused([](sinew_reference_options* s) { s->no_own_limb = 2; });
+  refused([](sinew_reference_options* s) { s->own_limb = 2; });
   refused([](sinew_reference_options* s) { s->legs = 2; });
   refused([](sinew_reference_options* s) { s->own_limb = 2; });
-  refused([](sinew_reference_options* s) { s->own_limb = s->no_own_limb = 1; });
   refused([](sinew_reference_options* s) { s->head = 2; });
   refused([](sinew_reference_options* s) { s->torso = 2; });
   refused([](sinew_reference_options* s) { s->source_points = 2; });
