@@ -75,7 +75,7 @@ set(sinew_character_sources
   predict/turn
   pose/bend_volume
   pose/deform
-  pose/placement
+  pose/character_transform
   pose/pose
   pose/pose_file
   pose/rest_pose
@@ -120,7 +120,7 @@ set(sinew_character_sources
   check/matrices
   check/mesh_check
   check/names
-  check/places
+  check/stray_weights
   check/poses
   check/rig_facts
   check/rig_gate

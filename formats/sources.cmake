@@ -39,7 +39,7 @@ set(sinew_formats_sources
   gltf/gltf_rest
   gltf/gltf_skin
   gltf/move_joints
-  gltf/place_document
+  gltf/transform_document
   gltf/move_vertices
   gltf/pick_vertices
   gltf/reduce_triangles

@@ -189,8 +189,8 @@ CharacterBind bind_and_ask(const BindSettings& settings, const Character& charac
 
 BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool progress) {
   Character character =
-      placed(read_mesh_and_skeleton(settings.mesh, settings.skeleton, !settings.lock.empty() || settings.compare),
-             settings.placement, axis_of(settings.up));
+      transformed(read_mesh_and_skeleton(settings.mesh, settings.skeleton, !settings.lock.empty() || settings.compare),
+                  settings.transform, axis_of(settings.up));
   check_bindable(character);  // before anything that takes longer the more joints there are
   const std::vector<uint8_t> locked = read_locks(settings, character);
   const WeightsBefore before = weights_before(settings, character, locked);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew-lab dataset check: defects of meshes, skeletons and weights, as text, JSON and pictures of the places.
+// sinew-lab dataset check: defects of meshes, skeletons and weights, as text, JSON and pictures of the defects.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>

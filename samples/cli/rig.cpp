@@ -24,7 +24,7 @@
 #include "rig_slots.hpp"
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/jobs/rig_job.hpp"
-#include "sinew_character/pose/placement.hpp"
+#include "sinew_character/pose/character_transform.hpp"
 #include "sinew_character/predict/skeleton_template.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
@@ -44,7 +44,7 @@ struct RigCommandSettings {
   MethodOptions method;
   PictureOptions picture;
   std::vector<SkeletonEdit> edits;
-  Placement placement;
+  CharacterTransform transform;
   unsigned spine = 0, influences = 4;
   StyleOptions style;
   ProfileSettings profile;
@@ -121,7 +121,7 @@ Rigged rig_one(const RigCommandSettings& s, const Models& models, const std::str
     rigged.picture = std::move(made);
     return rigged;
   }
-  Character mesh = placed(read_mesh(path), s.placement, axis_of(s.up));
+  Character mesh = transformed(read_mesh(path), s.transform, axis_of(s.up));
   if (!s.prediction.empty()) {
     Character file;
     read_skeleton(s.prediction, false, &file);
@@ -279,9 +279,9 @@ void run_rig(RigCommandSettings s) {
   if (is_picture(s.mesh))
     for (const auto& [given, option] : {std::pair{s.up != "auto", "--up"}, std::pair{s.front != "auto", "--front"},
                                         std::pair{!s.prediction.empty(), "--prediction"},
-                                        std::pair{places(s.placement), "--turn, --height or --floor"}})
+                                        std::pair{!is_identity(s.transform), "--turn, --height or --floor"}})
       if (given) throw UsageError(std::string(option) + " is for meshes, and " + s.mesh + " is a picture");
-  if (!s.prediction.empty() && places(s.placement))
+  if (!s.prediction.empty() && !is_identity(s.transform))
     throw UsageError("--prediction stands where the mesh does: leave --turn, --height and --floor out");
   if (!s.prediction.empty() && !s.model.empty())
     throw UsageError("--prediction and --model: a skeleton that is given is not predicted");
@@ -390,7 +390,7 @@ void add_rig(CLI::App& app) {
   add_picture_options(sub, &s->picture);
   section(sub, "Edits");
   auto edits = std::make_shared<EditOptions>(sub);
-  add_placement_options(sub, &s->placement);
+  add_transform_options(sub, &s->transform);
   add_shape_options(sub, s.get());
   add_style_options(sub, &s->style);
   add_models(sub, s.get());

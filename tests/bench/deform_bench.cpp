@@ -34,9 +34,9 @@ std::vector<float> turned_palette(const sinew_test::HeatScene& scene) {
     const double c = std::cos(0.5), s = scene.parents[j] < 0 ? 0 : std::sin(0.5) * (j % 2 == 0 ? 1 : -1);
     const double own[9] = {scene.parents[j] < 0 ? 1 : c, -s, 0, s, scene.parents[j] < 0 ? 1 : c, 0, 0, 0, 1};
     for (size_t r = 0; r < 3; ++r) {
-      double place = double{scene.joints[3 * j + r]};
-      for (size_t k = 0; k < 3; ++k) place -= own[3 * r + k] * double{scene.joints[3 * j + k]};
-      for (size_t k = 0; k < 4; ++k) m[12 * j + 4 * r + k] = k < 3 ? own[3 * r + k] : place;
+      double translation = double{scene.joints[3 * j + r]};
+      for (size_t k = 0; k < 3; ++k) translation -= own[3 * r + k] * double{scene.joints[3 * j + k]};
+      for (size_t k = 0; k < 4; ++k) m[12 * j + 4 * r + k] = k < 3 ? own[3 * r + k] : translation;
     }
     if (scene.parents[j] < 0) continue;
     const double* const above = &m[12 * static_cast<size_t>(scene.parents[j])];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The engine as microcontrollers get it (SINEW_SMALL_CODE, engine/src/core/build.hpp): what was left out is refused
-// with the status that the header names, and threads and places of weights that it does without change nothing.
+// with the status that the header names, and threads and weights in place, which it does without, change nothing.
 #include <gtest/gtest.h>
 
 #include <cstdint>

@@ -18,7 +18,7 @@ struct Call : MeshInput, SkeletonInput, Hindrance {
   std::vector<float> palette, rest_palette;
   sinew_skin skin = {};
   sinew_deform_options options = SINEW_INIT(sinew_deform_options);
-  bool raw = false;  // places of sixty decades, which no sum of doubles keeps
+  bool raw = false;  // positions of sixty decades, which no sum of doubles keeps
 
   explicit Call(Bytes in) {
     const uint8_t shape = in.u8(), extras = in.u8();

@@ -552,7 +552,7 @@ void hash_map(const char* name, const SetLine& line, const Input& in, const Inpu
 // The frames of a motion as they come, twice: on the mesh with natural ranges and an uneven floor, and on the joints alone.
 void hash_stream(const char* name, const sinew_skeleton& source, const sinew_skeleton& target,
                  const std::vector<int32_t>& map, const std::vector<uint8_t>& classes, const sinew_motion_body& body,
-                 const std::vector<float>& turns, const std::vector<float>& places) {
+                 const std::vector<float>& turns, const std::vector<float>& positions) {
   const size_t joints = target.joint_count;
   const float steps[] = {0, 0.02f, 0.05f, 0.01f, 0.03f, 0};
   const sinew_floor floor = {steps, 3, 2, {-0.2f, -0.1f}, 0.25f, 0};
@@ -572,7 +572,7 @@ void hash_stream(const char* name, const sinew_skeleton& source, const sinew_ske
     std::vector<float> out(7 * joints);
     std::vector<uint32_t> bits(out.size());
     for (size_t f = 0; f < turns.size() / (4 * joints); ++f) {
-      check(sinew_retarget_stream_frame(stream, turns.data() + 4 * joints * f, places.data() + 3 * joints * f,
+      check(sinew_retarget_stream_frame(stream, turns.data() + 4 * joints * f, positions.data() + 3 * joints * f,
                                         out.data(), out.data() + 4 * joints));
       std::memcpy(bits.data(), out.data(), out.size() * sizeof(uint32_t));
       poses.add(bits.data(), bits.size());
@@ -619,14 +619,14 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   Block block(bytes);
   sinew_retarget* plan = nullptr;
   check(sinew_retarget_create(&source, &target, map.data(), classes.data(), nullptr, block.data, bytes, &plan));
-  std::vector<float> turns, places, heights;
+  std::vector<float> turns, positions, heights;
   for (uint32_t f = 0; f < line.motion_frames; ++f) {
     heights.push_back(0);
     for (uint32_t j = 0; j < joints; ++j) {
       turns.insert(turns.end(), {0.1f * draw(), 0.1f * draw(), 0.1f * draw(), 2 + draw()});
-      places.insert(places.end(), {0.2f * draw(), 0.2f * draw(), 0.2f * draw()});
+      positions.insert(positions.end(), {0.2f * draw(), 0.2f * draw(), 0.2f * draw()});
     }
-    check(sinew_retarget_height(plan, turns.data() + size_t{4} * joints * f, places.data() + size_t{3} * joints * f,
+    check(sinew_retarget_height(plan, turns.data() + size_t{4} * joints * f, positions.data() + size_t{3} * joints * f,
                                 &heights[f]));
   }
   float ground = 0;
@@ -639,10 +639,10 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   };
   add(heights);
   add({ground});
-  std::vector<float> out_rotations(turns.size()), out_positions(places.size());
+  std::vector<float> out_rotations(turns.size()), out_positions(positions.size());
   for (uint32_t f = 0; f < line.motion_frames; ++f) {
     const size_t four = size_t{4} * joints * f, three = size_t{3} * joints * f;
-    check(sinew_retarget_frame(plan, turns.data() + four, places.data() + three, ground, out_rotations.data() + four,
+    check(sinew_retarget_frame(plan, turns.data() + four, positions.data() + three, ground, out_rotations.data() + four,
                                out_positions.data() + three));
   }
   add(out_rotations);
@@ -682,7 +682,7 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   const sinew_motion_body other = {
       body.data(), nullptr, {nearest.data(), whole.data(), 1, SINEW_WEIGHT_UNORM16}, vertices, 0};
   const std::vector<float> copied_rotations = out_rotations, copied_positions = out_positions;
-  const sinew_motion_clip clip = {turns.data(),         places.data(),      out_rotations.data(),
+  const sinew_motion_clip clip = {turns.data(),         positions.data(),   out_rotations.data(),
                                   out_positions.data(), line.motion_frames, ground};
   check(sinew_retarget_contacts_workspace_size(plan, &own, line.motion_frames, &bytes));
   Block workspace(bytes);
@@ -708,7 +708,7 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   add(out_rotations);
   add(out_positions);
   print(name, "contacts", poses);
-  hash_stream(name, source, target, map, classes, own, turns, places);
+  hash_stream(name, source, target, map, classes, own, turns, positions);
   // The published method, as drawn and with all of its options.
   poses = Hash();
   check(sinew_retarget_reference_points_workspace_size(plan, &own, &bytes));

@@ -72,18 +72,19 @@ TEST(SkeletonOfAMesh, ASymmetricMeshHasExactlyMirroredJoints) {
 TEST(SkeletonOfAMesh, TheNumberingOfTheMeshDoesNotMatter) {
   const MeshScene scene = from_file("quadruped__tailed.obj");
   std::mt19937 random(3);
-  std::vector<uint32_t> place(scene.vertex_count());
-  std::iota(place.begin(), place.end(), 0u);
-  std::shuffle(place.begin(), place.end(), random);
+  std::vector<uint32_t> new_index(scene.vertex_count());
+  std::iota(new_index.begin(), new_index.end(), 0u);
+  std::shuffle(new_index.begin(), new_index.end(), random);
   MeshScene other;
   other.positions.resize(scene.positions.size());
-  for (uint32_t v = 0; v < place.size(); ++v) std::copy_n(&scene.positions[3 * v], 3, &other.positions[3 * place[v]]);
+  for (uint32_t v = 0; v < new_index.size(); ++v)
+    std::copy_n(&scene.positions[3 * v], 3, &other.positions[3 * new_index[v]]);
   std::vector<size_t> faces(scene.offsets.size() - 1);
   std::iota(faces.begin(), faces.end(), size_t{0});
   std::shuffle(faces.begin(), faces.end(), random);
   for (const size_t f : faces) {
     std::vector<uint32_t> face(scene.corners.begin() + scene.offsets[f], scene.corners.begin() + scene.offsets[f + 1]);
-    for (uint32_t& v : face) v = place[v];
+    for (uint32_t& v : face) v = new_index[v];
     if (face.size() == 3) std::rotate(face.begin(), face.begin() + 1, face.end());
     other.add_face(face);
   }
@@ -117,7 +118,7 @@ TEST(SkeletonOfAMesh, EveryKernelGivesTheSame) {
   }
 }
 
-// Places move with the mesh, and axes follow it.
+// Positions move with the mesh, and axes follow it.
 TEST(SkeletonOfAMesh, FarAwayTinyOrZUpIsTheSameSkeleton) {
   const MeshScene scene = from_file("biped__robot.obj");
   const RiggedScene plain(scene, SINEW_INIT(sinew_rig_options));
@@ -156,9 +157,9 @@ TEST(SkeletonOfAMesh, ItIsFoundWhicheverWayItFaces) {
     MeshScene other = scene;  // facing +z, +x, -z, -x
     for (uint32_t v = 0; v < scene.vertex_count(); ++v) {
       const float x = scene.positions[3 * v], z = scene.positions[3 * v + 2];
-      const float places[4][2] = {{x, z}, {z, -x}, {-x, -z}, {-z, x}};
-      other.positions[3 * v] = places[quarters][0];
-      other.positions[3 * v + 2] = places[quarters][1];
+      const float positions[4][2] = {{x, z}, {z, -x}, {-x, -z}, {-z, x}};
+      other.positions[3 * v] = positions[quarters][0];
+      other.positions[3 * v + 2] = positions[quarters][1];
     }
     const RiggedScene rigged(other, SINEW_INIT(sinew_rig_options));
     rigged.expect_sound();
@@ -168,13 +169,13 @@ TEST(SkeletonOfAMesh, ItIsFoundWhicheverWayItFaces) {
     size_t shared = 0;
     for (uint32_t j = 0; j < plain.count; ++j) {
       const float x = plain.positions[3 * j], z = plain.positions[3 * j + 2];
-      const float places[4][2] = {{x, z}, {z, -x}, {-x, -z}, {-z, x}};
+      const float positions[4][2] = {{x, z}, {z, -x}, {-x, -z}, {-z, x}};
       bool found = false;
       for (uint32_t k = 0; k < rigged.count; ++k) {
         found = found || (rigged.classes[k] == plain.classes[j] && rigged.flags[k] == plain.flags[j] &&
-                          std::hypot(rigged.positions[3 * k] - places[quarters][0],
+                          std::hypot(rigged.positions[3 * k] - positions[quarters][0],
                                      rigged.positions[3 * k + 1] - plain.positions[3 * j + 1],
-                                     rigged.positions[3 * k + 2] - places[quarters][1]) < 0.1f);
+                                     rigged.positions[3 * k + 2] - positions[quarters][1]) < 0.1f);
       }
       shared += found ? 1 : 0;
     }

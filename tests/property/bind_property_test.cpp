@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sinew_bind() on thousands of random and broken meshes and skeletons: never a crash, never an empty row, exact sums,
-// the workspace it asked for, the same bytes again, and no dependence on numbering, place or size.
+// the workspace it asked for, the same bytes again, and no dependence on numbering, position or size.
 #include <gtest/gtest.h>
 
 #include <algorithm>

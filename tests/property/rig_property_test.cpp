@@ -152,7 +152,7 @@ MeshScene base_mesh(uint32_t kind, Draw& draw) {
                   6 + draw.below(20), 3 + draw.below(8));
       break;
     }
-    case kDuplicates: {  // everything two or three times in one place, and faces twice over
+    case kDuplicates: {  // everything two or three times at one position, and faces twice over
       add_figure(&scene, draw);
       const MeshScene once = scene;
       const uint32_t copies = 1 + draw.below(2);

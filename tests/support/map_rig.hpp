@@ -15,13 +15,13 @@ namespace sinew_test {
 
 struct TestRig {
   std::vector<std::string> names;
-  std::vector<float> places;
+  std::vector<float> positions;
   std::vector<int32_t> parents;
   std::vector<uint8_t> ends;
 
   int32_t add(const std::string& name, int32_t parent, float x, float y, float z, bool end = false) {
     names.push_back(name);
-    places.insert(places.end(), {x, y, z});
+    positions.insert(positions.end(), {x, y, z});
     parents.push_back(parent);
     ends.push_back(end ? 1 : 0);
     return static_cast<int32_t>(names.size()) - 1;
@@ -84,7 +84,7 @@ struct MapCall {
 
   sinew_skeleton view(const TestRig& rig, std::vector<const char*>* texts) const {
     sinew_skeleton view = SINEW_INIT(sinew_skeleton);
-    view.positions = rig.places.data();
+    view.positions = rig.positions.data();
     view.parents = rig.parents.data();
     view.joint_count = rig.count();
     for (const std::string& name : rig.names) texts->push_back(name.c_str());

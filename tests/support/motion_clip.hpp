@@ -36,8 +36,8 @@ struct BoxBody : SkinnedTriangles {
         p[axis] = half;
         p[(axis + 1) % 3] = size * (2.0 * u / cells - 1);
         p[(axis + 2) % 3] = size * (2.0 * v / cells - 1);
-        const Vec3d place = scene.at(j) + Vec3d{p[0], p[1], p[2]};
-        for (const double x : {place.x, place.y, place.z}) positions.push_back(static_cast<float>(x));
+        const Vec3d position = scene.at(j) + Vec3d{p[0], p[1], p[2]};
+        for (const double x : {position.x, position.y, position.z}) positions.push_back(static_cast<float>(x));
         joints.push_back(static_cast<uint16_t>(j));
         weights.push_back(65535);
       }
@@ -152,11 +152,11 @@ struct PlayedClip {
     limbs.resize(count);
     return limbs;
   }
-  Placed frame(uint32_t f) const {
+  WorldPose frame(uint32_t f) const {
     Pose pose(target.count());
     std::copy_n(rotations.begin() + 4 * target.count() * f, pose.rotations.size(), pose.rotations.begin());
     std::copy_n(translations.begin() + 3 * target.count() * f, pose.translations.size(), pose.translations.begin());
-    return placed(target, pose);
+    return world_pose(target, pose);
   }
 };
 

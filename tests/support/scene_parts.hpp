@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every scene of the tests has: places of vertices and a skeleton.
+// What every scene of the tests has: positions of vertices and a skeleton.
 #ifndef SINEW_TESTS_SUPPORT_SCENE_PARTS_HPP
 #define SINEW_TESTS_SUPPORT_SCENE_PARTS_HPP
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which joints of a character may get weight: by the weights it has, by names and places, or all.
+// Which joints of a character may get weight: by the weights it has, by names and positions, or all.
 #include <algorithm>
 #include <map>
 

@@ -20,7 +20,7 @@ class ClipCheck {
   ClipCheck(const RigFacts& facts, const Motion& motion, const Clip& clip, Findings* findings)
       : facts_(facts), motion_(motion), clip_(clip), findings_(findings) {
     for (const MotionFrame& frame : clip.frames) poses_.push_back(world_pose(motion, frame));
-    const Box box = box_of(facts.character.vertices.empty() ? places() : facts.character.vertices);
+    const Box box = box_of(facts.character.vertices.empty() ? positions() : facts.character.vertices);
     height_ = static_cast<double>(box.high.y - box.low.y);
     if (!(height_ > 0)) height_ = facts.size;
     floor_ = static_cast<double>(box.low.y);
@@ -38,7 +38,7 @@ class ClipCheck {
   }
 
  private:
-  std::vector<Vec3> places() const {
+  std::vector<Vec3> positions() const {
     std::vector<Vec3> out;
     for (const Joint& joint : facts_.character.joints) out.push_back(joint.position);
     return out;

@@ -124,10 +124,10 @@ void bind_rigged(const RigJobOptions& job, const RigModels& models, RiggedCharac
 // The mesh and both of its skeletons in another rest pose.
 void put_into_pose(const RestPose& pose, RiggedCharacter* rigged) {
   rigged->character = in_rest_pose(rigged->character, pose, rigged->skeleton.up_axis);
-  std::map<std::string, Vec3> places;
-  for (const Joint& joint : rigged->character.joints) places[joint.name] = joint.position;
+  std::map<std::string, Vec3> positions;
+  for (const Joint& joint : rigged->character.joints) positions[joint.name] = joint.position;
   for (Joint& joint : rigged->skeleton.joints)
-    if (const auto found = places.find(joint.name); found != places.end()) joint.position = found->second;
+    if (const auto found = positions.find(joint.name); found != positions.end()) joint.position = found->second;
   if (rigged->fitted) rigged->fitted->joints = rigged->character.joints;
 }
 

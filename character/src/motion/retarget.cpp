@@ -178,7 +178,7 @@ void Retargeter::stream_clip(const sinew_motion_clip& whole, float fps) const {
   }
 }
 
-// The source in the target's vertices: every one the point of the source's surface that is the same place of the body.
+// The source in the target's vertices: every one the point of the source's surface at the same spot of the body.
 bool Retargeter::take_corresponding(const Character& target, const Character& source) {
   const EngineViews from(source, {}), to(target, {});
   const SkinArrays rows = skin_arrays(source);
@@ -203,14 +203,14 @@ bool Retargeter::take_corresponding(const Character& target, const Character& so
   points.name = source.name;
   points.joints = source.joints;
   for (size_t k = 0; k < corners.size(); k += 3) {
-    Vec3 place = {0, 0, 0};
+    Vec3 position = {0, 0, 0};
     std::map<uint32_t, float> sums;
     for (size_t c = k; c < k + 3; ++c) {
       const Vec3& p = source.vertices[corners[c]];
-      place = {place.x + shares[c] * p.x, place.y + shares[c] * p.y, place.z + shares[c] * p.z};
+      position = {position.x + shares[c] * p.x, position.y + shares[c] * p.y, position.z + shares[c] * p.z};
       for (const Influence& one : source.influences[corners[c]]) sums[one.joint] += shares[c] * one.weight;
     }
-    points.vertices.push_back(place);
+    points.vertices.push_back(position);
     points.influences.emplace_back();
     for (const auto& [joint, weight] : sums) points.influences.back().push_back({joint, weight});
   }

@@ -30,7 +30,7 @@ Point3 mirrored(Point3 position, bool mirror) {
   return position;
 }
 
-// Places in a character's box: from its middle, in longest sides, with y up.
+// Positions in a character's box: from its middle, in longest sides, with y up.
 class Positions {
  public:
   Positions(const Character& character, Axis up_axis)

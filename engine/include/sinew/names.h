@@ -38,7 +38,7 @@ typedef struct sinew_joint_verdicts {
   uint8_t* classes;     /* [J] sinew_joint_class; a bone end's is its joint's */
   uint8_t* roles;       /* [J] sinew_joint_role */
   int8_t* sides;        /* [J] 1 left, -1 right, 0 not said */
-  int32_t* numbers;  /* [J] of a finger's joint its place in the finger from 1, else the number that its name ends with
+  int32_t* numbers;  /* [J] of a finger's joint its index in the finger from 1, else the number that its name ends with
                          * but for those that tools append (_021, .001); -1 without one */
   int32_t* partners; /* [J] the joint of the same name on the other side, -1 without one */
   int32_t* images;   /* [J] the joint that stands where its mirror image is, within 0.5 % of the longest side: its

@@ -31,7 +31,7 @@ enum {
    * mirrored. Slots that the body's `category` has not stay empty. spread is a quarter of how far apart the surface's points
    * put a joint, at least 0.1 for a sheet: above 0.05 the mesh resembles little that the networks know */
   SINEW_RIG_SLOTS = 3,
-  /* sinew_map_options: paths from the root to every leaf, matched by the costs of their joints (place, place in the branch,
+  /* sinew_map_options: paths from the root to every leaf, matched by the costs of their joints (position, position in the branch,
    * branches through it, bones, surface); several joints may get one source. Mirrored branches only get mirrored ones; what
    * can only cross another's way gets the other root; every source joint that moves and has more than three bones is given to
    * a joint. SINEW_MAP_AUTO takes it too where it is built and fits better */

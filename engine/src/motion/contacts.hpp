@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Contacts of a whole clip: feet that stand stay where they stand, what else is on the floor is on it, hands that touch the body touch
-// the same place, and arms stay out of it. Works on frames that were copied, round by round, since each round smooths over time.
+// the same spot, and arms stay out of it. Works on frames that were copied, round by round, since each round smooths over time.
 #ifndef SINEW_MOTION_CONTACTS_HPP
 #define SINEW_MOTION_CONTACTS_HPP
 

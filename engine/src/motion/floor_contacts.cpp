@@ -129,7 +129,7 @@ void FloorContacts::hold(const Held& held, bool again) {
 
 // In some frame, or on the way from where it was.
 bool FloorContacts::is_on_floor(const Held& held) const {
-  if (memory_ != nullptr && dot(place_of(held).offset, place_of(held).offset) > 0) return true;
+  if (memory_ != nullptr && dot(anchor_of(held).offset, anchor_of(held).offset) > 0) return true;
   for (uint32_t f = 0; f < s_.in->frames; ++f) {
     if (weight(f, held.patch) > 0) return true;
   }
@@ -140,7 +140,7 @@ bool FloorContacts::is_on_floor(const Held& held) const {
 void FloorContacts::find_standing(const Held& held) {
   const uint32_t source = static_cast<uint32_t>(plan_.map[held.joint]);
   bool first = memory_ == nullptr || !memory_->any;
-  Vec3d before = memory_ == nullptr ? Vec3d{0, 0, 0} : place_of(held).source;
+  Vec3d before = memory_ == nullptr ? Vec3d{0, 0, 0} : anchor_of(held).source;
   for (uint32_t f = 0; f < s_.in->frames; ++f) {
     (void)s_.load_source(f, false);
     const Vec3d position = plan_.source_positions[source];
@@ -149,7 +149,7 @@ void FloorContacts::find_standing(const Held& held) {
     before = position;
     first = false;
   }
-  if (memory_ != nullptr) place_of(held).source = before;
+  if (memory_ != nullptr) anchor_of(held).source = before;
 }
 
 double FloorContacts::rise_of(const Held& held, uint32_t frame) {
@@ -201,7 +201,7 @@ void FloorContacts::find_flat(const Held& held) {
     const Vec3d p = plan_.target_positions[held.joint];
     const Vec3d flat = p - dot(p, plan_.up) * plan_.up;
     const FloorPatch& patch = s_.floor_patches.at(f, held.patch);
-    s_.lifts[f] = held.foot || held.middle ? Vec3d{0, 0, 0} : patch.weight * (patch.place - flat);
+    s_.lifts[f] = held.foot || held.middle ? Vec3d{0, 0, 0} : patch.weight * (patch.wrist - flat);
     s_.smooth[f] = flat + s_.lifts[f];
     s_.moves[index(f, held.limb)] = {0, 0, 0};
   }
@@ -209,27 +209,27 @@ void FloorContacts::find_flat(const Held& held) {
 
 // The next frame alone: where it came to stand it stays, and what was held fades. A stand that the body leaves behind comes along.
 void FloorContacts::lock_next(const Held& held, bool again) {
-  FloorMemory::Place& place = place_of(held);
+  FloorMemory::Anchor& anchor = anchor_of(held);
   find_flat(held);
   const Vec3d now = s_.smooth[0];
   Vec3d& move = s_.moves[index(0, held.limb)];
   if (again) {
-    if (place.stood) move = place.stand - now;
+    if (anchor.is_locked) move = anchor.position - now;
     return;
   }
   const bool stands = s_.stands[0] != 0;
   if (stands) {
-    if (!place.stood) place.stand = now + place.offset;
+    if (!anchor.is_locked) anchor.position = now + anchor.offset;
     const double most = kMostOffset * s_.target.height;
-    place.offset = place.stand - now;
-    if (length(place.offset) > most) place.offset = most * unit(place.offset);
-    place.stand = now + place.offset;
+    anchor.offset = anchor.position - now;
+    if (length(anchor.offset) > most) anchor.offset = most * unit(anchor.offset);
+    anchor.position = now + anchor.offset;
   } else {
-    place.offset = length(place.offset) > kLeastOffset * s_.target.height ? fade_at(s_.in->fps, kFade) * place.offset
-                                                                          : Vec3d{0, 0, 0};
+    anchor.offset = length(anchor.offset) > kLeastOffset * s_.target.height ? fade_at(s_.in->fps, kFade) * anchor.offset
+                                                                            : Vec3d{0, 0, 0};
   }
-  place.stood = stands;
-  move = place.offset;
+  anchor.is_locked = stands;
+  move = anchor.offset;
 }
 
 // In a run of standing frames the joint stays at their mean.

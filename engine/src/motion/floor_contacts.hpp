@@ -31,20 +31,20 @@ double fade_at(double fps, double share);
 // A joint that is held where it stands: the ankle with its foot, the wrist with its hand, a knee or an elbow.
 struct Held {
   uint32_t limb = 0;
-  uint32_t joint = 0;  // that stays at one place
+  uint32_t joint = 0;  // that stays at one position
   uint32_t patch = 0;  // of the body, beside feet
   bool foot = false, middle = false;
 };
 
 // What frames that come one by one leave to the next one.
 struct FloorMemory {
-  struct Place {
-    Vec3d source = {0, 0, 0};  // of the source's joint
-    Vec3d stand = {0, 0, 0};   // of the target's, over the floor, while it stands
-    Vec3d offset = {0, 0, 0};  // from where it was copied
-    bool stood = false;
+  struct Anchor {
+    Vec3d source = {0, 0, 0};    // of the source's joint
+    Vec3d position = {0, 0, 0};  // of the target's, over the floor, while it stands
+    Vec3d offset = {0, 0, 0};    // from where it was copied
+    bool is_locked = false;
   };
-  Place places[2 * kMostLimbs];  // of ends, then of middles
+  Anchor anchors[2 * kMostLimbs];  // of ends, then of middles
   Vec3d bends[kMostLimbs] = {};
   Hinge hinges[kMostLimbs];  // of find_hinges(), once
   bool any = false;          // a frame came before
@@ -60,8 +60,8 @@ class FloorContacts {
  private:
   static size_t index(uint32_t frame, uint32_t limb) { return size_t{frame} * kMostLimbs + limb; }
   double weight(uint32_t frame, uint32_t patch) const { return s_.floor_patches.at(frame, patch).weight; }
-  FloorMemory::Place& place_of(const Held& held) const {
-    return memory_->places[held.middle ? kMostLimbs + held.limb : held.limb];
+  FloorMemory::Anchor& anchor_of(const Held& held) const {
+    return memory_->anchors[held.middle ? kMostLimbs + held.limb : held.limb];
   }
 
   SINEW_RARE void find_bends();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Feet by the places of ankles and toes, and by the lowest vertices.
+// Feet by the positions of ankles and toes, and by the lowest vertices.
 #include "motion/foot_search.hpp"
 
 namespace sinew::motion {

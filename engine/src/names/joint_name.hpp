@@ -17,7 +17,7 @@ struct JointName {
   // The part as maps want it: kNone where the name says more than a part, fore and hind legs as one each, a leg's halves
   // and hips with a side told.
   Part plain = Part::kNone;
-  bool exact = false;                    // nothing else is in the name but sides, places, numbers, ends and noise
+  bool exact = false;                    // nothing else is in the name but sides, positions, numbers, ends and noise
   bool digit = false;                    // of a toe: one of several of a foot
   bool helper = false;                   // helps the joint above it: pelvis.L
   int8_t side = 0;                       // 1 left, -1 right, 0 not said

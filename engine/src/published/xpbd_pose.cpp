@@ -103,7 +103,7 @@ class PublishedPose {
     map_back();
   }
 
-  // Where all is pinned a vertex keeps its skinned place exactly; where all moves it goes with the lattice.
+  // Where all is pinned a vertex keeps its skinned position exactly; where all moves it goes with the lattice.
   void map_back() {
     for (uint32_t u = 0; u < rest_.welded_count; ++u) moved_[u] = 0;
     for (uint32_t v = 0; v < rest_.vertex_count; ++v) {

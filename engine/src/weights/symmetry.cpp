@@ -46,7 +46,7 @@ struct Cells {
     radix_sort_pairs(keys, vertices, mesh.welded_count, scratch_keys, scratch);
   }
 
-  // First place whose key is not below `wanted`.
+  // First index whose key is not below `wanted`.
   uint32_t lower_bound(uint64_t wanted, uint32_t count) const {
     uint32_t low = 0, high = count;
     while (low < high) {

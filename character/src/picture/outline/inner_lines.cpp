@@ -180,7 +180,7 @@ struct Search {
   const Grid<float>& depth;  // of the figure's pixels below its border
   float border;              // how deep the outline's stroke is
   float shortest, thinnest;  // of a line, and of what it frees
-  uint32_t reach;            // pixels, of a widest stroke: what is nearer than that is one place
+  uint32_t reach;            // pixels, of a widest stroke: what is nearer than that is one point
 };
 
 // The longest lines without a corner of one part of the inner ink, each from where it leaves the outline's stroke: slits in `figure`. How many.
@@ -234,7 +234,7 @@ void cut_inner_lines(const Grid<Lab>& colours, Figure* figure) {
     if (depth.values[i] <= search.border) inner.inside[i] = 0;
   const Parts parts = parts_of(inner, true);
   std::vector<std::vector<uint32_t>> anchors(
-      parts.sizes.size());  // pixels next to the outline's stroke, one of each place
+      parts.sizes.size());  // pixels next to the outline's stroke, one of each such point
   std::vector<uint8_t> near(ink.inside.size(), 0);
   for (uint32_t i = 0; i < inner.inside.size(); ++i) {
     const int32_t part = parts.numbers.values[i];

@@ -100,7 +100,7 @@ Pixels draw_in_plane(const PictureFile& picture, const Character& posed, const P
   const float scale = window.pixels * static_cast<float>(kSamples);
   const auto corner = [&](size_t c) {
     const Vec3& p = posed.vertices[posed.face_vertices[c]];
-    const PicturePlace seen = seen_place(picture, {posed.corner_uvs[c][0], 1 - posed.corner_uvs[c][1]});
+    const PicturePoint seen = seen_point(picture, {posed.corner_uvs[c][0], 1 - posed.corner_uvs[c][1]});
     return Corner{(p.x - window.left) * scale, (window.top - p.y) * scale, p.z, seen.u, seen.v};
   };
   for (size_t f = 0; f < posed.face_count(); ++f)

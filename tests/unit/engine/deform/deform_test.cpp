@@ -381,7 +381,7 @@ TEST(Deform, MeshesThatAreNoBodyArePosedToo) {
   const std::vector<float> palette = tube.turned({0, 0, 1}, 60);
   sinew::Deformer deformer;
   for (const uint32_t method : kMethods) {
-    // One vertex without a face, all vertices at one place, a flat sheet, one triangle.
+    // One vertex without a face, all vertices at one position, a flat sheet, one triangle.
     const float point[3] = {0.5f, 0.2f, 0};
     sinew_mesh mesh = {point, 1, nullptr, nullptr, 0, 0};
     ASSERT_EQ(deformer.create(mesh, tube.skeleton(), tube.skin(), options_of(method)), SINEW_OK);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lattice of a mesh: volumes, edges, weights of nodes and the place of every vertex.
+// The lattice of a mesh: volumes, edges, weights of nodes and the position of every vertex.
 #include "deform/lattice.hpp"
 
 #include <gtest/gtest.h>
@@ -99,15 +99,15 @@ TEST(Lattice, VerticesLieWhereTheirSharesSay) {
     const Built built(tube, cells);
     const DeformRest& rest = built.rest;
     for (uint32_t v = 0; v < rest.vertex_count; ++v) {
-      const Embedding& place = rest.lattice.vertices[rest.welded[v]];
-      ASSERT_NE(place.tetrahedron, kNoTetrahedron);
+      const Embedding& embedding = rest.lattice.vertices[rest.welded[v]];
+      ASSERT_NE(embedding.tetrahedron, kNoTetrahedron);
       Vec3d at = {0, 0, 0};
       int sum = 0;
       for (size_t k = 0; k < 4; ++k) {
-        ASSERT_GE(place.shares[k], 0);
-        sum += place.shares[k];
-        at = at +
-             place.shares[k] / 16384.0 * rest.node_position(rest.lattice.tetrahedra[4 * size_t{place.tetrahedron} + k]);
+        ASSERT_GE(embedding.shares[k], 0);
+        sum += embedding.shares[k];
+        at = at + embedding.shares[k] / 16384.0 *
+                      rest.node_position(rest.lattice.tetrahedra[4 * size_t{embedding.tetrahedron} + k]);
       }
       ASSERT_EQ(sum, 1 << kShareBits);
       const Vec3d off = at - rest.position(v);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Classes, roles, sides and partners of whole skeletons: the names that the usual makers give, places in the hierarchy, and
+// Classes, roles, sides and partners of whole skeletons: the names that the usual makers give, positions in the hierarchy, and
 // what follows them.
 #include <gtest/gtest.h>
 

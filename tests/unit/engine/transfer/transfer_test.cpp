@@ -57,7 +57,7 @@ TEST(Transfer, TheSameMeshKeepsItsWeights) {
       << "a bind does not know what was painted, or this test could not fail";
 }
 
-// Heights and places differ, units too: 1:100 and back.
+// Heights and positions differ, units too: 1:100 and back.
 TEST(Transfer, AnotherBuildAndScaleGetsLikeWeights) {
   const MeshScene source = limb(25, 12, 3, 0.3);
   const BoundRows rows = painted(source, 3);
@@ -269,7 +269,7 @@ TEST(Transfer, RubbishIsAStatusOrFinite) {
     for (size_t i = 0; i < flat.positions.size(); i += 3) flat.positions[i] = 0;
     MeshScene one_position = good;
     one_position.positions.assign(one_position.positions.size(), 5);
-    MeshScene heap = good;  // all joints at one place
+    MeshScene heap = good;  // all joints at one position
     heap.joints.assign(heap.joints.size(), 0.5f);
     MeshScene huge = good;
     for (float& x : huge.positions) x *= 1e30f;

@@ -17,7 +17,7 @@ namespace {
 using sinew_test::HeatRun;
 using sinew_test::run_measured;
 
-// Three vertices of the caller, the first two at one place, whose rows come from logits for joints 5, 2 and 7.
+// Three vertices of the caller, the first two at one position, whose rows come from logits for joints 5, 2 and 7.
 struct Predicted {
   Mesh mesh;
   Skeleton skeleton;
