@@ -46,7 +46,7 @@ Json animate_json(const AnimateSettings& s, const Animated& animated) {
   json["joints"] = animated.character.joints.size();
   json["rigged"] = animated.rigged;
   if (animated.picture) json["picture"] = picture_json(*animated.picture);
-  for (const AnimatedClip& one : animated.made) {
+  for (const AnimatedClip& one : animated.animated_clips) {
     json["clips"].push_back({{"motion", one.file},
                              {"name", one.clip},
                              {"frames", one.frames},
@@ -74,13 +74,13 @@ void tell_animated(const AnimateSettings& s, const Animated& animated) {
   const size_t joints = animated.character.joints.size();
   if (animated.rigged)
     std::printf("%s: had no skeleton and got one of %zu joints\n", printable(s.character).c_str(), joints);
-  for (const AnimatedClip& one : animated.made) {
+  for (const AnimatedClip& one : animated.animated_clips) {
     std::printf("%s, %s: %zu frames, %.4g a second; %zu of %zu joints move by %s\n", printable(one.file).c_str(),
                 printable(one.clip).c_str(), one.frames, 1 / one.frame_time, one.mapped, joints,
                 printable(one.map).c_str());
     if (s.report) tell_report(animated.character, one.report);
   }
-  for (const AnimatedClip& one : animated.made)
+  for (const AnimatedClip& one : animated.animated_clips)
     if (!s.deform.method.empty())
       std::printf("  %s: %zu shapes, %.3f %% of the size from the corrected poses, linear skinning alone %.3f %%\n",
                   printable(one.clip).c_str(), one.shapes, 100 * one.error.baked, 100 * one.error.linear);

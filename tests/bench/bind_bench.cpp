@@ -94,8 +94,8 @@ void time_stages(const Input& in, const sinew_model& model, sinew_bind_options o
   Kernels kernels;
   if (!select_kernels(options.kernel, &kernels)) check(SINEW_ERROR_KERNEL, "kernels");
   Arena measuring;  // more than a bind's: nothing is given back before the network here
-  Prepared p;
-  check(prepare(in.mesh, in.skeleton, 0, full, PrepareFor::kNetwork, kernels, {}, measuring, &p), "size");
+  PreparedBind p;
+  check(prepare(in.mesh, in.skeleton, 0, full, PreparePurpose::kNetwork, kernels, {}, measuring, &p), "size");
   check(run_network(model, largest_network_input(counts), kernels, {}, measuring, nullptr, plan.network), "size");
   const size_t bytes = measuring.high_water();
   const Workspace block = touched(bytes);

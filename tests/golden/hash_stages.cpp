@@ -143,7 +143,7 @@ void check(sinew_status status) {
   std::exit(1);
 }
 
-void hash_prepared(const char* name, const Prepared& p, uint32_t k) {
+void hash_prepared(const char* name, const PreparedBind& p, uint32_t k) {
   const size_t u = p.mesh.welded_count;
   Hash mesh, skeleton, heat, candidates, features;
   mesh.add(p.mesh.positions, u);
@@ -236,9 +236,9 @@ void hash_stages(const char* name, const Input& in, uint32_t candidates, uint32_
                     grid, &counts));
   Kernels kernels;
   check(select_kernels(kernel, &kernels) ? SINEW_OK : SINEW_ERROR_KERNEL);
-  Prepared p;
+  PreparedBind p;
   const auto run = [&](Arena& arena) {
-    return prepare(in.mesh, in.skeleton, 0, counts, PrepareFor::kNetwork, kernels, {}, arena, &p);
+    return prepare(in.mesh, in.skeleton, 0, counts, PreparePurpose::kNetwork, kernels, {}, arena, &p);
   };
   Arena measuring;
   check(run(measuring));

@@ -90,7 +90,7 @@ void put_own(const RigJobOptions& job, const RigModels& models, const LabelledSk
     (void)predict_hands(rigged->character, *models.hands, hands, &rigged->skeleton);
   }
   rigged->fitted = fit_own_skeleton(own, job.skeleton, found, options, rigged->character, &rigged->skeleton);
-  if (2 * rigged->fitted->matched < rigged->fitted->telling)
+  if (2 * rigged->fitted->matched < rigged->fitted->matchable)
     rigged->character.notes.push_back("warning: most joints of " + job.skeleton +
                                       " have no like in this mesh; look at them before using them");
 }

@@ -48,7 +48,7 @@ std::string file_card(const CheckedFile& file) {
   std::string note = print("%zu vertices, %zu joints, %zu clips", file.character.vertices.size(),
                            file.character.joints.size(), file.motion.clips.size());
   for (const std::string& line : file.failures) note += "; gate: " + line;
-  for (const size_t i : file.change.gone) note += "; gone: " + file.before->findings[i].what;
+  for (const size_t i : file.change.removed) note += "; gone: " + file.before->findings[i].what;
   const std::string content =
       rows.empty() ? "<p>0 findings</p>"
                    : html::table({{"", true}, {"", true}, {"rule", true}, {"value"}, {"bound"}, {"what", true}}, rows);

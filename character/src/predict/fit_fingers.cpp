@@ -182,7 +182,7 @@ std::optional<FittedSkeleton> fit_lone_hand(const std::vector<Joint>& own, const
   fitted.how[mine[0].joint] = FitHow::kMatched;
   (void)fit_fingers(found, &fitted);
   fitted.matched = static_cast<size_t>(std::count(fitted.how.begin(), fitted.how.end(), FitHow::kMatched));
-  fitted.telling = own.size();
+  fitted.matchable = own.size();
   return fitted;
 }
 

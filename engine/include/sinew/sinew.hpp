@@ -181,7 +181,7 @@ struct Skin {
 };
 
 // What a bind asks, see sinew_bind_outputs.
-struct Asked {
+struct QuestionList {
   std::vector<sinew_question> questions;                 // by falling gain
   std::vector<uint32_t> vertex_questions, vertex_parts;  // [vertex_count]
 };
@@ -209,7 +209,7 @@ sinew_status fill_skin(uint32_t vertex_count, uint32_t influence_count, bool is_
 template <class Weight>
 sinew_status bind(const sinew_model* model, const sinew_mesh& mesh, const sinew_skeleton& skeleton, Options options,
                   Workspace* workspace, Skin<Weight>* skin, std::vector<uint8_t>* confidence = nullptr,
-                  Asked* asked = nullptr) {
+                  QuestionList* asked = nullptr) {
   options.weight_format = WeightFormat<Weight>::value;
   size_t bytes = 0;
   const sinew_status status = sinew_bind_workspace_size(model, mesh.vertex_count, mesh.face_count, mesh.corner_count,

@@ -26,9 +26,9 @@ struct BindPlan {
   Progress progress;
 
   // make_parts_soft() is all that reads candidates or heat fields after the features.
-  PrepareFor purpose() const {
-    if (!with_network) return by_distance ? PrepareFor::kDistance : PrepareFor::kHeat;
-    return rows.reads_heat() ? PrepareFor::kNetwork : PrepareFor::kNetworkAlone;
+  PreparePurpose purpose() const {
+    if (!with_network) return by_distance ? PreparePurpose::kDistance : PreparePurpose::kHeat;
+    return rows.reads_heat() ? PreparePurpose::kNetwork : PreparePurpose::kNetworkAlone;
   }
 };
 

@@ -100,15 +100,15 @@ class Measure {
 
   void measure_slide(uint32_t number, Tally* tally) {
     const Limb& limb = s_.limbs.limbs[number];
-    feet_.find_standing(limb, s_.stands);
+    feet_.find_standing(limb, s_.standing);
     Vec3d before = {0, 0, 0};
     for (uint32_t f = 0; f < s_.in->frames; ++f) {
       s_.load(f);
       const Vec3d position = s_.plan->target_positions[feet_.sole_joint(limb)];
       const Vec3d flat = position - dot(position, s_.plan->up) * s_.plan->up;
-      const bool stood = f > 0 && s_.stands[f - 1] != 0;
+      const bool stood = f > 0 && s_.standing[f - 1] != 0;
       const double slide = stood ? share_ * length(flat - before) : 0;
-      if (s_.stands[f] != 0) {
+      if (s_.standing[f] != 0) {
         if (stood) tally->add_error(slide);
         set_spot(f, number, SINEW_SPOT_STANDS, position, slide);
       }

@@ -34,10 +34,10 @@ struct Ball {
   int64_t reach_2;  // squared
 };
 
-class Grower {
+class FoldedTreeBuilder {
  public:
-  Grower(const VotePool& pool, Cloud cloud, uint8_t* starts, uint8_t* ends, int32_t* between, Ball* balls,
-         FoldedTree* tree)
+  FoldedTreeBuilder(const VotePool& pool, Cloud cloud, uint8_t* starts, uint8_t* ends, int32_t* between, Ball* balls,
+                    FoldedTree* tree)
       : pool_(pool),
         votes_(*pool.votes),
         cloud_(cloud),
@@ -352,7 +352,7 @@ sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t
     tree->nodes[j].at = joints[j].at;
     tree->nodes[j].joint_class = joints[j].joint_class;
   }
-  Grower(pool, cloud, starts, ends, between, balls, tree).run(kind);
+  FoldedTreeBuilder(pool, cloud, starts, ends, between, balls, tree).run(kind);
   return SINEW_OK;
 }
 

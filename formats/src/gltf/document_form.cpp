@@ -35,9 +35,9 @@ bool is_even(double x, double y, double z) {
   return std::abs(x - y) <= kEvenScale * size && std::abs(x - z) <= kEvenScale * size && x > 0;
 }
 
-class Former {
+class FormApplier {
  public:
-  Former(const std::string& path, const DocumentForm& form, const GltfJoints& joints, GltfSource* source)
+  FormApplier(const std::string& path, const DocumentForm& form, const GltfJoints& joints, GltfSource* source)
       : path_(path), form_(form), joints_(joints), source_(*source), document_(source->document) {}
 
   std::vector<std::string> apply() {
@@ -357,7 +357,7 @@ class Former {
 std::vector<std::string> put_into_form(const std::string& path, const DocumentForm& form, const GltfJoints& joints,
                                        GltfSource* source) {
   try {
-    return Former(path, form, joints, source).apply();
+    return FormApplier(path, form, joints, source).apply();
   } catch (const nlohmann::json::exception& error) {
     throw Error(path + ": cannot write, the input document has an unexpected form: " + one_line(error.what()));
   }

@@ -90,7 +90,7 @@ void Player::make(MotionMethod method, Opened* opened) {
   options.report = options.force = true;  // what does not fit is told beside the map, where it can be mended
   AnimatedCharacter& work = opened->work;
   work.motion = motion_of(work.character.joints);
-  work.made.clear();
+  work.animated_clips.clear();
   Made made;
   for (size_t f = 0; f < opened->sources.size(); ++f) {
     Source& source = opened->sources[f];
@@ -109,7 +109,7 @@ void Player::make(MotionMethod method, Opened* opened) {
     made.notes.push_back(notes_from(work.motion, notes, source.file));
   }
   made.motion = std::move(work.motion);
-  made.clips = std::move(work.made);
+  made.clips = std::move(work.animated_clips);
   opened->now = &opened->made.emplace(method, std::move(made)).first->second;
 }
 

@@ -113,7 +113,7 @@ TEST(CppWrapper, AsksAndWantsAPlaceForIt) {
   sinew::Skin<uint16_t> skin;
   EXPECT_EQ(sinew::bind(nullptr, scene.mesh_view(), scene.skeleton_view(), options, &workspace, &skin),
             SINEW_ERROR_ARGUMENT);
-  sinew::Asked asked;
+  sinew::QuestionList asked;
   ASSERT_EQ(sinew::bind(nullptr, scene.mesh_view(), scene.skeleton_view(), options, &workspace, &skin, nullptr, &asked),
             SINEW_OK);
   ASSERT_EQ(asked.questions.size(), 1u);  // the bar is in one piece

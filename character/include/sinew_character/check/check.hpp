@@ -67,8 +67,8 @@ std::string checked_line(const RigCheck& check);
 // What the second version has that the first has not, and the other way round. Findings are the same when rule, joints (by name), pose
 // and clip are.
 struct CheckChange {
-  std::vector<size_t> added;  // of `now`
-  std::vector<size_t> gone;   // of `before`
+  std::vector<size_t> added;    // of `now`
+  std::vector<size_t> removed;  // of `before`
 };
 CheckChange check_change(const RigCheck& before, const std::vector<Joint>& joints_before, const RigCheck& now,
                          const std::vector<Joint>& joints_now);

@@ -39,7 +39,7 @@ struct FittedSkeleton {
   std::vector<Joint> joints;  // names, parents and order of `mine`, new positions
   std::vector<FitHow> how;    // [J]
   size_t matched = 0;         // joints with kMatched
-  size_t telling = 0;         // joints that are neither details nor bone ends: most of them should match
+  size_t matchable = 0;       // joints that are neither details nor bone ends: most of them should match
   double scale = 1;           // of the whole, for people
   bool symmetric = false;     // both skeletons are their own mirror images, and so is the result, exactly
 };

@@ -75,7 +75,7 @@ Figure figure_of_outline(const PictureFile& picture, const Outline& outline, con
       for (int64_t x = first; x < last; ++x) inside.inside[size_t{y} * inside.width + static_cast<size_t>(x)] = 1;
     }
   }
-  picture::Chosen chosen = picture::choose_part(picture.name, inside, options.number);
+  picture::ChosenPart chosen = picture::choose_part(picture.name, inside, options.number);
   out.mask = std::move(chosen.mask);
   out.count = chosen.count;
   out.number = chosen.number;

@@ -46,7 +46,7 @@ bool is_below(const MotionScene& scene, uint32_t joint, uint32_t ancestor) {
   return false;
 }
 
-struct Wish {
+struct GoalOptions {
   int power = 3;
   double falloff = 0.05, eps = 1e-5;
   bool own_limb = false;
@@ -55,7 +55,7 @@ struct Wish {
 // The position of a joint by the equations, in double with the maths library.
 Vec3d expected_position(const MotionScene& source, const MotionScene& target, const BoxBody& a, const BoxBody& b,
                         const WorldPose& from, const WorldPose& copied, uint32_t joint, uint32_t shoulder,
-                        const Wish& wish) {
+                        const GoalOptions& goal_options) {
   const auto source_triangles = triangles(a, posed(source, a, from));
   const auto target_triangles = triangles(b, posed(target, b, copied));
   std::vector<Vec3d> rest;
@@ -71,7 +71,7 @@ Vec3d expected_position(const MotionScene& source, const MotionScene& target, co
   };
   double mean = 0;
   for (const Triangle& t : source_triangles) mean += t.area / static_cast<double>(source_triangles.size());
-  // Torso, head, arms and legs wish apart. A box is one joint's.
+  // Torso, head, arms and legs have goals of their own. A box is one joint's.
   struct Part {
     Vec3d sum = {0, 0, 0};
     double all = 0, near = 1e9;
@@ -82,7 +82,7 @@ Vec3d expected_position(const MotionScene& source, const MotionScene& target, co
     size_t part = 0;
     for (size_t k = 1; k < 6; ++k)
       if (is_below(source, a.joints[a.triangles[3 * i]], tops[k])) part = k;
-    if (tops[part] == shoulder && !wish.own_limb) continue;
+    if (tops[part] == shoulder && !goal_options.own_limb) continue;
     uint32_t nearest = 0;
     for (uint32_t j = 1; j < source.count(); ++j)
       if (j != kLeftFinger &&
@@ -91,9 +91,9 @@ Vec3d expected_position(const MotionScene& source, const MotionScene& target, co
     const Vec3d v = from.positions[joint] - source_triangles[i].middle;
     const double far = std::sqrt(dot(v, v));
     const Vec3d along = (1 / far) * v;
-    double own = std::pow(source_triangles[i].area / mean, wish.power) *
-                 std::max(std::abs(dot(along, source_triangles[i].normal)), wish.eps);
-    if (wish.falloff > 0) own *= std::exp(-std::pow(far / (wish.falloff * height(a)), 2));
+    double own = std::pow(source_triangles[i].area / mean, goal_options.power) *
+                 std::max(std::abs(dot(along, source_triangles[i].normal)), goal_options.eps);
+    if (goal_options.falloff > 0) own *= std::exp(-std::pow(far / (goal_options.falloff * height(a)), 2));
     // Bones of the way: those that are above just one of the two ends.
     double way = 0, other = 0;
     bool any = false;
@@ -144,30 +144,33 @@ Pose arms_forward(const MotionScene& scene, double amount) {
 
 TEST(ReferencePoints, ArmsGoWhereTheEquationsSay) {
   const Bodies bodies;
-  for (const Wish& wish : {Wish{}, Wish{4, 0, 1e-5, true}, Wish{0, 0, 1e-5, false}, Wish{1, 0, 0.3, true},
-                           Wish{2, 0.2, 1e-5, true}, Wish{0, 0.1, 1e-5, false}}) {
+  for (const GoalOptions& goal_options :
+       {GoalOptions{}, GoalOptions{4, 0, 1e-5, true}, GoalOptions{0, 0, 1e-5, false}, GoalOptions{1, 0, 0.3, true},
+        GoalOptions{2, 0.2, 1e-5, true}, GoalOptions{0, 0.1, 1e-5, false}}) {
     PlayedClip clip(bodies.source, bodies.target);
     const Pose pose = arms_forward(bodies.source, 0.6);
     clip.add(pose);
     const WorldPose from = world_pose(bodies.source, pose), copied = clip.frame(0);
     sinew_reference_options settings = SINEW_INIT(sinew_reference_options);
-    settings.area_power = wish.power == 0 ? SINEW_NO_AREA : static_cast<uint32_t>(wish.power);
-    settings.falloff = wish.falloff > 0 ? static_cast<float>(wish.falloff) : SINEW_NO_FALLOFF;
-    settings.own_limb = wish.own_limb ? 1 : 0;
-    settings.least_cosine = static_cast<float>(wish.eps);
+    settings.area_power = goal_options.power == 0 ? SINEW_NO_AREA : static_cast<uint32_t>(goal_options.power);
+    settings.falloff = goal_options.falloff > 0 ? static_cast<float>(goal_options.falloff) : SINEW_NO_FALLOFF;
+    settings.own_limb = goal_options.own_limb ? 1 : 0;
+    settings.least_cosine = static_cast<float>(goal_options.eps);
     ASSERT_EQ(clip.reference_points(bodies.a, bodies.b, settings), SINEW_OK);
     const WorldPose made = clip.frame(0);
     double moved = 0;
     for (const uint32_t arm : {kLeftUpperArm, kRightUpperArm}) {
       const auto goal = [&](uint32_t joint) {
-        return expected_position(bodies.source, bodies.target, bodies.a, bodies.b, from, copied, joint, arm, wish);
+        return expected_position(bodies.source, bodies.target, bodies.a, bodies.b, from, copied, joint, arm,
+                                 goal_options);
       };
       const Vec3d shoulder = copied.positions[arm], elbow = goal(arm + 1), wrist = goal(arm + 2);
       const double upper = distance(copied.positions[arm], copied.positions[arm + 1]),
                    lower = distance(copied.positions[arm + 1], copied.positions[arm + 2]);
       const double reach = std::min(distance(wrist, shoulder), 0.9995 * (upper + lower));
       const Vec3d along = sinew::unit(wrist - shoulder);
-      EXPECT_LT(distance(made.positions[arm + 2], shoulder + reach * along), 2e-4) << wish.power << " " << wish.falloff;
+      EXPECT_LT(distance(made.positions[arm + 2], shoulder + reach * along), 2e-4)
+          << goal_options.power << " " << goal_options.falloff;
       // The elbow lies in the plane of shoulder, wrist and wanted elbow, on its side.
       const Vec3d side = sinew::unit(elbow - shoulder - dot(elbow - shoulder, along) * along);
       const Vec3d bend = made.positions[arm + 1] - shoulder;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Skeletons from votes: a known humanoid comes back, symmetry is exact, the order of points does not matter, any votes
-// give a tree, and wishes are kept.
+// give a tree, and options are kept.
 #include "rig/tree.hpp"
 
 #include <gtest/gtest.h>
@@ -234,13 +234,13 @@ TEST(Rig, UnfoldedSidesAreFoundApart) {
 TEST(Rig, SpineHasAsManyJointsAsWished) {
   const VoteScene scene = votes_for(known_humanoid(), 60, 0.004, 7);
   const FoundRig free(scene);
-  for (int32_t wish = 0; wish <= 16; ++wish) {
+  for (int32_t spine = 0; spine <= 16; ++spine) {
     RigOptions options;
-    options.spine = wish;
+    options.spine = spine;
     const FoundRig found(scene, options);
-    expect_sound(found, true, "spine " + std::to_string(wish));
-    EXPECT_EQ(found.count_of(kClassSpine), static_cast<uint32_t>(wish));
-    EXPECT_EQ(found.joints.size() + free.count_of(kClassSpine), free.joints.size() + static_cast<size_t>(wish));
+    expect_sound(found, true, "spine " + std::to_string(spine));
+    EXPECT_EQ(found.count_of(kClassSpine), static_cast<uint32_t>(spine));
+    EXPECT_EQ(found.joints.size() + free.count_of(kClassSpine), free.joints.size() + static_cast<size_t>(spine));
     // A chain from the pelvis to the neck, upwards; clavicles hang on its last joint.
     int16_t last = 0;
     for (size_t i = 0; i < found.joints.size(); ++i) {
@@ -255,7 +255,7 @@ TEST(Rig, SpineHasAsManyJointsAsWished) {
         EXPECT_EQ(joint.parent, last);
       }
     }
-    if (wish == 2) {  // as there were: nothing moves
+    if (spine == 2) {  // as there were: nothing moves
       EXPECT_TRUE(same_joints(found.joints, free.joints));
     }
   }
