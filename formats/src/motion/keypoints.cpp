@@ -153,8 +153,7 @@ class KeypointsSolver {
     relative_ = keypoints_.size() >= 2 && !(moved > kHipsStill * size);
     if (!relative_) return;
     motion_.notes.emplace_back(
-        "hips never move, so keypoints are taken as relative to them, and the lowest joint of every frame "
-        "is "
+        "hips never move, so keypoints are taken as relative to them, and the lowest joint of every frame is "
         "on the floor");
     for (std::vector<Point3>& frame : keypoints_) lower(&frame);
   }
