@@ -619,15 +619,15 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   Block block(bytes);
   sinew_retarget* plan = nullptr;
   check(sinew_retarget_create(&source, &target, map.data(), classes.data(), nullptr, block.data, bytes, &plan));
-  std::vector<float> turns, positions, heights;
+  std::vector<float> turns, translations, heights;
   for (uint32_t f = 0; f < line.motion_frames; ++f) {
     heights.push_back(0);
     for (uint32_t j = 0; j < joints; ++j) {
       turns.insert(turns.end(), {0.1f * draw(), 0.1f * draw(), 0.1f * draw(), 2 + draw()});
-      positions.insert(positions.end(), {0.2f * draw(), 0.2f * draw(), 0.2f * draw()});
+      translations.insert(translations.end(), {0.2f * draw(), 0.2f * draw(), 0.2f * draw()});
     }
-    check(sinew_retarget_height(plan, turns.data() + size_t{4} * joints * f, positions.data() + size_t{3} * joints * f,
-                                &heights[f]));
+    check(sinew_retarget_height(plan, turns.data() + size_t{4} * joints * f,
+                                translations.data() + size_t{3} * joints * f, &heights[f]));
   }
   float ground = 0;
   check(sinew_retarget_ground(plan, heights.data(), heights.size(), &ground));
@@ -639,11 +639,11 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   };
   add(heights);
   add({ground});
-  std::vector<float> out_rotations(turns.size()), out_positions(positions.size());
+  std::vector<float> out_rotations(turns.size()), out_positions(translations.size());
   for (uint32_t f = 0; f < line.motion_frames; ++f) {
     const size_t four = size_t{4} * joints * f, three = size_t{3} * joints * f;
-    check(sinew_retarget_frame(plan, turns.data() + four, positions.data() + three, ground, out_rotations.data() + four,
-                               out_positions.data() + three));
+    check(sinew_retarget_frame(plan, turns.data() + four, translations.data() + three, ground,
+                               out_rotations.data() + four, out_positions.data() + three));
   }
   add(out_rotations);
   add(out_positions);
@@ -682,8 +682,8 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   const sinew_motion_body other = {
       body.data(), nullptr, {nearest.data(), whole.data(), 1, SINEW_WEIGHT_UNORM16}, vertices, 0};
   const std::vector<float> copied_rotations = out_rotations, copied_positions = out_positions;
-  const sinew_motion_clip clip = {turns.data(),         positions.data(),   out_rotations.data(),
-                                  out_positions.data(), line.motion_frames, ground};
+  const sinew_motion_clip clip = {turns.data(),         translations.data(), out_rotations.data(),
+                                  out_positions.data(), line.motion_frames,  ground};
   check(sinew_retarget_contacts_workspace_size(plan, &own, line.motion_frames, &bytes));
   Block workspace(bytes);
   check(sinew_retarget_contacts(plan, &other, &own, &clip, nullptr, workspace.data, bytes));
@@ -708,7 +708,7 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   add(out_rotations);
   add(out_positions);
   print(name, "contacts", poses);
-  hash_stream(name, source, target, map, classes, own, turns, positions);
+  hash_stream(name, source, target, map, classes, own, turns, translations);
   // The published method, as drawn and with all of its options.
   poses = Hash();
   check(sinew_retarget_reference_points_workspace_size(plan, &own, &bytes));

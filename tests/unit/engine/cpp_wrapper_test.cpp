@@ -184,17 +184,17 @@ TEST(CppWrapper, ARetargetPlanThatWasNotMadeRefuses) {
   rig.positions = positions;
   rig.parents = parents;
   rig.joint_count = 2;
-  const float rotations[8] = {0, 0, 0, 1, 0, 0, 0.6f, 0.8f}, positions[6] = {1, 2, 3, 0, 1, 0};
+  const float rotations[8] = {0, 0, 0, 1, 0, 0, 0.6f, 0.8f}, translations[6] = {1, 2, 3, 0, 1, 0};
   float turned[8], moved[6], ground = 0;
   sinew::RetargetPlan plan;
-  EXPECT_EQ(plan.frame(rotations, positions, 0, turned, moved), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(plan.frame(rotations, translations, 0, turned, moved), SINEW_ERROR_ARGUMENT);
   ASSERT_EQ(plan.make(rig, rig, map, nullptr), SINEW_OK);
   ASSERT_EQ(plan.ground(nullptr, 0, &ground), SINEW_OK);
-  ASSERT_EQ(plan.frame(rotations, positions, ground, turned, moved), SINEW_OK);
+  ASSERT_EQ(plan.frame(rotations, translations, ground, turned, moved), SINEW_OK);
   for (int i = 0; i < 8; ++i) EXPECT_NEAR(turned[i], rotations[i], 1e-6f);
-  for (int i = 0; i < 6; ++i) EXPECT_NEAR(moved[i], positions[i], 1e-6f);
+  for (int i = 0; i < 6; ++i) EXPECT_NEAR(moved[i], translations[i], 1e-6f);
   EXPECT_EQ(plan.make(rig, rig, none, nullptr), SINEW_ERROR_NO_JOINT);
-  EXPECT_EQ(plan.frame(rotations, positions, 0, turned, moved), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(plan.frame(rotations, translations, 0, turned, moved), SINEW_ERROR_ARGUMENT);
 }
 
 // Whole clips of sinew/motion_clips.h, which sinew.h includes.

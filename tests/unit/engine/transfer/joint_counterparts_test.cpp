@@ -25,7 +25,7 @@ MeshScene scene_of(const std::vector<int32_t>& parents) {
 
 struct Completed {
   MeshRun source, target;
-  std::vector<int32_t> same, takes, head;
+  std::vector<int32_t> same, target_of, head;
   std::vector<uint8_t> is_new;
   JointCounterparts map;
 
@@ -33,11 +33,11 @@ struct Completed {
       : source(from), target(to) {
     const size_t sources = from.joint_count(), targets = to.joint_count();
     same.resize(sources);
-    takes.resize(sources);
+    target_of.resize(sources);
     head.resize(targets);
     is_new.resize(targets);
     map.same = same.data();
-    map.target_of = takes.data();
+    map.target_of = target_of.data();
     map.head = head.data();
     map.is_new = is_new.data();
     std::vector<uint32_t> scratch(2 * sources);
