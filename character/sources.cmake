@@ -75,7 +75,7 @@ set(sinew_character_sources
   predict/turn
   pose/bend_volume
   pose/deform
-  pose/placement
+  pose/character_transform
   pose/pose
   pose/pose_file
   pose/rest_pose
@@ -120,7 +120,7 @@ set(sinew_character_sources
   check/matrices
   check/mesh_check
   check/names
-  check/places
+  check/stray_weights
   check/poses
   check/rig_facts
   check/rig_gate
@@ -160,18 +160,18 @@ set(sinew_job_sources
   capi/bind
   capi/check
   capi/clips
+  capi/keypoints
   capi/lod
   capi/map
   capi/open
   capi/picture
-  capi/place
-  capi/places
   capi/pose
   capi/rig
   capi/save
   capi/simplify
   capi/struct_sizes
   capi/transfer
+  capi/transform
   jobs/animate_job
   jobs/bake_job
   jobs/bind_job

@@ -39,7 +39,7 @@ set(sinew_formats_sources
   gltf/gltf_rest
   gltf/gltf_skin
   gltf/move_joints
-  gltf/place_document
+  gltf/transform_document
   gltf/move_vertices
   gltf/pick_vertices
   gltf/reduce_triangles
@@ -58,7 +58,7 @@ set(sinew_formats_sources
   motion/npy
   motion/numpy_read
   motion/person
-  motion/places
+  motion/keypoints
   motion/unzip
   motion/vmd_read
   text/mtl
@@ -80,3 +80,13 @@ foreach(sources sinew_formats_sources sinew_network_sources)
 endforeach()
 # tinygltf itself: what includes its header before it would leave it out.
 set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/src/gltf/tinygltf.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+# Where CMAKE_UNITY_BUILD is on, each room is compiled as one source: its files share the headers that they include and what these instantiate.
+function(sinew_rooms_as_one target)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    if(source MATCHES "/([a-z]+)/src/([a-z]+)/")
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${CMAKE_MATCH_1}_${CMAKE_MATCH_2})
+    endif()
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+endfunction()

@@ -40,9 +40,12 @@ int main(void) {
   for (uint32_t f = 0; f <= kFaces; ++f) offsets[f] = 4 * f;
 
   const sinew_mesh mesh = {positions, kVertices, offsets, corners, kFaces, 4 * kFaces};
-  sinew_skeleton skeleton = sinew_skeleton_init(kJointPositions, kJointParents, 2);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+  skeleton.positions = kJointPositions;
+  skeleton.parents = kJointParents;
+  skeleton.joint_count = 2;
   skeleton.flags = kJointFlags;
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.method = SINEW_METHOD_HEAT;
   options.influence_count = kInfluences;
 
@@ -59,7 +62,9 @@ int main(void) {
     }
     void* const workspace = (char*)block + (SINEW_WORKSPACE_ALIGNMENT - (uintptr_t)block % SINEW_WORKSPACE_ALIGNMENT) %
                                                SINEW_WORKSPACE_ALIGNMENT;
-    sinew_bind_outputs outputs = sinew_bind_outputs_init(joints, weights);
+    sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+    outputs.joint_indices = joints;
+    outputs.weights = weights;
     status = sinew_bind(NULL, &mesh, &skeleton, &options, workspace, bytes, &outputs);
     free(block);
   }

@@ -11,8 +11,8 @@ static int fail(const sinew_character* character) {
 
 int main(int count, char** arguments) {
   sinew_character* character = NULL;
-  sinew_character_bind_options options = sinew_character_bind_options_init();
-  sinew_character_arrays arrays = sinew_character_arrays_init();
+  sinew_character_bind_options options = SINEW_INIT(sinew_character_bind_options);
+  sinew_character_arrays arrays = SINEW_INIT(sinew_character_arrays);
   if (count != 3) return 2;
   if (sinew_character_open(arguments[1], &character) != SINEW_OK) return fail(NULL);
   if (sinew_character_bind(character, &options, NULL) != SINEW_OK ||

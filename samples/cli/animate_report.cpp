@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-Json limb_json(const sinew_limb_measure& limb) {
+Json limb_json(const sinew_limb_quality& limb) {
   return {{"deep_frames", limb.deep_frames},       {"depth", limb.depth}, {"greatest_depth", limb.greatest_depth},
           {"contact_frames", limb.contact_frames}, {"error", limb.error}, {"greatest_error", limb.greatest_error},
           {"range_frames", limb.range_frames}};
@@ -22,7 +22,7 @@ Json limb_json(const sinew_limb_measure& limb) {
 void tell_report(const Character& character, const ClipReport& report) {
   if (report.before.empty()) std::printf("  no arms or legs to measure\n");
   for (size_t i = 0; i < report.before.size(); ++i) {
-    const sinew_limb_measure &a = report.before[i], &b = report.after[i];
+    const sinew_limb_quality &a = report.before[i], &b = report.after[i];
     const auto percent = [](float share) { return 100 * static_cast<double>(share); };
     const bool leg = a.leg != 0;
     std::printf("  %s: %s in %u of %u frames -> %u, at most %.2f %% of the height -> %.2f",
@@ -46,7 +46,7 @@ Json animate_json(const AnimateSettings& s, const Animated& animated) {
   json["joints"] = animated.character.joints.size();
   json["rigged"] = animated.rigged;
   if (animated.picture) json["picture"] = picture_json(*animated.picture);
-  for (const AnimatedClip& one : animated.made) {
+  for (const AnimatedClip& one : animated.animated_clips) {
     json["clips"].push_back({{"motion", one.file},
                              {"name", one.clip},
                              {"frames", one.frames},
@@ -74,13 +74,13 @@ void tell_animated(const AnimateSettings& s, const Animated& animated) {
   const size_t joints = animated.character.joints.size();
   if (animated.rigged)
     std::printf("%s: had no skeleton and got one of %zu joints\n", printable(s.character).c_str(), joints);
-  for (const AnimatedClip& one : animated.made) {
+  for (const AnimatedClip& one : animated.animated_clips) {
     std::printf("%s, %s: %zu frames, %.4g a second; %zu of %zu joints move by %s\n", printable(one.file).c_str(),
                 printable(one.clip).c_str(), one.frames, 1 / one.frame_time, one.mapped, joints,
                 printable(one.map).c_str());
     if (s.report) tell_report(animated.character, one.report);
   }
-  for (const AnimatedClip& one : animated.made)
+  for (const AnimatedClip& one : animated.animated_clips)
     if (!s.deform.method.empty())
       std::printf("  %s: %zu shapes, %.3f %% of the size from the corrected poses, linear skinning alone %.3f %%\n",
                   printable(one.clip).c_str(), one.shapes, 100 * one.error.baked, 100 * one.error.linear);

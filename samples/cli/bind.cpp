@@ -254,7 +254,7 @@ void add_bind(CLI::App& app) {
   add_outputs(sub, s.get());
   add_artists_words(sub, s.get());
   add_mesh_changes(sub, s.get());
-  add_placement_options(sub, &s->one.placement);
+  add_transform_options(sub, &s->one.transform);
   add_bind_rest(sub, s.get());
   add_profile_options(sub, &s->one.profile);
   add_controls_option(sub, &s->one.profile);

@@ -32,7 +32,7 @@ struct Task : FolderFile {
   std::string skeleton;
 };
 
-struct Done {
+struct FinishedTask {
   BoundRow row;
   nlohmann::ordered_json json;
 };
@@ -70,15 +70,15 @@ std::vector<uint8_t> picture_of(const Character& character, const BindSettings& 
   return encode_png(render(character, weight_colours(character), view));
 }
 
-Done failure(const Task& task, const std::string& why) {
-  Done done;
+FinishedTask failure(const Task& task, const std::string& why) {
+  FinishedTask done;
   done.row.name = task.name;
   done.row.error = printable(why);
   done.json = {{"mesh", task.mesh}, {"error", done.row.error}};
   return done;
 }
 
-Done bind_task(const FolderSettings& s, const Binder& binder, const Task& task) {
+FinishedTask bind_task(const FolderSettings& s, const Binder& binder, const Task& task) {
   BindSettings one = s.each;
   one.mesh = task.mesh;
   one.skeleton = task.skeleton;
@@ -86,7 +86,7 @@ Done bind_task(const FolderSettings& s, const Binder& binder, const Task& task) 
   try {
     make_folder(fs::path(task.output).parent_path().string());
     const BoundFile bound = bind_one(one, binder, false);
-    Done done{row_of(task, bound.summary), summary_json(bound.summary)};
+    FinishedTask done{row_of(task, bound.summary), summary_json(bound.summary)};
     if (!s.report.empty()) done.row.png = picture_of(bound.character, one);
     return done;
   } catch (const UsageError&) {
@@ -106,13 +106,13 @@ std::string line_of(const BoundRow& row) {
   return line;
 }
 
-// Tells of the files in their order, whichever is ready first.
-class Teller {
+// Reports the files in their order, whichever is ready first.
+class FolderReporter {
  public:
-  Teller(const FolderSettings& s, size_t count)
+  FolderReporter(const FolderSettings& s, size_t count)
       : settings_(s), done_(count), ready_(count), progress_(count, "files") {}
 
-  void add(size_t index, Done done) {
+  void add(size_t index, FinishedTask done) {
     const std::lock_guard<std::mutex> guard(lock_);
     done_[index] = std::move(done);
     ready_[index] = true;
@@ -122,12 +122,12 @@ class Teller {
   // When all are told.
   std::vector<BoundRow> rows() const {
     std::vector<BoundRow> rows;
-    for (const Done& done : done_) rows.push_back(done.row);
+    for (const FinishedTask& done : done_) rows.push_back(done.row);
     return rows;
   }
 
  private:
-  void tell(const Done& done) {
+  void tell(const FinishedTask& done) {
     if (!done.row.error.empty()) progress_.say(stderr, "sinew: error: " + done.row.error);
     if (settings_.json) {
       progress_.say(stdout, json_line(done.json));
@@ -138,7 +138,7 @@ class Teller {
 
   const FolderSettings& settings_;
   std::mutex lock_;
-  std::vector<Done> done_;
+  std::vector<FinishedTask> done_;
   std::vector<char> ready_;
   size_t next_ = 0;
   Progress progress_;
@@ -151,9 +151,9 @@ void bind_folder(const FolderSettings& s, const Binder& binder) {
   const std::vector<Task> tasks = make_tasks(s);
   std::vector<BoundRow> rows;
   {
-    Teller teller(s, tasks.size());
-    parallel_for(tasks.size(), s.jobs, [&](size_t i, unsigned) { teller.add(i, bind_task(s, binder, tasks[i])); });
-    rows = teller.rows();
+    FolderReporter reporter(s, tasks.size());
+    parallel_for(tasks.size(), s.jobs, [&](size_t i, unsigned) { reporter.add(i, bind_task(s, binder, tasks[i])); });
+    rows = reporter.rows();
   }
   size_t failed = 0;
   for (const BoundRow& row : rows) failed += row.error.empty() ? 0 : 1;

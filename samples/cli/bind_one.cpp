@@ -95,7 +95,7 @@ BindJobOptions job_options(const BindSettings& settings, const Binder& binder, c
   job.influence_count = settings.influences;
   job.up_axis = axis_of(settings.up);
   job.thread_count = settings.threads;
-  set_flags(settings, character, &job.said);
+  set_flags(settings, character, &job.joint_flags);
   BindOptions style;
   style.method = binder.model == nullptr ? binder.method : uint32_t{SINEW_METHOD_MODEL};
   apply_style(settings.style, &style);
@@ -189,8 +189,8 @@ CharacterBind bind_and_ask(const BindSettings& settings, const Character& charac
 
 BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool progress) {
   Character character =
-      placed(read_mesh_and_skeleton(settings.mesh, settings.skeleton, !settings.lock.empty() || settings.compare),
-             settings.placement, axis_of(settings.up));
+      transformed(read_mesh_and_skeleton(settings.mesh, settings.skeleton, !settings.lock.empty() || settings.compare),
+                  settings.transform, axis_of(settings.up));
   check_bindable(character);  // before anything that takes longer the more joints there are
   const std::vector<uint8_t> locked = read_locks(settings, character);
   const WeightsBefore before = weights_before(settings, character, locked);
@@ -218,7 +218,7 @@ BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool prog
   summary.answers = answers.given.size();
   summary.answers_by_style = answers.by_style;
   summary.style = settings.save_style;
-  if (!settings.ask) summary.questions = asked_parts(character, result);
+  if (!settings.ask) summary.questions = part_questions(character, result);
   summary.notes.insert(summary.notes.end(), character.notes.begin(), character.notes.end());
   for (const LeftOutJoint& left : job.choice().left_out)
     summary.left_out.emplace_back(character.joints[left.joint].name, left.why);

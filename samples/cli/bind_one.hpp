@@ -9,7 +9,7 @@
 #include "bind_summary.hpp"
 #include "profile_options.hpp"
 #include "sinew_character/jobs/bind_job.hpp"
-#include "sinew_character/pose/placement.hpp"
+#include "sinew_character/pose/character_transform.hpp"
 #include "sinew_formats/character.hpp"
 #include "style_options.hpp"
 
@@ -30,7 +30,7 @@ struct BindSettings {
   bool symmetric = false, confidence = false, no_seams = false;
   bool cut = false;                  // what has grown together is opened
   std::string to_pose;               // rest pose of what is written; empty: as the mesh stands
-  Placement placement;               // where the mesh with its joints is put first
+  CharacterTransform transform;      // where the mesh with its joints is put first
   ProfileSettings profile;           // what it is written for
   unsigned questions = 0;            // parts to list or, with `ask`, to ask about on the terminal
   bool ask = false;                  // reads answers from standard input

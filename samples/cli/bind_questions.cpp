@@ -29,7 +29,7 @@ void draw_question(const Character& character, const CharacterBind& bound, size_
 }
 
 // What was typed as an answer; false where it is none, with the reason on `out`.
-bool read_answer(const Character& character, const AskedPart& part, const std::string& typed, std::ostream& out,
+bool read_answer(const Character& character, const PartQuestion& part, const std::string& typed, std::ostream& out,
                  sinew_answer* answer) {
   std::string said = typed.empty() ? "proposed" : typed;
   const bool is_number = said.find_first_not_of("0123456789") == std::string::npos;
@@ -52,10 +52,10 @@ bool read_answer(const Character& character, const AskedPart& part, const std::s
 
 }  // namespace
 
-std::vector<AskedPart> asked_parts(const Character& character, const CharacterBind& bound) {
-  std::vector<AskedPart> parts;
+std::vector<PartQuestion> part_questions(const Character& character, const CharacterBind& bound) {
+  std::vector<PartQuestion> parts;
   for (const sinew_question& question : bound.questions) {
-    AskedPart part;
+    PartQuestion part;
     part.vertex = question.vertex;
     part.parts = question.part_count;
     part.vertices = question.vertex_count;
@@ -73,7 +73,7 @@ std::vector<AskedPart> asked_parts(const Character& character, const CharacterBi
   return parts;
 }
 
-std::string question_text(const AskedPart& part) {
+std::string question_text(const PartQuestion& part) {
   std::string text = print("part %u", part.vertex);
   if (part.parts > 1) text += print(", %u alike", part.parts);
   text += print(", %u vertices: %.0f %% %s, %.0f %% in doubt; ", part.vertices, 100 * part.share, part.joint.c_str(),
@@ -82,7 +82,7 @@ std::string question_text(const AskedPart& part) {
   return text;
 }
 
-nlohmann::ordered_json question_json(const AskedPart& part) {
+nlohmann::ordered_json question_json(const PartQuestion& part) {
   nlohmann::ordered_json json = {{"part", part.vertex}, {"parts", part.parts}, {"vertices", part.vertices},
                                  {"joint", part.joint}, {"share", part.share}, {"doubt", part.doubt},
                                  {"gain", part.gain}};
@@ -94,9 +94,9 @@ nlohmann::ordered_json question_json(const AskedPart& part) {
 std::vector<sinew_answer> ask(const Character& character, const CharacterBind& bound, const std::string& picture,
                               Axis up, std::istream& in, std::ostream& out) {
   std::vector<sinew_answer> answers;
-  const std::vector<AskedPart> parts = asked_parts(character, bound);
+  const std::vector<PartQuestion> parts = part_questions(character, bound);
   for (size_t q = 0; q < parts.size(); ++q) {
-    const AskedPart& part = parts[q];
+    const PartQuestion& part = parts[q];
     const std::string path = picture + ".question" + std::to_string(q + 1) + ".png";
     draw_question(character, bound, q, up, path);
     out << print("\nquestion %zu of %zu, orange in %s: %u vertices", q + 1, parts.size(), path.c_str(), part.vertices);

@@ -14,17 +14,17 @@
 namespace sinew::cli {
 
 // The question with names instead of numbers, so that it outlives the bind.
-struct AskedPart {
+struct PartQuestion {
   uint32_t vertex = 0;  // names the part in --answer
   uint32_t parts = 0, vertices = 0;
   std::string joint;                                         // with most of it as proposed
   double share = 0, doubt = 0, gain = 0;                     // 0 to 1; gain: doubt times share of the mesh
   std::vector<std::pair<std::string, double>> alternatives;  // as --answer takes them, and the L1 that they change
 };
-std::vector<AskedPart> asked_parts(const Character& character, const CharacterBind& bound);
+std::vector<PartQuestion> part_questions(const Character& character, const CharacterBind& bound);
 // "part 812, 3 alike, 96 vertices: 62 % hand.L, 31 % doubt; rigid:hand.L, soft"
-std::string question_text(const AskedPart& part);
-nlohmann::ordered_json question_json(const AskedPart& part);
+std::string question_text(const PartQuestion& part);
+nlohmann::ordered_json question_json(const PartQuestion& part);
 
 // Asks about each part on `out` and reads a number, an answer as --answer takes it without PART=, nothing (as proposed),
 // or q (no more questions; so does the end of `in`). A picture with the part in orange is written for each:

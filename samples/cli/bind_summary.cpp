@@ -84,7 +84,7 @@ std::vector<std::string> summary_lines(const BindSummary& s) {
   if (s.answers > 0)
     lines.push_back(
         print("answers about parts taken: %zu, of these from the style file: %zu", s.answers, s.answers_by_style));
-  for (const AskedPart& part : s.questions) lines.push_back(question_text(part));
+  for (const PartQuestion& part : s.questions) lines.push_back(question_text(part));
   if (!s.questions.empty())
     lines.push_back(print("answer with --answer %u=%s and so on, any joint: --answer %u=rigid:JOINT",
                           s.questions[0].vertex, s.questions[0].alternatives[0].first.c_str(), s.questions[0].vertex));
@@ -133,7 +133,7 @@ nlohmann::ordered_json summary_json(const BindSummary& s) {
     json["answers_by_style"] = s.answers_by_style;
   }
   if (!s.style.empty()) json["style"] = s.style;
-  for (const AskedPart& part : s.questions) json["questions"].push_back(question_json(part));
+  for (const PartQuestion& part : s.questions) json["questions"].push_back(question_json(part));
   if (s.symmetric) json["symmetric_vertices"] = s.symmetric_vertices;
   if (s.replaced.vertices > 0) json["replaced"] = replaced_json(s.replaced, s.compare);
   for (const auto& [joint, why] : s.left_out) json["left_out"].push_back({{"joint", joint}, {"why", why}});

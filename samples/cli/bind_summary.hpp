@@ -43,7 +43,7 @@ struct BindSummary {
   bool compare = false;  // joints that changed most were asked for
   std::string hash;      // bind_hash()
   Doubts doubts;
-  std::vector<AskedPart> questions;                                // those that were asked for
+  std::vector<PartQuestion> questions;                             // those that were asked for
   size_t answers = 0;                                              // that the bind took
   size_t answers_by_style = 0;                                     // of those, from a style file
   std::string style;                                               // file that they were written to; empty: none

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew-lab dataset check: defects of meshes, skeletons and weights, as text, JSON and pictures of the places.
+// sinew-lab dataset check: defects of meshes, skeletons and weights, as text, JSON and pictures of the defects.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -109,7 +109,7 @@ void write_picture(const std::string& path, const Character& character, const Ch
   write_file(path, encode_png(beside(images)));
 }
 
-struct Checked {
+struct CheckedCharacter {
   CheckReport report;
   std::string unreadable;
   bool failed() const {
@@ -119,8 +119,8 @@ struct Checked {
   }
 };
 
-Checked check_one(const FoundCharacter& found, const std::string& pictures) {
-  Checked checked;
+CheckedCharacter check_one(const FoundCharacter& found, const std::string& pictures) {
+  CheckedCharacter checked;
   Character character;
   try {
     character = read_any(found.path);
@@ -136,7 +136,7 @@ Checked check_one(const FoundCharacter& found, const std::string& pictures) {
   return checked;
 }
 
-void say(const std::string& path, const Checked& checked, Progress* progress) {
+void say(const std::string& path, const CheckedCharacter& checked, Progress* progress) {
   if (!checked.unreadable.empty()) {
     progress->say(stdout, path + "\n  error    unreadable: " + checked.unreadable);
     return;
@@ -157,7 +157,7 @@ void run_dataset_check(const DatasetCheckCommandSettings& s) {
   {
     Progress progress(inputs.size(), "characters");
     for (const FoundCharacter& found : inputs) {
-      const Checked checked = check_one(found, s.pictures);
+      const CheckedCharacter checked = check_one(found, s.pictures);
       bad += checked.failed() ? 1 : 0;
       if (s.json) {
         const Json json = as_json(found.path, checked.report, checked.unreadable, checked.failed());

@@ -12,7 +12,7 @@
 namespace sinew::cli {
 
 std::optional<sinew_deform_options> deform_options(const DeformSettings& settings) {
-  sinew_deform_options options = sinew_deform_options_init();
+  sinew_deform_options options = SINEW_INIT(sinew_deform_options);
   options.cell_count = settings.cells;
   options.round_count = settings.rounds;
   options.body_contact = settings.body_contact ? 1 : 0;
@@ -23,7 +23,7 @@ std::optional<sinew_deform_options> deform_options(const DeformSettings& setting
     throw UsageError("--body-contact needs --deform volume or xpbd");
   if (!xpbd && (settings.no_smoothing || settings.stiffness != 0 || !settings.tet_weights.empty()))
     throw UsageError("--no-smoothing, --stiffness and --tet-weights need --deform xpbd");
-  options.no_smoothing = settings.no_smoothing ? 1 : 0;
+  if (settings.no_smoothing) options.without = SINEW_WITHOUT_SMOOTHING;
   options.energy = static_cast<uint32_t>(std::lround(1000 * settings.stiffness));
   if (settings.tet_weights == "distance") options.tet_weights = SINEW_TET_WEIGHTS_DISTANCE;
   if (settings.method == "volume" || options.method != SINEW_DEFORM_VOLUME) return options;

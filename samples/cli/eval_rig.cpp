@@ -46,7 +46,7 @@ fs::path prediction_of(const FoundCharacter& found, const std::string& predictio
   return !fs::exists(by_name, ignored) && fs::exists(as_below, ignored) ? as_below : by_name;
 }
 
-struct Measured {
+struct MeasuredRig {
   std::string failure;  // empty: measured
   RigScore score;
   bool humanoid = false;
@@ -92,9 +92,9 @@ struct Predictor {
   }
 };
 
-Measured measure_one(const FoundCharacter& found, const RigEvaluation& evaluation, const Predictor& predictor,
-                     const sinew_model* weights) {
-  Measured measured;
+MeasuredRig measure_one(const FoundCharacter& found, const RigEvaluation& evaluation, const Predictor& predictor,
+                        const sinew_model* weights) {
+  MeasuredRig measured;
   try {
     const Character character = read_found(found);
     const PredictedSkeleton prediction = predictor.skeleton(character, found);
@@ -128,7 +128,7 @@ Measured measure_one(const FoundCharacter& found, const RigEvaluation& evaluatio
 
 // The float network's own figures, and how often the model gives the same joints on the same parents.
 void tell_float(const RigEvaluation& evaluation, const std::vector<FoundCharacter>& found,
-                const std::vector<Measured>& measured, const RigScores& scores) {
+                const std::vector<MeasuredRig>& measured, const RigScores& scores) {
   std::vector<std::pair<std::string, RigScore>> rows;
   size_t same = 0;
   for (size_t i = 0; i < found.size(); ++i) {
@@ -176,7 +176,7 @@ void evaluate_rigs(const RigEvaluation& evaluation) {
   std::unique_ptr<LoadedModel> weights;
   if (evaluation.bind) weights = load_model("");
   const std::vector<FoundCharacter> found = characters_in(evaluation.folder);
-  std::vector<Measured> measured(found.size());
+  std::vector<MeasuredRig> measured(found.size());
   {
     Progress progress(found.size(), "characters");
     parallel_for(found.size(), evaluation.jobs, [&](size_t i, unsigned) {
@@ -199,7 +199,7 @@ void evaluate_rigs(const RigEvaluation& evaluation) {
     RigReport report;
     report.scores = scores;
     report.facts = evaluation.facts;
-    for (Measured& one : measured) {
+    for (MeasuredRig& one : measured) {
       if (one.failure.empty()) report.pictures.push_back(std::move(one.picture));
     }
     write_text_file(evaluation.report, rig_report_html(report));

@@ -62,15 +62,15 @@ class Evaluation {
   }
 
   // One character, bound in every way.
-  struct Bound {
+  struct BoundCharacter {
     std::unique_ptr<Sample> sample;  // of the variants that need one
     std::vector<Prediction> predictions;
     std::vector<Metrics> metrics;
     std::vector<std::vector<double>> poses;
   };
 
-  Bound bind_one(const Character& character, const std::string& name) const {
-    Bound bound;
+  BoundCharacter bind_one(const Character& character, const std::string& name) const {
+    BoundCharacter bound;
     double sample_seconds = 0;
     for (const Variant& variant : figures_.variants) {
       if (variant.candidates == 0 || bound.sample) continue;
@@ -103,7 +103,7 @@ class Evaluation {
     const Character character = read_found(found);
     const std::string& name = found.name;
     if (character.influences.empty()) throw Error(found.path + ": has no reference weights to compare with");
-    Bound bound = bind_one(character, name);
+    BoundCharacter bound = bind_one(character, name);
     std::vector<Prediction>& predictions = bound.predictions;
     if (!s_.predictions.empty()) write_prediction(character, name, predictions[0].rows);
     const Prediction& main = predictions[figures_.main];

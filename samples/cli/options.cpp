@@ -101,17 +101,17 @@ CLI::Option* add_jobs(CLI::App* sub, unsigned& jobs, const std::string& more) {
   return shared_option(sub, "--jobs", jobs, more)->check(CLI::Range(1, 256));
 }
 
-void add_placement_options(CLI::App* sub, Placement* placement) {
+void add_transform_options(CLI::App* sub, CharacterTransform* transform) {
   section(sub, "Where the mesh is, before anything else");
-  sub->add_option("--turn", placement->turns,
+  sub->add_option("--turn", transform->turns,
                   "A quarter turn about an axis, x brings y to z; may be repeated, one after the other")
       ->type_name("AXIS")
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
-  sub->add_option("--height", placement->height, "Scaled to be so tall, along y, with --up z along z")
+  sub->add_option("--height", transform->height, "Scaled to be so tall, along y, with --up z along z")
       ->type_name("METRES")
       ->check(CLI::PositiveNumber);
-  sub->add_flag("--floor", placement->floor, "The lowest vertex at 0");
+  sub->add_flag("--floor", transform->floor, "The lowest vertex at 0");
 }
 
 }  // namespace sinew::cli

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "sinew_character/pose/placement.hpp"
+#include "sinew_character/pose/character_transform.hpp"
 #include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/file_kinds.hpp"
 
@@ -60,7 +60,7 @@ CLI::Option* add_influences(CLI::App* sub, unsigned& count);
 CLI::Option* add_jobs(CLI::App* sub, unsigned& jobs, const std::string& more = "");
 
 // Where a mesh is turned and put, under a heading of its own.
-void add_placement_options(CLI::App* sub, Placement* placement);
+void add_transform_options(CLI::App* sub, CharacterTransform* transform);
 
 }  // namespace sinew::cli
 #endif

@@ -24,7 +24,7 @@
 #include "rig_slots.hpp"
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/jobs/rig_job.hpp"
-#include "sinew_character/pose/placement.hpp"
+#include "sinew_character/pose/character_transform.hpp"
 #include "sinew_character/predict/skeleton_template.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
@@ -44,7 +44,7 @@ struct RigCommandSettings {
   MethodOptions method;
   PictureOptions picture;
   std::vector<SkeletonEdit> edits;
-  Placement placement;
+  CharacterTransform transform;
   unsigned spine = 0, influences = 4;
   StyleOptions style;
   ProfileSettings profile;
@@ -68,7 +68,7 @@ Models load_models(const RigCommandSettings& s) {
   return models;
 }
 
-struct Rigged : RiggedCharacter {
+struct RiggedInput : RiggedCharacter {
   std::optional<PictureCharacter> picture;  // without its `rigged`, which is this
 };
 
@@ -109,7 +109,7 @@ RigJobOptions job_options(const RigCommandSettings& s) {
   return job;
 }
 
-Rigged rig_one(const RigCommandSettings& s, const Models& models, const std::string& path) {
+RiggedInput rig_one(const RigCommandSettings& s, const Models& models, const std::string& path) {
   const auto opened = [](const std::unique_ptr<LoadedModel>& model) { return model ? &model->model : nullptr; };
   const RigModels ready = {opened(models.rig), opened(models.bind), opened(models.hands), opened(models.front)};
   if (is_picture(path)) {
@@ -117,11 +117,11 @@ Rigged rig_one(const RigCommandSettings& s, const Models& models, const std::str
     RigJobOptions job = job_options(s);
     std::swap(figure.figure.cut, job.cut);  // its figure is cut, not its mesh
     PictureCharacter made = rig_picture(path, figure, job, ready);
-    Rigged rigged = {std::move(made.rigged), {}};
+    RiggedInput rigged = {std::move(made.rigged), {}};
     rigged.picture = std::move(made);
     return rigged;
   }
-  Character mesh = placed(read_mesh(path), s.placement, axis_of(s.up));
+  Character mesh = transformed(read_mesh(path), s.transform, axis_of(s.up));
   if (!s.prediction.empty()) {
     Character file;
     read_skeleton(s.prediction, false, &file);
@@ -132,7 +132,7 @@ Rigged rig_one(const RigCommandSettings& s, const Models& models, const std::str
   return {rig_character(std::move(mesh), job_options(s), ready), {}};
 }
 
-Json summary_json(const RigCommandSettings& s, const Rigged& rigged, const std::string& mesh,
+Json summary_json(const RigCommandSettings& s, const RiggedInput& rigged, const std::string& mesh,
                   const std::string& output) {
   const PredictedSkeleton& skeleton = rigged.skeleton;
   Json json = {{"sinew_rig", 1}};
@@ -183,7 +183,7 @@ Json summary_json(const RigCommandSettings& s, const Rigged& rigged, const std::
   return json;
 }
 
-void tell(const RigCommandSettings& s, const Rigged& rigged, const std::string& mesh, const std::string& output,
+void tell(const RigCommandSettings& s, const RiggedInput& rigged, const std::string& mesh, const std::string& output,
           std::FILE* out) {
   if (s.json) {
     std::fprintf(out, "%s\n", json_line(summary_json(s, rigged, mesh, output)).c_str());
@@ -204,7 +204,7 @@ void tell(const RigCommandSettings& s, const Rigged& rigged, const std::string& 
 }
 
 // The joints of limbs that may be wrong; of a skeleton of the user's own those that lie where such joints were.
-std::vector<uint8_t> doubtful_joints(const Rigged& rigged) {
+std::vector<uint8_t> doubtful_joints(const RiggedInput& rigged) {
   const std::vector<Joint>& joints = rigged.character.joints;
   std::vector<uint8_t> doubtful(joints.size(), 0);
   for (const LimbDoubt& limb : rigged.doubtful)
@@ -217,8 +217,8 @@ std::vector<uint8_t> doubtful_joints(const Rigged& rigged) {
   return doubtful;
 }
 
-void write_rigged(const RigCommandSettings& s, const std::string& output, Rigged* made) {
-  Rigged& rigged = *made;
+void write_rigged(const RigCommandSettings& s, const std::string& output, RiggedInput* made) {
+  RiggedInput& rigged = *made;
   write_as(s.profile, output, rigged.character, &rigged.character.notes);
   if (rigged.picture) write_mask(s.picture, *rigged.picture);
   if (s.png.empty()) return;
@@ -244,7 +244,7 @@ void run_rig_folder(const RigCommandSettings& s) {
   Progress progress(files.size(), "meshes");
   for (const FolderFile& file : files) {
     try {
-      Rigged rigged = rig_one(s, models, file.mesh);
+      RiggedInput rigged = rig_one(s, models, file.mesh);
       make_folder(std::filesystem::path(file.output).parent_path().string());
       write_rigged(s, file.output, &rigged);
       if (s.json) progress.say(stdout, json_line(summary_json(s, rigged, file.mesh, file.output)));
@@ -279,9 +279,9 @@ void run_rig(RigCommandSettings s) {
   if (is_picture(s.mesh))
     for (const auto& [given, option] : {std::pair{s.up != "auto", "--up"}, std::pair{s.front != "auto", "--front"},
                                         std::pair{!s.prediction.empty(), "--prediction"},
-                                        std::pair{places(s.placement), "--turn, --height or --floor"}})
+                                        std::pair{!is_identity(s.transform), "--turn, --height or --floor"}})
       if (given) throw UsageError(std::string(option) + " is for meshes, and " + s.mesh + " is a picture");
-  if (!s.prediction.empty() && places(s.placement))
+  if (!s.prediction.empty() && !is_identity(s.transform))
     throw UsageError("--prediction stands where the mesh does: leave --turn, --height and --floor out");
   if (!s.prediction.empty() && !s.model.empty())
     throw UsageError("--prediction and --model: a skeleton that is given is not predicted");
@@ -295,7 +295,7 @@ void run_rig(RigCommandSettings s) {
   if (s.cut && !has_use(s.output, kWritesWithMesh) && !is_picture(s.mesh))
     throw UsageError("--cut changes the mesh, and rig.txt has none: write a .glb");
   check_skeleton_source(s.skeleton);
-  Rigged rigged = rig_one(s, load_models(s), s.mesh);
+  RiggedInput rigged = rig_one(s, load_models(s), s.mesh);
   write_rigged(s, s.output, &rigged);
   tell(s, rigged, s.mesh, s.output, s.output == "-" ? stderr : stdout);
   if (!rigged.gate.empty())
@@ -390,7 +390,7 @@ void add_rig(CLI::App& app) {
   add_picture_options(sub, &s->picture);
   section(sub, "Edits");
   auto edits = std::make_shared<EditOptions>(sub);
-  add_placement_options(sub, &s->placement);
+  add_transform_options(sub, &s->transform);
   add_shape_options(sub, s.get());
   add_style_options(sub, &s->style);
   add_models(sub, s.get());

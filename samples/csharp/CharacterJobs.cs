@@ -6,76 +6,70 @@ using System.Linq;
 
 namespace Sinew
 {
-    /// <summary>sinew_character_picture_options of C; what is not set is its default.</summary>
-    public sealed class PictureSettings
-    {
-        public BodyClass BodyClass;
-        /// <summary>Of several figures, from left to right, from 1 on; 0: the largest</summary>
-        public int Figure;
-        /// <summary>A card instead of a body as thick as it is wide</summary>
-        public bool Flat;
-        /// <summary>Places are the picture's pixels, x right, y up from the bottom edge; else the longest side is 1</summary>
-        public bool Pixels;
-        /// <summary>A picture that is bright where the figure is, as a file or the name of one in memory; null: found</summary>
-        public string Mask;
-        /// <summary>The figure as picture_info has it, in place of what is found</summary>
-        public float[][] Outline;
-        /// <summary>The figure is opened along lines that are drawn into it from its outline, as a guess</summary>
-        public bool Cut;
-
-        internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
-        {
-            var ends = new List<uint> { 0 };
-            foreach (float[] line in Outline ?? new float[0][]) ends.Add(ends[ends.Count - 1] + (uint)line.Length / 2);
-            return pins.Of(new Native.sinew_character_picture_options {
-                struct_size = Character.Size<Native.sinew_character_picture_options>(), body_class = (uint)BodyClass, figure = (uint)Figure,
-                flat = Flat ? 1u : 0, pixels = Pixels ? 1u : 0, mask = pins.Of(Mask), line_count = Character.Count(Outline),
-                line_offsets = Outline == null ? IntPtr.Zero : pins.Of(ends.ToArray()),
-                outline = Outline == null ? IntPtr.Zero : pins.Of(Outline.SelectMany(line => line).ToArray()), cut = Cut ? 1u : 0 });
-        }
-    }
-
     /// <summary>sinew_character_profile_options of C; what is not set is its default.</summary>
     public sealed class ProfileSettings
     {
         /// <summary>Axes, names and roots of the skeleton stay as they are</summary>
         public bool KeepAxes;
-        /// <summary>"mixamo", "vrm": one of profiles(); null: none, files as they were read</summary>
+        /// <summary>One of profiles(): "mixamo", "vrm"; null: none, files as they were read</summary>
         public string Profile;
-        /// <summary>Of a VRM, in the words of its format; null: nothing is allowed</summary>
-        public string Licence;
-        /// <summary>Of a VRM; null: the character's name</summary>
+        /// <summary>License of a VRM, in the words of its format; null: nothing is allowed</summary>
+        public string License;
+        /// <summary>Title of a VRM; null: the character's name</summary>
         public string Title;
-        /// <summary>Of a VRM, which has at least one</summary>
+        /// <summary>Authors of a VRM, which needs at least one</summary>
         public string[] Authors;
-        /// <summary>A glTF's extras have what controls() says</summary>
+        /// <summary>A glTF has the text of controls() in its extras</summary>
         public bool Controls;
 
         internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
         {
             return pins.Of(new Native.sinew_character_profile_options {
                 struct_size = Character.Size<Native.sinew_character_profile_options>(), keep_axes = KeepAxes ? 1u : 0,
-                profile = pins.Of(Profile), licence = pins.Of(Licence), title = pins.Of(Title), author_count = Character.Count(Authors),
+                profile = pins.Of(Profile), license = pins.Of(License), title = pins.Of(Title), author_count = Character.Count(Authors),
                 authors = pins.Of(Authors), controls = Controls ? 1u : 0 });
         }
     }
 
-    /// <summary>sinew_character_place_options of C; what is not set is its default.</summary>
-    public sealed class PlaceSettings
+    /// <summary>sinew_character_transform_options of C; what is not set is its default.</summary>
+    public sealed class TransformSettings
     {
-        /// <summary>Quarters about the origin, one after the other: "x", "-x", "y", ...</summary>
+        /// <summary>Quarter turns about the origin, one after the other: "x", "-x", "y", ...</summary>
         public string[] Turns;
-        /// <summary>Metres along up; 0 = as it is</summary>
+        /// <summary>Height in meters along up; 0 = unchanged</summary>
         public double Height;
-        /// <summary>The lowest vertex is at 0 along up</summary>
+        /// <summary>The lowest vertex is moved to 0 along up</summary>
         public bool Floor;
-        /// <summary>Afterwards; 0 = Y</summary>
+        /// <summary>After the turns; 0 = Y</summary>
         public Up Up;
 
         internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
         {
-            return pins.Of(new Native.sinew_character_place_options {struct_size = Character.Size<Native.sinew_character_place_options>(),
-                turn_count = Character.Count(Turns), turns = pins.Of(Turns), height = Height, floor = Floor ? 1u : 0, up = (uint)Up });
+            return pins.Of(new Native.sinew_character_transform_options {
+                struct_size = Character.Size<Native.sinew_character_transform_options>(), turn_count = Character.Count(Turns),
+                turns = pins.Of(Turns), height = Height, floor = Floor ? 1u : 0, up = (uint)Up });
+        }
+    }
+
+    /// <summary>sinew_character_check_options of C; what is not set is its default.</summary>
+    public sealed class CheckSettings
+    {
+        /// <summary>The mesh is not posed: no tears, lost volume, flips, crossings</summary>
+        public bool Poses = true;
+        /// <summary>Animations are not looked at</summary>
+        public bool Clips = true;
+        /// <summary>The result has a score</summary>
+        public bool Score;
+        /// <summary>Rules that get other bounds</summary>
+        public Dictionary<string, double> Bounds;
+
+        internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
+        {
+            string[] rules = Bounds == null ? null : Bounds.Keys.ToArray();
+            return pins.Of(new Native.sinew_character_check_options {struct_size = Character.Size<Native.sinew_character_check_options>(),
+                without = (Poses ? 0 : Native.WITHOUT_POSES) | (Clips ? 0 : Native.WITHOUT_CLIPS), score = Score ? 1u : 0,
+                bound_count = Character.Count(rules), bound_rules = pins.Of(rules),
+                bounds = pins.Of(Bounds == null ? null : Bounds.Values.ToArray()) });
         }
     }
 
@@ -83,15 +77,15 @@ namespace Sinew
     public sealed class CharacterBindSettings : JobSettings
     {
         public Method Method;
-        /// <summary>1..12; 0 = 4</summary>
+        /// <summary>1..12 influences a vertex; 0 = 4</summary>
         public int Influences;
         /// <summary>0 = Y</summary>
         public Up Up;
         public JointsFrom Joints;
         public RigidParts RigidParts;
-        /// <summary>25..400; 0 = 100</summary>
+        /// <summary>25..400, 200 blends twice as softly; 0 = 100</summary>
         public int SoftnessPercent;
-        /// <summary>0 = 32768</summary>
+        /// <summary>A mesh of more vertices is bound on a surface reduced to so many; 0 = 32768</summary>
         public int SurfaceVertices;
         /// <summary>Joints that only end a chain keep the weight they get</summary>
         public bool KeepTips;
@@ -109,7 +103,7 @@ namespace Sinew
         public byte[] Locked;
         /// <summary>Not 0: keeps the weights it has, which steer their surroundings; or null</summary>
         public byte[] Hinted;
-        /// <summary>Weights of some vertices of the same mesh, joints by name: the same as hints; or null</summary>
+        /// <summary>Weights of some vertices of the same mesh, joints by name, in place of hinted; or null</summary>
         public Character Hints;
         /// <summary>A bound character whose weights are carried over where they fit; or null</summary>
         public Character Like;
@@ -146,49 +140,54 @@ namespace Sinew
         public Mirror Mirror;
         /// <summary>0 = found, or as the file's format says</summary>
         public Up Up;
-        /// <summary>1..16; 0 = as the model says</summary>
-        public int SpineCount;
-        /// <summary>Without</summary>
-        public bool NoToes;
-        /// <summary>Without</summary>
-        public bool NoEnds;
-        /// <summary>The skeleton alone</summary>
-        public bool NoBind;
-        /// <summary>With a skeleton, its bones are turned and all scaled alike</summary>
-        public bool KeepLengths;
-        /// <summary>Of the bind, and the three below</summary>
-        public int Influences;
-        public RigidParts RigidParts;
-        public int SoftnessPercent;
-        public int SurfaceVertices;
-        /// <summary>A file, or template:NAME, that is put into the mesh</summary>
-        public string Skeleton;
-        /// <summary>The same of a character; or null</summary>
-        public Character SkeletonCharacter;
-        /// <summary>What kind of body it is; 0 = as the model says</summary>
-        public Category Category;
         /// <summary>0 = found</summary>
         public Front Front;
+        /// <summary>What kind of body it is; 0 = as the model says</summary>
+        public Category Category;
+        /// <summary>1..16; 0 = as the model says</summary>
+        public int SpineCount;
+        /// <summary>Feet have no toe joints</summary>
+        public bool Toes = true;
+        /// <summary>Chains have no NAME_end joints</summary>
+        public bool Ends = true;
+        /// <summary>The skeleton alone, without weights</summary>
+        public bool Bind = true;
+        /// <summary>With a skeleton, its bones are turned and all scaled alike</summary>
+        public bool KeepLengths;
         /// <summary>The result is measured; what fails is a note that begins with "gate: "</summary>
         public bool Gate;
-        /// <summary>What has grown together is opened, as of a bind; to_pose does so, too</summary>
-        public bool Cut;
-        /// <summary>Rest pose of the result: "t", "a", or a file whose skeleton stands so; null: as the mesh stands</summary>
+        /// <summary>A file, or template:NAME, that is put into the mesh</summary>
+        public string Skeleton;
+        /// <summary>A character whose skeleton is put into the mesh; or null</summary>
+        public Character SkeletonCharacter;
+        /// <summary>Of the bind: 1..12 influences a vertex; 0 = 4</summary>
+        public int Influences;
+        public RigidParts RigidParts;
+        /// <summary>Of the bind: 25..400, 200 blends twice as softly; 0 = 100</summary>
+        public int SoftnessPercent;
+        /// <summary>Of the bind: a mesh of more vertices is bound on a surface reduced to so many; 0 = 32768</summary>
+        public int SurfaceVertices;
+        /// <summary>Of the bind: rest pose of the result: "t", "a", or a file whose skeleton stands so; null: as it stands. Cuts,
+        /// too</summary>
         public string ToPose;
+        /// <summary>Of the bind: what has grown together is opened, its vertices doubled; the new ones come last</summary>
+        public bool Cut;
         /// <summary>Bytes of .sinew files in place of the bundled models; or null.</summary>
         public byte[] Model, HandsModel, FrontModel;
 
         internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
         {
+            var bind = new Native.sinew_character_bind_options {struct_size = Character.Size<Native.sinew_character_bind_options>(),
+                influence_count = (uint)Influences, rigid_parts = (uint)RigidParts, softness_percent = (uint)SoftnessPercent,
+                surface_vertices = (uint)SurfaceVertices, to_pose = pins.Of(ToPose), cut = Cut ? 1u : 0 };
             return pins.Of(new Native.sinew_character_rig_options {struct_size = Character.Size<Native.sinew_character_rig_options>(),
                 thread_count = (uint)Threads, progress = watch.Callback,
                 models = Character.Models(pins, null, Method == CharacterRigMethod.Slots ? null : Model, HandsModel, Method == CharacterRigMethod.Slots ? Model : null, FrontModel),
-                method = (uint)Method, detail = (uint)Detail, mirror = (uint)Mirror, up = (uint)Up, spine_count = (uint)SpineCount,
-                no_toes = NoToes ? 1u : 0, no_ends = NoEnds ? 1u : 0, no_bind = NoBind ? 1u : 0, keep_lengths = KeepLengths ? 1u : 0,
-                influence_count = (uint)Influences, rigid_parts = (uint)RigidParts, softness_percent = (uint)SoftnessPercent,
-                surface_vertices = (uint)SurfaceVertices, skeleton = pins.Of(Skeleton),
-                skeleton_character = SkeletonCharacter == null ? IntPtr.Zero : SkeletonCharacter.Handle, category = (uint)Category,
-                front = (uint)Front, gate = Gate ? 1u : 0, cut = Cut ? 1u : 0, to_pose = pins.Of(ToPose) });
+                method = (uint)Method, detail = (uint)Detail, mirror = (uint)Mirror, up = (uint)Up, front = (uint)Front,
+                category = (uint)Category, spine_count = (uint)SpineCount,
+                without = (Toes ? 0 : Native.WITHOUT_TOES) | (Ends ? 0 : Native.WITHOUT_ENDS) | (Bind ? 0 : Native.WITHOUT_BIND),
+                keep_lengths = KeepLengths ? 1u : 0, gate = Gate ? 1u : 0, skeleton = pins.Of(Skeleton),
+                skeleton_character = SkeletonCharacter == null ? IntPtr.Zero : SkeletonCharacter.Handle, bind = pins.Of(bind) });
         }
     }
 
@@ -196,14 +195,12 @@ namespace Sinew
     public sealed class CharacterMapSettings
     {
         public MapMethod Method;
-        /// <summary>Not read</summary>
-        public bool NoNames;
-        /// <summary>Not read</summary>
-        public bool NoEnds;
+        /// <summary>Joints' names are not read</summary>
+        public bool Names = true;
+        /// <summary>Bone ends are not read</summary>
+        public bool Ends = true;
         /// <summary>0 = along the legs of a body that has two, else Y</summary>
         public Up TargetUp;
-        /// <summary>0 = as the target's, Y for a template</summary>
-        public Up SourceUp;
         /// <summary>As with target_up 0, whatever it is</summary>
         public bool GuessUp;
         /// <summary>Pairs that are kept</summary>
@@ -214,18 +211,21 @@ namespace Sinew
         public BranchesFirst First;
         /// <summary>Of "branches"</summary>
         public BranchesCost Cost;
-        /// <summary>Of the source, as in animate()</summary>
+        /// <summary>Of the motion; 0 = found</summary>
+        public Up SourceUp;
+        /// <summary>Layout of keypoints (.npy, .npz): "smpl24", ...; null: guessed by their count</summary>
         public string Layout;
-        /// <summary>Of the source, as in animate()</summary>
+        /// <summary>Of a file of several people, by the root's name or number; null: the first where all are alike</summary>
         public string Actor;
 
         internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
         {
+            var source = new Native.sinew_motion_source {struct_size = Character.Size<Native.sinew_motion_source>(), up = (uint)SourceUp,
+                layout = pins.Of(Layout), actor = pins.Of(Actor) };
             return pins.Of(new Native.sinew_character_map_options {struct_size = Character.Size<Native.sinew_character_map_options>(),
-                method = (uint)Method, no_names = NoNames ? 1u : 0, no_ends = NoEnds ? 1u : 0, target_up = (uint)TargetUp,
-                source_up = (uint)SourceUp, guess_up = GuessUp ? 1u : 0, pin_count = Character.Count(Pins), pins = pins.Of((object)Pins),
-                pins_file = pins.Of(PinsFile), branches_first = (uint)First, branches_cost = (uint)Cost, layout = pins.Of(Layout),
-                actor = pins.Of(Actor) });
+                method = (uint)Method, without = (Names ? 0 : Native.WITHOUT_NAMES) | (Ends ? 0 : Native.WITHOUT_ENDS),
+                target_up = (uint)TargetUp, guess_up = GuessUp ? 1u : 0, pin_count = Character.Count(Pins), pins = pins.Of((object)Pins),
+                pins_file = pins.Of(PinsFile), branches_first = (uint)First, branches_cost = (uint)Cost, source = pins.Of(source) });
         }
     }
 
@@ -233,104 +233,106 @@ namespace Sinew
     public sealed class AnimateSettings : JobSettings
     {
         public AnimateMethod Method;
+        /// <summary>Knees and elbows may leave their natural range</summary>
+        public bool Range = true;
         /// <summary>Stays above where it stands at rest</summary>
         public bool InPlace;
-        /// <summary>Knees and elbows may leave their natural range</summary>
-        public bool NoRange;
+        /// <summary>Of the character; 0 = found</summary>
         public Up TargetUp;
+        /// <summary>Most morph targets a clip; 0 = 16</summary>
+        public int Shapes;
+        /// <summary>Limbs are measured before and after</summary>
+        public bool Report;
+        /// <summary>Plays a motion that does not fit, such as a person's on a horse; else an error</summary>
+        public bool Force;
+        /// <summary>Bones stretch as the source's do, as in sinew_retarget_options</summary>
+        public bool Translations;
+        /// <summary>Bones of a picture's character leave its plane as the motion's do</summary>
+        public bool Depth;
+        /// <summary>Pairs that a found map keeps</summary>
+        public Native.sinew_map_pin[] Pins;
+        /// <summary>A map file; null: found</summary>
+        public string Map;
+        /// <summary>Joint of the motion or -1, in place of a map; or null</summary>
+        public int[] Sources;
+        /// <summary>What joints stay within, contacts or not: a .urdf, a file of formats/spec/limits.md, or "human" for what bodies can do;
+        /// null: the natural range alone</summary>
+        public string Limits;
+        /// <summary>Of the motion; 0 = found</summary>
         public Up MotionUp;
-        /// <summary>Every frame is corrected by morph targets, VOLUME and above</summary>
+        /// <summary>Layout of keypoints (.npy, .npz): "smpl24", ...; null: guessed by their count</summary>
+        public string Layout;
+        /// <summary>Of a file of several people, by the root's name or number; null: the first where all are alike</summary>
+        public string Actor;
+        /// <summary>By name or number; null: all</summary>
+        public string Clip;
+        /// <summary>Frames a second; 0 = as the motion has</summary>
+        public double Fps;
+        /// <summary>First second that is played</summary>
+        public double From;
+        /// <summary>Last second that is played; 0 = the end</summary>
+        public double To;
+        /// <summary>Animate makes morph targets of corrections, VOLUME and above; bake takes no other. 0 = none, linear blending or VOLUME,
+        /// as the call says</summary>
         public PoseDeform Deform;
         /// <summary>Of the deformer; 0 = its own</summary>
         public int Cells;
         /// <summary>Of the deformer; 0 = its own</summary>
         public int Rounds;
-        /// <summary>With "volume" or "xpbd", limbs keep out of the body</summary>
+        /// <summary>With VOLUME or XPBD, limbs keep out of the body</summary>
         public bool BodyContact;
-        /// <summary>Most morph targets a clip; 0 = 16</summary>
-        public int Shapes;
-        /// <summary>0 = as the motion has</summary>
-        public double Fps;
-        /// <summary>Seconds; to 0 = the end</summary>
-        public double From;
-        /// <summary>Seconds; to 0 = the end</summary>
-        public double To;
-        /// <summary>By name or number; null: all</summary>
-        public string Clip;
-        /// <summary>A map file; null: found</summary>
-        public string Map;
-        /// <summary>Joint of the motion or -1, in place of a map; or null</summary>
-        public int[] Sources;
-        /// <summary>Reference points: 1..4, or NO_AREA; 0 = 3</summary>
-        public int AreaPower;
-        /// <summary>Reference points</summary>
-        public bool Legs;
-        /// <summary>Limbs are measured before and after</summary>
-        public bool Report;
-        /// <summary>Reference points; 0 = 0.05, NO_FALLOFF: none</summary>
-        public double Falloff;
-        /// <summary>Reference points, as in sinew_reference_options</summary>
-        public bool OwnLimb;
-        /// <summary>Reference points, as in sinew_reference_options</summary>
-        public bool Head;
-        /// <summary>Reference points, as in sinew_reference_options</summary>
-        public bool Torso;
-        /// <summary>Reference points, as in sinew_reference_options</summary>
-        public bool SourcePoints;
-        /// <summary>Plays a motion that does not fit, such as a person's on a horse; else an error</summary>
-        public bool Force;
-        /// <summary>Bones stretch as the source's do, as in sinew_retarget_options</summary>
-        public bool Translations;
-        /// <summary>"xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2</summary>
-        public double Stiffness;
-        /// <summary>"xpbd": sinew_tet_weights</summary>
+        /// <summary>Of "xpbd"</summary>
         public TetWeights TetWeights;
-        /// <summary>"xpbd": bends are not smoothed</summary>
-        public bool NoSmoothing;
-        /// <summary>Which joints places alone are (.npy, .npz): "smpl24", ...; null: guessed by their count</summary>
-        public string Layout;
-        /// <summary>Of a file of several people, by the root's name or number; null: the first where all are alike</summary>
-        public string Actor;
-        /// <summary>What joints stay within, contacts or not: a .urdf, a file of formats/spec/limits.md, or "human" for what bodies can do;
-        /// null: nothing but the natural range</summary>
-        public string Limits;
-        /// <summary>Bones of a picture's character leave its plane as the motion's do</summary>
-        public bool Depth;
-        /// <summary>Pairs that a found map keeps</summary>
-        public Native.sinew_map_pin[] Pins;
+        /// <summary>Bends are not smoothed, of SINEW_POSE_XPBD</summary>
+        public bool Smoothing = true;
+        /// <summary>Of "xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2</summary>
+        public double Stiffness;
+        /// <summary>Reference points: n, 1 .. 4, or NO_AREA for 0; 0 = 3</summary>
+        public int AreaPower;
+        /// <summary>Reference points: triangles of the limb itself have influence as well</summary>
+        public bool OwnLimb;
+        /// <summary>Reference points: knees and ankles move as well</summary>
+        public bool Legs;
+        /// <summary>Reference points: d: influence also falls by exp(-(distance / (d * source's height))^2); 0 = 0.05, which is
+        /// ours</summary>
+        public float Falloff;
+        /// <summary>Reference points: the head moves as well</summary>
+        public bool Head;
+        /// <summary>Reference points: torso joints lie as the source's do, each seen from the one before; 0: they turn as copied</summary>
+        public bool Torso;
+        /// <summary>Reference points: reference points are the source's, in the size of the target; 0: the target's</summary>
+        public bool SourcePoints;
         /// <summary>Bytes of .sinew files in place of the bundled models; or null.</summary>
         public byte[] Model, HandsModel, FrontModel;
 
         internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
         {
             Character.Length(Sources, sizes.joint_count, "AnimateSettings.Sources: expected [J] numbers");
+            var motion = new Native.sinew_motion_source {struct_size = Character.Size<Native.sinew_motion_source>(), up = (uint)MotionUp,
+                layout = pins.Of(Layout), actor = pins.Of(Actor), clip = pins.Of(Clip), fps = Fps, from = From, to = To };
+            var deform = new Native.sinew_character_deformation {struct_size = Character.Size<Native.sinew_character_deformation>(),
+                method = (uint)Deform, cells = (uint)Cells, rounds = (uint)Rounds, body_contact = BodyContact ? 1u : 0,
+                tet_weights = (uint)TetWeights, without = (Smoothing ? 0 : Native.WITHOUT_SMOOTHING), stiffness = Stiffness };
+            var reference = new Native.sinew_reference_options {struct_size = Character.Size<Native.sinew_reference_options>(),
+                area_power = (uint)AreaPower, own_limb = OwnLimb ? 1u : 0, legs = Legs ? 1u : 0, falloff = Falloff, head = Head ? 1u : 0,
+                torso = Torso ? 1u : 0, source_points = SourcePoints ? 1u : 0 };
             return pins.Of(new Native.sinew_character_animate_options {
                 struct_size = Character.Size<Native.sinew_character_animate_options>(), thread_count = (uint)Threads,
                 progress = watch.Callback, models = Character.Models(pins, null, Model, HandsModel, null, FrontModel),
-                method = (uint)Method, in_place = InPlace ? 1u : 0, no_range = NoRange ? 1u : 0, target_up = (uint)TargetUp,
-                motion_up = (uint)MotionUp, deform = (uint)Deform, cells = (uint)Cells, rounds = (uint)Rounds,
-                body_contact = BodyContact ? 1u : 0, shapes = (uint)Shapes, fps = Fps, from = From, to = To, clip = pins.Of(Clip),
-                map = pins.Of(Map), sources = pins.Of(Sources), area_power = (uint)AreaPower, legs = Legs ? 1u : 0,
-                report = Report ? 1u : 0, falloff = Falloff, own_limb = OwnLimb ? 1u : 0, head = Head ? 1u : 0, torso = Torso ? 1u : 0,
-                source_points = SourcePoints ? 1u : 0, force = Force ? 1u : 0, translations = Translations ? 1u : 0, stiffness = Stiffness,
-                tet_weights = (uint)TetWeights, no_smoothing = NoSmoothing ? 1u : 0, layout = pins.Of(Layout), actor = pins.Of(Actor),
-                limits = pins.Of(Limits), depth = Depth ? 1u : 0, pin_count = Character.Count(Pins), pins = pins.Of((object)Pins) });
+                method = (uint)Method, without = (Range ? 0 : Native.WITHOUT_RANGE), in_place = InPlace ? 1u : 0,
+                target_up = (uint)TargetUp, shapes = (uint)Shapes, report = Report ? 1u : 0, force = Force ? 1u : 0,
+                translations = Translations ? 1u : 0, depth = Depth ? 1u : 0, pin_count = Character.Count(Pins),
+                pins = pins.Of((object)Pins), map = pins.Of(Map), sources = pins.Of(Sources), limits = pins.Of(Limits),
+                motion = pins.Of(motion), deform = pins.Of(deform), reference = pins.Of(reference) });
         }
     }
 
     /// <summary>sinew_character_pose_options of C; what is not set is its default.</summary>
     public sealed class PoseSettings
     {
-        public PoseDeform Deform;
-        /// <summary>Of the deformer; 0 = its own</summary>
-        public int Cells;
-        /// <summary>Of the deformer; 0 = its own</summary>
-        public int Rounds;
-        /// <summary>With "volume" or "xpbd"</summary>
-        public bool BodyContact;
-        /// <summary>Joints turned about x, then y, then z, in degrees; or null</summary>
+        /// <summary>Degrees about x, then y, then z; or null</summary>
         public double[] Angles;
-        /// <summary>X y z w, local, against the rest pose; or null</summary>
+        /// <summary>X y z w, local, relative to the rest pose; or null</summary>
         public double[] Rotations;
         /// <summary>Row-major 3x4, rest to posed space; or null</summary>
         public double[] Matrices;
@@ -338,10 +340,21 @@ namespace Sinew
         public string Clip;
         /// <summary>Second of the clip</summary>
         public double Time;
-        /// <summary>"xpbd", as in animate(), and the two below</summary>
-        public double Stiffness;
+        /// <summary>Animate makes morph targets of corrections, VOLUME and above; bake takes no other. 0 = none, linear blending or VOLUME,
+        /// as the call says</summary>
+        public PoseDeform Deform;
+        /// <summary>Of the deformer; 0 = its own</summary>
+        public int Cells;
+        /// <summary>Of the deformer; 0 = its own</summary>
+        public int Rounds;
+        /// <summary>With VOLUME or XPBD, limbs keep out of the body</summary>
+        public bool BodyContact;
+        /// <summary>Of "xpbd"</summary>
         public TetWeights TetWeights;
-        public bool NoSmoothing;
+        /// <summary>Bends are not smoothed, of SINEW_POSE_XPBD</summary>
+        public bool Smoothing = true;
+        /// <summary>Of "xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2</summary>
+        public double Stiffness;
         public int Threads = 1;
 
         internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
@@ -349,11 +362,12 @@ namespace Sinew
             Character.Length(Angles, sizes.joint_count * 3, "PoseSettings.Angles: expected [J x 3] numbers");
             Character.Length(Rotations, sizes.joint_count * 4, "PoseSettings.Rotations: expected [J x 4] numbers");
             Character.Length(Matrices, sizes.joint_count * 12, "PoseSettings.Matrices: expected [J x 12] numbers");
+            var deform = new Native.sinew_character_deformation {struct_size = Character.Size<Native.sinew_character_deformation>(),
+                method = (uint)Deform, cells = (uint)Cells, rounds = (uint)Rounds, body_contact = BodyContact ? 1u : 0,
+                tet_weights = (uint)TetWeights, without = (Smoothing ? 0 : Native.WITHOUT_SMOOTHING), stiffness = Stiffness };
             return pins.Of(new Native.sinew_character_pose_options {struct_size = Character.Size<Native.sinew_character_pose_options>(),
-                thread_count = (uint)Threads, deform = (uint)Deform, cells = (uint)Cells, rounds = (uint)Rounds,
-                body_contact = BodyContact ? 1u : 0, angles = pins.Of(Angles), rotations = pins.Of(Rotations), matrices = pins.Of(Matrices),
-                clip = pins.Of(Clip), time = Time, stiffness = Stiffness, tet_weights = (uint)TetWeights,
-                no_smoothing = NoSmoothing ? 1u : 0 });
+                thread_count = (uint)Threads, angles = pins.Of(Angles), rotations = pins.Of(Rotations), matrices = pins.Of(Matrices),
+                clip = pins.Of(Clip), time = Time, deform = pins.Of(deform) });
         }
     }
 
@@ -361,7 +375,7 @@ namespace Sinew
     public sealed class CharacterTransferSettings : JobSettings
     {
         public TransferMethod Method;
-        /// <summary>1..12; 0 = 4</summary>
+        /// <summary>1..12 influences a vertex; 0 = 4</summary>
         public int Influences;
         /// <summary>0 = Y</summary>
         public Up TargetUp;
@@ -369,13 +383,13 @@ namespace Sinew
         public Up SourceUp;
         /// <summary>The target is worn by the source</summary>
         public bool Garment;
-        /// <summary>Of "biharmonic"</summary>
+        /// <summary>As its paper says, of "biharmonic"</summary>
         public bool AsDrawn;
         /// <summary>Binds by heat alone, without a model</summary>
         public bool Heat;
         /// <summary>Of "biharmonic"</summary>
         public Native.sinew_vertex_pair[] Pairs;
-        /// <summary>Of the target; or null</summary>
+        /// <summary>Not 0: the target's vertex keeps the weights it has; or null</summary>
         public byte[] Locked;
         /// <summary>A map file; null: found</summary>
         public string Map;
@@ -394,101 +408,151 @@ namespace Sinew
         }
     }
 
-    /// <summary>sinew_character_check_options of C; what is not set is its default.</summary>
-    public sealed class CheckSettings
-    {
-        /// <summary>The mesh is not posed: no tears, lost volume, flips, crossings</summary>
-        public bool NoPoses;
-        /// <summary>Animations are not looked at</summary>
-        public bool NoClips;
-        /// <summary>Rules that get other bounds</summary>
-        public Dictionary<string, double> Bounds;
-        /// <summary>The result has a score</summary>
-        public bool Score;
-
-        internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
-        {
-            string[] rules = Bounds == null ? null : Bounds.Keys.ToArray();
-            return pins.Of(new Native.sinew_character_check_options {struct_size = Character.Size<Native.sinew_character_check_options>(),
-                no_poses = NoPoses ? 1u : 0, no_clips = NoClips ? 1u : 0, bound_count = Character.Count(rules),
-                bound_rules = pins.Of(rules), bounds = pins.Of(Bounds == null ? null : Bounds.Values.ToArray()), score = Score ? 1u : 0 });
-        }
-    }
-
     /// <summary>sinew_character_bake_options of C; what is not set is its default.</summary>
     public sealed class BakeSettings
     {
-        /// <summary>0 = "volume"</summary>
+        /// <summary>Poses to learn from; 0 = 1500</summary>
+        public int Poses;
+        /// <summary>Most morph targets a bend; 0 = 8</summary>
+        public int Shapes;
+        /// <summary>Of the random poses; 0 = 1</summary>
+        public ulong Seed;
+        /// <summary>Largest angle in degrees; 0 = 60</summary>
+        public double Limit;
+        /// <summary>Learns from a clip of the character's own; null: random poses</summary>
+        public string Clip;
+        /// <summary>Animate makes morph targets of corrections, VOLUME and above; bake takes no other. 0 = none, linear blending or VOLUME,
+        /// as the call says</summary>
         public PoseDeform Deform;
         /// <summary>Of the deformer; 0 = its own</summary>
         public int Cells;
         /// <summary>Of the deformer; 0 = its own</summary>
         public int Rounds;
-        /// <summary>As in animate()</summary>
+        /// <summary>With VOLUME or XPBD, limbs keep out of the body</summary>
         public bool BodyContact;
-        /// <summary>To learn from; 0 = 1500</summary>
-        public int Poses;
-        /// <summary>A bend; 0 = 8</summary>
-        public int Shapes;
-        /// <summary>Of the poses; 0 = 1</summary>
-        public ulong Seed;
-        /// <summary>Largest angle, degrees; 0 = 60</summary>
-        public double Limit;
-        /// <summary>Learn from a clip of the character's own; null: random poses</summary>
-        public string Clip;
-        /// <summary>"xpbd", as in animate(), and the two below</summary>
-        public double Stiffness;
+        /// <summary>Of "xpbd"</summary>
         public TetWeights TetWeights;
-        public bool NoSmoothing;
+        /// <summary>Bends are not smoothed, of SINEW_POSE_XPBD</summary>
+        public bool Smoothing = true;
+        /// <summary>Of "xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2</summary>
+        public double Stiffness;
         public Func<float, bool> Progress;
 
         internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
         {
+            var deform = new Native.sinew_character_deformation {struct_size = Character.Size<Native.sinew_character_deformation>(),
+                method = (uint)Deform, cells = (uint)Cells, rounds = (uint)Rounds, body_contact = BodyContact ? 1u : 0,
+                tet_weights = (uint)TetWeights, without = (Smoothing ? 0 : Native.WITHOUT_SMOOTHING), stiffness = Stiffness };
             return pins.Of(new Native.sinew_character_bake_options {struct_size = Character.Size<Native.sinew_character_bake_options>(),
-                progress = watch.Callback, deform = (uint)Deform, cells = (uint)Cells, rounds = (uint)Rounds,
-                body_contact = BodyContact ? 1u : 0, poses = (uint)Poses, shapes = (uint)Shapes, seed = Seed, limit = Limit,
-                clip = pins.Of(Clip), stiffness = Stiffness, tet_weights = (uint)TetWeights, no_smoothing = NoSmoothing ? 1u : 0 });
+                progress = watch.Callback, poses = (uint)Poses, shapes = (uint)Shapes, seed = Seed, limit = Limit, clip = pins.Of(Clip),
+                deform = pins.Of(deform) });
         }
     }
 
-    /// <summary>sinew_character_picture_info of C.</summary>
-    public sealed class PictureInfo
+    /// <summary>sinew_character_picture_options of C; what is not set is its default.</summary>
+    public sealed class PictureSettings
     {
-        /// <summary>Pixels as the picture is seen</summary>
-        public int Width;
-        /// <summary>Pixels as the picture is seen</summary>
-        public int Height;
-        /// <summary>In the picture</summary>
-        public int FigureCount;
-        /// <summary>The one that was taken, from 1 on</summary>
-        public int Figure;
-        /// <summary>0 before it is rigged</summary>
         public BodyClass BodyClass;
-        /// <summary>0 before it is rigged</summary>
-        public PictureView View;
-        /// <summary>0..1, of class and view together; 0 before it is rigged</summary>
-        public float Certainty;
-        /// <summary>Pixels, x right, y down from the top left corner</summary>
+        /// <summary>Which of several figures, from left to right, from 1 on; 0: the largest</summary>
+        public int Figure;
+        /// <summary>A flat card instead of a body as thick as it is wide</summary>
+        public bool Flat;
+        /// <summary>Positions are the picture's pixels, x right, y up from the bottom edge; else the longest side is 1</summary>
+        public bool Pixels;
+        /// <summary>A picture that is bright where the figure is, as a file or the name of one in memory; null: found</summary>
+        public string Mask;
+        /// <summary>The figure as picture_info has it, in place of what is found</summary>
         public float[][] Outline;
+        /// <summary>The figure is opened along lines that are drawn into it from its outline, as a guess</summary>
+        public bool Cut;
+
+        internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
+        {
+            var ends = new List<uint> { 0 };
+            foreach (float[] line in Outline ?? new float[0][]) ends.Add(ends[ends.Count - 1] + (uint)line.Length / 2);
+            return pins.Of(new Native.sinew_character_picture_options {
+                struct_size = Character.Size<Native.sinew_character_picture_options>(), body_class = (uint)BodyClass, figure = (uint)Figure,
+                flat = Flat ? 1u : 0, pixels = Pixels ? 1u : 0, mask = pins.Of(Mask), line_count = Character.Count(Outline),
+                line_offsets = Outline == null ? IntPtr.Zero : pins.Of(ends.ToArray()),
+                outline = Outline == null ? IntPtr.Zero : pins.Of(Outline.SelectMany(line => line).ToArray()), cut = Cut ? 1u : 0 });
+        }
+    }
+
+    /// <summary>sinew_character_finding of C.</summary>
+    public sealed class Finding
+    {
+        /// <summary>"left-right"; check_rules() lists them</summary>
+        public string Rule;
+        /// <summary>One line of English</summary>
+        public string What;
+        /// <summary>One line: what to do</summary>
+        public string Cure;
+        /// <summary>Test pose in which it shows; "": none</summary>
+        public string Pose;
+        /// <summary>Animation in which it shows; "": none</summary>
+        public string Clip;
+        /// <summary>Time in the clip</summary>
+        public double Seconds;
+        /// <summary>What was measured</summary>
+        public double Value;
+        /// <summary>The value above which it is a finding</summary>
+        public double Bound;
+        /// <summary>Ascending; null where it is about joints or clips</summary>
+        public int[] Vertices;
+        public CheckSeverity Severity;
+        /// <summary>Joint that it is about; -1: none</summary>
+        public int Joint;
+        /// <summary>Joint that it is compared with; -1: none</summary>
+        public int Other;
+        /// <summary>Mesh of all its vertices; -1: none, or several</summary>
+        public int Mesh;
+        /// <summary>Where to look, in the mesh's units</summary>
+        public float[] Position;
+        /// <summary>How far around the position to look</summary>
+        public float Radius;
+
+        internal static Finding Of(IntPtr at, Native.sinew_character_arrays sizes)
+        {
+            var r = Character.Read<Native.sinew_character_finding>(at);
+            return new Finding {Rule = Character.Text(r.rule), What = Character.Text(r.what), Cure = Character.Text(r.cure),
+                Pose = Character.Text(r.pose), Clip = Character.Text(r.clip), Seconds = r.seconds, Value = r.value, Bound = r.bound,
+                Vertices = Character.Ints(r.vertices, r.vertex_count), Severity = (CheckSeverity)r.severity, Joint = r.joint,
+                Other = r.other, Mesh = r.mesh, Position = new[] { r.position_0, r.position_1, r.position_2 }, Radius = r.radius };
+        }
+    }
+
+    /// <summary>sinew_character_check_result of C.</summary>
+    public sealed class CheckResult
+    {
+        /// <summary>Findings of each severity</summary>
+        public int Errors;
+        public int Warnings;
+        public int Notes;
+        /// <summary>Errors first</summary>
+        public Finding[] Findings;
+        /// <summary>"checked: 0 findings"</summary>
+        public string Line;
+        /// <summary>0..100, how near the weights are to those of three methods; -1 where it was not asked for</summary>
+        public double? Score;
 
         internal static IntPtr Room(Pins pins)
         {
-            return pins.Of(new Native.sinew_character_picture_info { struct_size = Character.Size<Native.sinew_character_picture_info>() });
+            return pins.Of(new Native.sinew_character_check_result { struct_size = Character.Size<Native.sinew_character_check_result>() });
         }
 
-        internal static PictureInfo Of(IntPtr at, Native.sinew_character_arrays sizes)
+        internal static CheckResult Of(IntPtr at, Native.sinew_character_arrays sizes)
         {
-            var r = Character.Read<Native.sinew_character_picture_info>(at);
-            return new PictureInfo {Width = (int)r.width, Height = (int)r.height, FigureCount = (int)r.figure_count, Figure = (int)r.figure,
-                BodyClass = (BodyClass)r.body_class, View = (PictureView)r.view, Certainty = r.certainty,
-                Outline = Character.Lines(r.outline, r.line_offsets, r.line_count) };
+            var r = Character.Read<Native.sinew_character_check_result>(at);
+            return new CheckResult {Errors = (int)r.errors, Warnings = (int)r.warnings, Notes = (int)r.notes,
+                Findings = Character.Structs<Native.sinew_character_finding, Finding>(r.findings, r.finding_count, sizes, Finding.Of),
+                Line = Character.Text(r.line), Score = r.score < 0 ? (double?)null : r.score };
         }
     }
 
     /// <summary>sinew_character_left_out of C.</summary>
     public sealed class LeftOutJoint
     {
-        /// <summary>"control", "no weight in the file", ...</summary>
+        /// <summary>"control", "no weight in the file", ..</summary>
         public string Why;
         public int Joint;
 
@@ -502,7 +566,7 @@ namespace Sinew
     /// <summary>sinew_character_seam of C.</summary>
     public sealed class Seam
     {
-        /// <summary>That most of it lies between</summary>
+        /// <summary>The joints that most of it lies between</summary>
         public int[] Joints;
         /// <summary>Its middle</summary>
         public float[] Position;
@@ -519,19 +583,20 @@ namespace Sinew
     /// <summary>sinew_character_bind_result of C.</summary>
     public sealed class CharacterBindResult
     {
-        /// <summary>With symmetric</summary>
+        /// <summary>With symmetric: vertices that have a mirror image</summary>
         public int SymmetricVertices;
-        /// <summary>That stayed attached</summary>
+        /// <summary>Meshes that stay attached to one joint</summary>
         public int KeptMeshes;
-        /// <summary>That gave their weight to their parents</summary>
+        /// <summary>Joints that gave their weight to their parents</summary>
         public int FoldedTips;
-        /// <summary>That the style file gave</summary>
+        /// <summary>Answers by the style file</summary>
         public int AnswersByStyle;
         /// <summary>In sinew_bind()</summary>
         public double Seconds;
         public long WorkspaceBytes;
+        /// <summary>Joints that may get no weight</summary>
         public LeftOutJoint[] LeftOut;
-        /// <summary>Of the weights, as `sinew bind --json` has it</summary>
+        /// <summary>Of the weights, as in `sinew bind --json`</summary>
         public string Hash;
         /// <summary>Longest first</summary>
         public Seam[] Seams;
@@ -559,9 +624,9 @@ namespace Sinew
     /// <summary>sinew_character_doubt of C.</summary>
     public sealed class LimbDoubt
     {
-        /// <summary>Of the joint that the limb is called by: LeftArm, RightUpLeg, Tail</summary>
+        /// <summary>Joint that the limb is called by: LeftArm, RightUpLeg, Tail</summary>
         public string Name;
-        /// <summary>How likely the limb is wrong, 0..1</summary>
+        /// <summary>Probability that the limb is wrong, 0..1</summary>
         public float Doubt;
 
         internal static LimbDoubt Of(IntPtr at, Native.sinew_character_arrays sizes)
@@ -576,9 +641,9 @@ namespace Sinew
     {
         /// <summary>The skeleton is its own mirror image</summary>
         public bool Mirrored;
-        /// <summary>With a skeleton: joints that have a like in the prediction</summary>
+        /// <summary>With a skeleton: its joints that have a counterpart in the prediction</summary>
         public int Matched;
-        /// <summary>N, of the arrays below</summary>
+        /// <summary>N: joints of the arrays below</summary>
         public int JointCount;
         /// <summary>How far off the votes think they are, see sinew_rig_outputs</summary>
         public float Spread;
@@ -592,7 +657,7 @@ namespace Sinew
         public float[] Confidence;
         /// <summary>0..1</summary>
         public float[] ParentConfidence;
-        /// <summary>The direction that it faces, unit vector</summary>
+        /// <summary>Unit vector in which the mesh faces</summary>
         public float[] Front;
         /// <summary>Y or Z</summary>
         public Up Up;
@@ -601,7 +666,7 @@ namespace Sinew
         public float UpConfidence;
         /// <summary>Longest first</summary>
         public Seam[] Seams;
-        /// <summary>Most doubtful first; of votes</summary>
+        /// <summary>Limbs by falling doubt; of votes</summary>
         public LimbDoubt[] Doubtful;
 
         internal static IntPtr Room(Pins pins)
@@ -629,7 +694,7 @@ namespace Sinew
         public MapMethod Method;
         /// <summary>J of the target</summary>
         public int JointCount;
-        /// <summary>Of them with a source</summary>
+        /// <summary>Joints with a source</summary>
         public int Mapped;
         /// <summary>0..1, of front, sides and trunk</summary>
         public float Certainty;
@@ -659,8 +724,8 @@ namespace Sinew
         }
     }
 
-    /// <summary>sinew_limb_measure of C.</summary>
-    public sealed class LimbMeasure
+    /// <summary>sinew_limb_quality of C.</summary>
+    public sealed class LimbQuality
     {
         /// <summary>Of the target: wrist or ankle</summary>
         public int Joint;
@@ -681,10 +746,10 @@ namespace Sinew
         public float Error;
         public float GreatestError;
 
-        internal static LimbMeasure Of(IntPtr at, Native.sinew_character_arrays sizes)
+        internal static LimbQuality Of(IntPtr at, Native.sinew_character_arrays sizes)
         {
-            var r = Character.Read<Native.sinew_limb_measure>(at);
-            return new LimbMeasure {Joint = (int)r.joint, Leg = r.leg != 0, Frames = (int)r.frames, DeepFrames = (int)r.deep_frames,
+            var r = Character.Read<Native.sinew_limb_quality>(at);
+            return new LimbQuality {Joint = (int)r.joint, Leg = r.leg != 0, Frames = (int)r.frames, DeepFrames = (int)r.deep_frames,
                 ContactFrames = (int)r.contact_frames, RangeFrames = (int)r.range_frames, Depth = r.depth, GreatestDepth = r.greatest_depth,
                 Error = r.error, GreatestError = r.greatest_error };
         }
@@ -693,24 +758,24 @@ namespace Sinew
     /// <summary>sinew_character_animate_result of C.</summary>
     public sealed class AnimateResult
     {
-        /// <summary>That were added</summary>
+        /// <summary>Clips that were added</summary>
         public int ClipCount;
         /// <summary>Index of the first of them, for get_clip()</summary>
         public int FirstClip;
         /// <summary>Joints that move</summary>
         public int Mapped;
-        /// <summary>Was a bare mesh</summary>
+        /// <summary>It was a bare mesh</summary>
         public bool Rigged;
         /// <summary>Morph targets that were added</summary>
         public int ShapeCount;
         /// <summary>0..1, of front and sides, and no more than how much of both bodies the map reaches</summary>
         public float Certainty;
-        /// <summary>With report: [clip_count x limb_count] of both below</summary>
+        /// <summary>With report: limbs in both arrays below</summary>
         public int LimbCount;
         /// <summary>With report</summary>
-        public LimbMeasure[] LimbsBefore;
+        public LimbQuality[] LimbsBefore;
         /// <summary>With report</summary>
-        public LimbMeasure[] LimbsAfter;
+        public LimbQuality[] LimbsAfter;
         /// <summary>"anatomy and names"</summary>
         public string MappedBy;
         /// <summary>The map that was used: joint of the motion, -1 = none</summary>
@@ -735,8 +800,8 @@ namespace Sinew
             var r = Character.Read<Native.sinew_character_animate_result>(at);
             return new AnimateResult {ClipCount = (int)r.clip_count, FirstClip = (int)r.first_clip, Mapped = (int)r.mapped,
                 Rigged = r.rigged != 0, ShapeCount = (int)r.shape_count, Certainty = r.certainty, LimbCount = (int)r.limb_count,
-                LimbsBefore = Character.Structs<Native.sinew_limb_measure, LimbMeasure>(r.limbs_before, r.clip_count * r.limb_count, sizes, LimbMeasure.Of),
-                LimbsAfter = Character.Structs<Native.sinew_limb_measure, LimbMeasure>(r.limbs_after, r.clip_count * r.limb_count, sizes, LimbMeasure.Of),
+                LimbsBefore = Character.Structs<Native.sinew_limb_quality, LimbQuality>(r.limbs_before, r.clip_count * r.limb_count, sizes, LimbQuality.Of),
+                LimbsAfter = Character.Structs<Native.sinew_limb_quality, LimbQuality>(r.limbs_after, r.clip_count * r.limb_count, sizes, LimbQuality.Of),
                 MappedBy = Character.Text(r.mapped_by), Sources = Character.Ints(r.sources, sizes.joint_count),
                 Reasons = Character.Bytes(r.reasons, sizes.joint_count), SourceEnds = Character.Bytes(r.source_ends, r.source_count),
                 SourceNames = Character.Text(r.source_names), SpotKinds = Character.Bytes(r.spot_kinds, r.spot_count),
@@ -754,13 +819,14 @@ namespace Sinew
         public int VertexCount;
         /// <summary>Of the larger share</summary>
         public TransferReason Reason;
-        /// <summary>How far the source's weights there are from a bind's: sum over joints of the difference, mean over the vertices,
-        /// 0..131072. 0 where nothing was bound.</summary>
+        /// <summary>Share of its weights that was carried over, 65536 = all; the rest was bound anew</summary>
         public double Carried;
-        /// <summary>The same between a bind of the target and the source's bind carried over: how far the match is off.</summary>
+        /// <summary>How far the source's weights there are from a bind's: sum over joints of the difference, mean over the vertices,
+        /// 0..131072. 0 where nothing was bound</summary>
         public double Style;
-        /// <summary>Mean distance of its vertices from the source as it was laid over the target, longest sides of the target.</summary>
+        /// <summary>The same between a bind of the target and the source's bind carried over: how far the match is off</summary>
         public double Mismatch;
+        /// <summary>Mean distance of its vertices from the source as it was laid over the target, longest sides of the target</summary>
         public double Distance;
 
         internal static TransferPart Of(IntPtr at, Native.sinew_character_arrays sizes)
@@ -775,18 +841,16 @@ namespace Sinew
     /// <summary>sinew_character_transfer_result of C.</summary>
     public sealed class CharacterTransferResult
     {
-        /// <summary>Of the source</summary>
+        /// <summary>Joints of the source</summary>
         public int MappedJoints;
         /// <summary>The target had no skeleton and has the source's</summary>
         public bool Fitted;
         /// <summary>Something was bound anew</summary>
         public bool Bound;
         public Method BoundBy;
-        /// <summary>See sinew_transfer_outputs, as numbers</summary>
+        /// <summary>As in sinew_transfer_outputs, and the two below</summary>
         public double Carried;
-        /// <summary>See sinew_transfer_outputs, as numbers</summary>
         public double Style;
-        /// <summary>See sinew_transfer_outputs, as numbers</summary>
         public double Mismatch;
         public double Seconds;
         public string MappedBy;
@@ -808,75 +872,6 @@ namespace Sinew
         }
     }
 
-    /// <summary>sinew_character_finding of C.</summary>
-    public sealed class Finding
-    {
-        /// <summary>"left-right"; check_rules() lists them</summary>
-        public string Rule;
-        /// <summary>One line of English</summary>
-        public string What;
-        /// <summary>What to do, one line</summary>
-        public string Cure;
-        /// <summary>Test pose in which it shows; "": none</summary>
-        public string Pose;
-        /// <summary>Animation in which it shows; "": none</summary>
-        public string Clip;
-        /// <summary>In the clip</summary>
-        public double Seconds;
-        /// <summary>What was measured, and above which it is a finding</summary>
-        public double Value;
-        /// <summary>What was measured, and above which it is a finding</summary>
-        public double Bound;
-        /// <summary>Ascending; null where it is about joints or clips</summary>
-        public int[] Vertices;
-        public CheckSeverity Severity;
-        /// <summary>That it is about, and that it is compared with; -1: none</summary>
-        public int Joint;
-        /// <summary>That it is about, and that it is compared with; -1: none</summary>
-        public int Other;
-        /// <summary>Where all its vertices lie in one; -1: none</summary>
-        public int Mesh;
-        /// <summary>Where to look, and how far around it, the mesh's units</summary>
-        public float[] Position;
-        public float Radius;
-
-        internal static Finding Of(IntPtr at, Native.sinew_character_arrays sizes)
-        {
-            var r = Character.Read<Native.sinew_character_finding>(at);
-            return new Finding {Rule = Character.Text(r.rule), What = Character.Text(r.what), Cure = Character.Text(r.cure),
-                Pose = Character.Text(r.pose), Clip = Character.Text(r.clip), Seconds = r.seconds, Value = r.value, Bound = r.bound,
-                Vertices = Character.Ints(r.vertices, r.vertex_count), Severity = (CheckSeverity)r.severity, Joint = r.joint,
-                Other = r.other, Mesh = r.mesh, Position = new[] { r.position_0, r.position_1, r.position_2 }, Radius = r.radius };
-        }
-    }
-
-    /// <summary>sinew_character_check_result of C.</summary>
-    public sealed class CheckResult
-    {
-        public int Errors;
-        public int Warnings;
-        public int Notes;
-        /// <summary>Errors first</summary>
-        public Finding[] Findings;
-        /// <summary>"checked: 0 findings"</summary>
-        public string Line;
-        /// <summary>With score: how near the weights are to those of three methods, 0..100; -1 where it was not asked for</summary>
-        public double? Score;
-
-        internal static IntPtr Room(Pins pins)
-        {
-            return pins.Of(new Native.sinew_character_check_result { struct_size = Character.Size<Native.sinew_character_check_result>() });
-        }
-
-        internal static CheckResult Of(IntPtr at, Native.sinew_character_arrays sizes)
-        {
-            var r = Character.Read<Native.sinew_character_check_result>(at);
-            return new CheckResult {Errors = (int)r.errors, Warnings = (int)r.warnings, Notes = (int)r.notes,
-                Findings = Character.Structs<Native.sinew_character_finding, Finding>(r.findings, r.finding_count, sizes, Finding.Of),
-                Line = Character.Text(r.line), Score = r.score < 0 ? (double?)null : r.score };
-        }
-    }
-
     /// <summary>sinew_character_bake_result of C.</summary>
     public sealed class BakeResult
     {
@@ -885,13 +880,11 @@ namespace Sinew
         public int MovedVertices;
         public int LearntPoses;
         public int HeldOutPoses;
-        /// <summary>Of the poses that were learnt, shares of the size</summary>
+        /// <summary>Of the poses that were learnt, shares of the size, and the one below</summary>
         public double LinearError;
-        /// <summary>Of the poses that were learnt, shares of the size</summary>
         public double BakedError;
-        /// <summary>Of others</summary>
+        /// <summary>Of other poses, and the one below</summary>
         public double HeldOutLinearError;
-        /// <summary>Of others</summary>
         public double HeldOutBakedError;
 
         internal static IntPtr Room(Pins pins)
@@ -908,11 +901,44 @@ namespace Sinew
         }
     }
 
+    /// <summary>sinew_character_picture_info of C.</summary>
+    public sealed class PictureInfo
+    {
+        /// <summary>Pixels, of the picture as it is seen</summary>
+        public int Width;
+        public int Height;
+        /// <summary>Figures in the picture</summary>
+        public int FigureCount;
+        /// <summary>The one that was taken, from 1 on</summary>
+        public int Figure;
+        /// <summary>0 before it is rigged</summary>
+        public BodyClass BodyClass;
+        /// <summary>0 before it is rigged</summary>
+        public PictureView View;
+        /// <summary>0..1, of class and view together; 0 before it is rigged</summary>
+        public float Certainty;
+        /// <summary>Pixels, x right, y down from the top left corner</summary>
+        public float[][] Outline;
+
+        internal static IntPtr Room(Pins pins)
+        {
+            return pins.Of(new Native.sinew_character_picture_info { struct_size = Character.Size<Native.sinew_character_picture_info>() });
+        }
+
+        internal static PictureInfo Of(IntPtr at, Native.sinew_character_arrays sizes)
+        {
+            var r = Character.Read<Native.sinew_character_picture_info>(at);
+            return new PictureInfo {Width = (int)r.width, Height = (int)r.height, FigureCount = (int)r.figure_count, Figure = (int)r.figure,
+                BodyClass = (BodyClass)r.body_class, View = (PictureView)r.view, Certainty = r.certainty,
+                Outline = Character.Lines(r.outline, r.line_offsets, r.line_count) };
+        }
+    }
+
     public sealed partial class Character
     {
-        /// <summary>What Save() and Write() write from now on: joint names and axes, a root, influences, facing, and what a VRM says. The
-        /// picture stays, and the rest pose too: that is to_pose of a bind or rig ("t" for most, "a" for unreal). Remarks go to Notes() as
-        /// files are written.</summary>
+        /// <summary>Sets what Save() and Write() write: joint names and axes, a root, influences, facing, VRM data. The rest pose stays:
+        /// see to_pose of bind and rig ("t" for most programs, "a" for unreal). Remarks are added to Notes() as files are written. An
+        /// unknown profile and a VRM without an author are an error.</summary>
         public void SetProfile(ProfileSettings settings)
         {
             using (var pins = new Pins())
@@ -924,14 +950,29 @@ namespace Sinew
         }
 
         /// <summary>Turns and scales the character as a whole: mesh, joints, the file's own animations. Weights stay. A picture, a
-        /// character without a mesh, and one that has clips or morph targets of other calls are an error.</summary>
-        public void Place(PlaceSettings settings)
+        /// character without a mesh, and one to which a call has added clips or morph targets are an error.</summary>
+        public void Transform(TransformSettings settings)
         {
             using (var pins = new Pins())
             {
                 var watch = new Watch(null);
-                Check(Native.sinew_character_place(Handle, settings.Options(pins, watch, Arrays())), handle_, "place", watch);
+                Check(Native.sinew_character_transform(Handle, settings.Options(pins, watch, Arrays())), handle_, "transform", watch);
                 GC.KeepAlive(settings);
+            }
+        }
+
+        /// <summary>Looks for faults of the skeleton, the weights, the matrices and the animations; changes nothing. A character without
+        /// joints is an error.</summary>
+        public CheckResult Check(CheckSettings settings = null)
+        {
+            settings = settings ?? new CheckSettings();
+            using (var pins = new Pins())
+            {
+                var watch = new Watch(null);
+                IntPtr result = CheckResult.Room(pins);
+                Check(Native.sinew_character_check(Handle, settings.Options(pins, watch, Arrays()), result), handle_, "check", watch);
+                GC.KeepAlive(settings);
+                return CheckResult.Of(result, Arrays());
             }
         }
 
@@ -949,7 +990,7 @@ namespace Sinew
             }
         }
 
-        /// <summary>Makes a skeleton for a mesh and binds the mesh to it. A skeleton that the character has is left out.</summary>
+        /// <summary>Makes a skeleton for a mesh and binds the mesh to it. A skeleton that the character has is replaced.</summary>
         public CharacterRigResult Rig(CharacterRigSettings settings = null)
         {
             settings = settings ?? new CharacterRigSettings();
@@ -963,9 +1004,9 @@ namespace Sinew
             }
         }
 
-        /// <summary>Which joint of the source stands for which of the target. Changes neither; the result's arrays are the target's. The
-        /// source is read as Animate() reads it as a motion: in a stance that is guessed where its rest pose is none. A joint of its motion
-        /// that it has beside its own (an animated node without skin) is counted behind them.</summary>
+        /// <summary>Finds the joint of the source for each joint of the target. Changes neither; the result's arrays are the target's. The
+        /// source is read as Animate() reads a motion: in a stance that is guessed where its rest pose is none. Joints of its motion beside
+        /// its own (animated nodes without skin) are counted behind them.</summary>
         public CharacterMap Map(Character source, CharacterMapSettings settings = null)
         {
             settings = settings ?? new CharacterMapSettings();
@@ -995,7 +1036,7 @@ namespace Sinew
             }
         }
 
-        /// <summary>A copy of a bound character in a pose; saved as .obj, or viewed.</summary>
+        /// <summary>Makes a copy of a bound character in a pose, to be saved as .obj or viewed.</summary>
         public Character Pose(PoseSettings settings)
         {
             IntPtr posed;
@@ -1021,21 +1062,6 @@ namespace Sinew
                 GC.KeepAlive(settings);
                 GC.KeepAlive(source);
                 return CharacterTransferResult.Of(result, Arrays());
-            }
-        }
-
-        /// <summary>Looks for what is wrong with the skeleton, the weights, the matrices and the animations; changes nothing. A character
-        /// without joints is an error.</summary>
-        public CheckResult Check(CheckSettings settings = null)
-        {
-            settings = settings ?? new CheckSettings();
-            using (var pins = new Pins())
-            {
-                var watch = new Watch(null);
-                IntPtr result = CheckResult.Room(pins);
-                Check(Native.sinew_character_check(Handle, settings.Options(pins, watch, Arrays()), result), handle_, "check", watch);
-                GC.KeepAlive(settings);
-                return CheckResult.Of(result, Arrays());
             }
         }
 

@@ -35,15 +35,15 @@ namespace Sinew
     public enum BranchesFirst { Both = 0, Target = 1, Source = 2 }
     public enum BranchesCost { Mean = 0, Sum = 1 }
     public enum SimplifyLevel { High = 0, Low = 1 }
-    public enum BodyClass { Found = 0, Biped = 1, Quadruped = 2, Bird = 3, Fish = 4, Snake = 5, ManyLegged = 6, Other = 7 }
-    public enum PictureView { Front = 0, FacesRight = 1, FacesLeft = 2 }
+    public enum CheckSeverity { Note = 0, Warning = 1, Error = 2 }
     public enum JointsFrom { Auto = 0, Own = 1, Names = 2, All = 3 }
     public enum CharacterRigMethod { Auto = 0, Votes = 1, Shape = 2, Regions = 3, Slots = 4 }
     public enum CharacterDetail { Body = 0, Hands = 1, Full = 2 }
     public enum EditKind { Move = 0, Add = 1, Remove = 2, Parent = 3, Rename = 4, At = 5 }
     public enum AnimateMethod { Auto = 0, Copy = 1, Contacts = 2, ReferencePoints = 3, Stream = 4 }
     public enum PoseDeform { Linear = 0, DualQuaternion = 1, Volume = 2, Xpbd = 3, DeltaMush = 4 }
-    public enum CheckSeverity { Note = 0, Warning = 1, Error = 2 }
+    public enum BodyClass { Found = 0, Biped = 1, Quadruped = 2, Bird = 3, Fish = 4, Snake = 5, ManyLegged = 6, Other = 7 }
+    public enum PictureView { Front = 0, FacesRight = 1, FacesLeft = 2 }
 
     /// <summary>The C interface as it is. Structs have the names and the layout of C.</summary>
     public static class Native
@@ -77,6 +77,16 @@ namespace Sinew
         public const int ERROR_INPUT = -30;
         public const int ERROR_MEMORY = -31;
         public const uint MAX_LOD_LEVELS = 8;
+        public const uint WITHOUT_TOES = 1;
+        public const uint WITHOUT_ENDS = 2;
+        public const uint WITHOUT_BIND = 4;
+        public const uint WITHOUT_NAMES = 8;
+        public const uint WITHOUT_RANGE = 16;
+        public const uint WITHOUT_CONTACTS = 32;
+        public const uint WITHOUT_TWIST_SPREAD = 64;
+        public const uint WITHOUT_SMOOTHING = 128;
+        public const uint WITHOUT_POSES = 256;
+        public const uint WITHOUT_CLIPS = 512;
         public const uint LIMIT_HINGE = 1;
         public const uint LIMIT_BALL = 2;
         public const uint DETAIL_HANDS = 1;
@@ -182,7 +192,7 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_options
+        public struct sinew_bind_options
         {
             public uint struct_size, method, influence_count, weight_format, candidate_count, grid_size, surface_vertices, symmetric,
                 rigid_parts, softness_percent, weights_in_place, kernel, thread_count, reserved;
@@ -203,9 +213,9 @@ namespace Sinew
         [StructLayout(LayoutKind.Sequential)]
         public struct sinew_deform_options
         {
-            public uint struct_size, method, cell_count, round_count, softness, no_twist_spread, no_contact, no_smoothing;
+            public uint struct_size, method, cell_count, round_count, softness, without, thread_count, body_contact;
             public IntPtr parallel_for, parallel_user;
-            public uint thread_count, body_contact, energy, tet_weights;
+            public uint energy, tet_weights;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -300,7 +310,7 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_limb_measure
+        public struct sinew_limb_quality
         {
             public uint joint, leg, frames, deep_frames, contact_frames, range_frames;
             public float depth, greatest_depth, error, greatest_error;
@@ -320,14 +330,14 @@ namespace Sinew
         {
             public uint struct_size;
             public float fps, ground;
-            public uint has_ground, no_contacts, no_range;
+            public uint has_ground, without, reserved;
             public IntPtr floor, source;
         }
 
         [StructLayout(LayoutKind.Sequential)]
         public struct sinew_rig_options
         {
-            public uint struct_size, up, mirror, spine_count, no_toes, no_ends, weights_in_place, kernel;
+            public uint struct_size, up, mirror, spine_count, without, reserved, weights_in_place, kernel;
             public IntPtr progress, progress_user;
             public uint method, category;
             public IntPtr front_model;
@@ -396,10 +406,10 @@ namespace Sinew
         [StructLayout(LayoutKind.Sequential)]
         public struct sinew_reference_options
         {
-            public uint struct_size, area_power, no_own_limb, legs;
+            public uint struct_size, area_power, own_limb, legs;
             public float falloff, least_cosine;
             public IntPtr progress, progress_user;
-            public uint own_limb, head, torso, source_points;
+            public uint head, torso, source_points, reserved;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -417,27 +427,10 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_character_picture_options
-        {
-            public uint struct_size, body_class, figure, flat, pixels, line_count;
-            public IntPtr mask, line_offsets, outline;
-            public uint cut, reserved;
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_character_picture_info
-        {
-            public uint struct_size, width, height, figure_count, figure, body_class, view;
-            public float certainty;
-            public uint line_count, reserved;
-            public IntPtr line_offsets, outline;
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
         public struct sinew_character_profile_options
         {
             public uint struct_size, keep_axes;
-            public IntPtr profile, licence, title, authors;
+            public IntPtr profile, license, title, authors;
             public uint author_count, controls;
         }
 
@@ -458,12 +451,39 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_character_place_options
+        public struct sinew_character_transform_options
         {
             public uint struct_size, turn_count;
             public IntPtr turns;
             public double height;
             public uint floor, up;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_finding
+        {
+            public IntPtr rule, what, cure, pose, clip;
+            public double seconds, value, bound;
+            public IntPtr vertices;
+            public uint vertex_count, severity;
+            public int joint, other, mesh;
+            public float position_0, position_1, position_2, radius;
+            public uint reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_check_options
+        {
+            public uint struct_size, without, score, bound_count;
+            public IntPtr bound_rules, bounds;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_check_result
+        {
+            public uint struct_size, finding_count, errors, warnings, notes, reserved;
+            public IntPtr findings, line;
+            public double score;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -522,19 +542,18 @@ namespace Sinew
         public struct sinew_skeleton_edit
         {
             public uint kind, reserved;
-            public IntPtr text;
+            public IntPtr joint, other;
+            public float position_0, position_1, position_2;
+            public uint reserved2;
         }
 
         [StructLayout(LayoutKind.Sequential)]
         public struct sinew_character_rig_options
         {
             public uint struct_size, thread_count;
-            public IntPtr progress, progress_user, models;
-            public uint method, detail, mirror, up, spine_count, no_toes, no_ends, no_bind, keep_lengths, influence_count, rigid_parts,
-                softness_percent, surface_vertices, edit_count;
+            public IntPtr progress, progress_user, models, bind;
+            public uint method, detail, mirror, up, front, category, spine_count, without, keep_lengths, gate, reserved, edit_count;
             public IntPtr edits, skeleton, skeleton_character;
-            public uint category, front, gate, cut;
-            public IntPtr to_pose;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -562,12 +581,20 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_motion_source
+        {
+            public uint struct_size, up;
+            public IntPtr file, layout, actor, clip;
+            public double fps, from, to;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
         public struct sinew_character_map_options
         {
-            public uint struct_size, method, no_names, no_ends, target_up, source_up, guess_up, pin_count;
+            public uint struct_size, method, without, target_up, guess_up, pin_count;
             public IntPtr pins, pins_file;
             public uint branches_first, branches_cost;
-            public IntPtr layout, actor;
+            public IntPtr source;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -580,21 +607,19 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_deformation
+        {
+            public uint struct_size, method, cells, rounds, body_contact, tet_weights, without, reserved;
+            public double stiffness;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
         public struct sinew_character_animate_options
         {
             public uint struct_size, thread_count;
-            public IntPtr progress, progress_user, models;
-            public uint method, in_place, no_range, target_up, motion_up, deform, cells, rounds, body_contact, shapes;
-            public double fps, from, to;
-            public IntPtr clip, map, sources;
-            public uint area_power, no_own_limb, legs, report;
-            public double falloff;
-            public uint own_limb, head, torso, source_points, force, translations;
-            public double stiffness;
-            public uint tet_weights, no_smoothing;
-            public IntPtr layout, actor, limits;
-            public uint depth, pin_count;
-            public IntPtr pins;
+            public IntPtr progress, progress_user, models, motion, deform, reference;
+            public uint method, without, in_place, target_up, shapes, report, force, translations, depth, pin_count;
+            public IntPtr pins, map, sources, limits;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -611,10 +636,9 @@ namespace Sinew
         [StructLayout(LayoutKind.Sequential)]
         public struct sinew_character_pose_options
         {
-            public uint struct_size, thread_count, deform, cells, rounds, body_contact;
-            public IntPtr angles, rotations, matrices, clip;
-            public double time, stiffness;
-            public uint tet_weights, no_smoothing;
+            public uint struct_size, thread_count;
+            public IntPtr deform, angles, rotations, matrices, clip;
+            public double time;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -657,44 +681,14 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_character_finding
-        {
-            public IntPtr rule, what, cure, pose, clip;
-            public double seconds, value, bound;
-            public IntPtr vertices;
-            public uint vertex_count, severity;
-            public int joint, other, mesh;
-            public float position_0, position_1, position_2, radius;
-            public uint reserved;
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_character_check_options
-        {
-            public uint struct_size, no_poses, no_clips, bound_count;
-            public IntPtr bound_rules, bounds;
-            public uint score, reserved;
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_character_check_result
-        {
-            public uint struct_size, finding_count, errors, warnings, notes, reserved;
-            public IntPtr findings, line;
-            public double score;
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
         public struct sinew_character_bake_options
         {
             public uint struct_size, reserved;
-            public IntPtr progress, progress_user;
-            public uint deform, cells, rounds, body_contact, poses, shapes;
+            public IntPtr progress, progress_user, deform;
+            public uint poses, shapes;
             public ulong seed;
             public double limit;
             public IntPtr clip;
-            public double stiffness;
-            public uint tet_weights, no_smoothing;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -702,6 +696,23 @@ namespace Sinew
         {
             public uint struct_size, shape_count, bend_count, moved_vertices, learnt_poses, held_out_poses;
             public double linear_error, baked_error, held_out_linear_error, held_out_baked_error;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_picture_options
+        {
+            public uint struct_size, body_class, figure, flat, pixels, line_count;
+            public IntPtr mask, line_offsets, outline;
+            public uint cut, reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_picture_info
+        {
+            public uint struct_size, width, height, figure_count, figure, body_class, view;
+            public float certainty;
+            public uint line_count, reserved;
+            public IntPtr line_offsets, outline;
         }
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -910,21 +921,12 @@ namespace Sinew
         public static extern int sinew_character_open_files(IntPtr files, uint file_count, out IntPtr character);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_character_open_places(IntPtr layout, IntPtr places, uint place_count, uint frame_count,
+        public static extern int sinew_character_open_keypoints(IntPtr layout, IntPtr keypoints, uint keypoint_count, uint frame_count,
             out IntPtr character);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_character_places_frame(IntPtr character, IntPtr places, uint place_count, IntPtr rotations,
+        public static extern int sinew_character_keypoints_frame(IntPtr character, IntPtr keypoints, uint keypoint_count, IntPtr rotations,
             IntPtr translations);
-
-        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_character_open_picture(IntPtr path, IntPtr options, out IntPtr character);
-
-        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_character_open_picture_files(IntPtr files, uint file_count, IntPtr options, out IntPtr character);
-
-        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_character_picture(IntPtr character, IntPtr info);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_create(IntPtr mesh, IntPtr skeleton, out IntPtr character);
@@ -981,7 +983,13 @@ namespace Sinew
         public static extern int sinew_character_add_clip(IntPtr character, IntPtr clip);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_character_place(IntPtr character, IntPtr options);
+        public static extern int sinew_character_transform(IntPtr character, IntPtr options);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_check(IntPtr character, IntPtr options, IntPtr result);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern IntPtr sinew_character_check_rules();
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_bind(IntPtr character, IntPtr options, IntPtr result);
@@ -994,9 +1002,6 @@ namespace Sinew
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_map(IntPtr target, IntPtr source, IntPtr options, IntPtr result);
-
-        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_character_map_file(IntPtr target, IntPtr source, IntPtr options, IntPtr result);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_animate(IntPtr character, IntPtr motion, IntPtr options, IntPtr result);
@@ -1014,13 +1019,16 @@ namespace Sinew
         public static extern int sinew_character_lod(IntPtr character, IntPtr options, IntPtr levels, IntPtr figures);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_character_check(IntPtr character, IntPtr options, IntPtr result);
-
-        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
-        public static extern IntPtr sinew_character_check_rules();
-
-        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_bake(IntPtr character, IntPtr options, IntPtr result);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_open_picture(IntPtr path, IntPtr options, out IntPtr character);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_open_picture_files(IntPtr files, uint file_count, IntPtr options, out IntPtr character);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_picture(IntPtr character, IntPtr info);
 
         internal static readonly StructSize[] Structs =
         {
@@ -1031,7 +1039,7 @@ namespace Sinew
             new StructSize("sinew_question", Marshal.SizeOf(typeof(sinew_question)), false),
             new StructSize("sinew_skeleton", Marshal.SizeOf(typeof(sinew_skeleton)), true),
             new StructSize("sinew_skin", Marshal.SizeOf(typeof(sinew_skin)), false),
-            new StructSize("sinew_options", Marshal.SizeOf(typeof(sinew_options)), true),
+            new StructSize("sinew_bind_options", Marshal.SizeOf(typeof(sinew_bind_options)), true),
             new StructSize("sinew_bind_outputs", Marshal.SizeOf(typeof(sinew_bind_outputs)), true),
             new StructSize("sinew_deform_options", Marshal.SizeOf(typeof(sinew_deform_options)), true),
             new StructSize("sinew_deformer", Marshal.SizeOf(typeof(sinew_deformer)), false),
@@ -1045,7 +1053,7 @@ namespace Sinew
             new StructSize("sinew_floor", Marshal.SizeOf(typeof(sinew_floor)), false),
             new StructSize("sinew_contact_options", Marshal.SizeOf(typeof(sinew_contact_options)), true),
             new StructSize("sinew_motion_clip", Marshal.SizeOf(typeof(sinew_motion_clip)), false),
-            new StructSize("sinew_limb_measure", Marshal.SizeOf(typeof(sinew_limb_measure)), false),
+            new StructSize("sinew_limb_quality", Marshal.SizeOf(typeof(sinew_limb_quality)), false),
             new StructSize("sinew_contact_spot", Marshal.SizeOf(typeof(sinew_contact_spot)), false),
             new StructSize("sinew_retarget_stream_options", Marshal.SizeOf(typeof(sinew_retarget_stream_options)), true),
             new StructSize("sinew_rig_options", Marshal.SizeOf(typeof(sinew_rig_options)), true),
@@ -1063,12 +1071,13 @@ namespace Sinew
         internal static readonly StructSize[] CharacterStructs =
         {
             new StructSize("sinew_file", Marshal.SizeOf(typeof(sinew_file)), false),
-            new StructSize("sinew_character_picture_options", Marshal.SizeOf(typeof(sinew_character_picture_options)), true),
-            new StructSize("sinew_character_picture_info", Marshal.SizeOf(typeof(sinew_character_picture_info)), true),
             new StructSize("sinew_character_profile_options", Marshal.SizeOf(typeof(sinew_character_profile_options)), true),
             new StructSize("sinew_character_arrays", Marshal.SizeOf(typeof(sinew_character_arrays)), true),
             new StructSize("sinew_character_clip", Marshal.SizeOf(typeof(sinew_character_clip)), true),
-            new StructSize("sinew_character_place_options", Marshal.SizeOf(typeof(sinew_character_place_options)), true),
+            new StructSize("sinew_character_transform_options", Marshal.SizeOf(typeof(sinew_character_transform_options)), true),
+            new StructSize("sinew_character_finding", Marshal.SizeOf(typeof(sinew_character_finding)), false),
+            new StructSize("sinew_character_check_options", Marshal.SizeOf(typeof(sinew_character_check_options)), true),
+            new StructSize("sinew_character_check_result", Marshal.SizeOf(typeof(sinew_character_check_result)), true),
             new StructSize("sinew_character_models", Marshal.SizeOf(typeof(sinew_character_models)), true),
             new StructSize("sinew_character_bind_options", Marshal.SizeOf(typeof(sinew_character_bind_options)), true),
             new StructSize("sinew_character_seam", Marshal.SizeOf(typeof(sinew_character_seam)), false),
@@ -1078,8 +1087,10 @@ namespace Sinew
             new StructSize("sinew_character_rig_options", Marshal.SizeOf(typeof(sinew_character_rig_options)), true),
             new StructSize("sinew_character_doubt", Marshal.SizeOf(typeof(sinew_character_doubt)), false),
             new StructSize("sinew_character_rig_result", Marshal.SizeOf(typeof(sinew_character_rig_result)), true),
+            new StructSize("sinew_motion_source", Marshal.SizeOf(typeof(sinew_motion_source)), true),
             new StructSize("sinew_character_map_options", Marshal.SizeOf(typeof(sinew_character_map_options)), true),
             new StructSize("sinew_character_map_result", Marshal.SizeOf(typeof(sinew_character_map_result)), true),
+            new StructSize("sinew_character_deformation", Marshal.SizeOf(typeof(sinew_character_deformation)), true),
             new StructSize("sinew_character_animate_options", Marshal.SizeOf(typeof(sinew_character_animate_options)), true),
             new StructSize("sinew_character_animate_result", Marshal.SizeOf(typeof(sinew_character_animate_result)), true),
             new StructSize("sinew_character_pose_options", Marshal.SizeOf(typeof(sinew_character_pose_options)), true),
@@ -1088,11 +1099,10 @@ namespace Sinew
             new StructSize("sinew_character_simplify_options", Marshal.SizeOf(typeof(sinew_character_simplify_options)), true),
             new StructSize("sinew_character_lod_options", Marshal.SizeOf(typeof(sinew_character_lod_options)), true),
             new StructSize("sinew_character_lod_level", Marshal.SizeOf(typeof(sinew_character_lod_level)), false),
-            new StructSize("sinew_character_finding", Marshal.SizeOf(typeof(sinew_character_finding)), false),
-            new StructSize("sinew_character_check_options", Marshal.SizeOf(typeof(sinew_character_check_options)), true),
-            new StructSize("sinew_character_check_result", Marshal.SizeOf(typeof(sinew_character_check_result)), true),
             new StructSize("sinew_character_bake_options", Marshal.SizeOf(typeof(sinew_character_bake_options)), true),
             new StructSize("sinew_character_bake_result", Marshal.SizeOf(typeof(sinew_character_bake_result)), true),
+            new StructSize("sinew_character_picture_options", Marshal.SizeOf(typeof(sinew_character_picture_options)), true),
+            new StructSize("sinew_character_picture_info", Marshal.SizeOf(typeof(sinew_character_picture_info)), true),
         };
     }
 

@@ -12,8 +12,10 @@ namespace Sinew
         public float Fps = 30;
         /// <summary>Height of a standing ankle of the source; null: its own at rest.</summary>
         public float? Ground;
-        /// <summary>Nothing is held on the floor; knees and elbows may leave their natural range; the target stays above where it stands.</summary>
-        public bool NoContacts, NoRange, InPlace;
+        /// <summary>False: nothing is held on the floor; knees and elbows may leave their natural range.</summary>
+        public bool Contacts = true, Range = true;
+        /// <summary>The target stays above where it stands.</summary>
+        public bool InPlace;
         /// <summary>Lengths of the target per length of the source; 0: by their legs.</summary>
         public float Scale;
         /// <summary>[target joints] sinew_joint_class; null: by names, by those of the sources or by a human body.</summary>
@@ -155,7 +157,7 @@ namespace Sinew
                 {
                     struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_retarget_stream_options)),
                     fps = settings.Fps, has_ground = settings.Ground.HasValue ? 1u : 0, ground = settings.Ground ?? 0,
-                    no_contacts = settings.NoContacts ? 1u : 0, no_range = settings.NoRange ? 1u : 0,
+                    without = (settings.Contacts ? 0 : Native.WITHOUT_CONTACTS) | (settings.Range ? 0 : Native.WITHOUT_RANGE),
                     source = moving
                 };
             }

@@ -152,7 +152,7 @@ namespace Sinew
 
     public sealed class RigSettings
     {
-        public bool ZUp, NoToes, NoEnds;
+        public bool ZUp, Toes = true, Ends = true;
         public Mirror Mirror;
         /// <summary>1 to 16 joints between pelvis and neck; 0 as the model says.</summary>
         public int SpineCount;
@@ -226,9 +226,9 @@ namespace Sinew
             using (var pins = new Pins())
             {
                 var watch = new Watch(settings.Progress);
-                var options = new Native.sinew_options
+                var options = new Native.sinew_bind_options
                 {
-                    struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_options)),
+                    struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_bind_options)),
                     influence_count = (uint)settings.Influences,
                     symmetric = settings.Symmetric ? 1u : 0, rigid_parts = (uint)settings.RigidParts,
                     softness_percent = (uint)settings.SoftnessPercent, locked = pins.Of(settings.Locked),
@@ -278,7 +278,7 @@ namespace Sinew
                 {
                     struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_rig_options)), up = (uint)(settings.ZUp ? Up.Z : Up.Y),
                     mirror = (uint)settings.Mirror, spine_count = (uint)settings.SpineCount,
-                    no_toes = settings.NoToes ? 1u : 0, no_ends = settings.NoEnds ? 1u : 0, progress = watch.Callback
+                    without = (settings.Toes ? 0 : Native.WITHOUT_TOES) | (settings.Ends ? 0 : Native.WITHOUT_ENDS), progress = watch.Callback
                 };
                 Native.sinew_mesh view = View(mesh, pins);
                 outputs.struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_rig_outputs));

@@ -128,32 +128,32 @@ static class Test
     }
 
     // A person that stands, then one that has moved aside.
-    static void Places()
+    static void Keypoints()
     {
-        float[] places =
+        float[] keypoints =
         {
             0, .95f, 0, .1f, .9f, 0, -.1f, .9f, 0, 0, 1.05f, 0, .1f, .5f, 0, -.1f, .5f, 0, 0, 1.2f, 0, .1f, .1f, 0, -.1f, .1f, 0, 0, 1.3f, 0,
             .1f, .02f, .1f, -.1f, .02f, .1f, 0, 1.5f, 0, .06f, 1.4f, 0, -.06f, 1.4f, 0, 0, 1.6f, 0, .2f, 1.4f, 0, -.2f, 1.4f, 0, .5f, 1.4f, 0,
             -.5f, 1.4f, 0, .75f, 1.4f, 0, -.75f, 1.4f, 0
         };
-        using (Character person = Character.OpenPlaces("humanml3d22", new[] { places }))
+        using (Character person = Character.OpenKeypoints("humanml3d22", new[] { keypoints }))
         {
             int joints = person.Skeleton.JointCount;
-            Require(joints == 22, "places are joints");
+            Require(joints == 22, "keypoints are joints");
             float[] rotations = new float[4 * joints], translations = new float[3 * joints];
-            var aside = (float[])places.Clone();
+            var aside = (float[])keypoints.Clone();
             for (int i = 0; i < aside.Length; i += 3) aside[i] += 1;
-            person.PlacesFrame(places, rotations, translations);
+            person.KeypointsFrame(keypoints, rotations, translations);
             var before = (float[])rotations.Clone();
             Require(translations[0] == 0, "the hips are where they are");
-            person.PlacesFrame(aside, rotations, translations);
+            person.KeypointsFrame(aside, rotations, translations);
             Require(Math.Abs(translations[0] - 1) < 1e-5, "the hips go aside");
             for (int i = 0; i < 4 * joints; ++i) Require(Math.Abs(rotations[i] - before[i]) < 1e-5, "and nothing turns");
-            Expect<ArgumentException>("rotations", () => person.PlacesFrame(aside, new float[3], translations));
-            Expect<SinewException>("expected 22 places", () => person.PlacesFrame(new float[6], rotations, translations));
+            Expect<ArgumentException>("rotations", () => person.KeypointsFrame(aside, new float[3], translations));
+            Expect<SinewException>("expected 22 keypoints", () => person.KeypointsFrame(new float[6], rotations, translations));
         }
-        Expect<SinewException>("h36m", () => Character.OpenPlaces("h36m", new[] { places }));
-        Expect<ArgumentException>("frames", () => Character.OpenPlaces("humanml3d22", new float[0][]));
+        Expect<SinewException>("h36m", () => Character.OpenKeypoints("h36m", new[] { keypoints }));
+        Expect<ArgumentException>("frames", () => Character.OpenKeypoints("humanml3d22", new float[0][]));
     }
 
     static void Errors(byte[] file, Mesh mesh, Skeleton skeleton)
@@ -252,21 +252,21 @@ static class Test
     {
         using (Character one = Character.Open(input))
         {
-            one.Place(new PlaceSettings { Turns = new[] { "y" }, Height = 2, Floor = true });
+            one.Transform(new TransformSettings { Turns = new[] { "y" }, Height = 2, Floor = true });
             one.Bind();
             one.SetProfile(new ProfileSettings { Controls = true });
             one.Save(output);
             File.WriteAllText(output + ".json", one.Controls);
-            CheckResult told = one.Check(new CheckSettings { NoPoses = true, Score = true });
+            CheckResult told = one.Check(new CheckSettings { Poses = false, Score = true });
             Require(told.Line.StartsWith("checked: ") && told.Score > 0 && told.Score <= 100, "a check says its line and a score: " + told.Line);
-            Require(one.Check(new CheckSettings { NoPoses = true }).Score == null, "no score where none is asked for");
+            Require(one.Check(new CheckSettings { Poses = false }).Score == null, "no score where none is asked for");
             var bounds = new Dictionary<string, double> { { "speck", -1 }, { "far-weight", -1 } };
-            CheckResult strict = one.Check(new CheckSettings { NoPoses = true, Bounds = bounds });
+            CheckResult strict = one.Check(new CheckSettings { Poses = false, Bounds = bounds });
             Require(strict.Findings.Length > told.Findings.Length, "bounds of the user's own");
             foreach (Finding finding in strict.Findings)
                 Require(Array.IndexOf(Character.CheckRules, finding.Rule) >= 0 && finding.What != "" && finding.Position.Length == 3, "a finding says what and where");
             Expect<SinewException>("no rule", () => one.Check(new CheckSettings { Bounds = new Dictionary<string, double> { { "none", 1 } } }));
-            Expect<SinewException>("expected x, y, z", () => one.Place(new PlaceSettings { Turns = new[] { "up" } }));
+            Expect<SinewException>("expected x, y, z", () => one.Transform(new TransformSettings { Turns = new[] { "up" } }));
             Expect<SinewException>("no profile", () => one.SetProfile(new ProfileSettings { Profile = "none" }));
             Require(Array.IndexOf(Character.Profiles, "mixamo") >= 0, "profiles");
         }
@@ -332,7 +332,7 @@ static class Test
             Skeleton skeleton = ReadSkeleton(Path.ChangeExtension(args[2], ".rig.txt"));
             if (args[0] == "errors")
             {
-                Places();
+                Keypoints();
                 Errors(file, mesh, skeleton);
                 Console.WriteLine("errors and progress: as they should be, sinew {0}", Engine.Version);
                 return 0;

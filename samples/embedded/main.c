@@ -73,8 +73,11 @@ int main(void) {
   if (status != SINEW_OK) return fail("the model", status);
 
   const sinew_mesh mesh = {kPositions, kVertices, NULL, kCorners, kTriangles, 3 * kTriangles};
-  const sinew_skeleton skeleton = sinew_skeleton_init(kJointPositions, kJointParents, kJoints);
-  sinew_options options = sinew_options_init();
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+  skeleton.positions = kJointPositions;
+  skeleton.parents = kJointParents;
+  skeleton.joint_count = kJoints;
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.influence_count = kInfluences;
   options.candidate_count = CANDIDATES;
   options.grid_size = 16;
@@ -91,7 +94,9 @@ int main(void) {
   print_number(sizeof workspace, " bytes\n");
 
   uint64_t start = board_instructions();
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(joint_indices, weights);
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = joint_indices;
+  outputs.weights = weights;
   status = sinew_bind(&model, &mesh, &skeleton, &options, workspace, sizeof workspace, &outputs);
   if (status != SINEW_OK) return fail("the bind", status);
   uint64_t instructions = board_instructions() - start;

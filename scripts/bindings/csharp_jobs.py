@@ -15,7 +15,7 @@ NAMES = {"influence_count": "Influences", "branches_first": "First", "branches_c
 MODELS = {"bind": "Model, null, null, null, null", "transfer": "Model, null, null, null, null", "animate": "null, Model, HandsModel, null, FrontModel",
           "rig": "null, Method == CharacterRigMethod.Slots ? null : Model, HandsModel, Method == CharacterRigMethod.Slots ? Model : null, FrontModel"}
 # What C# does not offer, and calls whose arguments are written by hand.
-HIDDEN = ("bind.question_count", "bind.answers", "bind_result.questions", "bind_result.vertex_questions", "rig.edits", "animate.no_own_limb")
+HIDDEN = ("bind.question_count", "bind.answers", "bind_result.questions", "bind_result.vertex_questions", "rig.edits", "map.file", "animate.file")
 BY_HAND = ("simplify", "lod")
 _NUMBERS = {"float": "float", "double": "double", "uint64_t": "ulong", "size_t": "long", "uint8_t": "byte"}
 _READERS = {"byte": "Bytes", "float": "Floats", "double": "Doubles", "int": "Ints"}
@@ -76,7 +76,7 @@ def _fields(values: List[Value], settings: bool) -> List[str]:
         if doc:
             out += textwrap.wrap(f"/// <summary>{escape(doc[0].upper() + doc[1:], quote=False)}</summary>", 140, initial_indent="        ", subsequent_indent="        /// ", break_on_hyphens=False)
         kind = f"Native.{v.of}[]" if settings and v.kind == "structs" else _type(v)
-        out.append(f"        public {kind} {_name(v)};")
+        out.append(f"        public {kind} {_name(v)}{' = true' * bool(v.bit)};")
     return out
 
 
@@ -92,18 +92,29 @@ def _settings(struct: Struct, h: Headers) -> List[str]:
     if "models" in kinds:
         models = "Model" if "HandsModel" not in MODELS[call] else "Model, HandsModel, FrontModel"
         out += ["        /// <summary>Bytes of .sinew files in place of the bundled models; or null.</summary>", f"        public byte[] {models};"]
-    items, before = [f"struct_size = Character.Size<Native.{struct.name}>()"], []
+    before: List[str] = []
+    items = {("", struct.name): [f"struct_size = Character.Size<Native.{struct.name}>()"]}  # of it, and of what it points to
     for v in values:
         if v.kind == "array":
             size = " * ".join({"J": "sizes.joint_count", "V": "sizes.vertex_count"}.get(c, c) for c in v.counts)
             before.append(f'            Character.Length({_name(v)}, {size}, "{name}.{_name(v)}: expected [{" x ".join(v.counts)}] numbers");')
-        items += _assigned(v, call, before)
+        at = v.path[0] if v.path else ("", struct.name)
+        assigned = _assigned(v, call, before)
+        row = items.setdefault(at, [f"struct_size = Character.Size<Native.{at[1]}>()"])
+        if v.bit and row[-1].startswith("without = "):
+            row[-1] += assigned[0].replace("without =", " |")
+        else:
+            row += assigned
+    own = items.pop(("", struct.name))
+    for (member, inner), row in items.items():
+        before += filled(f"            var {member} = new Native.{inner} {{", row, " };", indent=" " * 16).split("\n")
+        own.append(f"{member} = pins.Of({member})")
     out += ["", "        internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)", "        {", *before]
-    return out + filled(f"            return pins.Of(new Native.{struct.name} {{", items, " });", indent=" " * 16).split("\n") + ["        }", "    }"]
+    return out + filled(f"            return pins.Of(new Native.{struct.name} {{", own, " });", indent=" " * 16).split("\n") + ["        }", "    }"]
 
 
 def _assigned(v: Value, call: str, before: List[str]) -> List[str]:
-    member, name = "@" + v.name if v.name in ("params", "base", "in", "is") else v.name, _name(v)
+    member, name = v.member.split(".")[-1], _name(v)
     if v.kind == "models":
         return [f"models = Character.Models(pins, {MODELS[call]})"]
     if v.kind == "threads":
@@ -120,6 +131,8 @@ def _assigned(v: Value, call: str, before: List[str]) -> List[str]:
         before.append(f"            foreach (float[] line in {name} ?? new float[0][]) ends.Add(ends[ends.Count - 1] + (uint)line.Length / {v.counts[2]});")
         return [f"{v.counts[1]} = Character.Count({name})", f"{v.counts[0]} = {name} == null ? IntPtr.Zero : pins.Of(ends.ToArray())",
                 f"{member} = {name} == null ? IntPtr.Zero : pins.Of({name}.SelectMany(line => line).ToArray())"]
+    if v.bit:
+        return [f"without = ({name} ? 0 : Native.WITHOUT_{v.name.upper()})"]
     value = {"flag": f"{name} ? 1u : 0", "text": f"pins.Of({name})", "array": f"pins.Of({name})", "character": f"{name} == null ? IntPtr.Zero : {name}.Handle"}.get(v.kind)
     return [f"{member} = {value or (name if v.kind == 'number' and v.of in ('double', 'float', 'uint64_t') else f'(uint){name}')}"]
 

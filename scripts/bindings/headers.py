@@ -37,7 +37,7 @@ class Member:
     type: Type
     offset: int = 0
     size: int = 0
-    comment: str = ""  # behind it
+    comment: str = ""  # above it, or behind it on its line
 
 
 @dataclass
@@ -141,18 +141,23 @@ def _declaration(kinds, cursor, character: bool, found: Headers, seen: set) -> N
 
 
 def _comments_of(struct) -> Dict[str, str]:
-    """The comment behind each member; several that are declared together have one."""
+    """The comment above each member, or behind it on its line; several that are declared together have one."""
     comments: Dict[str, str] = {}
     names: List[str] = []
+    above, ended, line = "", False, 0
     for token in struct.get_tokens():
-        if token.kind.name == "IDENTIFIER":
-            names.append(token.spelling)
-        elif token.kind.name == "COMMENT":
-            comments.update({name: re.sub(r"\s+", " ", _plain(token.spelling)) for name in names})
+        if token.kind.name == "COMMENT":
+            text = re.sub(r"\s+", " ", _plain(token.spelling))
+            if token.location.line == line:
+                comments.update({name: text for name in names})
+            else:
+                above = text
         elif token.spelling == ";":
-            names = names + [";"]
-        if token.kind.name != "COMMENT" and len(names) > 1 and names[-2] == ";":
-            names = names[-1:]
+            comments.update({name: above for name in names if above})
+            above, ended = "", True
+        elif token.kind.name == "IDENTIFIER":
+            names, ended = (names if not ended else []) + [token.spelling], False
+        line = token.extent.end.line
     return comments
 
 

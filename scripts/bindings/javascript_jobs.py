@@ -8,25 +8,25 @@ from .headers import GENERATOR, Headers, Struct, camel, filled, short, words_of
 from .members import Value, base, result_structs, values_of
 
 # Calls that the module has: name in C, options, result.
-CALLS = {"bind": "BindOptions", "rig": "RigOptions", "animate": "RetargetOptions", "transfer": "TransferOptions", "place": "PlaceOptions",
+CALLS = {"bind": "BindOptions", "rig": "RigOptions", "animate": "RetargetOptions", "transfer": "TransferOptions", "transform": "TransformOptions",
          "profile": "ProfileOptions", "check": "CheckOptions", "picture": "PictureOptions"}
 RESULTS = ("bind_result", "rig_result", "animate_result", "transfer_result", "check_result", "picture_info")
 # Names that differ from those of C, of one call or of all.
 NAMES = {"influence_count": "influences", "spine_count": "spine", "rig.skeleton": "template", "picture.pixels": "units"}
 # What is not offered: files, which are not on a disk here; and what another member says.
 HIDDEN = ("bind.style", "bind.hints", "bind.question_count", "bind.answers", "bind_result.questions", "bind_result.vertex_questions", "rig.edits",
-          "rig.skeleton_character", "animate.map", "animate.no_own_limb", "transfer.map", "transfer.pairs")
+          "rig.skeleton_character", "map.file", "animate.file", "animate.map", "transfer.map", "transfer.pairs")
 _ARRAYS = {"uint8_t": "Uint8Array", "uint32_t": "Uint32Array", "int32_t": "Int32Array", "float": "Float32Array", "double": "Float64Array"}
 
 
 def jobs_js_text(h: Headers) -> str:
     out = ["// SPDX-License-Identifier: MIT", f"// Options and results of a character's jobs: name, kind, member, what the kind needs. {GENERATOR}",
-           'import { WORDS } from "./layouts.js";', "", "/** @type {Record<string, {struct: string, members: Record<string, any[]>}>} */", "export const OPTIONS = {"]
+           'import { WORDS } from "./layouts.js";', "", "/** @type {Record<string, {struct: string, inner?: Record<string, string>, members: Record<string, any[]>}>} */", "export const OPTIONS = {"]
     for struct in h.structs:
         call = base(struct.name).removesuffix("_options")
         if struct.character and struct.name.endswith("_options") and call in CALLS:
             out += _table(camel(call, False), call, struct, h)
-    out += ["};", "", "/** @type {Record<string, {struct: string, members: Record<string, any[]>}>} */", "export const RESULTS = {"]
+    out += ["};", "", "/** @type {Record<string, {struct: string, inner?: Record<string, string>, members: Record<string, any[]>}>} */", "export const RESULTS = {"]
     for struct in _results(h):
         out += _table(camel(short(struct.name), False), base(struct.name), struct, h)
     return "\n".join([*out, "};"]) + "\n"
@@ -36,7 +36,7 @@ def jobs_types_text(h: Headers) -> str:
     out = ["// SPDX-License-Identifier: MIT", f"// Types of options and results of a character's jobs; what is missing is 0, or the first word. {GENERATOR}",
            'import type { Progress } from "./index.js";', 'import type { CharacterFile } from "./character.js";', "",
            "// Tables for marshalling.js: name, kind, member, what the kind needs.",
-           *(f"export declare const {table}: Record<string, {{ struct: any; members: Record<string, any[]> }}>;" for table in ("OPTIONS", "RESULTS")), ""]
+           *(f"export declare const {table}: Record<string, {{ struct: any; inner?: any; members: Record<string, any[]> }}>;" for table in ("OPTIONS", "RESULTS")), ""]
     for struct in h.structs:
         call = base(struct.name).removesuffix("_options")
         if struct.character and struct.name.endswith("_options") and call in CALLS:
@@ -73,8 +73,8 @@ def _table(first: str, call: str, struct: Struct, h: Headers) -> List[str]:
             extra = f", WORDS.{camel(short(v.of), False)}"
         elif f"{call}.{v.name}" == "picture.pixels":
             kind, extra = "word", ', ["figure", "pixels"]'
-        elif kind == "flag" and v.name.startswith("no_"):
-            kind = "noFlag"
+        elif v.bit:
+            kind, extra = "without", f", {v.bit}"
         elif f"{call}.{v.name}" == "rig.skeleton":
             kind = "template"
         elif v.kind in ("array", "structs"):
@@ -84,8 +84,10 @@ def _table(first: str, call: str, struct: Struct, h: Headers) -> List[str]:
             extra = "".join(f', "{c}"' for c in v.counts[:2])
         elif v.optional and v.kind == "number":
             kind = "numberOrNull"
-        rows.append(f'{_name(call, v)}: ["{kind}", "{v.name}"{extra}]')
-    return filled(f'  {first}: {{ struct: "{camel(short(struct.name), False)}", members: {{', rows, " } },", indent="    ", width=130).split("\n")
+        rows.append(f'{_name(call, v)}: ["{kind}", "{v.member}"{extra}]')
+    inner = {at: f'{at}: "{camel(short(of), False)}"' for v in _values(call, struct, h) for at, of in v.path}
+    head = f'  {first}: {{ struct: "{camel(short(struct.name), False)}", ' + f"inner: {{ {', '.join(inner.values())} }}, " * bool(inner)
+    return filled(head + "members: {", rows, " } },", indent="    ", width=130).split("\n")
 
 
 def _type(v: Value, call: str, h: Headers) -> str:
@@ -112,7 +114,7 @@ def _said(v: Value, h: Headers) -> str:
     if v.kind == "word":
         first = next((words_of(e) or [""])[0] for n, e in h.enums if n == v.of)
         doc = re.sub(r"(^|; )0 = ", rf"\g<1>{first}: ", doc)
-    return ("false: " if doc and v.name.startswith("no_") else "") + doc
+    return ("false: " if doc and v.bit else "") + doc
 
 
 def _interface(name: str, fields: List[Tuple[str, str, str]], progress: bool = False) -> List[str]:

@@ -11,18 +11,18 @@ from .members import Job, Value, base, jobs_of, result_structs, values_of
 CALLS = {"animate": "retarget"}
 NAMES = {"bind.influence_count": "influences", "rig.influence_count": "influences", "transfer.influence_count": "influences", "bind.question_count": "questions",
          "lod.level_count": "levels", "hinted": "hints", "rig.spine_count": "spine", "skeleton_character": "skeleton", "pins_file": "pins",
-         "branches_first": "first", "branches_cost": "cost", "no_range": "natural_range", "animate.deform": "correct", "from": "start", "to": "end", "map": "map_file",
+         "branches_first": "first", "branches_cost": "cost", "animate.range": "natural_range", "animate.deform": "correct", "from": "start", "to": "end", "map": "map_file",
          "sources": "joint_map", "pose.deform": "method", "bake.deform": "method", "transfer.target_up": "up", "picture.pixels": "units", "picture.mask": "mask_file",
          "animate_result.clip_count": "clips", "rig_result.front_confidence": "front_certainty", "rig_result.up_confidence": "up_certainty"}
 # Types and defaults that are not those of their kind.
 TYPES = {"retarget.correct": ("Correction", '"none"'), "bake.method": ("declarations.PoseDeform", '"volume"'), "rig.front": ("str", '"auto"'),
-         "bind.hints": ("Any", "None"), "rig.skeleton": ("Any", "None"), "map.pins": ("Any", "None")}
+         "bind.hints": ("Any", "None"), "rig.edits": ("Sequence[Tuple[Any, ...]]", "()"), "rig.skeleton": ("Any", "None"), "map.pins": ("Any", "None")}
 # What the hand-written code makes of a struct.
 STRUCTS = {"sinew_question": "List[Question]", "sinew_character_left_out": "Dict[str, str]"}
 MODELS = {"bind": ["model"], "transfer": ["model"]}
 # Methods whose signatures are written by hand; their options are filled as the others' are.
-# Members that say what another member says.
-HIDDEN = ("animate.no_own_limb",)
+# A file in place of the other character is that argument.
+HIDDEN = ("map.file", "animate.file")
 BY_HAND = ("set_profile", "simplify", "lod")
 
 
@@ -40,10 +40,10 @@ def results_text(h: Headers) -> str:
     out += ["}", "# The class of a struct, and its fields.", "RESULTS: Dict[Any, Tuple[Any, Rows]] = {"]
     for struct in shown:
         out += _table(f"declarations.{struct.name}: ({_class(struct.name)}, [", base(struct.name), struct, h, "]),")
-    out += ["}", "# Options, result, the other character, and whether that comes first.", "JOBS: Dict[str, Tuple[Any, Any, str, bool]] = {"]
+    out += ["}", "# Options, result, the other character, whether that comes first, and the member of a file in its place.", "JOBS: Dict[str, Tuple[Any, Any, str, bool, str]] = {"]
     for job in jobs_of(h):
         result = f"declarations.{job.result}" if job.result.startswith("sinew_") else "None"
-        out.append(f'    "{job.name}": (declarations.{job.options.name}, {result}, "{job.source}", {job.source_first}),')
+        out.append(f'    "{job.name}": (declarations.{job.options.name}, {result}, "{job.source}", {job.source_first}, "{job.source_file}"),')
     return "\n".join([*out, "}"]) + "\n"
 
 
@@ -77,11 +77,11 @@ def _class(struct: str) -> str:
 
 def _row(call: str, v: Value) -> str:
     """What marshalling.py reads."""
-    extra = {"word": lambda: f"declarations.{short(v.of).upper()}", "flag": lambda: str(v.name.startswith("no_")), "array": lambda: repr((v.of[:-2] if v.of.endswith("_t") else
+    extra = {"word": lambda: f"declarations.{short(v.of).upper()}", "without": lambda: str(v.bit), "array": lambda: repr((v.of[:-2] if v.of.endswith("_t") else
              {"float": "float32", "double": "float64"}[v.of], tuple(v.counts), v.optional, "a bone end" in v.doc)), "structs": lambda: f"(declarations.{v.of}, {tuple(v.counts)!r})",
              "lines": lambda: repr(tuple(v.counts)), "mapping": lambda: repr(tuple(v.counts)), "texts": lambda: repr(tuple(v.counts)), "number": lambda: repr(v.optional)}
-    kind = "fraction" if v.name.endswith("_q16") else v.kind
-    return f'("{_name(call, v)}", "{kind}", "{v.name}", {extra.get(v.kind, lambda: "None")()})'
+    kind = "fraction" if v.name.endswith("_q16") else "without" if v.bit else v.kind
+    return f'("{_name(call, v)}", "{kind}", "{v.member}", {extra.get(kind, lambda: "None")()})'
 
 
 def _type(v: Value, call: str, name: str, h: Headers) -> Tuple[str, str]:
@@ -96,7 +96,7 @@ def _type(v: Value, call: str, name: str, h: Headers) -> Tuple[str, str]:
         each = ", ".join({"word": f"declarations.{camel(short(m.of))}", "text": "str"}.get(m.kind, "int") for m in members)
         return f"Sequence[Tuple[{each}]]" if v.of != "sinew_answer" else "Sequence[Tuple[Any, ...]]", "()"
     real = v.of in ("float", "double")
-    return {"flag": ("bool", str(v.name.startswith("no_"))), "number": ("float" if real else "int", "0"), "percent": ("float", "1"), "text": ("Text", "None"),
+    return {"flag": ("bool", str(bool(v.bit))), "number": ("float" if real else "int", "0"), "percent": ("float", "1"), "text": ("Text", "None"),
             "texts": ("Sequence[str]", "()"), "array": ("Any", "None"), "character": ('Optional["OpenCharacter"]', "None"),
             "mapping": ("Optional[Mapping[str, float]]", "None")}[v.kind]
 
@@ -120,7 +120,7 @@ def _method(job: Job, h: Headers) -> List[str]:
         keywords.update({m: ("ModelFile", "None") for m in models})
         docs[", ".join(models)] = "files or bytes in place of the bundled ones"
     keywords.update({n: t for n, t in (("threads", ("int", "1")), ("progress", ("ProgressFunction", "None"))) if n in kinds})
-    first = {"": [], "source": ["source: Source" if job.source_file else 'source: "OpenCharacter"']}.get(job.source, [f'{job.source}: Optional["OpenCharacter"] = None'])
+    first = [f"{job.source}: " + ("Source" if job.source_file else '"OpenCharacter"') + " = None" * job.source_optional] * bool(job.source)
     result = {"": "None", "character": '"OpenCharacter"'}.get(job.result) or _class(job.result)
     head = f"    def {call}("
     signature = filled(head, ["self", *first, "*", *(f"{n}: {t} = {d}" for n, (t, d) in keywords.items())], f") -> {result}:", indent=" " * len(head))
@@ -137,7 +137,7 @@ def _said(v: Value, h: Headers) -> str:
     if v.kind == "array":
         mask = v.of == "uint8_t"
         doc = ("mask [n] of bool or uint8, or indices: " if mask else f"[{', '.join(v.counts).lower()}] ") + doc.replace("not 0: ", "")
-    return ("False: " if doc and v.name.startswith("no_") else "") + doc
+    return ("False: " if doc and v.bit else "") + doc
 
 
 def _dataclass(struct: Struct, h: Headers) -> List[str]:

@@ -63,7 +63,7 @@ inline double median(std::vector<double> values) {
 }
 
 // Several contestants in turn, `repeats` times each. run(i) does what the i-th one does once; the median of its seconds goes to
-// the i-th place.
+// the i-th column.
 template <class Run>
 std::vector<double> medians_in_turn(size_t contestants, int repeats, Run run) {
   const size_t rounds = static_cast<size_t>(repeats);

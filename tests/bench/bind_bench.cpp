@@ -41,7 +41,7 @@ void check(sinew_status status, const char* what) {
 struct Input {
   sinew_test::HeatScene scene;
   sinew_mesh mesh = {};
-  sinew_skeleton skeleton = sinew_skeleton_init(nullptr, nullptr, 0);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
 
   // 61 joints whatever the size; rings and segments as on the 10k body of the other benchmarks.
   explicit Input(double vertices) {
@@ -80,7 +80,7 @@ struct Lanes {
 };
 
 // The stages as run_bind() calls them, each with the time of its longest way, which is all of it with one thread.
-void time_stages(const Input& in, const sinew_model& model, sinew_options options, uint32_t threads,
+void time_stages(const Input& in, const sinew_model& model, sinew_bind_options options, uint32_t threads,
                  std::vector<double>* seconds) {
   Lanes lanes;
   options.thread_count = threads;
@@ -94,8 +94,8 @@ void time_stages(const Input& in, const sinew_model& model, sinew_options option
   Kernels kernels;
   if (!select_kernels(options.kernel, &kernels)) check(SINEW_ERROR_KERNEL, "kernels");
   Arena measuring;  // more than a bind's: nothing is given back before the network here
-  Prepared p;
-  check(prepare(in.mesh, in.skeleton, 0, full, PrepareFor::kNetwork, kernels, {}, measuring, &p), "size");
+  PreparedBind p;
+  check(prepare(in.mesh, in.skeleton, 0, full, PreparePurpose::kNetwork, kernels, {}, measuring, &p), "size");
   check(run_network(model, largest_network_input(counts), kernels, {}, measuring, nullptr, plan.network), "size");
   const size_t bytes = measuring.high_water();
   const Workspace block = touched(bytes);
@@ -130,9 +130,10 @@ void time_stages(const Input& in, const sinew_model& model, sinew_options option
 
 // Rows for 2, 4 and 8 threads: the longest way through a bind, and the time on the clock with real threads.
 #if defined(__EMSCRIPTEN__)
-void measure_threads(const Input&, const sinew_model&, sinew_options, int, uint64_t) {}  // a module has none
+void measure_threads(const Input&, const sinew_model&, sinew_bind_options, int, uint64_t) {}  // a module has none
 #else
-void measure_threads(const Input& in, const sinew_model& model, sinew_options options, int repeats, uint64_t hash) {
+void measure_threads(const Input& in, const sinew_model& model, sinew_bind_options options, int repeats,
+                     uint64_t hash) {
   for (const uint32_t threads : {2u, 4u, 8u}) {
     options.thread_count = threads;
     size_t bytes = 0;
@@ -141,7 +142,9 @@ void measure_threads(const Input& in, const sinew_model& model, sinew_options op
           "workspace");
     const Workspace block = touched(bytes);
     std::vector<uint16_t> joints(in.mesh.vertex_count * size_t{4}), weights(joints.size());
-    sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+    sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+    outputs.joint_indices = joints.data();
+    outputs.weights = weights.data();
     const auto bind = [&] {
       check(sinew_bind(&model, &in.mesh, &in.skeleton, &options, block.data(), bytes, &outputs), "bind");
     };
@@ -179,7 +182,7 @@ void measure_threads(const Input& in, const sinew_model& model, sinew_options op
 }
 #endif
 
-void measure(double vertices, const sinew_model& model, const sinew_options& options, int repeats) {
+void measure(double vertices, const sinew_model& model, const sinew_bind_options& options, int repeats) {
   const Input in(vertices);
   size_t bytes = 0;
   check(sinew_bind_workspace_size(&model, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count,
@@ -187,7 +190,9 @@ void measure(double vertices, const sinew_model& model, const sinew_options& opt
         "workspace");
   const Workspace block = touched(bytes);
   std::vector<uint16_t> joints(in.mesh.vertex_count * size_t{4}), weights(joints.size());
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = joints.data();
+  outputs.weights = weights.data();
   std::vector<double> seconds[kWhole + 1];
   for (int i = 0; i < repeats; ++i) {
     const double start = sinew_bench::thread_seconds();
@@ -210,7 +215,7 @@ void measure(double vertices, const sinew_model& model, const sinew_options& opt
 }
 
 // A row for binds of the same mesh between which an end of a limb goes round a circle of 2 % of the body.
-void measure_dragged(double vertices, const sinew_model& model, const sinew_options& options, int repeats) {
+void measure_dragged(double vertices, const sinew_model& model, const sinew_bind_options& options, int repeats) {
   Input in(vertices);
   size_t bytes = 0;
   check(sinew_bind_workspace_size(&model, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count,
@@ -218,7 +223,9 @@ void measure_dragged(double vertices, const sinew_model& model, const sinew_opti
         "workspace");
   const Workspace block = touched(bytes);
   std::vector<uint16_t> joints(in.mesh.vertex_count * size_t{4}), weights(joints.size());
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = joints.data();
+  outputs.weights = weights.data();
   constexpr int kSteps = 12;
   const size_t dragged = size_t{3} * (in.skeleton.joint_count - 1);
   const float from[2] = {in.scene.joints[dragged], in.scene.joints[dragged + 1]};
@@ -261,7 +268,7 @@ std::vector<uint64_t> read_model(size_t* size) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   uint32_t& kernel = options.kernel;
   int repeats = 5;
   bool by_rule = false, dragged = false;

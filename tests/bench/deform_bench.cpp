@@ -34,9 +34,9 @@ std::vector<float> turned_palette(const sinew_test::HeatScene& scene) {
     const double c = std::cos(0.5), s = scene.parents[j] < 0 ? 0 : std::sin(0.5) * (j % 2 == 0 ? 1 : -1);
     const double own[9] = {scene.parents[j] < 0 ? 1 : c, -s, 0, s, scene.parents[j] < 0 ? 1 : c, 0, 0, 0, 1};
     for (size_t r = 0; r < 3; ++r) {
-      double place = double{scene.joints[3 * j + r]};
-      for (size_t k = 0; k < 3; ++k) place -= own[3 * r + k] * double{scene.joints[3 * j + k]};
-      for (size_t k = 0; k < 4; ++k) m[12 * j + 4 * r + k] = k < 3 ? own[3 * r + k] : place;
+      double translation = double{scene.joints[3 * j + r]};
+      for (size_t k = 0; k < 3; ++k) translation -= own[3 * r + k] * double{scene.joints[3 * j + k]};
+      for (size_t k = 0; k < 4; ++k) m[12 * j + 4 * r + k] = k < 3 ? own[3 * r + k] : translation;
     }
     if (scene.parents[j] < 0) continue;
     const double* const above = &m[12 * static_cast<size_t>(scene.parents[j])];
@@ -62,7 +62,7 @@ Bound bind_star(double vertices) {
   Bound out = {sinew_test::star(rings, static_cast<uint32_t>(std::lround(vertices / rings)), 10), {}, {}, {}};
   const sinew_mesh mesh = out.scene.mesh_view();
   const sinew_skeleton skeleton = out.scene.skeleton_view();
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.method = SINEW_METHOD_HEAT;
   size_t bytes = 0;
   check(sinew_bind_workspace_size(nullptr, mesh.vertex_count, mesh.face_count, mesh.corner_count, skeleton.joint_count,
@@ -71,7 +71,9 @@ Bound bind_star(double vertices) {
   Workspace block(bytes);
   out.joints.resize(size_t{mesh.vertex_count} * kInfluences);
   out.weights.resize(out.joints.size());
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(out.joints.data(), out.weights.data());
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = out.joints.data();
+  outputs.weights = out.weights.data();
   check(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), block.size(), &outputs), "bind");
   out.palette = turned_palette(out.scene);
   return out;
@@ -116,7 +118,7 @@ void run(double vertices, int repeats) {
       uint64_t expected = 0;
       for (const uint32_t threads : {1u, 2u, 4u}) {
         ThreadPool pool(threads);
-        sinew_deform_options options = sinew_deform_options_init();
+        sinew_deform_options options = SINEW_INIT(sinew_deform_options);
         options.cell_count = cells;
         options.round_count = rounds;
         options.thread_count = threads;
@@ -128,7 +130,8 @@ void run(double vertices, int repeats) {
                               {bound.joints.data(), bound.weights.data(), kInfluences}, options),
               "create");
         const double created = sinew_bench::thread_seconds() - start;
-        sinew_deform_outputs outputs = sinew_deform_outputs_init(out.data());
+        sinew_deform_outputs outputs = SINEW_INIT(sinew_deform_outputs);
+        outputs.positions = out.data();
         double own = 0, wall = 0;
         measure(
             repeats, [&] { check(deformer.pose(bound.palette.data(), &outputs), "pose"); }, &own, &wall);

@@ -19,7 +19,7 @@ using sinew_test::TestRig;
 TestRig with_fingers(TestRig rig) {
   for (const float s : {1.0f, -1.0f}) {
     const int32_t hand = rig.find(s > 0 ? "LeftHand" : "RightHand");
-    const float* const at = &rig.places[3 * static_cast<size_t>(hand)];
+    const float* const at = &rig.positions[3 * static_cast<size_t>(hand)];
     const float x = at[0], y = at[1], z = at[2];
     for (int finger = 0; finger < 5; ++finger) {
       int32_t last = hand;

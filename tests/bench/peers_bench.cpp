@@ -38,7 +38,7 @@ struct Input {
   std::vector<float> positions, joints;
   std::vector<int32_t> parents;
   sinew_mesh mesh = {};
-  sinew_skeleton skeleton = sinew_skeleton_init(nullptr, nullptr, 0);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
 };
 
 int run(int argc, char** argv) {

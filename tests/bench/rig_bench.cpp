@@ -48,13 +48,15 @@ struct Run {
 
 void rig_once(const sinew_model& model, const sinew_mesh& mesh, const Workspace& block, Run* run) {
   Clock clock;
-  sinew_rig_options options = sinew_rig_options_init();
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   options.kernel = run->kernel;
   options.progress = Clock::report;
   options.progress_user = &clock;
   std::vector<float> positions(size_t{3} * SINEW_MAX_RIG_JOINTS);
   std::vector<int32_t> parents(SINEW_MAX_RIG_JOINTS);
-  run->outputs = sinew_rig_outputs_init(positions.data(), parents.data());
+  run->outputs = SINEW_INIT(sinew_rig_outputs);
+  run->outputs.positions = positions.data();
+  run->outputs.parents = parents.data();
   double start = sinew_bench::thread_seconds();
   const double first = start;
   check(sinew_rig(&model, &mesh, &options, block.data(), block.size(), &run->outputs), "rig");

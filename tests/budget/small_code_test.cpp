@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The engine as microcontrollers get it (SINEW_SMALL_CODE, engine/src/core/build.hpp): what was left out is refused
-// with the status that the header names, and threads and places of weights that it does without change nothing.
+// with the status that the header names, and threads and weights in place, which it does without, change nothing.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -38,8 +38,8 @@ struct Model {
   sinew_status status;
 };
 
-sinew_options small_options() {
-  sinew_options options = sinew_options_init();
+sinew_bind_options small_options() {
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.candidate_count = 2;
   options.grid_size = 16;
   return options;
@@ -52,9 +52,12 @@ struct Result {
 };
 
 // Asks for the workspace and binds, in more than enough where the question was refused.
-Result bind(const Model& model, const sinew_options& options) {
+Result bind(const Model& model, const sinew_bind_options& options) {
   const sinew_mesh mesh = {kPositions, kVertices, nullptr, kCorners, kTriangles, 3 * kTriangles};
-  const sinew_skeleton skeleton = sinew_skeleton_init(kJointPositions, kJointParents, kJoints);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+  skeleton.positions = kJointPositions;
+  skeleton.parents = kJointParents;
+  skeleton.joint_count = kJoints;
   Result result;
   result.joints.assign(size_t{kVertices} * 4, 0);
   result.weights.assign(size_t{kVertices} * 4, 0);
@@ -62,7 +65,9 @@ Result bind(const Model& model, const sinew_options& options) {
       sinew_bind_workspace_size(&model.model, kVertices, kTriangles, 3 * kTriangles, kJoints, &options, &result.bytes);
   const size_t bytes = result.asked == SINEW_OK ? result.bytes : size_t{1} << 22;
   const Block block = block_of(bytes);
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(result.joints.data(), result.weights.data());
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = result.joints.data();
+  outputs.weights = result.weights.data();
   result.bound = sinew_bind(&model.model, &mesh, &skeleton, &options, block.get(), bytes, &outputs);
   result.used = outputs.used_bytes;
   return result;
@@ -72,8 +77,8 @@ TEST(SmallCode, RefusesWhatWasLeftOut) {
   const Model model("embedded/small.sinew");
   ASSERT_EQ(model.status, SINEW_OK);
   const std::vector<uint8_t> hints(kVertices, 1);
-  std::vector<std::pair<const char*, sinew_options>> refused;
-  const auto add = [&](const char* name) -> sinew_options& {
+  std::vector<std::pair<const char*, sinew_bind_options>> refused;
+  const auto add = [&](const char* name) -> sinew_bind_options& {
     refused.emplace_back(name, small_options());
     return refused.back().second;
   };
@@ -95,7 +100,10 @@ TEST(SmallCode, HasNoMotion) {
   EXPECT_EQ(sinew_retarget_create_workspace_size(1, 1, &bytes), SINEW_ERROR_NOT_BUILT);
   const float origin[3] = {0, 0, 0};
   const int32_t parent = -1, map = 0;
-  const sinew_skeleton rig = sinew_skeleton_init(origin, &parent, 1);
+  sinew_skeleton rig = SINEW_INIT(sinew_skeleton);
+  rig.positions = origin;
+  rig.parents = &parent;
+  rig.joint_count = 1;
   const Block block = block_of(1 << 16);
   sinew_retarget* plan = nullptr;
   EXPECT_EQ(sinew_retarget_create(&rig, &rig, &map, nullptr, nullptr, block.get(), 1 << 16, &plan),
@@ -116,7 +124,7 @@ TEST(SmallCode, ThreadsAndThePlaceOfWeightsChangeNothing) {
   ASSERT_EQ(plain.asked, SINEW_OK);
   ASSERT_EQ(plain.bound, SINEW_OK);
   EXPECT_EQ(plain.used, plain.bytes);
-  sinew_options options = small_options();
+  sinew_bind_options options = small_options();
   options.thread_count = 7;
   options.parallel_for = never;
   options.weights_in_place = 1;

@@ -49,14 +49,20 @@ struct Tube {
             static_cast<uint32_t>(corners.size() / 3),
             static_cast<uint32_t>(corners.size())};
   }
-  sinew_skeleton skeleton() const { return sinew_skeleton_init(joints.data(), parents.data(), kJoints); }
+  sinew_skeleton skeleton() const {
+    sinew_skeleton view = SINEW_INIT(sinew_skeleton);
+    view.positions = joints.data();
+    view.parents = parents.data();
+    view.joint_count = kJoints;
+    return view;
+  }
 };
 
 struct StackCase {
   const char* name = "";
   std::shared_ptr<std::vector<uint64_t>> model_bytes;
   sinew_model model = {};
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   // Everything a bind writes to, so that run() itself needs next to no stack and no heap.
   std::shared_ptr<Tube> tube;
   std::shared_ptr<std::vector<uint8_t>> hints;
@@ -126,7 +132,9 @@ inline std::vector<StackCase> stack_cases(const std::string& default_model, cons
 inline size_t run(const StackCase& c) {
   const sinew_mesh mesh = c.tube->mesh();
   const sinew_skeleton skeleton = c.tube->skeleton();
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(c.joints->data(), c.weights->data());
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = c.joints->data();
+  outputs.weights = c.weights->data();
   if (sinew_bind(c.model_bytes ? &c.model : nullptr, &mesh, &skeleton, &c.options, c.workspace.get(), c.workspace_bytes,
                  &outputs) != SINEW_OK) {
     std::abort();

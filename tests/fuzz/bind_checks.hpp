@@ -66,7 +66,7 @@ struct Binding {
 
   // Outputs not filled before are filled here. `confidence` may be null, `influences` is N with its default.
   void run(const sinew_model* model, const sinew_mesh& mesh, const sinew_skeleton& skeleton,
-           const sinew_options& options, uint8_t* confidence, size_t workspace_bytes, uint32_t influences,
+           const sinew_bind_options& options, uint8_t* confidence, size_t workspace_bytes, uint32_t influences,
            size_t weight_size) {
     const size_t slots = size_t{mesh.vertex_count} * influences;
     joints.resize(slots, 0xBEEF);
@@ -75,7 +75,9 @@ struct Binding {
     const std::vector<uint8_t> weights_before = weights;
     Workspace workspace(workspace_bytes, misaligned, fill);
     // Floats are wanted aligned; the vector's memory is.
-    sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+    sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+    outputs.joint_indices = joints.data();
+    outputs.weights = weights.data();
     outputs.confidence = confidence;
     status = sinew_bind(model, &mesh, &skeleton, &options, workspace.data(), workspace_bytes, &outputs);
     used = outputs.used_bytes;
@@ -110,7 +112,7 @@ inline uint32_t weight_at(const Binding& b, uint32_t format, size_t slot) {
 
 // Exact sums, falling weights, joints that exist and may be used; given rows are the caller's own business.
 inline void check_rows(const Binding& b, const sinew_mesh& mesh, const sinew_skeleton& skeleton,
-                       const sinew_options& options) {
+                       const sinew_bind_options& options) {
   const uint32_t n = options.influence_count == 0 ? 4 : options.influence_count;
   const uint32_t total = options.weight_format == SINEW_WEIGHT_UNORM8 ? 255 : 65535;
   bool some_deform = false;

@@ -14,7 +14,7 @@ using namespace sinew::test;
 struct Call : MeshInput, SkeletonInput, Hindrance {
   std::vector<uint8_t> locked, hints, confidence, given_weights;
   std::vector<uint16_t> given_joints;
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   uint32_t influences = 4;
   bool wants_confidence = false;
   size_t weight_size = 2;
@@ -35,7 +35,7 @@ struct Call : MeshInput, SkeletonInput, Hindrance {
   }
 
   void read_options(Bytes& in, uint8_t extras, uint32_t vertices) {
-    sinew_options& o = options;
+    sinew_bind_options& o = options;
     if ((extras & 1) != 0) {
       o.struct_size -= in.below(16) == 15 ? 4 : 0;
       o.influence_count = in.below(14);

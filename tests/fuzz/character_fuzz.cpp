@@ -18,7 +18,7 @@ void check_line(const sinew_character* character) {
 }
 
 void check_arrays(sinew_character* character) {
-  sinew_character_arrays a = sinew_character_arrays_init();
+  sinew_character_arrays a = SINEW_INIT(sinew_character_arrays);
   demand(sinew_character_view(character, &a) == SINEW_OK, "what was opened has arrays");
   demand(a.face_offsets[a.face_count] == a.corner_count, "offsets end at the corners");
   for (uint32_t c = 0; c < a.corner_count; ++c) demand(a.face_vertices[c] < a.vertex_count, "corners name vertices");

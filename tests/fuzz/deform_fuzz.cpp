@@ -17,8 +17,8 @@ struct Call : MeshInput, SkeletonInput, Hindrance {
   std::vector<uint16_t> joints, weights;
   std::vector<float> palette, rest_palette;
   sinew_skin skin = {};
-  sinew_deform_options options = sinew_deform_options_init();
-  bool raw = false;  // places of sixty decades, which no sum of doubles keeps
+  sinew_deform_options options = SINEW_INIT(sinew_deform_options);
+  bool raw = false;  // positions of sixty decades, which no sum of doubles keeps
 
   explicit Call(Bytes in) {
     const uint8_t shape = in.u8(), extras = in.u8();
@@ -32,9 +32,9 @@ struct Call : MeshInput, SkeletonInput, Hindrance {
       options.cell_count = kCells[in.below(6)];
       options.round_count = in.below(6);
       options.softness = in.u16();
-      options.no_twist_spread = in.below(8) == 7 ? 2 : in.below(2);
-      options.no_contact = in.below(2);
-      options.no_smoothing = in.below(2);
+      options.without = in.below(8) == 7 ? uint32_t{SINEW_WITHOUT_TOES} : in.below(2) * SINEW_WITHOUT_TWIST_SPREAD;
+      options.without |= in.below(2) * SINEW_WITHOUT_CONTACTS;
+      options.without |= in.below(2) * SINEW_WITHOUT_SMOOTHING;
       options.body_contact = in.below(2);
     }
     read_hindrance(in, extras & 0x7F);  // nothing to cancel
@@ -101,7 +101,8 @@ struct Made {
     std::vector<float> positions(size_t{3} * deformer.vertex_count + 1, 77);
     const std::vector<float> before = positions;
     Workspace workspace(deformer.pose_bytes, 0, fill);
-    *outputs = sinew_deform_outputs_init(positions.data());
+    *outputs = SINEW_INIT(sinew_deform_outputs);
+    outputs->positions = positions.data();
     *posed = sinew_deform_pose(&deformer, palette.data(), workspace.data(), deformer.pose_bytes, outputs);
     demand(workspace.guards_hold(), "the workspace is not written beyond its size");
     demand(memory.guards_hold(), "a pose does not touch what is around the memory");

@@ -112,15 +112,15 @@ void write_glbs(const std::string& folder) {
   write(folder + "/bare.glb", bare.glb());
   GlbBuilder moving = two_joint_strip();
   const std::vector<float> times = {0, 0.5f, 1}, turns = {0, 0, 0, 1, 0, 0, 0.6f, 0.8f, 0, 0.6f, 0, 0.8f};
-  const std::vector<float> places = {0, 0, 0, 10, 0, 0, 1, 0,  0, 1, 0, 0, 11, 2,
-                                     0, 0, 0, 0,  0, 0, 0, 10, 0, 5, 0, 0, 0};
+  const std::vector<float> positions = {0, 0, 0, 10, 0, 0, 1, 0,  0, 1, 0, 0, 11, 2,
+                                        0, 0, 0, 0,  0, 0, 0, 10, 0, 5, 0, 0, 0};
   moving.add("animations", {{"channels",
                              {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "rotation"}}}},
                               {{"sampler", 1}, {"target", {{"node", 0}, {"path", "translation"}}}}}},
                             {"samplers",
                              {{{"input", moving.accessor(times, "SCALAR")}, {"output", moving.accessor(turns, "VEC4")}},
                               {{"input", moving.accessor(times, "SCALAR")},
-                               {"output", moving.accessor(places, "VEC3")},
+                               {"output", moving.accessor(positions, "VEC3")},
                                {"interpolation", "CUBICSPLINE"}}}}});
   write(folder + "/moving.glb", moving.glb());
 #ifdef SINEW_HAS_MESHOPT
@@ -132,15 +132,16 @@ void write_glbs(const std::string& folder) {
 }
 
 void write_motion_files(const std::string& folder) {
-  std::vector<float> poses(2 * 72, 0.1f), places;
+  std::vector<float> poses(2 * 72, 0.1f), positions;
   for (int j = 0; j < 2 * 17; ++j)
-    places.insert(places.end(), {static_cast<float>(j % 5), static_cast<float>(j % 17), static_cast<float>(j % 3)});
+    positions.insert(positions.end(),
+                     {static_cast<float>(j % 5), static_cast<float>(j % 17), static_cast<float>(j % 3)});
   const std::string poses_npy = npy_of("(2, 72)", poses), trans = npy_of("(2, 3)", std::vector<double>(6, 1)),
                     rate = npy_of("()", std::vector<double>{60});
   const ZipFiles amass = {{"poses.npy", poses_npy}, {"trans.npy", trans}, {"mocap_framerate.npy", rate}};
   write(folder + "/numpy/amass.npz", zip_of(amass));
   write(folder + "/numpy/deflated.npz", zip_of(amass, true));
-  write(folder + "/numpy/places.npy", npy_of("(2, 17, 3)", places));
+  write(folder + "/numpy/places.npy", npy_of("(2, 17, 3)", positions));
   write(folder + "/vmd/finger.vmd", vmd_of({{"\x8d\xb6\x90\x6c\x8e\x77\x82\x50", 2, {}, {0, 0, 0.6f, 0.8f}}}));
   write(folder + "/vmd/ik.vmd", vmd_of({{"\x89\x45\x91\xab\x82\x68\x82\x6a", 0}}));  // refused
   write(folder + "/vmd/two.vmd",
@@ -206,7 +207,7 @@ void write_motions(const std::string& folder) {
   call("/empty", {'\x00', 0, 0, 0, 0, 0}, 6);
 }
 
-// As map_fuzz.cpp reads them: shape, extras, options, pins, then two rigs: a count, places, parents, names and ends, up.
+// As map_fuzz.cpp reads them: shape, extras, options, pins, then two rigs: a count, positions, parents, names and ends, up.
 void write_maps(const std::string& folder) {
   Calls call{folder, Random(7)};
   call("/places", {'\x00', '\x00', 24}, 520);

@@ -19,12 +19,15 @@ struct RigInput : SkeletonInput {
   std::vector<std::string> names;
   std::vector<const char*> texts;
   std::vector<uint8_t> ends;
-  sinew_skeleton rig = sinew_skeleton_init(nullptr, nullptr, 0);
+  sinew_skeleton rig = SINEW_INIT(sinew_skeleton);
 
   void read(Bytes& in, uint8_t shape, uint8_t extras) {
     const uint32_t joints = in.below(48);
     read_joints(in, shape, joints);
-    rig = sinew_skeleton_init(joint_positions.data(), parents.data(), joints);
+    rig = SINEW_INIT(sinew_skeleton);
+    rig.positions = joint_positions.data();
+    rig.parents = parents.data();
+    rig.joint_count = joints;
     for (uint32_t j = 0; j < joints; ++j) {
       const uint8_t name = in.u8();
       names.push_back(name < 9 ? kNames[name] : std::string(1 + name % 3, static_cast<char>(name)));
@@ -53,7 +56,7 @@ struct Map {
 struct Call : Hindrance {
   RigInput target, source;
   std::vector<sinew_map_pin> pins;
-  sinew_map_options options = sinew_map_options_init();
+  sinew_map_options options = SINEW_INIT(sinew_map_options);
 
   explicit Call(Bytes in) {
     const uint8_t shape = in.u8(), extras = in.u8();
@@ -76,7 +79,8 @@ struct Call : Hindrance {
     map.confidence.assign(target.rig.joint_count + 1, 77);
     map.reasons.assign(target.rig.joint_count + 1, 77);
     const Map before = map;
-    map.outputs = sinew_map_outputs_init(map.sources.data());
+    map.outputs = SINEW_INIT(sinew_map_outputs);
+    map.outputs.sources = map.sources.data();
     map.outputs.confidence = map.confidence.data();
     map.outputs.reasons = map.reasons.data();
     const size_t bytes = given(need);

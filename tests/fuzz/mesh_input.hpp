@@ -65,8 +65,8 @@ struct MeshInput {
 struct SkeletonInput {
   std::vector<float> joint_positions;
   std::vector<int32_t> parents;
-  std::vector<uint8_t> flags;                                          // few joints have any
-  sinew_skeleton skeleton = sinew_skeleton_init(nullptr, nullptr, 0);  // views of the arrays, without flags
+  std::vector<uint8_t> flags;                            // few joints have any
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);  // views of the arrays, without flags
 
   void read_joints(Bytes& in, uint8_t shape, uint32_t joints) {
     for (uint32_t i = 0; i < 3 * joints; ++i) joint_positions.push_back(any_float(in, (shape & kRawJoints) != 0));

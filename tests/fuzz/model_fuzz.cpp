@@ -28,11 +28,11 @@ void bind_with(const sinew_model& model) {
   mesh.face_vertices = faces;
   mesh.face_count = 4;
   mesh.corner_count = 12;
-  sinew_skeleton skeleton = sinew_skeleton_init(nullptr, nullptr, 0);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
   skeleton.positions = joint_positions;
   skeleton.parents = parents;
   skeleton.joint_count = 3;
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.grid_size = 16;
   Binding first, second;
   for (Binding* binding : {&first, &second}) {

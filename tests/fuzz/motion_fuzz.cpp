@@ -48,7 +48,10 @@ struct RigInput {
   uint32_t up = SINEW_UP_AUTO;
 
   sinew_skeleton view() const {
-    sinew_skeleton view = sinew_skeleton_init(positions.data(), parents.data(), static_cast<uint32_t>(parents.size()));
+    sinew_skeleton view = SINEW_INIT(sinew_skeleton);
+    view.positions = positions.data();
+    view.parents = parents.data();
+    view.joint_count = static_cast<uint32_t>(parents.size());
     if (!rotations.empty()) view.rotations = rotations.data();
     view.up = up;
     return view;
@@ -83,9 +86,9 @@ struct Call {
   std::vector<int32_t> map;
   std::vector<uint8_t> classes;
   BodyInput source_body, target_body;
-  sinew_retarget_options options = sinew_retarget_options_init();
-  sinew_contact_options contacts = sinew_contact_options_init();
-  sinew_reference_options points = sinew_reference_options_init();
+  sinew_retarget_options options = SINEW_INIT(sinew_retarget_options);
+  sinew_contact_options contacts = SINEW_INIT(sinew_contact_options);
+  sinew_reference_options points = SINEW_INIT(sinew_reference_options);
   uint32_t frames = 0, cancel_at = 0, reports = 0;
   std::vector<float> rotations, translations;
 
@@ -202,13 +205,13 @@ void check_clip(Call& call, sinew_retarget* plan, const ClipResult& copied, floa
   };
   const auto measure = [&](void* block, size_t bytes, ClipResult* result) {
     const sinew_motion_clip clip = clip_of(result);
-    sinew_limb_measure limbs[SINEW_MAX_MOTION_LIMBS];
+    sinew_limb_quality limbs[SINEW_MAX_MOTION_LIMBS];
     uint32_t count = 77;
     const sinew_status status =
         sinew_retarget_measure(plan, source, &own, &clip, &call.contacts, block, bytes, limbs, &count);
     demand(status == SINEW_OK ? count <= SINEW_MAX_MOTION_LIMBS : count == 77, "limbs are counted, or left alone");
     if (status != SINEW_OK) return status;
-    sinew_limb_measure same[SINEW_MAX_MOTION_LIMBS];
+    sinew_limb_quality same[SINEW_MAX_MOTION_LIMBS];
     sinew_contact_options uncancelled = call.contacts;
     uncancelled.progress = nullptr;
     std::vector<sinew_contact_spot> spots(size_t{call.frames} * SINEW_MAX_MOTION_LIMBS + 1);
@@ -221,9 +224,9 @@ void check_clip(Call& call, sinew_retarget* plan, const ClipResult& copied, floa
                  (spots[i].kind == SINEW_SPOT_NONE || i % SINEW_MAX_MOTION_LIMBS < count),
              "a spot belongs to a limb");
     const uint8_t* const first = reinterpret_cast<const uint8_t*>(limbs);
-    result->limbs.assign(first, first + count * sizeof(sinew_limb_measure));
+    result->limbs.assign(first, first + count * sizeof(sinew_limb_quality));
     for (uint32_t l = 0; l < count; ++l) {
-      const sinew_limb_measure& limb = limbs[l];
+      const sinew_limb_quality& limb = limbs[l];
       demand(limb.joint < call.map.size() && limb.leg <= 1 && limb.deep_frames <= call.frames &&
                  limb.contact_frames <= call.frames && limb.range_frames <= call.frames,
              "a limb's figures are in their range");

@@ -26,7 +26,7 @@ struct Verdicts {
     demand(sinew_joint_classes_workspace_size(skeleton.joint_count, &bytes) == SINEW_OK, "a size for every count");
     sinew::Workspace workspace(bytes);
     std::fill_n(static_cast<uint8_t*>(workspace.data()), bytes, fill);
-    sinew_joint_verdicts out = sinew_joint_verdicts_init();
+    sinew_joint_verdicts out = SINEW_INIT(sinew_joint_verdicts);
     out.classes = classes.data();
     out.roles = roles.data();
     out.numbers = numbers.data();
@@ -67,7 +67,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     check_side(names[j].c_str());
   }
   for (const std::string& name : names) texts.push_back(name.c_str());
-  sinew_skeleton skeleton = sinew_skeleton_init(positions.data(), parents.data(), count);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+  skeleton.positions = positions.data();
+  skeleton.parents = parents.data();
+  skeleton.joint_count = count;
   skeleton.names = texts.data();
   const uint8_t* const told = (shape & 1) != 0 ? follows.data() : nullptr;
   const Verdicts first(skeleton, told, 0), second(skeleton, told, 0xA5);

@@ -43,7 +43,7 @@ struct Skeleton {
 
 // An input as a call. Every enumeration reaches one beyond its last legal value.
 struct Call : MeshInput, Hindrance {
-  sinew_rig_options options = sinew_rig_options_init();
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   bool all_outputs = true;
 
   explicit Call(Bytes in) {
@@ -54,8 +54,8 @@ struct Call : MeshInput, Hindrance {
       options.up = in.below(5);
       options.mirror = in.below(4);
       options.spine_count = in.below(18);
-      options.no_toes = in.below(8) == 7 ? 2 : in.below(2);
-      options.no_ends = in.below(8) == 7 ? 2 : in.below(2);
+      options.without = in.below(8) == 7 ? uint32_t{SINEW_WITHOUT_BIND} : in.below(2) * SINEW_WITHOUT_TOES;
+      options.without |= in.below(8) == 7 ? uint32_t{SINEW_WITHOUT_NAMES} : in.below(2) * SINEW_WITHOUT_ENDS;
       options.weights_in_place = in.below(8) == 7 ? 2 : in.below(2);
       options.method = in.below(2) * in.below(4);
     }
@@ -79,7 +79,9 @@ struct Call : MeshInput, Hindrance {
     reports = 0;
     const size_t bytes = given(need);
     Workspace workspace(bytes, misaligned, fill);
-    s.outputs = sinew_rig_outputs_init(s.positions.data(), s.parents.data());
+    s.outputs = SINEW_INIT(sinew_rig_outputs);
+    s.outputs.positions = s.positions.data();
+    s.outputs.parents = s.parents.data();
     s.outputs.flags = s.flags.data();
     if (all_outputs) {
       s.outputs.joint_classes = s.classes.data();
@@ -123,11 +125,12 @@ void check_skeleton(const Call& call, const Skeleton& s) {
     const int32_t parent = s.parents[j];
     demand(j == 0 || (parent >= 0 && parent < static_cast<int32_t>(j)), "parents come before their children");
     for (uint32_t axis = 0; axis < 3; ++axis) demand(std::isfinite(s.positions[3 * j + axis]), "places are finite");
-    demand(s.flags[j] == 0 || (s.flags[j] == SINEW_JOINT_NEVER && call.options.no_ends == 0),
+    demand(s.flags[j] == 0 || (s.flags[j] == SINEW_JOINT_NEVER && (call.options.without & SINEW_WITHOUT_ENDS) == 0),
            "a joint, or a bone end where those are wanted");
     if (!call.all_outputs) continue;
     demand(s.classes[j] <= SINEW_CLASS_OTHER, "a class that is known");
-    demand(s.classes[j] != SINEW_CLASS_TOE || call.options.no_toes == 0, "no toes where those are unwanted");
+    demand(s.classes[j] != SINEW_CLASS_TOE || (call.options.without & SINEW_WITHOUT_TOES) == 0,
+           "no toes where those are unwanted");
     demand(s.confidence[j] <= 32768 && s.parent_confidence[j] <= 32768, "confidences are shares");
     const char* const name = &s.names[size_t{j} * SINEW_JOINT_NAME_BYTES];
     demand(std::memchr(name, 0, SINEW_JOINT_NAME_BYTES) != nullptr && name[0] != 0, "a name that ends");
@@ -145,7 +148,7 @@ void check_skeleton(const Call& call, const Skeleton& s) {
 // The skeleton grows by fingers, faces and props, whatever its joints are said to be, and keeps the joints that it has but for
 // the bone ends of hands.
 void check_details(const Call& call, const Skeleton& given, size_t seed) {
-  sinew_rig_options options = sinew_rig_options_init();
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   options.up = call.options.up;
   const sinew_mesh& mesh = call.mesh;
   Skeleton s = given;
@@ -190,9 +193,12 @@ void check_details(const Call& call, const Skeleton& given, size_t seed) {
 
 // What comes out is a skeleton for sinew_bind().
 void check_bind(const Call& call, const Skeleton& s) {
-  sinew_skeleton skeleton = sinew_skeleton_init(s.positions.data(), s.parents.data(), s.outputs.joint_count);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+  skeleton.positions = s.positions.data();
+  skeleton.parents = s.parents.data();
+  skeleton.joint_count = s.outputs.joint_count;
   skeleton.flags = s.flags.data();
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.grid_size = 16;
   skeleton.up = call.options.up;
   size_t need = 0;

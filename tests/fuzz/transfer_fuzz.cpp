@@ -26,7 +26,7 @@ struct Call : Hindrance {
   std::vector<uint16_t> given_joints;
   std::vector<int32_t> joint_map;
   std::vector<sinew_vertex_pair> pairs;
-  sinew_transfer_options options = sinew_transfer_options_init();
+  sinew_transfer_options options = SINEW_INIT(sinew_transfer_options);
   const sinew_model* model = nullptr;
   uint32_t target_up = 0, source_up = 0;
   uint32_t influences = 4, weight_size = 2, part_capacity = 0;
@@ -126,7 +126,9 @@ struct Call : Hindrance {
     r.vertex_parts.assign(target.mesh.vertex_count, 77);
     std::vector<sinew_transfer_part> parts(part_capacity + 1);
     parts[part_capacity].reserved = 77;
-    r.outputs = sinew_transfer_outputs_init(r.rows.joints.data(), r.rows.weights.data());
+    r.outputs = SINEW_INIT(sinew_transfer_outputs);
+    r.outputs.joint_indices = r.rows.joints.data();
+    r.outputs.weights = r.rows.weights.data();
     r.outputs.confidence = r.confidence.data();
     r.outputs.vertex_parts = r.vertex_parts.data();
     r.outputs.parts = parts.data();
@@ -184,7 +186,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (first.rows.status != SINEW_OK) return check_status(call, first.rows.status), 0;
   demand(first.outputs.part_count >= 1, "a mesh with vertices has a part");
   for (const uint32_t part : first.vertex_parts) demand(part < first.outputs.part_count, "a part that is counted");
-  sinew_options rules = sinew_options_init();
+  sinew_bind_options rules = SINEW_INIT(sinew_bind_options);
   rules.influence_count = call.influences;
   rules.weight_format = call.options.weight_format;
   rules.locked = call.options.locked;

@@ -87,7 +87,7 @@ struct Input {
   std::vector<int32_t> parents;
   std::vector<std::string> names;
   sinew_mesh mesh = {};
-  sinew_skeleton skeleton = sinew_skeleton_init(nullptr, nullptr, 0);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
 };
 
 Input read_input(const std::string& obj) {
@@ -124,7 +124,10 @@ Input read_input(const std::string& obj) {
   in.mesh = {
       in.positions.data(), static_cast<uint32_t>(in.positions.size() / 3), in.offsets.data(),
       in.corners.data(),   static_cast<uint32_t>(in.offsets.size() - 1),   static_cast<uint32_t>(in.corners.size())};
-  in.skeleton = sinew_skeleton_init(in.joints.data(), in.parents.data(), static_cast<uint32_t>(names.size()));
+  in.skeleton = SINEW_INIT(sinew_skeleton);
+  in.skeleton.positions = in.joints.data();
+  in.skeleton.parents = in.parents.data();
+  in.skeleton.joint_count = static_cast<uint32_t>(names.size());
   return in;
 }
 
@@ -140,7 +143,7 @@ void check(sinew_status status) {
   std::exit(1);
 }
 
-void hash_prepared(const char* name, const Prepared& p, uint32_t k) {
+void hash_prepared(const char* name, const PreparedBind& p, uint32_t k) {
   const size_t u = p.mesh.welded_count;
   Hash mesh, skeleton, heat, candidates, features;
   mesh.add(p.mesh.positions, u);
@@ -196,7 +199,7 @@ uint32_t find_kernel(const char* name) {
 
 void hash_bind(const char* name, const char* stage, const Input& in, const sinew_model* model, sinew_method method,
                uint32_t kernel) {
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.kernel = kernel;
   options.method = method;
   size_t bytes = 0;
@@ -204,7 +207,9 @@ void hash_bind(const char* name, const char* stage, const Input& in, const sinew
                                   in.skeleton.joint_count, &options, &bytes));
   Block block(bytes);
   std::vector<uint16_t> joints(in.mesh.vertex_count * size_t{4}), weights(joints.size());
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = joints.data();
+  outputs.weights = weights.data();
   check(sinew_bind(model, &in.mesh, &in.skeleton, &options, block.data, bytes, &outputs));
   Hash hash;
   hash.add(joints.data(), joints.size());
@@ -231,9 +236,9 @@ void hash_stages(const char* name, const Input& in, uint32_t candidates, uint32_
                     grid, &counts));
   Kernels kernels;
   check(select_kernels(kernel, &kernels) ? SINEW_OK : SINEW_ERROR_KERNEL);
-  Prepared p;
+  PreparedBind p;
   const auto run = [&](Arena& arena) {
-    return prepare(in.mesh, in.skeleton, 0, counts, PrepareFor::kNetwork, kernels, {}, arena, &p);
+    return prepare(in.mesh, in.skeleton, 0, counts, PreparePurpose::kNetwork, kernels, {}, arena, &p);
   };
   Arena measuring;
   check(run(measuring));
@@ -296,7 +301,7 @@ struct SetLine {
     if (key == "spine") return &rig_options.spine_count;
     if (key == "names") return &names;
     if (key == "pin") return &pin;
-    if (key == "no-toes") return &rig_options.no_toes;
+    if (key == "no-toes") return &rig_options.without;  // 1: SINEW_WITHOUT_TOES
     if (key == "motion") return &motion_frames;
     if (key == "transfer") return &transfer.method;
     if (key == "garment") return &transfer.garment;
@@ -310,21 +315,21 @@ struct SetLine {
       source;  // the character whose joints are mapped to this one's; method, names, up (1 = guessed) and pin count
   uint32_t names = 0;
   uint32_t pin = 0;  // joint of the target that has the source's joint 1, if it is not 0
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   uint32_t z_up = 0;         // 1: Z is up; with a source 1: not known
   uint32_t hint_step = 0;    // every so many vertices one is a hint
   uint32_t answer_step = 0;  // every so many vertices one's part has an answer, of the kinds in turn
   uint32_t confidence = 0;
   uint32_t rig = 0;      // 1: a skeleton for the mesh alone
   uint32_t details = 0;  // 1: the skeleton grows by what sinew_rig_details() finds
-  sinew_rig_options rig_options = sinew_rig_options_init();
+  sinew_rig_options rig_options = SINEW_INIT(sinew_rig_options);
   uint32_t motion_frames = 0;  // so many frames of a made-up motion retargeted to the character's skeleton
   uint32_t by_distance = 0;    // 1: weights by distance in place of heat
   uint32_t deform = 0;         // 1 + the method: a pose of the mesh as it is bound by heat
-  sinew_deform_options deform_options = sinew_deform_options_init();
+  sinew_deform_options deform_options = SINEW_INIT(sinew_deform_options);
   uint32_t turns = 1;  // so many times the angle of the pose
   std::string target;  // the character that takes the weights of this one, if any
-  sinew_transfer_options transfer = sinew_transfer_options_init();
+  sinew_transfer_options transfer = SINEW_INIT(sinew_transfer_options);
   uint32_t locked_step = 0;  // every so many vertices one is locked
 };
 
@@ -359,7 +364,7 @@ Hash hash_questions(const std::vector<sinew_question>& questions, const std::vec
 
 // Everything that sinew_bind() gives to a caller, its status and memory included.
 void hash_line(const char* name, const SetLine& line, const Input& in, const sinew_model* model, uint32_t kernel) {
-  sinew_options options = line.options;
+  sinew_bind_options options = line.options;
   options.method = model != nullptr ? SINEW_METHOD_MODEL : SINEW_METHOD_HEAT;
   if (model == nullptr && line.by_distance != 0) options.method = SINEW_METHOD_DISTANCE;
   const uint32_t vertices = in.mesh.vertex_count;
@@ -380,7 +385,9 @@ void hash_line(const char* name, const SetLine& line, const Input& in, const sin
     narrow[first] = 255;
     real[first] = 1;
   }
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights);
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = joints.data();
+  outputs.weights = weights;
   if (line.hint_step != 0) options.hints = hints.data();
   if (line.confidence != 0) outputs.confidence = confidence.data();
   const std::vector<sinew_answer> answers = make_answers(line.answer_step, in);
@@ -504,7 +511,10 @@ void hash_details(const char* name, const SetLine& line, const Input& in, const 
 void hash_map(const char* name, const SetLine& line, const Input& in, const Input& source) {
   std::vector<const char*> names[2];
   const auto rig_of = [&](const Input& of, std::vector<const char*>* texts) {
-    sinew_skeleton rig = sinew_skeleton_init(of.joints.data(), of.parents.data(), of.skeleton.joint_count);
+    sinew_skeleton rig = SINEW_INIT(sinew_skeleton);
+    rig.positions = of.joints.data();
+    rig.parents = of.parents.data();
+    rig.joint_count = of.skeleton.joint_count;
     for (const std::string& one : of.names) texts->push_back(one.c_str());
     if (line.names != 0) rig.names = texts->data();
     if (line.z_up == 0) rig.up = SINEW_UP_Y;
@@ -512,7 +522,7 @@ void hash_map(const char* name, const SetLine& line, const Input& in, const Inpu
   };
   const sinew_skeleton to = rig_of(in, &names[0]), from = rig_of(source, &names[1]);
   const sinew_map_pin pin = {line.pin, 1};
-  sinew_map_options options = sinew_map_options_init();
+  sinew_map_options options = SINEW_INIT(sinew_map_options);
   options.method = line.rig_options.method;
   options.pins = &pin;
   options.pin_count = line.pin != 0 ? 1 : 0;
@@ -522,7 +532,8 @@ void hash_map(const char* name, const SetLine& line, const Input& in, const Inpu
   std::vector<int32_t> sources(to.joint_count, 0);
   std::vector<uint16_t> confidence(to.joint_count, 0);
   std::vector<uint8_t> reasons(to.joint_count, 0);
-  sinew_map_outputs outputs = sinew_map_outputs_init(sources.data());
+  sinew_map_outputs outputs = SINEW_INIT(sinew_map_outputs);
+  outputs.sources = sources.data();
   outputs.confidence = confidence.data();
   outputs.reasons = reasons.data();
   check(sinew_map(&to, &from, &options, block.data, bytes, &outputs));
@@ -541,15 +552,15 @@ void hash_map(const char* name, const SetLine& line, const Input& in, const Inpu
 // The frames of a motion as they come, twice: on the mesh with natural ranges and an uneven floor, and on the joints alone.
 void hash_stream(const char* name, const sinew_skeleton& source, const sinew_skeleton& target,
                  const std::vector<int32_t>& map, const std::vector<uint8_t>& classes, const sinew_motion_body& body,
-                 const std::vector<float>& turns, const std::vector<float>& places) {
+                 const std::vector<float>& turns, const std::vector<float>& positions) {
   const size_t joints = target.joint_count;
   const float steps[] = {0, 0.02f, 0.05f, 0.01f, 0.03f, 0};
   const sinew_floor floor = {steps, 3, 2, {-0.2f, -0.1f}, 0.25f, 0};
   Hash poses;
   for (const bool on_mesh : {true, false}) {
-    sinew_retarget_stream_options options = sinew_retarget_stream_options_init();
+    sinew_retarget_stream_options options = SINEW_INIT(sinew_retarget_stream_options);
     options.fps = on_mesh ? 30 : 60;
-    options.no_range = on_mesh ? 0 : 1;
+    if (!on_mesh) options.without = SINEW_WITHOUT_RANGE;
     if (on_mesh) options.floor = &floor;
     size_t bytes = 0;
     check(sinew_retarget_stream_workspace_size(target.joint_count, target.joint_count, on_mesh ? body.vertex_count : 0,
@@ -561,7 +572,7 @@ void hash_stream(const char* name, const sinew_skeleton& source, const sinew_ske
     std::vector<float> out(7 * joints);
     std::vector<uint32_t> bits(out.size());
     for (size_t f = 0; f < turns.size() / (4 * joints); ++f) {
-      check(sinew_retarget_stream_frame(stream, turns.data() + 4 * joints * f, places.data() + 3 * joints * f,
+      check(sinew_retarget_stream_frame(stream, turns.data() + 4 * joints * f, positions.data() + 3 * joints * f,
                                         out.data(), out.data() + 4 * joints));
       std::memcpy(bits.data(), out.data(), out.size() * sizeof(uint32_t));
       poses.add(bits.data(), bits.size());
@@ -594,23 +605,29 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
     for (int32_t up = in.parents[j]; up >= 0 && depth < 7; up = in.parents[static_cast<size_t>(up)]) ++depth;
     classes.push_back(by_depth[depth]);
   }
-  sinew_skeleton source = sinew_skeleton_init(positions.data(), in.parents.data(), joints);
+  sinew_skeleton source = SINEW_INIT(sinew_skeleton);
+  source.positions = positions.data();
+  source.parents = in.parents.data();
+  source.joint_count = joints;
   source.rotations = rotations.data();
-  const sinew_skeleton target = sinew_skeleton_init(in.joints.data(), in.parents.data(), joints);
+  sinew_skeleton target = SINEW_INIT(sinew_skeleton);
+  target.positions = in.joints.data();
+  target.parents = in.parents.data();
+  target.joint_count = joints;
   size_t bytes = 0;
   check(sinew_retarget_create_workspace_size(joints, joints, &bytes));
   Block block(bytes);
   sinew_retarget* plan = nullptr;
   check(sinew_retarget_create(&source, &target, map.data(), classes.data(), nullptr, block.data, bytes, &plan));
-  std::vector<float> turns, places, heights;
+  std::vector<float> turns, translations, heights;
   for (uint32_t f = 0; f < line.motion_frames; ++f) {
     heights.push_back(0);
     for (uint32_t j = 0; j < joints; ++j) {
       turns.insert(turns.end(), {0.1f * draw(), 0.1f * draw(), 0.1f * draw(), 2 + draw()});
-      places.insert(places.end(), {0.2f * draw(), 0.2f * draw(), 0.2f * draw()});
+      translations.insert(translations.end(), {0.2f * draw(), 0.2f * draw(), 0.2f * draw()});
     }
-    check(sinew_retarget_height(plan, turns.data() + size_t{4} * joints * f, places.data() + size_t{3} * joints * f,
-                                &heights[f]));
+    check(sinew_retarget_height(plan, turns.data() + size_t{4} * joints * f,
+                                translations.data() + size_t{3} * joints * f, &heights[f]));
   }
   float ground = 0;
   check(sinew_retarget_ground(plan, heights.data(), heights.size(), &ground));
@@ -622,11 +639,11 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   };
   add(heights);
   add({ground});
-  std::vector<float> out_rotations(turns.size()), out_positions(places.size());
+  std::vector<float> out_rotations(turns.size()), out_positions(translations.size());
   for (uint32_t f = 0; f < line.motion_frames; ++f) {
     const size_t four = size_t{4} * joints * f, three = size_t{3} * joints * f;
-    check(sinew_retarget_frame(plan, turns.data() + four, places.data() + three, ground, out_rotations.data() + four,
-                               out_positions.data() + three));
+    check(sinew_retarget_frame(plan, turns.data() + four, translations.data() + three, ground,
+                               out_rotations.data() + four, out_positions.data() + three));
   }
   add(out_rotations);
   add(out_positions);
@@ -665,8 +682,8 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   const sinew_motion_body other = {
       body.data(), nullptr, {nearest.data(), whole.data(), 1, SINEW_WEIGHT_UNORM16}, vertices, 0};
   const std::vector<float> copied_rotations = out_rotations, copied_positions = out_positions;
-  const sinew_motion_clip clip = {turns.data(),         places.data(),      out_rotations.data(),
-                                  out_positions.data(), line.motion_frames, ground};
+  const sinew_motion_clip clip = {turns.data(),         translations.data(), out_rotations.data(),
+                                  out_positions.data(), line.motion_frames,  ground};
   check(sinew_retarget_contacts_workspace_size(plan, &own, line.motion_frames, &bytes));
   Block workspace(bytes);
   check(sinew_retarget_contacts(plan, &other, &own, &clip, nullptr, workspace.data, bytes));
@@ -674,7 +691,7 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   add(out_rotations);
   add(out_positions);
   const auto measure = [&](const sinew_motion_body* from) {
-    sinew_limb_measure limbs[SINEW_MAX_MOTION_LIMBS];
+    sinew_limb_quality limbs[SINEW_MAX_MOTION_LIMBS];
     uint32_t count = 0;
     check(sinew_retarget_measure(plan, from, &own, &clip, nullptr, workspace.data, bytes, limbs, &count));
     std::vector<uint32_t> words(size_t{12} * count);
@@ -691,12 +708,12 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   add(out_rotations);
   add(out_positions);
   print(name, "contacts", poses);
-  hash_stream(name, source, target, map, classes, own, turns, places);
+  hash_stream(name, source, target, map, classes, own, turns, translations);
   // The published method, as drawn and with all of its options.
   poses = Hash();
   check(sinew_retarget_reference_points_workspace_size(plan, &own, &bytes));
   Block room(bytes);
-  sinew_reference_options options = sinew_reference_options_init();
+  sinew_reference_options options = SINEW_INIT(sinew_reference_options);
   for (const bool drawn : {true, false}) {
     out_rotations = copied_rotations;
     out_positions = copied_positions;
@@ -709,7 +726,7 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
     options.falloff = SINEW_NO_FALLOFF;
   }
   // Without a body of the source's: capsules.
-  options = sinew_reference_options_init();
+  options = SINEW_INIT(sinew_reference_options);
   out_rotations = copied_rotations;
   out_positions = copied_positions;
   check(sinew_retarget_reference_points(plan, nullptr, &own, &clip, &options, room.data, bytes));
@@ -764,7 +781,7 @@ std::vector<float> bent_palette(const Input& in, uint32_t turns) {
 
 // What the deformer needs and makes, and a pose of it.
 void hash_deform(const char* name, const SetLine& line, const Input& in) {
-  sinew_options bind_options = line.options;
+  sinew_bind_options bind_options = line.options;
   bind_options.method = SINEW_METHOD_HEAT;
   size_t bytes = 0;
   check(sinew_bind_workspace_size(nullptr, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count,
@@ -772,7 +789,9 @@ void hash_deform(const char* name, const SetLine& line, const Input& in) {
   std::vector<uint16_t> joints(in.mesh.vertex_count * size_t{4}), weights(joints.size());
   {
     Block block(bytes);
-    sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+    sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+    outputs.joint_indices = joints.data();
+    outputs.weights = weights.data();
     check(sinew_bind(nullptr, &in.mesh, &in.skeleton, &bind_options, block.data, bytes, &outputs));
   }
   sinew_deform_options options = line.deform_options;
@@ -784,7 +803,8 @@ void hash_deform(const char* name, const SetLine& line, const Input& in) {
   check(sinew_deform_create(&in.mesh, &in.skeleton, &skin, &options, memory.data, bytes, &deformer));
   Block workspace(deformer.pose_bytes);
   std::vector<float> positions(size_t{3} * in.mesh.vertex_count);
-  sinew_deform_outputs outputs = sinew_deform_outputs_init(positions.data());
+  sinew_deform_outputs outputs = SINEW_INIT(sinew_deform_outputs);
+  outputs.positions = positions.data();
   check(
       sinew_deform_pose(&deformer, bent_palette(in, line.turns).data(), workspace.data, deformer.pose_bytes, &outputs));
   Hash lattice, pose;
@@ -807,10 +827,12 @@ void hash_transfer(const char* name, const SetLine& line, const Input& source, c
   std::vector<uint16_t> joints(slots), weights(slots);
   size_t bytes = 0;
   {
-    sinew_options heat = sinew_options_init();
+    sinew_bind_options heat = SINEW_INIT(sinew_bind_options);
     heat.method = SINEW_METHOD_HEAT;
     heat.kernel = kernel;
-    sinew_bind_outputs bound = sinew_bind_outputs_init(joints.data(), weights.data());
+    sinew_bind_outputs bound = SINEW_INIT(sinew_bind_outputs);
+    bound.joint_indices = joints.data();
+    bound.weights = weights.data();
     check(sinew_bind_workspace_size(nullptr, source.mesh.vertex_count, source.mesh.face_count, source.mesh.corner_count,
                                     source.skeleton.joint_count, &heat, &bytes));
     Block block(bytes);
@@ -837,7 +859,9 @@ void hash_transfer(const char* name, const SetLine& line, const Input& source, c
   if (line.locked_step != 0) options.locked = locked.data();
   std::vector<sinew_transfer_part> parts(vertices);
   std::vector<uint32_t> vertex_parts(vertices, 0);
-  sinew_transfer_outputs outputs = sinew_transfer_outputs_init(out_joints.data(), out_weights.data());
+  sinew_transfer_outputs outputs = SINEW_INIT(sinew_transfer_outputs);
+  outputs.joint_indices = out_joints.data();
+  outputs.weights = out_weights.data();
   outputs.confidence = confidence.data();
   outputs.parts = parts.data();
   outputs.part_capacity = vertices;

@@ -29,7 +29,7 @@ Handle open_memory(const std::vector<std::string>& paths) {
 }
 
 sinew_character_arrays view(sinew_character* character) {
-  sinew_character_arrays arrays = sinew_character_arrays_init();
+  sinew_character_arrays arrays = SINEW_INIT(sinew_character_arrays);
   EXPECT_EQ(sinew_character_view(character, &arrays), SINEW_OK) << sinew_character_error(character);
   return arrays;
 }
@@ -75,7 +75,7 @@ class CharacterC : public Cli {
         }
       }
     }
-    sinew_character_clip clip = sinew_character_clip_init();
+    sinew_character_clip clip = SINEW_INIT(sinew_character_clip);
     clip.frame_count = frames;
     clip.joint_count = joints;
     clip.frame_time = 0.05;
@@ -90,7 +90,7 @@ class CharacterC : public Cli {
 TEST_F(CharacterC, BindsAsTheCommand) {
   good("bind " + kSnake + " --skeleton " + kSnakeRig + " -o command.glb");
   const Handle snake = open(kSnake);
-  sinew_character_bind_result result = sinew_character_bind_result_init();
+  sinew_character_bind_result result = SINEW_INIT(sinew_character_bind_result);
   good_call(sinew_character_bind(snake.get(), nullptr, &result), snake);
   save(snake, "ours.glb");
   expect_same("ours.glb", "command.glb");
@@ -105,7 +105,7 @@ TEST_F(CharacterC, BindsAsTheCommand) {
 
   good("bind " + kCaped + " --method heat --influences 8 --symmetric --joints all --confidence -o heat.glb");
   const Handle heat = open(kCaped);
-  sinew_character_bind_options options = sinew_character_bind_options_init();
+  sinew_character_bind_options options = SINEW_INIT(sinew_character_bind_options);
   options.method = SINEW_METHOD_HEAT;
   options.influence_count = 8;
   options.symmetric = 1;
@@ -163,7 +163,7 @@ TEST_F(CharacterC, MeshesThatHangOnJointsStayThere) {
   const uint32_t plain = arrays.mesh_skinned[0] != 0 ? 1 : 0;
   ASSERT_GE(arrays.mesh_joints[plain], 0);
   EXPECT_STREQ(arrays.joint_names[arrays.mesh_joints[plain]], "Head");
-  sinew_character_bind_result result = sinew_character_bind_result_init();
+  sinew_character_bind_result result = SINEW_INIT(sinew_character_bind_result);
   good_call(sinew_character_bind(character.get(), nullptr, &result), character);
   EXPECT_EQ(result.kept_meshes, 1u);
   save(character, "ours.glb");
@@ -173,7 +173,7 @@ TEST_F(CharacterC, MeshesThatHangOnJointsStayThere) {
 TEST_F(CharacterC, RigsAsTheCommand) {
   good("rig " + kRobed + " -o command.glb");
   const Handle robed = open(kRobed);
-  sinew_character_rig_result result = sinew_character_rig_result_init();
+  sinew_character_rig_result result = SINEW_INIT(sinew_character_rig_result);
   good_call(sinew_character_rig(robed.get(), nullptr, &result), robed);
   EXPECT_EQ(result.joint_count, view(robed.get()).joint_count);
   save(robed, "ours.glb");
@@ -181,29 +181,33 @@ TEST_F(CharacterC, RigsAsTheCommand) {
 
   good("rig " + kCaped + " --detail full --no-toes --skeleton template:mixamo --influences 2 -o command.rig.txt");
   const Handle caped = open(kCaped);
-  sinew_character_rig_options options = sinew_character_rig_options_init();
+  sinew_character_rig_options options = SINEW_INIT(sinew_character_rig_options);
   options.detail = SINEW_CHARACTER_DETAIL_FULL;
-  options.no_toes = 1;
+  options.without = SINEW_WITHOUT_TOES;
   options.skeleton = "template:mixamo";
-  options.influence_count = 2;
+  sinew_character_bind_options bind = SINEW_INIT(sinew_character_bind_options);
+  bind.influence_count = 2;
+  options.bind = &bind;
   good_call(sinew_character_rig(caped.get(), &options, nullptr), caped);
   save(caped, "ours.rig.txt");
   expect_same("ours.rig.txt", "command.rig.txt");
 
   good("rig " + kCaped + " --to-pose t -o posed.glb");
-  options = sinew_character_rig_options_init();
-  options.to_pose = "t";
+  options = SINEW_INIT(sinew_character_rig_options);
+  bind = SINEW_INIT(sinew_character_bind_options);
+  bind.to_pose = "t";
+  options.bind = &bind;
   const Handle posed = open(kCaped);
   good_call(sinew_character_rig(posed.get(), &options, nullptr), posed);
   save(posed, "posed_ours.glb");
   expect_same("posed_ours.glb", "posed.glb");
-  options.no_bind = 1;
+  options.without = SINEW_WITHOUT_BIND;
   EXPECT_NE(sinew_character_rig(posed.get(), &options, nullptr), SINEW_OK);
 
   good("rig " + kRobed + " --method shape --no-bind --no-mirror -o shape.rig.txt");
-  options = sinew_character_rig_options_init();
+  options = SINEW_INIT(sinew_character_rig_options);
   options.method = SINEW_CHARACTER_RIG_SHAPE;
-  options.no_bind = 1;
+  options.without = SINEW_WITHOUT_BIND;
   options.mirror = SINEW_MIRROR_NEVER;
   good_call(sinew_character_rig(robed.get(), &options, nullptr), robed);
   save(robed, "shape_ours.rig.txt");
@@ -213,13 +217,18 @@ TEST_F(CharacterC, RigsAsTheCommand) {
 TEST_F(CharacterC, MapsAsTheCommand) {
   good("map " + kCaped + " --to mixamo -o command.map");
   const Handle caped = open(kCaped), robed = open(kRobed);
-  sinew_character_map_result result = sinew_character_map_result_init();
-  good_call(sinew_character_map_file(caped.get(), "template:mixamo", nullptr, &result), caped);
+  sinew_character_map_result result = SINEW_INIT(sinew_character_map_result);
+  sinew_motion_source source = SINEW_INIT(sinew_motion_source);
+  source.file = "template:mixamo";
+  sinew_character_map_options options = SINEW_INIT(sinew_character_map_options);
+  options.source = &source;
+  good_call(sinew_character_map(caped.get(), nullptr, &options, &result), caped);
   EXPECT_EQ(result.text, slurp(in("command.map")));
   good("map " + kCaped + " --from " + kRobed + " -o other.map");
   good_call(sinew_character_map(caped.get(), robed.get(), nullptr, &result), caped);
   EXPECT_EQ(result.text, slurp(in("other.map")));
   EXPECT_GT(result.mapped, 5u);
+  EXPECT_EQ(sinew_character_map(caped.get(), nullptr, nullptr, &result), SINEW_ERROR_ARGUMENT);
 }
 
 TEST_F(CharacterC, AnimatesAsTheCommand) {
@@ -229,12 +238,12 @@ TEST_F(CharacterC, AnimatesAsTheCommand) {
   uint32_t clips = 0;
   good_call(sinew_character_clip_count(swing.get(), &clips), swing);
   EXPECT_EQ(clips, 1u);
-  sinew_character_animate_result result = sinew_character_animate_result_init();
+  sinew_character_animate_result result = SINEW_INIT(sinew_character_animate_result);
   good_call(sinew_character_animate(robed.get(), swing.get(), nullptr, &result), robed);
   EXPECT_EQ(result.clip_count, 1u);
   save(robed, "ours.glb");
   expect_same("ours.glb", "command.glb");
-  sinew_character_clip clip = sinew_character_clip_init();
+  sinew_character_clip clip = SINEW_INIT(sinew_character_clip);
   good_call(sinew_character_get_clip(robed.get(), result.first_clip, &clip), robed);
   EXPECT_EQ(clip.frame_count, 10u);
   EXPECT_STREQ(clip.name, "swing");
@@ -243,10 +252,12 @@ TEST_F(CharacterC, AnimatesAsTheCommand) {
   put(in("bare.obj"), slurp(kRobed));
   good("animate bare.obj --motion swing.bvh --in-place --deform volume --cells 16 --shapes 2 -o bare.glb");
   const Handle bare = open_memory({in("bare.obj")}), memory = open_memory({in("swing.bvh")});
-  sinew_character_animate_options options = sinew_character_animate_options_init();
+  sinew_character_animate_options options = SINEW_INIT(sinew_character_animate_options);
   options.in_place = 1;
-  options.deform = SINEW_POSE_VOLUME;
-  options.cells = 16;
+  sinew_character_deformation deform = SINEW_INIT(sinew_character_deformation);
+  deform.method = SINEW_POSE_VOLUME;
+  deform.cells = 16;
+  options.deform = &deform;
   options.shapes = 2;
   good_call(sinew_character_animate(bare.get(), memory.get(), &options, &result), bare);
   EXPECT_EQ(result.rigged, 1u);
@@ -258,10 +269,10 @@ TEST_F(CharacterC, TellsHowAMotionFits) {
   make_swing();
   const Handle robed = open(kRobed), swing = open(in("swing.bvh"));
   sinew_map_pin pin = {0, -1};
-  sinew_character_animate_options options = sinew_character_animate_options_init();
+  sinew_character_animate_options options = SINEW_INIT(sinew_character_animate_options);
   options.report = options.force = options.pin_count = 1;
   options.pins = &pin;
-  sinew_character_animate_result result = sinew_character_animate_result_init();
+  sinew_character_animate_result result = SINEW_INIT(sinew_character_animate_result);
   good_call(sinew_character_animate(robed.get(), swing.get(), &options, &result), robed);
   EXPECT_EQ(result.sources[0], -1);
   EXPECT_EQ(result.reasons[0], SINEW_MAP_PINNED);
@@ -270,6 +281,50 @@ TEST_F(CharacterC, TellsHowAMotionFits) {
             static_cast<std::ptrdiff_t>(result.source_count));
   pin.target = 9999;
   EXPECT_EQ(sinew_character_animate(robed.get(), swing.get(), &options, &result), SINEW_ERROR_RANGE);
+}
+
+TEST_F(CharacterC, AnimatesByAFileAndAPartOfIt) {
+  make_swing();
+  good("animate " + kRobed + " --motion swing.bvh --start 0.1 --end 0.3 --method reference-points --legs -o command.glb");
+  const Handle robed = open(kRobed);
+  const std::string file = in("swing.bvh");
+  sinew_motion_source motion = SINEW_INIT(sinew_motion_source);
+  motion.file = file.c_str();
+  motion.from = 0.1;
+  motion.to = 0.3;
+  sinew_reference_options reference = SINEW_INIT(sinew_reference_options);
+  reference.legs = 1;
+  sinew_character_animate_options options = SINEW_INIT(sinew_character_animate_options);
+  EXPECT_EQ(sinew_character_animate(robed.get(), nullptr, &options, nullptr), SINEW_ERROR_ARGUMENT);
+  options.motion = &motion;
+  options.method = SINEW_ANIMATE_REFERENCE_POINTS;
+  options.reference = &reference;
+  good_call(sinew_character_animate(robed.get(), nullptr, &options, nullptr), robed);
+  save(robed, "ours.glb");
+  expect_same("ours.glb", "command.glb");
+}
+
+TEST_F(CharacterC, EditsAsTheCommand) {
+  good("rig " + kRobed + " --no-bind --rename Head=Skull --add Hat=Skull:0,2,0 --move Hat=0,2.5,0 --parent Hat=Neck" +
+       " --remove LeftHand --at LeftHand=0.8,1.2,0 -o command.rig.txt");
+  sinew_skeleton_edit edits[] = {{SINEW_EDIT_RENAME, 0, "Head", "Skull", {}, 0},
+                                 {SINEW_EDIT_ADD, 0, "Hat", "Skull", {0, 2, 0}, 0},
+                                 {SINEW_EDIT_MOVE, 0, "Hat", nullptr, {0, 2.5f, 0}, 0},
+                                 {SINEW_EDIT_PARENT, 0, "Hat", "Neck", {}, 0},
+                                 {SINEW_EDIT_REMOVE, 0, "LeftHand", nullptr, {}, 0},
+                                 {SINEW_EDIT_AT, 0, "LeftHand", nullptr, {0.8f, 1.2f, 0}, 0}};
+  const Handle robed = open(kRobed);
+  sinew_character_rig_options options = SINEW_INIT(sinew_character_rig_options);
+  options.without = SINEW_WITHOUT_BIND;
+  options.edits = edits;
+  options.edit_count = 6;
+  good_call(sinew_character_rig(robed.get(), &options, nullptr), robed);
+  save(robed, "ours.rig.txt");
+  expect_same("ours.rig.txt", "command.rig.txt");
+  edits[2].position[1] = NAN;
+  EXPECT_EQ(sinew_character_rig(robed.get(), &options, nullptr), SINEW_ERROR_NOT_FINITE);
+  edits[1].other = nullptr;
+  EXPECT_EQ(sinew_character_rig(robed.get(), &options, nullptr), SINEW_ERROR_ARGUMENT);
 }
 
 TEST_F(CharacterC, PosesAsTheCommand) {
@@ -287,9 +342,11 @@ TEST_F(CharacterC, PosesAsTheCommand) {
                                                       {"delta-mush", SINEW_POSE_DELTA_MUSH}};
   for (const auto& [name, method] : methods) {
     good("pose " + kCaped + joint + "--deform " + name + " -o command.obj");
-    sinew_character_pose_options options = sinew_character_pose_options_init();
+    sinew_character_pose_options options = SINEW_INIT(sinew_character_pose_options);
     options.angles = angles.data();
-    options.deform = method;
+    sinew_character_deformation deform = SINEW_INIT(sinew_character_deformation);
+    deform.method = method;
+    options.deform = &deform;
     sinew_character* posed = nullptr;
     good_call(sinew_character_pose(caped.get(), &options, &posed), caped);
     const Handle owner(posed);
@@ -300,10 +357,10 @@ TEST_F(CharacterC, PosesAsTheCommand) {
 TEST_F(CharacterC, PublishedMethodsAsTheCommand) {
   const Handle robed = open(kRobed), caped = open(kCaped);
   good("rig " + kRobed + " --method slots --class biped --no-bind -o command.rig.txt");
-  sinew_character_rig_options rig = sinew_character_rig_options_init();
+  sinew_character_rig_options rig = SINEW_INIT(sinew_character_rig_options);
   rig.method = SINEW_CHARACTER_RIG_SLOTS;
   rig.category = SINEW_CATEGORY_BIPED;
-  rig.no_bind = 1;
+  rig.without = SINEW_WITHOUT_BIND;
   good_call(sinew_character_rig(robed.get(), &rig, nullptr), robed);
   save(robed, "ours.rig.txt");
   expect_same("ours.rig.txt", "command.rig.txt");
@@ -311,14 +368,14 @@ TEST_F(CharacterC, PublishedMethodsAsTheCommand) {
   // A pair whose map is another one by each of these.
   const std::string spider = kData + "/many-legged__plated.obj", quadruped = kData + "/quadruped__tailed.obj";
   const Handle target = open(spider), source = open(quadruped);
-  sinew_character_map_result mapped = sinew_character_map_result_init();
+  sinew_character_map_result mapped = SINEW_INIT(sinew_character_map_result);
   for (const auto& [words, first, cost] :
        {std::tuple("--first source --cost sum", SINEW_BRANCHES_SOURCE, SINEW_BRANCHES_SUM),
         std::tuple("--first target --cost mean", SINEW_BRANCHES_TARGET, SINEW_BRANCHES_MEAN)}) {
     good("map " + spider + " --from " + quadruped + " --no-names --method branches " + words + " -o command.map");
-    sinew_character_map_options map = sinew_character_map_options_init();
+    sinew_character_map_options map = SINEW_INIT(sinew_character_map_options);
     map.method = SINEW_MAP_BRANCHES;
-    map.no_names = 1;
+    map.without = SINEW_WITHOUT_NAMES;
     map.branches_first = static_cast<uint32_t>(first);
     map.branches_cost = static_cast<uint32_t>(cost);
     good_call(sinew_character_map(target.get(), source.get(), &map, &mapped), target);
@@ -326,13 +383,15 @@ TEST_F(CharacterC, PublishedMethodsAsTheCommand) {
   }
 
   std::vector<double> angles(3 * size_t{view(caped.get()).joint_count}, 20);
-  sinew_character_pose_options pose = sinew_character_pose_options_init();
+  sinew_character_pose_options pose = SINEW_INIT(sinew_character_pose_options);
   pose.angles = angles.data();
-  pose.deform = SINEW_POSE_XPBD;
-  pose.cells = 16;
-  pose.stiffness = 0.003;
-  pose.tet_weights = SINEW_TET_WEIGHTS_DISTANCE;
-  pose.no_smoothing = 1;
+  sinew_character_deformation deform = SINEW_INIT(sinew_character_deformation);
+  deform.method = SINEW_POSE_XPBD;
+  deform.cells = 16;
+  deform.stiffness = 0.003;
+  deform.tet_weights = SINEW_TET_WEIGHTS_DISTANCE;
+  deform.without = SINEW_WITHOUT_SMOOTHING;
+  pose.deform = &deform;
   std::string joints;
   for (uint32_t j = 0; j < view(caped.get()).joint_count; ++j)
     joints += std::string(" --joint '") + view(caped.get()).joint_names[j] + "=20,20,20'";
@@ -351,29 +410,34 @@ TEST_F(CharacterC, RefusesWhatAnotherMethodTakes) {
     EXPECT_EQ(std::string(sinew_character_error(caped.get())).rfind(beginning, 0), 0u)
         << sinew_character_error(caped.get());
   };
-  sinew_character_rig_options rig = sinew_character_rig_options_init();
+  sinew_character_rig_options rig = SINEW_INIT(sinew_character_rig_options);
   rig.category = SINEW_CATEGORY_BIRD;
   rig.method = SINEW_CHARACTER_RIG_SHAPE;
   refused(sinew_character_rig(caped.get(), &rig, nullptr), "category: ");
   rig.method = SINEW_CHARACTER_RIG_SLOTS + 1;
   refused(sinew_character_rig(caped.get(), &rig, nullptr), "method: ");
-  sinew_character_map_options map = sinew_character_map_options_init();
-  sinew_character_map_result mapped = sinew_character_map_result_init();
+  sinew_character_map_options map = SINEW_INIT(sinew_character_map_options);
+  sinew_character_map_result mapped = SINEW_INIT(sinew_character_map_result);
   map.branches_cost = SINEW_BRANCHES_SUM;
   refused(sinew_character_map(caped.get(), source.get(), &map, &mapped), "branches_first and branches_cost: ");
   map.method = SINEW_MAP_BRANCHES;
   map.branches_first = SINEW_BRANCHES_SOURCE + 1;
   refused(sinew_character_map(caped.get(), source.get(), &map, &mapped), "branches_first: ");
   std::vector<double> angles(3 * size_t{view(caped.get()).joint_count}, 0);
-  sinew_character_pose_options pose = sinew_character_pose_options_init();
+  sinew_character_pose_options pose = SINEW_INIT(sinew_character_pose_options);
   sinew_character* posed = nullptr;
   pose.angles = angles.data();
-  pose.deform = SINEW_POSE_VOLUME;
-  pose.stiffness = 0.2;
-  refused(sinew_character_pose(caped.get(), &pose, &posed), "stiffness, tet_weights and no_smoothing: ");
-  pose.deform = SINEW_POSE_XPBD;
+  sinew_character_deformation deform = SINEW_INIT(sinew_character_deformation);
+  deform.method = SINEW_POSE_VOLUME;
+  deform.stiffness = 0.2;
+  pose.deform = &deform;
+  refused(sinew_character_pose(caped.get(), &pose, &posed), "stiffness, tet_weights and SINEW_WITHOUT_SMOOTHING: ");
+  deform.without = SINEW_WITHOUT_TOES;
+  refused(sinew_character_pose(caped.get(), &pose, &posed), "without: ");
+  deform = SINEW_INIT(sinew_character_deformation);
+  deform.method = SINEW_POSE_XPBD;
   for (const double wrong : {1001.0, 0.0001, -1.0}) {
-    pose.stiffness = wrong;
+    deform.stiffness = wrong;
     refused(sinew_character_pose(caped.get(), &pose, &posed), "stiffness: ");
   }
 }
@@ -381,7 +445,7 @@ TEST_F(CharacterC, RefusesWhatAnotherMethodTakes) {
 TEST_F(CharacterC, TransfersAsTheCommand) {
   good("transfer " + kCaped + " " + kRobed + " -o command.glb");
   const Handle source = open(kCaped), target = open(kRobed);
-  sinew_character_transfer_result result = sinew_character_transfer_result_init();
+  sinew_character_transfer_result result = SINEW_INIT(sinew_character_transfer_result);
   good_call(sinew_character_transfer(source.get(), target.get(), nullptr, &result), target);
   EXPECT_GT(result.part_count, 0u);
   save(target, "ours.glb");
@@ -399,7 +463,7 @@ TEST_F(CharacterC, TransfersAsTheCommand) {
 TEST_F(CharacterC, SimplifiesAndBakesAsTheCommand) {
   good("simplify " + kCaped + " --level low -o command.glb");
   const Handle caped = open(kCaped);
-  sinew_character_simplify_options options = sinew_character_simplify_options_init();
+  sinew_character_simplify_options options = SINEW_INIT(sinew_character_simplify_options);
   options.low = 1;
   std::vector<uint32_t> into(view(caped.get()).joint_count);
   good_call(sinew_character_simplify(caped.get(), &options, into.data()), caped);
@@ -409,11 +473,13 @@ TEST_F(CharacterC, SimplifiesAndBakesAsTheCommand) {
 
   good("bake " + kSnake + " --poses 40 --shapes 2 --cells 16 -o baked.glb");
   const Handle snake = open(kSnake);
-  sinew_character_bake_options bake = sinew_character_bake_options_init();
+  sinew_character_bake_options bake = SINEW_INIT(sinew_character_bake_options);
   bake.poses = 40;
   bake.shapes = 2;
-  bake.cells = 16;
-  sinew_character_bake_result result = sinew_character_bake_result_init();
+  sinew_character_deformation deform = SINEW_INIT(sinew_character_deformation);
+  deform.cells = 16;
+  bake.deform = &deform;
+  sinew_character_bake_result result = SINEW_INIT(sinew_character_bake_result);
   good_call(sinew_character_bake(snake.get(), &bake, &result), snake);
   EXPECT_LT(result.baked_error, result.linear_error);
   save(snake, "baked_ours.glb");
@@ -426,7 +492,10 @@ TEST_F(CharacterC, ArraysInAreArraysOut) {
   const int32_t parents[] = {-1, 0};
   const char* names[] = {"Hips", "Head"};
   const sinew_mesh mesh = {positions, 4, nullptr, faces, 2, 6};
-  sinew_skeleton skeleton = sinew_skeleton_init(joints, parents, 2);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+  skeleton.positions = joints;
+  skeleton.parents = parents;
+  skeleton.joint_count = 2;
   skeleton.names = names;
   sinew_character* made = nullptr;
   ASSERT_EQ(sinew_character_create(&mesh, &skeleton, &made), SINEW_OK) << sinew_character_error(nullptr);
@@ -495,22 +564,22 @@ TEST_F(CharacterC, WhatIsWrongIsSaidInOneLineAndChangesNothing) {
   struct {
     sinew_character_bind_options known;
     uint64_t later;
-  } newer = {sinew_character_bind_options_init(), 0};
+  } newer = {SINEW_INIT(sinew_character_bind_options), 0};
   newer.known.struct_size = sizeof newer;
   good_call(sinew_character_bind(snake.get(), &newer.known, nullptr), snake);
   const std::string bound = written(snake, "snake.glb");
   newer.later = 1;
   refused(SINEW_ERROR_VERSION, sinew_character_bind(snake.get(), &newer.known, nullptr), snake.get(), "older");
-  options = sinew_character_bind_options_init();
+  options = SINEW_INIT(sinew_character_bind_options);
   options.influence_count = 13;
   refused(SINEW_ERROR_ARGUMENT, sinew_character_bind(snake.get(), &options, nullptr), snake.get(), "influence_count");
-  options = sinew_character_bind_options_init();
+  options = SINEW_INIT(sinew_character_bind_options);
   options.progress = [](void*, uint32_t) { return 1; };
   refused(SINEW_ERROR_CANCELLED, sinew_character_bind(snake.get(), &options, nullptr), snake.get(), "");
-  sinew_character_models models = sinew_character_models_init();
+  sinew_character_models models = SINEW_INIT(sinew_character_models);
   models.bind = "nonsense";
   models.bind_size = 8;
-  options = sinew_character_bind_options_init();
+  options = SINEW_INIT(sinew_character_bind_options);
   options.models = &models;
   refused(SINEW_ERROR_INPUT, sinew_character_bind(snake.get(), &options, nullptr), snake.get(), "the model");
   EXPECT_EQ(written(snake, "snake.glb"), bound) << "a call that failed changed the character";
@@ -521,30 +590,30 @@ TEST_F(CharacterC, WhatIsWrongIsSaidInOneLineAndChangesNothing) {
   EXPECT_EQ(none, nullptr);
 }
 
-TEST_F(CharacterC, ControlsAndPlacesAsTheCommand) {
-  good("bind " + kRobed + " --skeleton " + kRobedRig + " --turn y --turn -x --height 2 --floor -o placed.glb");
+TEST_F(CharacterC, ControlsAndTransformsAsTheCommand) {
+  good("bind " + kRobed + " --skeleton " + kRobedRig + " --turn y --turn -x --height 2 --floor -o transformed.glb");
   const Handle robed = open(kRobed);
-  sinew_character_place_options place = sinew_character_place_options_init();
+  sinew_character_transform_options transform = SINEW_INIT(sinew_character_transform_options);
   const char* turns[] = {"y", "-x"};
-  place.turns = turns;
-  place.turn_count = 2;
-  place.height = 2;
-  place.floor = 1;
-  good_call(sinew_character_place(robed.get(), &place), robed);
+  transform.turns = turns;
+  transform.turn_count = 2;
+  transform.height = 2;
+  transform.floor = 1;
+  good_call(sinew_character_transform(robed.get(), &transform), robed);
   bind(robed);
   save(robed, "ours.glb");
-  expect_same("ours.glb", "placed.glb");
+  expect_same("ours.glb", "transformed.glb");
   turns[1] = "w";
-  EXPECT_EQ(sinew_character_place(robed.get(), &place), SINEW_ERROR_INPUT);
+  EXPECT_EQ(sinew_character_transform(robed.get(), &transform), SINEW_ERROR_INPUT);
   EXPECT_NE(std::string(sinew_character_error(robed.get())).find("expected x, y, z"), std::string::npos);
   save(robed, "after.glb");
-  expect_same("after.glb", "placed.glb");
+  expect_same("after.glb", "transformed.glb");
 
   good("bind " + kRobed + " --skeleton " + kRobedRig +
        " --for mixamo --to-pose none -o command.glb --controls command.controls.json");
   const Handle again = open(kRobed);
   bind(again);
-  sinew_character_profile_options profile = sinew_character_profile_options_init();
+  sinew_character_profile_options profile = SINEW_INIT(sinew_character_profile_options);
   profile.profile = "mixamo";
   profile.controls = 1;
   good_call(sinew_character_set_profile(again.get(), &profile), again);
@@ -564,7 +633,7 @@ TEST_F(CharacterC, ControlsAndPlacesAsTheCommand) {
 TEST_F(CharacterC, LevelsAndScoreAsTheCommand) {
   good("lod " + kCaped + " --levels 2 --fewer-joints -o far.glb");
   const Handle caped = open(kCaped);
-  sinew_character_lod_options options = sinew_character_lod_options_init();
+  sinew_character_lod_options options = SINEW_INIT(sinew_character_lod_options);
   options.level_count = 2;
   options.fewer_joints = 1;
   sinew_character* levels[2] = {};
@@ -583,9 +652,9 @@ TEST_F(CharacterC, LevelsAndScoreAsTheCommand) {
   EXPECT_EQ(untouched, nullptr);
 
   const auto told = nlohmann::json::parse(good("check " + kCaped + " --no-poses --score --json").out);
-  sinew_character_check_options check = sinew_character_check_options_init();
-  sinew_character_check_result result = sinew_character_check_result_init();
-  check.no_poses = 1;
+  sinew_character_check_options check = SINEW_INIT(sinew_character_check_options);
+  sinew_character_check_result result = SINEW_INIT(sinew_character_check_result);
+  check.without = SINEW_WITHOUT_POSES;
   good_call(sinew_character_check(caped.get(), &check, &result), caped);
   EXPECT_EQ(result.score, -1);
   check.score = 1;
@@ -602,21 +671,22 @@ std::vector<float> t_pose() {
           0.5f, 1.4f,  0, -0.5f, 1.4f, 0, 0.75f,  1.4f, 0, -0.75f, 1.4f,  0};
 }
 
-TEST_F(CharacterC, PlacesAloneAreAMotionAndThenFramesOfAStream) {
-  constexpr uint32_t kPlaces = 22, kLeftHand = 20;
-  std::vector<float> places = t_pose(), up = places;
+TEST_F(CharacterC, KeypointsAloneAreAMotionAndThenFramesOfAStream) {
+  constexpr uint32_t kKeypoints = 22, kLeftHand = 20;
+  std::vector<float> keypoints = t_pose(), up = keypoints;
   up[3 * 18] = up[3 * 20] = 0.2f;  // the left arm points up
   up[3 * 18 + 1] = 1.7f;
   up[3 * 20 + 1] = 1.95f;
-  for (size_t x = 0; x < up.size(); x += 3) up[x] += 0.01f;  // hips that never move stand for places relative to them
-  places.insert(places.end(), up.begin(), up.end());
+  for (size_t x = 0; x < up.size(); x += 3)
+    up[x] += 0.01f;  // hips that never move stand for keypoints relative to them
+  keypoints.insert(keypoints.end(), up.begin(), up.end());
   sinew_character* opened = nullptr;
-  ASSERT_EQ(sinew_character_open_places("humanml3d22", places.data(), kPlaces, 2, &opened), SINEW_OK)
+  ASSERT_EQ(sinew_character_open_keypoints("humanml3d22", keypoints.data(), kKeypoints, 2, &opened), SINEW_OK)
       << sinew_character_error(nullptr);
   const Handle person(opened);
-  sinew_character_arrays arrays = sinew_character_arrays_init();
+  sinew_character_arrays arrays = SINEW_INIT(sinew_character_arrays);
   good_call(sinew_character_view(person.get(), &arrays), person);
-  ASSERT_EQ(arrays.joint_count, kPlaces);
+  ASSERT_EQ(arrays.joint_count, kKeypoints);
   uint32_t clips = 0;
   good_call(sinew_character_clip_count(person.get(), &clips), person);
   EXPECT_EQ(clips, 1u);
@@ -625,14 +695,15 @@ TEST_F(CharacterC, PlacesAloneAreAMotionAndThenFramesOfAStream) {
     good_call(sinew_character_copy(person.get(), &made), person);
     return Handle(made);
   }();
-  std::vector<float> rotations(4 * kPlaces), translations(3 * kPlaces);
-  good_call(sinew_character_places_frame(copy.get(), up.data(), kPlaces, rotations.data(), translations.data()), copy);
+  std::vector<float> rotations(4 * kKeypoints), translations(3 * kKeypoints);
+  good_call(sinew_character_keypoints_frame(copy.get(), up.data(), kKeypoints, rotations.data(), translations.data()),
+            copy);
   // Where they put the hand.
   const auto hand_height = [&] {
     float height = 0;
-    std::vector<std::array<float, 4>> turns(kPlaces);
-    std::vector<std::array<float, 3>> at(kPlaces);
-    for (uint32_t j = 0; j < kPlaces; ++j) {
+    std::vector<std::array<float, 4>> turns(kKeypoints);
+    std::vector<std::array<float, 3>> at(kKeypoints);
+    for (uint32_t j = 0; j < kKeypoints; ++j) {
       const int parent = arrays.parents[j];
       const float* q = &rotations[4 * j];
       const float* t = &translations[3 * j];
@@ -660,18 +731,19 @@ TEST_F(CharacterC, PlacesAloneAreAMotionAndThenFramesOfAStream) {
   good_call(sinew_character_animate(robed.get(), person.get(), nullptr, nullptr), robed);
 
   const std::vector<float> before = rotations;
-  EXPECT_EQ(sinew_character_places_frame(robed.get(), up.data(), kPlaces, rotations.data(), translations.data()),
+  EXPECT_EQ(sinew_character_keypoints_frame(robed.get(), up.data(), kKeypoints, rotations.data(), translations.data()),
             SINEW_ERROR_ARGUMENT);
-  EXPECT_EQ(sinew_character_places_frame(copy.get(), up.data(), 21, rotations.data(), translations.data()),
+  EXPECT_EQ(sinew_character_keypoints_frame(copy.get(), up.data(), 21, rotations.data(), translations.data()),
             SINEW_ERROR_INPUT);
-  EXPECT_STREQ(sinew_character_error(copy.get()), "places: expected 22 places as humanml3d22 has, found 21");
+  EXPECT_STREQ(sinew_character_error(copy.get()), "keypoints: expected 22 keypoints as humanml3d22 has, found 21");
   up[7] = std::nanf("");
-  EXPECT_NE(sinew_character_places_frame(copy.get(), up.data(), kPlaces, rotations.data(), translations.data()),
+  EXPECT_NE(sinew_character_keypoints_frame(copy.get(), up.data(), kKeypoints, rotations.data(), translations.data()),
             SINEW_OK);
   EXPECT_EQ(rotations, before);
   sinew_character* untouched = nullptr;
-  EXPECT_EQ(sinew_character_open_places("h36m", places.data(), kPlaces, 2, &untouched), SINEW_ERROR_INPUT);
-  EXPECT_EQ(sinew_character_open_places("humanml3d22", places.data(), kPlaces, 0, &untouched), SINEW_ERROR_INPUT);
+  EXPECT_EQ(sinew_character_open_keypoints("h36m", keypoints.data(), kKeypoints, 2, &untouched), SINEW_ERROR_INPUT);
+  EXPECT_EQ(sinew_character_open_keypoints("humanml3d22", keypoints.data(), kKeypoints, 0, &untouched),
+            SINEW_ERROR_INPUT);
   EXPECT_EQ(untouched, nullptr);
 }
 
@@ -679,7 +751,7 @@ TEST_F(CharacterC, WritesForAProgramAsTheCommand) {
   good("bind " + kRobed + " --skeleton " + kRobedRig + " --for mixamo --to-pose none -o command.glb");
   const Handle robed = open(kRobed);
   bind(robed);
-  sinew_character_profile_options options = sinew_character_profile_options_init();
+  sinew_character_profile_options options = SINEW_INIT(sinew_character_profile_options);
   options.profile = "mixamo";
   good_call(sinew_character_set_profile(robed.get(), &options), robed);
   good_call(sinew_character_save(robed.get(), in("ours.glb").c_str()), robed);

@@ -286,7 +286,7 @@ TEST_F(CliAnimate, MotionsOfFbxAndColladaMove) {
   EXPECT_EQ(rise.clips[0].frames.size(), 21u);  // 2 s, 10 a second
   good(snake + " --motion moves.dae -o both.glb");
   EXPECT_EQ(read_gltf_motion(in("both.glb"), 10).clips.size(), 2u);
-  // Its own rig: every joint moves, whatever its places would say.
+  // Its own rig: every joint moves, whatever its positions would say.
   good("bind move.fbx -o strip.glb");
   const Outcome own = good("animate strip.glb --motion move.fbx --method copy -o moved.glb");
   EXPECT_NE(own.out.find("3 of 3 joints move"), std::string::npos) << own.out;

@@ -36,9 +36,9 @@ TEST_F(CliLod, LevelsKeepWhatVerticesHave) {
     EXPECT_LT(told["rest_error"].get<double>(), 0.05);
     EXPECT_GE(told["posed_error"].get<double>(), told["rest_error"].get<double>());
     // Vertices that are left are ones that were there, with their weights.
-    std::set<std::array<float, 3>> places;
-    for (const Vec3& p : whole.vertices) places.insert({p.x, p.y, p.z});
-    for (const Vec3& p : less.vertices) EXPECT_EQ(places.count({p.x, p.y, p.z}), 1u);
+    std::set<std::array<float, 3>> positions;
+    for (const Vec3& p : whole.vertices) positions.insert({p.x, p.y, p.z});
+    for (const Vec3& p : less.vertices) EXPECT_EQ(positions.count({p.x, p.y, p.z}), 1u);
     for (const auto& row : less.influences) EXPECT_FALSE(row.empty());
     EXPECT_EQ(read_gltf_motion(in("far.lod" + std::to_string(level) + ".glb")).clips.size(), 1u);
     if (level == 1) {

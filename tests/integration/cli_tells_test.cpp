@@ -74,7 +74,7 @@ TEST_F(CliTells, WhatBecameOfOldWeights) {
   const Character before = read_character(kCaped), after = read_character(in("new.glb"));
   double sum = 0;
   ASSERT_EQ(before.vertices.size(), 2355u);
-  // The written file is welded by weights again; vertices are found by place.
+  // The written file is welded by weights again; vertices are found by position.
   std::map<std::array<float, 3>, std::map<std::string, double>> weights;
   const auto key = [](const Vec3& p) { return std::array<float, 3>{p.x, p.y, p.z}; };
   for (size_t v = 0; v < after.vertices.size(); ++v)

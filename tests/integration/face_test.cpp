@@ -70,7 +70,7 @@ struct Skeleton : RigSkeleton {
 };
 
 sinew_status add_face(const MeshScene& scene, RigSkeleton* skeleton,
-                      sinew_rig_options options = sinew_rig_options_init(), size_t missing = 0,
+                      sinew_rig_options options = SINEW_INIT(sinew_rig_options), size_t missing = 0,
                       uint32_t wanted = SINEW_DETAIL_FACE) {
   const sinew_mesh mesh = scene.mesh_view();
   size_t bytes = 0;
@@ -135,7 +135,7 @@ TEST(FaceOfASkeleton, IsTheSameWhereverItFacesAndWhateverPointsUp) {
     for (size_t v = 0; v < scene.positions.size(); v += 3) turn(&scene.positions[v]);
     for (uint32_t j = 0; j < s.outputs.joint_count; ++j) turn(&s.positions[size_t{3} * j]);
     s.outputs.facing = quarters;
-    sinew_rig_options options = sinew_rig_options_init();
+    sinew_rig_options options = SINEW_INIT(sinew_rig_options);
     options.up = up;
     ASSERT_EQ(add_face(scene, &s, options), SINEW_OK) << what;
     ASSERT_EQ(s.outputs.joint_count, 8u) << what;
@@ -227,11 +227,11 @@ TEST(FaceOfASkeleton, WhatIsWrongIsSaidAndNothingWritten) {
         [](Skeleton& s) { s.positions[4] = std::numeric_limits<float>::infinity(); });
   const Skeleton before;
   Skeleton s;
-  EXPECT_EQ(add_face(scene, &s, sinew_rig_options_init(), 64), SINEW_ERROR_WORKSPACE);
-  sinew_rig_options options = sinew_rig_options_init();
+  EXPECT_EQ(add_face(scene, &s, SINEW_INIT(sinew_rig_options), 64), SINEW_ERROR_WORKSPACE);
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   options.progress = [](void*, uint32_t) { return 1; };
   EXPECT_EQ(add_face(scene, &s, options), SINEW_ERROR_CANCELLED);
-  options = sinew_rig_options_init();
+  options = SINEW_INIT(sinew_rig_options);
   options.up = SINEW_UP_X;
   EXPECT_EQ(add_face(scene, &s, options), SINEW_ERROR_ARGUMENT);
   MeshScene broken = scene;
@@ -260,7 +260,7 @@ struct ArmSkeleton : RigSkeleton {
 };
 
 sinew_status add_props(const MeshScene& scene, RigSkeleton* skeleton,
-                       sinew_rig_options options = sinew_rig_options_init(), size_t missing = 0) {
+                       sinew_rig_options options = SINEW_INIT(sinew_rig_options), size_t missing = 0) {
   return add_face(scene, skeleton, options, missing, SINEW_DETAIL_PROPS);
 }
 
@@ -314,8 +314,8 @@ TEST(PropsOfASkeleton, WhatIsWrongIsSaidAndNothingWritten) {
   add_ball(&scene, {0.66f, 1.4f, 0.15f}, {0.012f, 0.012f, 0.2f});
   const ArmSkeleton before;
   ArmSkeleton s;
-  EXPECT_EQ(add_props(scene, &s, sinew_rig_options_init(), SIZE_MAX), SINEW_ERROR_WORKSPACE);
-  sinew_rig_options options = sinew_rig_options_init();
+  EXPECT_EQ(add_props(scene, &s, SINEW_INIT(sinew_rig_options), SIZE_MAX), SINEW_ERROR_WORKSPACE);
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   options.progress = [](void*, uint32_t) { return 1; };
   EXPECT_EQ(add_props(scene, &s, options), SINEW_ERROR_CANCELLED);
   EXPECT_TRUE(s.same_as(before));

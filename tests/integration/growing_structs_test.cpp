@@ -18,26 +18,26 @@
 // Members never move, and nothing is put between them.
 #define SINEW_KEEPS(type, member) \
   static_assert(offsetof(type, member) == offsetof(type##_0_1, member), #member " stands elsewhere")
-SINEW_KEEPS(sinew_options, struct_size);
-SINEW_KEEPS(sinew_options, method);
-SINEW_KEEPS(sinew_options, influence_count);
-SINEW_KEEPS(sinew_options, weight_format);
-SINEW_KEEPS(sinew_options, candidate_count);
-SINEW_KEEPS(sinew_options, grid_size);
-SINEW_KEEPS(sinew_options, surface_vertices);
-SINEW_KEEPS(sinew_options, symmetric);
-SINEW_KEEPS(sinew_options, rigid_parts);
-SINEW_KEEPS(sinew_options, softness_percent);
-SINEW_KEEPS(sinew_options, weights_in_place);
-SINEW_KEEPS(sinew_options, kernel);
-SINEW_KEEPS(sinew_options, thread_count);
-SINEW_KEEPS(sinew_options, reserved);
-SINEW_KEEPS(sinew_options, locked);
-SINEW_KEEPS(sinew_options, hints);
-SINEW_KEEPS(sinew_options, parallel_for);
-SINEW_KEEPS(sinew_options, parallel_user);
-SINEW_KEEPS(sinew_options, progress);
-SINEW_KEEPS(sinew_options, progress_user);
+SINEW_KEEPS(sinew_bind_options, struct_size);
+SINEW_KEEPS(sinew_bind_options, method);
+SINEW_KEEPS(sinew_bind_options, influence_count);
+SINEW_KEEPS(sinew_bind_options, weight_format);
+SINEW_KEEPS(sinew_bind_options, candidate_count);
+SINEW_KEEPS(sinew_bind_options, grid_size);
+SINEW_KEEPS(sinew_bind_options, surface_vertices);
+SINEW_KEEPS(sinew_bind_options, symmetric);
+SINEW_KEEPS(sinew_bind_options, rigid_parts);
+SINEW_KEEPS(sinew_bind_options, softness_percent);
+SINEW_KEEPS(sinew_bind_options, weights_in_place);
+SINEW_KEEPS(sinew_bind_options, kernel);
+SINEW_KEEPS(sinew_bind_options, thread_count);
+SINEW_KEEPS(sinew_bind_options, reserved);
+SINEW_KEEPS(sinew_bind_options, locked);
+SINEW_KEEPS(sinew_bind_options, hints);
+SINEW_KEEPS(sinew_bind_options, parallel_for);
+SINEW_KEEPS(sinew_bind_options, parallel_user);
+SINEW_KEEPS(sinew_bind_options, progress);
+SINEW_KEEPS(sinew_bind_options, progress_user);
 SINEW_KEEPS(sinew_bind_outputs, struct_size);
 SINEW_KEEPS(sinew_bind_outputs, symmetric_vertices);
 SINEW_KEEPS(sinew_bind_outputs, joint_indices);
@@ -48,8 +48,8 @@ SINEW_KEEPS(sinew_rig_options, struct_size);
 SINEW_KEEPS(sinew_rig_options, up);
 SINEW_KEEPS(sinew_rig_options, mirror);
 SINEW_KEEPS(sinew_rig_options, spine_count);
-SINEW_KEEPS(sinew_rig_options, no_toes);
-SINEW_KEEPS(sinew_rig_options, no_ends);
+SINEW_KEEPS(sinew_rig_options, without);
+SINEW_KEEPS(sinew_rig_options, reserved);
 SINEW_KEEPS(sinew_rig_options, weights_in_place);
 SINEW_KEEPS(sinew_rig_options, kernel);
 SINEW_KEEPS(sinew_rig_options, progress);
@@ -74,9 +74,9 @@ SINEW_KEEPS(sinew_deform_options, method);
 SINEW_KEEPS(sinew_deform_options, cell_count);
 SINEW_KEEPS(sinew_deform_options, round_count);
 SINEW_KEEPS(sinew_deform_options, softness);
-SINEW_KEEPS(sinew_deform_options, no_twist_spread);
-SINEW_KEEPS(sinew_deform_options, no_contact);
-SINEW_KEEPS(sinew_deform_options, no_smoothing);
+SINEW_KEEPS(sinew_deform_options, without);
+SINEW_KEEPS(sinew_deform_options, thread_count);
+SINEW_KEEPS(sinew_deform_options, body_contact);
 SINEW_KEEPS(sinew_deform_outputs, struct_size);
 SINEW_KEEPS(sinew_deform_outputs, corrected);
 SINEW_KEEPS(sinew_deform_outputs, positions);
@@ -92,7 +92,7 @@ SINEW_KEEPS(sinew_contact_options, progress);
 SINEW_KEEPS(sinew_contact_options, progress_user);
 SINEW_KEEPS(sinew_reference_options, struct_size);
 SINEW_KEEPS(sinew_reference_options, area_power);
-SINEW_KEEPS(sinew_reference_options, no_own_limb);
+SINEW_KEEPS(sinew_reference_options, own_limb);
 SINEW_KEEPS(sinew_reference_options, legs);
 SINEW_KEEPS(sinew_reference_options, falloff);
 SINEW_KEEPS(sinew_reference_options, least_cosine);
@@ -204,8 +204,11 @@ class GrowingStructs : public ::testing::Test {
     const float joint_positions[] = {0.5f, 0.1f, 0.5f, 0.5f, 2, 0.5f};
     const int32_t parents[] = {-1, 0};
     const sinew_mesh mesh = {positions.data(), kVertices, nullptr, corners.data(), kTriangles, 3 * kTriangles};
-    const sinew_skeleton skeleton = sinew_skeleton_init(joint_positions, parents, 2);
-    const auto* const o = reinterpret_cast<const sinew_options*>(&options);
+    sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+    skeleton.positions = joint_positions;
+    skeleton.parents = parents;
+    skeleton.joint_count = 2;
+    const auto* const o = reinterpret_cast<const sinew_bind_options*>(&options);
     size_t bytes = 0;
     const sinew_status sized = sinew_bind_workspace_size(nullptr, mesh.vertex_count, mesh.face_count, mesh.corner_count,
                                                          skeleton.joint_count, o, &bytes);
@@ -245,7 +248,7 @@ class GrowingStructs : public ::testing::Test {
 
   // What this header's own call gives, which it leaves in joints, weights and confidence.
   sinew_bind_outputs expect() {
-    sinew_options options = filled<sinew_options>(sizeof(sinew_options));
+    sinew_bind_options options = filled<sinew_bind_options>(sizeof(sinew_bind_options));
     options.progress_user = &calls;
     sinew_bind_outputs outputs = outputs_of<sinew_bind_outputs>(sizeof(sinew_bind_outputs));
     EXPECT_EQ(bind(options, &outputs), SINEW_OK);
@@ -271,7 +274,7 @@ TEST_F(GrowingStructs, AProgramOfTheFirstReleaseBindsAsEver) {
   weights.assign(weights.size(), 0);
   confidence.assign(confidence.size(), 0);
 
-  sinew_options_0_1 options = filled<sinew_options_0_1>(sizeof(sinew_options_0_1));
+  sinew_bind_options_0_1 options = filled<sinew_bind_options_0_1>(sizeof(sinew_bind_options_0_1));
   options.progress_user = &calls;
   Guarded memory(outputs_of<sinew_bind_outputs_0_1>(sizeof(sinew_bind_outputs_0_1)));
   ASSERT_EQ(bind(options, &memory.known), SINEW_OK);
@@ -289,7 +292,7 @@ TEST_F(GrowingStructs, AProgramOfTheFutureBindsAsLongAsItWantsNothingNew) {
   const sinew_bind_outputs expected = expect();
   const std::vector<uint16_t> expected_weights = weights;
   weights.assign(weights.size(), 0);
-  Future<sinew_options> options = {filled<sinew_options>(sizeof(Future<sinew_options>)), nullptr};
+  Future<sinew_bind_options> options = {filled<sinew_bind_options>(sizeof(Future<sinew_bind_options>)), nullptr};
   options.known.progress_user = &calls;
   Future<sinew_bind_outputs> outputs = {outputs_of<sinew_bind_outputs>(sizeof(Future<sinew_bind_outputs>)), nullptr};
   ASSERT_EQ(bind(options, &outputs), SINEW_OK);
@@ -311,10 +314,10 @@ TEST_F(GrowingStructs, AProgramOfTheFutureBindsAsLongAsItWantsNothingNew) {
 }
 
 TEST_F(GrowingStructs, ASizeThatWasNeverSetIsRefused) {
-  const sinew_options options = filled<sinew_options>(sizeof(sinew_options));
-  for (const uint32_t size : {0u, uint32_t{sizeof(sinew_options_0_1)} - 1, 4097u}) {
+  const sinew_bind_options options = filled<sinew_bind_options>(sizeof(sinew_bind_options));
+  for (const uint32_t size : {0u, uint32_t{sizeof(sinew_bind_options_0_1)} - 1, 4097u}) {
     sinew_bind_outputs outputs = outputs_of<sinew_bind_outputs>(sizeof(sinew_bind_outputs));
-    EXPECT_EQ(bind(filled<sinew_options>(size), &outputs), SINEW_ERROR_ARGUMENT) << size;
+    EXPECT_EQ(bind(filled<sinew_bind_options>(size), &outputs), SINEW_ERROR_ARGUMENT) << size;
   }
   for (const uint32_t size : {0u, uint32_t{sizeof(sinew_bind_outputs_0_1)} - 1, 4097u}) {
     sinew_bind_outputs outputs = outputs_of<sinew_bind_outputs>(size);
@@ -351,7 +354,7 @@ class GrowingRigStructs : public GrowingStructs {
     options.struct_size = size;
     options.mirror = SINEW_MIRROR_NEVER;
     options.spine_count = 2;
-    options.no_ends = 1;
+    options.without = SINEW_WITHOUT_ENDS;
     options.progress = [](void* count, uint32_t) { return ++*static_cast<int*>(count), 0; };
     options.progress_user = &calls;
     return options;
@@ -435,7 +438,10 @@ class GrowingDeformStructs : public GrowingStructs {
     const float joint_positions[] = {0.5f, 0.1f, 0.5f, 0.5f, 1.5f, 0.5f};
     const int32_t parents[] = {-1, 0};
     const sinew_mesh mesh = {positions.data(), kVertices, nullptr, corners.data(), kTriangles, 3 * kTriangles};
-    const sinew_skeleton skeleton = sinew_skeleton_init(joint_positions, parents, 2);
+    sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+    skeleton.positions = joint_positions;
+    skeleton.parents = parents;
+    skeleton.joint_count = 2;
     const sinew_skin skin = {joints.data(), weights.data(), kInfluences, SINEW_WEIGHT_UNORM16};
     const float palette[24] = {1,    0,     0, 0,    0,    1,    0, 0,    0, 0, 1, 0,
                                0.6f, -0.8f, 0, 1.4f, 0.8f, 0.6f, 0, 0.2f, 0, 0, 1, 0};
@@ -515,7 +521,12 @@ class GrowingMotionStructs : public ::testing::Test {
   template <class RetargetOptions>
   sinew_status plan(const RetargetOptions& options) {
     const int32_t parent = -1, source = 0;
-    const sinew_skeleton from = sinew_skeleton_init(origin, &parent, 1), to = sinew_skeleton_init(aside, &parent, 1);
+    sinew_skeleton from = SINEW_INIT(sinew_skeleton);
+    from.positions = origin;
+    from.parents = &parent;
+    from.joint_count = 1;
+    sinew_skeleton to = from;
+    to.positions = aside;
     size_t bytes = 0;
     EXPECT_EQ(sinew_retarget_create_workspace_size(1, 1, &bytes), SINEW_OK);
     memory = sinew::Workspace(bytes);
@@ -571,7 +582,7 @@ class GrowingMotionStructs : public ::testing::Test {
 
 TEST_F(GrowingMotionStructs, ProgramsOfTheFirstReleaseAndOfTheFutureRetargetAsEver) {
   grows<sinew_retarget_options, sinew_retarget_options_0_1>([&](const auto& options) { return plan(options); });
-  ASSERT_EQ(plan(sinew_retarget_options_init()), SINEW_OK);
+  ASSERT_EQ(plan(SINEW_INIT(sinew_retarget_options)), SINEW_OK);
   grows<sinew_contact_options, sinew_contact_options_0_1>([&](const auto& options) { return clip(options, false); });
   grows<sinew_reference_options, sinew_reference_options_0_1>([&](const auto& options) { return clip(options, true); });
 }
@@ -654,7 +665,10 @@ TEST_F(GrowingStructs, ProgramsOfTheFirstReleaseAndOfTheFutureTransferAsEver) {
   const float joint_positions[] = {0.5f, 0.1f, 0.5f, 0.5f, 2, 0.5f};
   const int32_t parents[] = {-1, 0}, map[] = {0, 1};
   const sinew_mesh mesh = {positions.data(), kVertices, nullptr, corners.data(), kTriangles, 3 * kTriangles};
-  const sinew_skeleton skeleton = sinew_skeleton_init(joint_positions, parents, 2);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+  skeleton.positions = joint_positions;
+  skeleton.parents = parents;
+  skeleton.joint_count = 2;
   std::vector<uint16_t> source_joints(kVertices), source_weights(kVertices, 65535);
   for (uint32_t v = 0; v < kVertices; ++v) source_joints[v] = v >= kVertices / 2 ? 1 : 0;
   const sinew_bound_character source = {
@@ -734,7 +748,10 @@ TEST_F(GrowingStructs, ProgramsOfTheFirstReleaseAndOfTheFutureSimplifyAsEver) {
     EXPECT_EQ(sinew_simplify_workspace_size(4, &bytes), SINEW_OK);
     sinew::Workspace workspace(bytes);
     uint32_t into[4] = {};
-    const sinew_skeleton skeleton = sinew_skeleton_init(places, parents, 4);
+    sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+    skeleton.positions = places;
+    skeleton.parents = parents;
+    skeleton.joint_count = 4;
     const sinew_status status =
         sinew_simplify(&skeleton, nullptr, nullptr, static_cast<const sinew_simplify_options*>(options),
                        workspace.data(), bytes, into);

@@ -52,7 +52,8 @@ struct Skeleton : RigSkeleton {
   }
 };
 
-sinew_status add_hands(const MeshScene& scene, Skeleton* skeleton, sinew_rig_options options = sinew_rig_options_init(),
+sinew_status add_hands(const MeshScene& scene, Skeleton* skeleton,
+                       sinew_rig_options options = SINEW_INIT(sinew_rig_options),
                        const sinew_model* model = bundled_hands_model(), size_t missing = 0) {
   const sinew_mesh mesh = scene.mesh_view();
   size_t bytes = 0;
@@ -96,7 +97,7 @@ TEST(HandsOfASkeleton, AreFoundEachByItselfWhereNothingIsMirrored) {
 
 TEST(HandsOfASkeleton, AreTheSameOnEveryKernel) {
   Skeleton reference, automatic;
-  sinew_rig_options options = sinew_rig_options_init();
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   options.kernel = SINEW_KERNEL_REF;
   ASSERT_EQ(add_hands(two_arms(true), &reference, options), SINEW_OK);
   ASSERT_EQ(add_hands(two_arms(true), &automatic), SINEW_OK);
@@ -145,9 +146,9 @@ TEST(HandsOfASkeleton, WhatIsWrongIsSaidAndNothingWritten) {
   fails("no number", SINEW_ERROR_NOT_FINITE,
         [](Skeleton& s) { s.positions[4] = std::numeric_limits<float>::infinity(); });
   Skeleton s;
-  EXPECT_EQ(add_hands(scene, &s, sinew_rig_options_init(), bundled_rig_model()), SINEW_ERROR_MODEL_TASK);
-  EXPECT_EQ(add_hands(scene, &s, sinew_rig_options_init(), bundled_hands_model(), 64), SINEW_ERROR_WORKSPACE);
-  sinew_rig_options options = sinew_rig_options_init();
+  EXPECT_EQ(add_hands(scene, &s, SINEW_INIT(sinew_rig_options), bundled_rig_model()), SINEW_ERROR_MODEL_TASK);
+  EXPECT_EQ(add_hands(scene, &s, SINEW_INIT(sinew_rig_options), bundled_hands_model(), 64), SINEW_ERROR_WORKSPACE);
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   options.progress = [](void*, uint32_t) { return 1; };
   EXPECT_EQ(add_hands(scene, &s, options), SINEW_ERROR_CANCELLED);
   EXPECT_TRUE(s.same_as(before));
@@ -166,7 +167,7 @@ TEST(HandsOfASkeleton, WithoutRoomGetNone) {
 }
 
 sinew_status add_details(const MeshScene& scene, RigSkeleton* skeleton, uint32_t wanted,
-                         const sinew_rig_options& options = sinew_rig_options_init()) {
+                         const sinew_rig_options& options = SINEW_INIT(sinew_rig_options)) {
   const sinew_mesh mesh = scene.mesh_view();
   size_t bytes = 0;
   const sinew_status status = sinew_rig_details_workspace_size(
@@ -199,7 +200,7 @@ TEST(DetailsOfASkeleton, ACallThatIsStoppedInItsLastStageChangesNothing) {
   const Skeleton before;
   Skeleton s;
   uint32_t last = 0;
-  sinew_rig_options options = sinew_rig_options_init();
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   options.progress = [](void* user, uint32_t permille) {
     EXPECT_GE(permille, *static_cast<uint32_t*>(user)) << "one bar for all stages";
     *static_cast<uint32_t*>(user) = permille;

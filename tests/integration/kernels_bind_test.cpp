@@ -21,7 +21,7 @@ struct Bound {
 
 Bound bind_star(uint32_t kernel, uint32_t weights_in_place, const sinew_model* model = bundled_model()) {
   const sinew_test::HeatScene scene = sinew_test::star(11, 12, 3);
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.kernel = kernel;
   options.weights_in_place = weights_in_place;
   const sinew_mesh mesh = scene.mesh_view();
@@ -33,7 +33,9 @@ Bound bind_star(uint32_t kernel, uint32_t weights_in_place, const sinew_model* m
   void* block = ::operator new (bound.bytes, std::align_val_t{64});
   bound.joints.resize(size_t{mesh.vertex_count} * 4);
   bound.weights.resize(size_t{mesh.vertex_count} * 4);
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(bound.joints.data(), bound.weights.data());
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = bound.joints.data();
+  outputs.weights = bound.weights.data();
   bound.status = sinew_bind(model, &mesh, &skeleton, &options, block, bound.bytes, &outputs);
   bound.used = outputs.used_bytes;
   ::operator delete (block, std::align_val_t{64});

@@ -120,6 +120,8 @@ read -ra flags <<<"$(pkg-config --cflags --libs sinew-character)"
 cc -std=c99 -pedantic-errors "$source_dir/samples/02_character_c/bind.c" -o by_pkg_config "${flags[@]}"
 LD_LIBRARY_PATH=$(pkg-config --variable=libdir sinew-character) ./by_pkg_config snake__long.obj library.glb >"$work/log"
 cmp library.glb bundled.glb
+sed -n '/^ \*   #include/,/^ \*   }/s/^ \*   //p' "$root/usr/include/sinew/character.h" >example.c
+cc -std=c99 -pedantic-errors -Wall -Wextra -Werror example.c -o example "${flags[@]}" || fail "the example of sinew/character.h does not compile"
 
 quietly cmake -S "$source_dir/tests/integration/consumer" -B "$work/consumer" -DCMAKE_PREFIX_PATH="$root/usr"
 quietly cmake --build "$work/consumer"

@@ -24,7 +24,7 @@ Handle open_memory(const std::vector<std::string>& paths, const sinew_character_
 }
 
 sinew_character_picture_info info_of(const Handle& character) {
-  sinew_character_picture_info info = sinew_character_picture_info_init();
+  sinew_character_picture_info info = SINEW_INIT(sinew_character_picture_info);
   EXPECT_EQ(sinew_character_picture(character.get(), &info), SINEW_OK) << sinew_character_error(character.get());
   return info;
 }
@@ -61,7 +61,7 @@ TEST_F(PictureC, RigsAndPlaysAsTheCommand) {
 
   good("animate " + kChild + " -o waving.glb");
   const Handle waving = open(kChild);
-  sinew_character_animate_result result = sinew_character_animate_result_init();
+  sinew_character_animate_result result = SINEW_INIT(sinew_character_animate_result);
   good_call(sinew_character_animate(waving.get(), nullptr, nullptr, &result), waving);
   EXPECT_EQ(result.rigged, 1u);
   EXPECT_EQ(result.clip_count, 1u);
@@ -73,7 +73,7 @@ TEST_F(PictureC, RigsAndPlaysAsTheCommand) {
 
 TEST_F(PictureC, OptionsAreTheCommands) {
   good("rig " + kCat + " --flat --units pixels --class quadruped --mask-out mask.png -o cat.glb");
-  sinew_character_picture_options options = sinew_character_picture_options_init();
+  sinew_character_picture_options options = SINEW_INIT(sinew_character_picture_options);
   options.body_class = SINEW_BODY_CLASS_QUADRUPED;
   options.flat = options.pixels = 1;
   const Handle cat = open_memory({kCat}, options);
@@ -81,11 +81,11 @@ TEST_F(PictureC, OptionsAreTheCommands) {
   expect_command(cat, "cat.glb");
 
   good("animate " + kCat + " --motion builtin:quadruped/walk --depth --mask mask.png -o walk.glb");
-  sinew_character_picture_options masked = sinew_character_picture_options_init();
+  sinew_character_picture_options masked = SINEW_INIT(sinew_character_picture_options);
   masked.mask = "mask.png";
   const Handle walking = open_memory({kCat, in("mask.png")}, masked);
   const Handle walk = open("builtin:quadruped/walk");
-  sinew_character_animate_options depth = sinew_character_animate_options_init();
+  sinew_character_animate_options depth = SINEW_INIT(sinew_character_animate_options);
   depth.depth = 1;
   good_call(sinew_character_animate(walking.get(), walk.get(), &depth, nullptr), walking);
   expect_command(walking, "walk.glb");
@@ -98,13 +98,13 @@ TEST_F(PictureC, AnOutlineOfTheUsersOwnIsTheFigure) {
   ASSERT_GE(found.line_count, 1u);
   std::vector<uint32_t> offsets(found.line_offsets, found.line_offsets + found.line_count + 1);
   std::vector<float> outline(found.outline, found.outline + size_t{2} * offsets.back());
-  sinew_character_picture_options options = sinew_character_picture_options_init();
+  sinew_character_picture_options options = SINEW_INIT(sinew_character_picture_options);
   options.pixels = 1;
   options.line_count = found.line_count;
   options.line_offsets = offsets.data();
   options.outline = outline.data();
   const auto width_of = [](const Handle& character) {
-    sinew_character_arrays arrays = sinew_character_arrays_init();
+    sinew_character_arrays arrays = SINEW_INIT(sinew_character_arrays);
     EXPECT_EQ(sinew_character_view(character.get(), &arrays), SINEW_OK);
     float low = 1e9f, high = -1e9f;
     for (uint32_t v = 0; v < arrays.vertex_count; ++v) {
@@ -121,7 +121,7 @@ TEST_F(PictureC, AnOutlineOfTheUsersOwnIsTheFigure) {
 
 TEST_F(PictureC, WhatIsWrongIsALine) {
   sinew_character* none = nullptr;
-  sinew_character_picture_options options = sinew_character_picture_options_init();
+  sinew_character_picture_options options = SINEW_INIT(sinew_character_picture_options);
   options.body_class = 8;
   EXPECT_EQ(sinew_character_open_picture(kChild.c_str(), &options, &none), SINEW_ERROR_ARGUMENT);
   options.body_class = 0;
@@ -130,7 +130,7 @@ TEST_F(PictureC, WhatIsWrongIsALine) {
   EXPECT_NE(std::string(sinew_character_error(nullptr)).find("there is no figure 2"), std::string::npos);
   EXPECT_EQ(none, nullptr);
   const Handle snake = open(kSnake);
-  sinew_character_picture_info info = sinew_character_picture_info_init();
+  sinew_character_picture_info info = SINEW_INIT(sinew_character_picture_info);
   EXPECT_EQ(sinew_character_picture(snake.get(), &info), SINEW_ERROR_INPUT);
   EXPECT_EQ(sinew_character_animate(snake.get(), nullptr, nullptr, nullptr), SINEW_ERROR_ARGUMENT);
   EXPECT_STREQ(sinew_character_extensions(SINEW_READ_PICTURE), ".png .jpg .jpeg");

@@ -15,8 +15,8 @@ using sinew_test::HeatScene;
 using Bound = sinew_test::BoundScene;
 using sinew_test::bind_scene;
 
-sinew_options with_surface(uint32_t vertices, uint32_t method = SINEW_METHOD_MODEL) {
-  sinew_options options = sinew_options_init();
+sinew_bind_options with_surface(uint32_t vertices, uint32_t method = SINEW_METHOD_MODEL) {
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.grid_size = 32;
   options.method = method;
   options.surface_vertices = vertices;
@@ -65,7 +65,7 @@ TEST(ReducedBindOptions, HintsPartsAndSymmetryActOnTheWholeMesh) {
   const HeatScene scene = sinew_test::capsule(60, 60, 4);
   std::vector<uint8_t> hints(scene.vertex_count(), 0);
   for (size_t v = 0; v < hints.size(); v += 50) hints[v] = 1;
-  sinew_options options = with_surface(500);
+  sinew_bind_options options = with_surface(500);
   options.hints = hints.data();
   const Bound hinted = bind_scene(scene, options);
   ASSERT_EQ(hinted.status, SINEW_OK);
@@ -103,7 +103,7 @@ TEST(ReducedBindOptions, HintsPartsAndSymmetryActOnTheWholeMesh) {
 
 TEST(ReducedBindOptions, TheSameBytesForAllKernelsAndThreads) {
   const HeatScene scene = sinew_test::star(40, 50, 4);
-  sinew_options options = with_surface(600);
+  sinew_bind_options options = with_surface(600);
   options.kernel = SINEW_KERNEL_REF;
   const Bound reference = bind_scene(scene, options);
   ASSERT_EQ(reference.status, SINEW_OK);
@@ -126,7 +126,7 @@ TEST(ReducedBindOptions, WorkspaceNeverFalls) {
   size_t before = 0;
   for (uint32_t vertices = 900; vertices < 1100; vertices += 7) {
     size_t bytes = 0;
-    const sinew_options options = with_surface(1000);
+    const sinew_bind_options options = with_surface(1000);
     ASSERT_EQ(sinew_bind_workspace_size(bundled_model(), vertices, 2 * vertices, 6 * vertices, 20, &options, &bytes),
               SINEW_OK);
     EXPECT_GE(bytes, before) << vertices;
@@ -134,7 +134,7 @@ TEST(ReducedBindOptions, WorkspaceNeverFalls) {
   }
   for (uint32_t faces = 1000; faces < 9000; faces += 500) {
     size_t bytes = 0;
-    const sinew_options options = with_surface(1000);
+    const sinew_bind_options options = with_surface(1000);
     ASSERT_EQ(sinew_bind_workspace_size(bundled_model(), 1100, faces, 3 * faces, 20, &options, &bytes), SINEW_OK);
     if (faces > 1000) {
       EXPECT_GE(bytes, before) << faces;

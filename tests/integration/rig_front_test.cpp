@@ -16,7 +16,7 @@ using sinew_test::MeshScene;
 using sinew_test::RiggedScene;
 
 // About the upright axis, +z towards +x; then z up in place of y.
-struct Stand {
+struct Orientation {
   double degrees = 0;
   bool z_up = false;
 
@@ -35,18 +35,20 @@ struct Stand {
   }
 };
 
-void expect_same_joints(const RiggedScene& plain, const RiggedScene& other, const Stand& stand, double most) {
+void expect_same_joints(const RiggedScene& plain, const RiggedScene& other, const Orientation& orientation,
+                        double most) {
   ASSERT_EQ(other.status, SINEW_OK);
-  ASSERT_EQ(plain.names, other.names) << stand.degrees;
+  ASSERT_EQ(plain.names, other.names) << orientation.degrees;
   for (uint32_t j = 0; j < plain.count; ++j) {
     float wanted[3];
-    stand.to(&plain.positions[3 * j], wanted);
+    orientation.to(&plain.positions[3 * j], wanted);
     double squared = 0;
     for (uint32_t axis = 0; axis < 3; ++axis) {
       const double d = static_cast<double>(wanted[axis] - other.positions[3 * j + axis]);
       squared += d * d;
     }
-    EXPECT_LE(std::sqrt(squared), most) << plain.names[j] << " " << stand.degrees << (stand.z_up ? " z up" : "");
+    EXPECT_LE(std::sqrt(squared), most) << plain.names[j] << " " << orientation.degrees
+                                        << (orientation.z_up ? " z up" : "");
   }
 }
 
@@ -61,14 +63,14 @@ double side_of(const MeshScene& scene) {
 
 TEST(RigFront, AFrontThatIsGivenIsWhereTheSkeletonFaces) {
   const MeshScene scene = from_file("biped__robot.obj");
-  sinew_rig_options options = sinew_rig_options_init();
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   options.front = SINEW_FRONT_PLUS_Z;
   const RiggedScene plain(scene, options);
   plain.expect_sound();
   EXPECT_EQ(plain.outputs.front_confidence, 1);
   const struct {
     uint32_t front, up;
-    Stand stand;
+    Orientation orientation;
     float x, y, z;
   } cases[] = {{SINEW_FRONT_PLUS_X, SINEW_UP_Y, {90, false}, 1, 0, 0},
                {SINEW_FRONT_MINUS_Z, SINEW_UP_Y, {180, false}, 0, 0, -1},
@@ -77,8 +79,8 @@ TEST(RigFront, AFrontThatIsGivenIsWhereTheSkeletonFaces) {
   for (const auto& one : cases) {
     options.front = one.front;
     options.up = one.up;
-    const RiggedScene other(one.stand.of(scene), options);
-    expect_same_joints(plain, other, one.stand, 0.002 * side_of(scene));
+    const RiggedScene other(one.orientation.of(scene), options);
+    expect_same_joints(plain, other, one.orientation, 0.002 * side_of(scene));
     EXPECT_EQ(other.outputs.front[0], one.x);
     EXPECT_EQ(other.outputs.front[1], one.y);
     EXPECT_EQ(other.outputs.front[2], one.z);
@@ -88,33 +90,34 @@ TEST(RigFront, AFrontThatIsGivenIsWhereTheSkeletonFaces) {
 
 TEST(RigFront, AFrontAlongTheUpAxisIsRefused) {
   const MeshScene scene = from_file("snake__long.obj");
-  sinew_rig_options options = sinew_rig_options_init();
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   options.up = SINEW_UP_Z;
   options.front = SINEW_FRONT_PLUS_Z;
   EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_ARGUMENT);
   options.front = 7;
   EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_ARGUMENT);
-  options = sinew_rig_options_init();
+  options = SINEW_INIT(sinew_rig_options);
   options.front_model = bundled_rig_model();
   EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_MODEL_TASK) << "a model of bodies knows no fronts";
 }
 
 TEST(RigFront, IsFoundAtAnyAngleAndWithZUp) {
   const MeshScene scene = from_file("biped__robot.obj");
-  sinew_rig_options options = sinew_rig_options_init();
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   options.front_model = bundled_front_model();
   const RiggedScene plain(scene, options);
   plain.expect_sound();
   EXPECT_GT(plain.outputs.front[2], 0.99f);
   EXPECT_GT(plain.outputs.front_confidence, 0.7f);
-  for (const Stand& stand :
-       {Stand{30, false}, Stand{45, false}, Stand{90, false}, Stand{180, false}, Stand{0, true}, Stand{250, true}}) {
-    const RiggedScene other(stand.of(scene), options);
-    expect_same_joints(plain, other, stand, 0.005 * side_of(scene));
-    EXPECT_EQ(other.outputs.up, stand.z_up ? SINEW_UP_Z : SINEW_UP_Y);
+  for (const Orientation& orientation : {Orientation{30, false}, Orientation{45, false}, Orientation{90, false},
+                                         Orientation{180, false}, Orientation{0, true}, Orientation{250, true}}) {
+    const RiggedScene other(orientation.of(scene), options);
+    expect_same_joints(plain, other, orientation, 0.005 * side_of(scene));
+    EXPECT_EQ(other.outputs.up, orientation.z_up ? SINEW_UP_Z : SINEW_UP_Y);
     float front[3];
-    stand.to(plain.outputs.front, front);
-    for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(other.outputs.front[axis], front[axis], 0.01) << stand.degrees;
+    orientation.to(plain.outputs.front, front);
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_NEAR(other.outputs.front[axis], front[axis], 0.01) << orientation.degrees;
   }
 }
 

@@ -36,7 +36,7 @@ MeshScene mirrored(const MeshScene& half) {
 }
 
 TEST(SkeletonOfAMesh, ABipedGetsNamedLimbsOnBothSides) {
-  const RiggedScene rigged(from_file("biped__robot.obj"), sinew_rig_options_init());
+  const RiggedScene rigged(from_file("biped__robot.obj"), SINEW_INIT(sinew_rig_options));
   rigged.expect_sound();
   const std::set<std::string> names(rigged.names.begin(), rigged.names.end());
   for (const char* name : {"Hips", "Head", "LeftArm", "RightArm", "LeftForeArm", "RightForeArm", "LeftUpLeg",
@@ -50,7 +50,7 @@ TEST(SkeletonOfAMesh, ABipedGetsNamedLimbsOnBothSides) {
 
 TEST(SkeletonOfAMesh, ASymmetricMeshHasExactlyMirroredJoints) {
   for (const char* name : {"biped__robed.obj", "bird__winged.obj", "quadruped__tailed.obj"}) {
-    const RiggedScene rigged(mirrored(from_file(name)), sinew_rig_options_init());
+    const RiggedScene rigged(mirrored(from_file(name)), SINEW_INIT(sinew_rig_options));
     rigged.expect_sound();
     ASSERT_EQ(rigged.outputs.mirrored, 1u);
     for (uint32_t j = 0; j < rigged.count; ++j) {
@@ -72,22 +72,23 @@ TEST(SkeletonOfAMesh, ASymmetricMeshHasExactlyMirroredJoints) {
 TEST(SkeletonOfAMesh, TheNumberingOfTheMeshDoesNotMatter) {
   const MeshScene scene = from_file("quadruped__tailed.obj");
   std::mt19937 random(3);
-  std::vector<uint32_t> place(scene.vertex_count());
-  std::iota(place.begin(), place.end(), 0u);
-  std::shuffle(place.begin(), place.end(), random);
+  std::vector<uint32_t> new_index(scene.vertex_count());
+  std::iota(new_index.begin(), new_index.end(), 0u);
+  std::shuffle(new_index.begin(), new_index.end(), random);
   MeshScene other;
   other.positions.resize(scene.positions.size());
-  for (uint32_t v = 0; v < place.size(); ++v) std::copy_n(&scene.positions[3 * v], 3, &other.positions[3 * place[v]]);
+  for (uint32_t v = 0; v < new_index.size(); ++v)
+    std::copy_n(&scene.positions[3 * v], 3, &other.positions[3 * new_index[v]]);
   std::vector<size_t> faces(scene.offsets.size() - 1);
   std::iota(faces.begin(), faces.end(), size_t{0});
   std::shuffle(faces.begin(), faces.end(), random);
   for (const size_t f : faces) {
     std::vector<uint32_t> face(scene.corners.begin() + scene.offsets[f], scene.corners.begin() + scene.offsets[f + 1]);
-    for (uint32_t& v : face) v = place[v];
+    for (uint32_t& v : face) v = new_index[v];
     if (face.size() == 3) std::rotate(face.begin(), face.begin() + 1, face.end());
     other.add_face(face);
   }
-  const RiggedScene a(scene, sinew_rig_options_init()), b(other, sinew_rig_options_init());
+  const RiggedScene a(scene, SINEW_INIT(sinew_rig_options)), b(other, SINEW_INIT(sinew_rig_options));
   a.expect_sound();
   EXPECT_TRUE(a.same_as(b));
 }
@@ -97,12 +98,13 @@ TEST(SkeletonOfAMesh, InsideOutIsTheSame) {
   MeshScene turned = scene;
   for (size_t f = 0; f + 1 < scene.offsets.size(); ++f)
     std::reverse(turned.corners.begin() + scene.offsets[f], turned.corners.begin() + scene.offsets[f + 1]);
-  EXPECT_TRUE(RiggedScene(scene, sinew_rig_options_init()).same_as(RiggedScene(turned, sinew_rig_options_init())));
+  EXPECT_TRUE(
+      RiggedScene(scene, SINEW_INIT(sinew_rig_options)).same_as(RiggedScene(turned, SINEW_INIT(sinew_rig_options))));
 }
 
 TEST(SkeletonOfAMesh, EveryKernelGivesTheSame) {
   const MeshScene scene = from_file("biped__robed.obj");
-  sinew_rig_options options = sinew_rig_options_init();
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   options.kernel = SINEW_KERNEL_REF;
   const RiggedScene reference(scene, options);
   reference.expect_sound();
@@ -116,10 +118,10 @@ TEST(SkeletonOfAMesh, EveryKernelGivesTheSame) {
   }
 }
 
-// Places move with the mesh, and axes follow it.
+// Positions move with the mesh, and axes follow it.
 TEST(SkeletonOfAMesh, FarAwayTinyOrZUpIsTheSameSkeleton) {
   const MeshScene scene = from_file("biped__robot.obj");
-  const RiggedScene plain(scene, sinew_rig_options_init());
+  const RiggedScene plain(scene, SINEW_INIT(sinew_rig_options));
   const auto changed = [&](float scale, float offset, bool z_up) {
     MeshScene other = scene;
     for (uint32_t v = 0; v < scene.vertex_count(); ++v) {
@@ -127,7 +129,7 @@ TEST(SkeletonOfAMesh, FarAwayTinyOrZUpIsTheSameSkeleton) {
       const float turned[3] = {x, z_up ? -z : y, z_up ? y : z};
       for (uint32_t axis = 0; axis < 3; ++axis) other.positions[3 * v + axis] = scale * turned[axis] + offset;
     }
-    sinew_rig_options options = sinew_rig_options_init();
+    sinew_rig_options options = SINEW_INIT(sinew_rig_options);
     options.up = z_up ? SINEW_UP_Z : SINEW_UP_Y;
     return RiggedScene(other, options);
   };
@@ -150,16 +152,16 @@ TEST(SkeletonOfAMesh, FarAwayTinyOrZUpIsTheSameSkeleton) {
 // Left stays left, whichever way the figure looks.
 TEST(SkeletonOfAMesh, ItIsFoundWhicheverWayItFaces) {
   const MeshScene scene = from_file("quadruped__tailed.obj");
-  const RiggedScene plain(scene, sinew_rig_options_init());
+  const RiggedScene plain(scene, SINEW_INIT(sinew_rig_options));
   for (uint32_t quarters = 0; quarters < 4; ++quarters) {
     MeshScene other = scene;  // facing +z, +x, -z, -x
     for (uint32_t v = 0; v < scene.vertex_count(); ++v) {
       const float x = scene.positions[3 * v], z = scene.positions[3 * v + 2];
-      const float places[4][2] = {{x, z}, {z, -x}, {-x, -z}, {-z, x}};
-      other.positions[3 * v] = places[quarters][0];
-      other.positions[3 * v + 2] = places[quarters][1];
+      const float positions[4][2] = {{x, z}, {z, -x}, {-x, -z}, {-z, x}};
+      other.positions[3 * v] = positions[quarters][0];
+      other.positions[3 * v + 2] = positions[quarters][1];
     }
-    const RiggedScene rigged(other, sinew_rig_options_init());
+    const RiggedScene rigged(other, SINEW_INIT(sinew_rig_options));
     rigged.expect_sound();
     EXPECT_EQ(rigged.outputs.facing, quarters);
     // Points lie elsewhere on the turned mesh, so a joint may come or go, and those behind it have other numbers; where one
@@ -167,13 +169,13 @@ TEST(SkeletonOfAMesh, ItIsFoundWhicheverWayItFaces) {
     size_t shared = 0;
     for (uint32_t j = 0; j < plain.count; ++j) {
       const float x = plain.positions[3 * j], z = plain.positions[3 * j + 2];
-      const float places[4][2] = {{x, z}, {z, -x}, {-x, -z}, {-z, x}};
+      const float positions[4][2] = {{x, z}, {z, -x}, {-x, -z}, {-z, x}};
       bool found = false;
       for (uint32_t k = 0; k < rigged.count; ++k) {
         found = found || (rigged.classes[k] == plain.classes[j] && rigged.flags[k] == plain.flags[j] &&
-                          std::hypot(rigged.positions[3 * k] - places[quarters][0],
+                          std::hypot(rigged.positions[3 * k] - positions[quarters][0],
                                      rigged.positions[3 * k + 1] - plain.positions[3 * j + 1],
-                                     rigged.positions[3 * k + 2] - places[quarters][1]) < 0.1f);
+                                     rigged.positions[3 * k + 2] - positions[quarters][1]) < 0.1f);
       }
       shared += found ? 1 : 0;
     }
@@ -183,8 +185,8 @@ TEST(SkeletonOfAMesh, ItIsFoundWhicheverWayItFaces) {
 
 TEST(SkeletonOfAMesh, OptionsAreKept) {
   const MeshScene scene = from_file("biped__robot.obj");
-  sinew_rig_options options = sinew_rig_options_init();
-  options.no_ends = options.no_toes = 1;
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
+  options.without = SINEW_WITHOUT_ENDS | SINEW_WITHOUT_TOES;
   options.spine_count = 5;
   const RiggedScene rigged(scene, options);
   rigged.expect_sound();
@@ -195,7 +197,7 @@ TEST(SkeletonOfAMesh, OptionsAreKept) {
     spine += rigged.classes[j] == SINEW_CLASS_SPINE ? 1 : 0;
   }
   EXPECT_EQ(spine, 5u);
-  options = sinew_rig_options_init();
+  options = SINEW_INIT(sinew_rig_options);
   options.mirror = SINEW_MIRROR_NEVER;
   const RiggedScene apart(scene, options);
   apart.expect_sound();
@@ -207,10 +209,13 @@ TEST(SkeletonOfAMesh, OptionsAreKept) {
 // What it gives is what sinew_bind() takes.
 TEST(SkeletonOfAMesh, TheSkeletonCanBeBoundAtOnce) {
   const MeshScene scene = from_file("quadruped__tailed.obj");
-  const RiggedScene rigged(scene, sinew_rig_options_init());
+  const RiggedScene rigged(scene, SINEW_INIT(sinew_rig_options));
   rigged.expect_sound();
   const sinew_mesh mesh = scene.mesh_view();
-  sinew_skeleton skeleton = sinew_skeleton_init(rigged.positions.data(), rigged.parents.data(), rigged.count);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+  skeleton.positions = rigged.positions.data();
+  skeleton.parents = rigged.parents.data();
+  skeleton.joint_count = rigged.count;
   skeleton.flags = rigged.flags.data();
   size_t bytes = 0;
   ASSERT_EQ(sinew_bind_workspace_size(bundled_model(), mesh.vertex_count, mesh.face_count, mesh.corner_count,
@@ -218,7 +223,9 @@ TEST(SkeletonOfAMesh, TheSkeletonCanBeBoundAtOnce) {
             SINEW_OK);
   const sinew::Workspace block(bytes);
   std::vector<uint16_t> joints(4 * mesh.vertex_count), weights(joints);
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = joints.data();
+  outputs.weights = weights.data();
   ASSERT_EQ(sinew_bind(bundled_model(), &mesh, &skeleton, nullptr, block.data(), bytes, &outputs), SINEW_OK);
   for (size_t i = 0; i < joints.size(); ++i) {
     if (weights[i] > 0) {
@@ -240,7 +247,7 @@ MeshScene post_with_arms() {
 
 // Without a model: the middle line of every limb, with an end in it.
 TEST(SkeletonOfAMesh, TheShapeAloneGivesALineThroughEveryLimb) {
-  sinew_rig_options options = sinew_rig_options_init();
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   options.method = SINEW_RIG_SHAPE;
   const RiggedScene rigged(post_with_arms(), options, nullptr);
   rigged.expect_sound();
@@ -275,7 +282,7 @@ TEST(SkeletonOfAMesh, TheShapeAloneGivesALineThroughEveryLimb) {
 
 // As published: nodes of boxes around pieces, joined where the pieces touch. Every piece of the post has some.
 TEST(SkeletonOfAMesh, RegionsOfTheSurfaceGiveATreeThroughEveryPart) {
-  sinew_rig_options options = sinew_rig_options_init();
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   options.method = SINEW_RIG_REGIONS;
   const RiggedScene rigged(post_with_arms(), options, nullptr);
   rigged.expect_sound();
@@ -304,8 +311,8 @@ TEST(SkeletonOfAMesh, ASheetIsSaidToBeUnknown) {
   for (int i = 0; i < 100; ++i) sheet.add_vertex(static_cast<float>(i % 10), static_cast<float>(i / 10), 0);
   for (uint32_t y = 0; y < 9; ++y)
     for (uint32_t x = 0; x < 9; ++x) sheet.add_face({10 * y + x, 10 * y + x + 1, 10 * y + x + 11, 10 * y + x + 10});
-  EXPECT_GE(RiggedScene(sheet, sinew_rig_options_init()).outputs.spread, 0.1f);
-  EXPECT_LT(RiggedScene(from_file("biped__robot.obj"), sinew_rig_options_init()).outputs.spread, 0.1f);
+  EXPECT_GE(RiggedScene(sheet, SINEW_INIT(sinew_rig_options)).outputs.spread, 0.1f);
+  EXPECT_LT(RiggedScene(from_file("biped__robot.obj"), SINEW_INIT(sinew_rig_options)).outputs.spread, 0.1f);
 }
 
 TEST(SkeletonOfAMesh, RubbishGetsAtLeastOneJoint) {
@@ -346,7 +353,7 @@ TEST(SkeletonOfAMesh, RubbishGetsAtLeastOneJoint) {
   for (size_t i = 0; i < scenes.size(); ++i) {
     SCOPED_TRACE(i);
     for (const uint32_t mirror : {SINEW_MIRROR_AUTO, SINEW_MIRROR_ALWAYS, SINEW_MIRROR_NEVER}) {
-      sinew_rig_options options = sinew_rig_options_init();
+      sinew_rig_options options = SINEW_INIT(sinew_rig_options);
       options.mirror = mirror;
       RiggedScene(scenes[i], options).expect_sound();
       for (const uint32_t method : {uint32_t{SINEW_RIG_SHAPE}, uint32_t{SINEW_RIG_REGIONS}}) {
@@ -369,12 +376,12 @@ TEST(SkeletonOfAMesh, RandomMeshesAreSound) {
       scene.add_vertex(static_cast<float>(below(64)) / 8, static_cast<float>(below(64)) / 8,
                        flat * static_cast<float>(below(64)) / 8);
     for (uint32_t f = 0; f < faces; ++f) scene.add_face({below(vertices), below(vertices), below(vertices)});
-    sinew_rig_options options = sinew_rig_options_init();
+    sinew_rig_options options = SINEW_INIT(sinew_rig_options);
     options.mirror = below(3);
     options.up = below(2) == 0 ? SINEW_UP_Y : SINEW_UP_Z;
     options.spine_count = below(5);
-    options.no_toes = below(2);
-    options.no_ends = below(2);
+    options.without = below(2) * SINEW_WITHOUT_TOES;
+    options.without |= below(2) * SINEW_WITHOUT_ENDS;
     RiggedScene(scene, options).expect_sound();
     for (const uint32_t method : {uint32_t{SINEW_RIG_SHAPE}, uint32_t{SINEW_RIG_REGIONS}}) {
       options.method = method;
@@ -386,24 +393,24 @@ TEST(SkeletonOfAMesh, RandomMeshesAreSound) {
 TEST(SkeletonOfAMesh, WrongCallsAreRefused) {
   MeshScene scene;
   add_cube(&scene, 0, 0, 0);
-  sinew_rig_options options = sinew_rig_options_init();
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   EXPECT_EQ(RiggedScene(scene, options, nullptr).status, SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(RiggedScene(scene, options, bundled_model()).status, SINEW_ERROR_MODEL_TASK);
   EXPECT_EQ(RiggedScene(scene, options, bundled_rig_model(), 64).status, SINEW_ERROR_WORKSPACE);
   options.mirror = 3;
   EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_ARGUMENT);
-  options = sinew_rig_options_init();
+  options = SINEW_INIT(sinew_rig_options);
   options.spine_count = 17;
   EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_ARGUMENT);
-  options = sinew_rig_options_init();
+  options = SINEW_INIT(sinew_rig_options);
   options.method = SINEW_RIG_SLOTS + 1;
   EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_ARGUMENT);
   options.method = SINEW_RIG_SLOTS;  // with the votes' model
   EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_MODEL_TASK);
-  options = sinew_rig_options_init();
+  options = SINEW_INIT(sinew_rig_options);
   options.struct_size = 0;
   EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_ARGUMENT);
-  options = sinew_rig_options_init();
+  options = SINEW_INIT(sinew_rig_options);
   scene.positions[4] = std::numeric_limits<float>::quiet_NaN();
   const RiggedScene nan(scene, options);
   EXPECT_EQ(nan.status, SINEW_ERROR_NOT_FINITE);
@@ -420,7 +427,7 @@ TEST(SkeletonOfAMesh, WrongCallsAreRefused) {
 
 TEST(SkeletonOfAMesh, CancelStops) {
   MeshScene scene = from_file("biped__robot.obj");
-  sinew_rig_options options = sinew_rig_options_init();
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   struct Count {
     uint32_t calls = 0, stop_at = 0, last = 0;
   } count;

@@ -35,13 +35,13 @@ struct Reference {
 // out.
 void solve_part(const Mesh& mesh, uint32_t c, Eigen::VectorXd* values, Eigen::MatrixXd* vectors) {
   const uint32_t n = mesh.part_sizes[c], first = mesh.part_offsets[c];
-  std::vector<int> place(mesh.welded_count, -1);
-  for (uint32_t i = 0; i < n; ++i) place[mesh.part_vertices[first + i]] = static_cast<int>(i);
+  std::vector<int> row(mesh.welded_count, -1);
+  for (uint32_t i = 0; i < n; ++i) row[mesh.part_vertices[first + i]] = static_cast<int>(i);
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd mass = Eigen::VectorXd::Zero(n);
   for (uint32_t t = 0; t < mesh.triangle_count; ++t) {
     const uint32_t* corner = mesh.triangles + 3 * size_t{t};
-    if (place[corner[0]] < 0) continue;
+    if (row[corner[0]] < 0) continue;
     Vec p[3];
     for (int k = 0; k < 3; ++k) {
       const Vec3i& q = mesh.positions[corner[k]];
@@ -51,9 +51,9 @@ void solve_part(const Mesh& mesh, uint32_t c, Eigen::VectorXd* values, Eigen::Ma
     for (int k = 0; k < 3; ++k) {
       const Vec u = p[(k + 1) % 3] - p[k], v = p[(k + 2) % 3] - p[k];
       const double w = 0.5 * u.dot(v) / doubled;
-      const int i = place[corner[(k + 1) % 3]], j = place[corner[(k + 2) % 3]];
+      const int i = row[corner[(k + 1) % 3]], j = row[corner[(k + 2) % 3]];
       entries.insert(entries.end(), {{i, j, -w}, {j, i, -w}, {i, i, w}, {j, j, w}});
-      mass[place[corner[k]]] += doubled / 6;
+      mass[row[corner[k]]] += doubled / 6;
     }
   }
   mass /= mass.sum();

@@ -31,7 +31,7 @@ Bound bind_scene(const sinew_test::HeatScene& scene, uint32_t threads, sinew_par
   Bound bound;
   std::vector<uint8_t> hints(scene.vertex_count(), 0);
   for (size_t v = 0; v < hints.size(); v += 97) hints[v] = 1;
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.grid_size = 32;
   options.method = extras.method;
   options.rigid_parts = extras.rigid_parts;

@@ -15,14 +15,14 @@ namespace {
 using namespace sinew;
 
 enum class Positions { kNear, kSquashed, kCollapsed, kFar };
-constexpr Positions kPlaces[] = {Positions::kNear, Positions::kSquashed, Positions::kCollapsed, Positions::kFar};
+constexpr Positions kLayouts[] = {Positions::kNear, Positions::kSquashed, Positions::kCollapsed, Positions::kFar};
 
 // Entries with nodes of their own, in runs of eight and of four but for some that stand between runs.
 class Scene {
  public:
-  Scene(uint32_t entries, uint32_t nodes_of_entry, Positions places, uint32_t seed) : random_(seed), flags(entries) {
+  Scene(uint32_t entries, uint32_t nodes_of_entry, Positions layout, uint32_t seed) : random_(seed), flags(entries) {
     for (uint32_t n = 0; n < entries * nodes_of_entry; ++n)
-      nodes.push_back({place(n % nodes_of_entry, places), random_() % 5 != 0 ? -1 : 0});
+      nodes.push_back({position(n % nodes_of_entry, layout), random_() % 5 != 0 ? -1 : 0});
     for (uint32_t k = 0; k + 8 <= entries; k += random_() % 3 == 0 ? 1 : 0) {
       const bool eight = random_() % 2 == 0;
       flags[k] = eight ? kRunOfFour | kRunOfEight : kRunOfFour;
@@ -35,12 +35,12 @@ class Scene {
 
  private:
   // Of a corner of a tetrahedron of its cell.
-  Vec3i place(uint32_t corner, Positions places) {
+  Vec3i position(uint32_t corner, Positions layout) {
     constexpr int32_t kCorners[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    if (places == Positions::kCollapsed) return {7, 7, 7};
-    if (places == Positions::kFar) return {within(1 << 28), within(1 << 28), within(1 << 28)};
+    if (layout == Positions::kCollapsed) return {7, 7, 7};
+    if (layout == Positions::kFar) return {within(1 << 28), within(1 << 28), within(1 << 28)};
     const int32_t* const c = kCorners[corner];
-    const int32_t off = kCellUnits / 3, high = places == Positions::kSquashed ? 40 : kCellUnits;
+    const int32_t off = kCellUnits / 3, high = layout == Positions::kSquashed ? 40 : kCellUnits;
     return {c[0] * kCellUnits + within(off), c[1] * kCellUnits + within(off), c[2] * high + within(high / 3)};
   }
   std::mt19937 random_;
@@ -73,14 +73,14 @@ void expect_same(const std::vector<SolverNode>& a, const std::vector<SolverNode>
 
 TEST(ConstraintVariants, VolumesAreTheReference) {
   for (const ConstraintKernels& variant : variants()) {
-    for (const Positions places : kPlaces) {
+    for (const Positions layout : kLayouts) {
       for (const uint8_t kind : {uint8_t{0}, kLargeVolume}) {
-        Scene scene(257, 4, places, 3 * static_cast<uint32_t>(places) + kind);
+        Scene scene(257, 4, layout, 3 * static_cast<uint32_t>(layout) + kind);
         std::vector<uint32_t> corners(scene.nodes.size());
         for (uint32_t n = 0; n < corners.size(); ++n) corners[n] = n;
         for (uint8_t& flags : scene.flags) flags |= kind;
         std::vector<SolverNode> expected = scene.nodes, found = scene.nodes;
-        for (uint32_t round = 0; round < (places == Positions::kFar ? 1u : 6u); ++round) {
+        for (uint32_t round = 0; round < (layout == Positions::kFar ? 1u : 6u); ++round) {
           const VolumeList a = {corners.data(), scene.flags.data(), expected.data()},
                            b = {corners.data(), scene.flags.data(), found.data()};
           const uint32_t count = static_cast<uint32_t>(scene.flags.size());
@@ -90,7 +90,7 @@ TEST(ConstraintVariants, VolumesAreTheReference) {
         }
         size_t moved = 0;
         for (size_t n = 0; n < expected.size(); ++n) moved += expected[n].position == scene.nodes[n].position ? 0 : 1;
-        EXPECT_EQ(moved > expected.size() / 10, places != Positions::kCollapsed) << moved;
+        EXPECT_EQ(moved > expected.size() / 10, layout != Positions::kCollapsed) << moved;
       }
     }
   }
@@ -98,19 +98,19 @@ TEST(ConstraintVariants, VolumesAreTheReference) {
 
 TEST(ConstraintVariants, EdgesAreTheReference) {
   for (const ConstraintKernels& variant : variants()) {
-    for (const Positions places : kPlaces) {
+    for (const Positions layout : kLayouts) {
       for (const int64_t softness : {0, 77, 1 << 20}) {
-        Scene scene(257, 2, places, 5 * static_cast<uint32_t>(places) + static_cast<uint32_t>(softness));
+        Scene scene(257, 2, layout, 5 * static_cast<uint32_t>(layout) + static_cast<uint32_t>(softness));
         const EdgeRates rates = {softness, {(1 << 24) / (256 + softness), (1 << 24) / (512 + softness)}};
         std::vector<uint32_t> ends(scene.nodes.size());
         for (uint32_t n = 0; n < ends.size(); ++n) ends[n] = n;
         const std::vector<int32_t> rests(scene.flags.size(), 16 * kCellUnits);
         std::vector<int32_t> first;
         for (uint32_t i = 0; i < scene.flags.size(); ++i)
-          first.push_back(scene.within(places == Positions::kFar ? 1 << 30 : 99999));
+          first.push_back(scene.within(layout == Positions::kFar ? 1 << 30 : 99999));
         std::vector<int32_t> same = first;
         std::vector<SolverNode> expected = scene.nodes, found = scene.nodes;
-        for (uint32_t round = 0; round < (places == Positions::kFar ? 1u : 6u); ++round) {
+        for (uint32_t round = 0; round < (layout == Positions::kFar ? 1u : 6u); ++round) {
           const EdgeList a = {rates, ends.data(), rests.data(), first.data(), scene.flags.data(), expected.data()},
                          b = {rates, ends.data(), rests.data(), same.data(), scene.flags.data(), found.data()};
           const uint32_t count = static_cast<uint32_t>(first.size());

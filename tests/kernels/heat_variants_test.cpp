@@ -100,15 +100,15 @@ TEST(FrontVariants, ProductsEqualTheReference) {
   }
 }
 
-// A front of some places, their exponents, and what stands there.
+// A front of some rows, their exponents, and what stands there.
 struct SolveCase {
-  static constexpr uint32_t kPlaces = 12;
+  static constexpr uint32_t kRows = 12;
   std::vector<int8_t> exponents;
   std::vector<int64_t> inverse;
   std::vector<int32_t> x;
 
-  SolveCase(Values* values, int kind) : x(values->take(kPlaces * size_t{kFrontBatch}, kind)) {
-    for (uint32_t i = 0; i < kPlaces; ++i) {
+  SolveCase(Values* values, int kind) : x(values->take(kRows * size_t{kFrontBatch}, kind)) {
+    for (uint32_t i = 0; i < kRows; ++i) {
       exponents.push_back(static_cast<int8_t>(-5 + static_cast<int>((i * 7) % 25)));  // up to 24 below the front's 19
       inverse.push_back(static_cast<int64_t>(static_cast<uint32_t>(values->next(1))) << (kind == 0 ? 0 : 8));
     }
@@ -123,20 +123,21 @@ TEST(FrontVariants, SolveEqualsTheReference) {
     for (int kind = 0; kind < 3; ++kind) {
       for (const bool forward : {true, false}) {
         for (uint32_t count = 1; count <= kFrontColumns; ++count) {
-          for (uint32_t place = 0; place + count <= SolveCase::kPlaces; ++place) {
+          for (uint32_t position = 0; position + count <= SolveCase::kRows; ++position) {
             SolveCase expected(&values, kind), out = expected;
-            const size_t height = kFrontColumns + place;
+            const size_t height = kFrontColumns + position;
             const std::vector<int32_t> g = values.take(kFrontColumns * height, kind);
             std::vector<int64_t> sums;
             for (uint32_t i = 0; i < count * kFrontBatch; ++i)
               sums.push_back(static_cast<int64_t>(values.next(kind)) * values.next(kind));
             std::vector<int64_t> sums_too = sums;
             std::vector<int32_t> expected_scaled(count * kFrontBatch, 1), scaled(expected_scaled.size(), 2);
-            front_solve_ref(expected.rows(), g.data(), height, place, count, forward, sums.data(),
+            front_solve_ref(expected.rows(), g.data(), height, position, count, forward, sums.data(),
                             expected_scaled.data());
-            variant.kernels.solve(out.rows(), g.data(), height, place, count, forward, sums_too.data(), scaled.data());
-            ASSERT_EQ(out.x, expected.x) << variant.name << " place " << place << " count " << count;
-            ASSERT_EQ(scaled, expected_scaled) << variant.name << " place " << place << " count " << count;
+            variant.kernels.solve(out.rows(), g.data(), height, position, count, forward, sums_too.data(),
+                                  scaled.data());
+            ASSERT_EQ(out.x, expected.x) << variant.name << " place " << position << " count " << count;
+            ASSERT_EQ(scaled, expected_scaled) << variant.name << " place " << position << " count " << count;
           }
         }
       }
@@ -146,23 +147,23 @@ TEST(FrontVariants, SolveEqualsTheReference) {
 
 TEST(FrontVariants, RowsEqualTheReference) {
   Values values;
-  const std::vector<uint32_t> places = {11, 0, 3, 4, 9, 1};
+  const std::vector<uint32_t> positions = {11, 0, 3, 4, 9, 1};
   for (const Variant& variant : variants()) {
     ASSERT_NE(variant.kernels.subtract, front_subtract_ref) << variant.name;
     ASSERT_NE(variant.kernels.load, front_load_ref) << variant.name;
     ASSERT_NE(variant.kernels.above, front_above_ref) << variant.name;
     for (int kind = 0; kind < 3; ++kind) {
-      for (uint32_t count = 0; count <= places.size(); ++count) {
+      for (uint32_t count = 0; count <= positions.size(); ++count) {
         SolveCase expected(&values, kind), out = expected;
         std::vector<int64_t> sums;
         for (uint32_t i = 0; i < count * kFrontBatch; ++i)
           sums.push_back(static_cast<int64_t>(values.next(kind)) * values.next(kind));
         std::vector<int32_t> expected_scaled((count + 1) * kFrontBatch, 1), scaled = expected_scaled;
-        front_load_ref(expected.rows(), places.data(), count, expected_scaled.data());
-        variant.kernels.load(out.rows(), places.data(), count, scaled.data());
+        front_load_ref(expected.rows(), positions.data(), count, expected_scaled.data());
+        variant.kernels.load(out.rows(), positions.data(), count, scaled.data());
         ASSERT_EQ(scaled, expected_scaled) << variant.name << " count " << count;
-        front_subtract_ref(expected.rows(), places.data(), count, sums.data());
-        variant.kernels.subtract(out.rows(), places.data(), count, sums.data());
+        front_subtract_ref(expected.rows(), positions.data(), count, sums.data());
+        variant.kernels.subtract(out.rows(), positions.data(), count, sums.data());
         ASSERT_EQ(out.x, expected.x) << variant.name << " count " << count;
       }
       for (int round = 0; round < 200; ++round) {
@@ -181,7 +182,7 @@ TEST(FrontVariants, RowsEqualTheReference) {
   }
 }
 
-// By hand: two pivots of 1/2 whose off-diagonal entry is 1/4, both ways, on a place one power of two below its front.
+// By hand: two pivots of 1/2 whose off-diagonal entry is 1/4, both ways, on a row one power of two below its front.
 TEST(FrontVariants, TheReferenceSolvesATriangle) {
   const int8_t exponents[2] = {0, -1};
   const int64_t inverse[2] = {int64_t{2} << kFrontBits, int64_t{2} << kFrontBits};

@@ -159,7 +159,7 @@ TEST(ArtistProperty, TheTableUndoesWrongConfidence) {
   EXPECT_LT(reliability_across_families(judged).error, 0.015);
 }
 
-// One joint that is always right: a table of one place still has two entries.
+// One joint that is always right: a table of one step still has two entries.
 TEST(ArtistProperty, OneConfidenceMakesATableToo) {
   JudgedConfidence j;
   j.family = "one";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sinew_bind() on thousands of random and broken meshes and skeletons: never a crash, never an empty row, exact sums,
-// the workspace it asked for, the same bytes again, and no dependence on numbering, place or size.
+// the workspace it asked for, the same bytes again, and no dependence on numbering, position or size.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,8 +54,10 @@ sinew_mesh mesh_of(const Scene& scene) {
           static_cast<uint32_t>(scene.corners.size())};
 }
 sinew_skeleton skeleton_of(const Scene& scene) {
-  sinew_skeleton skeleton =
-      sinew_skeleton_init(scene.joints.data(), scene.parents.data(), static_cast<uint32_t>(scene.parents.size()));
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+  skeleton.positions = scene.joints.data();
+  skeleton.parents = scene.parents.data();
+  skeleton.joint_count = static_cast<uint32_t>(scene.parents.size());
   skeleton.up = scene.up;
   return skeleton;
 }
@@ -73,7 +75,9 @@ Rows bind(const Scene& scene, const sinew_model* model, sinew::Options options) 
   const size_t n = options.influence_count != 0 ? options.influence_count : 4;
   rows.joints.resize(mesh.vertex_count * n);
   rows.weights.resize(mesh.vertex_count * n);
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(rows.joints.data(), rows.weights.data());
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = rows.joints.data();
+  outputs.weights = rows.weights.data();
   rows.status = sinew_bind(model, &mesh, &skeleton, &options, block.data(), rows.asked, &outputs);
   rows.used = outputs.used_bytes;
   EXPECT_EQ(static_cast<uint8_t*>(block.data())[rows.asked], 0xA5) << "wrote behind the workspace";
@@ -193,7 +197,7 @@ TEST(BindProperty, TenThousandRandomScenes) {
   for (int i = 0; i < scenes; ++i) {
     Random random(static_cast<uint64_t>(i));
     Scene scene = random_scene(random);
-    sinew_options options = sinew_options_init();
+    sinew_bind_options options = SINEW_INIT(sinew_bind_options);
     options.influence_count = 1 + below(random, SINEW_MAX_INFLUENCES);
     options.grid_size = 16;
     options.candidate_count = below(random, SINEW_MAX_CANDIDATES + 1);
@@ -229,7 +233,7 @@ TEST(BindProperty, RenumberingChangesNothing) {
       other.offsets.push_back(static_cast<uint32_t>(other.corners.size()));
     }
     // Polygons are fans from their first corner, which stays first here.
-    sinew_options options = sinew_options_init();
+    sinew_bind_options options = SINEW_INIT(sinew_bind_options);
     options.grid_size = 32;
     options.surface_vertices = i % 2 != 0 ? 16 : 0;
     for (const sinew_model* model : {static_cast<const sinew_model*>(nullptr), bundled_model()}) {
@@ -256,7 +260,7 @@ TEST(BindProperty, InsideOutIsTheSame) {
       std::reverse(other.corners.begin() + static_cast<std::ptrdiff_t>(scene.offsets[f]),
                    other.corners.begin() + static_cast<std::ptrdiff_t>(scene.offsets[f + 1]));
     }
-    sinew_options options = sinew_options_init();
+    sinew_bind_options options = SINEW_INIT(sinew_bind_options);
     options.grid_size = 32;
     options.surface_vertices = i % 2 != 0 ? 16 : 0;
     options.symmetric = i % 3 == 0 ? 1 : 0;
@@ -332,10 +336,13 @@ TEST(BindProperty, LockedRowsAndExcludedJoints) {
                            static_cast<uint32_t>(scene.offsets.size() - 1),
                            static_cast<uint32_t>(scene.corners.size())};
   std::vector<uint8_t> flags = {0, SINEW_JOINT_NEVER, 0, 0}, locked(n, 0);
-  sinew_skeleton skeleton = sinew_skeleton_init(scene.joints.data(), scene.parents.data(), 4);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+  skeleton.positions = scene.joints.data();
+  skeleton.parents = scene.parents.data();
+  skeleton.joint_count = 4;
   skeleton.flags = flags.data();
   locked[5] = 1;
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.method = SINEW_METHOD_HEAT;
   options.locked = locked.data();
   size_t bytes = 0;
@@ -344,7 +351,9 @@ TEST(BindProperty, LockedRowsAndExcludedJoints) {
   std::vector<uint16_t> joints(n * 4, 0), weights(n * 4, 0);
   joints[20] = 1;
   weights[20] = 65535;
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = joints.data();
+  outputs.weights = weights.data();
   ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, &outputs), SINEW_OK);
   EXPECT_EQ(joints[20], 1);
   EXPECT_EQ(weights[20], 65535);
@@ -373,7 +382,7 @@ TEST(BindProperty, CancelStopsAtEveryCallAndProgressRises) {
     uint32_t last = 0;
     bool fell = false;
   };
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.progress = [](void* user, uint32_t done) {
     Watch& w = *static_cast<Watch*>(user);
     w.fell = w.fell || done < w.last || done > 1000;
@@ -404,7 +413,7 @@ TEST(BindProperty, WeightFormatsAgree) {
   const sinew_mesh mesh = mesh_of(scene);
   const sinew_skeleton skeleton = skeleton_of(scene);
   const uint32_t n = mesh.vertex_count;
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.method = SINEW_METHOD_HEAT;
   size_t bytes = 0;
   ASSERT_EQ(
@@ -414,7 +423,9 @@ TEST(BindProperty, WeightFormatsAgree) {
   std::vector<uint16_t> joints(n * 4), wide(n * 4);
   std::vector<float> real(n * 4);
   std::vector<uint8_t> narrow(n * 4);
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), wide.data());
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = joints.data();
+  outputs.weights = wide.data();
   ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, &outputs), SINEW_OK);
   options.weight_format = SINEW_WEIGHT_FLOAT;
   outputs.weights = real.data();
@@ -464,7 +475,9 @@ void bind_painted(const Scene& scene, const sinew_model* model, sinew::Options o
                                              skeleton.joint_count, &options, &p->rows.asked);
   ASSERT_EQ(p->rows.status, SINEW_OK);
   const Block block(p->rows.asked);
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(p->rows.joints.data(), p->rows.weights.data());
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = p->rows.joints.data();
+  outputs.weights = p->rows.weights.data();
   p->rows.status = sinew_bind(model, &mesh, &skeleton, &options, block.data(), p->rows.asked, &outputs);
   p->rows.used = outputs.used_bytes;
 }
@@ -476,7 +489,7 @@ TEST(BindProperty, HintsAreKeptAndRowsStaySound) {
     const Scene scene = random_scene(random);
     const Painted given = paint(random, scene, 1 + below(random, 40));
     Painted out = given;
-    sinew_options options = sinew_options_init();
+    sinew_bind_options options = SINEW_INIT(sinew_bind_options);
     options.grid_size = 16;
     bind_painted(scene, i % 2 != 0 ? model : nullptr, options, &out);
     ASSERT_EQ(out.rows.status, SINEW_OK) << "scene " << i << ": " << sinew_status_text(out.rows.status);
@@ -501,7 +514,7 @@ TEST(BindProperty, HintsOnNothingChangeNothingAndOnAllKeepAll) {
     Random random(static_cast<uint64_t>(i) + 9500);
     const Scene scene = random_scene(random);
     const sinew_model* model = i % 2 != 0 ? bundled_model() : nullptr;
-    sinew_options options = sinew_options_init();
+    sinew_bind_options options = SINEW_INIT(sinew_bind_options);
     options.grid_size = 16;
     Painted none = paint(random, scene, 0);
     bind_painted(scene, model, options, &none);
@@ -575,7 +588,7 @@ TEST(BindProperty, HintsDoNotDependOnNumbering) {
     }
     for (uint32_t& c : other.corners) c = static_cast<uint32_t>(n) - 1 - c;
     Painted a = given;
-    sinew_options options = sinew_options_init();
+    sinew_bind_options options = SINEW_INIT(sinew_bind_options);
     options.grid_size = 16;
     const sinew_model* model = i % 2 != 0 ? bundled_model() : nullptr;
     bind_painted(scene, model, options, &a);

@@ -26,7 +26,7 @@ TestRig random_body(Draw& draw) {
   std::vector<int32_t> trunk = {rig.add("root", -1, 0, draw.range(0, 1), 0)};
   const bool lying = draw.chance(30);
   for (uint32_t n = draw.below(9); n > 0; --n) {
-    const float* const p = &rig.places[3 * static_cast<size_t>(trunk.back())];
+    const float* const p = &rig.positions[3 * static_cast<size_t>(trunk.back())];
     const float x = p[0], y = p[1], z = p[2], step = draw.chance(10) ? 0 : draw.range(0.05f, 0.3f);
     trunk.push_back(rig.add(kNames[draw.below(14)], trunk.back(), x, y + (lying ? 0 : step), z + (lying ? step : 0)));
   }
@@ -38,7 +38,7 @@ TestRig random_body(Draw& draw) {
     for (const float side : {1.0f, -1.0f}) {
       if (side < 0 && draw.chance(8)) break;  // a limb without its like
       int32_t last = at;
-      const float* const p = &rig.places[3 * static_cast<size_t>(at)];
+      const float* const p = &rig.positions[3 * static_cast<size_t>(at)];
       float x = p[0], y = p[1], z = p[2];
       for (uint32_t j = 0; j < joints; ++j) {
         x += side * dx;
@@ -57,7 +57,7 @@ TestRig random_body(Draw& draw) {
   return rig;
 }
 
-// Any tree at any places.
+// Any tree at any positions.
 TestRig random_tree(Draw& draw, uint32_t joints, int kind) {
   TestRig rig;
   const float flat = draw.chance(20) ? 0.0f : 1.0f;
@@ -70,7 +70,7 @@ TestRig random_tree(Draw& draw, uint32_t joints, int kind) {
     if (kind == 3 && i == 0) parent = -1;
     const bool again = i > 0 && draw.chance(15);  // a bone without length
     const float x = draw.range(-1, 1), y = flat * draw.range(-1, 1), z = draw.range(-1, 1);
-    const float* const p = again ? &rig.places[3 * static_cast<size_t>(i - 1)] : nullptr;
+    const float* const p = again ? &rig.positions[3 * static_cast<size_t>(i - 1)] : nullptr;
     const float at[3] = {again ? p[0] : x, again ? p[1] : y, again ? p[2] : z};
     rig.add(kNames[draw.below(14)], parent, at[0], at[1], at[2], draw.chance(10));
   }

@@ -14,7 +14,7 @@ namespace {
 
 using namespace sinew_test;
 
-// A chain, a star, a random tree, joints at one place, of one to eighty joints in any size.
+// A chain, a star, a random tree, joints at one position, of one to eighty joints in any size.
 MotionScene random_rig(std::mt19937& random, uint32_t most) {
   MotionScene scene;
   const uint32_t count = 1 + static_cast<uint32_t>(random()) % most, kind = static_cast<uint32_t>(random()) % 4;
@@ -26,8 +26,8 @@ MotionScene random_rig(std::mt19937& random, uint32_t most) {
                            : kind == 0 ? before
                            : kind == 1 ? 0
                                        : static_cast<int32_t>(random() % (j + 1)) - 1;
-    const Vec3d place = kind == 3 && random() % 2 == 0 ? Vec3d{0, 0, 0} : Vec3d{draw(), draw(), draw()};
-    scene.add(place, parent, static_cast<uint8_t>(random() % 26));
+    const Vec3d position = kind == 3 && random() % 2 == 0 ? Vec3d{0, 0, 0} : Vec3d{draw(), draw(), draw()};
+    scene.add(position, parent, static_cast<uint8_t>(random() % 26));
   }
   if (random() % 2 == 0) {
     for (uint32_t i = 0; i < 4 * count; ++i) scene.rotations.push_back(static_cast<float>(draw() / size));
@@ -87,13 +87,13 @@ TEST(MotionProperty, RandomRigsGiveFinitePosesOfTheirOwnBones) {
         target.count());  // the same joints in another order; no limbs, of which a random rig may have two in one
     std::iota(order.begin(), order.end(), 0u);
     std::shuffle(order.begin(), order.end(), random);
-    std::vector<int32_t> place(order.size()), shuffled_map;
-    for (size_t i = 0; i < order.size(); ++i) place[order[i]] = static_cast<int32_t>(i);
+    std::vector<int32_t> new_index(order.size()), shuffled_map;
+    for (size_t i = 0; i < order.size(); ++i) new_index[order[i]] = static_cast<int32_t>(i);
     MotionScene shuffled;
     shuffled.up = target.up;
     for (const uint32_t t : order) {
       const int32_t parent = target.parents[t];
-      shuffled.add(target.at(t), parent < 0 ? -1 : place[static_cast<size_t>(parent)], target.classes[t]);
+      shuffled.add(target.at(t), parent < 0 ? -1 : new_index[static_cast<size_t>(parent)], target.classes[t]);
       if (!target.rotations.empty())
         shuffled.rotations.insert(shuffled.rotations.end(), &target.rotations[4 * t], &target.rotations[4 * t] + 4);
       shuffled_map.push_back(map[t]);

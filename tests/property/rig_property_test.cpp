@@ -152,7 +152,7 @@ MeshScene base_mesh(uint32_t kind, Draw& draw) {
                   6 + draw.below(20), 3 + draw.below(8));
       break;
     }
-    case kDuplicates: {  // everything two or three times in one place, and faces twice over
+    case kDuplicates: {  // everything two or three times at one position, and faces twice over
       add_figure(&scene, draw);
       const MeshScene once = scene;
       const uint32_t copies = 1 + draw.below(2);
@@ -199,11 +199,14 @@ MeshScene random_mesh(uint32_t seed) {
 
 void expect_binds(const MeshScene& scene, const RiggedScene& rigged) {
   const sinew_mesh mesh = scene.mesh_view();
-  sinew_skeleton skeleton = sinew_skeleton_init(rigged.positions.data(), rigged.parents.data(), rigged.count);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+  skeleton.positions = rigged.positions.data();
+  skeleton.parents = rigged.parents.data();
+  skeleton.joint_count = rigged.count;
   skeleton.flags = rigged.flags.data();
   sinew::Workspace workspace;
   sinew::Skin<uint16_t> skin;
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.grid_size = 16;
   ASSERT_EQ(sinew::bind(bundled_model(), mesh, skeleton, options, &workspace, &skin), SINEW_OK);
   for (size_t i = 0; i < skin.joint_indices.size(); ++i) {
@@ -224,12 +227,12 @@ TEST(RigProperty, RandomMeshesGetSoundSkeletons) {
     SCOPED_TRACE(seed);
     const MeshScene scene = random_mesh(seed);
     Draw draw(seed + 1000000);
-    sinew_rig_options options = sinew_rig_options_init();
+    sinew_rig_options options = SINEW_INIT(sinew_rig_options);
     options.up = draw.below(2) == 0 ? SINEW_UP_Y : SINEW_UP_Z;
     options.mirror = draw.below(3);
     options.spine_count = draw.chance(50) ? 0 : draw.below(17);
-    options.no_toes = draw.below(2);
-    options.no_ends = draw.below(2);
+    options.without = draw.below(2) * SINEW_WITHOUT_TOES;
+    options.without |= draw.below(2) * SINEW_WITHOUT_ENDS;
     const RiggedScene rigged(scene, options);
     rigged.expect_sound();
     if (HasFailure()) return;

@@ -56,7 +56,11 @@ struct BentTube {
             static_cast<uint32_t>(corners.size())};
   }
   sinew_skeleton skeleton() const {
-    return sinew_skeleton_init(joint_positions.data(), parents.data(), static_cast<uint32_t>(parents.size()));
+    sinew_skeleton view = SINEW_INIT(sinew_skeleton);
+    view.positions = joint_positions.data();
+    view.parents = parents.data();
+    view.joint_count = static_cast<uint32_t>(parents.size());
+    return view;
   }
   sinew_skin skin() const { return {joints.data(), weights.data(), 2, SINEW_WEIGHT_UNORM16}; }
 

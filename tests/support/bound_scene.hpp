@@ -26,7 +26,7 @@ inline uint16_t hinted_joint(const HeatScene& scene, uint32_t vertex) {
 }
 
 // `options` as they are, with confidence.
-inline BoundScene bind_scene(const HeatScene& scene, const sinew_options& options) {
+inline BoundScene bind_scene(const HeatScene& scene, const sinew_bind_options& options) {
   BoundScene bound;
   const sinew_mesh mesh = scene.mesh_view();
   const sinew_skeleton skeleton = scene.skeleton_view();
@@ -42,7 +42,9 @@ inline BoundScene bind_scene(const HeatScene& scene, const sinew_options& option
                                            skeleton.joint_count, &options, &bound.bytes);
   if (bound.status != SINEW_OK) return bound;
   const sinew::Workspace block(bound.bytes);
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(bound.joints.data(), bound.weights.data());
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = bound.joints.data();
+  outputs.weights = bound.weights.data();
   outputs.confidence = bound.confidence.data();
   bound.status = sinew_bind(bundled_model(), &mesh, &skeleton, &options, block.data(), bound.bytes, &outputs);
   bound.used = outputs.used_bytes;

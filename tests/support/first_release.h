@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-typedef struct sinew_options_0_1 {
+typedef struct sinew_bind_options_0_1 {
   uint32_t struct_size;
   uint32_t method;
   uint32_t influence_count;
@@ -28,7 +28,7 @@ typedef struct sinew_options_0_1 {
   void* parallel_user;
   int (*progress)(void* user, uint32_t done_permille);
   void* progress_user;
-} sinew_options_0_1;
+} sinew_bind_options_0_1;
 
 typedef struct sinew_bind_outputs_0_1 {
   uint32_t struct_size;
@@ -44,8 +44,8 @@ typedef struct sinew_rig_options_0_1 {
   uint32_t up;
   uint32_t mirror;
   uint32_t spine_count;
-  uint32_t no_toes;
-  uint32_t no_ends;
+  uint32_t without;
+  uint32_t reserved;
   uint32_t weights_in_place;
   uint32_t kernel;
   int (*progress)(void* user, uint32_t done_permille);
@@ -76,9 +76,9 @@ typedef struct sinew_deform_options_0_1 {
   uint32_t cell_count;
   uint32_t round_count;
   uint32_t softness;
-  uint32_t no_twist_spread;
-  uint32_t no_contact;
-  uint32_t no_smoothing;
+  uint32_t without;
+  uint32_t thread_count;
+  uint32_t body_contact;
 } sinew_deform_options_0_1;
 
 typedef struct sinew_deform_outputs_0_1 {
@@ -106,7 +106,7 @@ typedef struct sinew_contact_options_0_1 {
 typedef struct sinew_reference_options_0_1 {
   uint32_t struct_size;
   uint32_t area_power;
-  uint32_t no_own_limb;
+  uint32_t own_limb;
   uint32_t legs;
   float falloff;
   float least_cosine;

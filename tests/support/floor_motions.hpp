@@ -78,14 +78,14 @@ inline Pose posed(const MotionScene& scene, const Directions& d, Vec3d shift) {
 }
 
 // Lowest vertex of the boxes around joints, over the floor of the body at rest; all joints: `joint` -1.
-inline double lowest(const MotionScene& scene, const BoxBody& boxes, const Placed& pose, int joint) {
+inline double lowest(const MotionScene& scene, const BoxBody& boxes, const WorldPose& pose, int joint) {
   double rest = 1e9, low = 1e9;
   for (size_t v = 0; v < boxes.joints.size(); ++v) {
     const Vec3d p = vec(&boxes.positions[3 * v]);
     rest = std::min(rest, p.y);
     const size_t j = boxes.joints[v];
     if (joint >= 0 && j != static_cast<size_t>(joint)) continue;
-    low = std::min(low, (pose.places[j] + rotate(pose.rotations[j], p - scene.at(j))).y);
+    low = std::min(low, (pose.positions[j] + rotate(pose.rotations[j], p - scene.at(j))).y);
   }
   return low - rest;
 }
@@ -97,7 +97,7 @@ inline void fit_trunk(const MotionScene& scene, const BoxBody& boxes, uint32_t w
   double low = 0.3, high = kPi - 0.2;
   for (int i = 0; i < 20; ++i) {
     d->trunk = 0.5 * (low + high);
-    const Placed pose = placed(scene, posed(scene, *d, {0, 0, 0}));
+    const WorldPose pose = world_pose(scene, posed(scene, *d, {0, 0, 0}));
     const double hands = std::min(lowest(scene, boxes, pose, kLeftHand), lowest(scene, boxes, pose, kRightHand));
     (hands > lowest(scene, boxes, pose, static_cast<int>(with)) ? high : low) = d->trunk;
   }

@@ -18,7 +18,7 @@ class HandRows {
   explicit HandRows(uint32_t vertices)
       : joints_(size_t{vertices} * sinew::kRowSlots, sinew::kNoJoint),
         weights_(size_t{vertices} * sinew::kRowSlots, 0),
-        kinds_(vertices, sinew::Given::kFree) {
+        kinds_(vertices, sinew::GivenKind::kFree) {
     rows.joints = joints_.data();
     rows.weights = weights_.data();
     given.rows = rows;
@@ -31,7 +31,7 @@ class HandRows {
     rows.clear(vertex);
     for (const auto& [joint, weight] : row) rows.add(vertex, joint, weight);
   }
-  void give(uint32_t vertex, sinew::Given kind, std::initializer_list<std::pair<uint16_t, uint32_t>> row) {
+  void give(uint32_t vertex, sinew::GivenKind kind, std::initializer_list<std::pair<uint16_t, uint32_t>> row) {
     set(vertex, row);
     given.kind[vertex] = kind;
   }
@@ -54,7 +54,7 @@ class HandRows {
  private:
   std::vector<uint16_t> joints_;
   std::vector<uint32_t> weights_;
-  std::vector<sinew::Given> kinds_;
+  std::vector<sinew::GivenKind> kinds_;
 };
 
 // Runs stage(arena) in a block of the size that it asks for itself, less `missing` bytes.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ways to run sinew_options::parallel_for: real threads, and single-threaded orders that no real one is stranger than.
+// Ways to run sinew_bind_options::parallel_for: real threads, and single-threaded orders that no real one is stranger than.
 #ifndef SINEW_TESTS_LENT_THREADS_HPP
 #define SINEW_TESTS_LENT_THREADS_HPP
 

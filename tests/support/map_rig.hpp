@@ -15,13 +15,13 @@ namespace sinew_test {
 
 struct TestRig {
   std::vector<std::string> names;
-  std::vector<float> places;
+  std::vector<float> positions;
   std::vector<int32_t> parents;
   std::vector<uint8_t> ends;
 
   int32_t add(const std::string& name, int32_t parent, float x, float y, float z, bool end = false) {
     names.push_back(name);
-    places.insert(places.end(), {x, y, z});
+    positions.insert(positions.end(), {x, y, z});
     parents.push_back(parent);
     ends.push_back(end ? 1 : 0);
     return static_cast<int32_t>(names.size()) - 1;
@@ -83,7 +83,10 @@ struct MapCall {
   sinew_map_outputs outputs = {};
 
   sinew_skeleton view(const TestRig& rig, std::vector<const char*>* texts) const {
-    sinew_skeleton view = sinew_skeleton_init(rig.places.data(), rig.parents.data(), rig.count());
+    sinew_skeleton view = SINEW_INIT(sinew_skeleton);
+    view.positions = rig.positions.data();
+    view.parents = rig.parents.data();
+    view.joint_count = rig.count();
     for (const std::string& name : rig.names) texts->push_back(name.c_str());
     if (names) view.names = texts->data();
     if (ends) view.ends = rig.ends.data();
@@ -93,7 +96,7 @@ struct MapCall {
   MapCall& run(const TestRig& target, const TestRig& source) {
     std::vector<const char*> texts[2];
     const sinew_skeleton to = view(target, &texts[0]), from = view(source, &texts[1]);
-    sinew_map_options options = sinew_map_options_init();
+    sinew_map_options options = SINEW_INIT(sinew_map_options);
     options.method = method;
     options.pins = pins.data();
     options.pin_count = static_cast<uint32_t>(pins.size());
@@ -110,7 +113,8 @@ struct MapCall {
     sources.assign(to.joint_count, -7);
     confidence.assign(to.joint_count, 7);
     reasons.assign(to.joint_count, 77);
-    outputs = sinew_map_outputs_init(sources.data());
+    outputs = SINEW_INIT(sinew_map_outputs);
+    outputs.sources = sources.data();
     outputs.confidence = confidence.data();
     outputs.reasons = reasons.data();
     status = sinew_map(&to, &from, &options, block.data(), bytes, &outputs);

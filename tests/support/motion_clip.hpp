@@ -36,8 +36,8 @@ struct BoxBody : SkinnedTriangles {
         p[axis] = half;
         p[(axis + 1) % 3] = size * (2.0 * u / cells - 1);
         p[(axis + 2) % 3] = size * (2.0 * v / cells - 1);
-        const Vec3d place = scene.at(j) + Vec3d{p[0], p[1], p[2]};
-        for (const double x : {place.x, place.y, place.z}) positions.push_back(static_cast<float>(x));
+        const Vec3d position = scene.at(j) + Vec3d{p[0], p[1], p[2]};
+        for (const double x : {position.x, position.y, position.z}) positions.push_back(static_cast<float>(x));
         joints.push_back(static_cast<uint16_t>(j));
         weights.push_back(65535);
       }
@@ -120,7 +120,7 @@ struct PlayedClip {
   }
   // source_body null: capsules.
   sinew_status reference_points(const BoxBody* source_body, const BoxBody& target_body,
-                                const sinew_reference_options& options = sinew_reference_options_init()) {
+                                const sinew_reference_options& options = SINEW_INIT(sinew_reference_options)) {
     return on_bodies(
         source_body, target_body,
         [&](const sinew_motion_body* own, size_t* bytes) {
@@ -131,13 +131,13 @@ struct PlayedClip {
         });
   }
   sinew_status reference_points(const BoxBody& source_body, const BoxBody& target_body,
-                                const sinew_reference_options& options = sinew_reference_options_init()) {
+                                const sinew_reference_options& options = SINEW_INIT(sinew_reference_options)) {
     return reference_points(&source_body, target_body, options);
   }
   // With `spots` frame by frame as well.
-  std::vector<sinew_limb_measure> measure(const BoxBody* source_body, const BoxBody& target_body,
+  std::vector<sinew_limb_quality> measure(const BoxBody* source_body, const BoxBody& target_body,
                                           std::vector<sinew_contact_spot>* spots = nullptr) {
-    std::vector<sinew_limb_measure> limbs(SINEW_MAX_MOTION_LIMBS);
+    std::vector<sinew_limb_quality> limbs(SINEW_MAX_MOTION_LIMBS);
     uint32_t count = 0;
     if (spots != nullptr) spots->assign(size_t{frames} * SINEW_MAX_MOTION_LIMBS, {9, {9, 9, 9}, 9, 9});
     EXPECT_EQ(on_bodies(source_body, target_body, contacts_size(),
@@ -152,11 +152,11 @@ struct PlayedClip {
     limbs.resize(count);
     return limbs;
   }
-  Placed frame(uint32_t f) const {
+  WorldPose frame(uint32_t f) const {
     Pose pose(target.count());
     std::copy_n(rotations.begin() + 4 * target.count() * f, pose.rotations.size(), pose.rotations.begin());
     std::copy_n(translations.begin() + 3 * target.count() * f, pose.translations.size(), pose.translations.begin());
-    return placed(target, pose);
+    return world_pose(target, pose);
   }
 };
 

@@ -29,7 +29,10 @@ struct MotionScene {
   uint32_t up = SINEW_UP_AUTO;
 
   sinew_skeleton view() const {
-    sinew_skeleton view = sinew_skeleton_init(positions.data(), parents.data(), count());
+    sinew_skeleton view = SINEW_INIT(sinew_skeleton);
+    view.positions = positions.data();
+    view.parents = parents.data();
+    view.joint_count = count();
     if (!rotations.empty()) view.rotations = rotations.data();
     view.up = up;
     return view;
@@ -137,30 +140,30 @@ inline Pose random_pose(const MotionScene& scene, uint32_t seed, double most, Ve
   Pose pose = rest_pose(scene);
   for (uint32_t j = 0; j < scene.count(); ++j) {
     const Quat turn = sinew::motion::normalised({std::sin(draw() / 2), std::sin(draw() / 2), std::sin(draw() / 2), 1});
-    const Vec3d place = vec(&pose.translations[3 * j]);
-    pose.set(j, quat(&pose.rotations[4 * j]) * turn, scene.parents[j] < 0 ? place + way : place);
+    const Vec3d position = vec(&pose.translations[3 * j]);
+    pose.set(j, quat(&pose.rotations[4 * j]) * turn, scene.parents[j] < 0 ? position + way : position);
   }
   return pose;
 }
 
 // Joints in the world: parents come before children in these scenes.
-struct Placed {
+struct WorldPose {
   std::vector<Quat> rotations;
-  std::vector<Vec3d> places;
+  std::vector<Vec3d> positions;
 };
-inline Placed placed(const MotionScene& scene, const Pose& pose) {
-  Placed out;
+inline WorldPose world_pose(const MotionScene& scene, const Pose& pose) {
+  WorldPose out;
   for (uint32_t j = 0; j < scene.count(); ++j) {
     const Quat q = quat(&pose.rotations[4 * j]);
     const Vec3d p = vec(&pose.translations[3 * j]);
     const int32_t parent = scene.parents[j];
     if (parent < 0) {
       out.rotations.push_back(q);
-      out.places.push_back(p);
+      out.positions.push_back(p);
     } else {
       const size_t a = static_cast<size_t>(parent);
       out.rotations.push_back(out.rotations[a] * q);
-      out.places.push_back(out.places[a] + rotate(out.rotations[a], p));
+      out.positions.push_back(out.positions[a] + rotate(out.rotations[a], p));
     }
   }
   return out;

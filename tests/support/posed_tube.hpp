@@ -21,7 +21,8 @@ struct Posed {
 inline Posed pose(sinew::Deformer* deformer, const std::vector<float>& palette) {
   Posed posed;
   posed.positions.assign(size_t{3} * deformer->get().vertex_count, -77);
-  posed.outputs = sinew_deform_outputs_init(posed.positions.data());
+  posed.outputs = SINEW_INIT(sinew_deform_outputs);
+  posed.outputs.positions = posed.positions.data();
   EXPECT_EQ(deformer->pose(palette.data(), &posed.outputs), SINEW_OK);
   return posed;
 }

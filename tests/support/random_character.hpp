@@ -51,23 +51,23 @@ struct RandomCharacter {
       c.group_names.resize(static_cast<size_t>(*std::max_element(c.face_groups.begin(), c.face_groups.end())) + 1);
 
     // A joint's parent has a smaller number in a shuffled order, so that parents may come later in the list.
-    std::vector<uint32_t> place(joint_count);
-    for (uint32_t j = 0; j < joint_count; ++j) place[j] = j;
-    std::shuffle(place.begin(), place.end(), random);
+    std::vector<uint32_t> new_index(joint_count);
+    for (uint32_t j = 0; j < joint_count; ++j) new_index[j] = j;
+    std::shuffle(new_index.begin(), new_index.end(), random);
     c.joints.resize(joint_count);
     for (uint32_t j = 0; j < joint_count; ++j) {
-      sinew::Joint& joint = c.joints[place[j]];
-      joint.name = "j" + std::to_string(place[j]);
+      sinew::Joint& joint = c.joints[new_index[j]];
+      joint.name = "j" + std::to_string(new_index[j]);
       joint.position = {real(scale), real(scale), real(scale)};
-      joint.parent = j == 0 || below(10) == 0 ? -1 : static_cast<int>(place[below(j)]);
+      joint.parent = j == 0 || below(10) == 0 ? -1 : static_cast<int>(new_index[below(j)]);
     }
     c.influences.resize(vertex_count);
     for (auto& row : c.influences) {
       if (below(20) == 0) continue;
-      std::shuffle(place.begin(), place.end(), random);
+      std::shuffle(new_index.begin(), new_index.end(), random);
       float total = 0;
       for (uint32_t k = 0, count = 1 + below(std::min(joint_count, 9u)); k < count; ++k) {
-        row.push_back({place[k], 0.001f + std::fabs(real(1))});
+        row.push_back({new_index[k], 0.001f + std::fabs(real(1))});
         total += row.back().weight;
       }
       for (sinew::Influence& influence : row) influence.weight /= total;

@@ -18,9 +18,11 @@ struct RigSkeleton {
   std::vector<uint8_t> flags = std::vector<uint8_t>(SINEW_MAX_RIG_JOINTS), classes = flags;
   std::vector<uint16_t> confidence = std::vector<uint16_t>(SINEW_MAX_RIG_JOINTS), parent_confidence = confidence;
   std::vector<char> text = std::vector<char>(size_t{SINEW_MAX_RIG_JOINTS} * SINEW_JOINT_NAME_BYTES);
-  sinew_rig_outputs outputs = sinew_rig_outputs_init(positions.data(), parents.data());
+  sinew_rig_outputs outputs = SINEW_INIT(sinew_rig_outputs);
 
   RigSkeleton() {
+    outputs.positions = positions.data();
+    outputs.parents = parents.data();
     outputs.flags = flags.data();
     outputs.joint_classes = classes.data();
     outputs.partners = partners.data();

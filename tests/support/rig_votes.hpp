@@ -16,14 +16,14 @@
 namespace sinew_test {
 
 inline int32_t units(double share) { return static_cast<int32_t>(std::lround(share * sinew::kSide)); }
-inline sinew::Vec3i place(double x, double y, double z) { return {units(x), units(y), units(z)}; }
+inline sinew::Vec3i grid_point(double x, double y, double z) { return {units(x), units(y), units(z)}; }
 
 // Owns what Votes borrows.
 struct VoteScene {
   std::vector<sinew::Vec3i> starts, ends;
   std::vector<uint16_t> start_spreads, end_spreads, start_classes, end_classes;
   bool folded = true;
-  std::vector<sinew::Vec3i> inside;  // a place in the body for each point, or none
+  std::vector<sinew::Vec3i> inside;  // a position in the body for each point, or none
   std::vector<int32_t> inside_radii;
 
   // A row of probabilities: `share` for one class, the rest for all of them alike.
@@ -52,7 +52,7 @@ struct VoteScene {
     v.end_spread = end_spreads.data();
     v.start_class = start_classes.data();
     v.end_class = end_classes.data();
-    v.mean = place(0, 0.5, 0.01);
+    v.mean = grid_point(0, 0.5, 0.01);
     if (inside.size() == starts.size()) {
       v.inside = inside.data();
       v.inside_radius = inside_radii.data();
@@ -110,8 +110,8 @@ inline VoteScene votes_for(const std::vector<KnownJoint>& joints, uint32_t each,
     for (uint32_t i = 0; i < 2 * each; ++i) {
       const double side = i % 2 == 0 ? 1 : -1;
       const auto vote = [&](const KnownJoint& joint) {
-        return place(side * joint.x + noise * random.normal(), joint.y + noise * random.normal(),
-                     joint.z + noise * random.normal());
+        return grid_point(side * joint.x + noise * random.normal(), joint.y + noise * random.normal(),
+                          joint.z + noise * random.normal());
       };
       const sinew::Vec3i from = vote(start);
       scene.add(from, start.joint_class, vote(end), end.joint_class);
@@ -121,17 +121,17 @@ inline VoteScene votes_for(const std::vector<KnownJoint>& joints, uint32_t each,
 }
 
 // Votes for nothing: anywhere, of any class, as sure as they like. `gathered` of them per 100 lie at one of a few
-// places.
+// positions.
 inline VoteScene random_votes(uint32_t points, uint32_t gathered, uint32_t seed) {
   VoteScene scene;
   sinew::test::Random random(seed);
-  const auto anywhere = [&] { return place(random.uniform() - 0.5, random.uniform(), random.uniform() - 0.5); };
-  std::vector<sinew::Vec3i> places;
-  for (uint32_t i = random.below(70) + 1; i > 0; --i) places.push_back(anywhere());
+  const auto anywhere = [&] { return grid_point(random.uniform() - 0.5, random.uniform(), random.uniform() - 0.5); };
+  std::vector<sinew::Vec3i> positions;
+  for (uint32_t i = random.below(70) + 1; i > 0; --i) positions.push_back(anywhere());
   const auto vote = [&] {
     if (random.below(100) >= gathered) return anywhere();
-    const uint32_t p = random.below(static_cast<uint32_t>(places.size()));
-    return places[p] +
+    const uint32_t p = random.below(static_cast<uint32_t>(positions.size()));
+    return positions[p] +
            sinew::Vec3i{random.between(-9000, 9000), random.between(-9000, 9000), random.between(-9000, 9000)};
   };
   for (uint32_t i = 0; i < points; ++i) {

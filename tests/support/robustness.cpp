@@ -39,10 +39,10 @@ Changed same(const Character& c) {
   return changed;
 }
 
-Changed with_points(const Character& c, const std::function<Vec3(const Vec3&)>& place) {
+Changed with_points(const Character& c, const std::function<Vec3(const Vec3&)>& transform) {
   Changed changed = same(c);
-  for (Vec3& p : changed.character.vertices) p = place(p);
-  for (Joint& j : changed.character.joints) j.position = place(j.position);
+  for (Vec3& p : changed.character.vertices) p = transform(p);
+  for (Joint& j : changed.character.joints) j.position = transform(j.position);
   return changed;
 }
 
@@ -75,16 +75,16 @@ Changed renumbered(const Character& c) {
   Character& n = changed.character;
   std::mt19937_64 random(7);
   std::shuffle(changed.vertex_of.begin(), changed.vertex_of.end(), random);
-  std::vector<uint32_t> place(c.vertices.size());
-  for (uint32_t v = 0; v < place.size(); ++v) {
+  std::vector<uint32_t> new_index(c.vertices.size());
+  for (uint32_t v = 0; v < new_index.size(); ++v) {
     n.vertices[v] = c.vertices[changed.vertex_of[v]];
-    place[changed.vertex_of[v]] = v;
+    new_index[changed.vertex_of[v]] = v;
   }
   n.face_offsets = {0};
   n.face_vertices.clear();
   for (size_t f = c.face_count(); f-- > 0;) {
     for (uint32_t i = c.face_offsets[f]; i < c.face_offsets[f + 1]; ++i)
-      n.face_vertices.push_back(place[c.face_vertices[i]]);
+      n.face_vertices.push_back(new_index[c.face_vertices[i]]);
     n.face_offsets.push_back(static_cast<uint32_t>(n.face_vertices.size()));
   }
   return changed;
@@ -95,13 +95,13 @@ Changed joints_renumbered(const Character& c) {
   std::vector<Joint>& joints = changed.character.joints;
   std::mt19937_64 random(7);
   std::shuffle(changed.joint_of.begin(), changed.joint_of.end(), random);
-  std::vector<int> place(joints.size());
+  std::vector<int> new_index(joints.size());
   for (uint32_t j = 0; j < joints.size(); ++j) {
     joints[j] = c.joints[changed.joint_of[j]];
-    place[changed.joint_of[j]] = static_cast<int>(j);
+    new_index[changed.joint_of[j]] = static_cast<int>(j);
   }
   for (Joint& j : joints) {
-    if (j.parent >= 0) j.parent = place[static_cast<size_t>(j.parent)];
+    if (j.parent >= 0) j.parent = new_index[static_cast<size_t>(j.parent)];
   }
   return changed;
 }

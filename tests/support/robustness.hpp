@@ -15,7 +15,7 @@ namespace sinew {
 enum class Demand {
   kEqual,     // the input says the same to the last bit, so must the weights
   kRounding,  // the input differs by the rounding of its floats
-  kClose,     // another mesh, another place of the grid: at most 0.05 mean L1
+  kClose,     // another mesh, another position of the grid: at most 0.05 mean L1
 };
 
 // One change of one character against the character as it was.

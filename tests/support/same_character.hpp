@@ -27,8 +27,8 @@ std::map<std::string, size_t> by_name(const Joints& joints) {
   return numbers;
 }
 
-// For vertices that are all in different places.
-inline std::vector<size_t> order_by_place(const Character& character) {
+// For vertices that are all at different positions.
+inline std::vector<size_t> order_by_position(const Character& character) {
   std::vector<size_t> order(character.vertices.size());
   std::iota(order.begin(), order.end(), size_t{0});
   const auto key = [&](size_t v) {
@@ -40,7 +40,7 @@ inline std::vector<size_t> order_by_place(const Character& character) {
   return order;
 }
 
-//   apart  of places, at most
+//   apart  of positions, at most
 inline void expect_same_character(const Character& a, const Character& b, double apart) {
   ASSERT_EQ(a.joints.size(), b.joints.size());
   const std::map<std::string, size_t> other = by_name(b.joints);
@@ -55,7 +55,7 @@ inline void expect_same_character(const Character& a, const Character& b, double
   }
   ASSERT_EQ(a.vertices.size(), b.vertices.size());
   EXPECT_EQ(a.face_count(), b.face_count());
-  const std::vector<size_t> first = order_by_place(a), second = order_by_place(b);
+  const std::vector<size_t> first = order_by_position(a), second = order_by_position(b);
   for (size_t i = 0; i < first.size(); ++i) {
     EXPECT_LT(length(point(a.vertices[first[i]]) - point(b.vertices[second[i]])), apart);
     std::map<std::string, float> weights;
@@ -66,7 +66,7 @@ inline void expect_same_character(const Character& a, const Character& b, double
 }
 
 // The first clips, which move something by 0.1 from where the joints of `rest` are.
-//   apart, turned  of places, and of 1 less the rotations' product, at most
+//   apart, turned  of positions, and of 1 less the rotations' product, at most
 inline void expect_same_clip(const Motion& a, const Motion& b, const Character& rest, double apart, double turned) {
   ASSERT_EQ(a.clips[0].frames.size(), b.clips[0].frames.size());
   const std::map<std::string, size_t> numbers = by_name(b.joints);

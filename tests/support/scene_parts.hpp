@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every scene of the tests has: places of vertices and a skeleton.
+// What every scene of the tests has: positions of vertices and a skeleton.
 #ifndef SINEW_TESTS_SUPPORT_SCENE_PARTS_HPP
 #define SINEW_TESTS_SUPPORT_SCENE_PARTS_HPP
 
@@ -30,7 +30,7 @@ struct SceneParts {
   }
   // A view of the scene, which must outlive it.
   sinew_skeleton skeleton_view() const {
-    sinew_skeleton view = sinew_skeleton_init(nullptr, nullptr, 0);
+    sinew_skeleton view = SINEW_INIT(sinew_skeleton);
     view.positions = joints.data();
     view.parents = parents.data();
     view.flags = flags.empty() ? nullptr : flags.data();

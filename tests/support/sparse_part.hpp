@@ -47,7 +47,7 @@ struct SparsePart {
     for (int64_t& pull : pulls) pull = random() % 3 == 0 ? int64_t{1} << (30 + random() % 22) : 0;
     return pulls;
   }
-  // A solution that falls along the body, by place.
+  // A solution that falls along the body, by position.
   double wanted(uint32_t k) const {
     return 0.5 + 0.4 * run.mesh.positions[ordering.order[k]].y / static_cast<double>(sinew::kSide);
   }

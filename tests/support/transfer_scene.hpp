@@ -91,7 +91,7 @@ inline double distance(const TransferRun& run, const BoundRows& rows, uint32_t j
 
 // joint_map empty: joints of one number are one.
 inline TransferRun run_transfer(const MeshScene& source, const BoundRows& rows, const MeshScene& target,
-                                const sinew_transfer_options& options = sinew_transfer_options_init(),
+                                const sinew_transfer_options& options = SINEW_INIT(sinew_transfer_options),
                                 std::vector<int32_t> joint_map = {}, const TransferRun& before = {},
                                 size_t missing_bytes = 0) {
   TransferRun run = before;
@@ -109,7 +109,9 @@ inline TransferRun run_transfer(const MeshScene& source, const BoundRows& rows, 
   run.confidence.resize(target_mesh.vertex_count);
   run.parts.resize(target_mesh.vertex_count);
   run.vertex_parts.resize(target_mesh.vertex_count);
-  run.outputs = sinew_transfer_outputs_init(run.joints.data(), run.weights.data());
+  run.outputs = SINEW_INIT(sinew_transfer_outputs);
+  run.outputs.joint_indices = run.joints.data();
+  run.outputs.weights = run.weights.data();
   run.outputs.confidence = run.confidence.data();
   run.outputs.parts = run.parts.data();
   run.outputs.part_capacity = target_mesh.vertex_count;

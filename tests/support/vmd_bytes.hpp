@@ -13,7 +13,7 @@ namespace sinew::test {
 struct VmdKey {
   std::string name;  // Shift-JIS
   uint32_t frame = 0;
-  std::array<float, 3> place = {};
+  std::array<float, 3> translation = {};
   std::array<float, 4> rotation = {0, 0, 0, 1};
   std::array<uint8_t, 4> curve = {20, 20, 107, 107};  // x1 y1 x2 y2 of all four
 };
@@ -34,7 +34,7 @@ inline std::string vmd_of(const std::vector<VmdKey>& keys) {
     std::string curves(64, '\0');
     for (size_t c = 0; c < 4; ++c)
       for (size_t i = 0; i < 4; ++i) curves[16 * c + 4 * i] = static_cast<char>(key.curve[i]);
-    bytes += padded(key.name, 15) + raw(key.frame) + raw(key.place) + raw(key.rotation) + curves;
+    bytes += padded(key.name, 15) + raw(key.frame) + raw(key.translation) + raw(key.rotation) + curves;
   }
   return bytes + std::string(8, '\0');
 }

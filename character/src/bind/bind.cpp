@@ -53,7 +53,7 @@ uint32_t kernel_from_environment() {
 BindResult bind(const Character& character, const BindOptions& options) {
   check_bindable(character);
   const EngineViews views(character, options.joint_flags, options.up_axis);
-  sinew_options engine_options = sinew_options_init();
+  sinew_bind_options engine_options = SINEW_INIT(sinew_bind_options);
   engine_options.method = options.method;
   engine_options.influence_count = options.influence_count;
   engine_options.weight_format = SINEW_WEIGHT_UNORM16;
@@ -89,7 +89,9 @@ BindResult bind(const Character& character, const BindOptions& options) {
   if (!options.locked.empty() || !options.hints.empty()) {
     fill_given(character, options, result.joints.data(), result.weights.data());
   }
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(result.joints.data(), result.weights.data());
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = result.joints.data();
+  outputs.weights = result.weights.data();
   outputs.confidence = result.confidence.data();
   if (options.question_count > 0) {
     result.questions.resize(options.question_count);

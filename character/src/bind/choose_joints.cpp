@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which joints of a character may get weight: by the weights it has, by names and places, or all.
+// Which joints of a character may get weight: by the weights it has, by names and positions, or all.
 #include <algorithm>
 #include <map>
 
@@ -25,8 +25,9 @@ bool has_weights(const Character& character) {
   return false;
 }
 
-bool names_those_that_deform(const std::vector<uint8_t>& said) {
-  return std::any_of(said.begin(), said.end(), [](uint8_t flag) { return (flag & SINEW_JOINT_DEFORMS) != 0; });
+bool names_those_that_deform(const std::vector<uint8_t>& joint_flags) {
+  return std::any_of(joint_flags.begin(), joint_flags.end(),
+                     [](uint8_t flag) { return (flag & SINEW_JOINT_DEFORMS) != 0; });
 }
 
 void leave_out(const std::string& why, size_t joint, JointChoice* choice) {
@@ -67,9 +68,9 @@ void choose_by_names(const Character& character, JointChoice* choice) {
   const std::vector<uint8_t> named = roles;
   find_joints_beside_mesh(character, &roles);
   for (size_t j = 0; j < roles.size(); ++j) {
-    const std::optional<bool>& said = character.joints[j].deforms;
-    if (said) {
-      if (!*said) leave_out("does not deform, says the file", j, choice);
+    const std::optional<bool>& deforms = character.joints[j].deforms;
+    if (deforms) {
+      if (!*deforms) leave_out("does not deform, says the file", j, choice);
     } else if (roles[j] == SINEW_ROLE_END) {
       choice->tips.push_back(j);
     } else if (roles[j] < SINEW_ROLE_END && roles[j] != SINEW_ROLE_DEFORMS) {
@@ -81,27 +82,27 @@ void choose_by_names(const Character& character, JointChoice* choice) {
 }  // namespace
 
 // A joint that the user names is neither left out nor a tip.
-void apply_said(const std::vector<uint8_t>& said, JointChoice* choice) {
-  if (names_those_that_deform(said)) {
-    choice->flags = said;
+void apply_joint_flags(const std::vector<uint8_t>& joint_flags, JointChoice* choice) {
+  if (names_those_that_deform(joint_flags)) {
+    choice->flags = joint_flags;
     choice->left_out.clear();
     choice->tips.clear();
     choice->sets.clear();
     std::fill(choice->set_of_mesh.begin(), choice->set_of_mesh.end(), SIZE_MAX);
-    for (size_t j = 0; j < said.size(); ++j)
-      if ((said[j] & SINEW_JOINT_DEFORMS) == 0 || (said[j] & SINEW_JOINT_NEVER) != 0)
+    for (size_t j = 0; j < joint_flags.size(); ++j)
+      if ((joint_flags[j] & SINEW_JOINT_DEFORMS) == 0 || (joint_flags[j] & SINEW_JOINT_NEVER) != 0)
         choice->left_out.push_back({j, "not among the joints that deform, as asked"});
     return;
   }
-  for (size_t j = 0; j < said.size(); ++j) {
-    if ((said[j] & SINEW_JOINT_NEVER) == 0) continue;
+  for (size_t j = 0; j < joint_flags.size(); ++j) {
+    if ((joint_flags[j] & SINEW_JOINT_NEVER) == 0) continue;
     if ((choice->flags[j] & SINEW_JOINT_NEVER) == 0) choice->left_out.push_back({j, "never deforms, as asked"});
-    choice->flags[j] |= said[j];
+    choice->flags[j] |= joint_flags[j];
     choice->tips.erase(std::remove(choice->tips.begin(), choice->tips.end(), j), choice->tips.end());
   }
 }
 
-JointChoice choose_joints(const Character& character, JointsFrom from, const std::vector<uint8_t>& said) {
+JointChoice choose_joints(const Character& character, JointsFrom from, const std::vector<uint8_t>& joint_flags) {
   JointChoice choice;
   choice.flags.assign(character.joints.size(), 0);
   choice.set_of_mesh.clear();
@@ -115,14 +116,14 @@ JointChoice choose_joints(const Character& character, JointsFrom from, const std
     choice.left_out.clear();
   }
   choice.set_of_mesh.resize(mesh_count(character), SIZE_MAX);
-  apply_said(said, &choice);
+  apply_joint_flags(joint_flags, &choice);
   return choice;
 }
 
-void take_back_joints(const std::vector<size_t>& joints, const std::vector<uint8_t>& said, JointChoice* choice) {
-  if (names_those_that_deform(said)) return;
+void restore_joints(const std::vector<size_t>& joints, const std::vector<uint8_t>& joint_flags, JointChoice* choice) {
+  if (names_those_that_deform(joint_flags)) return;
   for (const size_t joint : joints) {
-    if (!said.empty() && (said[joint] & SINEW_JOINT_NEVER) != 0) continue;
+    if (!joint_flags.empty() && (joint_flags[joint] & SINEW_JOINT_NEVER) != 0) continue;
     choice->flags[joint] &= static_cast<uint8_t>(~SINEW_JOINT_NEVER);
     choice->tips.erase(std::remove(choice->tips.begin(), choice->tips.end(), joint), choice->tips.end());
     choice->left_out.erase(std::remove_if(choice->left_out.begin(), choice->left_out.end(),

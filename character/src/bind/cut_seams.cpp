@@ -133,7 +133,7 @@ class SeamCutter {
     }
   }
 
-  // What lies at one place is one vertex for engines, so that the slit would close again: copies go a little towards their part.
+  // What lies at one position is one vertex for engines, so that the slit would close again: copies go a little towards their part.
   void part_copies(size_t before) {
     const double step = kParted * static_cast<double>(box_of(character_.vertices).longest_side());
     for (const auto& [vertex, copy] : doubles_) {

@@ -35,7 +35,10 @@ SkeletonView::SkeletonView(const std::vector<Joint>& joints) {
     parents.push_back(joint.parent);
     names.push_back(joint.name.c_str());
   }
-  skeleton = sinew_skeleton_init(positions.data(), parents.data(), static_cast<uint32_t>(joints.size()));
+  skeleton = SINEW_INIT(sinew_skeleton);
+  skeleton.positions = positions.data();
+  skeleton.parents = parents.data();
+  skeleton.joint_count = static_cast<uint32_t>(joints.size());
   skeleton.names = names.data();
 }
 

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kFacing =
     0.7;                       // cosine above which a vertex looks away from its bone, and tells how thick the part is
-constexpr size_t kSteps = 11;  // places along a bone with a radius each
-constexpr double kWindow = 0.15;     // of a bone, to both sides of such a place
+constexpr size_t kSteps = 11;  // points along a bone with a radius each
+constexpr double kWindow = 0.15;     // of a bone, to both sides of such a point
 constexpr size_t kFewest = 8;        // vertices that a radius is the median of
 constexpr double kThinnest = 0.003;  // radius, of the size
 constexpr double kLeastRow = 0.02;   // weight that a joint has at least where it is a candidate
@@ -40,30 +40,30 @@ class Radii {
       if (surface.welded[v] == v && homes[v] != kNoHome) owned_[homes[v]].push_back(v);
   }
 
-  double at(const BonePoint& place) {
-    std::vector<std::array<double, kSteps>>& bones = known_[place.joint];
-    if (bones.empty()) measure(place.joint);
-    const size_t step = static_cast<size_t>(place.along * (kSteps - 1) + 0.5);
-    return std::max(place.bone < bones.size() ? bones[place.bone][step] : 0.0, kThinnest * surface_.size);
+  double at(const BonePoint& bone_point) {
+    std::vector<std::array<double, kSteps>>& bones = known_[bone_point.joint];
+    if (bones.empty()) measure(bone_point.joint);
+    const size_t step = static_cast<size_t>(bone_point.along * (kSteps - 1) + 0.5);
+    return std::max(bone_point.bone < bones.size() ? bones[bone_point.bone][step] : 0.0, kThinnest * surface_.size);
   }
 
  private:
   void measure(uint32_t joint) {
-    std::vector<BonePoint> places;
+    std::vector<BonePoint> bone_points;
     for (const bool facing : {true, false}) {
       for (const uint32_t v : owned_[joint]) {
-        const BonePoint place = paths_.nearest(joint, surface_.positions[v]);
-        const Point3 out = unit(surface_.positions[v] - place.position);
-        if (!facing || dot(out, surface_.normals[v]) > kFacing) places.push_back(place);
+        const BonePoint bone_point = paths_.nearest(joint, surface_.positions[v]);
+        const Point3 out = unit(surface_.positions[v] - bone_point.position);
+        if (!facing || dot(out, surface_.normals[v]) > kFacing) bone_points.push_back(bone_point);
       }
-      if (places.size() >= kFewest) break;
-      places.clear();
+      if (bone_points.size() >= kFewest) break;
+      bone_points.clear();
     }
     uint32_t bones = 1;
     std::vector<double> all;
-    for (const BonePoint& place : places) {
-      bones = std::max(bones, place.bone + 1);
-      all.push_back(place.distance);
+    for (const BonePoint& bone_point : bone_points) {
+      bones = std::max(bones, bone_point.bone + 1);
+      all.push_back(bone_point.distance);
     }
     const double usual = all.empty() ? 0 : median(&all);
     known_[joint].resize(bones);
@@ -71,8 +71,9 @@ class Radii {
       for (size_t s = 0; s < kSteps; ++s) {
         const double here = static_cast<double>(s) / (kSteps - 1);
         std::vector<double> near;
-        for (const BonePoint& place : places)
-          if (place.bone == b && std::fabs(place.along - here) <= kWindow) near.push_back(place.distance);
+        for (const BonePoint& bone_point : bone_points)
+          if (bone_point.bone == b && std::fabs(bone_point.along - here) <= kWindow)
+            near.push_back(bone_point.distance);
         known_[joint][b][s] = near.size() >= kFewest ? median(&near) : usual;
       }
     }
@@ -135,9 +136,9 @@ class HomeFinder {
     Scores found = candidates(vertex);
     double sum = 0;
     for (auto& [joint, score] : found) {
-      const BonePoint place = paths_.nearest(joint, surface_.positions[vertex]);
-      const double cosine = dot(unit(surface_.positions[vertex] - place.position), surface_.normals[vertex]);
-      const double far = std::max(place.distance / radii_.at(place) / (0.5 * (cosine + 1.001)), 1.0);
+      const BonePoint bone_point = paths_.nearest(joint, surface_.positions[vertex]);
+      const double cosine = dot(unit(surface_.positions[vertex] - bone_point.position), surface_.normals[vertex]);
+      const double far = std::max(bone_point.distance / radii_.at(bone_point) / (0.5 * (cosine + 1.001)), 1.0);
       double weight = kLeastRow;
       for (const Influence& one : rows_[vertex])
         if (one.joint == joint) weight += static_cast<double>(one.weight);

@@ -46,11 +46,11 @@ SeamLeak measure_seam_leak(const Character& character, const WeightRows& rows) {
   const WeightRows& truth = character.influences;
   std::vector<uint32_t> homes(truth.size(), kNoHome), seam;
   for (uint32_t v = 0; v < truth.size(); ++v) homes[v] = home_joint(truth[v]);
-  const auto place = [&](uint32_t joint, uint32_t v) { return paths.nearest(joint, surface.positions[v]); };
+  const auto bone_point = [&](uint32_t joint, uint32_t v) { return paths.nearest(joint, surface.positions[v]); };
   for (uint32_t e = 0; e < surface.edges.size(); ++e) {
     const uint32_t from = surface.edges[e].from, to = surface.edges[e].to;
     if (homes[from] != homes[to] && homes[from] != kNoHome && homes[to] != kNoHome &&
-        paths.are_apart(place(homes[from], from), place(homes[to], to)))
+        paths.are_apart(bone_point(homes[from], from), bone_point(homes[to], to)))
       seam.push_back(e);
   }
   if (seam.size() < kFewestEdges) return {};
@@ -69,11 +69,11 @@ SeamLeak measure_seam_leak(const Character& character, const WeightRows& rows) {
     }
     std::sort(others.begin(), others.end());
     others.erase(std::unique(others.begin(), others.end()), others.end());
-    const BonePoint home = place(homes[v], v);
+    const BonePoint home = bone_point(homes[v], v);
     bool any = false;
     double across = 0;
     for (const uint32_t joint : others) {
-      if (!paths.are_apart(home, place(joint, v))) continue;
+      if (!paths.are_apart(home, bone_point(joint, v))) continue;
       any = true;
       across += std::max(0.0, weight_of(rows[v], joint) - weight_of(truth[v], joint));
     }

@@ -182,14 +182,14 @@ bool may_have_seams(const Character& character, const WeightRows& rows) {
   const SkeletonPaths paths(character.joints, static_cast<double>(box_of(character.vertices).longest_side()));
   std::vector<uint32_t> homes;
   for (const auto& row : rows) homes.push_back(home_joint(row));
-  const auto place = [&](uint32_t v) { return paths.nearest(homes[v], point(character.vertices[v])); };
+  const auto bone_point = [&](uint32_t v) { return paths.nearest(homes[v], point(character.vertices[v])); };
   size_t count = 0;
   for (size_t f = 0; f < character.face_count() && count < kFewestEdges; ++f) {
     const uint32_t first = character.face_offsets[f], end = character.face_offsets[f + 1];
     for (uint32_t c = first; c < end; ++c) {
       const uint32_t a = character.face_vertices[c], b = character.face_vertices[c + 1 < end ? c + 1 : first];
       if (homes[a] == homes[b] || homes[a] == kNoHome || homes[b] == kNoHome) continue;
-      count += paths.are_apart(place(a), place(b)) ? 1 : 0;
+      count += paths.are_apart(bone_point(a), bone_point(b)) ? 1 : 0;
     }
   }
   return count >= kFewestEdges;

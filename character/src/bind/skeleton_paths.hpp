@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far apart two places of a body are along its skeleton.
+// How far apart two points of a body are along its skeleton.
 #ifndef SINEW_CHARACTER_RIG_SKELETON_PATHS_HPP
 #define SINEW_CHARACTER_RIG_SKELETON_PATHS_HPP
 
@@ -12,7 +12,7 @@
 
 namespace sinew {
 
-// A place on a joint's bones.
+// A point on a joint's bones.
 struct BonePoint {
   uint32_t joint = 0;
   uint32_t bone = 0;    // one for each child, or the stub of a leaf
@@ -27,7 +27,7 @@ class SkeletonPaths {
   SkeletonPaths(const std::vector<Joint>& joints, double size);
 
   size_t joint_count() const { return positions_.size(); }
-  // The nearest place on the bones of `joint`: segments to its children, of a leaf half its parent's bone on.
+  // The nearest point on the bones of `joint`: segments to its children, of a leaf half its parent's bone on.
   BonePoint nearest(uint32_t joint, const Point3& from) const;
   // Along the bones; straight from limb to limb where both hang on one joint, so that hierarchies in which all limbs hang on a root at
   // the floor are as good as others. Negative where nothing joins them.

@@ -91,13 +91,13 @@ TransferJoints choose_transfer_joints(const Character& source, const Character& 
   for (size_t j = 0; j < mapping.size(); ++j)
     if (mapping[j] >= 0) deforms[static_cast<size_t>(mapping[j])] |= moves[j];
   for (size_t j = 0; j < deforms.size(); ++j) {
-    joints.takes.push_back(static_cast<uint32_t>(j));
+    joints.target_of.push_back(static_cast<uint32_t>(j));
     if (deforms[j] != 0) joints.flags[j] = 0;
   }
   for (const size_t tip : choice.tips) {
     const int parent = target.joints[tip].parent;
     if (deforms[tip] == 0 && parent >= 0 && (joints.flags[static_cast<size_t>(parent)] & SINEW_JOINT_NEVER) == 0)
-      joints.takes[tip] = static_cast<uint32_t>(parent);
+      joints.target_of[tip] = static_cast<uint32_t>(parent);
   }
   return joints;
 }
@@ -163,7 +163,7 @@ TransferResult transfer(const Character& source, const Character& target, const 
     for (size_t i = v * n; i < (v + 1) * n; ++i)
       if (out.weights[i] != 0)
         result.influences[v].push_back({out.joint_indices[i], static_cast<float>(out.weights[i]) / 65535.0f});
-    if (options.locked.empty() || options.locked[v] == 0) fold_row(joints.takes, &result.influences[v]);
+    if (options.locked.empty() || options.locked[v] == 0) fold_row(joints.target_of, &result.influences[v]);
   }
   (void)keep_apart(target, find_seams(target, result.influences), options.locked, &result.influences);
   return result;

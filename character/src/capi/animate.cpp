@@ -14,17 +14,19 @@
 namespace sinew {
 namespace {
 
-AnimateOptions job_of(const sinew_character_animate_options& options, const sinew_character& character) {
+AnimateOptions job_of(const sinew_character_animate_options& options, const sinew_motion_source& source,
+                      const sinew_character& character) {
   check_at_most("method", options.method, SINEW_ANIMATE_STREAM);
   check_at_most("target_up", options.target_up, SINEW_UP_Z);
-  check_at_most("motion_up", options.motion_up, SINEW_UP_Z);
-  if (!std::isfinite(options.fps + options.from + options.to) || options.fps < 0 || options.from < 0 ||
-      options.to < 0 || (options.to != 0 && options.to < options.from))
+  check_at_most("motion_up", source.up, SINEW_UP_Z);
+  check_without(options.without, SINEW_WITHOUT_RANGE);
+  if (!std::isfinite(source.fps + source.from + source.to) || source.fps < 0 || source.from < 0 || source.to < 0 ||
+      (source.to != 0 && source.to < source.from))
     throw Failure(SINEW_ERROR_ARGUMENT, "fps, from, to: expected 0 or more, and to behind from");
   AnimateOptions job;
   job.character = file_of(character);
   job.up = maybe_axis(options.target_up);
-  job.motion_up = maybe_axis(options.motion_up);
+  job.motion_up = maybe_axis(source.up);
   job.map = text_or_empty(options.map);
   if (options.sources != nullptr)
     job.sources.assign(options.sources, options.sources + character.character.joints.size());
@@ -33,30 +35,24 @@ AnimateOptions job_of(const sinew_character_animate_options& options, const sine
   job.pins.assign(options.pins, options.pins + options.pin_count);
   job.limits = text_or_empty(options.limits);
   job.in_place = options.in_place != 0;
-  job.range = options.no_range == 0;
+  job.range = options.without == 0;
   job.report = options.report != 0;
   job.force = options.force != 0;
   job.translations = options.translations != 0;
-  job.fps = options.fps;
-  job.from = options.from;
-  if (options.to != 0) job.to = options.to;
-  job.reference.area_power = options.area_power;
-  job.reference.falloff = static_cast<float>(options.falloff);
-  job.reference.no_own_limb = options.no_own_limb;
-  job.reference.own_limb = options.own_limb;
-  job.reference.legs = options.legs;
-  job.reference.head = options.head;
-  job.reference.torso = options.torso;
-  job.reference.source_points = options.source_points;
+  job.fps = source.fps;
+  job.from = source.from;
+  if (source.to != 0) job.to = source.to;
+  job.reference = options_of(options.reference);
+  job.reference.progress = nullptr;  // this call's own tells more
   return job;
 }
 
 // The clips that `sinew animate` reads from the file of a motion, or those that were added to a character.
-MotionFile motion_of_handle(sinew_character* motion, const sinew_character_animate_options& options,
-                            const AnimateOptions& job, const Character& target) {
+MotionFile motion_of_handle(sinew_character* motion, const sinew_motion_source& source, const AnimateOptions& job,
+                            const Character& target) {
   if (plays_its_file(*motion)) {
     const FilesOf scope(*motion);
-    return read_motion_for({motion->path, job.fps, text_or_empty(options.layout), text_or_empty(options.actor), job.up},
+    return read_motion_for({motion->path, job.fps, text_or_empty(source.layout), text_or_empty(source.actor), job.up},
                            map_rig_of(target));
   }
   return added_motion(*motion);
@@ -68,7 +64,7 @@ AnimatedCharacter start(const sinew_character& from, const sinew_character_anima
   if (character.vertices.empty()) throw Error(character.name + ": has no mesh to animate");
   if (!character.joints.empty() || (options.models == nullptr && from.picture == nullptr))
     return animated_character(std::move(character), file_of(from));
-  sinew_character_rig_options rig = sinew_character_rig_options_init();
+  sinew_character_rig_options rig = SINEW_INIT(sinew_character_rig_options);
   rig.models = options.models;
   AnimatedCharacter out = animated_character(rig_of(from, rig, progress, picture).character, file_of(from));
   out.rigged = true;
@@ -86,13 +82,13 @@ void fill_result(const AnimatedCharacter& made, const Motion& source, uint32_t f
                  sinew_character_animate_result* result) {
   if (result == nullptr) return;
   *views = {};
-  sinew_character_animate_result filled = sinew_character_animate_result_init();
-  filled.clip_count = count32(made.made.size());
+  sinew_character_animate_result filled = SINEW_INIT(sinew_character_animate_result);
+  filled.clip_count = count32(made.animated_clips.size());
   filled.first_clip = first_clip;
   filled.rigged = made.rigged ? 1 : 0;
   filled.shape_count = count32(made.morphs.shapes.size());
   filled.certainty = made.certainty;
-  for (const AnimatedClip& one : made.made) {
+  for (const AnimatedClip& one : made.animated_clips) {
     filled.mapped = count32(one.mapped);
     filled.limb_count = count32(one.report.before.size());
     views->text = one.map;
@@ -129,30 +125,35 @@ void fill_result(const AnimatedCharacter& made, const Motion& source, uint32_t f
 
 void animate(const sinew_character_animate_options& options, ProgressOfCaller* progress, sinew_character* target,
              sinew_character* motion, sinew_character_animate_result* result) {
-  const std::optional<sinew_deform_options> deform = corrections_of(options.deform, options);
+  const std::optional<sinew_deform_options> deform = corrections_of(options.deform);
+  const sinew_motion_source played = options_of(options.motion);
+  need(motion != nullptr || played.file != nullptr || target->picture != nullptr, "motion");
   const uint32_t first = count32(own_clip_count(target) + target->clips.size());
-  AnimateOptions job = job_of(options, *target);
+  AnimateOptions job = job_of(options, played, *target);
   std::shared_ptr<const PictureCharacter> picture = target->picture;
   if (options.depth != 0 && picture == nullptr)
     throw Failure(SINEW_ERROR_ARGUMENT, "depth: is for characters of pictures, and this is none");
   AnimatedCharacter made = start(*target, options, progress, &picture);
-  sinew_character own;  // a picture's clip, where none is given
+  sinew_character own;  // a file's, or a picture's clip
   if (motion == nullptr) {
-    own.path = default_clip(picture->body);
+    own.path = played.file != nullptr ? played.file : default_clip(picture->body);
     own.character.name = own.path;
-    job.force = true;  // nobody asked for it: a warning will do
+    if (played.file != nullptr)
+      open_into(&own);
+    else
+      job.force = true;  // nobody asked for it: a warning will do
     motion = &own;
   }
-  MotionFile source = motion_of_handle(motion, options, job, made.character);
+  MotionFile source = motion_of_handle(motion, played, job, made.character);
   check_pins(job.pins, made.character.joints.size(), source.motion.joints.size());
-  if (options.clip == nullptr) {
+  if (played.clip == nullptr) {
     Motion before;
     for (const Clip& clip : target->clips) before.clips.emplace_back().name = clip.name;
     name_clips(file_of(*motion), false, before, &source.motion);
   }
   MotionInput input;
   input.file = file_of(*motion);
-  input.clip = text_or_empty(options.clip);
+  input.clip = text_or_empty(played.clip);
   input.motion = &source.motion;
   input.body = [motion, &source]() -> std::optional<Character> {
     const Character* body = body_of(*motion, source);
@@ -196,7 +197,6 @@ extern "C" sinew_status sinew_character_animate(sinew_character* character, sine
       character,
       [&] {
         need(character != nullptr, "character");
-        need(motion != nullptr || character->picture != nullptr, "motion");
         check_result(result);
         animate(options_of(given), &progress, character, motion, result);
       },

@@ -79,7 +79,7 @@ sinew_status sinew_character_view(sinew_character* character, sinew_character_ar
     character->viewed = true;
     const Character& from = character->character;
     const CharacterViews& views = character->views;
-    sinew_character_arrays filled = sinew_character_arrays_init();
+    sinew_character_arrays filled = SINEW_INIT(sinew_character_arrays);
     filled.vertex_count = count32(from.vertices.size());
     filled.face_count = count32(from.face_count());
     filled.corner_count = count32(from.face_vertices.size());

@@ -35,8 +35,7 @@ void bake(const sinew_character_bake_options& options, ProgressOfCaller* progres
           sinew_character_bake_result* result) {
   BakeJobOptions job;
   job.character = file_of(*character);
-  const uint32_t deform = options.deform == 0 ? uint32_t{SINEW_POSE_VOLUME} : options.deform;
-  const auto corrections = corrections_of(deform, options);
+  const auto corrections = corrections_of(options.deform, SINEW_POSE_VOLUME);
   if (!corrections) throw Failure(SINEW_ERROR_ARGUMENT, "deform: expected a correction, SINEW_POSE_VOLUME or above");
   job.deform = *corrections;
   check_at_most("poses", options.poses, 10000);
@@ -51,7 +50,7 @@ void bake(const sinew_character_bake_options& options, ProgressOfCaller* progres
   const OwnMotion own = motion_of_handle(character);
   BakedCharacter baked = bake_character(character->character, own, job, steps_of(progress));
   play_in_added(*character, &baked.morphs);
-  sinew_character_bake_result filled = sinew_character_bake_result_init();
+  sinew_character_bake_result filled = SINEW_INIT(sinew_character_bake_result);
   filled.shape_count = count32(baked.morphs.shapes.size());
   filled.bend_count = count32(baked.morphs.drivers.size());
   for (const MorphShape& shape : baked.morphs.shapes) filled.moved_vertices += count32(shape.vertices.size());

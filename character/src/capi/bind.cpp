@@ -56,7 +56,7 @@ BindJobOptions job_of(const sinew_character_bind_options& options, const sinew_c
   job.symmetric = options.symmetric != 0;
   job.cut = options.cut != 0;
   if (options.to_pose != nullptr) job.to_pose = options.to_pose;
-  job.said = marks(options.joint_flags, character.joints.size());
+  job.joint_flags = marks(options.joint_flags, character.joints.size());
   job.locked = marks(options.locked, character.vertices.size());
   job.hinted = marks(options.hinted, character.vertices.size());
   check_kept("locked", job.locked, character);
@@ -74,7 +74,7 @@ void fill_result(const Character& character, const BindJob& job, const Character
   views->questions = bound.questions;
   views->vertex_questions = bound.vertex_questions;
   views->text = bind_hash(character.influences, influence_count);
-  sinew_character_bind_result filled = sinew_character_bind_result_init();
+  sinew_character_bind_result filled = SINEW_INIT(sinew_character_bind_result);
   filled.symmetric_vertices = bound.symmetric_vertices;
   filled.kept_meshes = count32(bound.kept_meshes);
   filled.folded_tips = count32(bound.folded_tips);

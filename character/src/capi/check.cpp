@@ -12,7 +12,8 @@ namespace {
 
 CheckOptions options_from(const sinew_character_check_options& given) {
   CheckOptions options;
-  options.poses = given.no_poses == 0;
+  check_without(given.without, SINEW_WITHOUT_POSES | SINEW_WITHOUT_CLIPS);
+  options.poses = (given.without & SINEW_WITHOUT_POSES) == 0;
   need(given.bound_count == 0 || (given.bound_rules != nullptr && given.bounds != nullptr), "bound_rules, bounds");
   for (uint32_t b = 0; b < given.bound_count; ++b) {
     need(given.bound_rules[b] != nullptr, "bound_rules");
@@ -85,7 +86,7 @@ sinew_status sinew_character_check(sinew_character* character, const sinew_chara
     check_result(result);
     const sinew_character_check_options options = options_of(given);
     std::optional<Motion> motion;
-    if (options.no_clips == 0) motion = motion_now(character);
+    if ((options.without & SINEW_WITHOUT_CLIPS) == 0) motion = motion_now(character);
     check_at_most("score", options.score, 1);
     std::optional<double> score;
     if (options.score != 0) score = weight_score(character->character);
@@ -95,7 +96,7 @@ sinew_status sinew_character_check(sinew_character* character, const sinew_chara
     views.check = std::move(check);
     for (const RigFinding& finding : views.check.findings) views.findings.push_back(view_of(finding));
     views.text = checked_line(views.check);
-    sinew_character_check_result filled = sinew_character_check_result_init();
+    sinew_character_check_result filled = SINEW_INIT(sinew_character_check_result);
     filled.finding_count = count32(views.findings.size());
     filled.errors = count32(views.check.errors);
     filled.warnings = count32(views.check.warnings);

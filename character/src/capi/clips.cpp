@@ -111,7 +111,7 @@ sinew_status sinew_character_get_clip(sinew_character* character, uint32_t index
       for (const MotionJoint& joint : own_motion(character).joints) view.joint_names.push_back(joint.name.c_str());
     else
       for (const Joint& joint : character->character.joints) view.joint_names.push_back(joint.name.c_str());
-    sinew_character_clip filled = sinew_character_clip_init();
+    sinew_character_clip filled = SINEW_INIT(sinew_character_clip);
     filled.frame_count = count32(from.frames.size());
     filled.joint_count = count32(view.parents.size());
     filled.frame_time = from.frame_time;

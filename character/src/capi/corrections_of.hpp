@@ -11,39 +11,40 @@
 
 namespace sinew {
 
-// nullopt for plain skinning.
-//   deform   sinew_pose_deform
-//   options  of any call with the members of corrections
-// Throws Failure for settings that the method has no use for.
-template <class Options>
-std::optional<sinew_deform_options> corrections_of(uint32_t deform, const Options& options) {
-  check_at_most("deform", deform, SINEW_POSE_DELTA_MUSH);
+// nullopt for plain skinning. Throws Failure for settings that the method has no use for.
+//   usual  method where none is given
+inline std::optional<sinew_deform_options> corrections_of(const sinew_character_deformation* given,
+                                                          uint32_t usual = SINEW_POSE_LINEAR) {
+  const sinew_character_deformation options = options_of(given);
+  const uint32_t method = options.method == SINEW_POSE_LINEAR ? usual : options.method;
+  check_at_most("deform", method, SINEW_POSE_DELTA_MUSH);
   if (options.cells != 0 && (options.cells < 8 || options.cells > SINEW_MAX_DEFORM_CELLS))
     throw Failure(SINEW_ERROR_ARGUMENT, "cells: expected 8 to " + std::to_string(SINEW_MAX_DEFORM_CELLS));
   check_at_most("rounds", options.rounds, SINEW_MAX_DEFORM_ROUNDS);
   check_at_most("tet_weights", options.tet_weights, SINEW_TET_WEIGHTS_DISTANCE);
+  check_without(options.without, SINEW_WITHOUT_SMOOTHING);
   constexpr double kThousandths = 1000;
   if (options.stiffness != 0 &&
       !(options.stiffness >= 1 / kThousandths && options.stiffness <= SINEW_MAX_DEFORM_ENERGY / kThousandths))
     throw Failure(SINEW_ERROR_ARGUMENT, "stiffness: expected 0.001 to 1000, or 0 for the method's own");
-  if (deform != SINEW_POSE_XPBD && (options.stiffness != 0 || options.tet_weights != 0 || options.no_smoothing != 0))
-    throw Failure(SINEW_ERROR_ARGUMENT, "stiffness, tet_weights and no_smoothing: are for SINEW_POSE_XPBD");
-  if (options.body_contact != 0 && deform != SINEW_POSE_VOLUME && deform != SINEW_POSE_XPBD)
+  if (method != SINEW_POSE_XPBD && (options.stiffness != 0 || options.tet_weights != 0 || options.without != 0))
+    throw Failure(SINEW_ERROR_ARGUMENT, "stiffness, tet_weights and SINEW_WITHOUT_SMOOTHING: are for SINEW_POSE_XPBD");
+  if (options.body_contact != 0 && method != SINEW_POSE_VOLUME && method != SINEW_POSE_XPBD)
     throw Failure(SINEW_ERROR_ARGUMENT, "body_contact: is for SINEW_POSE_VOLUME and SINEW_POSE_XPBD");
-  if (deform < SINEW_POSE_VOLUME) {
+  if (method < SINEW_POSE_VOLUME) {
     if (options.cells != 0 || options.rounds != 0)
       throw Failure(SINEW_ERROR_ARGUMENT, "cells and rounds: are for poses that are corrected");
     return std::nullopt;
   }
-  sinew_deform_options out = sinew_deform_options_init();
+  sinew_deform_options out = SINEW_INIT(sinew_deform_options);
   out.cell_count = options.cells;
   out.round_count = options.rounds;
   out.body_contact = options.body_contact != 0 ? 1 : 0;
   out.energy = static_cast<uint32_t>(std::lround(kThousandths * options.stiffness));
   out.tet_weights = options.tet_weights;
-  out.no_smoothing = options.no_smoothing != 0 ? 1 : 0;
-  if (deform == SINEW_POSE_XPBD) out.method = SINEW_DEFORM_XPBD;
-  if (deform == SINEW_POSE_DELTA_MUSH) out.method = SINEW_DEFORM_DELTA_MUSH;
+  out.without = options.without;
+  if (method == SINEW_POSE_XPBD) out.method = SINEW_DEFORM_XPBD;
+  if (method == SINEW_POSE_DELTA_MUSH) out.method = SINEW_DEFORM_DELTA_MUSH;
   return out;
 }
 

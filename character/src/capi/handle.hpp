@@ -22,10 +22,10 @@
 #include "sinew_character/profile/profile.hpp"
 #include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/keypoints_stream.hpp"
 #include "sinew_formats/memory_files.hpp"
 #include "sinew_formats/morphs.hpp"
 #include "sinew_formats/motion.hpp"
-#include "sinew_formats/places_stream.hpp"
 
 namespace sinew {
 
@@ -42,7 +42,7 @@ struct CharacterViews {
 // Of a picture's outline.
 struct OutlineViews {
   std::vector<uint32_t> offsets;
-  std::vector<float> places;
+  std::vector<float> points;
 };
 
 struct ClipView {
@@ -60,7 +60,7 @@ struct ResultViews {
   std::vector<uint8_t> ends, reasons;
   std::vector<float> confidence, parent_confidence;
   std::vector<int32_t> sources;
-  std::vector<sinew_limb_measure> before, after;
+  std::vector<sinew_limb_quality> before, after;
   std::vector<uint8_t> spot_kinds;
   std::vector<float> spot_positions, spot_errors;
   std::string joint_names;
@@ -86,9 +86,9 @@ struct sinew_character {
   bool keep_confidence = false;
   std::string profile;  // what is written for another program; empty: none
   sinew::ProfileOptions profile_options;
-  std::optional<sinew::Motion> own_motion;            // of the file, once it was asked for
-  std::vector<sinew::Clip> clips;                     // added ones, of the character's joints
-  std::shared_ptr<const sinew::PlacesStream> places;  // that it is of; null: of a file or of arrays
+  std::optional<sinew::Motion> own_motion;                  // of the file, once it was asked for
+  std::vector<sinew::Clip> clips;                           // added ones, of the character's joints
+  std::shared_ptr<const sinew::KeypointsStream> keypoints;  // that it is of; null: of a file or of arrays
   sinew::Morphs morphs;
   sinew::CharacterViews views;
   sinew::OutlineViews outline;
@@ -178,7 +178,7 @@ Options options_of(const Options* given) {
   if (given == nullptr) return options;
   constexpr uint32_t kMost = 4096;
   if (given->struct_size < 2 * sizeof(uint32_t) || given->struct_size > kMost)
-    throw Failure(SINEW_ERROR_ARGUMENT, "options: struct_size is not set; start from the struct's _init()");
+    throw Failure(SINEW_ERROR_ARGUMENT, "options: struct_size is not set; start from SINEW_INIT()");
   std::memcpy(&options, given, std::min<size_t>(given->struct_size, sizeof options));
   const auto* bytes = reinterpret_cast<const uint8_t*>(given);
   for (size_t i = sizeof options; i < given->struct_size; ++i)
@@ -189,7 +189,7 @@ Options options_of(const Options* given) {
 template <class Result>
 void check_result(const Result* result) {
   if (result != nullptr && (result->struct_size < 2 * sizeof(uint32_t) || result->struct_size > 4096))
-    throw Failure(SINEW_ERROR_ARGUMENT, "result: struct_size is not set; start from the struct's _init()");
+    throw Failure(SINEW_ERROR_ARGUMENT, "result: struct_size is not set; start from SINEW_INIT()");
 }
 
 // Writes what the caller's header has.
@@ -207,7 +207,12 @@ inline void check_at_most(const char* what, uint32_t value, uint32_t most) {
                   std::string(what) + ": expected 0 to " + std::to_string(most) + ", found " + std::to_string(value));
 }
 
-// The progress members of options, before these are checked: they stand at the same place of every struct.
+// `known`: the bits of sinew_without that the call takes.
+inline void check_without(uint32_t without, uint32_t known) {
+  if ((without & ~known) != 0) throw Failure(SINEW_ERROR_ARGUMENT, "without: has a bit that this call does not take");
+}
+
+// The progress members of options, before these are checked: they have the same offsets in every struct.
 template <class Options>
 ProgressOfCaller progress_of(const Options* given) {
   const bool has = given != nullptr && given->struct_size >= offsetof(Options, progress_user) + sizeof(void*);
@@ -233,6 +238,8 @@ inline uint32_t count32(size_t count) { return static_cast<uint32_t>(count); }
 
 // Copies of a caller's files.
 std::shared_ptr<FileBytes> bytes_of(const sinew_file* files, uint32_t file_count);
+// Reads the file at `opened->path`.
+void open_into(sinew_character* opened);
 // Reads the figure of the picture at `opened->path`.
 void open_picture_into(const PictureJobOptions& options, sinew_character* opened);
 // What is not the mesh, which the handle has.

@@ -23,16 +23,16 @@ MapRig rig_of_handle(const sinew_character& from) {
   return rig;
 }
 
-MapSourceRequest request_of(const std::string& path, const sinew_character_map_options& options) {
+MapSourceRequest request_of(const std::string& path, const sinew_character_map_options& options,
+                            const sinew_motion_source& source) {
   const MaybeAxis target_up = options.guess_up != 0 ? std::nullopt : maybe_axis(options.target_up);
-  const MaybeAxis given = maybe_axis(options.source_up), source_up = given ? given : target_up;
-  return {path, text_or_empty(options.layout), text_or_empty(options.actor), source_up, target_up};
+  const MaybeAxis given = maybe_axis(source.up), source_up = given ? given : target_up;
+  return {path, text_or_empty(source.layout), text_or_empty(source.actor), source_up, target_up};
 }
 
 // As sinew_character_animate() plays it.
-MapRig source_of_handle(const sinew_character& from, const sinew_character_map_options& options, const MapRig& target) {
+MapRig source_of_handle(const sinew_character& from, const MapSourceRequest& request, const MapRig& target) {
   std::optional<MotionFile> motion;
-  const MapSourceRequest request = request_of(from.path, options);
   if (plays_its_file(from)) {
     const FilesOf scope(from);
     motion = read_motion_in(request, target);
@@ -45,26 +45,31 @@ MapRig source_of_handle(const sinew_character& from, const sinew_character_map_o
   return rig;
 }
 
-void map(const sinew_character_map_options& options, bool from_template, const MapRig& source,
-         sinew_character* character, sinew_character_map_result* result) {
+void map(const sinew_character_map_options& options, const sinew_character* from, sinew_character* character,
+         sinew_character_map_result* result) {
   check_at_most("method", options.method, SINEW_MAP_BRANCHES);
   check_at_most("branches_first", options.branches_first, SINEW_BRANCHES_SOURCE);
   check_at_most("branches_cost", options.branches_cost, SINEW_BRANCHES_SUM);
   if (options.method != SINEW_MAP_BRANCHES && (options.branches_first != 0 || options.branches_cost != 0))
     throw Failure(SINEW_ERROR_ARGUMENT, "branches_first and branches_cost: are for SINEW_MAP_BRANCHES");
   check_at_most("target_up", options.target_up, SINEW_UP_Z);
-  check_at_most("source_up", options.source_up, SINEW_UP_Z);
+  check_without(options.without, SINEW_WITHOUT_NAMES | SINEW_WITHOUT_ENDS);
+  const sinew_motion_source motion = options_of(options.source);
+  check_at_most("source_up", motion.up, SINEW_UP_Z);
+  need(from != nullptr || motion.file != nullptr, "source");
   need(options.pins != nullptr || options.pin_count == 0, "pins");
   const MapRig target = rig_of_handle(*character);
+  const MapSourceRequest request = request_of(from != nullptr ? from->path : motion.file, options, motion);
+  const MapRig source = from != nullptr ? source_of_handle(*from, request, target) : read_map_source(request, target);
   MapSkeletonOptions job;
   job.method = options.method;
   job.branches_first = options.branches_first;
   job.branches_cost = options.branches_cost;
-  job.names = options.no_names == 0;
-  job.ends = options.no_ends == 0;
+  job.names = (options.without & SINEW_WITHOUT_NAMES) == 0;
+  job.ends = (options.without & SINEW_WITHOUT_ENDS) == 0;
   job.target_up = options.guess_up != 0 ? std::nullopt : maybe_axis(options.target_up);
-  const MaybeAxis source_up = maybe_axis(options.source_up);
-  job.source_up = source_up ? source_up : from_template ? Axis::kY : job.target_up;
+  const MaybeAxis source_up = maybe_axis(motion.up);
+  job.source_up = source_up ? source_up : from == nullptr && is_template(motion.file) ? Axis::kY : job.target_up;
   if (options.pins_file != nullptr) job.pins = read_map_file(options.pins_file, target, source);
   for (uint32_t p = 0; p < options.pin_count; ++p) {
     const sinew_map_pin& pin = options.pins[p];
@@ -83,7 +88,7 @@ void map(const sinew_character_map_options& options, bool from_template, const M
   views.confidence = mapped.confidence;
   views.reasons = mapped.reasons;
   views.text = map_text(target, source, mapped);
-  sinew_character_map_result filled = sinew_character_map_result_init();
+  sinew_character_map_result filled = SINEW_INIT(sinew_character_map_result);
   filled.method = mapped.method;
   filled.joint_count = count32(target.joints.size());
   filled.mapped = count32(mapped.mapped);
@@ -102,31 +107,13 @@ void map(const sinew_character_map_options& options, bool from_template, const M
 
 using namespace sinew;
 
-extern "C" {
-
-sinew_status sinew_character_map(sinew_character* target, const sinew_character* source,
-                                 const sinew_character_map_options* given, sinew_character_map_result* result) {
+extern "C" sinew_status sinew_character_map(sinew_character* target, const sinew_character* source,
+                                            const sinew_character_map_options* given,
+                                            sinew_character_map_result* result) {
   return guarded(target, [&] {
     need(target != nullptr, "target");
-    need(source != nullptr, "source");
     need(result != nullptr, "result");
     check_result(result);
-    const sinew_character_map_options options = options_of(given);
-    map(options, false, source_of_handle(*source, options, rig_of_handle(*target)), target, result);
+    map(options_of(given), source, target, result);
   });
 }
-
-sinew_status sinew_character_map_file(sinew_character* target, const char* source,
-                                      const sinew_character_map_options* given, sinew_character_map_result* result) {
-  return guarded(target, [&] {
-    need(target != nullptr, "target");
-    need(source != nullptr, "source");
-    need(result != nullptr, "result");
-    check_result(result);
-    const sinew_character_map_options options = options_of(given);
-    map(options, is_template(source), read_map_source(request_of(source, options), rig_of_handle(*target)), target,
-        result);
-  });
-}
-
-}  // extern "C"

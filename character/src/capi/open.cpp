@@ -56,14 +56,14 @@ Character mesh_of(const sinew_mesh& mesh) {
   return character;
 }
 
+}  // namespace
+
 void open_into(sinew_character* opened) {
   if (is_picture(opened->path)) return open_picture_into({}, opened);
   CharacterFile file = open_character(opened->path);
   opened->character = std::move(file.character);
   opened->own_skeleton = file.own_skeleton;
 }
-
-}  // namespace
 
 std::shared_ptr<FileBytes> bytes_of(const sinew_file* files, uint32_t file_count) {
   need(files != nullptr && file_count > 0, "files");
@@ -211,7 +211,7 @@ sinew_status sinew_character_copy(const sinew_character* from, sinew_character**
     copy->profile_options = from->profile_options;
     copy->own_motion = from->own_motion;
     copy->clips = from->clips;
-    copy->places = from->places;
+    copy->keypoints = from->keypoints;
     copy->morphs = from->morphs;
     *character = copy.release();
   });

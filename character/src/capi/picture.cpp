@@ -40,8 +40,8 @@ OutlineViews views_of(const Outline& outline) {
   OutlineViews views;
   views.offsets = {0};
   for (const auto& line : outline) {
-    for (const auto& place : line) views.places.insert(views.places.end(), place.begin(), place.end());
-    views.offsets.push_back(count32(views.places.size() / 2));
+    for (const auto& point : line) views.points.insert(views.points.end(), point.begin(), point.end());
+    views.offsets.push_back(count32(views.points.size() / 2));
   }
   return views;
 }
@@ -99,7 +99,7 @@ sinew_status sinew_character_picture(sinew_character* character, sinew_character
     if (character->picture == nullptr)
       throw Error(character->character.name + ": is not of a picture; open a .png or .jpg");
     const PictureCharacter& picture = *character->picture;
-    sinew_character_picture_info filled = sinew_character_picture_info_init();
+    sinew_character_picture_info filled = SINEW_INIT(sinew_character_picture_info);
     filled.width = picture.picture->pixels.width;
     filled.height = picture.picture->pixels.height;
     filled.figure_count = picture.figure.count;
@@ -113,7 +113,7 @@ sinew_status sinew_character_picture(sinew_character* character, sinew_character
     if (views.offsets.empty()) views = views_of(outline_of(picture.figure));
     filled.line_count = count32(views.offsets.size() - 1);
     filled.line_offsets = views.offsets.data();
-    filled.outline = views.places.data();
+    filled.outline = views.points.data();
     give(filled, info);
   });
 }

@@ -68,12 +68,13 @@ void pose(const sinew_character_pose_options& options, sinew_character* from, si
   const int said = (options.angles != nullptr ? 1 : 0) + (options.rotations != nullptr ? 1 : 0) +
                    (options.matrices != nullptr ? 1 : 0) + (options.clip != nullptr ? 1 : 0);
   if (said != 1) throw Failure(SINEW_ERROR_ARGUMENT, "pose: expected one of angles, rotations, matrices and clip");
-  const auto corrections = corrections_of(options.deform, options);
+  const auto corrections = corrections_of(options.deform);
   const std::vector<Affine> palette = options.angles != nullptr      ? by_angles(character, options.angles)
                                       : options.rotations != nullptr ? by_rotations(character, options.rotations)
                                       : options.matrices != nullptr  ? by_matrices(character, options.matrices)
                                                                      : by_clip(from, options.clip, options.time);
-  PosedCharacter done = pose_character(character, palette, corrections, options.deform == SINEW_POSE_DUAL_QUATERNION);
+  const bool dual_quaternion = options_of(options.deform).method == SINEW_POSE_DUAL_QUATERNION;
+  PosedCharacter done = pose_character(character, palette, corrections, dual_quaternion);
   if (!done.corrected)
     done.character.notes.push_back(
         "warning: the matrices are not rotations with one common scale, so the pose is plain linear skinning");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sinew_character_rig(): the job of `sinew rig`.
 #include <algorithm>
+#include <cmath>
 
 #include "handle.hpp"
 #include "rig_of.hpp"
@@ -12,6 +13,20 @@
 namespace sinew {
 namespace {
 
+SkeletonEdit edit_of(const sinew_skeleton_edit& edit) {
+  check_at_most("edits: kind", edit.kind, SINEW_EDIT_AT);
+  need(edit.joint != nullptr, "edits: joint");
+  const bool of_two = edit.kind == SINEW_EDIT_ADD || edit.kind == SINEW_EDIT_PARENT || edit.kind == SINEW_EDIT_RENAME;
+  need(edit.other != nullptr || !of_two, "edits: other");
+  for (const float x : edit.position)
+    if (!std::isfinite(x))
+      throw Failure(SINEW_ERROR_NOT_FINITE, std::string("edits: the position of ") + edit.joint + " is not finite");
+  return {static_cast<EditKind>(edit.kind),
+          edit.joint,
+          of_two ? edit.other : "",
+          {edit.position[0], edit.position[1], edit.position[2]}};
+}
+
 RigJobOptions job_of(const sinew_character_rig_options& options) {
   check_at_most("method", options.method, SINEW_CHARACTER_RIG_SLOTS);
   check_at_most("category", options.category, SINEW_CATEGORY_MANY_LEGGED);
@@ -21,7 +36,8 @@ RigJobOptions job_of(const sinew_character_rig_options& options) {
   check_at_most("detail", options.detail, SINEW_CHARACTER_DETAIL_FULL);
   check_at_most("mirror", options.mirror, SINEW_MIRROR_NEVER);
   check_at_most("thread_count", options.thread_count, SINEW_MAX_THREADS);
-  check_at_most("influence_count", options.influence_count, SINEW_MAX_INFLUENCES);
+  const sinew_character_bind_options bind = options_of(options.bind);
+  check_at_most("influence_count", bind.influence_count, SINEW_MAX_INFLUENCES);
   need(options.edits != nullptr || options.edit_count == 0, "edits");
   RigJobOptions job;
   job.method = static_cast<RigMethod>(options.method);
@@ -32,23 +48,20 @@ RigJobOptions job_of(const sinew_character_rig_options& options) {
   check_at_most("front", options.front, SINEW_FRONT_MINUS_Y);
   job.front = options.front;
   job.spine_count = options.spine_count;
-  job.toes = options.no_toes == 0;
-  job.ends = options.no_ends == 0;
-  job.bind = options.no_bind == 0;
+  check_without(options.without, SINEW_WITHOUT_TOES | SINEW_WITHOUT_ENDS | SINEW_WITHOUT_BIND);
+  job.toes = (options.without & SINEW_WITHOUT_TOES) == 0;
+  job.ends = (options.without & SINEW_WITHOUT_ENDS) == 0;
+  job.bind = (options.without & SINEW_WITHOUT_BIND) == 0;
   job.keep_lengths = options.keep_lengths != 0;
   job.gate = options.gate != 0;
-  job.cut = options.cut != 0;
-  if (options.to_pose != nullptr) job.to_pose = options.to_pose;
-  if (options.influence_count != 0) job.influence_count = options.influence_count;
+  job.cut = bind.cut != 0;
+  if (bind.to_pose != nullptr) job.to_pose = bind.to_pose;
+  if (bind.influence_count != 0) job.influence_count = bind.influence_count;
   if (options.thread_count != 0) job.thread_count = options.thread_count;
-  job.rigid_parts = options.rigid_parts;
-  if (options.softness_percent != 0) job.softness_percent = options.softness_percent;
-  if (options.surface_vertices != 0) job.surface_vertices = options.surface_vertices;
-  for (uint32_t e = 0; e < options.edit_count; ++e) {
-    check_at_most("edits: kind", options.edits[e].kind, SINEW_EDIT_AT);
-    need(options.edits[e].text != nullptr, "edits: text");
-    job.edits.push_back(parse_edit(static_cast<EditKind>(options.edits[e].kind), options.edits[e].text));
-  }
+  job.rigid_parts = bind.rigid_parts;
+  if (bind.softness_percent != 0) job.softness_percent = bind.softness_percent;
+  if (bind.surface_vertices != 0) job.surface_vertices = bind.surface_vertices;
+  for (uint32_t e = 0; e < options.edit_count; ++e) job.edits.push_back(edit_of(options.edits[e]));
   if (options.skeleton != nullptr) job.skeleton = options.skeleton;
   if (options.skeleton_character != nullptr) {
     const sinew_character& own = *options.skeleton_character;
@@ -77,7 +90,7 @@ void fill_result(const RiggedCharacter& rigged, ResultViews* views, sinew_charac
   views->ends = skeleton.ends;
   views->confidence = skeleton.confidence;
   views->parent_confidence = skeleton.parent_confidence;
-  sinew_character_rig_result filled = sinew_character_rig_result_init();
+  sinew_character_rig_result filled = SINEW_INIT(sinew_character_rig_result);
   filled.mirrored = skeleton.mirrored ? 1 : 0;
   filled.joint_count = count32(skeleton.joints.size());
   filled.spread = skeleton.spread;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Generated from the C headers by scripts/declarations.py; a test compares.
 #include "sinew/character.h"
+#include "sinew/character_check.h"
+#include "sinew/character_file.h"
+#include "sinew/character_jobs.h"
+#include "sinew/character_picture.h"
 
 namespace {
 
@@ -11,12 +15,13 @@ struct StructSize {
 
 constexpr StructSize kStructSizes[] = {
     {"sinew_file", sizeof(sinew_file)},
-    {"sinew_character_picture_options", sizeof(sinew_character_picture_options)},
-    {"sinew_character_picture_info", sizeof(sinew_character_picture_info)},
     {"sinew_character_profile_options", sizeof(sinew_character_profile_options)},
     {"sinew_character_arrays", sizeof(sinew_character_arrays)},
     {"sinew_character_clip", sizeof(sinew_character_clip)},
-    {"sinew_character_place_options", sizeof(sinew_character_place_options)},
+    {"sinew_character_transform_options", sizeof(sinew_character_transform_options)},
+    {"sinew_character_finding", sizeof(sinew_character_finding)},
+    {"sinew_character_check_options", sizeof(sinew_character_check_options)},
+    {"sinew_character_check_result", sizeof(sinew_character_check_result)},
     {"sinew_character_models", sizeof(sinew_character_models)},
     {"sinew_character_bind_options", sizeof(sinew_character_bind_options)},
     {"sinew_character_seam", sizeof(sinew_character_seam)},
@@ -26,8 +31,10 @@ constexpr StructSize kStructSizes[] = {
     {"sinew_character_rig_options", sizeof(sinew_character_rig_options)},
     {"sinew_character_doubt", sizeof(sinew_character_doubt)},
     {"sinew_character_rig_result", sizeof(sinew_character_rig_result)},
+    {"sinew_motion_source", sizeof(sinew_motion_source)},
     {"sinew_character_map_options", sizeof(sinew_character_map_options)},
     {"sinew_character_map_result", sizeof(sinew_character_map_result)},
+    {"sinew_character_deformation", sizeof(sinew_character_deformation)},
     {"sinew_character_animate_options", sizeof(sinew_character_animate_options)},
     {"sinew_character_animate_result", sizeof(sinew_character_animate_result)},
     {"sinew_character_pose_options", sizeof(sinew_character_pose_options)},
@@ -36,11 +43,10 @@ constexpr StructSize kStructSizes[] = {
     {"sinew_character_simplify_options", sizeof(sinew_character_simplify_options)},
     {"sinew_character_lod_options", sizeof(sinew_character_lod_options)},
     {"sinew_character_lod_level", sizeof(sinew_character_lod_level)},
-    {"sinew_character_finding", sizeof(sinew_character_finding)},
-    {"sinew_character_check_options", sizeof(sinew_character_check_options)},
-    {"sinew_character_check_result", sizeof(sinew_character_check_result)},
     {"sinew_character_bake_options", sizeof(sinew_character_bake_options)},
     {"sinew_character_bake_result", sizeof(sinew_character_bake_result)},
+    {"sinew_character_picture_options", sizeof(sinew_character_picture_options)},
+    {"sinew_character_picture_info", sizeof(sinew_character_picture_info)},
 };
 
 bool equal(const char* a, const char* b) {  // the engine needs no C library

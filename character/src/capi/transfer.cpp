@@ -55,7 +55,7 @@ void fill_result(const TransferTarget& target, const TransferResult& done, Resul
   *views = {};
   views->parts = done.parts;
   views->text = target.mapped_by;
-  sinew_character_transfer_result filled = sinew_character_transfer_result_init();
+  sinew_character_transfer_result filled = SINEW_INIT(sinew_character_transfer_result);
   filled.mapped_joints = count32(mapped_count(target.mapping));
   filled.fitted = target.fitted ? 1 : 0;
   filled.bound = done.bound ? 1 : 0;

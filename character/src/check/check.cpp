@@ -46,7 +46,7 @@ RigCheck check_rig(const Character& character, const Motion* motion, const Check
   Findings findings(character, options);
   if (facts.bound) {
     check_rows(facts, &findings);
-    check_places(facts, &findings);
+    check_stray_weights(facts, &findings);
   }
   check_joints(facts, &findings);
   check_names(facts, &findings);

@@ -101,7 +101,7 @@ std::string check_text(const CheckedFile& file) {
     if (i + 1 == check.findings.size() || check.findings[i + 1].rule != f.rule)
       text += std::string("\n          ") + f.rule->cure;
   }
-  for (const size_t i : file.change.gone)
+  for (const size_t i : file.change.removed)
     text += std::string("\n  gone: ") + file.before->findings[i].rule->name + ": " + file.before->findings[i].what;
   return text;
 }
@@ -122,7 +122,7 @@ std::string check_json(const CheckedFile& file) {
   if (file.before) {
     json["added"] = file.change.added;
     json["gone"] = OrderedJson::array();
-    for (const size_t i : file.change.gone)
+    for (const size_t i : file.change.removed)
       json["gone"].push_back({{"rule", file.before->findings[i].rule->name}, {"what", file.before->findings[i].what}});
   }
   json["failures"] = file.failures;

@@ -9,11 +9,11 @@
 
 namespace sinew {
 
-void check_rows(const RigFacts& facts, Findings* findings);    // sums, rows without weight, long rows, cracks
-void check_places(const RigFacts& facts, Findings* findings);  // weight where it does not belong
-void check_joints(const RigFacts& facts, Findings* findings);  // outside, without length, without weight
+void check_rows(const RigFacts& facts, Findings* findings);           // sums, rows without weight, long rows, cracks
+void check_stray_weights(const RigFacts& facts, Findings* findings);  // weight where it does not belong
+void check_joints(const RigFacts& facts, Findings* findings);         // outside, without length, without weight
 void check_names(const RigFacts& facts,
-                 Findings* findings);  // against the hierarchy, left against right, against places
+                 Findings* findings);  // against the hierarchy, left against right, against positions
 void check_symmetry(const RigFacts& facts, Findings* findings);  // joints and rows against their mirror images
 void check_matrices(const RigFacts& facts, Findings* findings);  // of a glTF's skins
 void check_poses(const RigFacts& facts, Findings* findings);     // test poses

@@ -20,7 +20,7 @@ class ClipCheck {
   ClipCheck(const RigFacts& facts, const Motion& motion, const Clip& clip, Findings* findings)
       : facts_(facts), motion_(motion), clip_(clip), findings_(findings) {
     for (const MotionFrame& frame : clip.frames) poses_.push_back(world_pose(motion, frame));
-    const Box box = box_of(facts.character.vertices.empty() ? places() : facts.character.vertices);
+    const Box box = box_of(facts.character.vertices.empty() ? positions() : facts.character.vertices);
     height_ = static_cast<double>(box.high.y - box.low.y);
     if (!(height_ > 0)) height_ = facts.size;
     floor_ = static_cast<double>(box.low.y);
@@ -38,7 +38,7 @@ class ClipCheck {
   }
 
  private:
-  std::vector<Vec3> places() const {
+  std::vector<Vec3> positions() const {
     std::vector<Vec3> out;
     for (const Joint& joint : facts_.character.joints) out.push_back(joint.position);
     return out;
@@ -138,11 +138,11 @@ class ClipCheck {
 
   // Of feet that stand, against the ground: which moves where a clip stays in its place.
   void slides() {
-    struct Stand {
+    struct Stance {
       size_t foot, frame;
       Point3 velocity;
     };
-    std::vector<Stand> stands;
+    std::vector<Stance> stances;
     std::vector<double> x, z;
     for (const size_t j : feet_) {
       double lowest = 1e300;
@@ -150,18 +150,18 @@ class ClipCheck {
       for (size_t f = 1; f < poses_.size(); ++f) {
         if (lifted(f, j) > lowest + kNear || lifted(f - 1, j) > lowest + kNear) continue;
         const Point3 v = (1 / (height_ * clip_.frame_time)) * (poses_[f].positions[j] - poses_[f - 1].positions[j]);
-        stands.push_back({j, f, v});
+        stances.push_back({j, f, v});
         x.push_back(v[0]);
         z.push_back(v[2]);
       }
     }
-    if (stands.size() < 4) return;
+    if (stances.size() < 4) return;
     const Point3 ground = {median(&x), 0, median(&z)};
     for (const size_t j : feet_) {
       std::vector<double> speeds;
       size_t at = 0;
       double most = 0;
-      for (const Stand& s : stands) {
+      for (const Stance& s : stances) {
         if (s.foot != j) continue;
         const double dx = s.velocity[0] - ground[0], dz = s.velocity[2] - ground[2],
                      speed = std::sqrt(dx * dx + dz * dz);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Joints by their places and by what they move.
+// Joints by their positions and by what they move.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@ namespace {
 
 // Joints in another part of the body than theirs are no eyesore outside, but as wrong: they count at this share of their distance.
 constexpr double kInside = 0.5;
-constexpr double kOnePlace = 1e-4;  // of the size
+constexpr double kShortestBone = 1e-4;  // of the size
 
 void apart(const RigFacts& facts, Findings* findings) {
   if (facts.character.vertices.empty()) return;
@@ -66,7 +66,7 @@ void zero_length(const RigFacts& facts, Findings* findings) {
     if (facts.moves[j].empty() || facts.moves[static_cast<size_t>(parent)].empty()) continue;
     const double bone = length(point(facts.character.joints[j].position) -
                                point(facts.character.joints[static_cast<size_t>(parent)].position));
-    if (bone > kOnePlace * facts.size) continue;
+    if (bone > kShortestBone * facts.size) continue;
     RigFinding finding;
     finding.joint = static_cast<int>(j);
     finding.other = parent;

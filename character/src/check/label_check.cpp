@@ -226,7 +226,7 @@ class Labels {
     for (const auto& patch : patches) total[dominant_[patch[0]]] += patch.size();
     for (const auto& patch : patches) {
       const uint32_t joint = dominant_[patch[0]];
-      if (2 * patch.size() > total[joint]) continue;  // the joint's own place
+      if (2 * patch.size() > total[joint]) continue;  // the joint's own position
       const auto over = static_cast<size_t>(std::count_if(patch.begin(), patch.end(), [&](uint32_t v) {
         return across(v, joint) && distance_(c_.vertices[v], joint) > kUsualReach * usual_[joint];
       }));
@@ -338,7 +338,7 @@ class Labels {
   std::vector<uint32_t> twins_, dominant_, welded_;
   std::vector<Row> rows_;
   std::vector<double> usual_;
-  double shared_ = 0;  // of the vertices, on joints that share their place
+  double shared_ = 0;  // of the vertices, on joints that share their position
   std::vector<std::vector<uint32_t>> neighbours_;
   std::vector<size_t> strong_vertices_;
   std::vector<uint8_t> has_weight_, flagged_;

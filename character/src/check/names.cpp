@@ -17,12 +17,12 @@ namespace {
 enum class Limb : uint8_t { kNone, kTrunk, kHead, kArm, kLeg };
 
 // How far out on its limb a class is.
-struct OnLimb {
+struct LimbRank {
   Limb limb = Limb::kNone;
   int rank = 0;
 };
 
-OnLimb on_limb(uint8_t one) {
+LimbRank limb_rank(uint8_t one) {
   switch (one) {
     case SINEW_CLASS_PELVIS:
       return {Limb::kTrunk, 0};
@@ -59,7 +59,7 @@ OnLimb on_limb(uint8_t one) {
 int classed_above(const RigFacts& facts, size_t joint) {
   for (int up = facts.character.joints[joint].parent; up >= 0;
        up = facts.character.joints[static_cast<size_t>(up)].parent)
-    if (on_limb(facts.verdicts.classes[static_cast<size_t>(up)]).limb != Limb::kNone &&
+    if (limb_rank(facts.verdicts.classes[static_cast<size_t>(up)]).limb != Limb::kNone &&
         facts.verdicts.roles[static_cast<size_t>(up)] == SINEW_ROLE_DEFORMS)
       return up;
   return -1;
@@ -68,13 +68,13 @@ int classed_above(const RigFacts& facts, size_t joint) {
 void order(const RigFacts& facts, Findings* findings) {
   for (size_t j = 0; j < facts.character.joints.size(); ++j) {
     if (facts.verdicts.roles[j] != SINEW_ROLE_DEFORMS || !facts.bound || facts.weight[j] <= 0) continue;
-    const OnLimb own = on_limb(facts.verdicts.classes[j]);
+    const LimbRank own = limb_rank(facts.verdicts.classes[j]);
     const int above = classed_above(facts, j);
     if (own.limb == Limb::kNone || own.limb == Limb::kTrunk || facts.verdicts.classes[j] == SINEW_CLASS_TOE ||
         above < 0 || facts.weight[static_cast<size_t>(above)] <= 0)
       continue;
     if (!facts.is_single(j) || !facts.is_single(static_cast<size_t>(above))) continue;
-    const OnLimb up = on_limb(facts.verdicts.classes[static_cast<size_t>(above)]);
+    const LimbRank up = limb_rank(facts.verdicts.classes[static_cast<size_t>(above)]);
     const int side = facts.verdicts.sides[j], their_side = facts.verdicts.sides[static_cast<size_t>(above)];
     // A foreleg hangs on a shoulder. What ends a chain may be called after all of it: IKBackLeg under BackLowerLeg.
     if (own.limb == Limb::kLeg && facts.verdicts.classes[static_cast<size_t>(above)] == SINEW_CLASS_CLAVICLE) continue;
@@ -209,8 +209,8 @@ void against_body(const RigFacts& facts, Findings* findings) {
     std::array<int, 2> first = {-1, -1};
     for (size_t j = 0; j < map.sources.size(); ++j) {
       if (map.sources[j] < 0 || !facts.is_single(j)) continue;
-      const Limb said = on_limb(facts.verdicts.classes[j]).limb,
-                 found = on_limb(classes[static_cast<size_t>(map.sources[j])]).limb;
+      const Limb said = limb_rank(facts.verdicts.classes[j]).limb,
+                 found = limb_rank(classes[static_cast<size_t>(map.sources[j])]).limb;
       if (said == Limb::kNone || found == Limb::kNone) continue;
       ++known;
       if (said == found || said == Limb::kTrunk || found == Limb::kTrunk) continue;

@@ -20,10 +20,10 @@ struct RigFacts {
   const Character& character;
   double size = 1;                              // the mesh's longest side; of a skeleton alone the skeleton's
   bool bound = false;                           // there are weights
-  JointVerdicts verdicts;                       // by names, places and weights
+  JointVerdicts verdicts;                       // by names, positions and weights
   std::vector<std::vector<uint32_t>> children;  // [J]
   std::vector<size_t> parents_first;            // [J]
-  std::vector<uint32_t> first;                  // [V] the first vertex at its place
+  std::vector<uint32_t> first;                  // [V] the first vertex at its position
   std::vector<std::vector<uint32_t>> rings;     // [V] of first vertices, each once, ascending; of others empty
   std::vector<uint32_t> parts;                  // [V] number of the connected piece of the surface
   std::vector<uint32_t> strongest;              // [V] joint, kNoOne for a row without weight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rows of weights by themselves, and of edges at one place.
+// Rows of weights by themselves, and of edges at one position.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -82,10 +82,11 @@ void long_rows(const RigFacts& facts, Findings* findings) {
   findings->add("influences", std::move(finding));
 }
 
-// Edges that two faces have at the same places but with vertices of their own: a seam of the mesh that poses may open.
+// Edges that two faces have at the same positions but with vertices of their own: a seam of the mesh that poses may open.
 void cracks(const RigFacts& facts, Findings* findings) {
   const Character& c = facts.character;
-  std::vector<uint8_t> shared(c.vertices.size(), 0);  // a place of several vertices: without one, an edge has no other
+  std::vector<uint8_t> shared(c.vertices.size(),
+                              0);  // a position of several vertices: without one, an edge has no other
   for (uint32_t v = 0; v < shared.size(); ++v)
     if (facts.first[v] != v) shared[facts.first[v]] = 1;
   std::map<std::array<uint32_t, 2>, std::vector<std::array<uint32_t, 2>>> edges;  // by first vertices
@@ -102,7 +103,7 @@ void cracks(const RigFacts& facts, Findings* findings) {
   RigFinding finding;
   const double bound = findings->bound("crack");
   std::vector<uint8_t> marked(c.vertices.size(), 0);
-  for (const auto& [places, at] : edges) {
+  for (const auto& [positions, at] : edges) {
     if (at.size() != 2) continue;  // of more, layers lie on each other
     for (size_t end = 0; end < 2; ++end) {
       const uint32_t a = at[0][end], b = at[1][end];

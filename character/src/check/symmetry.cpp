@@ -14,10 +14,10 @@
 namespace sinew {
 namespace {
 
-constexpr double kAlike = 0.005;        // of the size: most twins are images of each other
-constexpr double kOnePlace = 0.002;     // of the size: a vertex is another one's image
-constexpr double kMirroredShare = 0.9;  // of the vertices, of a mesh that is its own mirror image
-constexpr double kUnlike = 0.6;         // L1 of rows
+constexpr double kAlike = 0.005;            // of the size: most twins are images of each other
+constexpr double kMirrorTolerance = 0.002;  // of the size: a vertex is another one's image
+constexpr double kMirroredShare = 0.9;      // of the vertices, of a mesh that is its own mirror image
+constexpr double kUnlike = 0.6;             // L1 of rows
 constexpr size_t kLeastVertices = 6;
 
 struct Twins {
@@ -35,7 +35,7 @@ Twins twins_of(const RigFacts& facts) {
     const double off =
         std::abs(static_cast<double>(component(facts.character.joints[j].position, twins.axis) - twins.plane));
     const bool both = partner >= 0 && facts.verdicts.partners[static_cast<size_t>(partner)] == static_cast<int32_t>(j);
-    twins.of.push_back(both ? partner : partner < 0 && off < kOnePlace * facts.size ? static_cast<int>(j) : -1);
+    twins.of.push_back(both ? partner : partner < 0 && off < kMirrorTolerance * facts.size ? static_cast<int>(j) : -1);
   }
   return twins;
 }
@@ -71,7 +71,7 @@ void joints(const RigFacts& facts, const Twins& twins, Findings* findings) {
 
 // [V] the vertex at its mirror image, kNoOne where there is none.
 std::vector<uint32_t> images_of(const RigFacts& facts, const Twins& twins) {
-  const double cell = kOnePlace * facts.size;
+  const double cell = kMirrorTolerance * facts.size;
   const auto key = [&](const Vec3& p, int dx, int dy, int dz) {
     return std::array<int64_t, 3>{static_cast<int64_t>(std::floor(static_cast<double>(p.x) / cell)) + dx,
                                   static_cast<int64_t>(std::floor(static_cast<double>(p.y) / cell)) + dy,

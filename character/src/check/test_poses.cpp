@@ -73,7 +73,7 @@ class Poser {
         if (facts_.verdicts.classes[j] != turn.joint_class || !turns(j)) continue;
         const Point3 axis = axis_of(j, turn.about);
         if (!(length(axis) > 0)) continue;
-        const Point3 at = place(j);
+        const Point3 at = position(j);
         local[j] = rotation_about(rotation(axis, turn.angle), {at[0], at[1], at[2]});
         out.joints.push_back(j);
       }
@@ -87,7 +87,7 @@ class Poser {
   }
 
  private:
-  Point3 place(size_t joint) const { return point(facts_.character.joints[joint].position); }
+  Point3 position(size_t joint) const { return point(facts_.character.joints[joint].position); }
 
   // The first of its class on its limb, and of a trunk or a tail every one; something below it moves the mesh.
   bool turns(size_t joint) const {
@@ -104,9 +104,9 @@ class Poser {
   // Along the bone: to its children's middle, of a leaf on from its parent.
   Point3 bone(size_t joint) const {
     Point3 to = {};
-    for (const uint32_t child : facts_.children[joint]) to = to + (place(child) - place(joint));
+    for (const uint32_t child : facts_.children[joint]) to = to + (position(child) - position(joint));
     const int parent = facts_.character.joints[joint].parent;
-    if (!(length(to) > 1e-6 * facts_.size) && parent >= 0) to = place(joint) - place(static_cast<size_t>(parent));
+    if (!(length(to) > 1e-6 * facts_.size) && parent >= 0) to = position(joint) - position(static_cast<size_t>(parent));
     return unit(to);
   }
 
@@ -125,7 +125,7 @@ class Poser {
     if (about == About::kOutward) return unit(cross(along, axis));
     // As the limb is bent already; a straight one about the swing's axis.
     const int parent = facts_.character.joints[joint].parent;
-    const Point3 above = parent < 0 ? Point3{} : unit(place(joint) - place(static_cast<size_t>(parent)));
+    const Point3 above = parent < 0 ? Point3{} : unit(position(joint) - position(static_cast<size_t>(parent)));
     const Point3 hinge = cross(above, along);
     return length(hinge) > 0.1 ? unit(hinge) : axis;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A foot over one cycle of a gait: rolled over heel and ball while it stands, carried to the next place in between.
+// A foot over one cycle of a gait: rolled over heel and ball while it stands, carried to the next footprint in between.
 #ifndef SINEW_CHARACTER_CLIPS_GAIT_HPP
 #define SINEW_CHARACTER_CLIPS_GAIT_HPP
 
@@ -23,7 +23,7 @@ struct FootPose {
 struct FootPath {
   double stance = 0.6;  // share of the cycle
   double stride = 1;    // what the body travels in one
-  double front = 0;     // where the foot stands, flat, against its place at rest, when the stance begins
+  double front = 0;     // where the foot stands, flat, against its position at rest, when the stance begins
   double lift = 0;      // height that the ankle is carried higher than it leaves and lands
   std::function<double(double phase)> pitch;
 };

@@ -45,7 +45,7 @@ class Puppet {
   const MotionFrame& frame() const { return frame_; }
 
   void to_rest();
-  // The root's place against that at rest, and its rotation.
+  // The root's position against that at rest, and its rotation.
   void place(const Point3& shift, const Quaternion& rotation = kNoRotation4);
   void turn(const std::string& joint, const Quaternion& against_parent);
   void turn_in_world(const std::string& joint, const Quaternion& rotation);

@@ -144,7 +144,8 @@ void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsO
   for (const Clip& clip : clips) {
     ClipReport report;
     out->motion.clips.push_back(retargeter.run(clip, keep_going, s.report ? &report : nullptr));
-    out->made.push_back({choice.file, clip.name, map.how, clip.frames.size(), mapped, clip.frame_time, report});
+    out->animated_clips.push_back(
+        {choice.file, clip.name, map.how, clip.frames.size(), mapped, clip.frame_time, report});
   }
   out->certainty = std::min(map.certainty, map.cover.share);
   if (map.certainty < kDoubtfulSides)
@@ -170,8 +171,8 @@ void bake_clips(const sinew_deform_options& deform, size_t shapes, const StepsOf
       poses.push_back(motion_palette(out->motion, frame, out->character.joints.size()));
     MorphClip keys;
     Morphs own = bake_clip(out->character, poses, settings, shapes, step, &keys.weights);
-    out->made[c].shapes = own.shapes.size();
-    out->made[c].error = bake_error(out->character, own, poses, deform, step, &keys.weights);
+    out->animated_clips[c].shapes = own.shapes.size();
+    out->animated_clips[c].error = bake_error(out->character, own, poses, deform, step, &keys.weights);
     keys.is_new = true;
     keys.animation = c;
     keys.frame_time = clip.frame_time;

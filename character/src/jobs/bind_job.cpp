@@ -86,8 +86,8 @@ void add_hints_like(const BindJobOptions& job, const Binder& binder, Character* 
 }
 
 // Joints that the user binds vertices to, by hints and by answers.
-std::vector<size_t> joints_said(const Character& character, const std::vector<uint8_t>& hints,
-                                const std::vector<sinew_answer>& answers) {
+std::vector<size_t> answered_joints(const Character& character, const std::vector<uint8_t>& hints,
+                                    const std::vector<sinew_answer>& answers) {
   std::vector<size_t> joints;
   for (const sinew_answer& answer : answers)
     if (answer.kind == SINEW_ANSWER_RIGID) joints.push_back(answer.joint);
@@ -146,8 +146,8 @@ BindJob::BindJob(const BindJobOptions& job, const Binder& binder, Character* cha
   // Hints are no weights of the file: the choice comes first.
   chosen_ = job.choice != nullptr ? *job.choice : prepare_joints(job.joints, job.fit, character);
   job_.choice = nullptr;
-  take_back_joints(job.taken_back, {}, &chosen_);
-  apply_said(job.said, &chosen_);
+  restore_joints(job.restored_joints, {}, &chosen_);
+  apply_joint_flags(job.joint_flags, &chosen_);
   options_.keep_tips = job.keep_tips;
   options_.bind_props = job.bind_props;
   BindOptions& options = options_.bind;
@@ -176,7 +176,7 @@ CharacterBind BindJob::bind(const std::vector<sinew_answer>& answers, uint32_t q
   options.answers = answers;
   options.question_count = question_count;
   choice_ = chosen_;
-  take_back_joints(joints_said(character, options.hints, answers), job_.said, &choice_);
+  restore_joints(answered_joints(character, options.hints, answers), job_.joint_flags, &choice_);
   for (const sinew_answer& answer : answers) {
     if (answer.kind == SINEW_ANSWER_RIGID && (choice_.flags[answer.joint] & SINEW_JOINT_NEVER) != 0)
       throw Error("answer rigid:" + character.joints[answer.joint].name + ": --never, or --joints for other joints, " +
@@ -210,11 +210,11 @@ std::vector<sinew_answer> BindJob::answers_of(const Style& style) {
   return answer_by_style(style, *character_, {asked.questions, asked.vertex_parts, job_.up_axis}, choice_.flags);
 }
 
-Style BindJob::learnt(Style style, const std::vector<sinew_answer>& said, const std::string& path) {
+Style BindJob::learnt(Style style, const std::vector<sinew_answer>& answers, const std::string& path) {
   const JointChoice kept = choice_;
   const CharacterBind& asked = proposed();
   choice_ = kept;
-  style.sheets.push_back(learn_style(*character_, {asked.questions, asked.vertex_parts, job_.up_axis}, said));
+  style.sheets.push_back(learn_style(*character_, {asked.questions, asked.vertex_parts, job_.up_axis}, answers));
   if (style.sheets.back().rules.empty())
     throw Error(path +
                 ": there is no answer to keep; answer parts that are asked about (--ask, or --answer for those that "

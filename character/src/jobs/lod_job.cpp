@@ -124,9 +124,9 @@ Character character_of_bytes(const std::string& name, const std::vector<uint8_t>
   return read_gltf(name);
 }
 
-class Leveller {
+class LodBuilder {
  public:
-  Leveller(const LodOptions& options, const Character& character)
+  LodBuilder(const LodOptions& options, const Character& character)
       : options_(options), whole_(through_glb(character)), facts_(whole_), poses_(test_poses(facts_)) {
     float low = whole_.vertices[0].y, high = low;
     for (const Vec3& p : whole_.vertices) low = std::min(low, p.y), high = std::max(high, p.y);
@@ -193,9 +193,9 @@ class Leveller {
 std::vector<LodLevel> levels_of_detail(const LodOptions& options, const Character& character) {
   if (character.vertices.empty() || character.influences.empty() || character.joints.empty())
     throw Error(character.name + ": expected a mesh that is bound to a skeleton; bind or rig it first");
-  const Leveller leveller(options, character);
+  const LodBuilder builder(options, character);
   std::vector<LodLevel> levels;
-  for (uint32_t number = 1; number <= options.levels; ++number) levels.push_back(leveller.level(number));
+  for (uint32_t number = 1; number <= options.levels; ++number) levels.push_back(builder.level(number));
   return levels;
 }
 

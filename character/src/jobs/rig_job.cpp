@@ -90,7 +90,7 @@ void put_own(const RigJobOptions& job, const RigModels& models, const LabelledSk
     (void)predict_hands(rigged->character, *models.hands, hands, &rigged->skeleton);
   }
   rigged->fitted = fit_own_skeleton(own, job.skeleton, found, options, rigged->character, &rigged->skeleton);
-  if (2 * rigged->fitted->matched < rigged->fitted->telling)
+  if (2 * rigged->fitted->matched < rigged->fitted->matchable)
     rigged->character.notes.push_back("warning: most joints of " + job.skeleton +
                                       " have no like in this mesh; look at them before using them");
 }
@@ -124,10 +124,10 @@ void bind_rigged(const RigJobOptions& job, const RigModels& models, RiggedCharac
 // The mesh and both of its skeletons in another rest pose.
 void put_into_pose(const RestPose& pose, RiggedCharacter* rigged) {
   rigged->character = in_rest_pose(rigged->character, pose, rigged->skeleton.up_axis);
-  std::map<std::string, Vec3> places;
-  for (const Joint& joint : rigged->character.joints) places[joint.name] = joint.position;
+  std::map<std::string, Vec3> positions;
+  for (const Joint& joint : rigged->character.joints) positions[joint.name] = joint.position;
   for (Joint& joint : rigged->skeleton.joints)
-    if (const auto found = places.find(joint.name); found != places.end()) joint.position = found->second;
+    if (const auto found = positions.find(joint.name); found != positions.end()) joint.position = found->second;
   if (rigged->fitted) rigged->fitted->joints = rigged->character.joints;
 }
 

@@ -27,7 +27,7 @@ void fit_source_skeleton(const Character& source, const TransferTargetOptions& o
                 "; give one with --skeleton");
   }
   character->joints = fitted.joints;
-  if ((predicted.usable && *predicted.usable < kDoubtfulUsable) || 2 * fitted.matched < fitted.telling)
+  if ((predicted.usable && *predicted.usable < kDoubtfulUsable) || 2 * fitted.matched < fitted.matchable)
     character->notes.push_back("warning: the skeleton of " + source.name +
                                " was fitted to a mesh that resembles little that the model knows; look at its joints, "
                                "or give a skeleton with --skeleton");

@@ -72,7 +72,7 @@ Axis found_up(const MapRig& rig, const MapSkeletonOptions& options) {
   const std::optional<UprightBody> body = find_upright_body(read.joints, limb_classes(read, {}));
   std::vector<Point3> positions;
   for (const Joint& joint : rig.joints) positions.push_back(point(joint.position));
-  if (!body || !stands(*body, positions)) return Axis::kY;  // a spider laid over a person says nothing
+  if (!body || !is_upright(*body, positions)) return Axis::kY;  // a spider laid over a person says nothing
   Point3 legs{};
   for (const UprightLimb& leg : body->legs)
     legs = legs + unit(point(rig.joints[static_cast<size_t>(leg.upper)].position) -

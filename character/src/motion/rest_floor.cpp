@@ -18,7 +18,7 @@ constexpr double kStands = 0.85, kLies = 0.5;             // cosine of what a tr
 constexpr double kBelowFloor = 0.05, kAboveFloor = 0.15;  // of the body's height: where its lowest joint may be
 
 // A trunk's direction and the joints of one pose.
-struct Posed {
+struct TrunkPose {
   Point3 trunk;
   std::vector<Point3> positions;
 };
@@ -35,15 +35,15 @@ double lowest(const std::vector<Point3>& positions, size_t axis) {
   return low;
 }
 
-double median_along(const std::vector<Posed>& frames, size_t axis) {
+double median_along(const std::vector<TrunkPose>& frames, size_t axis) {
   std::vector<double> values;
-  for (const Posed& frame : frames) values.push_back(frame.trunk[axis]);
+  for (const TrunkPose& frame : frames) values.push_back(frame.trunk[axis]);
   return median(&values);
 }
 
-bool on_floor(const std::vector<Posed>& frames, size_t axis, double height) {
+bool on_floor(const std::vector<TrunkPose>& frames, size_t axis, double height) {
   std::vector<double> values;
-  for (const Posed& frame : frames) values.push_back(lowest(frame.positions, axis));
+  for (const TrunkPose& frame : frames) values.push_back(lowest(frame.positions, axis));
   const double low = median(&values);
   return low > -kBelowFloor * height && low < kAboveFloor * height;
 }
@@ -62,13 +62,13 @@ std::optional<Motion> motion_on_rest_floor(const Motion& motion) {
   std::vector<Point3> rest;
   for (const Joint& joint : rig.joints)
     rest.push_back({double{joint.position.x}, double{joint.position.y}, double{joint.position.z}});
-  if (!body || !stands(*body, rest)) return std::nullopt;
+  if (!body || !is_upright(*body, rest)) return std::nullopt;
   const size_t up = largest(trunk_of(*body, rest));
   double high = rest[0][up];
   for (const Point3& p : rest) high = std::max(high, p[up]);
   const double height = high - lowest(rest, up);
 
-  std::vector<Posed> frames;
+  std::vector<TrunkPose> frames;
   for (const Clip& clip : motion.clips)
     for (const MotionFrame& frame : clip.frames) {
       std::vector<Point3> positions = world_pose(motion, frame).positions;

@@ -30,8 +30,10 @@ struct RigArrays {
     }
   }
   sinew_skeleton view(uint32_t up) const {
-    sinew_skeleton skeleton =
-        sinew_skeleton_init(positions.data(), parents.data(), static_cast<uint32_t>(parents.size()));
+    sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+    skeleton.positions = positions.data();
+    skeleton.parents = parents.data();
+    skeleton.joint_count = static_cast<uint32_t>(parents.size());
     skeleton.up = up;
     return skeleton;
   }
@@ -157,9 +159,9 @@ void Retargeter::stream_clip(const sinew_motion_clip& whole, float fps) const {
   const sinew_skeleton source_rig = from.view(up_.source), target_rig = to.view(up_.target);
   const sinew_motion_body body = view(target_body_), source = view(source_body_);
   const bool has_body = body.vertex_count > 0;
-  sinew_retarget_stream_options options = sinew_retarget_stream_options_init();
+  sinew_retarget_stream_options options = SINEW_INIT(sinew_retarget_stream_options);
   options.fps = fps;
-  options.no_range = range_ ? 0 : 1;
+  if (!range_) options.without = SINEW_WITHOUT_RANGE;
   options.source = has_source_ ? &source : nullptr;
   size_t bytes = 0;
   Workspace room;
@@ -176,7 +178,7 @@ void Retargeter::stream_clip(const sinew_motion_clip& whole, float fps) const {
   }
 }
 
-// The source in the target's vertices: every one the point of the source's surface that is the same place of the body.
+// The source in the target's vertices: every one the point of the source's surface at the same spot of the body.
 bool Retargeter::take_corresponding(const Character& target, const Character& source) {
   const EngineViews from(source, {}), to(target, {});
   const SkinArrays rows = skin_arrays(source);
@@ -201,14 +203,14 @@ bool Retargeter::take_corresponding(const Character& target, const Character& so
   points.name = source.name;
   points.joints = source.joints;
   for (size_t k = 0; k < corners.size(); k += 3) {
-    Vec3 place = {0, 0, 0};
+    Vec3 position = {0, 0, 0};
     std::map<uint32_t, float> sums;
     for (size_t c = k; c < k + 3; ++c) {
       const Vec3& p = source.vertices[corners[c]];
-      place = {place.x + shares[c] * p.x, place.y + shares[c] * p.y, place.z + shares[c] * p.z};
+      position = {position.x + shares[c] * p.x, position.y + shares[c] * p.y, position.z + shares[c] * p.z};
       for (const Influence& one : source.influences[corners[c]]) sums[one.joint] += shares[c] * one.weight;
     }
-    points.vertices.push_back(place);
+    points.vertices.push_back(position);
     points.influences.emplace_back();
     for (const auto& [joint, weight] : sums) points.influences.back().push_back({joint, weight});
   }
@@ -257,7 +259,7 @@ Clip Retargeter::run(const Clip& clip, const std::function<bool()>& keep_going, 
     check(sinew_retarget_contacts_workspace_size(plan_, &target, whole.frame_count, &bytes));
     check(workspace_.reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE);
   }
-  const auto measure = [&](std::vector<sinew_limb_measure>* limbs) {
+  const auto measure = [&](std::vector<sinew_limb_quality>* limbs) {
     uint32_t count = 0;
     limbs->resize(SINEW_MAX_MOTION_LIMBS);
     if (has_body) {

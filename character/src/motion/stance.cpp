@@ -378,7 +378,7 @@ std::optional<Motion> standing_motion(const Motion& motion, MaybeAxis up) {
   if (motion.clips.empty() || motion.joints.empty()) return std::nullopt;
   const MapRig rig = map_rig_of(motion);
   const std::optional<UprightBody> body = find_upright_body(rig.joints, limb_classes(rig, {}));
-  if (body && stands(*body, positions_of(rig.joints))) return std::nullopt;
+  if (body && is_upright(*body, positions_of(rig.joints))) return std::nullopt;
   StanceFinder finder(motion, up);
   if (!finder.find_body()) return std::nullopt;
   return finder.run();

@@ -153,7 +153,7 @@ std::optional<UprightBody> find_upright_body(const std::vector<Joint>& joints, c
   return BodyFinder(joints, classes).find();
 }
 
-bool stands(const UprightBody& body, const std::vector<Point3>& positions) {
+bool is_upright(const UprightBody& body, const std::vector<Point3>& positions) {
   constexpr double kStretched = 0.5;  // of a limb's length, the least that it reaches
   constexpr double kAbove = 0.4;      // of a leg, the chest or the head over the hips
   constexpr double kLean = 0.25;      // tangent of a trunk's lean, the most

@@ -36,7 +36,7 @@ std::vector<UprightLimb> find_limbs(const std::vector<Joint>& joints, const std:
 std::optional<UprightBody> find_upright_body(const std::vector<Joint>& joints, const std::vector<uint8_t>& classes);
 
 // Whether a body stands in a pose: legs below it, head above, left and right apart and mirrored.
-bool stands(const UprightBody& body, const std::vector<Point3>& positions);
+bool is_upright(const UprightBody& body, const std::vector<Point3>& positions);
 
 }  // namespace sinew
 #endif

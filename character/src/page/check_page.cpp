@@ -48,7 +48,7 @@ std::string file_card(const CheckedFile& file) {
   std::string note = print("%zu vertices, %zu joints, %zu clips", file.character.vertices.size(),
                            file.character.joints.size(), file.motion.clips.size());
   for (const std::string& line : file.failures) note += "; gate: " + line;
-  for (const size_t i : file.change.gone) note += "; gone: " + file.before->findings[i].what;
+  for (const size_t i : file.change.removed) note += "; gone: " + file.before->findings[i].what;
   const std::string content =
       rows.empty() ? "<p>0 findings</p>"
                    : html::table({{"", true}, {"", true}, {"rule", true}, {"value"}, {"bound"}, {"what", true}}, rows);
@@ -61,13 +61,15 @@ Image finding_picture(const CheckedFile& file, const RigFinding& finding) {
   const Character shown = as_shown(file, finding);
   RenderOptions options;
   options.width = options.height = 420;
-  std::vector<Vec3> places;
-  for (const uint32_t v : finding.vertices) places.push_back(shown.vertices[v]);
-  if (places.empty() && finding.joint >= 0) places.push_back(shown.joints[static_cast<size_t>(finding.joint)].position);
-  if (places.empty() && finding.other >= 0) places.push_back(shown.joints[static_cast<size_t>(finding.other)].position);
+  std::vector<Vec3> positions;
+  for (const uint32_t v : finding.vertices) positions.push_back(shown.vertices[v]);
+  if (positions.empty() && finding.joint >= 0)
+    positions.push_back(shown.joints[static_cast<size_t>(finding.joint)].position);
+  if (positions.empty() && finding.other >= 0)
+    positions.push_back(shown.joints[static_cast<size_t>(finding.other)].position);
   const Box whole = box_of(shown.vertices);
-  if (!places.empty()) {
-    const Box box = box_of(places);
+  if (!positions.empty()) {
+    const Box box = box_of(positions);
     options.focus = middle(box);
     options.focus_radius = std::max(1.3F * box.longest_side(), 0.18F * whole.longest_side());
     // From the side on which it lies.
@@ -75,8 +77,8 @@ Image finding_picture(const CheckedFile& file, const RigFinding& finding) {
     const float dx = options.focus.x - centre.x, dz = options.focus.z - centre.z;
     if (std::hypot(dx, dz) > 0.05F * whole.longest_side()) options.yaw_degrees = std::atan2(dx, dz) * 57.29578F;
   }
-  const size_t step = 1 + places.size() / kMostRings;  // thousands of rings would hide what they mark
-  for (size_t i = 0; i < places.size(); i += step) options.marks.push_back({places[i]});
+  const size_t step = 1 + positions.size() / kMostRings;  // thousands of rings would hide what they mark
+  for (size_t i = 0; i < positions.size(); i += step) options.marks.push_back({positions[i]});
   return render(shown, weight_colours(shown), options);
 }
 

@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-// How much nearer a place counts for its depth. Chosen on every twelfth training character, drawn: of 1, 1.2, 1.5 and 2 none moved a joint for the worse.
+// How much nearer a point counts for its depth. Chosen on every twelfth training character, drawn: of 1, 1.2, 1.5 and 2 none moved a joint for the worse.
 constexpr float kDeep = 1.5f;
 
 using RimEdge = std::pair<const Vec3*, const Vec3*>;
@@ -35,14 +35,14 @@ float distance_to(const RimEdge& edge, const Vec3& p) {
   return std::hypot(px - along * dx, py - along * dy);
 }
 
-struct InnerPlace {
-  const Vec3* place;
+struct InnerPoint {
+  const Vec3* position;
   float depth;  // from the outline
 };
 
-std::vector<InnerPlace> inner_of(const Character& mesh) {
+std::vector<InnerPoint> inner_of(const Character& mesh) {
   const std::vector<RimEdge> rim = rim_of(mesh);
-  std::vector<InnerPlace> inner;
+  std::vector<InnerPoint> inner;
   for (const Vec3& v : mesh.vertices) {
     if (v.z <= 0) continue;
     float depth = 1e9f;
@@ -56,17 +56,17 @@ std::vector<InnerPlace> inner_of(const Character& mesh) {
 
 void move_joints_inside(const Character& mesh, PredictedSkeleton* skeleton) {
   const Silhouette silhouette(mesh);
-  std::vector<InnerPlace> inner;
+  std::vector<InnerPoint> inner;
   for (Joint& joint : skeleton->joints) {
-    Vec3& place = joint.position;
-    if (silhouette.has(place.x, place.y)) continue;
+    Vec3& position = joint.position;
+    if (silhouette.has(position.x, position.y)) continue;
     if (inner.empty()) inner = inner_of(mesh);
-    const auto cost = [&](const InnerPlace& one) {
-      return std::hypot(one.place->x - place.x, one.place->y - place.y) - kDeep * one.depth;
+    const auto cost = [&](const InnerPoint& one) {
+      return std::hypot(one.position->x - position.x, one.position->y - position.y) - kDeep * one.depth;
     };
     const auto best = std::min_element(inner.begin(), inner.end(),
-                                       [&](const InnerPlace& a, const InnerPlace& b) { return cost(a) < cost(b); });
-    if (best != inner.end()) place = {best->place->x, best->place->y, place.z};
+                                       [&](const InnerPoint& a, const InnerPoint& b) { return cost(a) < cost(b); });
+    if (best != inner.end()) position = {best->position->x, best->position->y, position.z};
   }
 }
 

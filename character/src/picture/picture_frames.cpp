@@ -75,7 +75,7 @@ void add_shots(const Character& character, const Motion& motion, const Clip& cli
 float pixels_of(const PictureFile& picture, const Character& character) {
   float low = 1e9f, high = -1e9f, left = 1e9f, right = -1e9f;
   for (const auto& uv : character.corner_uvs) {
-    const PicturePlace seen = seen_place(picture, {uv[0], 1 - uv[1]});
+    const PicturePoint seen = seen_point(picture, {uv[0], 1 - uv[1]});
     left = std::min(left, seen.u), right = std::max(right, seen.u);
     low = std::min(low, seen.v), high = std::max(high, seen.v);
   }

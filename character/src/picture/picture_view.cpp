@@ -52,9 +52,9 @@ void lay_into_plane(const Character& mesh, PictureView view, PredictedSkeleton* 
   take_forks_off(skeleton);
   const float size = box_of(mesh.vertices).longest_side();
   for (size_t j = 0; j < skeleton->joints.size(); ++j) {
-    Vec3& place = skeleton->joints[j].position;
-    place = to_picture(view, place);
-    place.z = kLayer * size * layer_of(view, *skeleton, j);
+    Vec3& position = skeleton->joints[j].position;
+    position = to_picture(view, position);
+    position.z = kLayer * size * layer_of(view, *skeleton, j);
   }
   if (view != PictureView::kFront) part_side_limbs(mesh, skeleton);
   move_joints_inside(mesh, skeleton);

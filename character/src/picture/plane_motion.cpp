@@ -85,7 +85,7 @@ void add_picture_motion(const PictureCharacter& picture, bool depth, const Anima
   for (const Clip& clip : body.motion.clips)
     out->motion.clips.push_back(depth ? clip_with_depth(body.motion, clip, picture.view, out->motion)
                                       : clip_in_plane(body.motion, clip, classes, picture.view, out->motion));
-  out->made.insert(out->made.end(), body.made.begin(), body.made.end());
+  out->animated_clips.insert(out->animated_clips.end(), body.animated_clips.begin(), body.animated_clips.end());
   for (std::string& note : body.motion.notes) out->motion.notes.push_back(std::move(note));
   out->map = body.map;
   out->certainty = body.certainty;

@@ -8,7 +8,7 @@
 
 namespace sinew {
 
-// Seen from its side a pair of legs is found in one place. Where the silhouette has two legs beside each other there, the left and the right one go into one each, from the
+// Seen from its side a pair of legs is found at one position. Where the silhouette has two legs beside each other there, the left and the right one go into one each, from the
 // height on where they part. Joints are in the picture plane already.
 //   mesh  in the picture plane
 void part_side_limbs(const Character& mesh, PredictedSkeleton* skeleton);

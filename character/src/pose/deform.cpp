@@ -47,7 +47,8 @@ const std::vector<float>& CharacterDeformer::pose(const std::vector<Affine>& pal
   matrices_.clear();
   for (const Affine& m : palette)
     for (const double x : m) matrices_.push_back(static_cast<float>(x));
-  sinew_deform_outputs outputs = sinew_deform_outputs_init(all_positions_.data());
+  sinew_deform_outputs outputs = SINEW_INIT(sinew_deform_outputs);
+  outputs.positions = all_positions_.data();
   const sinew_status status = deformer_.pose(matrices_.data(), &outputs);
   if (status == SINEW_ERROR_NOT_FINITE)
     throw Error(name_ + ": a matrix of the pose is not finite; look at where it comes from");

@@ -51,7 +51,7 @@ struct Body {
     up[axis_index(up_axis)] = 1;
     const JointVerdicts verdicts = joint_verdicts(s.joints);
     // Where limbs begin, which a pose moves least; else all that has a side.
-    std::optional<SidesOf> sides;
+    std::optional<SideMeans> sides;
     for (const uint8_t one : {SINEW_CLASS_THIGH, SINEW_CLASS_UPPER_ARM})
       add(sides_of(verdicts, [&](size_t j) { return verdicts.classes[j] == one && is_first_of_class(verdicts, j); }),
           &sides);
@@ -88,13 +88,13 @@ struct Body {
 
  private:
   // From the right to the left, and what lies between; sums of `count` pairs of means.
-  struct SidesOf {
+  struct SideMeans {
     Point3 between = {}, middle = {};
     double count = 1;
   };
 
   template <class Wanted>
-  std::optional<SidesOf> sides_of(const JointVerdicts& verdicts, const Wanted& wanted) const {
+  std::optional<SideMeans> sides_of(const JointVerdicts& verdicts, const Wanted& wanted) const {
     Point3 sums[2] = {};
     double counts[2] = {};
     for (size_t j = 0; j < verdicts.sides.size(); ++j) {
@@ -105,13 +105,13 @@ struct Body {
     }
     if (counts[0] == 0 || counts[1] == 0) return std::nullopt;
     const Point3 a = (1 / counts[0]) * sums[0], b = (1 / counts[1]) * sums[1];
-    return SidesOf{a - b, 0.5 * (a + b), 1};
+    return SideMeans{a - b, 0.5 * (a + b), 1};
   }
   bool is_first_of_class(const JointVerdicts& verdicts, size_t j) const {
     const int parent = skeleton.joints[j].parent;
     return parent < 0 || verdicts.classes[number_of(parent)] != verdicts.classes[j];
   }
-  static void add(const std::optional<SidesOf>& one, std::optional<SidesOf>* sum) {
+  static void add(const std::optional<SideMeans>& one, std::optional<SideMeans>* sum) {
     if (one && *sum)
       **sum = {(*sum)->between + one->between, (*sum)->middle + one->middle, (*sum)->count + 1};
     else if (one)
@@ -122,33 +122,33 @@ struct Body {
 };
 
 // Where a joint's bone shall point, world space; nullopt: it goes with its parent.
-struct Wish {
+struct BoneGoal {
   std::optional<Point3> bone, wanted;
   bool is_foot = false;  // its slope stays
 };
-using Wishes = std::vector<Wish>;  // [J]
+using BoneGoals = std::vector<BoneGoal>;  // [J]
 
-void straighten(const Body& body, RestPose::Kind kind, Wishes* wishes) {
+void straighten(const Body& body, RestPose::Kind kind, BoneGoals* goals) {
   for (const Limb& limb : body.limbs.limbs) {
     if (limb.kind != LimbKind::kArm && limb.kind != LimbKind::kLeg) continue;
     const Point3 out = body.side_of(limb) * body.left;
     const double lower = kind == RestPose::Kind::kA ? kArmsOfA : 0;
     const Point3 arm = std::cos(lower) * out - std::sin(lower) * body.up;
     for (size_t k = 0; k < limb.joints.size(); ++k) {
-      Wish& wish = (*wishes)[number_of(limb.joints[k])];
-      wish.bone = body.bone(limb, k);
+      BoneGoal& goal = (*goals)[number_of(limb.joints[k])];
+      goal.bone = body.bone(limb, k);
       switch (body.class_of(limb.joints[k])) {
         case SINEW_CLASS_UPPER_ARM:
         case SINEW_CLASS_FOREARM:
         case SINEW_CLASS_HAND:
-          wish.wanted = arm;
+          goal.wanted = arm;
           break;
         case SINEW_CLASS_THIGH:
         case SINEW_CLASS_CALF:
-          wish.wanted = -1 * body.up;
+          goal.wanted = -1 * body.up;
           break;
         case SINEW_CLASS_FOOT:
-          wish.is_foot = true;
+          goal.is_foot = true;
           break;
         default:
           break;
@@ -171,7 +171,7 @@ std::optional<Point3> trunk_line(const Body& body, int* from) {
   return std::nullopt;
 }
 
-void put_upright(const Body& body, const RestPose& pose, Wishes* wishes) {
+void put_upright(const Body& body, const RestPose& pose, BoneGoals* goals) {
   int from = 0;
   const std::optional<Point3> line = trunk_line(body, &from);
   if (!line) return;
@@ -180,7 +180,7 @@ void put_upright(const Body& body, const RestPose& pose, Wishes* wishes) {
     throw Error("the pose " + pose.name +
                 " is for characters that stand upright, and this trunk does not; give a file that "
                 "stands as it shall, or none for the pose that it has");
-  if (lean > kMostLean) (*wishes)[number_of(from)] = {line, body.up};
+  if (lean > kMostLean) (*goals)[number_of(from)] = {line, body.up};
 }
 
 // Limbs of a kind and side, the front ones first.
@@ -204,7 +204,7 @@ size_t like_bone(const Body& body, const Limb& limb, size_t k, const Body& other
   return std::min(k * other.joints.size() / limb.joints.size(), other.joints.size() - 2);
 }
 
-size_t stand_like(const Body& body, const Body& like, Wishes* wishes) {
+size_t stand_like(const Body& body, const Body& like, BoneGoals* goals) {
   size_t matched = 0;
   for (const Limb& limb : body.limbs.limbs) {
     const std::vector<const Limb*> mine = limbs_like(body, limb.kind, body.side_of(limb));
@@ -216,7 +216,7 @@ size_t stand_like(const Body& body, const Body& like, Wishes* wishes) {
     ++matched;
     for (size_t k = 0; k + 1 < limb.joints.size(); ++k) {
       const std::optional<Point3> wanted = like.bone(other, like_bone(body, limb, k, like, other));
-      if (wanted) (*wishes)[number_of(limb.joints[k])] = {body.bone(limb, k), body.from_axes_of(like, *wanted)};
+      if (wanted) (*goals)[number_of(limb.joints[k])] = {body.bone(limb, k), body.from_axes_of(like, *wanted)};
     }
   }
   return matched;
@@ -229,7 +229,7 @@ std::optional<Point3> foot_forward(const Body& body, const Point3& bone) {
   return along * body.front + high * body.up;
 }
 
-std::vector<Affine> follow(const Body& body, const Wishes& wishes) {
+std::vector<Affine> follow(const Body& body, const BoneGoals& goals) {
   const std::vector<Joint>& joints = body.skeleton.joints;
   std::vector<Affine> palette(joints.size(), kIdentity);
   std::vector<Rotation> turns(joints.size(), kNoRotation);
@@ -241,12 +241,12 @@ std::vector<Affine> follow(const Body& body, const Wishes& wishes) {
       done[j] = 1;
       --left;
       const Rotation before = parent < 0 ? kNoRotation : turns[number_of(parent)];
-      const Wish& wish = wishes[j];
+      const BoneGoal& goal = goals[j];
       Rotation turn = kNoRotation;
-      if (wish.bone) {
-        const Point3 bone = turned(before, *wish.bone);
-        const std::optional<Point3> wanted = wish.is_foot ? foot_forward(body, bone) : wish.wanted;
-        if (wanted) turn = turn_between(bone, *wanted, wish.is_foot ? body.up : body.front);
+      if (goal.bone) {
+        const Point3 bone = turned(before, *goal.bone);
+        const std::optional<Point3> wanted = goal.is_foot ? foot_forward(body, bone) : goal.wanted;
+        if (wanted) turn = turn_between(bone, *wanted, goal.is_foot ? body.up : body.front);
       }
       turns[j] = multiply(turn, before);
       const Point3 rest = point(joints[j].position);
@@ -321,20 +321,20 @@ RestPose read_rest_pose(const std::string& text) {
 
 std::vector<Affine> rest_pose_palette(const LabelledSkeleton& skeleton, const RestPose& pose, Axis up_axis) {
   const Body body(skeleton, up_axis, "the skeleton");
-  Wishes wishes(skeleton.joints.size());
+  BoneGoals goals(skeleton.joints.size());
   if (pose.kind == RestPose::Kind::kLike) {
     const Body like(pose.like, up_axis, pose.name);
-    if (stand_like(body, like, &wishes) == 0)
+    if (stand_like(body, like, &goals) == 0)
       throw Error(pose.name + ": none of its limbs has a like in this skeleton, so it shows no stance for it");
   } else {
     if (!has_arms(body))
       throw Error("the pose " + pose.name +
                   " is for characters with arms, and the skeleton has none by its names; give a file "
                   "that stands as it shall, or none for the pose that it has");
-    straighten(body, pose.kind, &wishes);
-    put_upright(body, pose, &wishes);
+    straighten(body, pose.kind, &goals);
+    put_upright(body, pose, &goals);
   }
-  return follow(body, wishes);
+  return follow(body, goals);
 }
 
 Character in_rest_pose(const Character& character, const RestPose& pose, Axis up_axis) {
@@ -345,7 +345,7 @@ Character in_rest_pose(const Character& character, const RestPose& pose, Axis up
   } catch (const Error& error) {
     throw Error(character.name + ": " + error.what());
   }
-  CharacterDeformer deformer(character, sinew_deform_options_init());
+  CharacterDeformer deformer(character, SINEW_INIT(sinew_deform_options));
   Character posed = deformer.pose_character(character, palette);
   const float fall = lowest(character, up_axis) - lowest(posed, up_axis);
   const auto height = [up_axis](Vec3& p) -> float& { return up_axis == Axis::kY ? p.y : p.z; };

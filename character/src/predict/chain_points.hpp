@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Places along a chain of points.
+// Points along a chain of points.
 #ifndef SINEW_CHARACTER_PREDICT_CHAIN_POINTS_HPP
 #define SINEW_CHARACTER_PREDICT_CHAIN_POINTS_HPP
 

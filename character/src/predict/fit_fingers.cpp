@@ -61,7 +61,7 @@ std::vector<Hand> hands_of(const std::vector<Joint>& joints, const std::vector<u
   return out;
 }
 
-std::vector<Point3> places(const std::vector<Joint>& joints, const std::vector<size_t>& chain) {
+std::vector<Point3> points_of(const std::vector<Joint>& joints, const std::vector<size_t>& chain) {
   std::vector<Point3> out;
   for (const size_t j : chain) out.push_back(point(joints[j].position));
   return out;
@@ -69,7 +69,7 @@ std::vector<Point3> places(const std::vector<Joint>& joints, const std::vector<s
 
 // Where a finger's joints go: as many as are found, one by one from its tip; what is more at its root lies between the hand and
 // the first of these. Of fewer, at the same shares of its length.
-std::vector<Point3> finger_places(const std::vector<Point3>& mine, const Point3& my_hand,
+std::vector<Point3> finger_points(const std::vector<Point3>& mine, const Point3& my_hand,
                                   const std::vector<Point3>& found, const Point3& found_hand) {
   std::vector<Point3> out(mine.size());
   if (mine.size() >= found.size()) {
@@ -90,15 +90,15 @@ std::vector<Point3> finger_places(const std::vector<Point3>& mine, const Point3&
 
 // f(joint of mine, where it goes) of fingers that both hands have. Returns how many these are.
 template <typename F>
-size_t each_place(const std::vector<Joint>& joints, const Hand& mine, const PredictedSkeleton& found,
+size_t each_point(const std::vector<Joint>& joints, const Hand& mine, const PredictedSkeleton& found,
                   const Hand& theirs, const F& f) {
   size_t fingers = 0;
   for (size_t k = 0; k < kFingers; ++k) {
     if (mine.fingers[k].empty() || theirs.fingers[k].size() < 2) continue;
     ++fingers;
     const std::vector<Point3> to =
-        finger_places(places(joints, mine.fingers[k]), point(joints[mine.joint].position),
-                      places(found.joints, theirs.fingers[k]), point(found.joints[theirs.joint].position));
+        finger_points(points_of(joints, mine.fingers[k]), point(joints[mine.joint].position),
+                      points_of(found.joints, theirs.fingers[k]), point(found.joints[theirs.joint].position));
     for (size_t i = 0; i < to.size(); ++i) f(mine.fingers[k][i], to[i]);
   }
   return fingers;
@@ -145,7 +145,7 @@ size_t fit_fingers(const PredictedSkeleton& found, FittedSkeleton* fitted) {
       nearest = &hand;
     }
     if (nearest == nullptr) continue;
-    fingers += each_place(before, mine, found, *nearest, [&](size_t j, const Point3& p) {
+    fingers += each_point(before, mine, found, *nearest, [&](size_t j, const Point3& p) {
       fitted->joints[j].position = to_vec3(p);
       fitted->how[j] = FitHow::kMatched;
     });
@@ -166,7 +166,7 @@ std::optional<FittedSkeleton> fit_lone_hand(const std::vector<Joint>& own, const
   const Point3 from = point(own[mine[0].joint].position), to = point(found.joints[theirs[0].joint].position);
   std::vector<RotationPair> pairs;
   double before = 0, after = 0;
-  const size_t fingers = each_place(own, mine[0], found, theirs[0], [&](size_t j, const Point3& p) {
+  const size_t fingers = each_point(own, mine[0], found, theirs[0], [&](size_t j, const Point3& p) {
     pairs.push_back({point(own[j].position) - from, p - to, 1});
     before += length(pairs.back().from);
     after += length(pairs.back().to);
@@ -182,7 +182,7 @@ std::optional<FittedSkeleton> fit_lone_hand(const std::vector<Joint>& own, const
   fitted.how[mine[0].joint] = FitHow::kMatched;
   (void)fit_fingers(found, &fitted);
   fitted.matched = static_cast<size_t>(std::count(fitted.how.begin(), fitted.how.end(), FitHow::kMatched));
-  fitted.telling = own.size();
+  fitted.matchable = own.size();
   return fitted;
 }
 

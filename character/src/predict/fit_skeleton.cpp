@@ -70,7 +70,8 @@ class Fitter {
     for (size_t j = 0; j < count(); ++j) out.joints[j].position = to_vec3(positions_[j]);
     out.how = how_;
     out.matched = static_cast<size_t>(std::count(how_.begin(), how_.end(), FitHow::kMatched));
-    for (size_t j = 0; j < count(); ++j) out.telling += mine_.classes[j] != kClassDetail && mine_.ends[j] == 0 ? 1 : 0;
+    for (size_t j = 0; j < count(); ++j)
+      out.matchable += mine_.classes[j] != kClassDetail && mine_.ends[j] == 0 ? 1 : 0;
     out.scale = whole_.scale;
     return out;
   }

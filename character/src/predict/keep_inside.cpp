@@ -16,9 +16,9 @@ namespace {
 
 constexpr double kNearMesh = 0.02;  // of the longest side
 
-class Keeper {
+class InsideFitter {
  public:
-  Keeper(const Character& mesh, FittedSkeleton* fitted)
+  InsideFitter(const Character& mesh, FittedSkeleton* fitted)
       : mesh_(mesh),
         fitted_(*fitted),
         size_(box_of(mesh.vertices).longest_side()),
@@ -94,7 +94,7 @@ class Keeper {
 }  // namespace
 
 size_t keep_inside(const Character& mesh, FittedSkeleton* fitted) {
-  return mesh.vertices.empty() ? 0 : Keeper(mesh, fitted).run();
+  return mesh.vertices.empty() ? 0 : InsideFitter(mesh, fitted).run();
 }
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Classes, bone ends and mirror images of a skeleton by its names and places.
+// Classes, bone ends and mirror images of a skeleton by its names and positions.
 #include "sinew_character/predict/label_skeleton.hpp"
 
 #include <string>

@@ -122,7 +122,7 @@ float agreement_of(const PredictedSkeleton& skeleton) {
 }
 
 // The best of one layout's wrists.
-struct Try {
+struct LayoutCandidate {
   Layout layout;
   double wrist = 0;
   PredictedSkeleton skeleton;
@@ -147,11 +147,11 @@ class Search {
   }
 
   // Every layout with the first wrist, the best one with the others.
-  Try run() {
+  LayoutCandidate run() {
     const Matrix3d axes = axes_of(character_);
-    Try best;
+    LayoutCandidate best;
     for (uint32_t way = 0; way < 8; ++way) {
-      Try one;
+      LayoutCandidate one;
       one.layout = layout_of(axes, (way & 1) != 0, (way & 2) != 0, (way & 4) != 0);
       ask(laid(one.layout), kWrists[0], &one);
       most_[one.layout.right ? 1 : 0] = std::max(most_[one.layout.right ? 1 : 0], one.agreement);
@@ -167,7 +167,7 @@ class Search {
   bool side_known() const { return std::min(most_[0], most_[1]) < kAsGood * std::max(most_[0], most_[1]); }
 
  private:
-  void ask(const Character& mesh, double wrist, Try* one) {
+  void ask(const Character& mesh, double wrist, LayoutCandidate* one) {
     PredictedSkeleton skeleton = arm_of(mesh, one->layout, wrist);
     (void)predict_hands(mesh, hands_, options_, &skeleton);
     seconds_ += skeleton.seconds;
@@ -200,7 +200,7 @@ void drop_arm(PredictedSkeleton* skeleton) {
 std::optional<LoneHand> find_lone_hand(const Character& character, const sinew_model& hands,
                                        const SkeletonOptions& options) {
   Search search(character, hands, options.kernel);
-  Try found = search.run();
+  LayoutCandidate found = search.run();
   if (found.agreement < kLeastAgreement) return std::nullopt;
   LoneHand hand = {std::move(found.skeleton), found.layout.right, false, search.side_known(), found.agreement};
   if (found.wrist == kWrists[0]) {

@@ -28,8 +28,8 @@ PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOpt
   engine_options.axes_known = options.axes_known ? 1 : 0;
   engine_options.mirror = options.mirror;
   engine_options.spine_count = options.spine_count;
-  engine_options.no_toes = options.toes ? 0 : 1;
-  engine_options.no_ends = options.ends ? 0 : 1;
+  if (!options.toes) engine_options.without |= SINEW_WITHOUT_TOES;
+  if (!options.ends) engine_options.without |= SINEW_WITHOUT_ENDS;
   engine_options.kernel = options.kernel != SINEW_KERNEL_AUTO ? options.kernel : kernel_from_environment();
 
   PredictedSkeleton result;

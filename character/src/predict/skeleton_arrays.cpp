@@ -47,7 +47,9 @@ SkeletonArrays::SkeletonArrays(const Character& character, const PredictedSkelet
     parent_confidence_[j] = q15(skeleton.parent_confidence[j]);
     if (names) std::strncpy(&names_[j * SINEW_JOINT_NAME_BYTES], joint.name.c_str(), SINEW_JOINT_NAME_BYTES - 1);
   }
-  outputs_ = sinew_rig_outputs_init(positions_.data(), parents_.data());
+  outputs_ = SINEW_INIT(sinew_rig_outputs);
+  outputs_.positions = positions_.data();
+  outputs_.parents = parents_.data();
   outputs_.joint_count = static_cast<uint32_t>(count);
   outputs_.flags = flags_.data();
   outputs_.joint_classes = classes_.data();
@@ -65,7 +67,7 @@ SkeletonArrays::SkeletonArrays(const Character& character, const PredictedSkelet
 void SkeletonArrays::grow(const Character& character, const SkeletonOptions& options, sinew_rig_detail detail,
                           const sinew_model* hands_model, PredictedSkeleton* skeleton) {
   const EngineViews views(character, {});
-  sinew_rig_options engine_options = sinew_rig_options_init();
+  sinew_rig_options engine_options = SINEW_INIT(sinew_rig_options);
   engine_options.up = engine_up(options.up_axis);
   engine_options.kernel = options.kernel != SINEW_KERNEL_AUTO ? options.kernel : kernel_from_environment();
   size_t bytes = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a skeleton lies in its mesh, and which change of units, axes and place would bring it there.
+// Whether a skeleton lies in its mesh, and which change of units, axes and origin would bring it there.
 #include <algorithm>
 #include <cmath>
 

@@ -27,7 +27,10 @@ JointVerdicts joint_verdicts(const std::vector<Joint>& joints, const std::vector
   const auto check = [&](sinew_status status) {
     if (status != SINEW_OK) throw Error(std::string("cannot read the joints' names: ") + sinew_status_text(status));
   };
-  sinew_skeleton named = sinew_skeleton_init(positions.data(), parents.data(), static_cast<uint32_t>(count));
+  sinew_skeleton named = SINEW_INIT(sinew_skeleton);
+  named.positions = positions.data();
+  named.parents = parents.data();
+  named.joint_count = static_cast<uint32_t>(count);
   named.names = names.data();
   out.classes.resize(count);
   out.roles.resize(count);
@@ -35,7 +38,7 @@ JointVerdicts joint_verdicts(const std::vector<Joint>& joints, const std::vector
   out.numbers.resize(count);
   out.partners.resize(count);
   out.images.resize(count);
-  sinew_joint_verdicts verdicts = sinew_joint_verdicts_init();
+  sinew_joint_verdicts verdicts = SINEW_INIT(sinew_joint_verdicts);
   verdicts.classes = out.classes.data();
   verdicts.roles = out.roles.data();
   verdicts.sides = out.sides.data();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Neighbours by places and edges.
+// Neighbours by positions and edges.
 #include "sinew_character/rig/mesh_neighbours.hpp"
 
 #include <algorithm>

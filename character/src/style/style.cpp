@@ -14,7 +14,7 @@
 namespace sinew {
 namespace {
 
-// Looks further apart than this are not alike; one unit is a part four times as large, twice as wide, or a quarter of
+// Features further apart than this are not alike; one unit is a part four times as large, twice as wide, or a quarter of
 // the character away.
 constexpr double kFarthest = 0.6;
 constexpr double kOtherJoint = 0.2;     // for parts whose joints have other names; where a rule names a joint, 1
@@ -30,7 +30,7 @@ Point3 mirrored(Point3 position, bool mirror) {
   return position;
 }
 
-// Places in a character's box: from its middle, in longest sides, with y up.
+// Positions in a character's box: from its middle, in longest sides, with y up.
 class Positions {
  public:
   Positions(const Character& character, Axis up_axis)
@@ -53,38 +53,38 @@ class Positions {
 double away(const Point3& a, const Point3& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 // Looks of all parts; `joint` is left empty.
-std::vector<PartLook> look_at_parts(const Character& character, const AskedBind& asked) {
+std::vector<PartFeatures> part_features(const Character& character, const BindQuestions& asked) {
   const std::vector<uint32_t>& vertex_parts = asked.vertex_parts;
   const Positions positions(character, asked.up_axis);
   uint32_t count = 0;
   for (const uint32_t part : vertex_parts) count = std::max(count, part + 1);
-  std::vector<PartLook> looks(count);
+  std::vector<PartFeatures> features(count);
   std::vector<double> vertices(count, 0);
   for (size_t v = 0; v < vertex_parts.size(); ++v) {
     const Point3 position = positions.of(character.vertices[v]);
     vertices[vertex_parts[v]] += 1;
-    for (size_t i = 0; i < 3; ++i) looks[vertex_parts[v]].position[i] += position[i];
+    for (size_t i = 0; i < 3; ++i) features[vertex_parts[v]].position[i] += position[i];
   }
   for (uint32_t p = 0; p < count; ++p) {
-    looks[p].size = vertices[p] / static_cast<double>(vertex_parts.size());
-    for (double& x : looks[p].position) x /= std::max(1.0, vertices[p]);
+    features[p].size = vertices[p] / static_cast<double>(vertex_parts.size());
+    for (double& x : features[p].position) x /= std::max(1.0, vertices[p]);
   }
   for (size_t v = 0; v < vertex_parts.size(); ++v) {
-    PartLook& look = looks[vertex_parts[v]];
-    look.radius += away(positions.of(character.vertices[v]), look.position) / vertices[vertex_parts[v]];
+    PartFeatures& one = features[vertex_parts[v]];
+    one.radius += away(positions.of(character.vertices[v]), one.position) / vertices[vertex_parts[v]];
   }
   if (count > 0) {
     const auto largest = std::max_element(vertices.begin(), vertices.end());
-    looks[static_cast<size_t>(largest - vertices.begin())].body = true;
+    features[static_cast<size_t>(largest - vertices.begin())].body = true;
   }
-  return looks;
+  return features;
 }
 
 double ratio(double a, double b) { return std::fabs(std::log((a + 1e-6) / (b + 1e-6))); }
 
 // `mirror`: with b on the other side.
-double difference(const StyleRule& rule, const PartLook& b, bool mirror) {
-  const PartLook& a = rule.part;
+double difference(const StyleRule& rule, const PartFeatures& b, bool mirror) {
+  const PartFeatures& a = rule.part;
   if (a.body != b.body) return 2 * kFarthest;
   const double other = rule.kind == SINEW_ANSWER_RIGID ? 1 : kOtherJoint;
   const double names = words(a.joint) == words(b.joint) ? 0 : other;
@@ -143,7 +143,7 @@ int find_joint(const Character& character, const Joints& joints, const std::vect
 
 // A question that a rule may answer.
 struct Match {
-  double off;  // how far the looks are apart
+  double off;  // how far the features are apart
   size_t question, rule;
   bool mirror;
 };
@@ -157,17 +157,18 @@ int steps_up(const Character& character, uint16_t from, uint16_t to) {
 
 }  // namespace
 
-StyleSheet learn_style(const Character& character, const AskedBind& asked, const std::vector<sinew_answer>& answers) {
+StyleSheet learn_style(const Character& character, const BindQuestions& asked,
+                       const std::vector<sinew_answer>& answers) {
   StyleSheet sheet;
   sheet.joints = joints_of(character, asked.up_axis);
   if (asked.questions.empty()) return sheet;
-  const std::vector<PartLook> looks = look_at_parts(character, asked);
+  const std::vector<PartFeatures> features = part_features(character, asked);
   for (const sinew_answer& answer : answers) {
     const uint32_t part = asked.vertex_parts[answer.vertex];
     for (const sinew_question& question : asked.questions) {
       if (asked.vertex_parts[question.vertex] != part) continue;
       StyleRule rule;
-      rule.part = looks[part];
+      rule.part = features[part];
       rule.part.joint = character.joints[question.joint].name;
       rule.kind = answer.kind;
       if (answer.kind == SINEW_ANSWER_RIGID) {
@@ -180,7 +181,7 @@ StyleSheet learn_style(const Character& character, const AskedBind& asked, const
   return sheet;
 }
 
-std::vector<sinew_answer> answer_by_style(const Style& style, const Character& character, const AskedBind& asked,
+std::vector<sinew_answer> answer_by_style(const Style& style, const Character& character, const BindQuestions& asked,
                                           const std::vector<uint8_t>& flags) {
   std::vector<sinew_answer> answers;
   if (asked.questions.empty()) return answers;
@@ -192,14 +193,14 @@ std::vector<sinew_answer> answer_by_style(const Style& style, const Character& c
     for (const StyleRule& rule : sheet.rules)
       if (rule.kind == SINEW_ANSWER_RIGID ? same_positions : same_names) rules.push_back(rule);
   }
-  const std::vector<PartLook> looks = look_at_parts(character, asked);
+  const std::vector<PartFeatures> features = part_features(character, asked);
   std::vector<Match> matches;
   for (size_t q = 0; q < asked.questions.size(); ++q) {
-    PartLook look = looks[asked.vertex_parts[asked.questions[q].vertex]];
-    look.joint = character.joints[asked.questions[q].joint].name;
+    PartFeatures part = features[asked.vertex_parts[asked.questions[q].vertex]];
+    part.joint = character.joints[asked.questions[q].joint].name;
     for (const bool mirror : {false, true}) {
       for (size_t r = 0; r < rules.size(); ++r) {
-        const double d = difference(rules[r], look, mirror) + (mirror ? kMirrored : 0);
+        const double d = difference(rules[r], part, mirror) + (mirror ? kMirrored : 0);
         if (d < kFarthest) matches.push_back({d, q, r, mirror});
       }
     }

@@ -3,8 +3,6 @@
 #ifndef SINEW_BIND_H
 #define SINEW_BIND_H
 
-#include <string.h>
-
 #include "sinew/model.h"
 #include "sinew/questions.h"
 #include "sinew/skeleton.h"
@@ -27,11 +25,11 @@ typedef enum sinew_rigid_parts {
                                  * not in the heat field) get the heat field's weights */
 } sinew_rigid_parts;
 
-/* What a bind is asked to do: inputs only. Start from sinew_options_init(), which asks for every default.
+/* What a bind is asked to do: inputs only. Start from SINEW_INIT(sinew_bind_options), which asks for every default.
  * The workspace depends on the options: give the same ones to sinew_bind_workspace_size() and to sinew_bind().
  * Later versions add members at the end, and 0 asks for what this version does; see struct_size in sinew/types.h. */
-typedef struct sinew_options {
-  uint32_t struct_size;      /* sizeof(sinew_options) */
+typedef struct sinew_bind_options {
+  uint32_t struct_size;      /* sizeof(sinew_bind_options) */
   uint32_t method;           /* sinew_method */
   uint32_t influence_count;  /* 1..12 influences a vertex keeps; 0 = 4 */
   uint32_t weight_format;    /* sinew_weight_format */
@@ -67,21 +65,13 @@ typedef struct sinew_options {
   uint32_t answer_count;       /* 0 .. SINEW_MAX_QUESTIONS */
   uint32_t question_count;     /* 0 .. SINEW_MAX_QUESTIONS: list at most so many parts that are worth a question, see
                                 * sinew_bind_outputs::questions. Parts with an answer are not among them */
-} sinew_options;
+} sinew_bind_options;
 
-/* Options that ask for every default. */
-static inline sinew_options sinew_options_init(void) {
-  sinew_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
-
-/* What a bind gives: the caller's arrays, and numbers that the call writes. Start from sinew_bind_outputs_init().
- * N is sinew_options::influence_count, 4 by default. Later versions add members at the end, as in sinew_options. */
+/* What a bind gives: the caller's arrays, and numbers that the call writes. Start from SINEW_INIT(sinew_bind_outputs).
+ * N is sinew_bind_options::influence_count, 4 by default. Later versions add members at the end, as in sinew_bind_options. */
 typedef struct sinew_bind_outputs {
   uint32_t struct_size;        /* sizeof(sinew_bind_outputs) */
-  uint32_t symmetric_vertices; /* written: with sinew_options::symmetric, how many vertices have a mirror image
+  uint32_t symmetric_vertices; /* written: with sinew_bind_options::symmetric, how many vertices have a mirror image
                                 * (themselves, on the plane); 0: no mirror plane was found and symmetric did nothing */
   uint16_t* joint_indices;     /* [vertex_count x N] sorted by falling weight, ties by lower joint index; unused slots
                                 * are joint 0 with weight 0; no joint twice in a row */
@@ -91,7 +81,7 @@ typedef struct sinew_bind_outputs {
                                 * of hits if it has one (sinew_model::confidence_count). 255 for locked and hinted
                                 * vertices. Null = not wanted */
   size_t used_bytes;           /* written: high-water mark of the workspace */
-  sinew_question* questions;   /* [sinew_options::question_count] what is worth asking, by falling gain; null where
+  sinew_question* questions;   /* [sinew_bind_options::question_count] what is worth asking, by falling gain; null where
                                 * question_count is 0 */
   uint32_t* vertex_questions;  /* [vertex_count] index of the question that the vertex' part belongs to, or
                                 * SINEW_NO_QUESTION; null = not wanted */
@@ -100,16 +90,6 @@ typedef struct sinew_bind_outputs {
   uint32_t questions_written; /* written: how many of them there are */
   uint32_t reserved;          /* 0 */
 } sinew_bind_outputs;
-
-/* Outputs with the two arrays that every bind fills. */
-static inline sinew_bind_outputs sinew_bind_outputs_init(uint16_t* joint_indices, void* weights) {
-  sinew_bind_outputs outputs;
-  memset(&outputs, 0, sizeof outputs);
-  outputs.struct_size = sizeof outputs;
-  outputs.joint_indices = joint_indices;
-  outputs.weights = weights;
-  return outputs;
-}
 
 /* Bytes sinew_bind() needs for meshes of at most these counts that have no more than corner_count - 2 face_count
  * triangles once polygons are cut. A pure function of its arguments: the same on every host.
@@ -120,7 +100,7 @@ static inline sinew_bind_outputs sinew_bind_outputs_init(uint16_t* joint_indices
  * last also where the size would not fit into size_t. */
 SINEW_API sinew_status sinew_bind_workspace_size(const sinew_model* model, uint32_t vertex_count, uint32_t face_count,
                                                  uint32_t corner_count, uint32_t joint_count,
-                                                 const sinew_options* options, size_t* size_bytes);
+                                                 const sinew_bind_options* options, size_t* size_bytes);
 
 /* Predicts skin weights. The same bytes on every platform, for any kernel and any number of threads.
  *   model      null is fine for SINEW_METHOD_HEAT
@@ -143,7 +123,7 @@ SINEW_API sinew_status sinew_bind_workspace_size(const sinew_model* model, uint3
  *   SINEW_ERROR_MODEL_TASK  the model is made for another task: sinew_model::task is not 0
  *   SINEW_ERROR_COUNT       no vertex or joint, more of anything than the limits in sinew/types.h, or fewer than two
  *                           corners a face
- *   SINEW_ERROR_KERNEL      this library or this processor lacks sinew_options::kernel
+ *   SINEW_ERROR_KERNEL      this library or this processor lacks sinew_bind_options::kernel
  *   SINEW_ERROR_WORKSPACE   the workspace is too small or not aligned
  *   SINEW_ERROR_RANGE       a locked or hinted row names a joint that does not exist, or a hint's weights are no weights;
  *                           an answer names a vertex or a joint that does not exist, or a joint that must get no weight
@@ -155,7 +135,7 @@ SINEW_API sinew_status sinew_bind_workspace_size(const sinew_model* model, uint3
  *   SINEW_ERROR_NO_JOINT    no joint may get weight
  *   SINEW_ERROR_CANCELLED   the progress callback asked to stop */
 SINEW_API sinew_status sinew_bind(const sinew_model* model, const sinew_mesh* mesh, const sinew_skeleton* skeleton,
-                                  const sinew_options* options, void* workspace, size_t workspace_bytes,
+                                  const sinew_bind_options* options, void* workspace, size_t workspace_bytes,
                                   sinew_bind_outputs* outputs);
 
 #ifdef __cplusplus

@@ -4,8 +4,6 @@
 #ifndef SINEW_DEFORM_H
 #define SINEW_DEFORM_H
 
-#include <string.h>
-
 #include "sinew/skeleton.h"
 #include "sinew/skin.h"
 
@@ -32,17 +30,19 @@ typedef enum sinew_tet_weights {
   SINEW_TET_WEIGHTS_DISTANCE = 1 /* distances to bones: the nearest one and those beside it */
 } sinew_tet_weights;
 
-/* What a deformer is asked to be: inputs only. Start from sinew_deform_options_init(), which asks for every default. Later
+/* What a deformer is asked to be: inputs only. Start from SINEW_INIT(sinew_deform_options), which asks for every default. Later
  * versions add members at the end, and 0 asks for what this version does; see struct_size in sinew/types.h.
  *   cell_count       not for delta mush
  *   round_count      more are slower and keep more volume
  *   softness         less is calmer over time and keeps less volume. Not for delta mush
- *   no_twist_spread  0: the parent's bone takes a part of the twist, as twist joints do. SINEW_DEFORM_VOLUME alone
+ *   without          SINEW_WITHOUT_TWIST_SPREAD: a joint's twist about its parent's bone stays at the joint, where the bone takes a
+ *                    part of it, as twist joints do (SINEW_DEFORM_VOLUME); SINEW_WITHOUT_CONTACTS: the two sides of a bend
+ *                    may pass through each other; SINEW_WITHOUT_SMOOTHING: none at the end of SINEW_DEFORM_XPBD
  *   body_contact     1: parts of the body that are no neighbours keep apart too, as far as they lie less than two cells in
  *                    each other: an arm and the torso, a thigh and the belly, two thighs, cloth on them as well. Takes
  *                    several times as long. Where a motion drives limbs through each other, dents come and go within a
  *                    frame. Not for delta mush; on the calling thread
- *   parallel_for     as in sinew_options. The result does not depend on it. Where several threads pose one deformer, each
+ *   parallel_for     as in sinew_bind_options. The result does not depend on it. Where several threads pose one deformer, each
  *                    calls it. SINEW_DEFORM_VOLUME alone
  *   thread_count     more than 1 is worth while for large lattices: at 64 cells, hardly at 32 */
 typedef struct sinew_deform_options {
@@ -51,25 +51,15 @@ typedef struct sinew_deform_options {
   uint32_t cell_count;             /* cells along the longest side, 8..SINEW_MAX_DEFORM_CELLS; 0 = 32 */
   uint32_t round_count;            /* 1..SINEW_MAX_DEFORM_ROUNDS; 0 = 20, SINEW_DEFORM_XPBD 60, delta mush 5 */
   uint32_t softness;               /* compliance of the stretch in 1/256, 1..65535; 0 = 1280 */
-  uint32_t no_twist_spread;        /* 1: a joint's twist about its parent's bone stays at the joint */
-  uint32_t no_contact;             /* 1: the two sides of a bend may pass through each other */
-  uint32_t no_smoothing;           /* 1: no smoothing at the end of SINEW_DEFORM_XPBD, which is published.h's */
+  uint32_t without;                /* bits of sinew_without */
+  uint32_t thread_count;           /* 1..SINEW_MAX_THREADS pieces that work is cut into; 0 = 1 */
+  uint32_t body_contact;           /* 1: contact between all parts of the body, not only in bends */
   sinew_parallel_for parallel_for; /* lends threads to sinew_deform_pose(); null: the calling thread alone */
   void* parallel_user;
-  uint32_t thread_count; /* 1..SINEW_MAX_THREADS pieces that work is cut into; 0 = 1 */
-  uint32_t body_contact; /* 1: contact between all parts of the body, not only in bends */
   uint32_t energy; /* k of SINEW_DEFORM_XPBD's springs from a tetrahedron's centroid to its corners, in thousandths,
                           * 1..SINEW_MAX_DEFORM_ENERGY; 0 = 200 */
   uint32_t tet_weights; /* sinew_tet_weights, of SINEW_DEFORM_XPBD */
 } sinew_deform_options;
-
-/* Options that ask for every default. */
-static inline sinew_deform_options sinew_deform_options_init(void) {
-  sinew_deform_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
 
 /* A deformer, filled by sinew_deform_create(). Keeps its size. Its memory is the caller's and must stay as it is while the
  * deformer is used; the mesh, skeleton and weights that it was made from need not. Any number of threads may pose one
@@ -85,7 +75,7 @@ typedef struct sinew_deformer {
   uint32_t reserved[7];       /* 0 */
 } sinew_deformer;
 
-/* What a pose gives: the caller's array, and numbers that the call writes. Start from sinew_deform_outputs_init(). */
+/* What a pose gives: the caller's array, and numbers that the call writes. Start from SINEW_INIT(sinew_deform_outputs). */
 typedef struct sinew_deform_outputs {
   uint32_t struct_size;         /* sizeof(sinew_deform_outputs) */
   uint32_t corrected;           /* written: 1; 0 where the matrices are not rotations with one common scale, so that
@@ -94,15 +84,6 @@ typedef struct sinew_deform_outputs {
   uint32_t active_tetrahedra;   /* written: how many took part: those near bends */
   uint32_t inverted_tetrahedra; /* written: how many of them ended inside out */
 } sinew_deform_outputs;
-
-/* Outputs with the array that every call fills. */
-static inline sinew_deform_outputs sinew_deform_outputs_init(float* positions) {
-  sinew_deform_outputs outputs;
-  memset(&outputs, 0, sizeof outputs);
-  outputs.struct_size = sizeof outputs;
-  outputs.positions = positions;
-  return outputs;
-}
 
 /* Bytes that sinew_deform_create() needs for this mesh. Walks the mesh once, without memory. The same on every host.
  *   influence_count  of the weights, 1..SINEW_MAX_INFLUENCES

@@ -3,8 +3,6 @@
 #ifndef SINEW_MAP_H
 #define SINEW_MAP_H
 
-#include <string.h>
-
 #include "sinew/skeleton.h"
 
 #ifdef __cplusplus
@@ -39,7 +37,7 @@ typedef struct sinew_map_pin {
   int32_t source;  /* joint of the source; -1 = the target's joint gets none */
 } sinew_map_pin;
 
-/* What a call is asked to do: inputs only. Start from sinew_map_options_init(). */
+/* What a call is asked to do: inputs only. Start from SINEW_INIT(sinew_map_options). */
 typedef struct sinew_map_options {
   uint32_t struct_size;      /* sizeof(sinew_map_options) */
   uint32_t method;           /* sinew_map_method */
@@ -54,15 +52,7 @@ typedef struct sinew_map_options {
   const uint8_t* source_animated; /* [source J] 1: it moves; null = all do */
 } sinew_map_options;
 
-/* Options that ask for every default. */
-static inline sinew_map_options sinew_map_options_init(void) {
-  sinew_map_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
-
-/* What a call gives: the caller's arrays and numbers that the call writes. Start from sinew_map_outputs_init(). */
+/* What a call gives: the caller's arrays and numbers that the call writes. Start from SINEW_INIT(sinew_map_outputs). */
 typedef struct sinew_map_outputs {
   uint32_t struct_size; /* sizeof(sinew_map_outputs) */
   uint32_t method;      /* written: sinew_map_method that was used, SINEW_MAP_SINEW or SINEW_MAP_BRANCHES */
@@ -75,15 +65,6 @@ typedef struct sinew_map_outputs {
   uint32_t certainty;   /* written: 0..32768, how sure front, sides and trunk of both skeletons are; low: look at it */
   size_t used_bytes;    /* written: high-water mark of the workspace */
 } sinew_map_outputs;
-
-/* Outputs with the array that every call fills. */
-static inline sinew_map_outputs sinew_map_outputs_init(int32_t* sources) {
-  sinew_map_outputs outputs;
-  memset(&outputs, 0, sizeof outputs);
-  outputs.struct_size = sizeof outputs;
-  outputs.sources = sources;
-  return outputs;
-}
 
 /* Bytes sinew_map() needs for two skeletons of at most these counts. A pure function of its arguments: the same on every host.
  * Returns SINEW_OK, or as sinew_map() does SINEW_ERROR_ARGUMENT or SINEW_ERROR_COUNT; size_bytes is 0 then. */

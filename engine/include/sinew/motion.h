@@ -4,8 +4,6 @@
 #ifndef SINEW_MOTION_H
 #define SINEW_MOTION_H
 
-#include <string.h>
-
 #include "sinew/skeleton.h"
 #include "sinew/skin.h"
 
@@ -25,7 +23,7 @@ typedef enum sinew_retarget_method {
   SINEW_RETARGET_COPY = 1
 } sinew_retarget_method;
 
-/* What a plan is asked to do: inputs only. Start from sinew_retarget_options_init(), which asks for every default. Later
+/* What a plan is asked to do: inputs only. Start from SINEW_INIT(sinew_retarget_options), which asks for every default. Later
  * versions add members at the end, and 0 asks for what this version does; see struct_size in sinew/types.h. */
 typedef struct sinew_retarget_options {
   uint32_t struct_size; /* sizeof(sinew_retarget_options) */
@@ -37,14 +35,6 @@ typedef struct sinew_retarget_options {
       translations; /* 1: bones of trunk, arms and legs stretch as the source's do. Between rigs that lie alike they do
                           * anyway */
 } sinew_retarget_options;
-
-/* Options that ask for every default. */
-static inline sinew_retarget_options sinew_retarget_options_init(void) {
-  sinew_retarget_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
 
 /* A plan; it lies in the caller's memory, holds pointers into it and must not be moved. */
 typedef struct sinew_retarget sinew_retarget;
@@ -129,7 +119,7 @@ typedef struct sinew_floor {
   uint32_t reserved;    /* 0 */
 } sinew_floor;
 
-/* Start from sinew_contact_options_init(). Later versions add members at the end, as in sinew_retarget_options. */
+/* Start from SINEW_INIT(sinew_contact_options). Later versions add members at the end, as in sinew_retarget_options. */
 typedef struct sinew_contact_options {
   uint32_t struct_size;    /* sizeof(sinew_contact_options) */
   float fps;               /* frames a second; 0 = 30 */
@@ -137,13 +127,6 @@ typedef struct sinew_contact_options {
   void* progress_user;
   const sinew_floor* floor; /* of the target, the source's is level; null: level as well */
 } sinew_contact_options;
-
-static inline sinew_contact_options sinew_contact_options_init(void) {
-  sinew_contact_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
 
 /* A clip's frames, one behind the other. */
 typedef struct sinew_motion_clip {

@@ -29,7 +29,7 @@ SINEW_API sinew_status sinew_retarget_keep_range(sinew_retarget* plan, const sin
  *   depth    an arm's: of the deepest point of hand or forearm under the rest of the body; a leg's: of the lowest of the foot
  *            under the floor. Beyond the source's, or without the source's body beyond that at rest
  *   error    an arm's: change of the hand's distance from the body; a leg's: distance of the toe along the floor in a frame */
-typedef struct sinew_limb_measure {
+typedef struct sinew_limb_quality {
   uint32_t joint;          /* of the target: wrist or ankle */
   uint32_t leg;            /* 1: leg, 0: arm */
   uint32_t frames;         /* of the clip */
@@ -41,7 +41,7 @@ typedef struct sinew_limb_measure {
   float error; /* mean over contact frames */
   float greatest_error;
   uint32_t reserved[2]; /* 0 */
-} sinew_limb_measure;
+} sinew_limb_quality;
 
 /* Measures a clip, before or after its contacts were mended; changes nothing.
  *   options, workspace  as in sinew_retarget_contacts(), of the same size
@@ -52,7 +52,7 @@ typedef struct sinew_limb_measure {
 SINEW_API sinew_status sinew_retarget_measure(sinew_retarget* plan, const sinew_motion_body* source,
                                               const sinew_motion_body* target, const sinew_motion_clip* clip,
                                               const sinew_contact_options* options, void* workspace,
-                                              size_t workspace_bytes, sinew_limb_measure* limbs, uint32_t* limb_count);
+                                              size_t workspace_bytes, sinew_limb_quality* limbs, uint32_t* limb_count);
 
 /* What a limb does in a frame. Numbers are never reused. */
 typedef enum sinew_spot_kind {
@@ -79,7 +79,7 @@ typedef struct sinew_contact_spot {
 SINEW_API sinew_status sinew_retarget_spots(sinew_retarget* plan, const sinew_motion_body* source,
                                             const sinew_motion_body* target, const sinew_motion_clip* clip,
                                             const sinew_contact_options* options, void* workspace,
-                                            size_t workspace_bytes, sinew_limb_measure* limbs, uint32_t* limb_count,
+                                            size_t workspace_bytes, sinew_limb_quality* limbs, uint32_t* limb_count,
                                             sinew_contact_spot* spots);
 
 #ifdef __cplusplus

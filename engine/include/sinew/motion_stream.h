@@ -10,26 +10,21 @@
 extern "C" {
 #endif
 
-/* Start from sinew_retarget_stream_options_init(). Later versions add members at the end, as in sinew_retarget_options. */
+/* Start from SINEW_INIT(sinew_retarget_stream_options). Later versions add members at the end, as in sinew_retarget_options. */
 typedef struct sinew_retarget_stream_options {
-  uint32_t struct_size;     /* sizeof(sinew_retarget_stream_options) */
-  float fps;                /* frames a second; 0 = 30 */
-  float ground;             /* height of a standing ankle, as sinew_retarget_ground() has it */
-  uint32_t has_ground;      /* 0: the source's own at rest, and `ground` is not looked at */
-  uint32_t no_contacts;     /* 1: frames as sinew_retarget_frame() has them, in their range */
-  uint32_t no_range;        /* 1: knees and elbows may leave their natural range, see sinew_retarget_keep_range() */
+  uint32_t struct_size; /* sizeof(sinew_retarget_stream_options) */
+  float fps;            /* frames a second; 0 = 30 */
+  float ground;         /* height of a standing ankle, as sinew_retarget_ground() has it */
+  uint32_t has_ground;  /* 0: the source's own at rest, and `ground` is not looked at */
+  uint32_t
+      without; /* bits of sinew_without: SINEW_WITHOUT_CONTACTS, frames as sinew_retarget_frame() has them, in their
+                             * range; SINEW_WITHOUT_RANGE, see sinew_retarget_keep_range() */
+  uint32_t reserved;        /* 0 */
   const sinew_floor* floor; /* of the target, borrowed as the body is; null: level */
   /* The body that moves the source, of the same vertices and triangles as the target's (its `triangles` are not looked at), borrowed as
    * that is; null: nobody knows what hands touch, and arms may be in the target's body as deep as at rest */
   const sinew_motion_body* source;
 } sinew_retarget_stream_options;
-
-static inline sinew_retarget_stream_options sinew_retarget_stream_options_init(void) {
-  sinew_retarget_stream_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
 
 /* A stream; it lies in the caller's memory, holds pointers into it and must not be moved. */
 typedef struct sinew_retarget_stream sinew_retarget_stream;

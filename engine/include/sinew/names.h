@@ -4,8 +4,6 @@
 #ifndef SINEW_NAMES_H
 #define SINEW_NAMES_H
 
-#include <string.h>
-
 #include "sinew/rig.h"
 
 #ifdef __cplusplus
@@ -33,14 +31,14 @@ typedef enum sinew_follows {
 } sinew_follows;
 
 /* What a call gives: the caller's arrays, null = not wanted, and numbers that the call writes. Start from
- * sinew_joint_verdicts_init(). */
+ * SINEW_INIT(sinew_joint_verdicts). */
 typedef struct sinew_joint_verdicts {
   uint32_t struct_size; /* sizeof(sinew_joint_verdicts) */
   uint32_t mirror_axis; /* written: that the mirror plane is across, 0 = x; needs parents and positions */
   uint8_t* classes;     /* [J] sinew_joint_class; a bone end's is its joint's */
   uint8_t* roles;       /* [J] sinew_joint_role */
   int8_t* sides;        /* [J] 1 left, -1 right, 0 not said */
-  int32_t* numbers;  /* [J] of a finger's joint its place in the finger from 1, else the number that its name ends with
+  int32_t* numbers;  /* [J] of a finger's joint its index in the finger from 1, else the number that its name ends with
                          * but for those that tools append (_021, .001); -1 without one */
   int32_t* partners; /* [J] the joint of the same name on the other side, -1 without one */
   int32_t* images;   /* [J] the joint that stands where its mirror image is, within 0.5 % of the longest side: its
@@ -48,13 +46,6 @@ typedef struct sinew_joint_verdicts {
   float mirror_planes[3]; /* written: where a plane across each axis is: amid partners, else amid all joints */
   uint32_t mirrored;      /* written: 1 where every joint has an image and parents are images as well */
 } sinew_joint_verdicts;
-
-static inline sinew_joint_verdicts sinew_joint_verdicts_init(void) {
-  sinew_joint_verdicts verdicts;
-  memset(&verdicts, 0, sizeof verdicts);
-  verdicts.struct_size = sizeof verdicts;
-  return verdicts;
-}
 
 /* Bytes sinew_joint_classes() needs for at most so many joints. A pure function of its argument: the same on every host.
  * Returns SINEW_OK, or with *size_bytes 0 SINEW_ERROR_ARGUMENT or SINEW_ERROR_COUNT. */

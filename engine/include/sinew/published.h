@@ -21,7 +21,7 @@ extern "C" {
 
 /* Values of the `method` of options beside those of the call's own enum, which skips them. Numbers are never reused. */
 enum {
-  /* sinew_options: by distance to bones; model may be null. Vertices nearest to a bone are a sub-mesh, on which that bone
+  /* sinew_bind_options: by distance to bones; model may be null. Vertices nearest to a bone are a sub-mesh, on which that bone
    * and those beside it in the hierarchy have weights by the inverse square of their distance */
   SINEW_METHOD_DISTANCE = 2,
   /* sinew_rig_options: as SINEW_RIG_SHAPE, but from regions of the surface, their boxes and contacts, as published for
@@ -31,7 +31,7 @@ enum {
    * mirrored. Slots that the body's `category` has not stay empty. spread is a quarter of how far apart the surface's points
    * put a joint, at least 0.1 for a sheet: above 0.05 the mesh resembles little that the networks know */
   SINEW_RIG_SLOTS = 3,
-  /* sinew_map_options: paths from the root to every leaf, matched by the costs of their joints (place, place in the branch,
+  /* sinew_map_options: paths from the root to every leaf, matched by the costs of their joints (position, position in the branch,
    * branches through it, bones, surface); several joints may get one source. Mirrored branches only get mirrored ones; what
    * can only cross another's way gets the other root; every source joint that moves and has more than three bones is given to
    * a joint. SINEW_MAP_AUTO takes it too where it is built and fits better */
@@ -60,29 +60,22 @@ typedef enum sinew_branches_cost {
 #define SINEW_NO_AREA 0xFFFFFFFFu /* sinew_reference_options.area_power: 0, which as a number asks for the default */
 #define SINEW_NO_FALLOFF (-1.0f)  /* sinew_reference_options.falloff: none, as drawn; 0 asks for the default */
 
-/* Start from sinew_reference_options_init(). Later versions add members at the end, as in sinew_retarget_options. Legs are
+/* Start from SINEW_INIT(sinew_reference_options). Later versions add members at the end, as in sinew_retarget_options. Legs are
  * left as they are copied unless asked for, because feet leave the floor by it. */
 typedef struct sinew_reference_options {
   uint32_t struct_size; /* sizeof(sinew_reference_options) */
   uint32_t area_power;  /* n, 1 .. 4, or SINEW_NO_AREA for 0; 0 = 3 */
-  uint32_t no_own_limb; /* 1 says what 0 does: see own_limb */
+  uint32_t own_limb;    /* 1: triangles of the limb itself have influence as well */
   uint32_t legs;        /* 1: knees and ankles move as well */
   float falloff; /* d: influence also falls by exp(-(distance / (d * source's height))^2); 0 = 0.05, which is ours */
   float least_cosine;      /* eps, up to 1; 0 = 1e-5 */
   sinew_progress progress; /* or null */
   void* progress_user;
-  uint32_t own_limb; /* 1: triangles of the limb itself have influence as well; not with no_own_limb */
-  uint32_t head;     /* 1: the head moves as well */
-  uint32_t torso;    /* 1: torso joints lie as the source's do, each seen from the one before; 0: they turn as copied */
+  uint32_t head;  /* 1: the head moves as well */
+  uint32_t torso; /* 1: torso joints lie as the source's do, each seen from the one before; 0: they turn as copied */
   uint32_t source_points; /* 1: reference points are the source's, in the size of the target; 0: the target's */
+  uint32_t reserved;      /* 0 */
 } sinew_reference_options;
-
-static inline sinew_reference_options sinew_reference_options_init(void) {
-  sinew_reference_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
 
 /* Bytes sinew_retarget_reference_points() needs.
  *   size_bytes  out, 0 on failure

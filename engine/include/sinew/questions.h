@@ -3,8 +3,8 @@
  * answer goes into the next bind.
  *
  * A part is a connected piece of the mesh, vertices at one position taken as one. Parts of the same shape, mirrored ones
- * too, are one question: buttons, wheels, eyes. A bind with sinew_options::question_count lists those parts whose
- * answers are worth most; the next bind of the same mesh takes them in sinew_options::answers. */
+ * too, are one question: buttons, wheels, eyes. A bind with sinew_bind_options::question_count lists those parts whose
+ * answers are worth most; the next bind of the same mesh takes them in sinew_bind_options::answers. */
 #ifndef SINEW_QUESTIONS_H
 #define SINEW_QUESTIONS_H
 

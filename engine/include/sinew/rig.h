@@ -3,8 +3,6 @@
 #ifndef SINEW_RIG_H
 #define SINEW_RIG_H
 
-#include <string.h>
-
 #include "sinew/model.h"
 #include "sinew/skeleton.h"
 
@@ -85,16 +83,16 @@ typedef enum sinew_category {
   SINEW_CATEGORY_MANY_LEGGED = 6
 } sinew_category;
 
-/* What a call is asked to do: inputs only. Start from sinew_rig_options_init(), which asks for every default.
+/* What a call is asked to do: inputs only. Start from SINEW_INIT(sinew_rig_options), which asks for every default.
  * Later versions add members at the end, and 0 asks for what this version does; see struct_size in sinew/types.h. */
 typedef struct sinew_rig_options {
   uint32_t struct_size;      /* sizeof(sinew_rig_options) */
   uint32_t up;               /* sinew_up of the mesh */
   uint32_t mirror;           /* sinew_mirror */
   uint32_t spine_count;      /* 1..16 joints between pelvis and neck or head; 0 = as the model says */
-  uint32_t no_toes;          /* 1: no toe joints */
-  uint32_t no_ends;          /* 1: no bone ends */
-  uint32_t weights_in_place; /* as in sinew_options */
+  uint32_t without;          /* bits of sinew_without: SINEW_WITHOUT_TOES, SINEW_WITHOUT_ENDS */
+  uint32_t reserved;         /* 0 */
+  uint32_t weights_in_place; /* as in sinew_bind_options */
   uint32_t kernel;           /* sinew_kernel; another than AUTO is for tests and measurements */
   sinew_progress progress;   /* or null */
   void* progress_user;
@@ -108,16 +106,8 @@ typedef struct sinew_rig_options {
       axes_known; /* 1: the mesh's file says that y is up and +z front, which counts where the mesh itself does not tell */
 } sinew_rig_options;
 
-/* Options that ask for every default. */
-static inline sinew_rig_options sinew_rig_options_init(void) {
-  sinew_rig_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
-
 /* What a call gives: the caller's arrays, each with room for SINEW_MAX_RIG_JOINTS, and numbers that the call writes. Start
- * from sinew_rig_outputs_init(). Parents come before their children, joint 0 is the root. Later versions add members at the
+ * from SINEW_INIT(sinew_rig_outputs). Parents come before their children, joint 0 is the root. Later versions add members at the
  * end, as in sinew_rig_options. */
 typedef struct sinew_rig_outputs {
   uint32_t struct_size;        /* sizeof(sinew_rig_outputs) */
@@ -150,16 +140,6 @@ typedef struct sinew_rig_outputs {
    * makers that it had not seen, and lower of a mesh without a mirror plane; below 0.7 it is a coin toss. 1 where it was given; front_confidence is 0 without the model */
   float front_confidence, up_confidence;
 } sinew_rig_outputs;
-
-/* Outputs with the two arrays that every call fills. */
-static inline sinew_rig_outputs sinew_rig_outputs_init(float* positions, int32_t* parents) {
-  sinew_rig_outputs outputs;
-  memset(&outputs, 0, sizeof outputs);
-  outputs.struct_size = sizeof outputs;
-  outputs.positions = positions;
-  outputs.parents = parents;
-  return outputs;
-}
 
 /* Checks a model for sinew_rig(), made for bodies or for fronts, or, made for hands, for sinew_rig_details(), as sinew_model_open() checks one for
  * sinew_bind(), with the same results. */

@@ -3,8 +3,6 @@
 #ifndef SINEW_SIMPLIFY_H
 #define SINEW_SIMPLIFY_H
 
-#include <string.h>
-
 #include "sinew/skeleton.h"
 
 #ifdef __cplusplus
@@ -22,7 +20,7 @@ typedef enum sinew_simplify_level {
                             * Small: below 8 % long and 2 % of the surface */
 } sinew_simplify_level;
 
-/* What a call is asked to do: inputs only. Start from sinew_simplify_options_init(). Later versions add members at the end;
+/* What a call is asked to do: inputs only. Start from SINEW_INIT(sinew_simplify_options). Later versions add members at the end;
  * see struct_size in sinew/types.h. */
 typedef struct sinew_simplify_options {
   uint32_t struct_size; /* sizeof(sinew_simplify_options) */
@@ -32,14 +30,6 @@ typedef struct sinew_simplify_options {
   uint32_t reserved; /* 0 */
   const float* centroids; /* [J x 3] middle of the surface that moves with each joint; null = the joint's position */
 } sinew_simplify_options;
-
-/* Options that ask for every default. */
-static inline sinew_simplify_options sinew_simplify_options_init(void) {
-  sinew_simplify_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
 
 /* Bytes sinew_simplify() needs for so many joints. A pure function of its argument. Returns SINEW_OK, or SINEW_ERROR_ARGUMENT
  * or SINEW_ERROR_COUNT; size_bytes is 0 then. */

@@ -24,8 +24,8 @@
  * Steps of a bind:
  *   1. sinew_model_open()           checks every byte of a model file in place; SINEW_METHOD_HEAT needs no model
  *      sinew_model_pack()           on demand: packs its weights once, instead of in every bind
- *   2. sinew_options_init()         asks for every default; set what is to differ
- *      sinew_bind_outputs_init()    takes the caller's arrays
+ *   2. SINEW_INIT(sinew_bind_options)  asks for every default; set what is to differ
+ *      SINEW_INIT(sinew_bind_outputs)  gets the caller's arrays
  *   3. sinew_bind_workspace_size()  says how many bytes sinew_bind() needs
  *   4. sinew_bind()                 predicts; rows of weights sum exactly
  *   5. sinew_skin_linear() or sinew_skin_dual_quaternion() poses the mesh with the result

@@ -165,10 +165,10 @@ struct WeightFormat<float> {
   static constexpr uint32_t value = SINEW_WEIGHT_FLOAT;
 };
 
-// sinew_options that ask for every default; {} where a function takes options.
-struct Options : sinew_options {
-  Options() : sinew_options(sinew_options_init()) {}
-  Options(const sinew_options& options) : sinew_options(options) {}
+// sinew_bind_options that ask for every default; {} where a function takes options.
+struct Options : sinew_bind_options {
+  Options() : sinew_bind_options(SINEW_INIT(sinew_bind_options)) {}
+  Options(const sinew_bind_options& options) : sinew_bind_options(options) {}
 };
 
 // Rows of a bound mesh, see sinew_bind_outputs.
@@ -181,7 +181,7 @@ struct Skin {
 };
 
 // What a bind asks, see sinew_bind_outputs.
-struct Asked {
+struct QuestionList {
   std::vector<sinew_question> questions;                 // by falling gain
   std::vector<uint32_t> vertex_questions, vertex_parts;  // [vertex_count]
 };
@@ -209,7 +209,7 @@ sinew_status fill_skin(uint32_t vertex_count, uint32_t influence_count, bool is_
 template <class Weight>
 sinew_status bind(const sinew_model* model, const sinew_mesh& mesh, const sinew_skeleton& skeleton, Options options,
                   Workspace* workspace, Skin<Weight>* skin, std::vector<uint8_t>* confidence = nullptr,
-                  Asked* asked = nullptr) {
+                  QuestionList* asked = nullptr) {
   options.weight_format = WeightFormat<Weight>::value;
   size_t bytes = 0;
   const sinew_status status = sinew_bind_workspace_size(model, mesh.vertex_count, mesh.face_count, mesh.corner_count,
@@ -219,7 +219,9 @@ sinew_status bind(const sinew_model* model, const sinew_mesh& mesh, const sinew_
   const uint32_t influences = options.influence_count == 0 ? 4 : options.influence_count;
   if (confidence != nullptr) confidence->resize(mesh.vertex_count);
   const auto run = [&](Skin<Weight>& rows) {
-    sinew_bind_outputs outputs = sinew_bind_outputs_init(rows.joint_indices.data(), rows.weights.data());
+    sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+    outputs.joint_indices = rows.joint_indices.data();
+    outputs.weights = rows.weights.data();
     if (confidence != nullptr) outputs.confidence = confidence->data();
     if (asked != nullptr && options.question_count > 0) {
       asked->questions.resize(options.question_count);
@@ -240,7 +242,7 @@ sinew_status bind(const sinew_model* model, const sinew_mesh& mesh, const sinew_
 
 // sinew_rig_options that ask for every default; {} where a function takes settings.
 struct RigSettings : sinew_rig_options {
-  RigSettings() : sinew_rig_options(sinew_rig_options_init()) {}
+  RigSettings() : sinew_rig_options(SINEW_INIT(sinew_rig_options)) {}
   RigSettings(const sinew_rig_options& options) : sinew_rig_options(options) {}
 };
 
@@ -265,7 +267,10 @@ struct RiggedSkeleton {
   uint32_t joint_count() const { return static_cast<uint32_t>(parents.size()); }
   // For bind(); valid as long as the arrays are.
   sinew_skeleton view() const {
-    sinew_skeleton skeleton = sinew_skeleton_init(positions.data(), parents.data(), joint_count());
+    sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+    skeleton.positions = positions.data();
+    skeleton.parents = parents.data();
+    skeleton.joint_count = joint_count();
     skeleton.flags = flags.data();
     return skeleton;
   }
@@ -292,7 +297,9 @@ inline sinew_status rig(const sinew_model* model, const sinew_mesh& mesh, const 
     made.names.resize(joints);
   };
   resize(SINEW_MAX_RIG_JOINTS);
-  sinew_rig_outputs outputs = sinew_rig_outputs_init(made.positions.data(), made.parents.data());
+  sinew_rig_outputs outputs = SINEW_INIT(sinew_rig_outputs);
+  outputs.positions = made.positions.data();
+  outputs.parents = made.parents.data();
   outputs.partners = made.partners.data();
   outputs.flags = made.flags.data();
   outputs.joint_classes = made.joint_classes.data();
@@ -316,7 +323,7 @@ inline sinew_status rig(const sinew_model* model, const sinew_mesh& mesh, const 
 
 // sinew_simplify_options that ask for every default; {} where a function takes settings.
 struct SimplifySettings : sinew_simplify_options {
-  SimplifySettings() : sinew_simplify_options(sinew_simplify_options_init()) {}
+  SimplifySettings() : sinew_simplify_options(SINEW_INIT(sinew_simplify_options)) {}
   SimplifySettings(const sinew_simplify_options& options) : sinew_simplify_options(options) {}
 };
 
@@ -337,7 +344,7 @@ inline sinew_status simplify(const sinew_skeleton& skeleton, const float* areas,
 
 // sinew_map_options that ask for every default; {} where a function takes settings.
 struct MapSettings : sinew_map_options {
-  MapSettings() : sinew_map_options(sinew_map_options_init()) {}
+  MapSettings() : sinew_map_options(SINEW_INIT(sinew_map_options)) {}
   MapSettings(const sinew_map_options& options) : sinew_map_options(options) {}
 };
 
@@ -361,7 +368,8 @@ inline sinew_status map_joints(const sinew_skeleton& target, const sinew_skeleto
   made.sources.resize(target.joint_count);
   made.confidence.resize(target.joint_count);
   made.reasons.resize(target.joint_count);
-  sinew_map_outputs outputs = sinew_map_outputs_init(made.sources.data());
+  sinew_map_outputs outputs = SINEW_INIT(sinew_map_outputs);
+  outputs.sources = made.sources.data();
   outputs.confidence = made.confidence.data();
   outputs.reasons = made.reasons.data();
   const sinew_status mapped = sinew_map(&target, &source, &settings, workspace->data(), workspace->size(), &outputs);
@@ -375,7 +383,7 @@ inline sinew_status map_joints(const sinew_skeleton& target, const sinew_skeleto
 
 // sinew_transfer_options that ask for every default; {} where a function takes settings.
 struct TransferSettings : sinew_transfer_options {
-  TransferSettings() : sinew_transfer_options(sinew_transfer_options_init()) {}
+  TransferSettings() : sinew_transfer_options(SINEW_INIT(sinew_transfer_options)) {}
   TransferSettings(const sinew_transfer_options& options) : sinew_transfer_options(options) {}
 };
 
@@ -402,7 +410,9 @@ sinew_status transfer(const sinew_model* model, const sinew_bound_character& sou
   if (status != SINEW_OK) return status;
   if (!workspace->reserve(bytes)) return SINEW_ERROR_WORKSPACE;
   const auto run = [&](Skin<Weight>& rows) {
-    sinew_transfer_outputs outputs = sinew_transfer_outputs_init(rows.joint_indices.data(), rows.weights.data());
+    sinew_transfer_outputs outputs = SINEW_INIT(sinew_transfer_outputs);
+    outputs.joint_indices = rows.joint_indices.data();
+    outputs.weights = rows.weights.data();
     TransferReport made;
     if (report != nullptr) {
       made.confidence.resize(target.vertex_count);
@@ -434,13 +444,13 @@ sinew_status transfer(const sinew_model* model, const sinew_bound_character& sou
 
 // sinew_retarget_options that ask for every default; {} where a function takes settings.
 struct RetargetSettings : sinew_retarget_options {
-  RetargetSettings() : sinew_retarget_options(sinew_retarget_options_init()) {}
+  RetargetSettings() : sinew_retarget_options(SINEW_INIT(sinew_retarget_options)) {}
   RetargetSettings(const sinew_retarget_options& options) : sinew_retarget_options(options) {}
 };
 
 // sinew_contact_options that ask for every default; {} where a function takes settings.
 struct ContactSettings : sinew_contact_options {
-  ContactSettings() : sinew_contact_options(sinew_contact_options_init()) {}
+  ContactSettings() : sinew_contact_options(SINEW_INIT(sinew_contact_options)) {}
   ContactSettings(const sinew_contact_options& options) : sinew_contact_options(options) {}
 };
 
@@ -487,10 +497,10 @@ class RetargetPlan {
   }
   // `limbs` has one element a limb afterwards; as it was on failure.
   sinew_status measure(const sinew_motion_body* source, const sinew_motion_body& target, const sinew_motion_clip& clip,
-                       const ContactSettings& settings, Workspace* workspace, std::vector<sinew_limb_measure>* limbs) {
+                       const ContactSettings& settings, Workspace* workspace, std::vector<sinew_limb_quality>* limbs) {
     sinew_status status = reserve_contacts(target, clip, workspace);
     if (status != SINEW_OK) return status;
-    sinew_limb_measure measured[SINEW_MAX_MOTION_LIMBS];
+    sinew_limb_quality measured[SINEW_MAX_MOTION_LIMBS];
     uint32_t count = 0;
     status = sinew_retarget_measure(plan_, source, &target, &clip, &settings, workspace->data(), workspace->size(),
                                     measured, &count);
@@ -514,7 +524,7 @@ class RetargetPlan {
 
 // sinew_retarget_stream_options that ask for every default; {} where a function takes settings.
 struct StreamSettings : sinew_retarget_stream_options {
-  StreamSettings() : sinew_retarget_stream_options(sinew_retarget_stream_options_init()) {}
+  StreamSettings() : sinew_retarget_stream_options(SINEW_INIT(sinew_retarget_stream_options)) {}
   StreamSettings(const sinew_retarget_stream_options& options) : sinew_retarget_stream_options(options) {}
 };
 
@@ -548,7 +558,7 @@ class RetargetStream {
 
 // sinew_deform_options that ask for every default; {} where a function takes deform options.
 struct DeformOptions : sinew_deform_options {
-  DeformOptions() : sinew_deform_options(sinew_deform_options_init()) {}
+  DeformOptions() : sinew_deform_options(SINEW_INIT(sinew_deform_options)) {}
   DeformOptions(const sinew_deform_options& options) : sinew_deform_options(options) {}
 };
 

@@ -3,8 +3,6 @@
 #ifndef SINEW_SKELETON_H
 #define SINEW_SKELETON_H
 
-#include <string.h>
-
 #include "sinew/types.h"
 
 #ifdef __cplusplus
@@ -24,7 +22,7 @@ typedef enum sinew_up {
 #define SINEW_JOINT_NEVER 1u   /* flag: this joint must get no weight */
 #define SINEW_JOINT_DEFORMS 2u /* flag: this joint is known to deform. If any joint has it, all others are NEVER */
 
-/* A skeleton at rest, borrowed for the time of a call. Start from sinew_skeleton_init(). Later versions add members at the
+/* A skeleton at rest, borrowed for the time of a call. Start from SINEW_INIT(sinew_skeleton). Later versions add members at the
  * end; see struct_size in sinew/types.h. A call reads positions and parents, and of the rest
  *   sinew_bind(), sinew_transfer()  flags, up
  *   sinew_map()                     names, ends, up
@@ -46,17 +44,6 @@ typedef struct sinew_skeleton {
   uint32_t up;            /* sinew_up */
   uint32_t reserved;      /* 0 */
 } sinew_skeleton;
-
-/* A skeleton with the arrays that every call reads. */
-static inline sinew_skeleton sinew_skeleton_init(const float* positions, const int32_t* parents, uint32_t joint_count) {
-  sinew_skeleton skeleton;
-  memset(&skeleton, 0, sizeof skeleton);
-  skeleton.struct_size = sizeof skeleton;
-  skeleton.joint_count = joint_count;
-  skeleton.positions = positions;
-  skeleton.parents = parents;
-  return skeleton;
-}
 
 #ifdef __cplusplus
 }

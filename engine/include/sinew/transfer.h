@@ -3,8 +3,6 @@
 #ifndef SINEW_TRANSFER_H
 #define SINEW_TRANSFER_H
 
-#include <string.h>
-
 #include "sinew/bind.h"
 
 #ifdef __cplusplus
@@ -40,7 +38,7 @@ typedef struct sinew_vertex_pair {
   uint32_t source, target;
 } sinew_vertex_pair;
 
-/* What a transfer is asked to do: inputs only. Start from sinew_transfer_options_init(), which asks for every default.
+/* What a transfer is asked to do: inputs only. Start from SINEW_INIT(sinew_transfer_options), which asks for every default.
  * Later versions add members at the end, and 0 asks for what this version does; see struct_size in sinew/types.h. */
 typedef struct sinew_transfer_options {
   uint32_t struct_size;      /* sizeof(sinew_transfer_options) */
@@ -51,26 +49,18 @@ typedef struct sinew_transfer_options {
                               * axis. Near the body its weights are carried over, far from it the dressed whole is bound.
                               * Not for SINEW_TRANSFER_BIHARMONIC */
   uint32_t as_drawn;         /* 1: SINEW_TRANSFER_BIHARMONIC compares distances as published, which fits less */
-  uint32_t weights_in_place; /* as in sinew_options */
+  uint32_t weights_in_place; /* as in sinew_bind_options */
   uint32_t kernel;           /* sinew_kernel; another than AUTO is for tests and measurements */
   uint32_t thread_count;     /* 1..64 pieces that work is cut into; 0 = 1 */
   uint32_t pair_count;       /* 0 .. SINEW_MAX_TRANSFER_PAIRS */
   const uint8_t* locked;     /* [vertex_count of the target] non-zero: keeps the row already in the outputs; or null */
   /* [pair_count] reference points of SINEW_TRANSFER_BIHARMONIC; without any they are found on both surfaces */
   const sinew_vertex_pair* pairs;
-  sinew_parallel_for parallel_for; /* as in sinew_options; the result does not depend on it */
+  sinew_parallel_for parallel_for; /* as in sinew_bind_options; the result does not depend on it */
   void* parallel_user;
   sinew_progress progress; /* or null */
   void* progress_user;
 } sinew_transfer_options;
-
-/* Options that ask for every default. */
-static inline sinew_transfer_options sinew_transfer_options_init(void) {
-  sinew_transfer_options options;
-  memset(&options, 0, sizeof options);
-  options.struct_size = sizeof options;
-  return options;
-}
 
 /* Which path a part of the target took, and why. Numbers are never reused. */
 typedef enum sinew_transfer_reason {
@@ -100,7 +90,7 @@ typedef struct sinew_transfer_part {
   uint32_t reserved;
 } sinew_transfer_part;
 
-/* What a transfer gives: the caller's arrays, and numbers that the call writes. Start from sinew_transfer_outputs_init(). N is
+/* What a transfer gives: the caller's arrays, and numbers that the call writes. Start from SINEW_INIT(sinew_transfer_outputs). N is
  * sinew_transfer_options::influence_count, 4 by default. Later versions add members at the end. */
 typedef struct sinew_transfer_outputs {
   uint32_t struct_size;    /* sizeof(sinew_transfer_outputs) */
@@ -120,16 +110,6 @@ typedef struct sinew_transfer_outputs {
   uint32_t reference_count; /* written: reference points that SINEW_TRANSFER_BIHARMONIC used */
   size_t used_bytes;        /* written: high-water mark of the workspace */
 } sinew_transfer_outputs;
-
-/* Outputs with the two arrays that every transfer fills. */
-static inline sinew_transfer_outputs sinew_transfer_outputs_init(uint16_t* joint_indices, void* weights) {
-  sinew_transfer_outputs outputs;
-  memset(&outputs, 0, sizeof outputs);
-  outputs.struct_size = sizeof outputs;
-  outputs.joint_indices = joint_indices;
-  outputs.weights = weights;
-  return outputs;
-}
 
 /* Bytes that sinew_transfer() needs for meshes and skeletons of these counts. A pure function of its arguments: the same on
  * every host. Counts, formats and whether pointers of the options are null are all that is looked at; meshes' and skeletons'

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT
  * What all calls share: version, limits, status, kernels, the caller's callbacks, and the mesh.
  *
- * Structs that grow (options, outputs, sinew_skeleton) begin with `struct_size`, the caller's sizeof; the struct's
- * ..._init() sets it and leaves 0 in all that it does not take. New members come at the end, and 0 always means what it
- * meant before them:
+ * Structs that grow (options, outputs, sinew_skeleton) begin with `struct_size`, the caller's sizeof, which SINEW_INIT()
+ * sets; all other members are 0 then. New members come at the end, and 0 always means what it meant before them:
  *   a caller with an older header has a shorter struct: members that it lacks count as 0, and are not written
  *   a caller with a newer header has a longer struct: what this library does not know must be 0, else the call returns
  *   SINEW_ERROR_VERSION
@@ -33,6 +32,23 @@ extern "C" {
 #define SINEW_API __declspec(dllexport)
 #else
 #define SINEW_API __declspec(dllimport)
+#endif
+
+/* A struct that grows, with its struct_size and 0 in all else:
+ *   sinew_bind_options options = SINEW_INIT(sinew_bind_options); */
+#ifdef __cplusplus
+extern "C++" {
+template <class Struct>
+constexpr Struct sinew_sized() {
+  Struct value = Struct();
+  value.struct_size = static_cast<uint32_t>(sizeof(Struct));
+  return value;
+}
+}
+#define SINEW_INIT(type) (sinew_sized<type>())
+#else
+#define SINEW_INIT(type) \
+  { .struct_size = sizeof(type) }
 #endif
 
 #define SINEW_VERSION_MAJOR 0
@@ -68,8 +84,8 @@ typedef enum sinew_status {
   SINEW_ERROR_MODEL_OVERFLOW = -14,  /* an accumulator bound cannot be proven: quantise again */
   SINEW_ERROR_MODEL_ALIGNMENT = -15, /* model bytes must start at an address divisible by 8 */
   SINEW_ERROR_RANGE = -16,           /* a joint index, weight or pose is outside its stated range */
-  SINEW_ERROR_KERNEL = -17,          /* sinew_options::kernel names kernels that this library was built without or this
-                                      * processor cannot run: ask sinew_kernel_select(), or leave it 0 */
+  SINEW_ERROR_KERNEL = -17,          /* the library was built without the kernel that the options name, or this
+                                      * processor cannot run it: ask sinew_kernel_select(), or leave it 0 */
   SINEW_ERROR_VERSION = -18,         /* an option is set that this library does not know: update the library, or leave
                                       * it 0 */
   SINEW_ERROR_MODEL_TASK = -19,      /* the model is made for another task than this call: see sinew_model::task */
@@ -111,6 +127,21 @@ typedef int (*sinew_progress)(void* user, uint32_t done_permille);
  * another, so a job system, a pool, OpenMP and a plain loop all do. */
 typedef void (*sinew_parallel_for)(void* user, uint32_t count, void (*body)(void* body_data, uint32_t index),
                                    void* body_data);
+
+/* What a call leaves out: bits of the member `without` of options, whose comment lists those that it takes. Any other bit is
+ * SINEW_ERROR_ARGUMENT. Numbers are never reused. */
+typedef enum sinew_without {
+  SINEW_WITHOUT_TOES = 1,          /* toe joints */
+  SINEW_WITHOUT_ENDS = 2,          /* bone ends */
+  SINEW_WITHOUT_BIND = 4,          /* weights of a new skeleton */
+  SINEW_WITHOUT_NAMES = 8,         /* joints' names */
+  SINEW_WITHOUT_RANGE = 16,        /* the natural range of knees and elbows */
+  SINEW_WITHOUT_CONTACTS = 32,     /* contacts with the floor, or of the two sides of a bend */
+  SINEW_WITHOUT_TWIST_SPREAD = 64, /* twists that are spread along a bone */
+  SINEW_WITHOUT_SMOOTHING = 128,   /* smoothing of bends */
+  SINEW_WITHOUT_POSES = 256,       /* test poses */
+  SINEW_WITHOUT_CLIPS = 512        /* animations */
+} sinew_without;
 
 /* A polygon mesh, borrowed for the time of a call. Any topology is legal. face_count may be 0. */
 typedef struct sinew_mesh {

@@ -11,13 +11,13 @@
 
 // The struct of the first release, 0.1.
 static constexpr uint32_t kFirstBindOutputs = offsetof(sinew_bind_outputs, used_bytes) + sizeof(size_t);
-static_assert(sizeof(sinew_options) == 16 * sizeof(uint32_t) + 7 * sizeof(void*), "a hole in sinew_options");
+static_assert(sizeof(sinew_bind_options) == 16 * sizeof(uint32_t) + 7 * sizeof(void*), "a hole in sinew_bind_options");
 static_assert(sizeof(sinew_bind_outputs) == 4 * sizeof(uint32_t) + 7 * sizeof(void*), "a hole in sinew_bind_outputs");
 
 extern "C" {
 
 sinew_status sinew_bind_workspace_size(const sinew_model* model, uint32_t vertex_count, uint32_t face_count,
-                                       uint32_t corner_count, uint32_t joint_count, const sinew_options* options,
+                                       uint32_t corner_count, uint32_t joint_count, const sinew_bind_options* options,
                                        size_t* size_bytes) {
   if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
   *size_bytes = 0;
@@ -29,7 +29,7 @@ sinew_status sinew_bind_workspace_size(const sinew_model* model, uint32_t vertex
 }
 
 sinew_status sinew_bind(const sinew_model* model, const sinew_mesh* mesh, const sinew_skeleton* skeleton,
-                        const sinew_options* options, void* workspace, size_t workspace_bytes,
+                        const sinew_bind_options* options, void* workspace, size_t workspace_bytes,
                         sinew_bind_outputs* outputs) {
   if (!sinew::is_mesh(mesh) || skeleton == nullptr || workspace == nullptr || outputs == nullptr)
     return SINEW_ERROR_ARGUMENT;

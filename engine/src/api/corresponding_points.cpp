@@ -21,7 +21,7 @@ struct Arguments {
     sinew_status status = read_one(given.skeleton, &source_skeleton);
     if (status == SINEW_OK) status = read_one(target_skeleton, &skeleton);
     if (status != SINEW_OK) return status;
-    sinew_transfer_options options = sinew_transfer_options_init();
+    sinew_transfer_options options = SINEW_INIT(sinew_transfer_options);
     options.method = SINEW_TRANSFER_NEAREST;
     return plan_transfer(nullptr, {source, target, skeleton}, &options, &plan);
   }

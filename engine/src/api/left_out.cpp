@@ -94,12 +94,12 @@ sinew_status sinew_keep_joint_limits(const sinew_joint_limit*, uint32_t, uint32_
 }
 sinew_status sinew_retarget_measure(sinew_retarget*, const sinew_motion_body*, const sinew_motion_body*,
                                     const sinew_motion_clip*, const sinew_contact_options*, void*, size_t,
-                                    sinew_limb_measure*, uint32_t*) {
+                                    sinew_limb_quality*, uint32_t*) {
   return SINEW_ERROR_NOT_BUILT;
 }
 sinew_status sinew_retarget_spots(sinew_retarget*, const sinew_motion_body*, const sinew_motion_body*,
                                   const sinew_motion_clip*, const sinew_contact_options*, void*, size_t,
-                                  sinew_limb_measure*, uint32_t*, sinew_contact_spot*) {
+                                  sinew_limb_quality*, uint32_t*, sinew_contact_spot*) {
   return SINEW_ERROR_NOT_BUILT;
 }
 sinew_status sinew_retarget_reference_points_workspace_size(const sinew_retarget*, const sinew_motion_body*,

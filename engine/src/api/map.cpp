@@ -44,8 +44,9 @@ sinew_status sinew_limb_classes_workspace_size(uint32_t target_count, uint32_t s
   if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
   *size_bytes = 0;
   if (target_count == 0 || target_count > SINEW_MAX_JOINTS || source_count > SINEW_MAX_JOINTS) return SINEW_ERROR_COUNT;
-  const sinew_skeleton target = sinew_skeleton_init(nullptr, nullptr, target_count),
-                       source = sinew_skeleton_init(nullptr, nullptr, source_count);
+  sinew_skeleton target = SINEW_INIT(sinew_skeleton), source = SINEW_INIT(sinew_skeleton);
+  target.joint_count = target_count;
+  source.joint_count = source_count;
   return sinew::measure(size_bytes, [&](sinew::Arena& arena) {
     return sinew::mapping::find_limb_classes(target, source_count > 0 ? &source : nullptr, nullptr, arena, nullptr);
   });

@@ -19,7 +19,7 @@ static_assert(sizeof(sinew_retarget_options) == 5 * sizeof(uint32_t), "a hole in
 static_assert(sizeof(sinew_floor) == 6 * sizeof(uint32_t) + sizeof(void*), "sinew_floor never changes");
 static_assert(sizeof(sinew_retarget_stream_options) == 6 * sizeof(uint32_t) + 2 * sizeof(void*),
               "a hole in sinew_retarget_stream_options");
-static_assert(sizeof(sinew_limb_measure) == 12 * sizeof(uint32_t), "sinew_limb_measure never changes");
+static_assert(sizeof(sinew_limb_quality) == 12 * sizeof(uint32_t), "sinew_limb_quality never changes");
 static_assert(sizeof(sinew_joint_limit) == 18 * sizeof(uint32_t), "sinew_joint_limit never changes");
 static_assert(sizeof(sinew_contact_spot) == 6 * sizeof(uint32_t), "sinew_contact_spot never changes");
 static_assert(sizeof(sinew_reference_options) == 10 * sizeof(uint32_t) + 2 * sizeof(void*),
@@ -68,7 +68,7 @@ sinew::motion::ClipInputs clip_inputs(const sinew_motion_clip& clip, double fps,
 sinew_status read_contacts(const sinew_retarget* plan, const sinew_motion_body* source, const sinew_motion_body* target,
                            const sinew_motion_clip* clip, const sinew_contact_options* options, const void* workspace,
                            sinew::motion::ClipInputs* inputs) {
-  sinew_contact_options own = sinew_contact_options_init();
+  sinew_contact_options own = SINEW_INIT(sinew_contact_options);
   constexpr uint32_t kFirstSize = offsetof(sinew_contact_options, floor);  // the struct of the first release
   sinew_status status = options == nullptr ? SINEW_OK : sinew::read_struct(options, kFirstSize, sizeof own, &own);
   if (status == SINEW_OK) status = check_clip(plan, source, target, clip, workspace);
@@ -82,7 +82,7 @@ sinew_status read_contacts(const sinew_retarget* plan, const sinew_motion_body* 
 // spots: or null.
 sinew_status measure(sinew_retarget* plan, const sinew_motion_body* source, const sinew_motion_body* target,
                      const sinew_motion_clip* clip, const sinew_contact_options* options, void* workspace,
-                     size_t workspace_bytes, sinew_limb_measure* limbs, uint32_t* limb_count,
+                     size_t workspace_bytes, sinew_limb_quality* limbs, uint32_t* limb_count,
                      sinew_contact_spot* spots) {
   if (limbs == nullptr || limb_count == nullptr) return SINEW_ERROR_ARGUMENT;
   sinew::motion::ClipInputs inputs;
@@ -183,14 +183,14 @@ sinew_status sinew_keep_joint_limits(const sinew_joint_limit* limits, uint32_t l
 sinew_status sinew_retarget_measure(sinew_retarget* plan, const sinew_motion_body* source,
                                     const sinew_motion_body* target, const sinew_motion_clip* clip,
                                     const sinew_contact_options* options, void* workspace, size_t workspace_bytes,
-                                    sinew_limb_measure* limbs, uint32_t* limb_count) {
+                                    sinew_limb_quality* limbs, uint32_t* limb_count) {
   return measure(plan, source, target, clip, options, workspace, workspace_bytes, limbs, limb_count, nullptr);
 }
 
 sinew_status sinew_retarget_spots(sinew_retarget* plan, const sinew_motion_body* source,
                                   const sinew_motion_body* target, const sinew_motion_clip* clip,
                                   const sinew_contact_options* options, void* workspace, size_t workspace_bytes,
-                                  sinew_limb_measure* limbs, uint32_t* limb_count, sinew_contact_spot* spots) {
+                                  sinew_limb_quality* limbs, uint32_t* limb_count, sinew_contact_spot* spots) {
   if (spots == nullptr) return SINEW_ERROR_ARGUMENT;
   return measure(plan, source, target, clip, options, workspace, workspace_bytes, limbs, limb_count, spots);
 }

@@ -17,7 +17,8 @@ sinew_status sinew_joint_classes_workspace_size(uint32_t joint_count, size_t* si
   if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
   *size_bytes = 0;
   if (joint_count == 0 || joint_count > SINEW_MAX_JOINTS) return SINEW_ERROR_COUNT;
-  const sinew_skeleton joints = sinew_skeleton_init(nullptr, nullptr, joint_count);
+  sinew_skeleton joints = SINEW_INIT(sinew_skeleton);
+  joints.joint_count = joint_count;
   return sinew::measure(size_bytes, [&](sinew::Arena& arena) {
     return sinew::names::find_joint_verdicts(joints, nullptr, arena, nullptr);
   });

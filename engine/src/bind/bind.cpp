@@ -10,7 +10,7 @@ namespace {
 
 sinew_status run_stages(const BindPlan& plan, const sinew_mesh& mesh, const sinew_skeleton& skeleton,
                         const Kernels& kernels, const Progress& progress, Arena& arena, sinew_bind_outputs* outputs) {
-  Prepared p;
+  PreparedBind p;
   sinew_status status =
       prepare(mesh, skeleton, plan.up_axis, plan.counts, plan.purpose(), kernels, progress, arena, &p);
   if (status != SINEW_OK) return status;

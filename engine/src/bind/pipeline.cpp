@@ -28,9 +28,10 @@ void move_features(const Mesh& mesh, const Counts& counts, Arena& arena, Feature
 bool has_attributes(const Counts& counts) { return kHasExtras && (counts.feature_flags & kAttributesFlag) != 0; }
 
 // The search's voxels are most of the workspace of a small mesh: nothing but the mesh is beside them.
-sinew_status find_candidates_then_heat(const Mesh& mesh, const Counts& surface, PrepareFor purpose,
-                                       const Kernels& kernels, const Progress& progress, Arena& arena, Prepared* out) {
-  const bool network = purpose != PrepareFor::kHeat;
+sinew_status find_candidates_then_heat(const Mesh& mesh, const Counts& surface, PreparePurpose purpose,
+                                       const Kernels& kernels, const Progress& progress, Arena& arena,
+                                       PreparedBind* out) {
+  const bool network = purpose != PreparePurpose::kHeat;
   if (network) {
     if (!out->candidates.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
     const sinew_status status =
@@ -38,7 +39,7 @@ sinew_status find_candidates_then_heat(const Mesh& mesh, const Counts& surface, 
                         &out->candidates);
     if (status != SINEW_OK) return status;
   }
-  if (purpose == PrepareFor::kNetworkAlone && has_attributes(surface)) return SINEW_OK;
+  if (purpose == PreparePurpose::kNetworkAlone && has_attributes(surface)) return SINEW_OK;
   if (!out->heat.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
   const Progress heat_progress = network ? progress.part(ends_at::kCandidates, ends_at::kHeat)
                                          : progress.part(ends_at::kReduction, ends_at::kHeatAlone);
@@ -48,7 +49,7 @@ sinew_status find_candidates_then_heat(const Mesh& mesh, const Counts& surface, 
 // With threads the search, which is one queue, goes on while heat factorises, which has few pieces: more memory, less
 // time.
 sinew_status find_candidates_beside_heat(const Mesh& mesh, const Counts& surface, const Kernels& kernels,
-                                         const Progress& progress, Arena& arena, Prepared* out) {
+                                         const Progress& progress, Arena& arena, PreparedBind* out) {
   (void)out->candidates.allocate(arena, surface);
   if (!out->heat.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
   const ArenaScope scope(arena);
@@ -57,7 +58,7 @@ sinew_status find_candidates_beside_heat(const Mesh& mesh, const Counts& surface
   struct Job {
     CandidateSearch& search;
     const Mesh& mesh;
-    Prepared& out;
+    PreparedBind& out;
     Counts counts;
   } job = {search, mesh, *out, surface};
   job.counts.threads = Threads();
@@ -83,7 +84,7 @@ NetworkInput largest_network_input(const Counts& counts) {
   return input;
 }
 
-NetworkInput network_input(const Prepared& p, const Counts& counts) {
+NetworkInput network_input(const PreparedBind& p, const Counts& counts) {
   NetworkInput input = largest_network_input(counts);
   const Mesh& mesh = p.surface();
   input.vertex_count = mesh.welded_count;
@@ -124,8 +125,8 @@ sinew_status build_mesh_and_skeleton(const sinew_mesh& mesh_input, const sinew_s
 }
 
 sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,
-                     PrepareFor purpose, const Kernels& kernels, const Progress& progress, Arena& arena,
-                     Prepared* out) {
+                     PreparePurpose purpose, const Kernels& kernels, const Progress& progress, Arena& arena,
+                     PreparedBind* out) {
   (void)out->mesh.allocate(arena, counts);
   (void)out->skeleton.allocate(arena, counts);
   out->source_joints = arena.alloc<uint8_t>(counts.joints);
@@ -146,14 +147,14 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
   const Mesh& mesh_of_stages = out->surface();
 
   if constexpr (kHasExtras) {
-    if (purpose == PrepareFor::kDistance) {
+    if (purpose == PreparePurpose::kDistance) {
       if (!out->heat.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
       status = weigh_by_distance(mesh_of_stages, out->skeleton, out->source_joints, surface, arena, &out->heat);
       if (status != SINEW_OK) return status;
       return progress.report(ends_at::kHeatAlone) ? SINEW_OK : SINEW_ERROR_CANCELLED;
     }
   }
-  const bool network = purpose != PrepareFor::kHeat;
+  const bool network = purpose != PreparePurpose::kHeat;
   const size_t mark = arena.mark();
   if (network && kHasThreads && !has_attributes(surface) && surface.threads.lanes > 1) {
     status = find_candidates_beside_heat(mesh_of_stages, surface, kernels, progress, arena, out);
@@ -179,7 +180,7 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
                               spectral, out->features.vertex_channels);
     if (status != SINEW_OK) return status;
   }
-  if (purpose == PrepareFor::kNetworkAlone) {
+  if (purpose == PreparePurpose::kNetworkAlone) {
     arena.release(mark);
     move_features(mesh_of_stages, surface, arena, &out->features);
     out->candidates = Candidates();

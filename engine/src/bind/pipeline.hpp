@@ -15,7 +15,7 @@
 namespace sinew {
 
 // What the stages leave in the workspace, in their order.
-struct Prepared {
+struct PreparedBind {
   Mesh mesh;
   Skeleton skeleton;
   uint8_t* source_joints = nullptr;  // [J] of the heat stage
@@ -30,7 +30,7 @@ struct Prepared {
 };
 
 // What prepare() is to make ready for.
-enum class PrepareFor {
+enum class PreparePurpose {
   kHeat,          // rows from the heat field: there are neither candidates nor features
   kDistance,      // the same, with weights by distance in its place
   kNetwork,       // the network and readers of candidates and heat: everything is there
@@ -51,10 +51,11 @@ sinew_status build_mesh_and_skeleton(const sinew_mesh& mesh_input, const sinew_s
 //   arena           holds what `out` points to; scratch is released
 // Returns SINEW_OK, SINEW_ERROR_WORKSPACE, SINEW_ERROR_CANCELLED, or what build_mesh_and_skeleton() refuses.
 sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,
-                     PrepareFor purpose, const Kernels& kernels, const Progress& progress, Arena& arena, Prepared* out);
+                     PreparePurpose purpose, const Kernels& kernels, const Progress& progress, Arena& arena,
+                     PreparedBind* out);
 
 // Views of what the network reads. The arrays stay where they are.
-NetworkInput network_input(const Prepared& prepared, const Counts& counts);
+NetworkInput network_input(const PreparedBind& prepared, const Counts& counts);
 // The counts of the largest input that prepare() can leave for these counts, without arrays: for a measuring arena.
 NetworkInput largest_network_input(const Counts& counts);
 

@@ -13,8 +13,8 @@
 namespace sinew {
 namespace {
 
-// sinew_options of the first release, 0.1.
-constexpr uint32_t kFirstOptionsSize = offsetof(sinew_options, progress_user) + sizeof(void*);
+// sinew_bind_options of the first release, 0.1.
+constexpr uint32_t kFirstOptionsSize = offsetof(sinew_bind_options, progress_user) + sizeof(void*);
 
 uint32_t or_default(uint32_t value, uint32_t fallback) { return value != 0 ? value : fallback; }
 
@@ -24,7 +24,7 @@ bool is_default_or_in(uint32_t value, uint32_t least, uint32_t most) {
 }
 
 // What can be said of the options without the model and the counts.
-sinew_status check_options(const sinew_options& o) {
+sinew_status check_options(const sinew_bind_options& o) {
   if (o.symmetric > 1 || o.method > SINEW_METHOD_DISTANCE || o.influence_count > SINEW_MAX_INFLUENCES ||
       o.weights_in_place > 1 || o.thread_count > SINEW_MAX_THREADS || kernel_name(o.kernel) == nullptr ||
       o.weight_format > SINEW_WEIGHT_FLOAT || o.rigid_parts > SINEW_RIGID_PARTS_NEVER ||
@@ -42,7 +42,7 @@ sinew_status check_options(const sinew_options& o) {
   return SINEW_OK;
 }
 
-RowOptions row_options(const sinew_options& o) {
+RowOptions row_options(const sinew_bind_options& o) {
   RowOptions rows;
   rows.influence_count = or_default(o.influence_count, 4);
   rows.weight_format = o.weight_format;
@@ -73,8 +73,8 @@ bool bind_task(uint32_t feature_set, ModelTask* task) {
 }
 
 sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints,
-                       const sinew_options* options, BindPlan* plan) {
-  sinew_options o = sinew_options_init();
+                       const sinew_bind_options* options, BindPlan* plan) {
+  sinew_bind_options o = SINEW_INIT(sinew_bind_options);
   sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstOptionsSize, sizeof o, &o);
   if (status == SINEW_OK) status = check_options(o);
   if (status != SINEW_OK) return status;

@@ -26,9 +26,9 @@ struct BindPlan {
   Progress progress;
 
   // make_parts_soft() is all that reads candidates or heat fields after the features.
-  PrepareFor purpose() const {
-    if (!with_network) return by_distance ? PrepareFor::kDistance : PrepareFor::kHeat;
-    return rows.reads_heat() ? PrepareFor::kNetwork : PrepareFor::kNetworkAlone;
+  PreparePurpose purpose() const {
+    if (!with_network) return by_distance ? PreparePurpose::kDistance : PreparePurpose::kHeat;
+    return rows.reads_heat() ? PreparePurpose::kNetwork : PreparePurpose::kNetworkAlone;
   }
 };
 
@@ -38,7 +38,7 @@ struct BindPlan {
 // model, or the model is missing; SINEW_ERROR_VERSION where an option is set that this library does not know;
 // SINEW_ERROR_COUNT where a count is out of its range.
 sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints,
-                       const sinew_options* options, BindPlan* plan);
+                       const sinew_bind_options* options, BindPlan* plan);
 
 // The task of the networks that predict skin weights: vertex and pair features of that set, and one logit per pair. False for a set or a flag that this build does not have.
 bool bind_task(uint32_t feature_set, ModelTask* task);

@@ -115,7 +115,7 @@ SINEW_ONCE uint32_t nearest_labels(const Propagation& p, Vec3i position, uint32_
     const uint32_t last = p.labels(around.cells[i])[per_cell - 1] + around.costs[i];
     if (last < farthest) farthest = last;
   }
-  // Most labels name a joint that another cell has named: places by a joint's low bits say where it is.
+  // Most labels name a joint that another cell has named: slots by a joint's low bits say where it is.
   constexpr uint32_t kEntries = 64;
   constexpr uint8_t kNone = 0xFF;
   uint8_t entries[kEntries];

@@ -37,14 +37,14 @@ void Propagation::lay_steps() {
       }
     }
   }
-  for (uint8_t came = 0; came < kStepCount; ++came) {
-    steps_[came].next = 0;
+  for (uint8_t incoming = 0; incoming < kStepCount; ++incoming) {
+    steps_[incoming].next = 0;
     for (uint8_t on = 0; on < kStepCount; ++on) {
-      bool natural = true;  // `on` moves along no axis but those of `came`, and in the same sense
+      bool natural = true;  // `on` moves along no axis but those of `incoming`, and in the same sense
       for (int axis = 0; axis < 3; ++axis) {
-        natural = natural && (along_[on][axis] == 0 || along_[on][axis] == along_[came][axis]);
+        natural = natural && (along_[on][axis] == 0 || along_[on][axis] == along_[incoming][axis]);
       }
-      if (natural) steps_[came].next |= 1u << on;
+      if (natural) steps_[incoming].next |= 1u << on;
     }
   }
 }
@@ -62,21 +62,21 @@ void Propagation::lay_directions_beside() {
       lengths[from][to] = static_cast<uint8_t>(axes == 4 ? 0 : kStepLengths[axes]);
     }
   }
-  for (uint8_t came = 0; came < kStepCount; ++came) {
-    const uint8_t p = static_cast<uint8_t>(kStepCount - 1 - came);
-    for (uint32_t dear = 0; dear < 2; ++dear) {
-      const uint32_t factor = dear != 0 ? kOutsideFactor : 1;
-      uint32_t* const others = beside_ + (2u * came + dear) * kStepCount;
-      left_[came][dear] = 0;
+  for (uint8_t incoming = 0; incoming < kStepCount; ++incoming) {
+    const uint8_t p = static_cast<uint8_t>(kStepCount - 1 - incoming);
+    for (uint32_t costly = 0; costly < 2; ++costly) {
+      const uint32_t factor = costly != 0 ? kOutsideFactor : 1;
+      uint32_t* const others = beside_ + (2u * incoming + costly) * kStepCount;
+      left_[incoming][costly] = 0;
       for (uint8_t n = 0; n < kStepCount; ++n) {
         const uint32_t last = factor * (steps_[n].label_step >> kJointBits);
-        const uint32_t whole = (steps_[came].label_step >> kJointBits) + last;
+        const uint32_t whole = (steps_[incoming].label_step >> kJointBits) + last;
         const auto better = [whole, last](uint32_t other, uint32_t other_last) {
           return other < whole || (other == whole && other_last < last);
         };
         const uint32_t straight = factor * lengths[p][n];
         if (straight == 0 ? n == p : better(straight, straight)) continue;
-        left_[came][dear] |= 1u << n;
+        left_[incoming][costly] |= 1u << n;
         others[n] = 0;
         for (uint8_t q = 0; q < kStepCount; ++q) {
           const uint32_t first = lengths[p][q], second = factor * lengths[q][n];
@@ -147,7 +147,7 @@ void Propagation::begin(uint32_t capacity) {
   capacity_ = capacity;
   waiting_ = 0;
   passed_on_ = 0;
-  edge_ = kDear | kBeside;
+  edge_ = kCostly | kBeside;
   for (; cell_count_ > solid_count_; --cell_count_) numbers_[at(cell_count_).grid_index] = 0;
   for (uint32_t grid_index = 0; grid_index < grid.cell_count; ++grid_index) bounds_[grid_index] = kClosed;
   for (uint32_t number = 1; number <= solid_count_; ++number) {
@@ -161,7 +161,7 @@ void Propagation::begin(uint32_t capacity) {
 
 void Propagation::seed(uint32_t grid_index, uint32_t label) {
   if (numbers_[grid_index] == 0) {  // outside
-    add_cell(grid_index, kDear);
+    add_cell(grid_index, kCostly);
     bounds_[grid_index] = kAnyDistance;
     for (const Step& step : steps_) {
       const uint32_t around = numbers_[static_cast<uint32_t>(static_cast<int32_t>(grid_index) + step.offset)];
@@ -237,44 +237,44 @@ void Propagation::offer_solid(uint32_t grid_index, uint32_t label, uint32_t dire
 }
 
 // Offers a label to cells around, where one of both is outside.
-void Propagation::offer_dear(uint32_t grid_index, uint32_t label, uint32_t directions) {
+void Propagation::offer_costly(uint32_t grid_index, uint32_t label, uint32_t directions) {
   for (; directions != 0; directions &= directions - 1) {
     const int direction = low_bit(directions);
     const uint32_t neighbour = static_cast<uint32_t>(static_cast<int32_t>(grid_index) + steps_[direction].offset);
     const uint32_t offered = label + kOutsideFactor * steps_[direction].label_step;
     if (!enters(neighbour, offered)) continue;
     uint32_t number = numbers_[neighbour];
-    if (number == 0) number = add_cell(neighbour, kDear);
+    if (number == 0) number = add_cell(neighbour, kCostly);
     if (offered <= at(number).limit) offer(number, offered, static_cast<uint8_t>(direction));
   }
 }
 
 // Of the ways on from a solid cell with outside cells around, reached by `arrival` from another solid cell, those that
-// are left. dear: 1 when they lead outside.
-uint32_t Propagation::directions_beside(uint32_t directions, uint32_t solid, uint8_t arrival, uint32_t dear) const {
-  const uint32_t* const others = beside_ + (2u * arrival + dear) * kStepCount;
+// are left. costly: 1 when they lead outside.
+uint32_t Propagation::directions_beside(uint32_t directions, uint32_t solid, uint8_t arrival, uint32_t costly) const {
+  const uint32_t* const others = beside_ + (2u * arrival + costly) * kStepCount;
   uint32_t kept = 0;
-  for (directions &= left_[arrival][dear]; directions != 0; directions &= directions - 1) {
+  for (directions &= left_[arrival][costly]; directions != 0; directions &= directions - 1) {
     const int direction = low_bit(directions);
     kept |= static_cast<uint32_t>((others[direction] & solid) == 0) << direction;
   }
   return kept;
 }
 
-// Passes a label on to the neighbours that the ways lead to: `solid` from one solid cell to others, `dear` where one of
+// Passes a label on to the neighbours that the ways lead to: `solid` from one solid cell to others, `costly` where one of
 // both is outside.
-void Propagation::spread(const Cell& from, uint32_t label, uint8_t arrival, uint32_t solid, uint32_t dear) {
+void Propagation::spread(const Cell& from, uint32_t label, uint8_t arrival, uint32_t solid, uint32_t costly) {
   if (arrival != kEverywhere) {
     if ((from.terrain & kSurface) == 0) {
       solid &= steps_[arrival].next;
-      dear &= steps_[arrival].next;
+      costly &= steps_[arrival].next;
     } else if ((from.solid >> (kStepCount - 1 - arrival) & 1) != 0) {
       solid = directions_beside(solid, from.solid, arrival, 0);
-      if (dear != 0) dear = directions_beside(dear, from.solid, arrival, 1);
+      if (costly != 0) costly = directions_beside(costly, from.solid, arrival, 1);
     }
   }
   offer_solid(from.grid_index, label, solid);
-  offer_dear(from.grid_index, label, dear);
+  offer_costly(from.grid_index, label, costly);
 }
 
 // Passes labels on by distance until none is left.
@@ -391,7 +391,7 @@ void Propagation::leave(Cell* cell) {
 bool Propagation::run(const Progress& progress, uint32_t permille) {
   if (!settle(progress, permille)) return false;
   if (!bound_outside()) return true;
-  edge_ = kDear | kSurface;
+  edge_ = kCostly | kSurface;
   const uint32_t entered = cell_count_;
   for (uint32_t number = 1; number <= entered; ++number) {
     Cell& cell = at(number);

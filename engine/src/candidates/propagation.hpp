@@ -81,7 +81,7 @@ class Propagation {
     uint32_t next;        // bit s: a label that came by this step goes on with step s
   };
 
-  static constexpr uint8_t kDear = 1;     // outside: steps to and from here are dear
+  static constexpr uint8_t kCostly = 1;   // outside: steps to and from here are costly
   static constexpr uint8_t kSurface = 2;  // solid, with outside cells around
   static constexpr uint8_t kBeside = 4;   // solid, and a bone passes an outside cell around
   // A cell that labels may enter; K labels and K arrivals follow it, so that for K = 8 it fills a line of the cache.
@@ -126,9 +126,9 @@ class Propagation {
   void offer(uint32_t number, uint32_t label, uint8_t arrival);
   bool enters(uint32_t grid_index, uint32_t label) const;
   void offer_solid(uint32_t grid_index, uint32_t label, uint32_t directions);
-  void offer_dear(uint32_t grid_index, uint32_t label, uint32_t directions);
-  SINEW_ONCE uint32_t directions_beside(uint32_t directions, uint32_t solid, uint8_t arrival, uint32_t dear) const;
-  void spread(const Cell& from, uint32_t label, uint8_t arrival, uint32_t solid, uint32_t dear);
+  void offer_costly(uint32_t grid_index, uint32_t label, uint32_t directions);
+  SINEW_ONCE uint32_t directions_beside(uint32_t directions, uint32_t solid, uint8_t arrival, uint32_t costly) const;
+  void spread(const Cell& from, uint32_t label, uint8_t arrival, uint32_t solid, uint32_t costly);
   bool settle(const Progress& progress, uint32_t permille);
   bool bound_outside();
   void spread_bounds();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The caller's threads (sinew_options::parallel_for): how a stage hands out independent work.
+// The caller's threads (sinew_bind_options::parallel_for): how a stage hands out independent work.
 #ifndef SINEW_CORE_THREADS_HPP
 #define SINEW_CORE_THREADS_HPP
 

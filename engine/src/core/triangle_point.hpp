@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The point of a triangle that is nearest to a place, in doubles of one order of operations.
+// The point of a triangle that is nearest to a position, in doubles of one order of operations.
 #ifndef SINEW_CORE_TRIANGLE_POINT_HPP
 #define SINEW_CORE_TRIANGLE_POINT_HPP
 

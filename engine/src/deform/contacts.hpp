@@ -18,7 +18,7 @@ struct ContactState {
   // Posed vertices, sorted by a hash of the cell that they lie in.
   Vec3i* positions = nullptr;   // [U] lattice units
   uint32_t* members = nullptr;  // [U] by bucket
-  Vec3i* sorted = nullptr;      // [U] their places, in that order
+  Vec3i* sorted = nullptr;      // [U] their positions, in that order
   uint32_t* offsets = nullptr;  // [B + 1]
   Bucket* buckets = nullptr;    // [B]
   uint32_t bucket_bits = 0;     // B = 2^bits

@@ -349,7 +349,7 @@ void join_corners(const VoxelGrid& grid, uint32_t most_nodes, Copies* copies) {
     join_all(grid, pass == 1, copies);
     uint32_t roots = 0;
     for (uint32_t i = 0; i < 8 * copies->count; ++i) roots += corners[i] == i ? 1u : 0u;
-    if (roots <= most_nodes) break;  // always, once every corner of a place is one
+    if (roots <= most_nodes) break;  // always, once every corner of a position is one
   }
   // Roots come first of their set, so a root's number is known when its members ask.
   uint32_t count = 0;

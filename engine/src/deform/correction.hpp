@@ -11,7 +11,7 @@ struct PoseCounts {
   uint32_t active_tetrahedra = 0, inverted_tetrahedra = 0;
 };
 
-// Each fills places [V] with the posed vertices, the common scale divided out. The matrices are rotations (posed.rigid). Works
+// Each fills positions [V] with the posed vertices, the common scale divided out. The matrices are rotations (posed.rigid). Works
 // with a measuring arena; scratch is released. Returns SINEW_OK or SINEW_ERROR_WORKSPACE.
 sinew_status pose_volume(const PosedJoints& posed, Arena& arena, Vec3d* positions, PoseCounts* counts);
 sinew_status pose_delta_mush(const PosedJoints& posed, Arena& arena, Vec3d* positions);

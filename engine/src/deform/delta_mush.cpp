@@ -79,7 +79,7 @@ sinew_status pose_delta_mush(const PosedJoints& posed, Arena& arena, Vec3d* posi
   for (uint32_t v = 0; v < rest.vertex_count; ++v) {
     const uint32_t u = rest.welded[v];
     if (rest.row_offsets[u] == rest.row_offsets[u + 1])
-      continue;  // a vertex without a triangle keeps its skinned place
+      continue;  // a vertex without a triangle keeps its skinned position
     positions[v] = smoothed[u] + rotate(rotations[u], rest.position(v) - rest.smooth[u]);
   }
   return SINEW_OK;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Grid, tetrahedra, weights of nodes, edges and the place of every vertex.
+// Grid, tetrahedra, weights of nodes, edges and the position of every vertex.
 #include "deform/lattice.hpp"
 
 #include "core/sort.hpp"

@@ -40,7 +40,7 @@ struct Embedding {
 // n nodes, t tetrahedra, 5 a copy of a cell, in the order of copies. Lattice units: the cell's edge is 2^14.
 struct Lattice {
   uint32_t node_count = 0, tetrahedron_count = 0, edge_count = 0, split_cells = 0;
-  Vec3i* nodes = nullptr;          // [n] rest places, lattice units from the grid's corner
+  Vec3i* nodes = nullptr;          // [n] rest positions, lattice units from the grid's corner
   WeightRow* rows = nullptr;       // [n]
   uint32_t* tetrahedra = nullptr;  // [t x 4] nodes, positive volume; the fifth of a copy is its large middle one
   // Copies by the parity of their cells' coordinates, their colour, and cut into pieces: pieces of one colour have no node in
@@ -63,10 +63,10 @@ struct Lattice {
 sinew_status find_lattice_bounds(const sinew_mesh& mesh, const GridQuantizer& quantizer, uint32_t cells_along,
                                  LatticeBounds* bounds, VoxelGrid* grid);
 
-// What a lattice is made of. Rows of welded vertices are those of the first vertex at their place.
+// What a lattice is made of. Rows of welded vertices are those of the first vertex at their position.
 struct LatticeInput {
   const Mesh* mesh;
-  const uint32_t* first_vertices;  // [U] the caller's first vertex at the place
+  const uint32_t* first_vertices;  // [U] the caller's first vertex at the position
   const uint16_t* joints;          // [V x influences]
   const uint16_t* weights;
 };

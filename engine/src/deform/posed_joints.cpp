@@ -154,7 +154,8 @@ sinew_status read_palette(const float* palette, PosedJoints* posed) {
     joint.group = find_group(*posed, j);
     joint.overturned = find_overturn(*posed, j);
     posed->overturned = posed->overturned || joint.overturned > 0;
-    if (rest.options.method == SINEW_DEFORM_VOLUME && rest.options.no_twist_spread == 0) find_twist(j, posed);
+    if (rest.options.method == SINEW_DEFORM_VOLUME && (rest.options.without & SINEW_WITHOUT_TWIST_SPREAD) == 0)
+      find_twist(j, posed);
   }
   return SINEW_OK;
 }

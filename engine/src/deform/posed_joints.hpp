@@ -53,9 +53,9 @@ Vec3d blend_linear(const PosedJoints& posed, const Joint* joints, const Weight* 
   return whole > 0 ? p + (1 / whole) * sum : p;
 }
 
-// Share of its child's twist that a place on a joint's bone takes.
+// Share of its child's twist that a position on a joint's bone takes.
 double twist_share(const RestJoint& joint, Vec3d position);
-// Sum of the motions of a row at a place. A row without weights stands still.
+// Sum of the motions of a row at a position. A row without weights stands still.
 DualQuaternion blend_motions(const PosedJoints& posed, const uint16_t* joints, const uint16_t* weights, uint32_t n,
                              Vec3d position);
 // How far the joints of a row, by falling weight, are overturned against each other: the most of any joint between them.

@@ -18,7 +18,8 @@
 namespace sinew::deform {
 namespace {
 
-constexpr uint32_t kFirstOptionsSize = offsetof(sinew_deform_options, no_smoothing) + sizeof(uint32_t);
+constexpr uint32_t kFirstOptionsSize = offsetof(sinew_deform_options, body_contact) + sizeof(uint32_t);
+constexpr uint32_t kWithout = SINEW_WITHOUT_TWIST_SPREAD | SINEW_WITHOUT_CONTACTS | SINEW_WITHOUT_SMOOTHING;
 constexpr double kHingeCosine = -0.5;  // cosine between the ways to the parent and along the bone: hinges are below
 
 sinew_status check_input(const RestInput& input, Counts* counts) {
@@ -161,7 +162,7 @@ struct Builder {
 }  // namespace
 
 sinew_status read_deform_options(const sinew_deform_options* given, sinew_deform_options* options) {
-  *options = sinew_deform_options_init();
+  *options = SINEW_INIT(sinew_deform_options);
   if (given != nullptr) {
     const sinew_status status = read_struct(given, kFirstOptionsSize, sizeof *options, options);
     if (status != SINEW_OK) return status;
@@ -171,8 +172,8 @@ sinew_status read_deform_options(const sinew_deform_options* given, sinew_deform
     return SINEW_ERROR_ARGUMENT;
   }
   if (o.method > SINEW_DEFORM_DELTA_MUSH || o.round_count > SINEW_MAX_DEFORM_ROUNDS || o.softness > 65535 ||
-      (o.cell_count != 0 && (o.cell_count < 8 || o.cell_count > SINEW_MAX_DEFORM_CELLS)) || o.no_twist_spread > 1 ||
-      o.no_contact > 1 || o.no_smoothing > 1 || o.thread_count > SINEW_MAX_THREADS) {
+      (o.cell_count != 0 && (o.cell_count < 8 || o.cell_count > SINEW_MAX_DEFORM_CELLS)) ||
+      (o.without & ~kWithout) != 0 || o.thread_count > SINEW_MAX_THREADS) {
     return SINEW_ERROR_ARGUMENT;
   }
   if (o.cell_count == 0) o.cell_count = 32;

@@ -41,7 +41,7 @@ struct DeformRest {
   uint16_t* weights = nullptr;    // [V x N]
   RestJoint* skeleton = nullptr;  // [J]
   uint32_t* welded = nullptr;     // [V] welded vertex
-  uint32_t* first = nullptr;      // [U] the caller's first vertex at a place
+  uint32_t* first = nullptr;      // [U] the caller's first vertex at a position
   // Of a volume or published pose.
   Lattice lattice;
   uint8_t* node_flags = nullptr;  // [n]
@@ -69,7 +69,7 @@ struct DeformRest {
 
 struct RestInput {
   sinew_mesh mesh = {};
-  sinew_skeleton skeleton = sinew_skeleton_init(nullptr, nullptr, 0);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
   sinew_skin skin = {};
   sinew_deform_options options = {};  // defaults filled in
 };

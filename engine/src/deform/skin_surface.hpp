@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The surface around a lattice at rest: what says how deep a place of the lattice lies inside of the body.
+// The surface around a lattice at rest: what says how deep a position of the lattice lies inside of the body.
 #ifndef SINEW_DEFORM_SKIN_SURFACE_HPP
 #define SINEW_DEFORM_SKIN_SURFACE_HPP
 
@@ -10,7 +10,7 @@ namespace sinew::deform {
 
 constexpr uint32_t kMostCorners = 256;
 
-// The point of the surface that is nearest to a place.
+// The point of the surface that is nearest to a position.
 struct SurfacePoint {
   uint32_t triangle;
   double shares[3];  // of its corners
@@ -39,7 +39,7 @@ struct SkinSurface {
   SurfacePoint find_nearest(uint32_t start, Vec3d position) const;
 };
 
-// Fills a surface, allocated beforehand, whose places were filled, but for `yields`.
+// Fills a surface, allocated beforehand, whose positions were filled, but for `yields`.
 void fill_surface(const Mesh& mesh, const Lattice& lattice, SkinSurface* surface);
 // Fills `yields`. pinned: flag of nodes that lie at a bone; rigid [U]: vertices that do not yield at all.
 void fill_yields(const Lattice& lattice, const uint8_t* node_flags, uint8_t pinned, const uint8_t* rigid,

@@ -10,7 +10,7 @@
 
 namespace sinew::deform {
 
-// Places beyond are clamped to it, in lattice units: 16,384 cells.
+// Positions beyond are clamped to it, in lattice units: 16,384 cells.
 constexpr int32_t kFarthest = 1 << 28;
 constexpr uint32_t kSettlingRounds = 2;  // the last ones, without momentum, in which the constraints settle
 

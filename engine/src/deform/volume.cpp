@@ -37,7 +37,7 @@ class VolumePose {
     }
     if (arena.measuring()) return SINEW_OK;
     skin_vertices();
-    if (rest_.options.no_contact == 0) {
+    if ((rest_.options.without & SINEW_WITHOUT_CONTACTS) == 0) {
       find_half_spaces(posed_, threads_, planes, spaces_);
     } else {
       for (uint32_t v = 0; v < rest_.vertex_count; ++v) spaces_[v] = {{0, 0, 0}, 0};
@@ -47,7 +47,7 @@ class VolumePose {
     if (solves) skin_nodes();
     if (solves && find_moving()) {
       list_constraints(lattice_, &state_);
-      if (rest_.options.no_contact == 0) list_points();
+      if ((rest_.options.without & SINEW_WITHOUT_CONTACTS) == 0) list_points();
       counts_.active_tetrahedra = state_.tetrahedron_count;
       solve(lattice_, rest_.options.round_count, rest_.options.softness, rest_.kernels, threads_, &state_);
       counts_.inverted_tetrahedra = count_inverted(state_);
@@ -172,7 +172,7 @@ class VolumePose {
     }
   }
 
-  // Where all is pinned a vertex keeps its skinned place exactly; where all moves it goes with the lattice, which smooths it.
+  // Where all is pinned a vertex keeps its skinned position exactly; where all moves it goes with the lattice, which smooths it.
   // What the rounded shares are off at rest is taken out.
   void map_back() {
     threads_.ranges(rest_.vertex_count, kPiece, [&](uint32_t begin, uint32_t end, uint32_t) { map_back(begin, end); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Weights of a place of the lattice: a few joints with unorm16 weights, and the sums that they are made of.
+// Weights of a position of the lattice: a few joints with unorm16 weights, and the sums that they are made of.
 #ifndef SINEW_DEFORM_WEIGHT_ROW_HPP
 #define SINEW_DEFORM_WEIGHT_ROW_HPP
 

@@ -93,7 +93,7 @@ class TurnedSkeleton {
 
 sinew_status plan_details(const sinew_model* hands_model, uint32_t vertices, uint32_t faces, uint32_t corners,
                           uint32_t wanted, const sinew_rig_options* options, DetailsPlan* plan) {
-  sinew_rig_options own = sinew_rig_options_init();
+  sinew_rig_options own = SINEW_INIT(sinew_rig_options);
   sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstRigOptionsSize, sizeof own, &own);
   if (status != SINEW_OK) return status;
   if (wanted == 0 || (wanted & ~kAllDetails) != 0) return SINEW_ERROR_ARGUMENT;

@@ -20,7 +20,7 @@ constexpr int64_t kLeastGap = 80, kMostGap = 800, kMostOfHead = 120;
 // Jaws, percent of the eyes' distance.
 constexpr int64_t kJawDown = 75, kJawBack = 110;
 constexpr int64_t kChinHigh = 120, kChinLow = 230, kChinWide = 30;
-// How sure a place is, 0..32768: a ball's middle is measured, a jaw's is where people have it.
+// How sure a position is, 0..32768: a ball's middle is measured, a jaw's is where people have it.
 constexpr uint16_t kEyeConfidence = 29491, kJawConfidence = 16384;
 
 struct FaceBall {

@@ -54,7 +54,7 @@ class FingerFinder {
     less->has_end = false;
   }
 
-  // The densest place of the cloud; `all` is what its votes would weigh if all of them agreed.
+  // The densest position of the cloud; `all` is what its votes would weigh if all of them agreed.
   bool find_joint(int64_t all, Joint* joint) {
     Mode modes[kMaxModes];
     if (find_modes(cloud_, kVoteWidth, false, kSeeds, modes) == 0) return false;

@@ -18,7 +18,7 @@ constexpr uint32_t kFewestFingerJoints = 2;
 constexpr uint32_t kFewestFingers = 3;  // of a hand that has any
 
 // Each class of joints has its votes, and the joint is where most of them gather, if enough of them gather at all. A
-// finger is what joints of it there are, its end where most tips of its last joint are. Of two fingers in one place the
+// finger is what joints of it there are, its end where most tips of its last joint are. Of two fingers at one position the
 // one with more votes stays, and likewise of two ends. A hand with fewer than kFewestFingers has none.
 //   pool     not mirrored, of the hand's own grid (hand_crop.hpp)
 //   fingers  out

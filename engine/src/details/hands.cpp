@@ -52,7 +52,7 @@ struct Body : GivenSkeleton {
   }
 };
 
-struct Found {
+struct FoundHand {
   uint16_t hand;
   int16_t mirror;            // the hand that gets the same ones mirrored, or -1
   Finger fingers[kFingers];  // grid units of the mesh
@@ -114,7 +114,7 @@ class Writer {
   Writer(const Body& body, const Units& units, uint32_t up_axis, sinew_rig_outputs* outputs)
       : body_(body), units_(units), up_axis_(up_axis), out_(*outputs) {}
 
-  SINEW_RARE void add(const Found& found) {
+  SINEW_RARE void add(const FoundHand& found) {
     const uint32_t hands = found.mirror >= 0 ? 2 : 1;
     if (out_.joint_count + hands * found.joints() > kMostJoints || found.joints() == 0) return;
     int32_t numbers[2][kFingers][kFingerJoints + 1];
@@ -179,7 +179,7 @@ sinew_status run_hands(const RigPlan& plan, const sinew_mesh& mesh_input, const 
   HandVoter voter = {plan, kernels};
   (void)mesh.allocate(arena, plan.counts);
   (void)voter.allocate(arena);
-  Found* const found = arena.alloc<Found>(kMostJoints);
+  FoundHand* const found = arena.alloc<FoundHand>(kMostJoints);
   if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) {
     const sinew_status status = build_mesh(mesh_input, GridQuantizer(), plan.counts, arena, &mesh);
@@ -202,7 +202,7 @@ sinew_status run_hands(const RigPlan& plan, const sinew_mesh& mesh_input, const 
   for (uint32_t j = 0; j < joints; ++j) hands += is_asked(j) ? 1 : 0;
   for (uint32_t j = 0; j < joints; ++j) {
     if (!is_asked(j)) continue;
-    Found& one = found[count];
+    FoundHand& one = found[count];
     one.hand = static_cast<uint16_t>(j);
     one.mirror = kNoMirror;
     const int32_t other = body.partner(j);

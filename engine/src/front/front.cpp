@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Points to rows to answers; of mirrored meshes the answer chooses an end of the mirror plane, of others it is rounded to steps
-// from the mesh's own axis, so that the same mesh in another position is brought to the same place.
+// from the mesh's own axis, so that the same mesh in another pose is brought to the same position.
 #include "front/front.hpp"
 
 #include "core/vector_math.hpp"

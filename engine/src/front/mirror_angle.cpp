@@ -138,23 +138,23 @@ SurfaceAxis surface_axis(const Mesh& mesh, uint32_t up_axis) {
   uint64_t total = 0;
   for (uint32_t v = 0; v < mesh.welded_count; ++v) total += mesh.areas[v] >> 8;
   const int top = top_bit(total) - 29, shift = top > 0 ? top : 0;
-  // Weights below 2^30 in all, places below 2^16 from their mean.
+  // Weights below 2^30 in all, positions below 2^16 from their mean.
   const auto weight = [&](uint32_t v) { return static_cast<int64_t>((mesh.areas[v] >> 8) >> shift); };
-  const auto place = [&](uint32_t v) {
+  const auto position = [&](uint32_t v) {
     const Vec3i p = turned_up(mesh.positions[v], up_axis);
     return Heading{round_shift(p.x, 5), round_shift(p.z, 5)};
   };
   int64_t weights = 1, x = 0, z = 0;
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
     weights += weight(v);
-    x += weight(v) * place(v).x;
-    z += weight(v) * place(v).z;
+    x += weight(v) * position(v).x;
+    z += weight(v) * position(v).z;
   }
   x = round_div(x, weights);
   z = round_div(z, weights);
   int64_t xx = 0, xz = 0, zz = 0;
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
-    const int64_t dx = place(v).x - x, dz = place(v).z - z;
+    const int64_t dx = position(v).x - x, dz = position(v).z - z;
     xx += weight(v) * dx * dx;
     xz += weight(v) * dx * dz;
     zz += weight(v) * dz * dz;

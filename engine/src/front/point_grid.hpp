@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points in cells, for the nearest of them to a place.
+// Points in cells, for the nearest of them to a position.
 #ifndef SINEW_FRONT_POINT_GRID_HPP
 #define SINEW_FRONT_POINT_GRID_HPP
 

@@ -380,7 +380,7 @@ void HeatSolver::solve_field(const HeatSources& sources, uint32_t field, HeatFie
     }
     if (done) return;
     leave_fronts();
-    set_pulls(sources, field);  // by elimination place
+    set_pulls(sources, field);  // by elimination position
   }
   matrix_.positive = iterative_;
   refinements_ = 0;

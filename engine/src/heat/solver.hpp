@@ -43,7 +43,7 @@ class HeatSolver {
   //   solve_batch    one batch of batch_count(); batches may be solved at the same time
   //   keep_batch     what a solved batch has in the fronts [begin, end), into the rows. Fronts at the same time, batches
   //                  not. False where the solution is wild
-  //   close_totals   after the last batch: whether the rows at the places [begin, end) were solved well enough
+  //   close_totals   after the last batch: whether the rows at the positions [begin, end) were solved well enough
   //   finish_rows    those rows
   bool begin_fronts(const HeatSources& sources, uint32_t field, HeatField* out);
   uint32_t batch_count() const { return (listed_ + kFrontBatch - 1) / kFrontBatch; }
@@ -102,7 +102,7 @@ class HeatSolver {
   bool iterative_ = false;
   uint32_t refinements_ = 0;
   bool wild_ = false;
-  int64_t* pull_ = nullptr;        // [U] Q40 of one tied bone, by elimination place
+  int64_t* pull_ = nullptr;        // [U] Q40 of one tied bone, by elimination position
   int64_t* rhs_ = nullptr;         // [U x kBatch]
   int32_t* solution_ = nullptr;    // [U x kBatch] Q24
   int32_t* refinement_ = nullptr;  // [U x kBatch] Q24

@@ -162,7 +162,7 @@ bool FaceTree::hidden(const Mesh& mesh, uint32_t vertex, Vec3i target, uint32_t 
   if (looked_at != kNoGroup && group_hides(looked_at)) return true;
 
   struct Entry {
-    uint32_t level, group, span;  // span: places under one of the group's boxes
+    uint32_t level, group, span;  // span: slots under one of the group's boxes
   };
   Entry stack[kMostLevels * kBoxesInGroup];
   uint32_t depth = 0;

@@ -25,8 +25,8 @@ struct FaceTree {
   static constexpr uint32_t kMostLevels = 8;  // 16^8 triangles are more than there can be
   static constexpr uint32_t kNoGroup = 0xFFFFFFFFu;
 
-  uint32_t* order = nullptr;       // [T] triangle at each place
-  uint32_t* part_first = nullptr;  // [part_count + 1] first place of each part
+  uint32_t* order = nullptr;       // [T] triangle at each slot
+  uint32_t* part_first = nullptr;  // [part_count + 1] first slot of each part
   BoxGroup* groups = nullptr;      // level by level, leaves first
   uint32_t level_first[kMostLevels] = {};
   uint32_t levels = 0;  // the last one has one group; 0 without triangles
@@ -34,7 +34,7 @@ struct FaceTree {
 
   bool allocate(Arena& arena, const Counts& counts);
   void build(const Mesh& mesh);
-  // True when a face at a place in [first, last) (outside = false) or at any other place (outside = true), not incident
+  // True when a face at a slot in [first, last) (outside = false) or at any other slot (outside = true), not incident
   // to `vertex`, is crossed from its front on the way to `target`. *hint is a group to try first and receives that of
   // the face that hides (kNoGroup to start with); it changes the time, never the answer.
   bool hidden(const Mesh& mesh, uint32_t vertex, Vec3i target, uint32_t first, uint32_t last, bool outside,

@@ -14,7 +14,7 @@ struct Constraints256 {
   static constexpr uint32_t kWidth = 4, kLanes = 15;
   static constexpr uint8_t kRunFlag = kRunOfFour;
   using Real = __m256d;
-  using Whole = __m128i;
+  using Int = __m128i;
   using Mask = __m256d;
 
   SINEW_INLINE static Real all(double x) { return _mm256_set1_pd(x); }
@@ -28,26 +28,24 @@ struct Constraints256 {
   SINEW_INLINE static Real magnitude(Real a) { return _mm256_andnot_pd(all(-0.0), a); }
   SINEW_INLINE static Real larger(Real a, Real b) { return _mm256_max_pd(a, b); }
 
-  SINEW_INLINE static Whole load(const int32_t* from) {
-    return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
-  }
-  SINEW_INLINE static void store(int32_t* to, Whole a) { _mm_storeu_si128(reinterpret_cast<__m128i*>(to), a); }
-  SINEW_INLINE static Whole sum(Whole a, Whole b) { return _mm_add_epi32(a, b); }
-  SINEW_INLINE static Whole difference(Whole a, Whole b) { return _mm_sub_epi32(a, b); }
-  SINEW_INLINE static Whole within(Whole a, int32_t most) {
+  SINEW_INLINE static Int load(const int32_t* from) { return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from)); }
+  SINEW_INLINE static void store(int32_t* to, Int a) { _mm_storeu_si128(reinterpret_cast<__m128i*>(to), a); }
+  SINEW_INLINE static Int sum(Int a, Int b) { return _mm_add_epi32(a, b); }
+  SINEW_INLINE static Int difference(Int a, Int b) { return _mm_sub_epi32(a, b); }
+  SINEW_INLINE static Int within(Int a, int32_t most) {
     return _mm_max_epi32(_mm_min_epi32(a, _mm_set1_epi32(most)), _mm_set1_epi32(-most));
   }
-  SINEW_INLINE static Whole whole(Real a) { return _mm256_cvttpd_epi32(a); }
-  SINEW_INLINE static Real real(Whole a) { return _mm256_cvtepi32_pd(a); }
+  SINEW_INLINE static Int whole(Real a) { return _mm256_cvttpd_epi32(a); }
+  SINEW_INLINE static Real real(Int a) { return _mm256_cvtepi32_pd(a); }
 
   SINEW_INLINE static Mask less(Real a, Real b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
   SINEW_INLINE static Mask at_least(Real a, Real b) { return _mm256_cmp_pd(a, b, _CMP_GE_OQ); }
   SINEW_INLINE static Mask both(Mask a, Mask b) { return _mm256_and_pd(a, b); }
-  SINEW_INLINE static Mask of_moves(Whole moves) { return _mm256_castsi256_pd(_mm256_cvtepi32_epi64(moves)); }
-  SINEW_INLINE static Mask of_both_moves(Whole a, Whole b) { return of_moves(_mm_and_si128(a, b)); }
+  SINEW_INLINE static Mask of_moves(Int moves) { return _mm256_castsi256_pd(_mm256_cvtepi32_epi64(moves)); }
+  SINEW_INLINE static Mask of_both_moves(Int a, Int b) { return of_moves(_mm_and_si128(a, b)); }
   SINEW_INLINE static uint32_t bits(Mask mask) { return static_cast<uint32_t>(_mm256_movemask_pd(mask)); }
   SINEW_INLINE static Real where(Mask mask, Real a) { return _mm256_and_pd(mask, a); }
-  SINEW_INLINE static Whole where(Mask mask, Whole a) {
+  SINEW_INLINE static Int where(Mask mask, Int a) {
     const __m128 low = _mm_castpd_ps(_mm256_castpd256_pd128(mask)),
                  high = _mm_castpd_ps(_mm256_extractf128_pd(mask, 1));
     return _mm_and_si128(_mm_castps_si128(_mm_shuffle_ps(low, high, 0x88)), a);
@@ -61,8 +59,7 @@ struct Constraints256 {
     _mm_store_si128(reinterpret_cast<__m128i*>(nodes + n), node);
   }
   template <int N>
-  SINEW_INLINE static void load_nodes(const SolverNode* nodes, const uint32_t* at, Whole* x, Whole* y, Whole* z,
-                                      Whole* moves) {
+  SINEW_INLINE static void load_nodes(const SolverNode* nodes, const uint32_t* at, Int* x, Int* y, Int* z, Int* moves) {
     const __m128i a = load_node(nodes, at[0]), b = load_node(nodes, at[N]), c = load_node(nodes, at[2 * N]),
                   d = load_node(nodes, at[3 * N]);
     const __m128i ab = _mm_unpacklo_epi32(a, b), cd = _mm_unpacklo_epi32(c, d), high_ab = _mm_unpackhi_epi32(a, b),
@@ -73,7 +70,7 @@ struct Constraints256 {
     *moves = _mm_unpackhi_epi64(high_ab, high_cd);
   }
   template <int N>
-  SINEW_INLINE static void store_nodes(Whole x, Whole y, Whole z, Whole moves, const uint32_t* at, SolverNode* nodes) {
+  SINEW_INLINE static void store_nodes(Int x, Int y, Int z, Int moves, const uint32_t* at, SolverNode* nodes) {
     const __m128i xy = _mm_unpacklo_epi32(x, y), high_xy = _mm_unpackhi_epi32(x, y), zm = _mm_unpacklo_epi32(z, moves),
                   high_zm = _mm_unpackhi_epi32(z, moves);
     store_node(nodes, at[0], _mm_unpacklo_epi64(xy, zm));

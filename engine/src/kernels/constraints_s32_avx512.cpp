@@ -12,7 +12,7 @@ struct Constraints512 {
   static constexpr uint32_t kWidth = 8, kLanes = 255;
   static constexpr uint8_t kRunFlag = kRunOfEight;
   using Real = __m512d;
-  using Whole = __m256i;
+  using Int = __m256i;
   using Mask = __mmask8;
 
   SINEW_INLINE static Real all(double x) { return _mm512_set1_pd(x); }
@@ -28,26 +28,26 @@ struct Constraints512 {
   SINEW_INLINE static Real magnitude(Real a) { return _mm512_abs_pd(a); }
   SINEW_INLINE static Real larger(Real a, Real b) { return _mm512_max_pd(a, b); }
 
-  SINEW_INLINE static Whole load(const int32_t* from) {
+  SINEW_INLINE static Int load(const int32_t* from) {
     return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
   }
-  SINEW_INLINE static void store(int32_t* to, Whole a) { _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), a); }
-  SINEW_INLINE static Whole sum(Whole a, Whole b) { return _mm256_add_epi32(a, b); }
-  SINEW_INLINE static Whole difference(Whole a, Whole b) { return _mm256_sub_epi32(a, b); }
-  SINEW_INLINE static Whole within(Whole a, int32_t most) {
+  SINEW_INLINE static void store(int32_t* to, Int a) { _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), a); }
+  SINEW_INLINE static Int sum(Int a, Int b) { return _mm256_add_epi32(a, b); }
+  SINEW_INLINE static Int difference(Int a, Int b) { return _mm256_sub_epi32(a, b); }
+  SINEW_INLINE static Int within(Int a, int32_t most) {
     return _mm256_max_epi32(_mm256_min_epi32(a, _mm256_set1_epi32(most)), _mm256_set1_epi32(-most));
   }
-  SINEW_INLINE static Whole whole(Real a) { return _mm512_cvttpd_epi32(a); }
-  SINEW_INLINE static Real real(Whole a) { return _mm512_cvtepi32_pd(a); }
+  SINEW_INLINE static Int whole(Real a) { return _mm512_cvttpd_epi32(a); }
+  SINEW_INLINE static Real real(Int a) { return _mm512_cvtepi32_pd(a); }
 
   SINEW_INLINE static Mask less(Real a, Real b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
   SINEW_INLINE static Mask at_least(Real a, Real b) { return _mm512_cmp_pd_mask(a, b, _CMP_GE_OQ); }
   SINEW_INLINE static Mask both(Mask a, Mask b) { return static_cast<Mask>(a & b); }
-  SINEW_INLINE static Mask of_moves(Whole moves) { return _mm256_movepi32_mask(moves); }
-  SINEW_INLINE static Mask of_both_moves(Whole a, Whole b) { return both(of_moves(a), of_moves(b)); }
+  SINEW_INLINE static Mask of_moves(Int moves) { return _mm256_movepi32_mask(moves); }
+  SINEW_INLINE static Mask of_both_moves(Int a, Int b) { return both(of_moves(a), of_moves(b)); }
   SINEW_INLINE static uint32_t bits(Mask mask) { return mask; }
   SINEW_INLINE static Real where(Mask mask, Real a) { return _mm512_maskz_mov_pd(mask, a); }
-  SINEW_INLINE static Whole where(Mask mask, Whole a) { return _mm256_maskz_mov_epi32(mask, a); }
+  SINEW_INLINE static Int where(Mask mask, Int a) { return _mm256_maskz_mov_epi32(mask, a); }
   SINEW_INLINE static Real either(Mask mask, Real a, Real b) { return _mm512_mask_blend_pd(mask, b, a); }
 
   // The node of a lane, and that of the lane four further on.
@@ -60,8 +60,7 @@ struct Constraints512 {
     Constraints256::store_node(nodes, high, _mm256_extracti128_si256(two, 1));
   }
   template <int N>
-  SINEW_INLINE static void load_nodes(const SolverNode* nodes, const uint32_t* at, Whole* x, Whole* y, Whole* z,
-                                      Whole* moves) {
+  SINEW_INLINE static void load_nodes(const SolverNode* nodes, const uint32_t* at, Int* x, Int* y, Int* z, Int* moves) {
     const __m256i a = load_two(nodes, at[0], at[4 * N]), b = load_two(nodes, at[N], at[5 * N]),
                   c = load_two(nodes, at[2 * N], at[6 * N]), d = load_two(nodes, at[3 * N], at[7 * N]);
     const __m256i ab = _mm256_unpacklo_epi32(a, b), cd = _mm256_unpacklo_epi32(c, d),
@@ -72,7 +71,7 @@ struct Constraints512 {
     *moves = _mm256_unpackhi_epi64(high_ab, high_cd);
   }
   template <int N>
-  SINEW_INLINE static void store_nodes(Whole x, Whole y, Whole z, Whole moves, const uint32_t* at, SolverNode* nodes) {
+  SINEW_INLINE static void store_nodes(Int x, Int y, Int z, Int moves, const uint32_t* at, SolverNode* nodes) {
     const __m256i xy = _mm256_unpacklo_epi32(x, y), high_xy = _mm256_unpackhi_epi32(x, y),
                   zm = _mm256_unpacklo_epi32(z, moves), high_zm = _mm256_unpackhi_epi32(z, moves);
     store_two(nodes, at[0], at[4 * N], _mm256_unpacklo_epi64(xy, zm));

@@ -5,9 +5,9 @@
 // A file that is compiled with an instruction set's flags includes this and says what a register is, of kWidth entries:
 //   kRunFlag                    of entries that begin a run of so many
 //   Real, all(double), add, subtract, times, divide, root, floored, cut (toward zero), magnitude, larger (of two Reals)
-//   Whole                       int32; load(from), store(to, Whole), sum, difference, within(Whole, most) (-most to most), whole(Real) of an integer, real(Whole)
-//   Mask                        less(Real, Real), at_least(Real, Real), both(Mask, Mask), of_moves(Whole), of_both_moves(Whole, Whole), bits(Mask)
-//   where(Mask, Real or Whole)  0 elsewhere; either(Mask, Real a, Real b): a where the mask is set
+//   Int                         int32; load(from), store(to, Int), sum, difference, within(Int, most) (-most to most), whole(Real) of an integer, real(Int)
+//   Mask                        less(Real, Real), at_least(Real, Real), both(Mask, Mask), of_moves(Int), of_both_moves(Int, Int), bits(Mask)
+//   where(Mask, Real or Int)    0 elsewhere; either(Mask, Real a, Real b): a where the mask is set
 //   load_nodes<N>(nodes, at, &x, &y, &z, &moves), store_nodes<N>(x, y, z, moves, at, nodes)   nodes at[0], at[N], at[2 N], ...
 #ifndef SINEW_KERNELS_CONSTRAINTS_S32_WIDE_HPP
 #define SINEW_KERNELS_CONSTRAINTS_S32_WIDE_HPP
@@ -19,8 +19,8 @@ namespace sinew {
 namespace {
 
 template <class Isa>
-struct Wholes {
-  typename Isa::Whole x, y, z;
+struct Ints {
+  typename Isa::Int x, y, z;
 };
 template <class Isa>
 struct Reals {
@@ -28,8 +28,8 @@ struct Reals {
 };
 template <class Isa>
 struct Nodes {
-  Wholes<Isa> position;
-  typename Isa::Whole moves;
+  Ints<Isa> position;
+  typename Isa::Int moves;
 };
 
 template <class Isa, int N>
@@ -49,7 +49,7 @@ SINEW_INLINE typename Isa::Real dot(const Reals<Isa>& a, const Reals<Isa>& b) {
 }
 // a - b, clamped
 template <class Isa>
-SINEW_INLINE Reals<Isa> between(const Wholes<Isa>& a, const Wholes<Isa>& b, int32_t most) {
+SINEW_INLINE Reals<Isa> between(const Ints<Isa>& a, const Ints<Isa>& b, int32_t most) {
   return {Isa::real(Isa::within(Isa::difference(a.x, b.x), most)),
           Isa::real(Isa::within(Isa::difference(a.y, b.y), most)),
           Isa::real(Isa::within(Isa::difference(a.z, b.z), most))};
@@ -66,7 +66,7 @@ SINEW_INLINE Reals<Isa> cross_over_cell(const Reals<Isa>& a, const Reals<Isa>& b
 
 // x + (ratio * g + half) >> shift in the lanes of a mask; `scaled` is the ratio over 2^shift.
 template <class Isa>
-SINEW_INLINE void step(Wholes<Isa>* p, typename Isa::Real scaled, const Reals<Isa>& g, typename Isa::Mask mask) {
+SINEW_INLINE void step(Ints<Isa>* p, typename Isa::Real scaled, const Reals<Isa>& g, typename Isa::Mask mask) {
   const auto half = Isa::all(0.5);
   const auto way = [&](typename Isa::Real x) {
     return Isa::where(mask, Isa::whole(Isa::floored(Isa::add(Isa::times(scaled, x), half))));

@@ -27,13 +27,13 @@ void front_update_ref(const int32_t* g, size_t stride, uint32_t pivots, uint32_t
 void front_multiply_ref(const int32_t* g, size_t next, size_t step, uint32_t terms, const int32_t* scaled,
                         int64_t* sums);
 
-// What the solves of one front read and write, all by place. A row of the front holds x scaled, by
-// 2^(exponents[place] - exponent).
+// What the solves of one front read and write, all by position. A row of the front holds x scaled, by
+// 2^(exponents[position] - exponent).
 struct FrontRows {
-  int exponent;             // the largest of the front's places; at most 24 above the others
-  const int8_t* exponents;  // [places]
-  const int64_t* inverse;   // [places] 1 / the pivot, Q30
-  int32_t* x;               // [places x kFrontBatch]
+  int exponent;             // the largest of the front's positions; at most 24 above the others
+  const int8_t* exponents;  // [positions]
+  const int64_t* inverse;   // [positions] 1 / the pivot, Q30
+  int32_t* x;               // [positions x kFrontBatch]
 };
 
 // The triangle of `count` <= kFrontColumns pivots that stand at `position` and on: x = (x - sums - the others' share) /
@@ -45,11 +45,11 @@ struct FrontRows {
 void front_solve_ref(const FrontRows& rows, const int32_t* g, size_t height, uint32_t position, uint32_t count,
                      bool forward, int64_t* sums, int32_t* scaled);
 
-// x -= sums for the places [count].
+// x -= sums for the positions [count].
 //   sums  [count x kFrontBatch] Q30 of rows
 void front_subtract_ref(const FrontRows& rows, const uint32_t* positions, uint32_t count, const int64_t* sums);
 
-// Rows of the front for the places [count].
+// Rows of the front for the positions [count].
 //   scaled  out [count x kFrontBatch]
 void front_load_ref(const FrontRows& rows, const uint32_t* positions, uint32_t count, int32_t* scaled);
 

@@ -20,7 +20,7 @@ SINEW_INLINE int32_t front_clamped(int64_t value, int32_t limit) {
   return static_cast<int32_t>(low > limit ? limit : low);
 }
 
-// x = (x - sum) / pivot of one place, and the same scaled.
+// x = (x - sum) / pivot of one position, and the same scaled.
 SINEW_INLINE void front_solve_row(const int64_t* sums, int shift, int64_t inverse, int lift, int32_t limit, int32_t* x,
                                   int32_t* scaled) {
   const uint64_t half = static_cast<uint64_t>(1) << (kFrontBits - 1);

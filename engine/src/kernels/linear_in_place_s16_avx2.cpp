@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The linear layer with AVX2 on the model's own bytes, for sinew_options::weights_in_place: 16 columns of two rows and
+// The linear layer with AVX2 on the model's own bytes, for sinew_bind_options::weights_in_place: 16 columns of two rows and
 // four outputs at a time. Weights lie by outputs there, so sums are added up across a register at the end; packed
 // weights (linear_s16_tiles.hpp) do without that and reuse inputs more often.
 #include "kernels/variants.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a rig's parts are, by its joints' places: sides, limbs, legs, trunk, arms, head. The source of the method is named
+// What a rig's parts are, by its joints' positions: sides, limbs, legs, trunk, arms, head. The source of the method is named
 // in engine/README.md (Mapping).
 #ifndef SINEW_MAPPING_ANATOMY_HPP
 #define SINEW_MAPPING_ANATOMY_HPP
@@ -10,7 +10,7 @@ namespace sinew::mapping {
 
 // What limbs are compared by, see limb_features.cpp.
 struct LimbFeatures {
-  double attach = 0;      // place on the line hips (0), chest (1), head (2)
+  double attach = 0;      // position on the line hips (0), chest (1), head (2)
   double log_length = 0;  // against the trunk's
   Point axis;             // start to end, outward, up, front; of length 1
   double log_tree = 0;    // joints
@@ -71,7 +71,7 @@ struct Anatomy {
   Point wrist(const Limb& limb) const { return limb.has_hand ? limbs.last_point(limb) : at(limbs.last_joint(limb)); }
   // Of the limbs `fingers`, the thumb: its joints lie nearest to the wrist and it points away from the others.
   int32_t thumb(const Limb& limb, const int32_t* fingers, int32_t count) const;
-  // Place on the trunk's line; the line goes on beyond its ends.
+  // Position on the trunk's line; the line goes on beyond its ends.
   double trunk_position(const Point& p) const;
   // Of a possible head, how far it is from the arms against the hips.
   double head_ratio(int32_t spine_index) const;

@@ -33,7 +33,7 @@ struct Sibling {
 // Axes, then the ways between siblings that carry about as much, those that carry most first.
 struct NormalFinder {
   const Hierarchy& rig;
-  Point* middle;     // [n] mean place of a subtree
+  Point* middle;     // [n] mean position of a subtree
   int32_t* sibling;  // [n] scratch
 
   bool allocate(Arena& arena, uint32_t joints) {

@@ -28,7 +28,7 @@ Point main_axis(const Point* points, int32_t count) {
   return {v[best], v[3 + best], v[6 + best]};
 }
 
-// Place of finger k of n, the thumb aside: with two of them one is at either end, three lack the last but one.
+// Index of finger k of n, the thumb aside: with two of them one is at either end, three lack the last but one.
 double finger_position(int32_t k, int32_t n) {
   if (n == 1) return 0;
   if (n == 3) return k == 0 ? 0 : k == 1 ? 0.4 : 0.9;

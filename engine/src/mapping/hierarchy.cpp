@@ -45,7 +45,7 @@ sinew_status Hierarchy::build(const sinew_skeleton& rig, bool with_names) {
   for (int32_t i = 0; i <= n + 1; ++i) kid_offsets[i] = 0;
   for (int32_t i = 0; i < n; ++i) ++kid_offsets[(parent[i] >= 0 ? parent[i] : n) + 1];
   for (int32_t i = 0; i <= n; ++i) kid_offsets[i + 1] += kid_offsets[i];
-  for (int32_t i = 0; i < n; ++i) position[i] = 0;  // how many children of a joint have their place
+  for (int32_t i = 0; i < n; ++i) position[i] = 0;  // how many children of a joint have their index
   int32_t roots = 0;
   for (int32_t i = 0; i < n; ++i) {
     const int32_t p = parent[i];

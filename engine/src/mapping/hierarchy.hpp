@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A rig as mapping sees it: places in doubles, children, an order in which every subtree is one run.
+// A rig as mapping sees it: positions in doubles, children, an order in which every subtree is one run.
 #ifndef SINEW_MAPPING_HIERARCHY_HPP
 #define SINEW_MAPPING_HIERARCHY_HPP
 

@@ -114,7 +114,7 @@ void Matcher::find_pair_landmarks(const Anatomy& rig, int32_t number, bool leg, 
   }
 }
 
-// Place of every joint: below 1 before the first landmark, 1..2 and 2..3 on the two long bones, beyond 3 the rest.
+// Position of every joint: below 1 before the first landmark, 1..2 and 2..3 on the two long bones, beyond 3 the rest.
 void Matcher::long_bone_positions(const Anatomy& rig, const Limb& limb, const double* t, const Landmark& at,
                                   double* positions) {
   double path = 0, distance_a = 0, distance_c = 0;

@@ -106,7 +106,7 @@ void Anatomy::find_pairs_on_ground() {
   if (leg_count == 0 && (tall > 0.3 * size || few >= 2)) find_short_legs();
 }
 
-// Whether all of several pairs that seem to be legs begin at one place along the body: belly fins.
+// Whether all of several pairs that seem to be legs begin at one position along the body: belly fins.
 bool Anatomy::are_fins() const {
   for (int32_t k = 1; k < leg_count; ++k) {
     if (absolute(pair_ahead(legs[k]) - pair_ahead(legs[0])) > 0.1 * rig->size) return false;
@@ -202,7 +202,7 @@ void Anatomy::climb_to_trunk() {
     if (above >= 0 && side[above] == 0 && r.bone(above, hip) < 0.01 * r.size && leads_on(above, hip) > own) hip = above;
     return;
   }
-  // With something in the plane of its own, which may be a tail, it gives way to a joint in the same place alone.
+  // With something in the plane of its own, which may be a tail, it gives way to a joint at the same position alone.
   const double near = central > 0 && !quad ? 0.05 * r.size : r.size;
   int32_t from = hip;
   for (int32_t up = r.parent[hip]; up >= 0 && side[up] == 0; up = r.parent[up]) {

@@ -17,7 +17,7 @@ bool is_limb(uint8_t c) {
 sinew_status read_classes(const sinew_skeleton& rig, Arena& arena, uint8_t* classes) {
   const ArenaScope scope(arena);
   uint8_t* const roles = arena.alloc<uint8_t>(rig.joint_count);
-  sinew_joint_verdicts verdicts = sinew_joint_verdicts_init();
+  sinew_joint_verdicts verdicts = SINEW_INIT(sinew_joint_verdicts);
   if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
   if (!arena.measuring()) {
     for (uint32_t j = 0; j < rig.joint_count; ++j) classes[j] = SINEW_CLASS_OTHER;
@@ -58,12 +58,16 @@ sinew_status classes_of_body(const sinew_skeleton& target, Arena& arena, uint8_t
       (void)names::standard_name(SINEW_NAMING_MIXAMO, joint.joint_class, joint.side, joint.index, texts[j]);
     called[j] = texts[j];
   }
-  sinew_skeleton body = sinew_skeleton_init(positions, parents, kHumanJoints);
+  sinew_skeleton body = SINEW_INIT(sinew_skeleton);
+  body.positions = positions;
+  body.parents = parents;
+  body.joint_count = kHumanJoints;
   body.up = SINEW_UP_Y;
   body.names = called;
   body.ends = ends;
-  const sinew_map_options options = sinew_map_options_init();
-  sinew_map_outputs outputs = sinew_map_outputs_init(sources);
+  const sinew_map_options options = SINEW_INIT(sinew_map_options);
+  sinew_map_outputs outputs = SINEW_INIT(sinew_map_outputs);
+  outputs.sources = sources;
   sinew_status status = plan_map(&target, &body, &options, &plan);
   if (status == SINEW_OK) status = run_map(plan, arena, &outputs);
   if (status != SINEW_OK || outputs.method == SINEW_MAP_BRANCHES) return status;  // no body

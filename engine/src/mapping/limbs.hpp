@@ -11,7 +11,7 @@ constexpr int32_t kMostLimbs = SINEW_MAX_MAP_LIMBS;
 constexpr int32_t kMostSideLimbs = 256;  // that hang on the trunk: what is assigned to each other
 constexpr int32_t kMostFingers = 64;     // that are looked at on one hand
 
-// A chain of joints. Its points are its joints' places, then the place of its only end marker, or of a hand that is no
+// A chain of joints. Its points are its joints' positions, then the position of its only end marker, or of a hand that is no
 // joint.
 struct Limb {
   int32_t first_joint = 0, joint_count = 0;  // in Limbs::joints

@@ -340,7 +340,7 @@ sinew_status plan_map(const sinew_skeleton* target, const sinew_skeleton* source
   constexpr uint32_t kFirstOptions = offsetof(sinew_map_options, branches_first);
   sinew_status status = read_skeleton(target, &plan->target);
   if (status == SINEW_OK) status = read_skeleton(source, &plan->source);
-  plan->options = sinew_map_options_init();
+  plan->options = SINEW_INIT(sinew_map_options);
   if (status == SINEW_OK && options != nullptr)
     status = read_struct(options, kFirstOptions, sizeof plan->options, &plan->options);
   if (status != SINEW_OK) return status;

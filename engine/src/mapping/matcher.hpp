@@ -79,7 +79,7 @@ class Matcher {
   Aligner aligner_;
   int32_t* rows_ = nullptr;                                               // [kMostSideLimbs]
   int32_t* columns_ = nullptr;                                            // [kMostSideLimbs]
-  double *ta_ = nullptr, *tb_ = nullptr, *ua_ = nullptr, *ub_ = nullptr;  // [n + 4] places along a chain
+  double *ta_ = nullptr, *tb_ = nullptr, *ua_ = nullptr, *ub_ = nullptr;  // [n + 4] positions along a chain
   FingerPair* fingers_ = nullptr;  // [kMostLimbs] limbs whose fingers are still to be matched
   int32_t finger_pairs_ = 0;
   uint8_t* used_ = nullptr;  // [source n]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Joint by joint, by its whole name, or by its place.
+// Joint by joint, by its whole name, or by its position.
 #include "mapping/same_rig.hpp"
 
 #include "core/same_text.hpp"

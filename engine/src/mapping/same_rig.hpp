@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A motion of the character's own rig: names and hierarchy agree, or hierarchy and rest places do, and nothing is left to find.
+// A motion of the character's own rig: names and hierarchy agree, or hierarchy and rest positions do, and nothing is left to find.
 #ifndef SINEW_MAPPING_SAME_RIG_HPP
 #define SINEW_MAPPING_SAME_RIG_HPP
 

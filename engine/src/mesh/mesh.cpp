@@ -161,7 +161,7 @@ sinew_status build_mesh(const sinew_mesh& input, const GridQuantizer& quantizer,
     const sinew_status status = check_faces(input);
     if (status != SINEW_OK) return status;
   }
-  // The scratch of the three phases does not overlap in time, so each starts at the same place.
+  // The scratch of the three phases does not overlap in time, so each starts at the same offset.
   {
     const ArenaScope scope(arena);
     MortonScratch scratch;

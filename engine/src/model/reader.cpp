@@ -20,7 +20,7 @@ bool all_zero(const uint8_t* bytes, uint64_t count) {
 bool is_zero(const Region& region) { return region.buffer == 0 && region.offset == 0 && region.channels == 0; }
 
 // The decoded tables while they are checked, about 5 KB of stack.
-struct Decoded {
+struct DecodedTables {
   Layer layers[kMaxLayers];
   ValueRange ranges[kMaxLayers];
   Buffer buffers[kMaxBuffers];
@@ -39,7 +39,7 @@ sinew_status check_counts(const uint8_t* bytes, size_t size_bytes, const ModelTa
   return inputs == 0 || inputs == task.input_count ? SINEW_OK : SINEW_ERROR_MODEL_VERSION;
 }
 
-sinew_status read_buffers(const ModelTables& tables, const ModelTask& task, Decoded* decoded) {
+sinew_status read_buffers(const ModelTables& tables, const ModelTask& task, DecodedTables* decoded) {
   const bool named = tables.input_count() != 0;
   bool same_inputs = true;
   for (uint32_t i = 0; i < tables.buffer_count(); ++i) {
@@ -107,7 +107,7 @@ sinew_status check_linear_record(const ModelTables& tables, const Layer& layer, 
 
 // The accumulator of every output channel stays inside its type for every possible input. Class N: bias + all products
 // in int32. Class W: every block of products in int32, the whole below 2^62.
-bool proven(const ModelTables& tables, const Decoded& decoded, uint32_t layer_index) {
+bool proven(const ModelTables& tables, const DecodedTables& decoded, uint32_t layer_index) {
   const uint32_t inputs = decoded.list.input_count;
   const Layer& layer = decoded.layers[layer_index];
   const LinearRecord record = tables.linear(layer.parameters);
@@ -144,7 +144,7 @@ bool proven(const ModelTables& tables, const Decoded& decoded, uint32_t layer_in
   return true;
 }
 
-sinew_status check_layer(const ModelTables& tables, uint32_t index, size_t size_bytes, Decoded* decoded,
+sinew_status check_layer(const ModelTables& tables, uint32_t index, size_t size_bytes, DecodedTables* decoded,
                          uint32_t* linear_index, uint64_t* offset) {
   const uint8_t* row = tables.layer_row(index);
   const Layer& layer = decoded->layers[index] = tables.layer(index);
@@ -222,7 +222,7 @@ sinew_status open_model(const void* data, size_t size_bytes, const ModelTask& ta
   sinew_status status = check_counts(bytes, size_bytes, task);
   if (status != SINEW_OK) return status;
   const ModelTables tables(bytes);
-  Decoded decoded;
+  DecodedTables decoded;
   LayerList& list = decoded.list;
   list = {
       decoded.buffers,    decoded.layers, tables.buffer_count(), task.input_count, load_u32(bytes + kHeaderCandidates),

@@ -102,7 +102,7 @@ class ArmSearch {
   static void look_nearer(const TriangleTree& tree, uint8_t without, Vec3d p, Nearest* found);
   static bool is_any_within(const TriangleTree& tree, uint8_t without, Vec3d p, double reach);
   const uint32_t* corners(uint32_t triangle) const { return scene_->body->triangles + size_t{3} * triangle; }
-  // Around places that place(i) says.
+  // Around the positions that position(i) returns.
   template <class SurfacePosition>
   static Ball ball_around(uint32_t first, uint32_t end, SurfacePosition position) {
     Ball ball;

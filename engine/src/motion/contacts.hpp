@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Contacts of a whole clip: feet that stand stay where they stand, what else is on the floor is on it, hands that touch the body touch
-// the same place, and arms stay out of it. Works on frames that were copied, round by round, since each round smooths over time.
+// the same spot, and arms stay out of it. Works on frames that were copied, round by round, since each round smooths over time.
 #ifndef SINEW_MOTION_CONTACTS_HPP
 #define SINEW_MOTION_CONTACTS_HPP
 
@@ -66,7 +66,7 @@ sinew_status keep_range(sinew_retarget* plan, const sinew_motion_body& target, c
 // Behind sinew_retarget_measure() and sinew_retarget_spots(), in memory of the same size. `limbs` [kMostLimbs]; `spots` [frames x
 // kMostLimbs] or null.
 sinew_status measure_clip(sinew_retarget* plan, const sinew_motion_body* source, const sinew_motion_body& target,
-                          const ClipInputs& inputs, Arena& arena, sinew_limb_measure* limbs, uint32_t* limb_count,
+                          const ClipInputs& inputs, Arena& arena, sinew_limb_quality* limbs, uint32_t* limb_count,
                           sinew_contact_spot* spots);
 
 }  // namespace sinew::motion

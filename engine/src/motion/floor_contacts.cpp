@@ -36,7 +36,7 @@ bool FloorScene::allocate_floor(Arena& arena, uint32_t target_joints, uint32_t v
   moves = arena.alloc<Vec3d>(size_t{frames} * kMostLimbs);
   smooth = arena.alloc<Vec3d>(frames);
   lifts = arena.alloc<Vec3d>(frames);
-  stands = arena.alloc<uint8_t>(frames);
+  standing = arena.alloc<uint8_t>(frames);
   heights = arena.alloc<double>(frames);
   return floor_patches.allocate(arena, target_joints, vertices, frames);
 }
@@ -98,7 +98,7 @@ void FloorContacts::find_bends() {
 }
 
 // `again`: a further round of the same frames.
-void FloorContacts::hold(const Held& held, bool again) {
+void FloorContacts::hold(const HeldJoint& held, bool again) {
   if (!held.foot && !is_on_floor(held)) return;
   if (memory_ != nullptr) {
     if (!again) find_standing(held);
@@ -128,8 +128,8 @@ void FloorContacts::hold(const Held& held, bool again) {
 }
 
 // In some frame, or on the way from where it was.
-bool FloorContacts::is_on_floor(const Held& held) const {
-  if (memory_ != nullptr && dot(place_of(held).offset, place_of(held).offset) > 0) return true;
+bool FloorContacts::is_on_floor(const HeldJoint& held) const {
+  if (memory_ != nullptr && dot(anchor_of(held).offset, anchor_of(held).offset) > 0) return true;
   for (uint32_t f = 0; f < s_.in->frames; ++f) {
     if (weight(f, held.patch) > 0) return true;
   }
@@ -137,22 +137,22 @@ bool FloorContacts::is_on_floor(const Held& held) const {
 }
 
 // Low and slow.
-void FloorContacts::find_standing(const Held& held) {
+void FloorContacts::find_standing(const HeldJoint& held) {
   const uint32_t source = static_cast<uint32_t>(plan_.map[held.joint]);
   bool first = memory_ == nullptr || !memory_->any;
-  Vec3d before = memory_ == nullptr ? Vec3d{0, 0, 0} : place_of(held).source;
+  Vec3d before = memory_ == nullptr ? Vec3d{0, 0, 0} : anchor_of(held).source;
   for (uint32_t f = 0; f < s_.in->frames; ++f) {
     (void)s_.load_source(f, false);
     const Vec3d position = plan_.source_positions[source];
     const bool low = held.foot ? search_.is_low(s_.limbs.limbs[held.limb]) : weight(f, held.patch) > 0.5;
-    s_.stands[f] = low && search_.is_slow(first ? Vec3d{0, 0, 0} : position - before);
+    s_.standing[f] = low && search_.is_slow(first ? Vec3d{0, 0, 0} : position - before);
     before = position;
     first = false;
   }
-  if (memory_ != nullptr) place_of(held).source = before;
+  if (memory_ != nullptr) anchor_of(held).source = before;
 }
 
-double FloorContacts::rise_of(const Held& held, uint32_t frame) {
+double FloorContacts::rise_of(const HeldJoint& held, uint32_t frame) {
   const double own = weight(frame, held.patch);
   if (!(own > 0)) return 0;
   s_.load(frame);
@@ -165,7 +165,7 @@ void FloorContacts::aim(const Limb& limb, Vec3d move) {
   swing(limb.first, limb.middle, shortest_arc(from, from + move), &plan_);
 }
 // The end to its goal, by the second bone alone as far as the middle is on the floor.
-void FloorContacts::reach(const Held& held, Vec3d move, uint32_t frame) {
+void FloorContacts::reach(const HeldJoint& held, Vec3d move, uint32_t frame) {
   const Limb& limb = s_.limbs.limbs[held.limb];
   Vec3d goal = plan_.target_positions[limb.last] + move;
   const double middle = weight(frame, middle_patch(held.limb)), end = held.foot ? 0 : weight(frame, held.patch);
@@ -195,51 +195,51 @@ Vec3d FloorContacts::within_reach(const Limb& limb, Vec3d goal) const {
 }
 
 // smooth: where the joint is over the floor; a hand on it where it was copied, whatever the trunk did since, and lifts: the way back.
-void FloorContacts::find_flat(const Held& held) {
+void FloorContacts::find_flat(const HeldJoint& held) {
   for (uint32_t f = 0; f < s_.in->frames; ++f) {
     s_.load(f);
     const Vec3d p = plan_.target_positions[held.joint];
     const Vec3d flat = p - dot(p, plan_.up) * plan_.up;
     const FloorPatch& patch = s_.floor_patches.at(f, held.patch);
-    s_.lifts[f] = held.foot || held.middle ? Vec3d{0, 0, 0} : patch.weight * (patch.place - flat);
+    s_.lifts[f] = held.foot || held.middle ? Vec3d{0, 0, 0} : patch.weight * (patch.wrist - flat);
     s_.smooth[f] = flat + s_.lifts[f];
     s_.moves[index(f, held.limb)] = {0, 0, 0};
   }
 }
 
 // The next frame alone: where it came to stand it stays, and what was held fades. A stand that the body leaves behind comes along.
-void FloorContacts::lock_next(const Held& held, bool again) {
-  FloorMemory::Place& place = place_of(held);
+void FloorContacts::lock_next(const HeldJoint& held, bool again) {
+  FloorMemory::Anchor& anchor = anchor_of(held);
   find_flat(held);
   const Vec3d now = s_.smooth[0];
   Vec3d& move = s_.moves[index(0, held.limb)];
   if (again) {
-    if (place.stood) move = place.stand - now;
+    if (anchor.is_locked) move = anchor.position - now;
     return;
   }
-  const bool stands = s_.stands[0] != 0;
+  const bool stands = s_.standing[0] != 0;
   if (stands) {
-    if (!place.stood) place.stand = now + place.offset;
+    if (!anchor.is_locked) anchor.position = now + anchor.offset;
     const double most = kMostOffset * s_.target.height;
-    place.offset = place.stand - now;
-    if (length(place.offset) > most) place.offset = most * unit(place.offset);
-    place.stand = now + place.offset;
+    anchor.offset = anchor.position - now;
+    if (length(anchor.offset) > most) anchor.offset = most * unit(anchor.offset);
+    anchor.position = now + anchor.offset;
   } else {
-    place.offset = length(place.offset) > kLeastOffset * s_.target.height ? fade_at(s_.in->fps, kFade) * place.offset
-                                                                          : Vec3d{0, 0, 0};
+    anchor.offset = length(anchor.offset) > kLeastOffset * s_.target.height ? fade_at(s_.in->fps, kFade) * anchor.offset
+                                                                            : Vec3d{0, 0, 0};
   }
-  place.stood = stands;
-  move = place.offset;
+  anchor.is_locked = stands;
+  move = anchor.offset;
 }
 
 // In a run of standing frames the joint stays at their mean.
-void FloorContacts::lock(const Held& held) {
+void FloorContacts::lock(const HeldJoint& held) {
   const uint32_t number = held.limb, frames = s_.in->frames;
   find_flat(held);
   for (uint32_t first = 0; first < frames;) {
     uint32_t end = first;
     Vec3d sum = {0, 0, 0};
-    for (; end < frames && s_.stands[end] != 0; ++end) sum = sum + s_.smooth[end];
+    for (; end < frames && s_.standing[end] != 0; ++end) sum = sum + s_.smooth[end];
     if (end == first) {
       ++first;
       continue;
@@ -256,16 +256,16 @@ void FloorContacts::fade(uint32_t number) {
   const double least = kLeastOffset * s_.target.height;
   Vec3d held = {0, 0, 0};
   for (uint32_t f = 0; f < frames; ++f) {
-    held = s_.stands[f] != 0 ? s_.moves[index(f, number)] : length(held) > least ? share * held : Vec3d{0, 0, 0};
-    s_.smooth[f] = s_.stands[f] != 0 ? Vec3d{0, 0, 0} : held;
+    held = s_.standing[f] != 0 ? s_.moves[index(f, number)] : length(held) > least ? share * held : Vec3d{0, 0, 0};
+    s_.smooth[f] = s_.standing[f] != 0 ? Vec3d{0, 0, 0} : held;
   }
   held = {0, 0, 0};
   for (uint32_t f = frames; f-- > 0;) {
-    held = s_.stands[f] != 0 ? s_.moves[index(f, number)] : length(held) > least ? share * held : Vec3d{0, 0, 0};
-    if (s_.stands[f] == 0) s_.smooth[f] = s_.smooth[f] + held;
+    held = s_.standing[f] != 0 ? s_.moves[index(f, number)] : length(held) > least ? share * held : Vec3d{0, 0, 0};
+    if (s_.standing[f] == 0) s_.smooth[f] = s_.smooth[f] + held;
   }
   for (uint32_t f = 0; f < frames; ++f) {
-    if (s_.stands[f] == 0) s_.moves[index(f, number)] = s_.smooth[f];
+    if (s_.standing[f] == 0) s_.moves[index(f, number)] = s_.smooth[f];
   }
 }
 
@@ -278,7 +278,7 @@ void FloorContacts::reach_floor(const Limb& limb, uint32_t number) {
     s_.target.take_pose(plan_.target_rotations, plan_.target_positions);
     const FootHeights low = search_.lowest(limb, number);
     double felt = 1 - low.source / s_.source_height / kFloorReach;
-    felt = s_.stands[f] != 0 || felt > 1 ? 1 : felt < 0 ? 0 : felt;
+    felt = s_.standing[f] != 0 || felt > 1 ? 1 : felt < 0 ? 0 : felt;
     // Below a knee on the floor an ankle may be lower than a standing one.
     const double source =
         !s_.has_source && low.source < 0 ? (1 - weight(f, middle_patch(number))) * low.source : low.source;

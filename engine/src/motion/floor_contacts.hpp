@@ -10,11 +10,11 @@
 namespace sinew::motion {
 
 struct FloorScene : ClipScene {
-  Vec3d* moves = nullptr;     // [frames x limbs] where ends are to go from where they are
-  Vec3d* smooth = nullptr;    // [frames] scratch
-  Vec3d* lifts = nullptr;     // [frames] of the trunk, see BodyLift; then scratch
-  uint8_t* stands = nullptr;  // [frames] scratch
-  double* heights = nullptr;  // [frames] scratch
+  Vec3d* moves = nullptr;       // [frames x limbs] where ends are to go from where they are
+  Vec3d* smooth = nullptr;      // [frames] scratch
+  Vec3d* lifts = nullptr;       // [frames] of the trunk, see BodyLift; then scratch
+  uint8_t* standing = nullptr;  // [frames] scratch
+  double* heights = nullptr;    // [frames] scratch
   FloorPatches floor_patches;
 
   // What this adds to ClipScene. Works with a measuring arena. Returns arena.ok().
@@ -29,22 +29,22 @@ constexpr double kFade = 0.6;  // of an offset, what is left after a thirtieth o
 double fade_at(double fps, double share);
 
 // A joint that is held where it stands: the ankle with its foot, the wrist with its hand, a knee or an elbow.
-struct Held {
+struct HeldJoint {
   uint32_t limb = 0;
-  uint32_t joint = 0;  // that stays at one place
+  uint32_t joint = 0;  // that stays at one position
   uint32_t patch = 0;  // of the body, beside feet
   bool foot = false, middle = false;
 };
 
 // What frames that come one by one leave to the next one.
 struct FloorMemory {
-  struct Place {
-    Vec3d source = {0, 0, 0};  // of the source's joint
-    Vec3d stand = {0, 0, 0};   // of the target's, over the floor, while it stands
-    Vec3d offset = {0, 0, 0};  // from where it was copied
-    bool stood = false;
+  struct Anchor {
+    Vec3d source = {0, 0, 0};    // of the source's joint
+    Vec3d position = {0, 0, 0};  // of the target's, over the floor, while it stands
+    Vec3d offset = {0, 0, 0};    // from where it was copied
+    bool is_locked = false;
   };
-  Place places[2 * kMostLimbs];  // of ends, then of middles
+  Anchor anchors[2 * kMostLimbs];  // of ends, then of middles
   Vec3d bends[kMostLimbs] = {};
   Hinge hinges[kMostLimbs];  // of find_hinges(), once
   bool any = false;          // a frame came before
@@ -60,21 +60,21 @@ class FloorContacts {
  private:
   static size_t index(uint32_t frame, uint32_t limb) { return size_t{frame} * kMostLimbs + limb; }
   double weight(uint32_t frame, uint32_t patch) const { return s_.floor_patches.at(frame, patch).weight; }
-  FloorMemory::Place& place_of(const Held& held) const {
-    return memory_->places[held.middle ? kMostLimbs + held.limb : held.limb];
+  FloorMemory::Anchor& anchor_of(const HeldJoint& held) const {
+    return memory_->anchors[held.middle ? kMostLimbs + held.limb : held.limb];
   }
 
   SINEW_RARE void find_bends();
-  void hold(const Held& held, bool again);
-  void find_standing(const Held& held);
-  bool is_on_floor(const Held& held) const;
-  double rise_of(const Held& held, uint32_t frame);
+  void hold(const HeldJoint& held, bool again);
+  void find_standing(const HeldJoint& held);
+  bool is_on_floor(const HeldJoint& held) const;
+  double rise_of(const HeldJoint& held, uint32_t frame);
   SINEW_RARE void aim(const Limb& limb, Vec3d move);
-  SINEW_RARE void reach(const Held& held, Vec3d move, uint32_t frame);
+  SINEW_RARE void reach(const HeldJoint& held, Vec3d move, uint32_t frame);
   SINEW_RARE Vec3d within_reach(const Limb& limb, Vec3d goal) const;
-  void find_flat(const Held& held);
-  void lock(const Held& held);
-  SINEW_RARE void lock_next(const Held& held, bool again);
+  void find_flat(const HeldJoint& held);
+  void lock(const HeldJoint& held);
+  SINEW_RARE void lock_next(const HeldJoint& held, bool again);
   void fade(uint32_t number);
   void reach_floor(const Limb& limb, uint32_t number);
   void add_heights(uint32_t number);

@@ -93,7 +93,7 @@ void FloorPatches::look_at(uint32_t frame, double source_floor) {
     row[i].height = over > 0 ? plan->scale * over : 0;
     if (i < s_->limbs.count) {
       const Vec3d wrist = plan->target_positions[s_->limbs.limbs[i].last];
-      row[i].place = wrist - dot(wrist, plan->up) * plan->up;
+      row[i].wrist = wrist - dot(wrist, plan->up) * plan->up;
     }
     any_ = any_ || row[i].weight > 0;
   }

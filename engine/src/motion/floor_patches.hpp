@@ -15,7 +15,7 @@ constexpr uint32_t middle_patch(uint32_t limb) { return kMostLimbs + limb; }
 struct FloorPatch {
   double weight = 0;        // 0: far from its floor, 1: on it
   double height = 0;        // over the floor, in the target's units
-  Vec3d place = {0, 0, 0};  // of a wrist of the target's, over the floor, as it was copied
+  Vec3d wrist = {0, 0, 0};  // of a wrist of the target's, over the floor, as it was copied
 };
 
 class FloorPatches {

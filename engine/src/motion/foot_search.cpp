@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Feet by the places of ankles and toes, and by the lowest vertices.
+// Feet by the positions of ankles and toes, and by the lowest vertices.
 #include "motion/foot_search.hpp"
 
 namespace sinew::motion {
@@ -25,7 +25,7 @@ double FootSearch::lift(uint32_t t) const {
   return dot(plan.up, plan.source_positions[source_of(t)]) - (rest - plan.source_floor + s_.in->ground);
 }
 
-void FootSearch::find_standing(const Limb& limb, uint8_t* stands) {
+void FootSearch::find_standing(const Limb& limb, uint8_t* standing) {
   const uint32_t toe = sole_joint(limb);
   Vec3d before = {0, 0, 0};
   for (uint32_t f = 0; f < s_.in->frames; ++f) {
@@ -33,7 +33,7 @@ void FootSearch::find_standing(const Limb& limb, uint8_t* stands) {
     const Vec3d position = s_.plan->source_positions[source_of(toe)];
     const bool slow = is_slow(f == 0 ? Vec3d{0, 0, 0} : position - before);
     before = position;
-    stands[f] = is_low(limb) && slow;
+    standing[f] = is_low(limb) && slow;
   }
 }
 

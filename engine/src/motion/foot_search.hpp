@@ -22,8 +22,8 @@ class FootSearch {
 
   // The toe, or the ankle of a leg without one.
   uint32_t sole_joint(const Limb& limb) const { return limb.toe >= 0 ? static_cast<uint32_t>(limb.toe) : limb.last; }
-  // stands [frames]: 1 where ankle or toe is low and the toe is slow. Poses the source.
-  void find_standing(const Limb& limb, uint8_t* stands);
+  // standing [frames]: 1 where ankle or toe is low and the toe is slow. Poses the source.
+  void find_standing(const Limb& limb, uint8_t* standing);
   // The foot's, in the source's pose.
   bool is_low(const Limb& limb) const;
   // A way of the source from one frame to the next that is as good as none.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hands and forearms against the body: a hand near a place of the source's surface goes to the same place of the target's,
+// Hands and forearms against the body: a hand near a spot of the source's surface goes to the same spot of the target's,
 // and what would be deeper inside of it than the source's is comes out. Without a source's body what is deeper than at rest, each arm
 // along one direction that changes little over time: to which side it comes out is not to hang on single triangles.
 #include "motion/contacts.hpp"
@@ -166,7 +166,7 @@ class Hands {
       for (uint32_t f = 0; f < s_.in->frames; ++f) contact(f, a) = hand;
     }
   }
-  // The nearest triangles with the vertex's place in each one's axes.
+  // The nearest triangles with the vertex's position in each one's axes.
   void remember_position(uint32_t arm, HandContact* out) const {
     double squares[kNearTriangles];
     const Vec3d p = s_.source.vertices[out->vertex];
@@ -182,7 +182,7 @@ class Hands {
     for (uint32_t i = 0; i < out->count; ++i) out->shares[i] = out->shares[i] / sum;
   }
 
-  // moves[arm]: from where the hand is to the same place of the body.
+  // moves[arm]: from where the hand is to the same spot of the body.
   void touch() {
     for (uint32_t f = 0; f < s_.in->frames; ++f) {
       bool any = false;

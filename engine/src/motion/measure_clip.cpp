@@ -41,7 +41,7 @@ class Measure {
     s_.search.open(s_);
   }
 
-  sinew_status run(sinew_limb_measure* out, uint32_t* count) {
+  sinew_status run(sinew_limb_quality* out, uint32_t* count) {
     Tally tallies[kMostLimbs];
     const uint32_t frames = s_.in->frames;
     for (size_t i = 0; spots_ != nullptr && i < size_t{frames} * kMostLimbs; ++i) spots_[i] = {};
@@ -100,15 +100,15 @@ class Measure {
 
   void measure_slide(uint32_t number, Tally* tally) {
     const Limb& limb = s_.limbs.limbs[number];
-    feet_.find_standing(limb, s_.stands);
+    feet_.find_standing(limb, s_.standing);
     Vec3d before = {0, 0, 0};
     for (uint32_t f = 0; f < s_.in->frames; ++f) {
       s_.load(f);
       const Vec3d position = s_.plan->target_positions[feet_.sole_joint(limb)];
       const Vec3d flat = position - dot(position, s_.plan->up) * s_.plan->up;
-      const bool stood = f > 0 && s_.stands[f - 1] != 0;
+      const bool stood = f > 0 && s_.standing[f - 1] != 0;
       const double slide = stood ? share_ * length(flat - before) : 0;
-      if (s_.stands[f] != 0) {
+      if (s_.standing[f] != 0) {
         if (stood) tally->add_error(slide);
         set_spot(f, number, SINEW_SPOT_STANDS, position, slide);
       }
@@ -126,7 +126,7 @@ class Measure {
     spot->error = static_cast<float>(error);
   }
 
-  static void write(const Limb& limb, const Tally& tally, uint32_t frames, sinew_limb_measure* out) {
+  static void write(const Limb& limb, const Tally& tally, uint32_t frames, sinew_limb_quality* out) {
     *out = {};
     out->joint = limb.last;
     out->leg = limb.leg ? 1 : 0;
@@ -151,7 +151,7 @@ class Measure {
 }  // namespace
 
 sinew_status measure_clip(sinew_retarget* plan, const sinew_motion_body* source, const sinew_motion_body& target,
-                          const ClipInputs& inputs, Arena& arena, sinew_limb_measure* limbs, uint32_t* limb_count,
+                          const ClipInputs& inputs, Arena& arena, sinew_limb_quality* limbs, uint32_t* limb_count,
                           sinew_contact_spot* spots) {
   ContactScene scene;
   if (!scene.allocate_all(arena, plan->source.count, plan->target.count, target.vertex_count, target.triangle_count,

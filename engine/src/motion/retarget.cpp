@@ -62,7 +62,7 @@ bool keeps_length(const sinew_retarget& plan, uint32_t t) {
   }
 }
 
-// How far a joint's source has left its place in its parent, where the two parents belong together: feet that hang on the root,
+// How far a joint's source has moved in its parent, where the two parents belong together: feet that hang on the root,
 // and bones that stretch.
 Vec3d left_position(const sinew_retarget& plan, uint32_t t) {
   constexpr double kRounding = 1e-4;  // of a leg: what numbers in files leave, which is no stretching

@@ -268,7 +268,7 @@ class Planner {
 }  // namespace
 
 sinew_status read_retarget_options(const sinew_retarget_options* options, RetargetOptions* out) {
-  sinew_retarget_options o = sinew_retarget_options_init();
+  sinew_retarget_options o = SINEW_INIT(sinew_retarget_options);
   const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstOptionsSize, sizeof o, &o);
   if (status != SINEW_OK) return status;
   const double scale = static_cast<double>(o.scale);

@@ -50,19 +50,20 @@ struct StreamMemory {
 }  // namespace
 
 sinew_status read_stream_options(const sinew_retarget_stream_options* options, StreamOptions* out) {
-  sinew_retarget_stream_options o = sinew_retarget_stream_options_init();
+  sinew_retarget_stream_options o = SINEW_INIT(sinew_retarget_stream_options);
   constexpr uint32_t kFirstSize = offsetof(sinew_retarget_stream_options, source);
   const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstSize, sizeof o, &o);
   if (status != SINEW_OK) return status;
-  if (o.has_ground > 1 || o.no_contacts > 1 || o.no_range > 1) return SINEW_ERROR_ARGUMENT;
+  if (o.has_ground > 1 || (o.without & ~uint32_t{SINEW_WITHOUT_CONTACTS | SINEW_WITHOUT_RANGE}) != 0)
+    return SINEW_ERROR_ARGUMENT;
   *out = StreamOptions();
   if (o.fps != 0) out->fps = static_cast<double>(o.fps);
   if (!(out->fps >= 1 && out->fps <= 1000)) return SINEW_ERROR_ARGUMENT;
   out->ground = o.ground;
   if (!is_finite(static_cast<double>(o.ground))) return SINEW_ERROR_NOT_FINITE;
   out->has_ground = o.has_ground != 0;
-  out->contacts = o.no_contacts == 0;
-  out->range = o.no_range == 0;
+  out->contacts = (o.without & SINEW_WITHOUT_CONTACTS) == 0;
+  out->range = (o.without & SINEW_WITHOUT_RANGE) == 0;
   out->source = o.source;
   return out->floor.take(o.floor);
 }

@@ -10,7 +10,7 @@ namespace sinew::motion {
 
 constexpr uint32_t kTreeFan = 8;  // triangles of a leaf, and boxes of a box
 
-// Sorts scratch.order [count] by prefix(i), below 64, then along the Morton curve of place(i).
+// Sorts scratch.order [count] by prefix(i), below 64, then along the Morton curve of position(i).
 template <class SurfacePosition, class Prefix>
 void sort_by_position(uint32_t count, const MortonScratch& scratch, SurfacePosition position, Prefix prefix) {
   if (count == 0) return;

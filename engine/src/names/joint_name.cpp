@@ -78,8 +78,8 @@ class Reader {
         const Text& token = tokens_.token[i];
         if ((token.length > 1) != (pass == 0) || (pass == 1 && (touches(i) || touches(i + 1)))) continue;
         const Word* const word = find_word(token);
-        if (word != nullptr && (word->says & (kLeft | kRight)) != 0)
-          return take_side(i, (word->says & kLeft) != 0, token.length, false);
+        if (word != nullptr && (word->flags & (kLeft | kRight)) != 0)
+          return take_side(i, (word->flags & kLeft) != 0, token.length, false);
       }
     }
     for (int i = 0; i < tokens_.count; ++i) {
@@ -102,7 +102,7 @@ class Reader {
 
   static bool goes_with_sides(const Text& text) {
     const Word* const word = find_word(text);
-    return word != nullptr && (word->says & kAfterSide) != 0;
+    return word != nullptr && (word->flags & kAfterSide) != 0;
   }
 
   void keys() {
@@ -187,9 +187,9 @@ class Reader {
     for (int i = 0; i < count; ++i) {
       const Word& word = all[i];
       const int length = length_of(word.text);
-      const bool part = word.part != Part::kNone && (word.says & (kWhole | kSlot)) == 0 &&
-                        ((word.says & kToeToo) == 0 || word.part == Part::kFingers);
-      const bool behind = (part || (word.says & kOnSuffix) != 0) && token.ends_with(word.text);
+      const bool part = word.part != Part::kNone && (word.flags & (kWhole | kSlot)) == 0 &&
+                        ((word.flags & kToeToo) == 0 || word.part == Part::kFingers);
+      const bool behind = (part || (word.flags & kOnSuffix) != 0) && token.ends_with(word.text);
       if (length < kShortest || length <= longest ||
           !(behind || (part && length >= kShortestBefore && token.begins_with(word.text))))
         continue;
@@ -200,13 +200,13 @@ class Reader {
   }
 
   void note(const Word& word, int first, int behind) {
-    out_.says |= word.says & ~uint32_t{kLeft | kRight};
-    if ((word.says & (kRoot | kFiller)) == 0) beside_root_ = true;
-    if (word.part == Part::kNone || found_count_ == kMostFound) return;
-    found_[found_count_++] = {&word, first, behind};
+    out_.flags |= word.flags & ~uint32_t{kLeft | kRight};
+    if ((word.flags & (kRoot | kFiller)) == 0) beside_root_ = true;
+    if (word.part == Part::kNone || match_count_ == kMostMatches) return;
+    matches_[match_count_++] = {&word, first, behind};
   }
 
-  struct Found {
+  struct WordMatch {
     const Word* word = nullptr;
     int first = 0, behind = 0;  // tokens
   };
@@ -215,67 +215,67 @@ class Reader {
   static bool is_hips(Part part) { return part == Part::kHips; }
 
   bool is_limb(int but) const {
-    for (int k = 0; k < found_count_; ++k) {
-      const Part part = found_[k].word->part;
-      if (k != but && part >= Part::kLowerArm && part <= Part::kShoulder && (found_[k].word->says & kGeneric) == 0)
+    for (int k = 0; k < match_count_; ++k) {
+      const Part part = matches_[k].word->part;
+      if (k != but && part >= Part::kLowerArm && part <= Part::kShoulder && (matches_[k].word->flags & kGeneric) == 0)
         return true;
     }
     return false;
   }
 
   bool any(bool (*wanted)(Part)) const {
-    for (int k = 0; k < found_count_; ++k) {
-      if (wanted(found_[k].word->part)) return true;
+    for (int k = 0; k < match_count_; ++k) {
+      if (wanted(matches_[k].word->part)) return true;
     }
     return false;
   }
 
   void drop(int k) {
-    for (--found_count_; k < found_count_; ++k) found_[k] = found_[k + 1];
+    for (--match_count_; k < match_count_; ++k) matches_[k] = matches_[k + 1];
   }
 
   void choose_part() {
     const bool leg = any(is_leg) || (out_.side != 0 && any(is_hips));
-    for (int k = found_count_ - 1; k >= 0; --k) {
-      const Found& one = found_[k];
+    for (int k = match_count_ - 1; k >= 0; --k) {
+      const WordMatch& one = matches_[k];
       // The back leg is no spine.
-      if (one.word->part == Part::kSpine && (one.word->says & kHind) != 0 && leg) {
+      if (one.word->part == Part::kSpine && (one.word->flags & kHind) != 0 && leg) {
         drop(k);
         continue;
       }
-      if ((one.word->says & kHind) != 0 && one.word->part == Part::kSpine) out_.says &= ~uint32_t{kHind};
-      if (((one.word->says & kWhole) != 0 && (unknown_ || found_count_ > 1)) ||
-          ((one.word->says & kGeneric) != 0 && is_limb(k))) {
+      if ((one.word->flags & kHind) != 0 && one.word->part == Part::kSpine) out_.flags &= ~uint32_t{kHind};
+      if (((one.word->flags & kWhole) != 0 && (unknown_ || match_count_ > 1)) ||
+          ((one.word->flags & kGeneric) != 0 && is_limb(k))) {
         drop(k);
         continue;
       }
       // MiddleHand, ThighMid, EarRing; Footfinger and index_toe are toes.
-      if ((one.word->says & kToeToo) == 0) continue;
+      if ((one.word->flags & kToeToo) == 0) continue;
       bool other = false, hand = false;
-      for (int i = 0; i < found_count_; ++i) {
-        const Part part = found_[i].word->part;
-        if (i == k || (found_[i].word->says & kToeToo) != 0) continue;
+      for (int i = 0; i < match_count_; ++i) {
+        const Part part = matches_[i].word->part;
+        if (i == k || (matches_[i].word->flags & kToeToo) != 0) continue;
         hand = hand || part == Part::kHand || is_finger(part) || part == Part::kMeta;
         other = true;
       }
-      const bool before_hand = one.word->part == Part::kMiddle && k + 1 < found_count_ &&
-                               found_[k + 1].word->part == Part::kHand && found_[k + 1].first == one.behind &&
-                               found_count_ == 2;
+      const bool before_hand = one.word->part == Part::kMiddle && k + 1 < match_count_ &&
+                               matches_[k + 1].word->part == Part::kHand && matches_[k + 1].first == one.behind &&
+                               match_count_ == 2;
       if (before_hand || (other && !hand)) drop(k);
     }
     if (any([](Part part) { return part == Part::kFoot || part == Part::kToe; })) out_.digit = out_.has(kToeToo);
     int distinct = 0;
-    for (int k = 0; k < found_count_; ++k) {
-      const Part part = found_[k].word->part;
+    for (int k = 0; k < match_count_; ++k) {
+      const Part part = matches_[k].word->part;
       if (part < out_.part) out_.part = part;
-      if (part == Part::kToe) out_.digit = out_.digit || has_two_numbers(found_[k].behind);
+      if (part == Part::kToe) out_.digit = out_.digit || has_two_numbers(matches_[k].behind);
     }
-    for (int k = 0; k < found_count_; ++k) {
-      const Part part = found_[k].word->part;
+    for (int k = 0; k < match_count_; ++k) {
+      const Part part = matches_[k].word->part;
       const bool family = is_finger(out_.part) && (is_finger(part) || part == Part::kHand);
       const bool palm = out_.part == Part::kMeta && part == Part::kHand;
       distinct += part != out_.part && !family && !palm ? 1 : 0;
-      out_.helper = out_.helper || ((found_[k].word->says & kSidedHelper) != 0 && out_.side != 0 &&
+      out_.helper = out_.helper || ((matches_[k].word->flags & kSidedHelper) != 0 && out_.side != 0 &&
                                     (part == Part::kHips || out_.side_end - out_.side_begin == 1));
     }
     if (out_.helper && out_.part == Part::kHips) out_.part = Part::kHipJoint;
@@ -306,14 +306,14 @@ class Reader {
            tokens_.token[i + 1].length == 1;
   }
 
-  static constexpr int kMostFound = 12;
+  static constexpr int kMostMatches = 12;
   Tokens tokens_;
   int skipped_;
   JointName out_;
   int side_at_ = -1, glued_at_ = -1;
   bool unknown_ = false, beside_root_ = false;
-  Found found_[kMostFound];
-  int found_count_ = 0;
+  WordMatch matches_[kMostMatches];
+  int match_count_ = 0;
 };
 
 }  // namespace

@@ -17,11 +17,11 @@ struct JointName {
   // The part as maps want it: kNone where the name says more than a part, fore and hind legs as one each, a leg's halves
   // and hips with a side told.
   Part plain = Part::kNone;
-  bool exact = false;                    // nothing else is in the name but sides, places, numbers, ends and noise
+  bool exact = false;                    // nothing else is in the name but sides, positions, numbers, ends and noise
   bool digit = false;                    // of a toe: one of several of a foot
   bool helper = false;                   // helps the joint above it: pelvis.L
   int8_t side = 0;                       // 1 left, -1 right, 0 not said
-  uint32_t says = 0;                     // bits of Says, of all words
+  uint32_t flags = 0;                    // bits of WordFlag, of all words
   bool root = false;                     // words of roots and fillers alone
   int32_t number = 0;                    // the last one in the name
   int8_t finger = -1;                    // the digit behind the word finger: MakeHuman counts from 1, 3ds Max from 0
@@ -35,7 +35,7 @@ struct JointName {
   uint8_t long_mask = 0;                 // which of them have more than two letters
   uint32_t hashes[kMostWords] = {};      // of them, without the side
 
-  bool has(uint32_t bits) const { return (says & bits) != 0; }
+  bool has(uint32_t bits) const { return (flags & bits) != 0; }
   bool is_end() const { return has(kEnd | kNub); }
   bool is_end_of_map() const { return has(kEnd | kNub | kLeaf); }
 };

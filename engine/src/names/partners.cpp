@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Partners by names, images by places.
+// Partners by names, images by positions.
 #include "names/partners.hpp"
 
 #include "core/sort.hpp"

@@ -138,7 +138,7 @@ class RoleFinder {
     }
   }
 
-  // Another joint that is none of the named stands in the same place.
+  // Another joint that is none of the named stands at the same position.
   template <class Named>
   bool has_twin(int32_t j, const Named& named) const {
     if (s_.positions == nullptr) return false;

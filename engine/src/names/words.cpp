@@ -151,7 +151,7 @@ constexpr Word kWords[] = {
     {"upperarm02", P::kUpperArm, kHalf},
     {"lowerarm02", P::kLowerArm, kHalf},
     {"shoulder01", P::kShoulder, kHalf},
-    // Sides and places.
+    // Sides and positions.
     {"l", P::kNone, kLeft},
     {"left", P::kNone, kLeft},
     {"r", P::kNone, kRight},

@@ -48,8 +48,8 @@ enum class Part : uint8_t {
 constexpr Part kFirstFinger = Part::kThumb, kLastFinger = Part::kFingers;
 constexpr bool is_finger(Part part) { return part <= kLastFinger; }
 
-// What else a word says: bits of Word::says.
-enum Says : uint32_t {
+// What else a word says: bits of Word::flags.
+enum WordFlag : uint32_t {
   kLeft = 1u << 0,
   kRight = 1u << 1,
   kUpper = 1u << 2,
@@ -82,7 +82,7 @@ enum Says : uint32_t {
 struct Word {
   char text[14];
   Part part;
-  uint32_t says;
+  uint32_t flags;
 };
 
 // The row of a word, or of several that follow one another: "upperarm" is also found as upper arm. Null where there is none.

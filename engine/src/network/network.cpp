@@ -23,7 +23,7 @@ bool first_slot_speaks_for_all(const uint16_t* joints, uint32_t vertices, uint32
   return true;
 }
 
-// Rows of the tile's vertices between a whole-mesh array and the tile. `region` is the array's place in its buffer.
+// Rows of the tile's vertices between a whole-mesh array and the tile. `region` is the array's offset in its buffer.
 void load_rows(const Tile& tile, const Region& region, RowsView from) {
   const uint32_t slots = slots_of(tile.run, region), stride = tile.run.plan.buffers[region.buffer].channels;
   int16_t* to = tile_row(tile, region, 0);

@@ -36,7 +36,7 @@ struct NetworkInput {
 constexpr uint32_t kTileVertices = 16;
 
 struct NetworkOptions {
-  bool weights_in_place = false;           // linear layers read the model's bytes, see sinew_options
+  bool weights_in_place = false;           // linear layers read the model's bytes, see sinew_bind_options
   uint32_t tile_vertices = kTileVertices;  // >= 1; changes scratch and speed, never the result
 };
 

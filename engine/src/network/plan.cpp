@@ -48,7 +48,7 @@ void assign_stages(NetworkPlan* plan) {
   }
 }
 
-// First fit: an output takes the lowest place that no output alive at the same time occupies.
+// First fit: an output takes the lowest offset that no output alive at the same time occupies.
 void place_stored(NetworkPlan* plan) {
   for (uint32_t i = 0; i < plan->layer_count; ++i) {
     plan->stored[i] = plan->last_use[i] > plan->stage[i];

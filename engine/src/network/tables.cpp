@@ -10,7 +10,7 @@ struct TablePiece {
   const Layer& layer;
   RowsView values;  // their first channel
   uint32_t channels;
-  int16_t* table;   // their place in the first row
+  int16_t* table;   // their index in the first row
   uint32_t stride;  // between rows of the table
 };
 

@@ -157,7 +157,7 @@ sinew_status match_by_distances(const TransferPlan& plan, const Pair& pair, cons
     of_use[s] = 0;
     for (uint32_t i = 0; i < kRowSlots; ++i) {
       const uint16_t joint = source_rows.joints_of(s)[i];
-      if (joint != kNoJoint && source_rows.weights_of(s)[i] > 0 && pair.map.takes[joint] >= 0) of_use[s] = 1;
+      if (joint != kNoJoint && source_rows.weights_of(s)[i] > 0 && pair.map.target_of[joint] >= 0) of_use[s] = 1;
     }
     useful += of_use[s];
   }

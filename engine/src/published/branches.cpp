@@ -157,7 +157,7 @@ uint64_t Branches::prepare(const Anatomy& target, const float* target_areas, con
   return lengths[0] * lengths[1];
 }
 
-// Of the two branches in hand: every joint of the shorter gets one of the longer. Leaves where a later place is better.
+// Of the two branches in hand: every joint of the shorter gets one of the longer. Leaves where a later choice is better.
 double Branches::compare(bool mean) {
   const bool turned = a_.length > b_.length;
   const Rig &s = turned ? b_ : a_, &l = turned ? a_ : b_;

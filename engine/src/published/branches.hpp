@@ -80,7 +80,7 @@ class Branches {
   bool use_table_ = false;
   double* costs_ = nullptr;     // [branches of a x branches of b]
   double* row_ = nullptr;       // [2 x (longest + 1)]
-  uint8_t* better_ = nullptr;   // [(joints + 1) x (joints + 1)] the cheapest place so far
+  uint8_t* better_ = nullptr;   // [(joints + 1) x (joints + 1)] the cheapest choice so far
   int32_t* choice_ = nullptr;   // [branches of the first rig]
   int32_t* holders_ = nullptr;  // [branches of the other] how many have it
   uint8_t* used_ = nullptr;     // [source n]

@@ -101,13 +101,13 @@ void CapsuleBodies::measure_target(const sinew_motion_body& mesh) {
   for (uint32_t v = 0; v < mesh.vertex_count; ++v) {
     const uint32_t joint = heaviest_joint(mesh, v);
     const float* const p = mesh.positions + size_t{3} * v;
-    const Vec3d place = {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+    const Vec3d position = {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
     uint32_t best = kNoIndex;
     double least = 0;
     for (uint32_t b = 0; b < bone_count_; ++b) {
       const Bone& bone = target_bones_[b];
       if (bone.joint != joint) continue;
-      const Vec3d whole = bone.to - bone.from, offset = place - bone.from;
+      const Vec3d whole = bone.to - bone.from, offset = position - bone.from;
       const double at = dot(offset, whole) / dot(whole, whole);
       const double far = length(offset - (at < 0 ? 0 : at > 1 ? 1 : at) * whole);
       if (at < 0 || at > 1 || (best != kNoIndex && far >= least)) continue;
@@ -175,13 +175,13 @@ void CapsuleBodies::add(const Bone& source, const Bone& target, const Quat& sour
     const Vec3d out = side * (cosine * first + sine * second);
     const Vec3d source_out = rotate(back, rotate(source_from_target, out));
     // `at` counts from the first end, in lengths of the bone; beyond the ends it is a radius.
-    const auto place = [&](const Bone& bone, Vec3d direction, Vec3d outwards) {
+    const auto point_at = [&](const Bone& bone, Vec3d direction, Vec3d outwards) {
       const double whole = length(bone.to - bone.from);
       const double far = at < 0 ? -bone.radius : at > 1 ? whole + bone.radius : at * whole;
       return bone.from + far * direction + bone.radius * outwards;
     };
-    set(target_positions_ + size_t{3} * (begin + v), place(target, along, out));
-    set(source_positions_ + size_t{3} * (begin + v), place(source, source_along, source_out));
+    set(target_positions_ + size_t{3} * (begin + v), point_at(target, along, out));
+    set(source_positions_ + size_t{3} * (begin + v), point_at(source, source_along, source_out));
     target_joints_[begin + v] = target.joint;
     source_joints_[begin + v] = source.joint;
     weights_[begin + v] = 65535;

@@ -8,17 +8,16 @@
 namespace sinew::motion {
 
 sinew_status read_reference_options(const sinew_reference_options* options, ReferenceOptions* out, Progress* progress) {
-  sinew_reference_options o = sinew_reference_options_init();
+  sinew_reference_options o = SINEW_INIT(sinew_reference_options);
   // The struct of the first release, 0.1, ends with progress_user.
   constexpr uint32_t kFirstSize = offsetof(sinew_reference_options, progress_user) + sizeof(void*);
   const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstSize, sizeof o, &o);
   if (status != SINEW_OK) return status;
   const double no_falloff = static_cast<double>(SINEW_NO_FALLOFF);
   const double falloff = static_cast<double>(o.falloff), least = static_cast<double>(o.least_cosine);
-  if ((o.area_power > 4 && o.area_power != SINEW_NO_AREA) || o.no_own_limb > 1 || o.own_limb > 1 ||
-      (o.no_own_limb != 0 && o.own_limb != 0) || o.legs > 1 || o.head > 1 || o.torso > 1 || o.source_points > 1 ||
-      !(falloff >= 0 || (falloff <= no_falloff && falloff >= no_falloff)) || !is_finite(falloff) ||
-      !(least >= 0 && least <= 1)) {
+  if ((o.area_power > 4 && o.area_power != SINEW_NO_AREA) || o.own_limb > 1 || o.legs > 1 || o.head > 1 ||
+      o.torso > 1 || o.source_points > 1 || !(falloff >= 0 || (falloff <= no_falloff && falloff >= no_falloff)) ||
+      !is_finite(falloff) || !(least >= 0 && least <= 1)) {
     return SINEW_ERROR_ARGUMENT;
   }
   *out = ReferenceOptions();

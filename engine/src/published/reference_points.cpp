@@ -220,17 +220,17 @@ class ReferencePoints {
   }
 
   // Where the reference points of a part of the body want a joint, and how near the nearest of them is.
-  struct Wish {
+  struct PartGoal {
     Vec3d sum = {0, 0, 0};
     double all = 0, nearest = 0;
     uint32_t triangle = 0;  // the nearest
   };
 
-  // Where all triangles together want a joint; where it is, if none has a say. The parts of the body have one wish each, the mean of
+  // Where all triangles together want a joint; where it is, if none has a say. The parts of the body have one goal each, the mean of
   // which counts by nearness.
   Vec3d position(uint32_t joint, uint32_t own_part) {
     const Vec3d goal = plan_.source_positions[source_of(joint)];
-    Wish wishes[kFirstLimb + kMostLimbs];
+    PartGoal part_goals[kFirstLimb + kMostLimbs];
     uint32_t node = joint;
     while (s_.is_node[node] == 0) node = s_.above[node];
     for (uint32_t group = 0; group < rig_.count; ++group) {
@@ -252,26 +252,26 @@ class ReferencePoints {
           factor = from > kLeastLength * s_.source.height ? to / from : heights_;
         }
         const double own = influence(i, along, distance);
-        Wish& wish = wishes[s_.parts_of[i]];
-        if (own > 0 && (wish.all == 0 || distance < wish.nearest)) {
-          wish.nearest = distance;
-          wish.triangle = i;
+        PartGoal& part_goal = part_goals[s_.parts_of[i]];
+        if (own > 0 && (part_goal.all == 0 || distance < part_goal.nearest)) {
+          part_goal.nearest = distance;
+          part_goal.triangle = i;
         }
-        wish.all += own;
-        wish.sum = wish.sum + own * (point(i) + factor * v);
+        part_goal.all += own;
+        part_goal.sum = part_goal.sum + own * (point(i) + factor * v);
       }
     }
     Vec3d sum = {0, 0, 0};
     double all = 0;
     const double least = 1e-3 * s_.source.height;
-    const Wish* nearest = nullptr;
-    for (const Wish& wish : wishes) {
-      if (wish.all <= kLeastSquare) continue;
-      if (nearest == nullptr || wish.nearest < nearest->nearest) nearest = &wish;
-      const double near = 1 / (wish.nearest * wish.nearest + least * least);
+    const PartGoal* nearest = nullptr;
+    for (const PartGoal& part_goal : part_goals) {
+      if (part_goal.all <= kLeastSquare) continue;
+      if (nearest == nullptr || part_goal.nearest < nearest->nearest) nearest = &part_goal;
+      const double near = 1 / (part_goal.nearest * part_goal.nearest + least * least);
       const double share = near * near;
       all += share;
-      sum = sum + (share / wish.all) * wish.sum;
+      sum = sum + (share / part_goal.all) * part_goal.sum;
     }
     const Vec3d copied = plan_.target_positions[joint];
     if (!(all > 0)) return copied;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reference points: places of the body that are known on both surfaces.
+// Reference points: points of the body that are known on both surfaces.
 #ifndef SINEW_PUBLISHED_REFERENCES_HPP
 #define SINEW_PUBLISHED_REFERENCES_HPP
 
@@ -7,7 +7,7 @@
 
 namespace sinew::transferring {
 
-// A place on a triangle of welded vertices, or on one vertex.
+// A point on a triangle of welded vertices, or on one vertex.
 struct TrianglePosition {
   uint32_t corners[3];
   double shares[3];

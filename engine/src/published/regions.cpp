@@ -76,7 +76,7 @@ class Regions {
           farthest = v;
         }
       }
-      if (count_ > 0 && most == 0) break;  // as many as there are places
+      if (count_ > 0 && most == 0) break;  // as many as there are positions
       seeds_[count_] = farthest;
       from = mesh_.positions[farthest];
       if (count_ == 0)

@@ -20,7 +20,7 @@ size_t tied_entries(uint32_t vertices) {
   return (40 + levels * levels / 2) * vertices;
 }
 
-const TrianglePosition& place_of(const References& references, uint32_t i, bool on_source) {
+const TrianglePosition& position_of(const References& references, uint32_t i, bool on_source) {
   return on_source ? references.points[i].source : references.points[i].target;
 }
 
@@ -146,7 +146,7 @@ void SurfaceDistances::solve_columns(const Mesh& mesh, const References& referen
   const uint32_t held = mesh.welded_count - 1;
   memset(x_, 0, size_t{kBatch} * mesh.welded_count * sizeof *x_);
   for (uint32_t m = 0; m < size; ++m) {
-    const TrianglePosition& p = place_of(references, first + m, on_source);
+    const TrianglePosition& p = position_of(references, first + m, on_source);
     for (uint32_t c = 0; c < 3; ++c) {
       const uint32_t k = position_[p.corners[c]];
       if (k != held) x_[size_t{kBatch} * k + m] += p.shares[c];
@@ -170,10 +170,10 @@ void SurfaceDistances::turn_to_distances(const Mesh& mesh, const References& ref
   double mean = 0;
   for (uint32_t i = 0; i < n; ++i) {
     double* const column = g + size_t{i} * mesh.welded_count;
-    const double own = mean_at(place_of(references, i, on_source), column);
+    const double own = mean_at(position_of(references, i, on_source), column);
     for (uint32_t v = 0; v < mesh.welded_count; ++v)
       column[v] = root(greater(diagonal_[position_[v]] + own - 2 * column[v], 0));
-    for (uint32_t j = 0; j < n; ++j) mean += mean_at(place_of(references, j, on_source), column);
+    for (uint32_t j = 0; j < n; ++j) mean += mean_at(position_of(references, j, on_source), column);
   }
   mean /= static_cast<double>(n) * n;
   const double scale = mean > 1e-150 ? 1 / mean : 0;

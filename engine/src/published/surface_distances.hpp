@@ -44,11 +44,11 @@ class SurfaceDistances {
   Ordering ordering_;
   Ties ties_;
   SparseLdl ldl_;
-  uint32_t *position_ = nullptr, *order_ = nullptr;      // [U] place in the elimination, and back
+  uint32_t *position_ = nullptr, *order_ = nullptr;      // [U] position in the elimination, and back
   uint32_t *host_ = nullptr, *host_distance_ = nullptr;  // [U]
   uint64_t* keys_ = nullptr;                             // [U]
   double* x_ = nullptr;                                  // [U x kBatch]
-  double *diagonal_ = nullptr, *area_ = nullptr;         // [U] g(x, x), and the vertex' area, by place
+  double *diagonal_ = nullptr, *area_ = nullptr;         // [U] g(x, x), and the vertex' area, by position
   double area_sum_ = 0;
 };
 

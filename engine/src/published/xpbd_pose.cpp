@@ -45,12 +45,14 @@ class PublishedPose {
       spaces_[v] = {{0, 0, 0}, 0};
     }
     if (lattice_.tetrahedron_count == 0 || !bends(posed_)) return SINEW_OK;
-    if (rest_.options.no_contact == 0) find_half_spaces(posed_, rest_.threads(), planes, spaces_);
+    if ((rest_.options.without & SINEW_WITHOUT_CONTACTS) == 0)
+      find_half_spaces(posed_, rest_.threads(), planes, spaces_);
     skin_nodes();
     find_moving();
     correct();
     if (rest_.has_contact()) keep_apart();  // while the surface is where the lattice has it
-    if (rest_.options.no_smoothing == 0) smooth_bends(posed_, moved_, smoothed, volumes, positions_);
+    if ((rest_.options.without & SINEW_WITHOUT_SMOOTHING) == 0)
+      smooth_bends(posed_, moved_, smoothed, volumes, positions_);
     for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
       if (is_rigid(v)) continue;
       positions_[v] = positions_[v] - outside_by(spaces_[v], positions_[v]) * spaces_[v].normal;
@@ -101,7 +103,7 @@ class PublishedPose {
     map_back();
   }
 
-  // Where all is pinned a vertex keeps its skinned place exactly; where all moves it goes with the lattice.
+  // Where all is pinned a vertex keeps its skinned position exactly; where all moves it goes with the lattice.
   void map_back() {
     for (uint32_t u = 0; u < rest_.welded_count; ++u) moved_[u] = 0;
     for (uint32_t v = 0; v < rest_.vertex_count; ++v) {

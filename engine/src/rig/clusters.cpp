@@ -113,7 +113,7 @@ class ClusterFinder {
     return true;
   }
 
-  // Votes that no joint explains, whatever their class: the densest place becomes a joint of the class that most of
+  // Votes that no joint explains, whatever their class: the densest position becomes a joint of the class that most of
   // them are for, and explains what is around it.
   SINEW_RARE void add_unexplained() {
     uint16_t* const left = pool_.order;
@@ -187,14 +187,14 @@ bool VotePool::build(const Votes& v, bool mirror, Arena& arena) {
   order = arena.alloc<uint16_t>(count);
   if (!arena.ok()) return false;
   if (arena.measuring()) return true;
-  const auto place = [&](uint32_t s) {
+  const auto position = [&](uint32_t s) {
     return folded_position((s & 1) != 0 ? v.end[s >> 1] : v.start[s >> 1], mirror);
   };
   for (uint32_t i = 0; i < count; ++i) source[i] = static_cast<uint16_t>(i);
-  heap_sort(source, count, [&](uint16_t a, uint16_t b) { return comes_before(place(a), place(b)); });
+  heap_sort(source, count, [&](uint16_t a, uint16_t b) { return comes_before(position(a), position(b)); });
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t point = source[i] >> 1;
-    at[i] = place(source[i]);
+    at[i] = position(source[i]);
     trust[i] = static_cast<uint16_t>(trust_in((source[i] & 1) != 0 ? v.end_spread[point] : v.start_spread[point]));
   }
   return true;

@@ -165,7 +165,7 @@ class Curve {
     }
   }
 
-  Vec3i place(const CellRegion& region, bool beside) const {
+  Vec3i position(const CellRegion& region, bool beside) const {
     Vec3i at = region.middle();
     if (!folded_) return at;
     if (region.on_plane && !beside) at.x = 0;
@@ -195,7 +195,7 @@ class Curve {
 
   // A node for the root, and for every region where branches meet or end a chain of nodes that leads there.
   SINEW_RARE bool build() {
-    put_root(place(regions_[order_[0]], false));
+    put_root(position(regions_[order_[0]], false));
     regions_[order_[0]].node = 0;
     for (uint32_t i = 1; i < count_; ++i) {
       const uint32_t r = order_[i];
@@ -214,7 +214,7 @@ class Curve {
     line[0] = tree_.nodes[above].at;
     bool beside = tree_.beside(static_cast<uint32_t>(above));
     for (uint32_t i = 0; i < length; ++i) {
-      line[i + 1] = place(regions_[chain[length - 1 - i]], beside);
+      line[i + 1] = position(regions_[chain[length - 1 - i]], beside);
       beside = beside || (folded_ && line[i + 1].x > 0);
     }
     const bool leaf = regions_[last].branches == 0;

@@ -23,21 +23,21 @@ constexpr int32_t kMiddle = side_share(300), kPairMiddle = side_share(200);
 constexpr int32_t kEndSnap = side_share(400);      // an end of a joint on the plane
 constexpr int32_t kEndDistance = side_share(120);  // from an end to any joint
 constexpr uint32_t kEndSeeds = 12;
-// What a bone through the air costs, in bits, Q16, for all of it; places on it that are looked at, of bones longer than the second; how much more than
-// its radius a place in the body reaches.
+// What a bone through the air costs, in bits, Q16, for all of it; points on it that are looked at, of bones longer than the second; how much more than
+// its radius a point in the body reaches.
 constexpr int64_t kThroughAir = 10 << 16;
-constexpr int32_t kAirPlaces = 7, kAirLength = side_share(600), kAirMargin = side_share(150);
+constexpr int32_t kAirSamples = 7, kAirLength = side_share(600), kAirMargin = side_share(150);
 
-// Around a place in the body, folded.
+// Around a point in the body, folded.
 struct Ball {
   Vec3i at;
   int64_t reach_2;  // squared
 };
 
-class Grower {
+class FoldedTreeBuilder {
  public:
-  Grower(const VotePool& pool, Cloud cloud, uint8_t* starts, uint8_t* ends, int32_t* between, Ball* balls,
-         FoldedTree* tree)
+  FoldedTreeBuilder(const VotePool& pool, Cloud cloud, uint8_t* starts, uint8_t* ends, int32_t* between, Ball* balls,
+                    FoldedTree* tree)
       : pool_(pool),
         votes_(*pool.votes),
         cloud_(cloud),
@@ -166,13 +166,13 @@ class Grower {
     }
   }
 
-  // Of the places on the way between two joints those in no ball of the body, of kAirPlaces.
-  SINEW_RARE int32_t places_in_air(Vec3i a, Vec3i b) const {
+  // Of the points on the way between two joints those in no ball of the body, of kAirSamples.
+  SINEW_RARE int32_t samples_in_air(Vec3i a, Vec3i b) const {
     if (votes_.inside == nullptr || square_distance(a, b) < square(int64_t{kAirLength})) return 0;
     int32_t air = 0;
-    for (int32_t k = 1; k <= kAirPlaces; ++k) {
-      const Vec3i at = a + Vec3i{(b.x - a.x) / (kAirPlaces + 1) * k, (b.y - a.y) / (kAirPlaces + 1) * k,
-                                 (b.z - a.z) / (kAirPlaces + 1) * k};
+    for (int32_t k = 1; k <= kAirSamples; ++k) {
+      const Vec3i at = a + Vec3i{(b.x - a.x) / (kAirSamples + 1) * k, (b.y - a.y) / (kAirSamples + 1) * k,
+                                 (b.z - a.z) / (kAirSamples + 1) * k};
       bool in_body = false;
       for (uint32_t p = 0; p < votes_.points && !in_body; ++p)
         in_body = square_distance(balls_[p].at, at) < balls_[p].reach_2;
@@ -196,13 +196,13 @@ class Grower {
           log2_q16(static_cast<uint64_t>(100 * total[to])) - log2_q16(static_cast<uint64_t>(100 * votes + total[to]));
       const int64_t distance = (static_cast<int64_t>(length(b.at - a.at)) * kCostPerUnit) >> 16;
       const int64_t classes = int64_t{kParentSurprise[a.joint_class][b.joint_class]} * 56 / 5;
-      return static_cast<int32_t>(surprise + distance + classes + kThroughAir * air / kAirPlaces);
+      return static_cast<int32_t>(surprise + distance + classes + kThroughAir * air / kAirSamples);
     };
     // Both ways at once: each needs the other's votes.
     for (uint32_t i = 0; i < n; ++i) {
       for (uint32_t j = 0; j < i; ++j) {
         const int64_t there = between_[i * n + j], back = between_[j * n + i];
-        const int32_t air = places_in_air(tree_.nodes[i].at, tree_.nodes[j].at);
+        const int32_t air = samples_in_air(tree_.nodes[i].at, tree_.nodes[j].at);
         between_[i * n + j] = cost(i, j, 20 * there + 3 * back, air);
         between_[j * n + i] = cost(j, i, 20 * back + 3 * there, air);
       }
@@ -326,7 +326,7 @@ class Grower {
   uint8_t* const starts_;   // [N] joint of the start vote, or kNoFoldedJoint
   uint8_t* const ends_;     // [N]
   int32_t* const between_;  // [joints x joints] from, to: votes in Q15, then costs
-  Ball* const balls_;       // [N] of the body, where the votes say which places are inside
+  Ball* const balls_;       // [N] of the body, where the votes say which points are inside
   FoldedTree& tree_;
   int64_t points_[kMaxFoldedJoints] = {};  // that start at the joint
   int64_t tips_[kMaxFoldedJoints] = {};    // Q15: their chances of a tip, summed
@@ -352,7 +352,7 @@ sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t
     tree->nodes[j].at = joints[j].at;
     tree->nodes[j].joint_class = joints[j].joint_class;
   }
-  Grower(pool, cloud, starts, ends, between, balls, tree).run(kind);
+  FoldedTreeBuilder(pool, cloud, starts, ends, between, balls, tree).run(kind);
   return SINEW_OK;
 }
 

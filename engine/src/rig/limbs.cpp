@@ -55,7 +55,7 @@ class Limbs {
     if (!tree_.mirrored) choose_sides();
   }
 
-  // Legs by place, see steer_limbs(). Joints of each limb are those that collect() found.
+  // Legs by position, see steer_limbs(). Joints of each limb are those that collect() found.
   bool steer(BodyKind kind, LimbVotes& votes) {
     collect();
     if (kind != BodyKind::kAny && kind != BodyKind::kBiped && kind != BodyKind::kQuadruped) return false;

@@ -170,14 +170,15 @@ void write_outputs(const UprightMesh& upright, const MirrorFrame& frame, const R
 
 sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners,
                       const sinew_rig_options* options, RigPlan* plan, uint32_t feature_set) {
-  sinew_rig_options o = sinew_rig_options_init();
+  sinew_rig_options o = SINEW_INIT(sinew_rig_options);
   const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstRigOptionsSize, sizeof o, &o);
   if (status != SINEW_OK) return status;
   const sinew_status front = plan_front(o, &plan->front);
   if (front != SINEW_OK) return front;
-  if (o.mirror > SINEW_MIRROR_NEVER || o.spine_count > kMaxSpine || o.no_toes > 1 || o.no_ends > 1 ||
-      o.weights_in_place > 1 || kernel_name(o.kernel) == nullptr || o.method > SINEW_RIG_SLOTS ||
-      o.category >= kBodyKinds || (o.category != 0 && o.method != SINEW_RIG_VOTES && o.method != SINEW_RIG_SLOTS)) {
+  if (o.mirror > SINEW_MIRROR_NEVER || o.spine_count > kMaxSpine ||
+      (o.without & ~uint32_t{SINEW_WITHOUT_TOES | SINEW_WITHOUT_ENDS}) != 0 || o.weights_in_place > 1 ||
+      kernel_name(o.kernel) == nullptr || o.method > SINEW_RIG_SLOTS || o.category >= kBodyKinds ||
+      (o.category != 0 && o.method != SINEW_RIG_VOTES && o.method != SINEW_RIG_SLOTS)) {
     return SINEW_ERROR_ARGUMENT;
   }
   const bool published = o.method == SINEW_RIG_REGIONS || o.method == SINEW_RIG_SLOTS;
@@ -203,8 +204,8 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
   plan->slots.network = plan->front.network = plan->network;
   plan->tree = RigOptions();
   plan->tree.spine = o.spine_count == 0 ? -1 : static_cast<int32_t>(o.spine_count);
-  plan->tree.toes = o.no_toes == 0;
-  plan->tree.ends = o.no_ends == 0;
+  plan->tree.toes = (o.without & SINEW_WITHOUT_TOES) == 0;
+  plan->tree.ends = (o.without & SINEW_WITHOUT_ENDS) == 0;
   plan->tree.kind = static_cast<BodyKind>(o.category);
   plan->mirroring = published ? Mirroring::kNever : static_cast<Mirroring>(o.mirror);
   plan->method = o.method;

@@ -17,7 +17,7 @@ struct RigJoint {
   int16_t partner;             // its mirror image, itself on the plane, -1 where nothing is mirrored
   uint8_t joint_class;         // JointClass; a bone end's is its joint's
   uint8_t tip;                 // 1 for a bone end
-  uint16_t confidence;         // Q15: how sure the votes are of the joint's place
+  uint16_t confidence;         // Q15: how sure the votes are of the joint's position
   uint16_t parent_confidence;  // Q15: how sure they are of its parent
   int8_t side;                 // 1 left, -1 right, 0: its position says
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Votes to a skeleton: folded joints, their tree, what the caller wishes, both sides.
+// Votes to a skeleton: folded joints, their tree, what the caller asks for, both sides.
 #ifndef SINEW_RIG_TREE_HPP
 #define SINEW_RIG_TREE_HPP
 
@@ -38,7 +38,7 @@ struct Rig {
 // any order.
 sinew_status find_rig(const Votes& votes, const RigOptions& options, Arena& arena, Rig* rig);
 
-// The last stage of find_rig(), for a tree from elsewhere: the caller's wishes, then both sides.
+// The last stage of find_rig(), for a tree from elsewhere: the caller's options, then both sides.
 void unfold_tree(const RigOptions& options, FoldedTree* tree, Rig* rig);
 
 constexpr uint32_t kMaxSpine = 16;

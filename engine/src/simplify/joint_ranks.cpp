@@ -82,7 +82,7 @@ sinew_status find_joint_ranks(const sinew_skeleton& skeleton, const float* areas
   uint8_t* const laid = arena.alloc<uint8_t>(n);  // classes of the body that is laid over; a spine goes on below
   uint8_t* const follows = arena.alloc<uint8_t>(n);
   if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
-  sinew_joint_verdicts verdicts = sinew_joint_verdicts_init();
+  sinew_joint_verdicts verdicts = SINEW_INIT(sinew_joint_verdicts);
   if (!arena.measuring()) {
     double whole = 0;
     for (uint32_t j = 0; j < n && areas != nullptr; ++j) whole += static_cast<double>(areas[j]);

@@ -199,7 +199,7 @@ class Shrinking {
 }  // namespace
 
 sinew_status plan_simplify(uint32_t joint_count, const sinew_simplify_options* options, SimplifyPlan* plan) {
-  sinew_simplify_options o = sinew_simplify_options_init();
+  sinew_simplify_options o = SINEW_INIT(sinew_simplify_options);
   constexpr uint32_t kFirstOptions = offsetof(sinew_simplify_options, reserved) + sizeof(uint32_t);
   const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstOptions, sizeof o, &o);
   if (status != SINEW_OK) return status;
@@ -228,8 +228,11 @@ sinew_status run_simplify(const SimplifyPlan& plan, Arena& arena, uint32_t* into
   skeleton.joint_count = plan.joint_count;
   sinew_status status = SINEW_OK;
   if (!arena.measuring()) {
-    status = rig.build(sinew_skeleton_init(skeleton.positions, skeleton.parents, plan.joint_count),
-                       /*with_names=*/false);
+    sinew_skeleton unnamed = SINEW_INIT(sinew_skeleton);
+    unnamed.positions = skeleton.positions;
+    unnamed.parents = skeleton.parents;
+    unnamed.joint_count = plan.joint_count;
+    status = rig.build(unnamed, /*with_names=*/false);
     if (status == SINEW_OK) status = tree.start(plan, rig);
   }
   if (status == SINEW_OK) status = find_joint_ranks(skeleton, plan.areas, arena, tree.ranks(), tree.ends());

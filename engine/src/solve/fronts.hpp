@@ -49,7 +49,7 @@ class FrontFactor {
   void begin(const FrontSolve& solve) const;
   void add(const FrontSolve& solve, uint32_t position, uint32_t member, int64_t value_q40) const;
   void eliminate(const FrontKernels& kernels, const FrontSolve& solve) const;
-  // Calls take(first, count, x) with the solution x [count x kFrontBatch] of the vertices at places [first, first +
+  // Calls take(first, count, x) with the solution x [count x kFrontBatch] of the vertices at positions [first, first +
   // count), for every front where it may be larger than 2^-18. Without negative edge weights it never is elsewhere
   // (maximum principle: the right-hand sides are 0 there, and the solution is smaller on the border).
   template <class Take>
@@ -75,7 +75,7 @@ class FrontFactor {
   static constexpr int32_t kNegligible = 1 << (kFrontSolutionBits - 18);
 
   struct Front {
-    uint32_t first, pivots;  // its own vertices, at places [first, first + pivots)
+    uint32_t first, pivots;  // its own vertices, at positions [first, first + pivots)
     uint32_t rows;           // where its border is in rows_; ends where the next front's begins
     uint32_t subtree;        // the subtree is the fronts [subtree, this one]
     uint32_t parent;         // kNoFront at the root
@@ -110,12 +110,12 @@ class FrontFactor {
   uint32_t front_capacity_ = 0;
   size_t row_capacity_ = 0, factor_capacity_ = 0, stack_capacity_ = 0, height_capacity_ = 0;
   Front* fronts_ = nullptr;       // [front_capacity_ + 1]
-  uint32_t* rows_ = nullptr;      // [row_capacity_] places on the fronts' borders, ascending
+  uint32_t* rows_ = nullptr;      // [row_capacity_] positions on the fronts' borders, ascending
   uint32_t* waiting_ = nullptr;   // [front_capacity_] fronts whose parent is still to come
-  uint32_t* mark_ = nullptr;      // [U] by place
-  uint32_t* front_of_ = nullptr;  // [U] by place
-  int8_t* exponent_ = nullptr;    // [U] by place
-  int64_t* inverse_ = nullptr;    // [U] by place: 1 / the factor's diagonal, Q30
+  uint32_t* mark_ = nullptr;      // [U] by position
+  uint32_t* front_of_ = nullptr;  // [U] by position
+  int8_t* exponent_ = nullptr;    // [U] by position
+  int64_t* inverse_ = nullptr;    // [U] by position: 1 / the factor's diagonal, Q30
   int32_t* factor_ = nullptr;     // [factor_capacity_] of each front: its pivots' columns over all of its rows, G
   int32_t* stack_ = nullptr;      // [stack_capacity_] lower triangles by columns, and the corner of the front at hand
   FrontSolve own_;

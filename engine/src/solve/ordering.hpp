@@ -12,11 +12,11 @@ constexpr uint32_t kSmallestRegion = 4;  // for a sparse factor
 constexpr uint32_t kSmallestFront = 24;  // for one of dense fronts
 
 struct Ordering {
-  uint32_t* order = nullptr;     // [U] vertex at each place of the elimination, for the part ordered last
+  uint32_t* order = nullptr;     // [U] vertex at each position of the elimination, for the part ordered last
   uint32_t* position = nullptr;  // [U] and back; only the vertices of that part are valid
   uint32_t* mark = nullptr;      // [U] scratch: the last region a vertex was cut in, and on which side of its cuts
   uint32_t* scratch = nullptr;   // [U]
-  // Separators and regions that were not cut further: at the place of each one's first vertex its length and the place
+  // Separators and regions that were not cut further: at the position of each one's first vertex its length and the position
   // where its subtree begins; length 0 elsewhere.
   uint32_t* region_size = nullptr;   // [U]
   uint32_t* region_begin = nullptr;  // [U]

@@ -17,7 +17,7 @@ constexpr int kRhsShift = kVectorBits + 4;  // right-hand sides are 1 / 16, so t
 constexpr int64_t kSmallestRatio = static_cast<int64_t>(1) << (kProjectedBits - 10);  // eigenvalues above 1300
 constexpr int32_t kRootLimit = 0x7FFFFFFF;
 
-// 1/2 .. 1, from the place alone: no column of the start shall be symmetric by accident.
+// 1/2 .. 1, from the index alone: no column of the start shall be symmetric by accident.
 int64_t jitter_q30(uint32_t position) {
   uint32_t h = (position + 1) * 2654435761u;
   h ^= h >> 15;
@@ -185,7 +185,7 @@ void EigenSolver::finish(Eigenpairs* out) {
     out->column[out->count++] = order[i];
   }
   // Columns of Z V / ratio; the projection saw X, and one more inverse step for nothing comes with it.
-  int32_t(*weights)[kSpectralModes] = orthonormaliser_->upper;  // [row of V][place in `column`] Q20
+  int32_t(*weights)[kSpectralModes] = orthonormaliser_->upper;  // [row of V][index in `column`] Q20
   for (uint32_t k = 0; k < out->count; ++k) {
     const int64_t ratio = small_[out->column[k]][out->column[k]];
     for (uint32_t i = 0; i < n; ++i) {

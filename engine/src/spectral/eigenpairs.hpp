@@ -59,7 +59,7 @@ class EigenSolver {
   int32_t* vectors_ = nullptr;                  // [kSpectralModes / kBatch][rows x kBatch] Q20
   int64_t* rhs_ = nullptr;                      // [U x kBatch]
   int32_t* image_ = nullptr;                    // [U x kBatch]
-  int64_t* mass_ = nullptr;                     // [U] by elimination place, Q40
+  int64_t* mass_ = nullptr;                     // [U] by elimination position, Q40
   int64_t (*small_)[kSpectralModes] = nullptr;  // Gram or projected matrix
   int64_t (*rotation_)[kSpectralModes] = nullptr;
   Orthonormaliser* orthonormaliser_ = nullptr;

@@ -9,7 +9,7 @@
 
 namespace sinew::transferring {
 
-// Places in longest sides of a mesh: its own grid over 2^20.
+// Positions in longest sides of a mesh: its own grid over 2^20.
 inline Vec3d position_of(Vec3i grid) {
   constexpr double kUnit = 1.0 / kSide;
   return {grid.x * kUnit, grid.y * kUnit, grid.z * kUnit};

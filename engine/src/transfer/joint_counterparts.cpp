@@ -6,7 +6,7 @@ namespace sinew::transferring {
 
 bool JointCounterparts::allocate(Arena& arena, uint32_t source_joints, uint32_t target_joints) {
   same = arena.alloc<int32_t>(source_joints);
-  takes = arena.alloc<int32_t>(source_joints);
+  target_of = arena.alloc<int32_t>(source_joints);
   head = arena.alloc<int32_t>(target_joints);
   is_new = arena.alloc<uint8_t>(target_joints);
   return arena.ok();
@@ -39,14 +39,14 @@ void JointCounterparts::complete(const int32_t* counterparts, const Skeleton& so
   for (uint32_t i = 0; i < source.joint_count; ++i) {
     const uint32_t j = source.order[i];
     const int32_t parent = source.parents[j];
-    takes[j] = gives(j) ? same[j] : parent >= 0 ? takes[parent] : -1;
+    target_of[j] = gives(j) ? same[j] : parent >= 0 ? target_of[parent] : -1;
   }
   for (uint32_t j = 0; j < source.joint_count; ++j) {
-    if (takes[j] < 0 && steps[j] != kFar) takes[j] = same[below[j]];
+    if (target_of[j] < 0 && steps[j] != kFar) target_of[j] = same[below[j]];
   }
   for (uint32_t j = 0; j < target.joint_count; ++j) is_new[j] = 1;
   for (uint32_t j = 0; j < source.joint_count; ++j) {
-    if (takes[j] >= 0) is_new[takes[j]] = 0;
+    if (target_of[j] >= 0) is_new[target_of[j]] = 0;
   }
   for (uint32_t i = 0; i < target.joint_count; ++i) {
     const uint32_t j = target.order[i];

@@ -8,8 +8,8 @@
 namespace sinew::transferring {
 
 struct JointCounterparts {
-  int32_t* same = nullptr;   // [source joints] its counterpart in the target, or -1
-  int32_t* takes = nullptr;  // [source joints] the target's joint that takes its weight, or -1
+  int32_t* same = nullptr;       // [source joints] its counterpart in the target, or -1
+  int32_t* target_of = nullptr;  // [source joints] the target's joint that takes its weight, or -1
   // [target joints] its nearest ancestor (itself included) that takes weight: a joint that the source lacks shares what
   // its head gets. Itself where there is none.
   int32_t* head = nullptr;

@@ -86,8 +86,8 @@ void map_row(const JointCounterparts& map, const Rows& rows, uint32_t vertex) {
   }
   rows.clear(vertex);
   for (uint32_t i = 0; i < kRowSlots; ++i) {
-    if (joints[i] != kNoJoint && map.takes[joints[i]] >= 0)
-      rows.add(vertex, static_cast<uint16_t>(map.takes[joints[i]]), weights[i]);
+    if (joints[i] != kNoJoint && map.target_of[joints[i]] >= 0)
+      rows.add(vertex, static_cast<uint16_t>(map.target_of[joints[i]]), weights[i]);
   }
   make_whole(rows, vertex);
 }
@@ -143,7 +143,7 @@ sinew_status find_match(const TransferPlan& plan, const TransferInput& input, co
     of_use[v] = 0;
     for (uint32_t i = 0; i < kRowSlots; ++i) {
       const uint16_t joint = source_rows.joints_of(v)[i];
-      if (joint != kNoJoint && source_rows.weights_of(v)[i] > 0 && pair.map.takes[joint] >= 0) of_use[v] = 1;
+      if (joint != kNoJoint && source_rows.weights_of(v)[i] > 0 && pair.map.target_of[joint] >= 0) of_use[v] = 1;
     }
   }
   tree.build(source, positions, of_use, arena);

@@ -127,18 +127,18 @@ double SurfaceTree::distance2(const Box& box, Vec3d p) const {
 }
 
 MatchedPoint SurfaceTree::nearest(Vec3d point, Vec3d normal, Facing facing) const {
-  struct Waiting {
+  struct PendingBox {
     double bound;
     uint32_t level, index;
   };
-  Waiting stack[kFan * kLevels];
+  PendingBox stack[kFan * kLevels];
   uint32_t depth = 0;
   const bool any_normal = dot(normal, normal) > 0.25 && !of_points_;
   MatchedPoint best;
   double least = 1e300;  // cost squared
   stack[depth++] = {0, level_count_ - 1, 0};
   while (depth > 0) {
-    const Waiting top = stack[--depth];
+    const PendingBox top = stack[--depth];
     if (top.bound >= least) continue;
     const uint32_t begin = top.index * kFan;
     if (top.level > 0) {

@@ -31,7 +31,7 @@ sinew_status check_options(const sinew_transfer_options& o) {
 
 sinew_status plan_transfer(const sinew_model* model, const TransferInput& input, const sinew_transfer_options* options,
                            TransferPlan* plan) {
-  sinew_transfer_options o = sinew_transfer_options_init();
+  sinew_transfer_options o = SINEW_INIT(sinew_transfer_options);
   sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstOptionsSize, sizeof o, &o);
   if (status == SINEW_OK) status = check_options(o);
   if (status == SINEW_OK) status = read_up_axis(input.skeleton.up, &plan->up_axis);
@@ -73,7 +73,7 @@ sinew_status plan_transfer(const sinew_model* model, const TransferInput& input,
   if (!plan->binds()) return SINEW_OK;
   for (uint32_t method = plan->with_model ? SINEW_METHOD_MODEL : SINEW_METHOD_HEAT; method <= SINEW_METHOD_HEAT;
        ++method) {
-    sinew_options bind = sinew_options_init();
+    sinew_bind_options bind = SINEW_INIT(sinew_bind_options);
     bind.method = method;
     bind.influence_count = plan->influence_count;
     bind.weights_in_place = o.weights_in_place;

@@ -28,7 +28,9 @@ sinew_status bind_rows(const BindPlan& plan, const Progress& progress, const sin
   uint8_t* const workspace = arena.alloc<uint8_t>(size.high_water());
   if (!size.ok() || !arena.ok()) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) return SINEW_OK;
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints, weights);
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = joints;
+  outputs.weights = weights;
   BindPlan own = plan;
   own.progress = progress;
   const sinew_status status = run_bind(own, mesh, skeleton, workspace, size.high_water(), &outputs);

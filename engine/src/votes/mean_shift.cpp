@@ -26,7 +26,7 @@ struct KernelTable {
 };
 constexpr KernelTable kKernel;
 
-// What the points around a place sum up to. Of a point: weight and kernel at most 2^15, offset below 2^17 (three
+// What the points around a position sum up to. Of a point: weight and kernel at most 2^15, offset below 2^17 (three
 // bandwidths). With mirror images there are 2^14 of them, so a sum stays below 2^61.
 struct Pull {
   int64_t mass = 0;
@@ -42,7 +42,7 @@ class Climb {
         reach_2_(static_cast<uint64_t>(square(reach_))),
         pieces_((uint64_t{1} << 48) / reach_2_) {}
 
-  // From a place to its mode; false if `caught` says that the way leads to a mode that is known.
+  // From a position to its mode; false if `caught` says that the way leads to a mode that is known.
   template <class Caught>
   bool run(Caught caught, Mode* mode) const {
     for (uint32_t step = 0; step < kSteps; ++step) {
@@ -114,7 +114,7 @@ class Climb {
   const uint64_t pieces_;
 };
 
-// Moves a mode to its place among those before it.
+// Moves a mode to its index among those before it.
 void sort_in(Mode* modes, uint32_t at) {
   const Mode mode = modes[at];
   for (; at > 0; --at) {

@@ -68,16 +68,16 @@ bool read_row(const void* weights, uint32_t format, size_t first, uint32_t count
 void gather_given_rows(const Mesh& mesh, const uint8_t* locked, const uint8_t* hints, const uint16_t* joints,
                        const void* weights, uint32_t format, uint32_t influence_count, GivenRows* out) {
   for (uint32_t u = 0; u < mesh.welded_count; ++u) {
-    out->kind[u] = Given::kFree;
+    out->kind[u] = GivenKind::kFree;
     out->rows.clear(u);
   }
-  const Given kinds[2] = {Given::kSteers, Given::kKept};
-  for (const Given kind : kinds) {
-    const uint8_t* flags = kind == Given::kSteers ? hints : locked;
+  const GivenKind kinds[2] = {GivenKind::kSteers, GivenKind::kKept};
+  for (const GivenKind kind : kinds) {
+    const uint8_t* flags = kind == GivenKind::kSteers ? hints : locked;
     if (flags == nullptr) continue;
     for (uint32_t v = 0; v < mesh.vertex_count; ++v) {
       const uint32_t u = mesh.vertex_to_welded[v];
-      if (flags[v] == 0 || (kind == Given::kKept && out->kind[u] == Given::kSteers)) continue;
+      if (flags[v] == 0 || (kind == GivenKind::kKept && out->kind[u] == GivenKind::kSteers)) continue;
       uint32_t row[SINEW_MAX_INFLUENCES];
       const size_t first = static_cast<size_t>(v) * influence_count;
       if (!read_row(weights, format, first, influence_count, row)) continue;
@@ -86,7 +86,7 @@ void gather_given_rows(const Mesh& mesh, const uint8_t* locked, const uint8_t* h
     }
   }
   for (uint32_t u = 0; u < mesh.welded_count; ++u) {
-    if (out->kind[u] != Given::kFree) normalise(u, out->rows);
+    if (out->kind[u] != GivenKind::kFree) normalise(u, out->rows);
   }
 }
 

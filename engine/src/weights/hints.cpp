@@ -89,7 +89,7 @@ class Spreader {
 
   bool has_hint(uint32_t part) const {
     for (uint32_t i = mesh_->part_offsets[part]; i < mesh_->part_offsets[part + 1]; ++i) {
-      if (given_->kind[mesh_->part_vertices[i]] == Given::kSteers) return true;
+      if (given_->kind[mesh_->part_vertices[i]] == GivenKind::kSteers) return true;
     }
     return false;
   }
@@ -130,7 +130,7 @@ class Spreader {
       const uint32_t v = ordering_.order[k];
       int64_t stiffness = 0;
       for (uint32_t e = mesh_->row_offsets[v]; e < mesh_->row_offsets[v + 1]; ++e) stiffness += matrix_.weight(e);
-      if (given_->kind[v] == Given::kSteers) {
+      if (given_->kind[v] == GivenKind::kSteers) {
         constexpr int64_t kStiffest = static_cast<int64_t>(1) << 35;
         stiffness += 1 << kEdgeWeightBits;
         pull_[k] = (stiffness < kStiffest ? stiffness : kStiffest) *
@@ -148,7 +148,7 @@ class Spreader {
     uint32_t count = 0;
     for (uint32_t k = 0; k < matrix_.rows; ++k) {
       const uint32_t v = ordering_.order[k];
-      if (given_->kind[v] != Given::kSteers) continue;
+      if (given_->kind[v] != GivenKind::kSteers) continue;
       const Rows* both[2] = {&given_->rows, rows_};
       for (const Rows* rows : both) {
         for (uint32_t i = 0; i < kRowSlots; ++i) {
@@ -167,7 +167,7 @@ class Spreader {
     memset(rhs_, 0, static_cast<size_t>(matrix_.rows) * kBatch * sizeof(rhs_[0]));
     for (uint32_t k = 0; k < matrix_.rows; ++k) {
       const uint32_t v = ordering_.order[k];
-      if (given_->kind[v] != Given::kSteers) continue;
+      if (given_->kind[v] != GivenKind::kSteers) continue;
       for (uint32_t member = 0; member < members; ++member) {
         const int64_t r =
             static_cast<int64_t>(given_->rows.weight(v, joints[member])) - predicted_.weight(v, joints[member]);
@@ -203,7 +203,7 @@ class Spreader {
   void finish() {
     for (uint32_t k = 0; k < matrix_.rows; ++k) {
       const uint32_t v = ordering_.order[k];
-      if (given_->kind[v] == Given::kSteers) {
+      if (given_->kind[v] == GivenKind::kSteers) {
         rows_->copy(v, given_->rows, v);
         continue;
       }

@@ -97,7 +97,7 @@ class PartQuestions {
       s_.doubts[part] = 0;
       add_sums(part, 1);
       for_vertices(part, [&](uint32_t v) {
-        if (given_.kind[v] == Given::kFree) s_.doubts[part] += kWholeRow - largest(v);
+        if (given_.kind[v] == GivenKind::kFree) s_.doubts[part] += kWholeRow - largest(v);
       });
       uint64_t total;
       s_.favourites[part] = favourite(part, &total);

@@ -71,13 +71,13 @@ struct Rows {
 };
 
 // Rows that the caller gave, gathered on welded vertices.
-enum class Given : uint8_t { kFree = 0, kKept = 1, kSteers = 2 };
+enum class GivenKind : uint8_t { kFree = 0, kKept = 1, kSteers = 2 };
 struct GivenRows {
-  Given* kind = nullptr;  // [U]
-  Rows rows;              // of the vertices that are not free
+  GivenKind* kind = nullptr;  // [U]
+  Rows rows;                  // of the vertices that are not free
 
   bool allocate(Arena& arena, const Counts& counts) {
-    kind = arena.alloc<Given>(counts.vertices);
+    kind = arena.alloc<GivenKind>(counts.vertices);
     return rows.allocate(arena, counts);
   }
 };

@@ -46,7 +46,7 @@ struct Cells {
     radix_sort_pairs(keys, vertices, mesh.welded_count, scratch_keys, scratch);
   }
 
-  // First place whose key is not below `wanted`.
+  // First index whose key is not below `wanted`.
   uint32_t lower_bound(uint64_t wanted, uint32_t count) const {
     uint32_t low = 0, high = count;
     while (low < high) {
@@ -257,7 +257,8 @@ sinew_status find_symmetry(const Mesh& mesh, const Skeleton& skeleton, const Cou
 void mirror_given_rows(const Mesh& mesh, const Symmetry& symmetry, GivenRows* given) {
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
     const uint32_t partner = symmetry.vertex[v];
-    if (given->kind[v] == Given::kFree || partner == kNoPartner || given->kind[partner] != Given::kFree) continue;
+    if (given->kind[v] == GivenKind::kFree || partner == kNoPartner || given->kind[partner] != GivenKind::kFree)
+      continue;
     if (store_mirrored(symmetry, given->rows, v, given->rows, partner)) given->kind[partner] = given->kind[v];
   }
 }
@@ -266,10 +267,10 @@ void mirror_rows(const Mesh& mesh, const GivenRows& given, uint32_t influence_co
   const Symmetry& symmetry = *found;
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
     const uint32_t partner = symmetry.vertex[v];
-    if (given.kind[v] != Given::kFree) rows->copy(v, given.rows, v);
+    if (given.kind[v] != GivenKind::kFree) rows->copy(v, given.rows, v);
     if (partner == kNoPartner || partner < v) continue;
     WideRow row;
-    const bool given_row = given.kind[v] != Given::kFree || given.kind[partner] != Given::kFree;
+    const bool given_row = given.kind[v] != GivenKind::kFree || given.kind[partner] != GivenKind::kFree;
     if (!given_row) {
       row.add_row(*rows, v, symmetry.joint, partner == v, true);
       if (partner != v) row.add_row(*rows, partner, symmetry.joint, true, false);

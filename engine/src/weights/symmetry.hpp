@@ -15,7 +15,7 @@ constexpr uint32_t kNoPartner = 0xFFFFFFFFu;
 // Which joints and vertices mirror each other. The mirror plane is x = plane / 2 in grid units. It is the middle of the
 // mesh's box or, when more vertices have a mirror image then, the middle joint's x.
 //
-// A place is mirrored across the plane. What is nearest to the mirrored place is the partner, if it is within 1/512 of
+// A position is mirrored across the plane. What is nearest to the mirrored position is the partner, if it is within 1/512 of
 // the mesh's longest side and the two choose each other.
 //   vertices  all of them count
 //   joints    only those count whose parents are partners, too, and that have as many children and are as usable

@@ -25,7 +25,7 @@ struct GltfSkinSummary {
   size_t joints = 0, joints_with_weight = 0;
   size_t meshes = 0;  // nodes of the scene that use it
   // Rest against bind pose: where the inverse bind matrices and the nodes' present transforms agree, all of world x
-  // inverse bind are one matrix. The deviation of a joint is how far its vertices (its own place, when it has none)
+  // inverse bind are one matrix. The deviation of a joint is how far its vertices (its own position, when it has none)
   // would stand apart from where the matrix of most joints puts them, in longest sides of the skin's meshes.
   double deviation = 0;     // largest
   std::string farthest;     // its joint

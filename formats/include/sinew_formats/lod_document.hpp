@@ -18,7 +18,7 @@ namespace sinew {
 std::vector<uint8_t> glb_of_levels(const std::string& path, const std::vector<std::vector<uint8_t>>& levels);
 
 // One level: a character with fewer triangles.
-// Vertices that stay keep all that they have: place, normal, texture coordinates, weights, shapes. All meshes are taken together, so that parts
+// Vertices that stay keep all that they have: position, normal, texture coordinates, weights, shapes. All meshes are taken together, so that parts
 // which touch go on touching; seams of textures and borders stay seams and borders. By meshoptimizer (github.com/zeux/meshoptimizer,
 // meshopt_simplify: quadrics of Garland and Heckbert 1997).
 //   positions  [V] of the character's vertices where shapes are measured, at rest or in a pose

@@ -25,7 +25,7 @@ struct MotionJoint {
 // One pose: local turns against the rest pose, and where joints stand from their parents, in the parent's turned axes.
 struct MotionFrame {
   std::vector<Quaternion> rotations;  // [J]
-  std::vector<Point3> translations;   // [J] a joint that keeps its place has its offset here
+  std::vector<Point3> translations;   // [J] a joint that keeps its position has its offset here
 };
 
 constexpr size_t kMostRotations = size_t{1} << 24;  // frames times joints of a clip that a file may ask for
@@ -44,7 +44,7 @@ struct Motion {
 };
 
 // .bvh, .vmd, .npy, .npz, .vrma, or an animated .gltf, .glb, .vrm, .fbx or .dae. Animations are sampled at `fps` frames a second, 0 = at the
-// rate of their own keys, 30 where these have none. `layout` says which joints the places of a NumPy file are (places_layouts()), ""
+// rate of their own keys, 30 where these have none. `layout` says which joints the places of a NumPy file are (keypoint_layouts()), ""
 // asks for a guess. Throws Error for a file without motion.
 Motion read_motion(const std::string& path, double fps = 0, const std::string& layout = "");
 Motion read_bvh(const std::string& path);
@@ -62,10 +62,10 @@ std::string motion_layouts();
 // is noted. nullopt where that leaves the motion as it is. Throws Error that lists them.
 std::optional<Motion> one_actor(const Motion& motion, const std::string& file, const std::string& actor);
 
-// One clip; channels Zrotation Xrotation Yrotation, positions for roots and for joints that leave their place.
+// One clip; channels Zrotation Xrotation Yrotation, positions for roots and for joints that leave their position.
 void write_bvh(const std::string& path, const Motion& motion, const Clip& clip);
 
-// Places at rest in the world, names, parents.
+// Positions at rest in the world, names, parents.
 std::vector<Joint> rest_joints(const Motion& motion);
 // A motion's skeleton for clips to be made: its rest pose is the character's.
 Motion motion_of(const std::vector<Joint>& joints);
@@ -74,11 +74,11 @@ Motion motion_of(const std::vector<Joint>& joints);
 const Clip& find_clip(const Motion& motion, const std::string& file, const std::string& name);
 // Frames from `from` to `to` seconds.
 Clip cut(const Clip& clip, double from, double to);
-// Frames at another rate over the same time: turns along the shortest arc at constant speed, places along lines.
+// Frames at another rate over the same time: turns along the shortest arc at constant speed, positions along lines.
 Clip resample(const Clip& clip, double fps);
 MotionFrame frame_at(const Clip& clip, double seconds);
 
-// Turns against the rest pose in the world, and places. [J]
+// Turns against the rest pose in the world, and positions. [J]
 struct WorldPose {
   std::vector<Quaternion> rotations;
   std::vector<Point3> positions;

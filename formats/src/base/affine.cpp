@@ -49,6 +49,10 @@ std::array<double, 3> transform_point(const Affine& m, double x, double y, doubl
           m[8] * x + m[9] * y + m[10] * z + m[11]};
 }
 
+double determinant(const Affine& m) {
+  return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]);
+}
+
 std::optional<Affine> inverse(const Affine& m) {
   const double c00 = m[5] * m[10] - m[6] * m[9], c01 = m[6] * m[8] - m[4] * m[10], c02 = m[4] * m[9] - m[5] * m[8];
   const double determinant = m[0] * c00 + m[1] * c01 + m[2] * c02;

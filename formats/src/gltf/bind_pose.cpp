@@ -37,11 +37,7 @@ double size_of(const Affine& frame, const std::vector<Vec3>& corners) {
   return std::max(std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]), 1e-12);
 }
 
-double determinant(const Affine& m) {
-  return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]);
-}
-
-// The quarter turns that a transform is nearest to, its mean scale and its place: an upright character stays upright.
+// The quarter turns that a transform is nearest to, its mean scale and its position: an upright character stays upright.
 Affine without_sway(const Affine& m) {
   const double volume = determinant(m), scale = std::cbrt(std::fabs(volume));
   Affine best = kIdentity;

@@ -42,11 +42,11 @@ std::shared_ptr<const GltfSource> moved_joints(const std::string& name, const Gl
                                                const std::vector<Affine>& palette, const std::vector<Joint>& joints);
 
 // A copy of a document whose roots hang on a new node, the last one.
-//   place   a rotation, the same scale along every axis, and a translation; world space
-//   joints  [J] the Character's, placed
+//   transform  a rotation, the same scale along every axis, and a translation; world space
+//   joints     [J] the Character's, transformed
 // Throws Error for a document of several scenes, and one whose nodes are broken.
-std::shared_ptr<const GltfSource> placed_document(const std::string& name, const GltfSource& source,
-                                                  const Affine& place, const std::vector<Joint>& joints);
+std::shared_ptr<const GltfSource> transformed_document(const std::string& name, const GltfSource& source,
+                                                       const Affine& transform, const std::vector<Joint>& joints);
 
 // A copy of a character's document with doubled vertices, in which corners name the vertices that they name now. All attributes and morph
 // targets of a doubled vertex are those that it had; triangles become a list.

@@ -25,7 +25,7 @@ Rotation transposed(const Rotation& r) { return {r[0], r[3], r[6], r[1], r[4], r
 
 Affine affine(const Rotation& r) { return {r[0], r[1], r[2], 0, r[3], r[4], r[5], 0, r[6], r[7], r[8], 0}; }
 
-Point3 turned(const Rotation& r, const Point3& p) {
+Point3 rotated(const Rotation& r, const Point3& p) {
   return {r[0] * p[0] + r[1] * p[1] + r[2] * p[2], r[3] * p[0] + r[4] * p[1] + r[5] * p[2],
           r[6] * p[0] + r[7] * p[1] + r[8] * p[2]};
 }
@@ -35,9 +35,9 @@ bool is_even(double x, double y, double z) {
   return std::abs(x - y) <= kEvenScale * size && std::abs(x - z) <= kEvenScale * size && x > 0;
 }
 
-class Former {
+class FormApplier {
  public:
-  Former(const std::string& path, const DocumentForm& form, const GltfJoints& joints, GltfSource* source)
+  FormApplier(const std::string& path, const DocumentForm& form, const GltfJoints& joints, GltfSource* source)
       : path_(path), form_(form), joints_(joints), source_(*source), document_(source->document) {}
 
   std::vector<std::string> apply() {
@@ -140,7 +140,7 @@ class Former {
     write_rotation(
         normalised(multiply(multiply(quaternion_of(before(node)), parts.rotation), quaternion_of(after_[node]))),
         &json);
-    if (from.translation.size() == 3) json["translation"] = turned(before(node), parts.translation);
+    if (from.translation.size() == 3) json["translation"] = rotated(before(node), parts.translation);
   }
 
   static void write_rotation(const Quaternion& rotation, Json* node) {
@@ -217,7 +217,7 @@ class Former {
   int turned_translations(size_t node, int accessor) {
     std::vector<float> values = accessor_floats(path_, model_, accessor, 3);
     for (size_t i = 0; i + 2 < values.size(); i += 3) {
-      const Point3 p = turned(before(node), {static_cast<double>(values[i]), static_cast<double>(values[i + 1]),
+      const Point3 p = rotated(before(node), {static_cast<double>(values[i]), static_cast<double>(values[i + 1]),
                                              static_cast<double>(values[i + 2])});
       for (size_t k = 0; k < 3; ++k) values[i + k] = static_cast<float>(p[k]);
     }
@@ -230,7 +230,7 @@ class Former {
     const Json& old = (*of)[key];
     if (!old.is_array() || old.size() != 3 || node >= after_.size() || after_[node] == kNoRotation) return;
     const Point3 p = {old[0].get<double>(), old[1].get<double>(), old[2].get<double>()};
-    (*of)[key] = turned(transposed(after_[node]), p);
+    (*of)[key] = rotated(transposed(after_[node]), p);
   }
 
   void write_offsets() {
@@ -357,7 +357,7 @@ class Former {
 std::vector<std::string> put_into_form(const std::string& path, const DocumentForm& form, const GltfJoints& joints,
                                        GltfSource* source) {
   try {
-    return Former(path, form, joints, source).apply();
+    return FormApplier(path, form, joints, source).apply();
   } catch (const nlohmann::json::exception& error) {
     throw Error(path + ": cannot write, the input document has an unexpected form: " + one_line(error.what()));
   }

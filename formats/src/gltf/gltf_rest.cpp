@@ -11,10 +11,6 @@
 namespace sinew {
 namespace {
 
-double determinant(const Affine& m) {
-  return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]);
-}
-
 double unevenness(const Affine& m) {
   double least = 0, most = 0;
   for (size_t c = 0; c < 3; ++c) {

@@ -49,7 +49,7 @@ void visit_all(Json* parent, const char* key, const Visit& each) {
     for (Json& element : (*parent)[key]) each(&element);
 }
 
-// Every place of the document that holds the number of an accessor.
+// Every value of the document that is the number of an accessor.
 void visit_accessor_numbers(Json* document, const Visit& each) {
   visit_all(document, "meshes", [&](Json* mesh) {
     visit_all(mesh, "primitives", [&](Json* primitive) {
@@ -82,7 +82,7 @@ void visit_view_numbers(Json* document, const Visit& each) {
   visit_all(document, "images", [&](Json* image) { visit(image, "bufferView", each); });
 }
 
-// False for a file that names accessors or buffer views that it does not have, in places that the reader had no need
+// False for a file that names accessors or buffer views that it does not have, where the reader had no need
 // of.
 bool numbers_exist(Json* document) {
   bool exist = true;
@@ -158,7 +158,7 @@ std::string moved_uri(const std::string& uri, const std::string& from, const std
 }
 
 // Pictures that are files beside the input, or data URIs, become parts of the buffer; those that were not found stay
-// names. Without `files_too`, files stay files. Files of a kind that glTF does not embed keep their place, which is named
+// names. Without `files_too`, files stay files. Files of a kind that glTF does not embed keep their path, which is named
 // from the new folder.
 void embed_images(const std::string& path, bool files_too, GltfSource* source) {
   Json& document = source->document;

@@ -196,13 +196,13 @@ class SceneConverter {
   }
 
   // Corners that agree in everything are one vertex: Assimp hands out one vertex per corner.
-  struct Joined {
+  struct IndexedVertices {
     std::vector<unsigned> first;    // a corner of each vertex
     std::vector<uint32_t> indices;  // of triangles
   };
 
-  Joined join(const aiMesh& mesh, const std::vector<Influences>& rows) {
-    Joined joined;
+  IndexedVertices join(const aiMesh& mesh, const std::vector<Influences>& rows) {
+    IndexedVertices joined;
     std::unordered_map<std::string, uint32_t> numbers;
     const auto add = [](std::string* key, const auto& value) {
       key->append(reinterpret_cast<const char*>(&value), sizeof value);
@@ -259,7 +259,7 @@ class SceneConverter {
     Json& primitive = primitives_[mesh_index];
     const aiMesh& mesh = *scene_.mMeshes[mesh_index];
     const std::vector<Influences> rows = influences_of(mesh);
-    const Joined joined = join(mesh, rows);
+    const IndexedVertices joined = join(mesh, rows);
     if (joined.first.empty()) return primitive;
     Json attributes;
     std::vector<float> positions, normals, uvs, colours;
@@ -307,7 +307,7 @@ class SceneConverter {
     return primitive;
   }
 
-  void add_weights(const Joined& joined, const std::vector<Influences>& rows, Json* attributes) {
+  void add_weights(const IndexedVertices& joined, const std::vector<Influences>& rows, Json* attributes) {
     if (rows.empty()) return;
     size_t longest = 1;
     for (const unsigned v : joined.first) longest = std::max(longest, rows[v].size());

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Motions in NumPy files: rotations of SMPL, SMPL-H and SMPL-X, or places of joints alone. No body model is needed.
+// Motions in NumPy files: rotations of SMPL, SMPL-H and SMPL-X, or keypoints of joints alone. No body model is needed.
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "motion/keypoints.hpp"
 #include "motion/npy.hpp"
 #include "motion/person.hpp"
-#include "motion/places.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/print.hpp"
@@ -70,7 +70,7 @@ class NumpyReader {
     if (layout_.empty() && has_rotations()) {
       read_rotations();
     } else {
-      read_places();
+      read_keypoints();
     }
     motion_.name = stem_of(path_);
     Clip& clip = motion_.clips[0];
@@ -161,7 +161,7 @@ class NumpyReader {
     stand_up();
   }
 
-  // By how many numbers a frame has: no two models and forms have as many. Places of their own say how many a rotation has.
+  // By how many numbers a frame has: no two models and forms have as many. Keypoints of their own say how many a rotation has.
   std::pair<const BodyModel*, size_t> model_of(size_t width, const std::vector<const NpyArray*>& arrays) const {
     const size_t said = arrays.size() > 1 ? arrays[0]->width() : 0;
     for (const BodyModel& model : body_models())
@@ -171,7 +171,7 @@ class NumpyReader {
          arrays_text());
   }
 
-  MotionFrame frame_of(const std::vector<double>& row, size_t numbers, const double* place) const {
+  MotionFrame frame_of(const std::vector<double>& row, size_t numbers, const double* hips) const {
     MotionFrame frame;
     for (size_t j = 0; j < motion_.joints.size(); ++j) {
       const double* const v = &row[numbers * j];
@@ -179,7 +179,7 @@ class NumpyReader {
       frame.rotations.push_back(motion_.joints[j].end ? kNoRotation4 : q);
       frame.translations.push_back(motion_.joints[j].offset);
     }
-    if (place != nullptr) frame.translations[0] = {place[0], place[1], place[2]};
+    if (hips != nullptr) frame.translations[0] = {hips[0], hips[1], hips[2]};
     return frame;
   }
 
@@ -196,8 +196,8 @@ class NumpyReader {
     }
   }
 
-  // The array of places: by its name, else the only one of that shape.
-  const NpyArray* places_array() const {
+  // The array of keypoints: by its name, else the only one of that shape.
+  const NpyArray* keypoints_array() const {
     const auto fits = [](const NpyArray& a) { return a.shape.size() == 3 && (a.shape[2] == 3 || a.shape[2] == 4); };
     for (const char* name : {"joints", "joints3d", "joints_3d", "positions", "keypoints", "keypoints3d", "motion", ""})
       if (const NpyArray* array = find({name}); array != nullptr && fits(*array)) return array;
@@ -210,39 +210,40 @@ class NumpyReader {
     return only;
   }
 
-  const PlacesLayout& layout_of(size_t count) {
+  const KeypointsLayout& layout_of(size_t count) {
     std::string counts;
-    for (const PlacesLayout& layout : places_layouts()) {
+    for (const KeypointsLayout& layout : keypoint_layouts()) {
       counts += (counts.empty() ? "" : ", ") + std::to_string(layout.count) + " (" + layout.name + ")";
       if (layout_.empty() ? layout.count != count : layout_ != layout.name) continue;
       if (layout.count != count)
         fail(std::to_string(layout.count) + " joints of " + layout.name, std::to_string(count));
       if (layout_.empty())
         motion_.notes.push_back(
-            print("%zu places a frame, so the layout %s was guessed; --layout says another", count, layout.name));
+            print("%zu keypoints a frame, so the layout %s was guessed; --layout says another", count, layout.name));
       return layout;
     }
     if (!layout_.empty()) fail("a layout (" + motion_layouts() + ")", in_quotes(layout_));
-    fail("places of " + counts + " joints", std::to_string(count));
+    fail("keypoints of " + counts + " joints", std::to_string(count));
   }
 
-  void read_places() {
-    const NpyArray* const array = places_array();
+  void read_keypoints() {
+    const NpyArray* const array = keypoints_array();
     if (array == nullptr)
-      fail("'poses' or 'global_orient' and 'body_pose' of a body model, or places [frames, joints, 3]", arrays_text());
+      fail("'poses' or 'global_orient' and 'body_pose' of a body model, or keypoints [frames, joints, 3]",
+           arrays_text());
     const size_t frames = array->shape[0], count = array->shape[1], width = array->shape[2];
-    const PlacesLayout& layout = layout_of(count);
+    const KeypointsLayout& layout = layout_of(count);
     if (frames == 0 || frames > kMostRotations / count)
       fail("1 to " + std::to_string(kMostRotations / count) + " frames", std::to_string(frames));
-    std::vector<std::vector<Point3>> places(frames);
+    std::vector<std::vector<Point3>> keypoints(frames);
     for (size_t f = 0; f < frames; ++f)
       for (size_t j = 0; j < count; ++j) {
         const double* const v = &array->values[(f * count + j) * width];
-        places[f].push_back({v[0], v[1], v[2]});
-        for (const double x : places[f].back())
-          if (!(std::abs(x) < 1e6)) fail("places within a million of the origin", print("%g in frame %zu", x, f));
+        keypoints[f].push_back({v[0], v[1], v[2]});
+        for (const double x : keypoints[f].back())
+          if (!(std::abs(x) < 1e6)) fail("keypoints within a million of the origin", print("%g in frame %zu", x, f));
       }
-    Motion found = motion_of_places(layout, places);
+    Motion found = motion_of_keypoints(layout, keypoints);
     found.notes.insert(found.notes.begin(), motion_.notes.begin(), motion_.notes.end());
     motion_ = std::move(found);
     motion_.clips[0].frame_time = frame_time(layout.fps);

@@ -11,7 +11,7 @@ namespace {
 
 struct Row {
   const char *name, *parent;
-  Point3 place;
+  Point3 position;
   bool end = false;
 };
 
@@ -59,7 +59,7 @@ const std::map<std::string, Row>& rows() {
       const std::string other = other_side_of_person(row.name);
       if (other == row.name) continue;
       Row mirrored = row;  // names of both sides are found by the map's keys
-      mirrored.place[0] = -mirrored.place[0];
+      mirrored.position[0] = -mirrored.position[0];
       all.emplace(other, mirrored);
     }
     return all;
@@ -101,10 +101,10 @@ std::vector<MotionJoint> person_joints(const std::vector<std::string>& names) {
       if (above.empty()) break;
       joints[j].parent = joint_named(joints, above);
       if (joints[j].parent < 0) continue;
-      from = rows().at(above).place;
+      from = rows().at(above).position;
       break;
     }
-    joints[j].offset = rows().at(names[j]).place - from;
+    joints[j].offset = rows().at(names[j]).position - from;
   }
   return joints;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A standing person's joints for motions that bring none: names, hierarchy and places.
+// A standing person's joints for motions that bring none: names, hierarchy and positions.
 #ifndef SINEW_FORMATS_MOTION_PERSON_HPP
 #define SINEW_FORMATS_MOTION_PERSON_HPP
 
@@ -12,7 +12,7 @@
 namespace sinew {
 
 // VRM's names. In a T pose, 1.7 m high, y up, facing +z, left at +x; a joint's parent is the nearest of its ancestors that is listed.
-// Places are our own (the bundled skeleton of character, to the centimetre), of no body model.
+// Positions are our own (the bundled skeleton of character, to the centimetre), of no body model.
 std::vector<MotionJoint> person_joints(const std::vector<std::string>& names);
 
 // "left" in place of "right" and the other way round; the name itself where it has no side.

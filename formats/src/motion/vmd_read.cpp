@@ -60,10 +60,10 @@ constexpr BoneName kBones[] = {
     {"\x8d\xb6\x8f\xac\x8e\x77\x82\x52", "leftLittleDistal"},        // 左小指３
 };
 
-// Of a key the frame, the place against that at rest, the rotation and the four curves to it: x, y, z, rotation.
+// Of a key the frame, the translation against the rest position, the rotation and the four curves to it: x, y, z, rotation.
 struct Key {
   size_t frame = 0;
-  Point3 place{};
+  Point3 translation{};
   Quaternion rotation = kNoRotation4;
   std::array<std::array<double, 4>, 4> curves{};  // x1 y1 x2 y2, of a Bezier curve from (0, 0) to (1, 1)
 };
@@ -170,7 +170,7 @@ class VmdReader {
       v[i] = static_cast<double>(number<float>(at + 4 + 4 * i));
       if (!(std::abs(v[i]) < 1e6)) fail("finite numbers in key " + std::to_string(number_of_key), "another");
     }
-    key.place = {kUnit * v[0], kUnit * v[1], -kUnit * v[2]};
+    key.translation = {kUnit * v[0], kUnit * v[1], -kUnit * v[2]};
     key.rotation = normalised({-v[3], -v[4], v[5], v[6]});
     for (size_t c = 0; c < 4; ++c)
       for (size_t i = 0; i < 4; ++i) key.curves[c][i] = std::min(127, int{bytes_[at + 32 + 16 * c + 4 * i]}) / 127.0;
@@ -219,7 +219,7 @@ class VmdReader {
       const auto keys = keys_.find(joint.name);
       const Key key = keys == keys_.end() ? Key() : between_keys(keys->second, f);
       frame.rotations.push_back(key.rotation);
-      frame.translations.push_back(joint.offset + key.place);
+      frame.translations.push_back(joint.offset + key.translation);
     }
     return frame;
   }
@@ -233,7 +233,8 @@ class VmdReader {
     const double t = static_cast<double>(f - from.frame) / static_cast<double>(above->frame - from.frame);
     Key key;
     for (size_t i = 0; i < 3; ++i)
-      key.place[i] = from.place[i] + on_curve(above->curves[i], t) * (above->place[i] - from.place[i]);
+      key.translation[i] =
+          from.translation[i] + on_curve(above->curves[i], t) * (above->translation[i] - from.translation[i]);
     key.rotation = slerp(from.rotation, above->rotation, on_curve(above->curves[3], t));
     return key;
   }

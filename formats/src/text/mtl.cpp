@@ -35,7 +35,7 @@ std::string rest_from(const TextLines& lines, size_t first) {
   return rest;
 }
 
-// The file name behind the options of a map statement; those of place and size have up to three numbers.
+// The file name behind the options of a map statement; those of offset and size have up to three numbers.
 std::string picture_name(const TextLines& lines) {
   const auto& words = lines.words();
   size_t at = 1;

@@ -45,7 +45,7 @@ Argument controls_argument() {
           "Also say which joints an animator's controls move (formats/spec/controls.md): .controls.json"};
 }
 
-std::vector<Argument> with_placement(std::vector<Argument> arguments) {
+std::vector<Argument> with_transform(std::vector<Argument> arguments) {
   arguments.insert(arguments.end(), {{"turn",
                                       "--turn",
                                       Value::kText,
@@ -63,7 +63,7 @@ Tool rig_tool() {
       "Makes a skeleton for a bare mesh or a picture of a character and binds it. Answers joints with confidences "
       "and what is doubtful.",
       true,
-      with_placement(
+      with_transform(
           {{"mesh", "", Value::kInput,
             "Mesh (" + mesh_files() + ") or picture (" + extensions_text(kReadsPicture) + ")", true},
            output_argument(extensions_text(kWritesSkin)),
@@ -80,7 +80,7 @@ Tool rig_tool() {
 Tool bind_tool() {
   return {
       "bind", "Predict weights", "Predicts the skin weights of a mesh for a skeleton. Answers how sure they are.", true,
-      with_placement({{"mesh", "", Value::kInput, "Mesh (" + mesh_files() + ")", true},
+      with_transform({{"mesh", "", Value::kInput, "Mesh (" + mesh_files() + ")", true},
                       output_argument(extensions_text(kWritesSkin)),
                       {"skeleton", "--skeleton", Value::kInput, "Skeleton of another file (" + skeleton_files() + ")"},
                       {"influences", "--influences", Value::kNumber, "Most joints a vertex, 4 unless given"},

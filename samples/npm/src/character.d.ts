@@ -28,7 +28,7 @@ export class CharacterFile {
   rig(options?: jobs.RigOptions): jobs.RigResult;
   retarget(motion: CharacterFile | null, options?: jobs.RetargetOptions): jobs.AnimateResult;
   transfer(source: CharacterFile, options?: jobs.TransferOptions): jobs.TransferResult;
-  place(options: jobs.PlaceOptions): void;
+  transform(options: jobs.TransformOptions): void;
   setProfile(options: jobs.ProfileOptions): void;
   /** the text of a .controls.json, see formats/spec/controls.md */
   readonly controls: string;
@@ -39,15 +39,15 @@ export class CharacterFile {
   save(name: string): Uint8Array;
   /** all files that the command would write, the named one first */
   files(name: string): { name: string; bytes: Uint8Array }[];
-  /** of openPlaces(): local rotations [J x 4] and translations [J x 3] in the frame of these places [n x 3] */
-  placesFrame(places: ArrayLike<number>): { rotations: Float32Array; translations: Float32Array };
+  /** of openKeypoints(): local rotations [J x 4] and translations [J x 3] in the frame of these keypoints [n x 3] */
+  keypointsFrame(keypoints: ArrayLike<number>): { rotations: Float32Array; translations: Float32Array };
   close(): void;
 }
 
 export class CharacterModule {
   private constructor();
-  /** places of a person's joints alone, as cameras tell them, as a motion; for placesFrame(). Frames of [n x 3] numbers each */
-  openPlaces(layout: "smpl24" | "humanml3d22" | "coco17" | "mediapipe33", frames: ArrayLike<number>[]): CharacterFile;
+  /** keypoints of a person's joints alone, as cameras tell them, as a motion; for keypointsFrame(). Frames of [n x 3] numbers each */
+  openKeypoints(layout: "smpl24" | "humanml3d22" | "coco17" | "mediapipe33", frames: ArrayLike<number>[]): CharacterFile;
   open(bytes: ArrayBuffer | ArrayBufferView, name: string, beside?: Record<string, ArrayBuffer | ArrayBufferView>, picture?: jobs.PictureOptions): Promise<CharacterFile>;
 }
 

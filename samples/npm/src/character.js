@@ -13,7 +13,7 @@ export class CharacterFile {
   #house;
   #handle;
   /** @type {number | null} */
-  #joints = null; // of places, how many
+  #joints = null; // of keypoints, how many
   constructor(house, handle) {
     this.#house = house;
     this.#handle = handle;
@@ -85,8 +85,8 @@ export class CharacterFile {
   }
 
   /** `--turn`, `--height`, `--floor`: turns and scales all of it. */
-  place(options) {
-    this.#job("place", "place", options);
+  transform(options) {
+    this.#job("transform", "transform", options);
   }
 
   /** `--for`: what save() writes from now on. The rest pose stays: that is toPose of bind() and rig(). */
@@ -147,15 +147,15 @@ export class CharacterFile {
   }
 
   /**
-   * Of openPlaces(): local rotations [J x 4] and translations [J x 3] in the frame of these places.
-   * @param {Float32Array} places [n x 3]
+   * Of openKeypoints(): local rotations [J x 4] and translations [J x 3] in the frame of these keypoints.
+   * @param {Float32Array} keypoints [n x 3]
    */
-  placesFrame(places) {
-    const at = this.#at("placesFrame");
+  keypointsFrame(keypoints) {
+    const at = this.#at("keypointsFrame");
     const joints = (this.#joints ??= this.view().skeleton.names.length);
-    return this.#house.withPlaces("placesFrame", [places], (blocks, from, count) => {
+    return this.#house.withKeypoints("keypointsFrame", [keypoints], (blocks, from, count) => {
       const [rotations, translations] = [4, 3].map((width) => blocks.room(Float32Array, width * joints));
-      this.#house.check(this.#house.module._sinew_character_places_frame(at, from, count, rotations, translations), at);
+      this.#house.check(this.#house.module._sinew_character_keypoints_frame(at, from, count, rotations, translations), at);
       return { rotations: blocks.take(Float32Array, rotations, 4 * joints), translations: blocks.take(Float32Array, translations, 3 * joints) };
     });
   }
@@ -206,20 +206,20 @@ export class CharacterModule {
   }
 
   /**
-   * Places of a person's joints alone, as cameras and captures tell them, as a motion: its skeleton is learnt from these frames, which are its
-   * clip; a second or two are best. placesFrame() turns those that come into what RetargetStream.frame() takes.
+   * Keypoints of a person's joints alone, as cameras and captures tell them, as a motion: its skeleton is learnt from these frames, which are its
+   * clip; a second or two are best. keypointsFrame() turns those that come into what RetargetStream.frame() takes.
    * @param {"smpl24" | "humanml3d22" | "coco17" | "mediapipe33"} layout
    * @param {Float32Array[]} frames [n x 3] each, any unit
    */
-  openPlaces(layout, frames) {
-    return this.withPlaces("openPlaces", frames, (blocks, at, count) =>
-      this.opened((out) => this.module._sinew_character_open_places(blocks.texts([layout]).address, at, count, frames.length, out), blocks));
+  openKeypoints(layout, frames) {
+    return this.withKeypoints("openKeypoints", frames, (blocks, at, count) =>
+      this.opened((out) => this.module._sinew_character_open_keypoints(blocks.texts([layout]).address, at, count, frames.length, out), blocks));
   }
 
-  // Frames of as many places each in the module's memory.
-  withPlaces(call, frames, use) {
+  // Frames of as many keypoints each in the module's memory.
+  withKeypoints(call, frames, use) {
     const length = frames[0]?.length ?? 0;
-    if (length === 0 || length % 3 !== 0 || frames.some((frame) => frame?.length !== length)) throw new SinewError(`${call}: expected frames of as many places each, three numbers a place`);
+    if (length === 0 || length % 3 !== 0 || frames.some((frame) => frame?.length !== length)) throw new SinewError(`${call}: expected frames of as many keypoints each, three numbers a keypoint`);
     const numbers = new Float32Array(frames.length * length);
     frames.forEach((frame, f) => numbers.set(frame, f * length));
     return this.withBlocks(null, (blocks) => use(blocks, blocks.copy(numbers), length / 3));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The engine's calls beside binding: arguments to the module's memory, results out of it. One thread, one call at a time.
 import { Binder } from "./binder.js";
-import { JOINT_NAME_BYTES, MAX_RIG_JOINTS, WORDS } from "./layouts.js";
+import { JOINT_NAME_BYTES, MAX_RIG_JOINTS, WITHOUT_CONTACTS, WITHOUT_ENDS, WITHOUT_RANGE, WITHOUT_SMOOTHING, WITHOUT_TOES, WITHOUT_TWIST_SPREAD, WORDS } from "./layouts.js";
 import { Blocks, SinewError } from "./memory.js";
 import { choice, meshOf, skeletonOf, skinOf, typed } from "./shapes.js";
 
@@ -41,8 +41,7 @@ export class Skin extends Binder {
         front_model: fronts,
         mirror: choice(options.mirror, WORDS.mirror, "rig: options.mirror"),
         spine_count: options.spine,
-        no_toes: options.toes === false ? 1 : 0,
-        no_ends: options.ends === false ? 1 : 0,
+        without: (options.toes === false ? WITHOUT_TOES : 0) | (options.ends === false ? WITHOUT_ENDS : 0),
         progress: options.onProgress ? this.#calls.wasm.skin_progress() : 0,
         method,
       });
@@ -217,8 +216,7 @@ export class Skin extends Binder {
           fps: options.fps,
           ground: options.ground,
           has_ground: options.ground == null ? 0 : 1,
-          no_contacts: options.contacts === false ? 1 : 0,
-          no_range: options.range === false ? 1 : 0,
+          without: (options.contacts === false ? WITHOUT_CONTACTS : 0) | (options.range === false ? WITHOUT_RANGE : 0),
           source: moving == null ? 0 : bodyStruct(kept, moving),
         });
         const size = this.#calls.size("retarget", blocks, (at) => this.#calls.wasm.sinew_retarget_stream_workspace_size(from.jointCount, to.jointCount, vertices, triangles, at));
@@ -257,10 +255,8 @@ export class Skin extends Binder {
         cell_count: options.cells,
         round_count: options.rounds,
         softness: options.softness,
-        no_twist_spread: options.twistSpread === false ? 1 : 0,
-        no_contact: options.contact === false ? 1 : 0,
+        without: (options.twistSpread === false ? WITHOUT_TWIST_SPREAD : 0) | (options.contact === false ? WITHOUT_CONTACTS : 0) | (options.smoothing === false ? WITHOUT_SMOOTHING : 0),
         body_contact: options.bodyContact === true ? 1 : 0,
-        no_smoothing: options.smoothing === false ? 1 : 0,
       });
       const meshAt = this.#calls.mesh(blocks, m);
       const size = this.#calls.size("deformer", blocks, (at) =>

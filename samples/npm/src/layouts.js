@@ -33,7 +33,7 @@ export const LAYOUTS = {
     "struct_size@0:u32 joint_count@4:u32 positions@8:u32 parents@12:u32 flags@16:u32 ends@20:u32 names@24:u32 " +
     "rotations@28:u32 up@32:u32 reserved@36:u32"),
   skin: layout(16, "joint_indices@0:u32 weights@4:u32 influence_count@8:u32 weight_format@12:u32"),
-  options: layout(92,
+  bindOptions: layout(92,
     "struct_size@0:u32 method@4:u32 influence_count@8:u32 weight_format@12:u32 candidate_count@16:u32 grid_size@20:u32 " +
     "surface_vertices@24:u32 symmetric@28:u32 rigid_parts@32:u32 softness_percent@36:u32 weights_in_place@40:u32 kernel@44:u32 " +
     "thread_count@48:u32 reserved@52:u32 locked@56:u32 hints@60:u32 parallel_for@64:u32 parallel_user@68:u32 progress@72:u32 " +
@@ -41,10 +41,9 @@ export const LAYOUTS = {
   bindOutputs: layout(44,
     "struct_size@0:u32 symmetric_vertices@4:u32 joint_indices@8:u32 weights@12:u32 confidence@16:u32 used_bytes@20:u32 " +
     "questions@24:u32 vertex_questions@28:u32 vertex_parts@32:u32 questions_written@36:u32 reserved@40:u32"),
-  deformOptions: layout(56,
-    "struct_size@0:u32 method@4:u32 cell_count@8:u32 round_count@12:u32 softness@16:u32 no_twist_spread@20:u32 " +
-    "no_contact@24:u32 no_smoothing@28:u32 parallel_for@32:u32 parallel_user@36:u32 thread_count@40:u32 body_contact@44:u32 " +
-    "energy@48:u32 tet_weights@52:u32"),
+  deformOptions: layout(48,
+    "struct_size@0:u32 method@4:u32 cell_count@8:u32 round_count@12:u32 softness@16:u32 without@20:u32 thread_count@24:u32 " +
+    "body_contact@28:u32 parallel_for@32:u32 parallel_user@36:u32 energy@40:u32 tet_weights@44:u32"),
   deformer: layout(56,
     "memory@0:u32 pose_bytes@4:u32 vertex_count@8:u32 joint_count@12:u32 tetrahedron_count@16:u32 node_count@20:u32 " +
     "split_cell_count@24:u32 reserved@28:u32x7"),
@@ -66,14 +65,14 @@ export const LAYOUTS = {
   contactOptions: layout(20, "struct_size@0:u32 fps@4:f32 progress@8:u32 progress_user@12:u32 floor@16:u32"),
   motionClip: layout(24,
     "source_rotations@0:u32 source_translations@4:u32 rotations@8:u32 translations@12:u32 frame_count@16:u32 ground@20:f32"),
-  limbMeasure: layout(48,
+  limbQuality: layout(48,
     "joint@0:u32 leg@4:u32 frames@8:u32 deep_frames@12:u32 contact_frames@16:u32 range_frames@20:u32 depth@24:f32 " +
     "greatest_depth@28:f32 error@32:f32 greatest_error@36:f32 reserved@40:u32x2"),
   contactSpot: layout(24, "kind@0:u32 position@4:f32x3 error@16:f32 reserved@20:u32"),
   retargetStreamOptions: layout(32,
-    "struct_size@0:u32 fps@4:f32 ground@8:f32 has_ground@12:u32 no_contacts@16:u32 no_range@20:u32 floor@24:u32 source@28:u32"),
+    "struct_size@0:u32 fps@4:f32 ground@8:f32 has_ground@12:u32 without@16:u32 reserved@20:u32 floor@24:u32 source@28:u32"),
   rigOptions: layout(60,
-    "struct_size@0:u32 up@4:u32 mirror@8:u32 spine_count@12:u32 no_toes@16:u32 no_ends@20:u32 weights_in_place@24:u32 " +
+    "struct_size@0:u32 up@4:u32 mirror@8:u32 spine_count@12:u32 without@16:u32 reserved@20:u32 weights_in_place@24:u32 " +
     "kernel@28:u32 progress@32:u32 progress_user@36:u32 method@40:u32 category@44:u32 front_model@48:u32 front@52:u32 " +
     "axes_known@56:u32"),
   rigOutputs: layout(84,
@@ -98,18 +97,12 @@ export const LAYOUTS = {
     "vertex_parts@24:u32 part_count@28:u32 bound_by@32:u32 carried_q16@36:u32 style_q16@40:u32 mismatch_q16@44:u32 " +
     "reference_count@48:u32 used_bytes@52:u32"),
   referenceOptions: layout(48,
-    "struct_size@0:u32 area_power@4:u32 no_own_limb@8:u32 legs@12:u32 falloff@16:f32 least_cosine@20:f32 progress@24:u32 " +
-    "progress_user@28:u32 own_limb@32:u32 head@36:u32 torso@40:u32 source_points@44:u32"),
+    "struct_size@0:u32 area_power@4:u32 own_limb@8:u32 legs@12:u32 falloff@16:f32 least_cosine@20:f32 progress@24:u32 " +
+    "progress_user@28:u32 head@32:u32 torso@36:u32 source_points@40:u32 reserved@44:u32"),
   simplifyOptions: layout(20, "struct_size@0:u32 level@4:u32 joint_count@8:u32 reserved@12:u32 centroids@16:u32"),
   file: layout(12, "name@0:u32 bytes@4:u32 size_bytes@8:u32"),
-  characterPictureOptions: layout(44,
-    "struct_size@0:u32 body_class@4:u32 figure@8:u32 flat@12:u32 pixels@16:u32 line_count@20:u32 mask@24:u32 " +
-    "line_offsets@28:u32 outline@32:u32 cut@36:u32 reserved@40:u32"),
-  characterPictureInfo: layout(48,
-    "struct_size@0:u32 width@4:u32 height@8:u32 figure_count@12:u32 figure@16:u32 body_class@20:u32 view@24:u32 " +
-    "certainty@28:f32 line_count@32:u32 reserved@36:u32 line_offsets@40:u32 outline@44:u32"),
   characterProfileOptions: layout(32,
-    "struct_size@0:u32 keep_axes@4:u32 profile@8:u32 licence@12:u32 title@16:u32 authors@20:u32 author_count@24:u32 " +
+    "struct_size@0:u32 keep_axes@4:u32 profile@8:u32 license@12:u32 title@16:u32 authors@20:u32 author_count@24:u32 " +
     "controls@28:u32"),
   characterArrays: layout(92,
     "struct_size@0:u32 vertex_count@4:u32 face_count@8:u32 corner_count@12:u32 joint_count@16:u32 mesh_count@20:u32 " +
@@ -119,7 +112,14 @@ export const LAYOUTS = {
   characterClip: layout(48,
     "struct_size@0:u32 frame_count@4:u32 joint_count@8:u32 reserved@12:u32 frame_time@16:f64 name@24:u32 rotations@28:u32 " +
     "translations@32:u32 joint_names@36:u32 parents@40:u32"),
-  characterPlaceOptions: layout(32, "struct_size@0:u32 turn_count@4:u32 turns@8:u32 height@16:f64 floor@24:u32 up@28:u32"),
+  characterTransformOptions: layout(32, "struct_size@0:u32 turn_count@4:u32 turns@8:u32 height@16:f64 floor@24:u32 up@28:u32"),
+  characterFinding: layout(96,
+    "rule@0:u32 what@4:u32 cure@8:u32 pose@12:u32 clip@16:u32 seconds@24:f64 value@32:f64 bound@40:f64 vertices@48:u32 " +
+    "vertex_count@52:u32 severity@56:u32 joint@60:i32 other@64:i32 mesh@68:i32 position@72:f32x3 radius@84:f32 reserved@88:u32"),
+  characterCheckOptions: layout(24, "struct_size@0:u32 without@4:u32 score@8:u32 bound_count@12:u32 bound_rules@16:u32 bounds@20:u32"),
+  characterCheckResult: layout(40,
+    "struct_size@0:u32 finding_count@4:u32 errors@8:u32 warnings@12:u32 notes@16:u32 reserved@20:u32 findings@24:u32 " +
+    "line@28:u32 score@32:f64"),
   characterModels: layout(48,
     "struct_size@0:u32 reserved@4:u32 bind@8:u32 bind_size@12:u32 rig@16:u32 rig_size@20:u32 hands@24:u32 hands_size@28:u32 " +
     "slots@32:u32 slots_size@36:u32 front@40:u32 front_size@44:u32"),
@@ -135,38 +135,38 @@ export const LAYOUTS = {
     "struct_size@0:u32 symmetric_vertices@4:u32 kept_meshes@8:u32 folded_tips@12:u32 left_out_count@16:u32 " +
     "question_count@20:u32 answers_by_style@24:u32 seam_count@28:u32 seconds@32:f64 workspace_bytes@40:u32 left_out@44:u32 " +
     "questions@48:u32 vertex_questions@52:u32 hash@56:u32 seams@60:u32 doubled_vertices@64:u32 reserved@68:u32"),
-  skeletonEdit: layout(12, "kind@0:u32 reserved@4:u32 text@8:u32"),
-  characterRigOptions: layout(108,
-    "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 detail@24:u32 " +
-    "mirror@28:u32 up@32:u32 spine_count@36:u32 no_toes@40:u32 no_ends@44:u32 no_bind@48:u32 keep_lengths@52:u32 " +
-    "influence_count@56:u32 rigid_parts@60:u32 softness_percent@64:u32 surface_vertices@68:u32 edit_count@72:u32 edits@76:u32 " +
-    "skeleton@80:u32 skeleton_character@84:u32 category@88:u32 front@92:u32 gate@96:u32 cut@100:u32 to_pose@104:u32"),
+  skeletonEdit: layout(32, "kind@0:u32 reserved@4:u32 joint@8:u32 other@12:u32 position@16:f32x3 reserved2@28:u32"),
+  characterRigOptions: layout(84,
+    "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 bind@20:u32 method@24:u32 " +
+    "detail@28:u32 mirror@32:u32 up@36:u32 front@40:u32 category@44:u32 spine_count@48:u32 without@52:u32 keep_lengths@56:u32 " +
+    "gate@60:u32 reserved@64:u32 edit_count@68:u32 edits@72:u32 skeleton@76:u32 skeleton_character@80:u32"),
   characterDoubt: layout(12, "name@0:u32 doubt@4:f32 reserved@8:u32"),
   characterRigResult: layout(104,
     "struct_size@0:u32 mirrored@4:u32 matched@8:u32 joint_count@12:u32 spread@16:f32 reserved@20:f32 scale@24:f64 " +
     "seconds@32:f64 bind_seconds@40:f64 ends@48:u32 confidence@52:u32 parent_confidence@56:u32 front@60:f32x3 up@72:u32 " +
     "front_confidence@76:f32 up_confidence@80:f32 seam_count@84:u32 seams@88:u32 doubtful_count@92:u32 doubtful@96:u32"),
-  characterMapOptions: layout(56,
-    "struct_size@0:u32 method@4:u32 no_names@8:u32 no_ends@12:u32 target_up@16:u32 source_up@20:u32 guess_up@24:u32 " +
-    "pin_count@28:u32 pins@32:u32 pins_file@36:u32 branches_first@40:u32 branches_cost@44:u32 layout@48:u32 actor@52:u32"),
+  motionSource: layout(48,
+    "struct_size@0:u32 up@4:u32 file@8:u32 layout@12:u32 actor@16:u32 clip@20:u32 fps@24:f64 from@32:f64 to@40:f64"),
+  characterMapOptions: layout(44,
+    "struct_size@0:u32 method@4:u32 without@8:u32 target_up@12:u32 guess_up@16:u32 pin_count@20:u32 pins@24:u32 " +
+    "pins_file@28:u32 branches_first@32:u32 branches_cost@36:u32 source@40:u32"),
   characterMapResult: layout(48,
     "struct_size@0:u32 method@4:u32 joint_count@8:u32 mapped@12:u32 certainty@16:f32 cover@20:f32 seconds@24:f64 " +
     "sources@32:u32 confidence@36:u32 reasons@40:u32 text@44:u32"),
-  characterAnimateOptions: layout(192,
-    "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 in_place@24:u32 " +
-    "no_range@28:u32 target_up@32:u32 motion_up@36:u32 deform@40:u32 cells@44:u32 rounds@48:u32 body_contact@52:u32 " +
-    "shapes@56:u32 fps@64:f64 from@72:f64 to@80:f64 clip@88:u32 map@92:u32 sources@96:u32 area_power@100:u32 " +
-    "no_own_limb@104:u32 legs@108:u32 report@112:u32 falloff@120:f64 own_limb@128:u32 head@132:u32 torso@136:u32 " +
-    "source_points@140:u32 force@144:u32 translations@148:u32 stiffness@152:f64 tet_weights@160:u32 no_smoothing@164:u32 " +
-    "layout@168:u32 actor@172:u32 limits@176:u32 depth@180:u32 pin_count@184:u32 pins@188:u32"),
+  characterDeformation: layout(40,
+    "struct_size@0:u32 method@4:u32 cells@8:u32 rounds@12:u32 body_contact@16:u32 tet_weights@20:u32 without@24:u32 " +
+    "reserved@28:u32 stiffness@32:f64"),
+  characterAnimateOptions: layout(88,
+    "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 motion@20:u32 deform@24:u32 " +
+    "reference@28:u32 method@32:u32 without@36:u32 in_place@40:u32 target_up@44:u32 shapes@48:u32 report@52:u32 force@56:u32 " +
+    "translations@60:u32 depth@64:u32 pin_count@68:u32 pins@72:u32 map@76:u32 sources@80:u32 limits@84:u32"),
   characterAnimateResult: layout(80,
     "struct_size@0:u32 clip_count@4:u32 first_clip@8:u32 mapped@12:u32 rigged@16:u32 shape_count@20:u32 certainty@24:f32 " +
     "limb_count@28:u32 limbs_before@32:u32 limbs_after@36:u32 mapped_by@40:u32 sources@44:u32 reasons@48:u32 " +
     "source_ends@52:u32 source_names@56:u32 source_count@60:u32 spot_count@64:u32 spot_kinds@68:u32 spot_positions@72:u32 " +
     "spot_errors@76:u32"),
-  characterPoseOptions: layout(64,
-    "struct_size@0:u32 thread_count@4:u32 deform@8:u32 cells@12:u32 rounds@16:u32 body_contact@20:u32 angles@24:u32 " +
-    "rotations@28:u32 matrices@32:u32 clip@36:u32 time@40:f64 stiffness@48:f64 tet_weights@56:u32 no_smoothing@60:u32"),
+  characterPoseOptions: layout(40,
+    "struct_size@0:u32 thread_count@4:u32 deform@8:u32 angles@12:u32 rotations@16:u32 matrices@20:u32 clip@24:u32 time@32:f64"),
   characterTransferOptions: layout(64,
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 " +
     "influence_count@24:u32 target_up@28:u32 source_up@32:u32 garment@36:u32 as_drawn@40:u32 heat@44:u32 pair_count@48:u32 " +
@@ -177,22 +177,18 @@ export const LAYOUTS = {
   characterSimplifyOptions: layout(20, "struct_size@0:u32 low@4:u32 joint_count@8:u32 keep_count@12:u32 keep@16:u32"),
   characterLodOptions: layout(24, "struct_size@0:u32 level_count@4:u32 ratio@8:f64 fewer_joints@16:u32 reserved@20:u32"),
   characterLodLevel: layout(32, "rest_error@0:f64 posed_error@8:f64 mean_error@16:f64 triangle_count@24:u32 reserved@28:u32"),
-  characterFinding: layout(96,
-    "rule@0:u32 what@4:u32 cure@8:u32 pose@12:u32 clip@16:u32 seconds@24:f64 value@32:f64 bound@40:f64 vertices@48:u32 " +
-    "vertex_count@52:u32 severity@56:u32 joint@60:i32 other@64:i32 mesh@68:i32 position@72:f32x3 radius@84:f32 reserved@88:u32"),
-  characterCheckOptions: layout(32,
-    "struct_size@0:u32 no_poses@4:u32 no_clips@8:u32 bound_count@12:u32 bound_rules@16:u32 bounds@20:u32 score@24:u32 " +
-    "reserved@28:u32"),
-  characterCheckResult: layout(40,
-    "struct_size@0:u32 finding_count@4:u32 errors@8:u32 warnings@12:u32 notes@16:u32 reserved@20:u32 findings@24:u32 " +
-    "line@28:u32 score@32:f64"),
-  characterBakeOptions: layout(80,
-    "struct_size@0:u32 reserved@4:u32 progress@8:u32 progress_user@12:u32 deform@16:u32 cells@20:u32 rounds@24:u32 " +
-    "body_contact@28:u32 poses@32:u32 shapes@36:u32 seed@40:u64 limit@48:f64 clip@56:u32 stiffness@64:f64 tet_weights@72:u32 " +
-    "no_smoothing@76:u32"),
+  characterBakeOptions: layout(56,
+    "struct_size@0:u32 reserved@4:u32 progress@8:u32 progress_user@12:u32 deform@16:u32 poses@20:u32 shapes@24:u32 " +
+    "seed@32:u64 limit@40:f64 clip@48:u32"),
   characterBakeResult: layout(56,
     "struct_size@0:u32 shape_count@4:u32 bend_count@8:u32 moved_vertices@12:u32 learnt_poses@16:u32 held_out_poses@20:u32 " +
     "linear_error@24:f64 baked_error@32:f64 held_out_linear_error@40:f64 held_out_baked_error@48:f64"),
+  characterPictureOptions: layout(44,
+    "struct_size@0:u32 body_class@4:u32 figure@8:u32 flat@12:u32 pixels@16:u32 line_count@20:u32 mask@24:u32 " +
+    "line_offsets@28:u32 outline@32:u32 cut@36:u32 reserved@40:u32"),
+  characterPictureInfo: layout(48,
+    "struct_size@0:u32 width@4:u32 height@8:u32 figure_count@12:u32 figure@16:u32 body_class@20:u32 view@24:u32 " +
+    "certainty@28:f32 line_count@32:u32 reserved@36:u32 line_offsets@40:u32 outline@44:u32"),
 };
 
 export const MODEL_BYTES = LAYOUTS.model.size, QUESTION_BYTES = LAYOUTS.question.size;
@@ -226,6 +222,16 @@ export const NO_AREA = 4294967295;
 export const ERROR_INPUT = -30;
 export const ERROR_MEMORY = -31;
 export const MAX_LOD_LEVELS = 8;
+export const WITHOUT_TOES = 1;
+export const WITHOUT_ENDS = 2;
+export const WITHOUT_BIND = 4;
+export const WITHOUT_NAMES = 8;
+export const WITHOUT_RANGE = 16;
+export const WITHOUT_CONTACTS = 32;
+export const WITHOUT_TWIST_SPREAD = 64;
+export const WITHOUT_SMOOTHING = 128;
+export const WITHOUT_POSES = 256;
+export const WITHOUT_CLIPS = 512;
 export const LIMIT_HINGE = 1;
 export const LIMIT_BALL = 2;
 export const DETAIL_HANDS = 1;
@@ -268,13 +274,13 @@ export const WORDS = {
   branchesFirst: ["both", "target", "source"],
   branchesCost: ["mean", "sum"],
   simplifyLevel: ["high", "low"],
-  bodyClass: ["found", "biped", "quadruped", "bird", "fish", "snake", "many-legged", "other"],
-  pictureView: ["front", "faces-right", "faces-left"],
+  checkSeverity: ["note", "warning", "error"],
   jointsFrom: ["auto", "own", "names", "all"],
   characterRigMethod: ["auto", "votes", "shape", "regions", "slots"],
   characterDetail: ["body", "hands", "full"],
   editKind: ["move", "add", "remove", "parent", "rename", "at"],
   animateMethod: ["auto", "copy", "contacts", "reference-points", "stream"],
   poseDeform: ["linear", "dual-quaternion", "volume", "xpbd", "delta-mush"],
-  checkSeverity: ["note", "warning", "error"],
+  bodyClass: ["found", "biped", "quadruped", "bird", "fish", "snake", "many-legged", "other"],
+  pictureView: ["front", "faces-right", "faces-left"],
 };

@@ -29,7 +29,7 @@ const list = (value, name) => (Array.isArray(value) ? value : need("list")(value
 const SETTERS = {
   number: (value, name, [member]) => ({ [member]: number(value, name) }),
   flag: (value, name, [member]) => ({ [member]: Number(flag(value, name)) }),
-  noFlag: (value, name, [member]) => ({ [member]: Number(!flag(value, name)) }),
+  without: (value, name, [member, bit], { values }) => ({ [member]: (values[member] ?? 0) | (flag(value, name) ? 0 : bit) }),
   percent: (value, name, [member]) => ({ [member]: Math.round(100 * number(value, name)) }),
   word: (value, name, [member, words]) => ({ [member]: choice(value, words, name) }),
   text: (value, name, [member], { blocks }) => ({ [member]: blocks.texts([text(value, name)]).address }),
@@ -60,18 +60,23 @@ const SETTERS = {
 /**
  * Address of a struct of options in `memory.blocks`.
  * @param {string} call for errors
- * @param {{struct: any, members: Record<string, any[]>}} table of jobs.js
+ * @param {{struct: any, inner?: Record<string, any>, members: Record<string, any[]>}} table of jobs.js: a member `deform.cells` is in
+ *   the struct inner.deform, which the member deform points to
  * @param {Record<string, any>} options
  * @param {{blocks: Blocks, sizes: () => Record<string, number>, handle: (character: any, name: string) => number, progress: number}} memory
  */
-export function optionsAt(call, { struct, members }, options, memory) {
+export function optionsAt(call, { struct, inner = {}, members }, options, memory) {
   /** @type {Record<string, any>} */
   const values = { progress: memory.progress };
   for (const [name, value] of Object.entries(options)) {
     if (value === undefined || name === "onProgress") continue;
     if (members[name] === undefined) throw new SinewError(`${call}: options.${name}: expected ${Object.keys(members).join(", ")}, found another option`);
     const [kind, ...row] = members[name];
-    Object.assign(values, SETTERS[kind](value, `${call}: options.${name}`, row, memory));
+    Object.assign(values, SETTERS[kind](value, `${call}: options.${name}`, row, { ...memory, values }));
+  }
+  for (const [pointer, pointee] of Object.entries(inner)) {
+    const own = Object.entries(values).filter(([member]) => member.startsWith(`${pointer}.`)).map(([member, value]) => [member.slice(pointer.length + 1), value]);
+    if (own.length > 0) values[pointer] = memory.blocks.struct(pointee, Object.fromEntries(own));
   }
   return memory.blocks.struct(struct, values);
 }

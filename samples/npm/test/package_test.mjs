@@ -155,9 +155,9 @@ function files() {
   const lines = JSON.parse(run("node", ["files.mjs", join(work, "jobs.json"), mine], folder));
   equal(lines.pop(), {
     joints: 22, rotations: 88, aside: 1, turned: false,
-    errors: ["places: expected 22 places as humanml3d22 has, found 21", "places: no layout is called 'h36m', expected one of smpl24, humanml3d22, coco17, mediapipe33",
-      "openPlaces: expected frames of as many places each, three numbers a place"],
-  }, "places alone are a person, and then frames of one");
+    errors: ["keypoints: expected 22 keypoints as humanml3d22 has, found 21", "keypoints: no layout is called 'h36m', expected one of smpl24, humanml3d22, coco17, mediapipe33",
+      "openKeypoints: expected frames of as many keypoints each, three numbers a keypoint"],
+  }, "keypoints alone are a person, and then frames of one");
   jobs.forEach(({ job, files: [first, ...beside], motion, args = [], save }, i) => {
     const skeleton = beside.find((path) => path.endsWith(".rig.txt"));
     const place = join(work, "place"); // only what the job has lies beside the file

@@ -42,6 +42,7 @@ else()
   add_library(sinew_host STATIC ${sinew_formats_sources} ${sinew_picture_sources} ${sinew_character_sources} ${sinew_job_sources}
     ${sinew_root}/samples/npm/wasm/read_scene.cpp)
   target_compile_definitions(sinew_host PRIVATE SINEW_SCENES_ELSEWHERE $<$<BOOL:${at_stb}>:SINEW_PICTURES_BY_STB>)
+  sinew_rooms_as_one(sinew_host)
   set(sinew_host_use PUBLIC)
 endif()
 target_include_directories(sinew_host ${sinew_host_use} ${formats}/include ${formats}/src ${sinew_root}/character/include ${sinew_root}/character/src)

@@ -20,14 +20,15 @@
 static_assert(sizeof(void*) == 4 && sizeof(size_t) == 4);
 static_assert(sizeof(sinew_mesh) == 4 * 6 && sizeof(sinew_skeleton) == 4 * 10 && sizeof(sinew_model) == 4 * 29);
 static_assert(sizeof(sinew_question) == 32 + 8 * SINEW_MAX_ALTERNATIVES && sizeof(sinew_answer) == 12);
-static_assert(offsetof(sinew_options, locked) == 4 * 14 && offsetof(sinew_bind_outputs, questions_written) == 4 * 9);
+static_assert(offsetof(sinew_bind_options, locked) == 4 * 14 &&
+              offsetof(sinew_bind_outputs, questions_written) == 4 * 9);
 static_assert(offsetof(sinew_rig_options, progress) == 4 * 8 && offsetof(sinew_rig_outputs, used_bytes) == 4 * 14);
 static_assert(sizeof(sinew_map_options) == 4 * 10 && sizeof(sinew_map_outputs) == 4 * 8);
 static_assert(sizeof(sinew_retarget_options) == 5 * 4);
 static_assert(sizeof(sinew_motion_body) == 4 * 8 && sizeof(sinew_motion_clip) == 4 * 6 &&
               sizeof(sinew_contact_options) == 4 * 5 && sizeof(sinew_floor) == 4 * 7 &&
               sizeof(sinew_retarget_stream_options) == 4 * 8);
-static_assert(sizeof(sinew_skin) == 4 * 4 && sizeof(sinew_deform_options) == 4 * 14 &&
+static_assert(sizeof(sinew_skin) == 4 * 4 && sizeof(sinew_deform_options) == 4 * 12 &&
               sizeof(sinew_deformer) == 4 * 14 && sizeof(sinew_deform_outputs) == 4 * 5);
 static_assert(sizeof(sinew_bound_character) == 4 * 7 && sizeof(sinew_transfer_part) == 4 * 8);
 static_assert(offsetof(sinew_transfer_options, progress_user) == 4 * 15 &&

@@ -161,7 +161,7 @@ class SameBytesAsTheCommand(unittest.TestCase):
         robed = DATA / "biped__robed.obj"
         command("bind", *with_skeleton(robed), "--turn", "y", "--height", "2", "--floor", "-o", self.at("theirs.glb"), "--controls", self.at("theirs.json"))
         with sinew.open(robed) as one:
-            one.place(turns=["y"], height=2, floor=True)
+            one.transform(turns=["y"], height=2, floor=True)
             one.bind()
             one.set_profile(None, controls=True)
             one.save(self.at("ours.glb"))
@@ -183,7 +183,7 @@ class SameBytesAsTheCommand(unittest.TestCase):
                 level.close()
             self.assertLess(levels[1][1].triangle_count, levels[0][1].triangle_count)
             with self.assertRaisesRegex(sinew.Error, "expected x, y, z"):
-                one.place(turns=["up"])
+                one.transform(turns=["up"])
 
 
 class Calls(unittest.TestCase):

@@ -139,13 +139,13 @@ class Retarget(unittest.TestCase):
 
 
     def test_places_move_a_stream(self):
-        places = np.array([[0, .95, 0], [.1, .9, 0], [-.1, .9, 0], [0, 1.05, 0], [.1, .5, 0], [-.1, .5, 0], [0, 1.2, 0], [.1, .1, 0], [-.1, .1, 0], [0, 1.3, 0], [.1, .02, .1],
+        keypoints = np.array([[0, .95, 0], [.1, .9, 0], [-.1, .9, 0], [0, 1.05, 0], [.1, .5, 0], [-.1, .5, 0], [0, 1.2, 0], [.1, .1, 0], [-.1, .1, 0], [0, 1.3, 0], [.1, .02, .1],
                            [-.1, .02, .1], [0, 1.5, 0], [.06, 1.4, 0], [-.06, 1.4, 0], [0, 1.6, 0], [.2, 1.4, 0], [-.2, 1.4, 0], [.5, 1.4, 0], [-.5, 1.4, 0], [.75, 1.4, 0],
                            [-.75, 1.4, 0]])
-        raised = places.copy()
+        raised = keypoints.copy()
         raised[[18, 20]] = [[.2, 1.7, 0], [.2, 1.95, 0]]
-        with sinew.open_places("humanml3d22", [places, places]) as person:
-            still, lifted = person.places_frame(places), person.places_frame(raised)
+        with sinew.open_keypoints("humanml3d22", [keypoints, keypoints]) as person:
+            still, lifted = person.keypoints_frame(keypoints), person.keypoints_frame(raised)
             np.testing.assert_allclose(np.linalg.norm(lifted[0], axis=1), 1, atol=1e-6)
             arm = person.skeleton.names.index("leftUpperArm")
             self.assertGreater(np.abs(lifted[0] - still[0])[arm].max(), 0.5)
@@ -153,10 +153,10 @@ class Retarget(unittest.TestCase):
             stream = sinew.RetargetStream(person.skeleton, self.target.skeleton, contacts=False)
             moved = [stream.frame(*frame)[0] for frame in (still, lifted)]
             self.assertGreater(np.abs(moved[1] - moved[0]).max(), 0.3)
-            with self.assertRaisesRegex(sinew.Error, "expected 22 places as humanml3d22 has, found 3"):
-                person.places_frame(places[:3])
+            with self.assertRaisesRegex(sinew.Error, "expected 22 keypoints as humanml3d22 has, found 3"):
+                person.keypoints_frame(keypoints[:3])
         with self.assertRaisesRegex(sinew.Error, "no layout is called 'h36m'"):
-            sinew.open_places("h36m", [places])
+            sinew.open_keypoints("h36m", [keypoints])
 
 
 class TransferAndPoses(unittest.TestCase):

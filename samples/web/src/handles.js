@@ -77,7 +77,7 @@ export class Handles {
   /** @param {string} name @param {{ clips: boolean, profile: string, author: string, title: string, licence: string }} wish */
   file(name, { clips, profile, author, title, licence }) {
     return this.#with(this.#copy(copies.written, clips ? this.#moving : 0), (character) => {
-      if (profile) character.setProfile({ profile, authors: author ? [author] : [], title, licence });
+      if (profile) character.setProfile({ profile, authors: author ? [author] : [], title, license: licence });
       return character.save(name);
     });
   }

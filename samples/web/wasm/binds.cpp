@@ -37,9 +37,9 @@ BindJob job_for(Session& s, const Wish& wish) {
   const Rig& rig = s.rigs().now();
   BindJobOptions job;
   job.choice = &rig.choice;
-  job.taken_back = wish.always;
-  if (!wish.never.empty()) job.said.assign(s.character.joints.size(), 0);
-  for (const size_t joint : wish.never) job.said.at(joint) = SINEW_JOINT_NEVER;
+  job.restored_joints = wish.always;
+  if (!wish.never.empty()) job.joint_flags.assign(s.character.joints.size(), 0);
+  for (const size_t joint : wish.never) job.joint_flags.at(joint) = SINEW_JOINT_NEVER;
   job.influence_count = wish.influences;
   job.up_axis = wish.up_axis;
   job.symmetric = wish.symmetric;

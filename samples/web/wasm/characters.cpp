@@ -10,7 +10,7 @@
 #include "sinew_character/jobs/bind_job.hpp"
 #include "sinew_character/jobs/rig_job.hpp"
 #include "sinew_character/picture/plane_motion.hpp"
-#include "sinew_character/pose/placement.hpp"
+#include "sinew_character/pose/character_transform.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 
@@ -35,7 +35,7 @@ Json place_of(const PictureFile& picture, const Character& mesh) {
   std::vector<Corner> corners;
   for (size_t c = 0; c < mesh.face_vertices.size(); ++c) {
     const Vec3& p = mesh.vertices[mesh.face_vertices[c]];
-    const PicturePlace seen = seen_place(picture, {mesh.corner_uvs[c][0], 1 - mesh.corner_uvs[c][1]});
+    const PicturePoint seen = seen_point(picture, {mesh.corner_uvs[c][0], 1 - mesh.corner_uvs[c][1]});
     corners.push_back({p.x, p.y, double{seen.u} * picture.pixels.width, double{seen.v} * picture.pixels.height});
   }
   const auto less = [](const Corner& a, const Corner& b) { return a.x < b.x; };
@@ -225,9 +225,9 @@ Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint
   if (!skeleton.empty()) read_skeleton(skeleton, false, &character);
   if (character.vertices.empty()) throw Error(mesh + ": has no vertices to bind");
   if (character.face_count() == 0) throw Error(mesh + ": has no faces to show; drop a mesh with polygons");
-  const Placement placement = {place.value("turns", std::vector<std::string>()), place.value("height", 0.0),
-                               place.value("floor", false)};
-  character = placed(std::move(character), placement, place.value("up", 0u) == 1 ? Axis::kZ : Axis::kY);
+  const CharacterTransform transform = {place.value("turns", std::vector<std::string>()), place.value("height", 0.0),
+                                        place.value("floor", false)};
+  character = transformed(std::move(character), transform, place.value("up", 0u) == 1 ? Axis::kZ : Axis::kY);
   JointChoice choice;
   if (!character.joints.empty()) {
     choice = prepare_joints(skeleton.empty() ? JointsFrom::kAuto : JointsFrom::kNames, false, &character);
@@ -237,7 +237,7 @@ Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint
       skeleton.empty() ? std::move(character.influences) : weights_of_file(skeleton, read_mesh(mesh));
   character.influences.clear();
   Json reply = start(s, std::move(character), std::move(choice), std::move(reference), number,
-                     places(placement) ? place.dump() : "");
+                     is_identity(transform) ? "" : place.dump());
   s.pictures_of.erase(number);
   return reply;
 }

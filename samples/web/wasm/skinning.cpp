@@ -38,7 +38,7 @@ void Skinning::pose(const SkinnedMesh& mesh, const std::vector<Affine>& palette,
   if (method == SkinMethod::kVolume || method == SkinMethod::kVolumeAndContact) {
     const bool contact = method == SkinMethod::kVolumeAndContact;
     if (!deformer_ || contact != contact_) {
-      sinew_deform_options options = sinew_deform_options_init();
+      sinew_deform_options options = SINEW_INIT(sinew_deform_options);
       options.body_contact = contact ? 1 : 0;
       deformer_.emplace(mesh.character, options);
       contact_ = contact;

@@ -26,7 +26,7 @@ static int open_models(void) { return 1; }
 #endif
 
 int main(void) {
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   size_t bytes = 0;
   options.method = SINEW_METHOD_HEAT;
   if (sinew_bind_workspace_size(NULL, 8, 12, 36, 2, &options, &bytes) != SINEW_OK || bytes == 0) return 1;

@@ -8,7 +8,10 @@ int main() {
   const uint32_t corners[] = {0, 1, 2};
   const int32_t parent = -1;
   const sinew_mesh mesh = {positions, 3, nullptr, corners, 1, 3};
-  const sinew_skeleton skeleton = sinew_skeleton_init(joint, &parent, 1);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+  skeleton.positions = joint;
+  skeleton.parents = &parent;
+  skeleton.joint_count = 1;
   sinew::Options options;
   options.method = SINEW_METHOD_HEAT;
   sinew::Workspace workspace;

@@ -20,11 +20,14 @@ int main(int argc, char** argv) {
   const uint32_t corners[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
   const int32_t parents[] = {-1, 0};
   sinew_mesh mesh = {positions, 4, NULL, corners, 4, 12};
-  sinew_skeleton skeleton = sinew_skeleton_init(joints, parents, 2);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+  skeleton.positions = joints;
+  skeleton.parents = parents;
+  skeleton.joint_count = 2;
   sinew_bound_character source;
-  sinew_options bind = sinew_options_init();
-  sinew_rig_options rig = sinew_rig_options_init();
-  sinew_deform_options deform = sinew_deform_options_init();
+  sinew_bind_options bind = SINEW_INIT(sinew_bind_options);
+  sinew_rig_options rig = SINEW_INIT(sinew_rig_options);
+  sinew_deform_options deform = SINEW_INIT(sinew_deform_options);
   size_t bytes = 0;
   if (argc != 2) return 2;
   built = strcmp(argv[1], "built") == 0;

@@ -27,7 +27,7 @@ size_t joint_named(const Character& character, const std::string& name) {
 }
 
 std::vector<float> corrected(const Character& character, const std::vector<Affine>& palette) {
-  sinew_deform_options options = sinew_deform_options_init();
+  sinew_deform_options options = SINEW_INIT(sinew_deform_options);
   options.method = SINEW_DEFORM_XPBD;
   return CharacterDeformer(character, options).pose(palette);
 }

@@ -56,7 +56,9 @@ void expect_the_same_bytes(uint32_t influences) {
   options.weight_format = sinew::WeightFormat<Weight>::value;
   std::vector<uint16_t> joints(skin.joint_indices.size(), 99);
   std::vector<Weight> weights(skin.weights.size(), static_cast<Weight>(99));
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = joints.data();
+  outputs.weights = weights.data();
   ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, workspace.data(), workspace.size(), &outputs), SINEW_OK);
   EXPECT_EQ(skin.joint_indices, joints);
   EXPECT_EQ(std::memcmp(skin.weights.data(), weights.data(), weights.size() * sizeof(Weight)), 0);
@@ -111,7 +113,7 @@ TEST(CppWrapper, AsksAndWantsAPlaceForIt) {
   sinew::Skin<uint16_t> skin;
   EXPECT_EQ(sinew::bind(nullptr, scene.mesh_view(), scene.skeleton_view(), options, &workspace, &skin),
             SINEW_ERROR_ARGUMENT);
-  sinew::Asked asked;
+  sinew::QuestionList asked;
   ASSERT_EQ(sinew::bind(nullptr, scene.mesh_view(), scene.skeleton_view(), options, &workspace, &skin, nullptr, &asked),
             SINEW_OK);
   ASSERT_EQ(asked.questions.size(), 1u);  // the bar is in one piece
@@ -178,18 +180,21 @@ TEST(CppWrapper, WorkspaceGrowsAndMoves) {
 TEST(CppWrapper, ARetargetPlanThatWasNotMadeRefuses) {
   const float positions[6] = {0, 0, 0, 0, 1, 0};
   const int32_t parents[2] = {-1, 0}, map[2] = {0, 1}, none[2] = {-1, -1};
-  const sinew_skeleton rig = sinew_skeleton_init(positions, parents, 2);
-  const float rotations[8] = {0, 0, 0, 1, 0, 0, 0.6f, 0.8f}, places[6] = {1, 2, 3, 0, 1, 0};
+  sinew_skeleton rig = SINEW_INIT(sinew_skeleton);
+  rig.positions = positions;
+  rig.parents = parents;
+  rig.joint_count = 2;
+  const float rotations[8] = {0, 0, 0, 1, 0, 0, 0.6f, 0.8f}, translations[6] = {1, 2, 3, 0, 1, 0};
   float turned[8], moved[6], ground = 0;
   sinew::RetargetPlan plan;
-  EXPECT_EQ(plan.frame(rotations, places, 0, turned, moved), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(plan.frame(rotations, translations, 0, turned, moved), SINEW_ERROR_ARGUMENT);
   ASSERT_EQ(plan.make(rig, rig, map, nullptr), SINEW_OK);
   ASSERT_EQ(plan.ground(nullptr, 0, &ground), SINEW_OK);
-  ASSERT_EQ(plan.frame(rotations, places, ground, turned, moved), SINEW_OK);
+  ASSERT_EQ(plan.frame(rotations, translations, ground, turned, moved), SINEW_OK);
   for (int i = 0; i < 8; ++i) EXPECT_NEAR(turned[i], rotations[i], 1e-6f);
-  for (int i = 0; i < 6; ++i) EXPECT_NEAR(moved[i], places[i], 1e-6f);
+  for (int i = 0; i < 6; ++i) EXPECT_NEAR(moved[i], translations[i], 1e-6f);
   EXPECT_EQ(plan.make(rig, rig, none, nullptr), SINEW_ERROR_NO_JOINT);
-  EXPECT_EQ(plan.frame(rotations, places, 0, turned, moved), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(plan.frame(rotations, translations, 0, turned, moved), SINEW_ERROR_ARGUMENT);
 }
 
 // Whole clips of sinew/motion_clips.h, which sinew.h includes.
@@ -201,7 +206,7 @@ TEST(CppWrapper, ARetargetPlanMendsAndMeasuresClips) {
   sinew_test::Pose pose = sinew_test::rest_pose(scene), out(other.count());
   sinew::RetargetPlan plan;
   sinew::Workspace workspace;
-  std::vector<sinew_limb_measure> limbs(1);
+  std::vector<sinew_limb_quality> limbs(1);
   sinew_motion_clip clip = {
       pose.rotations.data(), pose.translations.data(), out.rotations.data(), out.translations.data(), 1, 0};
   EXPECT_EQ(plan.get(), nullptr);

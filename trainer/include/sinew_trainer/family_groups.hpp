@@ -21,7 +21,7 @@ struct FamilyGroups {
   std::string group(const std::string& family) const;
 };
 // {"groups": {"GROUP": ["FAMILY", ...], ...}, "apart": ["GROUP", ...], "means": {"NAME": ["GROUP", ...], ...}}, all
-// optional. Throws Error naming the place.
+// optional. Throws Error that names the line.
 FamilyGroups read_family_groups(const std::string& path);
 
 // Families of every fold, sorted; folds hold about as many families. The largest group goes first to the fold with the

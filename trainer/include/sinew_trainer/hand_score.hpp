@@ -26,7 +26,7 @@ struct HandScore {
   size_t unclear = 0;               // that are not counted
   size_t joints = 0, found = 0;     // the artist's; those with a predicted joint within the tolerance
   size_t predicted = 0, right = 0;  // predicted on hands with fingers; those within the tolerance of the artist's
-  size_t same = 0;                  // pairs of the same finger and place in it
+  size_t same = 0;                  // pairs of the same finger and index in it
   double distance = 0;              // summed over these pairs
 
   double mean_distance() const { return same > 0 ? distance / static_cast<double>(same) : 0; }

@@ -19,7 +19,7 @@ constexpr uint32_t kSlotOffset = 3, kSlotPresence = 4, kSlotNumbers = 5;
 // Which joint of a skeleton each slot holds, -1 for none. Joints come by their depth below the root, those nearer to the
 // outside first; each takes the first free slot of its class and side. Of a chain that is longer than its slots, joints
 // at equal steps stay. Classes without slots (hair, other) and what finds none free are left out.
-//   places  in  [target] in the mirror frame: x tells the side
+//   positions  in  [target] in the mirror frame: x tells the side
 std::array<int, rigging::kSlots> assign_slots(const TargetSkeleton& target,
                                               const std::vector<std::array<double, 3>>& positions);
 

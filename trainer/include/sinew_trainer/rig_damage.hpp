@@ -31,7 +31,7 @@ DamageNeeds needs_of(const DamageKind& kind);
 
 // The rig as it is, with what is needed: what a damaged one is compared with. nullopt where the character cannot have it.
 std::optional<DamagedRig> undamaged(const Character& character, DamageNeeds needs);
-// The same seed damages the same place on every machine. nullopt where the rig has nothing that could be damaged so.
+// The same seed damages the same joints or vertices on every machine. nullopt where the rig has nothing that could be damaged so.
 //   whole  undamaged(character, needs_of(kind))
 std::optional<DamagedRig> damaged(const DamagedRig& whole, const DamageKind& kind, uint32_t seed);
 

@@ -19,14 +19,14 @@ constexpr double kLeastAlong = 0.75;    // share of the way from pelvis and tail
 constexpr double kLeastTrunk = 0.15;    // of the longest side
 
 // Of a body that lies along the floor, a quadruped's or a fish's, the head is in front of pelvis and tail.
-std::array<double, 2> front_by_head(const RigSource& source, const RigSource::Placed& placed) {
+std::array<double, 2> front_by_head(const RigSource& source, const RigSource::PosedMesh& posed_mesh) {
   std::array<double, 3> sums[2] = {};  // of heads, of what is behind
   uint32_t counts[2] = {0, 0};
-  for (size_t j = 0; j < placed.joints.size(); ++j) {
+  for (size_t j = 0; j < posed_mesh.joints.size(); ++j) {
     const uint8_t c = source.target().joints[j].joint_class;
     const bool head = c == kClassHead, behind = c == kClassPelvis || c == kClassTail;
     if (!head && !behind) continue;
-    for (size_t axis = 0; axis < 3; ++axis) sums[head ? 0 : 1][axis] += placed.joints[j][axis];
+    for (size_t axis = 0; axis < 3; ++axis) sums[head ? 0 : 1][axis] += posed_mesh.joints[j][axis];
     ++counts[head ? 0 : 1];
   }
   if (counts[0] == 0 || counts[1] == 0)
@@ -41,17 +41,17 @@ std::array<double, 2> front_by_head(const RigSource& source, const RigSource::Pl
 
 // A direction of the floor's plane from the mean of the right joints to that of the left ones, turned to the front.
 std::array<double, 2> front_of(const RigSource& source) {
-  const RigSource::Placed placed = source.make_mesh(0, {});
+  const RigSource::PosedMesh posed_mesh = source.make_mesh(0, {});
   std::array<double, 3> sums[2] = {};
   uint32_t counts[2] = {0, 0};
-  for (size_t j = 0; j < placed.joints.size(); ++j) {
+  for (size_t j = 0; j < posed_mesh.joints.size(); ++j) {
     const TargetJoint& joint = source.target().joints[j];
     const int side = joint.tip ? 0 : sinew_joint_side(joint.name.c_str());
     if (side == 0) continue;
-    for (size_t axis = 0; axis < 3; ++axis) sums[side > 0 ? 0 : 1][axis] += placed.joints[j][axis];
+    for (size_t axis = 0; axis < 3; ++axis) sums[side > 0 ? 0 : 1][axis] += posed_mesh.joints[j][axis];
     ++counts[side > 0 ? 0 : 1];
   }
-  if (counts[0] < kLeastSided || counts[1] < kLeastSided) return front_by_head(source, placed);
+  if (counts[0] < kLeastSided || counts[1] < kLeastSided) return front_by_head(source, posed_mesh);
   std::array<double, 3> left{};
   double squared = 0;
   for (size_t axis = 0; axis < 3; ++axis) {
@@ -80,9 +80,9 @@ void tilt(Random* random, std::vector<SurfacePoint>* points) {
   }
 }
 
-std::vector<SurfacePoint> points_of(const RigSource::Placed& placed, uint64_t seed) {
+std::vector<SurfacePoint> points_of(const RigSource::PosedMesh& posed_mesh, uint64_t seed) {
   std::vector<SurfacePoint> points(kFrontPoints);
-  spread_points(placed.engine.mesh, kFrontPoints, seed, points.data());
+  spread_points(posed_mesh.engine.mesh, kFrontPoints, seed, points.data());
   return points;
 }
 
@@ -123,13 +123,13 @@ FrontSample FrontSource::sample(const std::vector<SurfacePoint>& points, uint32_
 }
 
 std::vector<FrontSample> FrontSource::make(uint64_t seed, const RigVariant& variant, uint32_t upright) const {
-  const RigSource::Placed placed = source_.make_mesh(mix_seeds(seed, 1), variant);
+  const RigSource::PosedMesh posed_mesh = source_.make_mesh(mix_seeds(seed, 1), variant);
   Random random(mix_seeds(seed, 2));
   const uint32_t first = random.below(kFrontFrames), turn = 1 + random.below(kFrontFrames - 1);
   std::vector<FrontSample> samples;
   for (uint32_t i = 0; i < upright; ++i)
-    samples.push_back(sample(points_of(placed, random.next()), (first + i * turn) % kFrontFrames, true));
-  std::vector<SurfacePoint> points = points_of(placed, random.next());
+    samples.push_back(sample(points_of(posed_mesh, random.next()), (first + i * turn) % kFrontFrames, true));
+  std::vector<SurfacePoint> points = points_of(posed_mesh, random.next());
   tilt(&random, &points);
   samples.push_back(sample(points, random.below(kFrontFrames), false));
   return samples;

@@ -132,7 +132,7 @@ void RigSource::find_parts() {
   parts_ = static_cast<uint32_t>(part_number.size());
 }
 
-// The character's own joints turn where a target joint has its place from them; scales act at the joint, not below it.
+// The character's own joints turn where a target joint has its position from them; scales act at the joint, not below it.
 RigSource::Palette RigSource::palette(const RigPose& pose) const {
   const size_t bones = body_.bones();
   std::vector<Matrix3d> scale(bones);
@@ -283,9 +283,9 @@ RigSource::Posed RigSource::pose(uint64_t seed, const RigVariant& variant) const
   return posed;
 }
 
-RigSource::Placed RigSource::place(const Posed& posed, uint64_t seed) const {
-  Placed placed{EngineMesh(name_, posed.surface.vertices, posed.surface.triangles), {}, {}};
-  EngineMesh& engine = placed.engine;
+RigSource::PosedMesh RigSource::to_mesh(const Posed& posed, uint64_t seed) const {
+  PosedMesh posed_mesh{EngineMesh(name_, posed.surface.vertices, posed.surface.triangles), {}, {}};
+  EngineMesh& engine = posed_mesh.engine;
   MirrorFrame frame;  // of the character before it was posed
   const float zero[3] = {0, 0, 0};
   frame.plane = quantize_point(engine.quantizer, zero).x;
@@ -295,14 +295,14 @@ RigSource::Placed RigSource::place(const Posed& posed, uint64_t seed) const {
   for (const Point3& p : posed.joints) {  // in grid units of the posed character's own box
     const float f[3] = {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
     const Vec3i at = frame.to(quantize_point(engine.quantizer, f));
-    placed.joints.push_back(arr(Vector3d(at.x, at.y, at.z) / kSide));
+    posed_mesh.joints.push_back(arr(Vector3d(at.x, at.y, at.z) / kSide));
   }
-  placed.source.assign(engine.mesh.welded_count, UINT32_MAX);
+  posed_mesh.source.assign(engine.mesh.welded_count, UINT32_MAX);
   for (uint32_t v = 0; v < posed.surface.vertices.size(); ++v) {
-    uint32_t& first = placed.source[engine.mesh.vertex_to_welded[v]];
+    uint32_t& first = posed_mesh.source[engine.mesh.vertex_to_welded[v]];
     if (first == UINT32_MAX) first = posed.surface.source[v];
   }
-  return placed;
+  return posed_mesh;
 }
 
 void with_point_set(const EngineMesh& engine, uint64_t seed, const std::function<void(const PointSet&)>& use) {
@@ -322,9 +322,9 @@ void with_point_set(const EngineMesh& engine, uint64_t seed, const std::function
   use(set);
 }
 
-RigSample RigSource::label(const Placed& placed, const PointSet& set) const {
+RigSample RigSource::label(const PosedMesh& posed_mesh, const PointSet& set) const {
   std::vector<Vector3d> joints;
-  for (const Point3& p : placed.joints) joints.push_back(vec(p));
+  for (const Point3& p : posed_mesh.joints) joints.push_back(vec(p));
 
   RigSample s = point_sample(set);
   s.name = name_;
@@ -334,7 +334,7 @@ RigSample RigSource::label(const Placed& placed, const PointSet& set) const {
     const SurfacePoint& point = set.points[i];
     std::fill(sums.begin(), sums.end(), 0.0);
     for (int corner = 0; corner < 3; ++corner) {
-      for (const Influence& influence : influences_[placed.source[point.corner[corner]]])
+      for (const Influence& influence : influences_[posed_mesh.source[point.corner[corner]]])
         sums[body_.target.owners[influence.joint]] += influence.weight * point.share[corner] / 32768.0;
     }
     const size_t own = static_cast<size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
@@ -366,14 +366,14 @@ RigSample RigSource::label(const Placed& placed, const PointSet& set) const {
 }
 
 RigSample RigSource::make(uint64_t seed, const RigVariant& variant) const {
-  const Placed placed = make_mesh(seed, variant);
+  const PosedMesh posed_mesh = make_mesh(seed, variant);
   RigSample s;
-  with_point_set(placed.engine, mix_seeds(seed, 2), [&](const PointSet& set) { s = label(placed, set); });
+  with_point_set(posed_mesh.engine, mix_seeds(seed, 2), [&](const PointSet& set) { s = label(posed_mesh, set); });
   return s;
 }
 
-RigSource::Placed RigSource::make_mesh(uint64_t seed, const RigVariant& variant) const {
-  return place(pose(mix_seeds(seed, 1), variant), mix_seeds(seed, 2));
+RigSource::PosedMesh RigSource::make_mesh(uint64_t seed, const RigVariant& variant) const {
+  return to_mesh(pose(mix_seeds(seed, 1), variant), mix_seeds(seed, 2));
 }
 
 }  // namespace sinew

@@ -57,12 +57,12 @@ class RigSource {
   RigSample make(uint64_t seed, const RigVariant& variant) const;
 
   // The mesh of such a sample, U welded vertices in their mirror frame.
-  struct Placed {
+  struct PosedMesh {
     EngineMesh engine;
     std::vector<Point3> joints;    // [target] shares of the longest side, not folded
     std::vector<uint32_t> source;  // [U] vertex of the surface that a welded vertex has its weights from
   };
-  Placed make_mesh(uint64_t seed, const RigVariant& variant) const;
+  PosedMesh make_mesh(uint64_t seed, const RigVariant& variant) const;
 
   const std::string& name() const { return name_; }
   const std::string& family() const { return family_; }
@@ -90,8 +90,8 @@ class RigSource {
   std::vector<Point3> skin(const Palette& palette) const;
   std::vector<uint8_t> vanish(Random* random) const;  // [T] triangles that are gone
   SourcedSurface surface(const std::vector<Point3>& vertices, const std::vector<uint8_t>& gone) const;
-  Placed place(const Posed& posed, uint64_t seed) const;
-  RigSample label(const Placed& placed, const rigging::PointSet& set) const;
+  PosedMesh to_mesh(const Posed& posed, uint64_t seed) const;
+  RigSample label(const PosedMesh& posed_mesh, const rigging::PointSet& set) const;
 
   std::string name_, family_;
   std::vector<Point3> vertices_;  // [V] mirror frame, side 1

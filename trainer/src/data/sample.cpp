@@ -80,10 +80,10 @@ Sample make_sample(const Character& character, uint32_t candidates, uint32_t gri
   throw_status(character, make_counts(views.mesh.vertex_count, views.mesh.face_count, views.mesh.corner_count,
                                       views.skeleton.joint_count, candidates, grid, &counts));
   counts.feature_flags = feature_flags & kFeatureFlags;
-  Prepared p;
+  PreparedBind p;
   const Kernels kernels = fastest_kernels();
   const auto run = [&](Arena& arena) {
-    return prepare(views.mesh, views.skeleton, 0, counts, PrepareFor::kNetwork, kernels, {}, arena, &p);
+    return prepare(views.mesh, views.skeleton, 0, counts, PreparePurpose::kNetwork, kernels, {}, arena, &p);
   };
   Arena measuring;
   throw_status(character, run(measuring));

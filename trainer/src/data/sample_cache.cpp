@@ -56,14 +56,14 @@ uint64_t hash_bytes(const uint8_t* data, size_t size, uint64_t seed) {
 }
 
 // What a request is made of. The files of a character are read in any case, since they are the key of the cache.
-struct Ingredients {
+struct SampleInputs {
   std::string stem;              // of the cache file
   std::vector<uint8_t> content;  // that the sample depends on, beside the settings
   std::optional<Character> character;
 };
 
-Ingredients gather(const SampleRequest& request) {
-  Ingredients out;
+SampleInputs gather(const SampleRequest& request) {
+  SampleInputs out;
   if (!request.mesh_path.empty()) {
     out.stem = stem_of(request.mesh_path);
     out.content = read_file(request.mesh_path);
@@ -149,13 +149,13 @@ void write_cached(const std::string& path, Sample& sample) {
 
 namespace {
 
-std::string cache_path(const Ingredients& from, const SampleRequest& request, const SampleSource& source) {
+std::string cache_path(const SampleInputs& from, const SampleRequest& request, const SampleSource& source) {
   return (std::filesystem::path(source.cache_dir) /
           (from.stem + "-" + cache_key(from.content, request, source) + ".sample"))
       .string();
 }
 
-Sample make_cached(Ingredients&& from, const SampleRequest& request, const SampleSource& source,
+Sample make_cached(SampleInputs&& from, const SampleRequest& request, const SampleSource& source,
                    const std::string& path) {
   Character character = from.character ? std::move(*from.character) : read_character(request.mesh_path);
   const size_t limit = source.vertex_limit, vertices = character.vertices.size();
@@ -228,7 +228,7 @@ size_t fill_cache(const std::vector<SampleRequest>& requests, const SampleSource
   parallel_for(order.size(), source.threads, [&](size_t item, unsigned) {
     const SampleRequest& request = requests[order[item]];
     try {
-      Ingredients from = gather(request);
+      SampleInputs from = gather(request);
       const std::string path = cache_path(from, request, source);
       if (read_sound(path).empty()) {
         make_cached(std::move(from), request, source, path);
@@ -254,7 +254,7 @@ std::vector<Sample> load_requests(const std::vector<SampleRequest>& requests, co
   parallel_for(requests.size(), source.threads, [&](size_t item, unsigned) {
     const SampleRequest& request = requests[item];
     try {
-      Ingredients from = gather(request);
+      SampleInputs from = gather(request);
       const std::string path = cache_path(from, request, source);
       loaded[item] = read_cached(path);
       if (!loaded[item]) {

@@ -76,11 +76,11 @@ class Drawing {
   uint32_t width() const { return width_; }
   uint32_t height() const { return height_; }
 
-  // A place of the mesh in pixels, x from the left edge, y up from the bottom edge, as a point of the picture's axes.
-  Point3 place(const Vec3& p) const {
+  // A point of the mesh in pixels, x from the left edge, y up from the bottom edge, as a point of the picture's axes.
+  Point3 point_of(const Vec3& p) const {
     return {left_ + (p.x - kMargin) / scale_, top_ - (height_ - double{p.y} - kMargin) / scale_, p.z / scale_};
   }
-  // The corner that is drawn nearest to the place; the figure covers a pixel at least.
+  // The corner that is drawn nearest to the point; the figure covers a pixel at least.
   uint32_t corner_at(const Vec3& p) const {
     const std::vector<uint32_t>& corners = p.z < 0 ? far_corner_ : near_corner_;
     const double x = p.x, y = height_ - double{p.y};
@@ -152,7 +152,7 @@ SourcedSurface silhouette_of(const SourcedSurface& surface, SilhouetteView view,
 
   SourcedSurface out;
   for (const Vec3& p : mesh.vertices) {
-    out.vertices.push_back(unseen(view, drawing.place(p)));
+    out.vertices.push_back(unseen(view, drawing.point_of(p)));
     out.source.push_back(surface.source[drawing.corner_at(p)]);
   }
   for (size_t f = 0; f + 2 < mesh.face_vertices.size(); f += 3)

@@ -34,12 +34,13 @@ double skin_offset(const NetworkSample& sample, const std::array<double, 3>& pos
 }
 
 SlotSample make_slot_sample(const RigSource& source, uint64_t seed, double strength) {
-  const RigSource::Placed placed = source.make_mesh(seed, {.strength = strength});
+  const RigSource::PosedMesh posed_mesh = source.make_mesh(seed, {.strength = strength});
   SlotSample s;
-  with_point_set(placed.engine, seed, [&](const PointSet& set) { static_cast<NetworkSample&>(s) = slot_points(set); });
+  with_point_set(posed_mesh.engine, seed,
+                 [&](const PointSet& set) { static_cast<NetworkSample&>(s) = slot_points(set); });
   s.name = source.name();
   s.family = source.family();
-  const std::array<int, kSlots> held = assign_slots(source.target(), placed.joints);
+  const std::array<int, kSlots> held = assign_slots(source.target(), posed_mesh.joints);
   if (std::count_if(held.begin(), held.end(), [](int joint) { return joint >= 0; }) < 2)
     throw Error(source.name() + ": no two joints that there are slots for (trainer/README.md)");
   connected_slots(source.target(), held, &s.connected);
@@ -47,7 +48,7 @@ SlotSample make_slot_sample(const RigSource& source, uint64_t seed, double stren
   for (uint32_t slot = 0; slot < kSlots; ++slot) {
     if (held[slot] < 0) continue;
     s.present[slot] = 1;
-    const Point3& position = placed.joints[static_cast<size_t>(held[slot])];
+    const Point3& position = posed_mesh.joints[static_cast<size_t>(held[slot])];
     for (uint32_t c = 0; c < 3; ++c) s.joints[4 * slot + c] = static_cast<float>(position[c]);
     s.joints[4 * slot + kSlotOffset] = static_cast<float>(skin_offset(s, position));
   }

@@ -48,7 +48,7 @@ int side_of(const PredictedSkeleton& s, size_t j) {
 PredictedSkeleton predict_float_skeleton(const Character& character, const FloatNetwork& network,
                                          const SkeletonOptions& options) {
   const EngineViews views(character, {});
-  sinew_rig_options engine_options = sinew_rig_options_init();
+  sinew_rig_options engine_options = SINEW_INIT(sinew_rig_options);
   engine_options.up = options.find_up ? SINEW_UP_AUTO : options.up_axis == Axis::kZ ? SINEW_UP_Z : SINEW_UP_Y;
   engine_options.front_model = options.front_model;
   engine_options.front = options.front;
@@ -70,7 +70,9 @@ PredictedSkeleton predict_float_skeleton(const Character& character, const Float
   std::vector<float> positions(3 * kMost);
   std::vector<int32_t> parents(kMost), partners(kMost);
   std::vector<uint8_t> flags(kMost), classes(kMost);
-  sinew_rig_outputs outputs = sinew_rig_outputs_init(positions.data(), parents.data());
+  sinew_rig_outputs outputs = SINEW_INIT(sinew_rig_outputs);
+  outputs.positions = positions.data();
+  outputs.parents = parents.data();
   outputs.flags = flags.data();
   outputs.joint_classes = classes.data();
   outputs.partners = partners.data();

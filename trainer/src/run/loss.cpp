@@ -46,9 +46,9 @@ double total_importance(const Sample& sample) {
 
 // How far a vertex sways from where it should be when joints turn.
 template <class S>
-class Lever {
+class VertexSway {
  public:
-  explicit Lever(const Sample& sample)
+  explicit VertexSway(const Sample& sample)
       : sample_(sample), subtree_(sample.joints, S(0)), mark_(sample.joints, UINT32_MAX) {}
 
   // off [K] p - t of the slots that lead a fold group, 0 elsewhere; slope [K] = d sway / d off.
@@ -267,7 +267,7 @@ class WeightLoss {
   std::vector<uint32_t> mark_;
   std::vector<S> part_error_;  // importance-weighted sum of p - t of the part, by folded joint
   std::vector<uint32_t> part_joints_;
-  Lever<S> lever_;
+  VertexSway<S> lever_;
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ ReportPicture bend_pictures(const Character& character, Axis up, int side) {
   picture.character = character.name;
   picture.note = "left linear skinning, right with the volume kept (sinew pose --deform volume)";
   const LabelledSkeleton labels = label_skeleton(character.joints);
-  CharacterDeformer deformer(character, sinew_deform_options_init());
+  CharacterDeformer deformer(character, SINEW_INIT(sinew_deform_options));
   const std::vector<std::array<uint8_t, 3>> grey(character.vertices.size(), {200, 190, 180});
   for (const Bend& bend : report_bends()) {
     const size_t joint = bent_joint(character, labels, bend);

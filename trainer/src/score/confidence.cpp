@@ -160,7 +160,7 @@ ConfidenceTable fit_confidence(const std::vector<JudgedConfidence>& judged, size
   }
   ConfidenceTable table;
   for (const Pool& pool : pools) {
-    // Between the first and the last place of a pool the table is level.
+    // Between the first and the last entry of a pool the table is level.
     const std::array<double, 2> ends = {pool.positions.front(), pool.positions.back()};
     for (const double end : ends) {
       if (table.empty() || unorm16(end) > table.back().first) table.emplace_back(unorm16(end), unorm16(pool.hits()));

@@ -101,12 +101,12 @@ class WeightDamage {
     if (joint < 0) return false;
     for (const uint32_t v : vertices) {
       if (each != 0) joint = static_cast<int>(draws_.of(strong_));
-      for (const uint32_t twin : at_place(v)) c_.influences[twin] = {{static_cast<uint32_t>(joint), 1.0F}};
+      for (const uint32_t twin : at_position_of(v)) c_.influences[twin] = {{static_cast<uint32_t>(joint), 1.0F}};
     }
     return true;
   }
 
-  std::vector<uint32_t> at_place(uint32_t v) const {
+  std::vector<uint32_t> at_position_of(uint32_t v) const {
     std::vector<uint32_t> all = {v};
     for (const uint32_t n : rings_[v]) {
       const Vec3 &a = c_.vertices[v], &b = c_.vertices[n];

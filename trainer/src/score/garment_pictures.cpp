@@ -70,7 +70,7 @@ ReportPicture garment_pictures(const Character& character, const sinew_model* mo
     bound.influences = transfer(skin, cloth, same, options).influences;
     wholes.push_back(layered(skin, bound));
   }
-  CharacterDeformer deformer(wholes.back(), sinew_deform_options_init());
+  CharacterDeformer deformer(wholes.back(), SINEW_INIT(sinew_deform_options));
   const auto at_rest = crossing_pairs(skin, cloth);
   std::vector<std::array<uint8_t, 3>> colours(skin.vertices.size(), kSkin);
   colours.resize(wholes.back().vertices.size(), kCloth);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finger joints by place and by name.
+// Finger joints by position and by name.
 #include "sinew_trainer/hand_score.hpp"
 
 #include <cmath>

@@ -53,10 +53,10 @@ std::vector<double> candidate_recall(const Character& character, const std::vect
   };
   // Heat does not depend on K: it is solved once.
   count(1);
-  Prepared p;
+  PreparedBind p;
   const Kernels kernels = fastest_kernels();
   const auto solve = [&](Arena& arena) {
-    return prepare(views.mesh, views.skeleton, 0, counts, PrepareFor::kHeat, kernels, {}, arena, &p);
+    return prepare(views.mesh, views.skeleton, 0, counts, PreparePurpose::kHeat, kernels, {}, arena, &p);
   };
   Arena measuring;
   throw_status(character, solve(measuring));

@@ -15,7 +15,7 @@ namespace sinew {
 using Palette = std::vector<Affine>;  // a skinning matrix a joint
 
 struct BakeSettings {
-  sinew_deform_options deform = sinew_deform_options_init();
+  sinew_deform_options deform = SINEW_INIT(sinew_deform_options);
   size_t shapes_per_bend = 8;
   double least_move = 5e-5;  // share of the mesh's longest side; a shape leaves vertices out that it moves by less
 };

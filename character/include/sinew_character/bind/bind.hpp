@@ -14,7 +14,7 @@
 
 namespace sinew {
 
-// What sinew_options says, for a Character of V vertices and J joints.
+// What sinew_bind_options says, for a Character of V vertices and J joints.
 struct BindOptions {
   uint32_t method = SINEW_METHOD_HEAT;  // sinew_method
   const sinew_model* model = nullptr;   // needed for SINEW_METHOD_MODEL
@@ -25,7 +25,7 @@ struct BindOptions {
   std::vector<uint8_t> hints;           // [V] or empty; the same, and their rows steer the vertices around them
   uint32_t rigid_parts = 0;             // sinew_rigid_parts
   uint32_t softness_percent = 100;      // of the model's weights
-  uint32_t surface_vertices = 0;        // see sinew_options
+  uint32_t surface_vertices = 0;        // see sinew_bind_options
   bool symmetric = false;               // mirrored vertices get mirrored rows
   std::vector<sinew_answer> answers;    // what the user said about parts
   uint32_t question_count = 0;          // parts that are to be asked about, 0..SINEW_MAX_QUESTIONS
@@ -33,7 +33,7 @@ struct BindOptions {
   sinew_progress progress = nullptr;
   void* progress_user = nullptr;
   uint32_t thread_count = 1;                  // pieces that the engine cuts its work into
-  sinew_parallel_for parallel_for = nullptr;  // who runs them, see sinew_options
+  sinew_parallel_for parallel_for = nullptr;  // who runs them, see sinew_bind_options
   void* parallel_user = nullptr;
 };
 

@@ -45,15 +45,15 @@ struct CharacterBindOptions {
   bool keep_apart = true;   // no weight across seams
 };
 
-// Which joints of a character may get weight. What the user says, `said` [J] SINEW_JOINT_* or empty, has the last word:
+// Which joints of a character may get weight. What the user says, `joint_flags` [J] SINEW_JOINT_* or empty, has the last word:
 // with joints that deform these and no others do, and joints that never do are left out beside the rest.
-JointChoice choose_joints(const Character& character, JointsFrom from, const std::vector<uint8_t>& said = {});
+JointChoice choose_joints(const Character& character, JointsFrom from, const std::vector<uint8_t>& joint_flags = {});
 // The user's word for a choice that is there already.
-void apply_said(const std::vector<uint8_t>& said, JointChoice* choice);
+void apply_joint_flags(const std::vector<uint8_t>& joint_flags, JointChoice* choice);
 
-// Takes joints back that were left out or are tips, because the user binds vertices to them: in hints, say. Those that
+// Restores joints that were left out or are tips, because the user binds vertices to them: in hints, say. Those that
 // the user forbids stay out.
-void take_back_joints(const std::vector<size_t>& joints, const std::vector<uint8_t>& said, JointChoice* choice);
+void restore_joints(const std::vector<size_t>& joints, const std::vector<uint8_t>& joint_flags, JointChoice* choice);
 
 // Tips give what weight a bind gave them to their parents, but for those that most of a connected piece of the mesh belongs to.
 //   kept  [meshes] of kept_meshes(): their rows stay as they are; or empty

@@ -22,7 +22,7 @@ struct EngineViews {
   std::vector<int32_t> parents;
   std::vector<uint8_t> flags;
   sinew_mesh mesh = {};
-  sinew_skeleton skeleton = sinew_skeleton_init(nullptr, nullptr, 0);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
 };
 
 // Joints as the engine's skeleton, with their names. Holds pointers into `joints` and into itself, as above.
@@ -34,7 +34,7 @@ struct SkeletonView {
   std::vector<float> positions;
   std::vector<int32_t> parents;
   std::vector<const char*> names;
-  sinew_skeleton skeleton = sinew_skeleton_init(nullptr, nullptr, 0);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
 };
 
 // 0 = Y, 1 = Z, as the engine says it.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Places where parts of a body that move apart have grown together: a hand on a hip, an arm along the trunk, two thighs.
+// Where parts of a body that move apart have grown together: a hand on a hip, an arm along the trunk, two thighs.
 #ifndef SINEW_CHARACTER_SEAMS_HPP
 #define SINEW_CHARACTER_SEAMS_HPP
 

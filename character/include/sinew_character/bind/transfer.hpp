@@ -49,7 +49,7 @@ struct TransferResult {
 struct TransferJoints {
   std::vector<uint8_t> flags;  // [J] SINEW_JOINT_*
   // [J] itself, or for the end of a chain that moves nothing in the source the joint that takes its weight
-  std::vector<uint32_t> takes;
+  std::vector<uint32_t> target_of;
 };
 TransferJoints choose_transfer_joints(const Character& source, const Character& target, const JointMapping& mapping);
 

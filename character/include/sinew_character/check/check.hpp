@@ -58,7 +58,7 @@ struct RigCheck {
 
 // Checks a character that has joints; without weights, what can be seen of the skeleton. Findings are the same on every machine.
 //   motion  its clips, whose first joints are the character's; or null
-// Throws Error for a character without joints, with a hierarchy that has a cycle, or with places or weights that are not finite.
+// Throws Error for a character without joints, with a hierarchy that has a cycle, or with positions or weights that are not finite.
 RigCheck check_rig(const Character& character, const Motion* motion, const CheckOptions& options = {});
 
 // Only what is cheap, for the end of a job: "checked: 0 findings", or how many there are and of which rules.
@@ -67,8 +67,8 @@ std::string checked_line(const RigCheck& check);
 // What the second version has that the first has not, and the other way round. Findings are the same when rule, joints (by name), pose
 // and clip are.
 struct CheckChange {
-  std::vector<size_t> added;  // of `now`
-  std::vector<size_t> gone;   // of `before`
+  std::vector<size_t> added;    // of `now`
+  std::vector<size_t> removed;  // of `before`
 };
 CheckChange check_change(const RigCheck& before, const std::vector<Joint>& joints_before, const RigCheck& now,
                          const std::vector<Joint>& joints_now);

@@ -29,7 +29,7 @@ CheckedFile check_file(const std::string& path, const CheckOptions& options);
 // Against an older version of the file. Throws Error.
 void check_against(const std::string& path, const CheckOptions& options, CheckedFile* file);
 
-// 0..100: how near the weights are to those of the bundled model, the heat method and the nearest bone, among joints that names and places let have weight: 100 less
+// 0..100: how near the weights are to those of the bundled model, the heat method and the nearest bone, among joints that names and positions let have weight: 100 less
 // half of the mean L1 difference, in percent. Binds on which methods disagree, or that no method would make, get less. Of weights that were
 // made by a program; an artist's own way of weighting costs points without being worse. Throws Error.
 double weight_score(const Character& character);

@@ -20,7 +20,7 @@ struct Image {
 
 std::vector<uint8_t> encode_png(const Image& image);
 
-// A ring around a place, on top of everything; pale where the surface hides the place.
+// A ring around a point, on top of everything; pale where the surface hides the point.
 struct RenderMark {
   Vec3 position;
   std::array<uint8_t, 3> colour = {230, 20, 90};

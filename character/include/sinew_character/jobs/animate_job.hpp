@@ -32,7 +32,7 @@ struct AnimateOptions {
   bool translations = false;  // bones of the body stretch as the source's do
   bool force = false;         // plays a motion whose map reaches less than kLeastCover, with a note; an Error else
   double fps = 0, from = 0, to = 1e9;  // seconds
-  sinew_reference_options reference = sinew_reference_options_init();
+  sinew_reference_options reference = SINEW_INIT(sinew_reference_options);
 };
 
 struct MotionInput {
@@ -55,12 +55,12 @@ struct AnimatedClip {
 
 struct AnimatedCharacter {
   Character character;
-  Motion motion;                   // of its joints
-  std::vector<AnimatedClip> made;  // [motion.clips]
-  Morphs morphs;                   // of bake_clips()
-  bool rigged = false;             // was a bare mesh
-  MotionMap map;                   // of the last motion
-  float certainty = 1;             // how sure its front and sides are, and no more than what it covers of both bodies
+  Motion motion;                             // of its joints
+  std::vector<AnimatedClip> animated_clips;  // [motion.clips]
+  Morphs morphs;                             // of bake_clips()
+  bool rigged = false;                       // was a bare mesh
+  MotionMap map;                             // of the last motion
+  float certainty = 1;  // how sure its front and sides are, and no more than what it covers of both bodies
 };
 
 // Told how many steps there are, gives what is asked before each; that says false to stop, which ends the work with an Error.

@@ -17,7 +17,7 @@ namespace sinew {
 
 struct BakeJobOptions {
   std::string character;  // its file, for messages
-  sinew_deform_options deform = sinew_deform_options_init();
+  sinew_deform_options deform = SINEW_INIT(sinew_deform_options);
   size_t poses = 1500, shapes = 8;  // shapes of a bend
   uint64_t seed = 1;
   double limit = 60;                     // degrees

@@ -40,10 +40,11 @@ struct BindJobOptions {
   std::string
       to_pose;  // the rest pose of what is written: "t", "a" or a file that stands so; empty: as it stands. Cuts as well
   const JointChoice* choice = nullptr;  // of prepare_joints() before, where the weights of now are no more the file's
-  std::vector<size_t> taken_back;  // joints that may get weight though the choice left them out; `said` comes after it
-  std::vector<uint8_t> said;       // [J] SINEW_JOINT_* of the user, or empty
-  std::vector<uint8_t> locked;     // [V] non-zero: keeps its weights; or empty
-  std::vector<uint8_t> hinted;     // [V] the same, and they steer their surroundings; or empty
+  std::vector<size_t>
+      restored_joints;  // joints that may get weight though the choice left them out; `joint_flags` come after it
+  std::vector<uint8_t> joint_flags;  // [J] SINEW_JOINT_* of the user, or empty
+  std::vector<uint8_t> locked;       // [V] non-zero: keeps its weights; or empty
+  std::vector<uint8_t> hinted;       // [V] the same, and they steer their surroundings; or empty
   const BindHints* hints = nullptr;
   const Character* like = nullptr;  // a bound character whose weights show how they are wanted
   std::string mesh;                 // file of the character, for messages
@@ -70,7 +71,7 @@ class BindJob {
   // Answers of a style for the parts that a bind without them asks about.
   std::vector<sinew_answer> answers_of(const Style& style);
   // The rules that answers make, with `style`'s before them. Throws Error, which begins with `path`, where there are none.
-  Style learnt(Style style, const std::vector<sinew_answer>& said, const std::string& path);
+  Style learnt(Style style, const std::vector<sinew_answer>& answers, const std::string& path);
   // The bind without answers, with all its questions: what a style is matched with and made of. Made when it is first asked for.
   const CharacterBind& proposed();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Threads that a job lends to the engine (sinew_options::parallel_for).
+// Threads that a job lends to the engine (sinew_bind_options::parallel_for).
 #ifndef SINEW_CHARACTER_THREAD_POOL_HPP
 #define SINEW_CHARACTER_THREAD_POOL_HPP
 
@@ -20,7 +20,7 @@ class ThreadPool {
 
   // body(data, i) for i in 0..count-1; returns when all are done.
   void run(uint32_t count, void (*body)(void* data, uint32_t index), void* data);
-  // As sinew_options wants it; `user` is the pool.
+  // As sinew_bind_options wants it; `user` is the pool.
   static void parallel_for(void* user, uint32_t count, void (*body)(void* data, uint32_t index), void* data);
 
  private:

@@ -24,7 +24,7 @@ std::optional<Character> body_of_motion(const std::string& path);
 
 // Limbs as they were copied, and as the method left them; as many of both, in one order.
 struct ClipReport {
-  std::vector<sinew_limb_measure> before, after;
+  std::vector<sinew_limb_quality> before, after;
   // [frames x SINEW_MAX_MOTION_LIMBS] of what the method left; empty without a body
   std::vector<sinew_contact_spot> spots;
 };

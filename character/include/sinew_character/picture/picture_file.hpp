@@ -32,12 +32,12 @@ PictureFile read_picture(const std::string& path);
 // The same from bytes; `path` is for messages.
 PictureFile decode_picture(const std::string& path, std::vector<uint8_t> bytes);
 
-// Where the place (u, v) of the seen picture is in the file's own rows; all 0..1, v runs down.
-struct PicturePlace {
+// Where the point (u, v) of the seen picture is in the file's own rows; all 0..1, v runs down.
+struct PicturePoint {
   float u = 0, v = 0;
 };
-PicturePlace file_place(const PictureFile& picture, PicturePlace seen);
-PicturePlace seen_place(const PictureFile& picture, PicturePlace in_file);
+PicturePoint file_point(const PictureFile& picture, PicturePoint seen);
+PicturePoint seen_point(const PictureFile& picture, PicturePoint in_file);
 
 }  // namespace sinew
 #endif

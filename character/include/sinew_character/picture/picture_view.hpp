@@ -14,9 +14,9 @@ namespace sinew {
 enum class PictureView { kFront, kFacesRight, kFacesLeft };
 const char* picture_view_text(PictureView view);
 
-// A mesh of the picture plane (xy, seen from +z) as networks know bodies, facing +z with y up, and places back.
-Vec3 from_picture(PictureView view, const Vec3& place);
-Vec3 to_picture(PictureView view, const Vec3& place);
+// A mesh of the picture plane (xy, seen from +z) as networks know bodies, facing +z with y up, and positions back.
+Vec3 from_picture(PictureView view, const Vec3& position);
+Vec3 to_picture(PictureView view, const Vec3& position);
 
 struct SeenBody {
   PictureView view = PictureView::kFront;

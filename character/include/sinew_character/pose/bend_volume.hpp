@@ -46,7 +46,7 @@ class BendVolumes {
   Bend make_bend(size_t joint) const;
 
   std::vector<float> rest_;                         // [V x 3]
-  std::vector<Triangle> triangles_;                 // of places, none flat
+  std::vector<Triangle> triangles_;                 // of positions, none flat
   std::vector<uint32_t> position_;                  // [V] first vertex there
   std::vector<std::vector<Influence>> influences_;  // [V]
   std::vector<int> parents_;                        // [J]

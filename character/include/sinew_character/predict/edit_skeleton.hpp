@@ -24,7 +24,7 @@ struct SkeletonEdit {
 SkeletonEdit parse_edit(EditKind kind, const std::string& text);
 
 // Applies edits in their order. Where the skeleton is its own mirror image and `mirror` is set, it stays so:
-//   move    the partner goes to the mirror image of the place; a joint on the plane stays on it. Bone ends go along
+//   move    the partner goes to the mirror image of the position; a joint on the plane stays on it. Bone ends go along
 //           with their joints, nothing else moves
 //   add     below a joint that has a partner, or with a side in its name, a joint gets a partner, named for the other side
 //   remove  a joint's children go to its parent, its bone ends go with it; of a root, the first child on the plane, or the

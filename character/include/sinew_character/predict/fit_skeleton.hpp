@@ -28,7 +28,7 @@ struct FitOptions {
       floor;  // lowest point of the mesh, for roots on the floor; nullopt: as low below the feet as they were
 };
 
-// How a joint came to its place.
+// How a joint came to its position.
 enum class FitHow : uint8_t {
   kMatched,  // a joint of the other skeleton is there
   kBetween,  // between two of those, along the other's chain
@@ -36,10 +36,10 @@ enum class FitHow : uint8_t {
 };
 
 struct FittedSkeleton {
-  std::vector<Joint> joints;  // names, parents and order of `mine`, new places
+  std::vector<Joint> joints;  // names, parents and order of `mine`, new positions
   std::vector<FitHow> how;    // [J]
   size_t matched = 0;         // joints with kMatched
-  size_t telling = 0;         // joints that are neither details nor bone ends: most of them should match
+  size_t matchable = 0;       // joints that are neither details nor bone ends: most of them should match
   double scale = 1;           // of the whole, for people
   bool symmetric = false;     // both skeletons are their own mirror images, and so is the result, exactly
 };

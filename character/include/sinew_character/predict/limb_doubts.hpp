@@ -19,7 +19,7 @@ struct LimbDoubt {
 
 // Limbs of a skeleton that was predicted by votes: what hangs on its trunk, in the order of kinds. A limb is wrong whose
 // joints are 5 % of the longest side off in the mean, or one of them 10 %: logistic, of how sure the votes are of its joints'
-// places and of the spread of all, fitted on families that the votes were not trained on (trainer/configs/RESULTS.md).
+// positions and of the spread of all, fitted on families that the votes were not trained on (trainer/configs/RESULTS.md).
 std::vector<LimbDoubt> limb_doubts(const PredictedSkeleton& skeleton);
 
 // From here on the user is told.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Skeletons with the names and the hierarchy of well-known conventions, at plausible places: for fit_skeleton().
+// Skeletons with the names and the hierarchy of well-known conventions, at plausible positions: for fit_skeleton().
 #ifndef SINEW_CHARACTER_SKELETON_TEMPLATE_HPP
 #define SINEW_CHARACTER_SKELETON_TEMPLATE_HPP
 

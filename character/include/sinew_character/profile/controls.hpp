@@ -49,7 +49,7 @@ struct ControlRig {
 ControlRig find_controls(const Character& character);
 
 // The file's text, with a line break at its end.
-//   joints  [J] as they are written: their names and places
+//   joints  [J] as they are written: their names and positions
 //   turn    brings the rig's directions there
 std::string controls_text(const ControlRig& rig, const std::string& name, const std::vector<Joint>& joints,
                           const Rotation& turn = kNoRotation);

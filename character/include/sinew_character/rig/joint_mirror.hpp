@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Left and right of a skeleton: by the names of its joints, and by their places.
+// Left and right of a skeleton: by the names of its joints, and by their positions.
 #ifndef SINEW_CHARACTER_JOINT_MIRROR_HPP
 #define SINEW_CHARACTER_JOINT_MIRROR_HPP
 

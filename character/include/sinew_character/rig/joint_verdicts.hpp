@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What joints are by their names, places and weights: sinew_joint_classes() for joints of a file.
+// What joints are by their names, positions and weights: sinew_joint_classes() for joints of a file.
 #ifndef SINEW_CHARACTER_JOINT_VERDICTS_HPP
 #define SINEW_CHARACTER_JOINT_VERDICTS_HPP
 
@@ -32,7 +32,7 @@ struct JointVerdicts {
 };
 
 //   follows  [J] sinew_follows, or empty
-// Throws Error for joints that form a cycle, more of them than SINEW_MAX_JOINTS, and places that are not finite.
+// Throws Error for joints that form a cycle, more of them than SINEW_MAX_JOINTS, and positions that are not finite.
 JointVerdicts joint_verdicts(const std::vector<Joint>& joints, const std::vector<uint8_t>& follows = {});
 
 // [J] sinew_follows by the character's weights; empty where it has none.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which vertices of a mesh lie at one place, and which lie beside each other.
+// Which vertices of a mesh lie at one position, and which lie beside each other.
 #ifndef SINEW_CHARACTER_MESH_NEIGHBOURS_HPP
 #define SINEW_CHARACTER_MESH_NEIGHBOURS_HPP
 
@@ -35,7 +35,7 @@ std::vector<uint32_t> first_at_position(const Character& character);
 // once, ascending; empty for vertices that are not the first at their position.
 std::vector<std::vector<uint32_t>> welded_rings(const Character& character, const std::vector<uint32_t>& first);
 
-// [V] the vertices at the other end of an edge, once for each face that has it; and of two vertices at one place each has the
+// [V] the vertices at the other end of an edge, once for each face that has it; and of two vertices at one position each has the
 // other, so that walks go on across seams.
 std::vector<std::vector<uint32_t>> neighbours_of(const Character& character);
 

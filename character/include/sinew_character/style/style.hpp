@@ -16,7 +16,7 @@
 namespace sinew {
 
 // What tells a part again: lengths are in longest sides of the character's box.
-struct PartLook {
+struct PartFeatures {
   bool body = false;                    // the part with most vertices
   double size = 0;                      // its share of the vertices
   double radius = 0;                    // mean distance of its vertices from their middle
@@ -26,16 +26,16 @@ struct PartLook {
 
 // One answer, and the part that it was about.
 struct StyleRule {
-  PartLook part;
+  PartFeatures part;
   uint16_t kind = 0;  // sinew_answer_kind
   std::string joint;  // of SINEW_ANSWER_RIGID
   int steps_up = -1;  // from part.joint up to `joint`, 0 = the same; -1 where it is not above it
-  std::array<double, 3> joint_position = {};  // as part.place
+  std::array<double, 3> joint_position = {};  // as part.position
 };
 
 // The answers about one character, and its joints: other rigs are left alone.
 struct StyleSheet {
-  std::vector<std::pair<std::string, std::array<double, 3>>> joints;  // names and places
+  std::vector<std::pair<std::string, std::array<double, 3>>> joints;  // names and positions
   std::vector<StyleRule> rules;
 };
 
@@ -44,21 +44,22 @@ struct Style {
 };
 
 // A bind's questions and where its parts are, as BindResult and CharacterBind have them.
-struct AskedBind {
+struct BindQuestions {
   const std::vector<sinew_question>& questions;
   const std::vector<uint32_t>& vertex_parts;  // [V]
   Axis up_axis = Axis::kY;                    // of the character; a style has y up
 };
 
 // The rules that the answers about a character make; answers about parts that are no question make none.
-StyleSheet learn_style(const Character& character, const AskedBind& asked, const std::vector<sinew_answer>& answers);
+StyleSheet learn_style(const Character& character, const BindQuestions& asked,
+                       const std::vector<sinew_answer>& answers);
 
 // Answers for the questions about parts that look like those of a rule, from the sheets of characters of the same kind:
-// at least two thirds of the joints of either have a namesake in the other, for rigid answers at the same place. Parts match mirrored ones
-// as well, across the middle of the box. A joint is found by its name, by the words of its name, or by its place above
+// at least two thirds of the joints of either have a namesake in the other, for rigid answers at the same position. Parts match mirrored ones
+// as well, across the middle of the box. A joint is found by its name, by the words of its name, or by its position above
 // the part's own joint, and has to stand where it stood; a rule whose joint is not there gives no answer.
 //   flags  [J] SINEW_JOINT_* or empty: joints that must get no weight are not there
-std::vector<sinew_answer> answer_by_style(const Style& style, const Character& character, const AskedBind& asked,
+std::vector<sinew_answer> answer_by_style(const Style& style, const Character& character, const BindQuestions& asked,
                                           const std::vector<uint8_t>& flags);
 
 // Throws Error with file, and what was expected.

@@ -17,14 +17,14 @@ void smooth(Loop* loop) {
   for (int round = 0; round < 3; ++round) {
     Loop out(n);
     for (size_t i = 0; i < n; ++i) {
-      const Place &a = (*loop)[(i + n - 1) % n], &b = (*loop)[i], &c = (*loop)[(i + 1) % n];
+      const Point2 &a = (*loop)[(i + n - 1) % n], &b = (*loop)[i], &c = (*loop)[(i + 1) % n];
       for (size_t k = 0; k < 2; ++k) out[i][k] = 0.25 * a[k] + 0.5 * b[k] + 0.25 * c[k];
     }
     *loop = std::move(out);
   }
 }
 
-double distance_to_line(const Place& p, const Place& a, const Place& b) {
+double distance_to_line(const Point2& p, const Point2& a, const Point2& b) {
   const double dx = b[0] - a[0], dy = b[1] - a[1], l = std::hypot(dx, dy);
   if (l < 1e-12) return std::hypot(p[0] - a[0], p[1] - a[1]);
   return std::abs(dx * (p[1] - a[1]) - dy * (p[0] - a[0])) / l;
@@ -85,12 +85,12 @@ std::vector<size_t> simplified(const Loop& loop, double tolerance, double longes
       far = i;
   std::vector<uint8_t> kept(n, 0);
   kept[0] = kept[far] = 1;
-  std::vector<std::pair<size_t, size_t>> todo = {{0, far}, {far, n}};  // n: place 0 again
+  std::vector<std::pair<size_t, size_t>> todo = {{0, far}, {far, n}};  // n: point 0 again
   while (!todo.empty()) {
     const auto [a, b] = todo.back();
     todo.pop_back();
     if (b - a < 2) continue;
-    const Place &from = loop[a], &to = loop[b % n];
+    const Point2 &from = loop[a], &to = loop[b % n];
     size_t worst = 0;
     double off = tolerance;
     for (size_t i = a + 1; i < b; ++i)

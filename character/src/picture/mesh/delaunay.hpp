@@ -16,7 +16,7 @@ class Delaunay {
   static constexpr int64_t kMost = 20000;
 
   Delaunay();
-  // Its number, that of an earlier point at the same place.
+  // Its number, that of an earlier point at the same position.
   uint32_t insert(int64_t x, int64_t y);
   // Corners left about, numbers of insert(); those at the four corners of the plane are left out.
   std::vector<std::array<uint32_t, 3>> triangles() const;

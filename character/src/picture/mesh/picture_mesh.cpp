@@ -16,27 +16,27 @@ constexpr size_t kPoints = 1100;  // about 2,000 vertices on both sides
 // Limbs are nearly as deep as wide, trunks and skirts the less the wider: a height h becomes kDepth h / (1 + h / (kWide longest side)). Chosen by the joints that votes find
 // in pictures of training characters.
 constexpr float kDepth = 0.9f, kWide = 0.15f;
-constexpr float kLeastHeight = 0.35f;  // pixels: no two sides in one place
+constexpr float kLeastHeight = 0.35f;  // pixels: no two sides at one position
 constexpr float kCard = 0.005f;        // of the longest side
 
-float height_at(const Grid<float>& height, const Place& p) {
+float height_at(const Grid<float>& height, const Point2& p) {
   const auto cell = [](double v, uint32_t n) {
     return static_cast<uint32_t>(std::clamp(v, 0.0, static_cast<double>(n - 1)));
   };
   return height.at(cell(p[0], height.width), cell(p[1], height.height));
 }
 
-// Places of the mask in the units asked for.
+// Points of the mask in the units asked for.
 struct Plane {
   float left, bottom, scale, longest;  // pixels
-  Vec3 at(const Place& p, float z) const {
+  Vec3 at(const Point2& p, float z) const {
     return {(static_cast<float>(p[0]) - left) * scale, (bottom - static_cast<float>(p[1])) * scale, z * scale};
   }
 };
 
 Plane plane_of(const PictureFile& picture, const Figure& figure, const PlaneMesh& mesh, bool pixels) {
   double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
-  for (const Place& p : mesh.points) {
+  for (const Point2& p : mesh.points) {
     left = std::min(left, p[0]);
     right = std::max(right, p[0]);
     top = std::min(top, p[1]);
@@ -73,10 +73,10 @@ Character picture_mesh(const PictureFile& picture, const Figure& figure, const P
       out.vertices.push_back(plane.at(mesh.points[p], mesh.rim[p] != 0 ? 0 : behind ? -high : high));
     }
   const auto step = static_cast<double>(figure.step);
-  for (const Place& p : mesh.points) {
-    const PicturePlace seen = {static_cast<float>(std::clamp(p[0] * step / picture.pixels.width, 0.0, 1.0)),
+  for (const Point2& p : mesh.points) {
+    const PicturePoint seen = {static_cast<float>(std::clamp(p[0] * step / picture.pixels.width, 0.0, 1.0)),
                                static_cast<float>(std::clamp(p[1] * step / picture.pixels.height, 0.0, 1.0))};
-    const PicturePlace in_file = file_place(picture, seen);
+    const PicturePoint in_file = file_point(picture, seen);
     uvs.push_back({in_file.u, 1 - in_file.v});  // as in an OBJ, v runs up
   }
   for (const bool behind : {false, true})
@@ -105,7 +105,7 @@ std::vector<std::array<uint8_t, 3>> picture_colours(const PictureFile& picture, 
   std::vector<std::array<uint8_t, 3>> out(mesh.vertices.size(), std::array<uint8_t, 3>{});
   const Pixels& pixels = picture.pixels;
   for (size_t c = 0; c < mesh.face_vertices.size(); ++c) {
-    const PicturePlace seen = seen_place(picture, {mesh.corner_uvs[c][0], 1 - mesh.corner_uvs[c][1]});
+    const PicturePoint seen = seen_point(picture, {mesh.corner_uvs[c][0], 1 - mesh.corner_uvs[c][1]});
     const auto x = static_cast<uint32_t>(seen.u * static_cast<float>(pixels.width - 1)),
                y = static_cast<uint32_t>(seen.v * static_cast<float>(pixels.height - 1));
     const uint8_t* p = &pixels.rgba[(size_t{y} * pixels.width + x) * 4];

@@ -25,7 +25,7 @@ bool on_ridge(const Grid<float>& depth, uint32_t x, uint32_t y) {
 }
 
 // No two nearer than `spacing`, from the middle lines outwards; near the outline on middle lines alone.
-std::vector<Place> inner_points(const Inflation& inflation, double spacing) {
+std::vector<Point2> inner_points(const Inflation& inflation, double spacing) {
   const Grid<float>& depth = inflation.depth;
   struct Candidate {
     float depth;
@@ -43,9 +43,9 @@ std::vector<Place> inner_points(const Inflation& inflation, double spacing) {
   const auto columns = static_cast<size_t>(depth.width / spacing) + 3,
              rows = static_cast<size_t>(depth.height / spacing) + 3;
   std::vector<std::vector<uint32_t>> cells(columns * rows);
-  std::vector<Place> points;
+  std::vector<Point2> points;
   for (const Candidate& one : candidates) {
-    const Place p = {one.at % depth.width + 0.5, static_cast<double>(one.at / depth.width) + 0.5};
+    const Point2 p = {one.at % depth.width + 0.5, static_cast<double>(one.at / depth.width) + 0.5};
     const size_t cx = static_cast<size_t>(p[0] / spacing) + 1, cy = static_cast<size_t>(p[1] / spacing) + 1;
     bool free = true;
     for (size_t y = cy - 1; y <= cy + 1 && free; ++y)
@@ -63,24 +63,24 @@ std::vector<Place> inner_points(const Inflation& inflation, double spacing) {
 class Net {
  public:
   explicit Net(const Mask& mask) : scale_(static_cast<double>(Delaunay::kMost) / std::max(mask.width, mask.height)) {}
-  uint32_t insert(const Place& p) {
+  uint32_t insert(const Point2& p) {
     const uint32_t number = net_.insert(std::llround(p[0] * scale_), std::llround(p[1] * scale_));
     if (number == points_.size()) points_.push_back(p);
     return number;
   }
   std::vector<std::array<uint32_t, 3>> triangles() const { return net_.triangles(); }
-  const std::vector<Place>& points() const { return points_; }
+  const std::vector<Point2>& points() const { return points_; }
 
  private:
   double scale_;
   Delaunay net_;
-  std::vector<Place> points_;
+  std::vector<Point2> points_;
 };
 
 using Edge = std::pair<uint32_t, uint32_t>;
 Edge edge_of(uint32_t a, uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
-// Outlines whose every line is an edge: the places in the middle of those that are none are added, round by round.
+// Outlines whose every line is an edge: the points in the middle of those that are none are added, round by round.
 void insert_outlines(const std::vector<Loop>& loops, double spacing, Net* net) {
   std::vector<std::vector<size_t>> kept;
   for (const Loop& loop : loops) kept.push_back(simplified(loop, kTolerance, spacing));
@@ -114,14 +114,14 @@ void insert_outlines(const std::vector<Loop>& loops, double spacing, Net* net) {
 
 PlaneMesh mesh_at(const Mask& mask, const std::vector<Loop>& loops, const Inflation& inflation, double spacing) {
   Net net(mask);
-  for (const Place& p : inner_points(inflation, spacing)) net.insert(p);
+  for (const Point2& p : inner_points(inflation, spacing)) net.insert(p);
   insert_outlines(loops, spacing, &net);
   // Inside by the middle; points that no triangle has are left out.
   PlaneMesh out;
   std::vector<uint32_t> numbers(net.points().size(), UINT32_MAX);
   std::map<Edge, int> uses;
   for (std::array<uint32_t, 3> t : net.triangles()) {
-    Place middle = {0, 0};
+    Point2 middle = {0, 0};
     for (const uint32_t corner : t)
       for (size_t k = 0; k < 2; ++k) middle[k] += net.points()[corner][k] / 3;
     if (!mask.at(static_cast<int64_t>(std::floor(middle[0])), static_cast<int64_t>(std::floor(middle[1])))) continue;

@@ -13,7 +13,7 @@
 namespace sinew::picture {
 
 struct PlaneMesh {
-  std::vector<Place> points;
+  std::vector<Point2> points;
   std::vector<std::array<uint32_t, 3>> triangles;  // left about as seen with y down
   std::vector<uint8_t> rim;                        // [points] 1 on an edge of one triangle alone
 };

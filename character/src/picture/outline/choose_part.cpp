@@ -20,7 +20,7 @@ constexpr size_t kMostFigures = 12;
 
 }  // namespace
 
-Chosen choose_part(const std::string& name, const Mask& mask, uint32_t number) {
+ChosenPart choose_part(const std::string& name, const Mask& mask, uint32_t number) {
   const auto largest_side = static_cast<float>(std::max(mask.width, mask.height));
   const Mask touching = grown(mask, std::max(1.5f, 0.003f * largest_side));
   const Parts labels = parts_of(touching, true);
@@ -59,7 +59,7 @@ Chosen choose_part(const std::string& name, const Mask& mask, uint32_t number) {
   if (number > figures.size())
     throw Error(name + ": there is no figure " + std::to_string(number) + ", found " + std::to_string(figures.size()) +
                 " from left to right");
-  Chosen out = {mask, static_cast<uint32_t>(figures.size()), number};
+  ChosenPart out = {mask, static_cast<uint32_t>(figures.size()), number};
   size_t wanted = number > 0 ? figures[number - 1].number : largest->number;
   for (size_t f = 0; f < figures.size(); ++f)
     if (figures[f].number == wanted) out.number = static_cast<uint32_t>(f + 1);

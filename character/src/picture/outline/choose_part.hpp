@@ -9,14 +9,14 @@
 
 namespace sinew::picture {
 
-struct Chosen {
+struct ChosenPart {
   Mask mask;
   uint32_t count = 0, number = 0;  // figures from left to right
 };
 //   name    for messages
 //   number  0: the largest
 // Throws Error: nothing there, nothing large enough, many marks as of text, no figure of that number.
-Chosen choose_part(const std::string& name, const Mask& mask, uint32_t number);
+ChosenPart choose_part(const std::string& name, const Mask& mask, uint32_t number);
 
 }  // namespace sinew::picture
 #endif

@@ -29,7 +29,7 @@ bool is_cut_out(const Grid<uint8_t>& alpha) {
 
 Figure figure_from(const std::string& name, const Mask& mask, const FigureOptions& options, uint32_t step,
                    FigureSource source) {
-  Chosen chosen = choose_part(name, mask, options.number);
+  ChosenPart chosen = choose_part(name, mask, options.number);
   Figure out;
   out.mask = std::move(chosen.mask);
   out.step = step;

@@ -46,15 +46,15 @@ Grid<float> blurred_light(const Grid<float>& off) {
   return out;
 }
 
-struct Judged {
+struct BackgroundLikeness {
   Grid<uint8_t> likeness;
   Grid<float> light;  // blurred
   float step = 0;     // between neighbours in a shadow
 };
 
-Judged judge(const Grid<Lab>& colours, const Mask& domain, const Background& background) {
+BackgroundLikeness judge(const Grid<Lab>& colours, const Mask& domain, const Background& background) {
   Grid<float> off(colours.width, colours.height);  // of L
-  Judged out = {Grid<uint8_t>(colours.width, colours.height), {}, kShadowStep + 0.3f * background.noise()};
+  BackgroundLikeness out = {Grid<uint8_t>(colours.width, colours.height), {}, kShadowStep + 0.3f * background.noise()};
   const float tolerance = background.tolerance();
   for (uint32_t y = 0; y < colours.height; ++y)
     for (uint32_t x = 0; x < colours.width; ++x) {
@@ -81,7 +81,7 @@ void each_neighbour(uint32_t i, uint32_t width, uint32_t height, const Visit& vi
 }
 
 // 1 = reached from the border through what is like the background.
-std::vector<uint8_t> grow(const Judged& judged, const std::vector<uint32_t>& border) {
+std::vector<uint8_t> grow(const BackgroundLikeness& judged, const std::vector<uint32_t>& border) {
   const uint32_t width = judged.likeness.width, height = judged.likeness.height;
   std::vector<uint8_t> reached(judged.likeness.values.size(), 0);
   std::vector<uint32_t> todo;
@@ -197,7 +197,7 @@ Foreground find_foreground(const Grid<Lab>& colours, const Mask& domain) {
   const Background first(colours, border);
   std::vector<uint8_t> reached, likeness;
   {
-    Judged judged = judge(colours, domain, first);
+    BackgroundLikeness judged = judge(colours, domain, first);
     reached = grow(judged, border);
     likeness = std::move(judged.likeness.values);
   }
@@ -207,7 +207,7 @@ Foreground find_foreground(const Grid<Lab>& colours, const Mask& domain) {
     if (reached[i] != 0 && likeness[i] == kLike) known.push_back(i);
   if (known.size() < border.size() / 4) return out;
   const Background second(colours, known);
-  const Judged judged = judge(colours, domain, second);
+  const BackgroundLikeness judged = judge(colours, domain, second);
   reached = grow(judged, border);
   for (size_t i = 0; i < reached.size(); ++i) {
     out.mask.inside[i] = domain.inside[i] != 0 && reached[i] == 0 ? 1 : 0;

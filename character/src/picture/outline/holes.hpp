@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which enclosed places that look like the background are holes of a figure, and which are its white parts.
+// Which enclosed regions that look like the background are holes of a figure, and which are its white parts.
 #ifndef SINEW_CHARACTER_PICTURE_OUTLINE_HOLES_HPP
 #define SINEW_CHARACTER_PICTURE_OUTLINE_HOLES_HPP
 

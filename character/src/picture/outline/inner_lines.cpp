@@ -64,10 +64,10 @@ float border_depth(const Mask& ink, const Grid<float>& depth, float most) {
   return static_cast<float>(end) + 1;
 }
 
-// Ways through ink from one pixel, by breadth. Leaves are where they end.
-class Ways {
+// Paths through ink from one pixel, by breadth. Leaves are where they end.
+class InkPaths {
  public:
-  explicit Ways(const Mask& ink) : ink_(ink), from_(ink.inside.size(), kNone), steps_(ink.inside.size(), 0) {}
+  explicit InkPaths(const Mask& ink) : ink_(ink), from_(ink.inside.size(), kNone), steps_(ink.inside.size(), 0) {}
   // The way from `start` to the nearest pixel for which `goal` holds; goals need no ink.
   template <typename Goal>
   std::vector<uint32_t> to(uint32_t start, const Goal& goal) {
@@ -180,13 +180,13 @@ struct Search {
   const Grid<float>& depth;  // of the figure's pixels below its border
   float border;              // how deep the outline's stroke is
   float shortest, thinnest;  // of a line, and of what it frees
-  uint32_t reach;            // pixels, of a widest stroke: what is nearer than that is one place
+  uint32_t reach;            // pixels, of a widest stroke: what is nearer than that is one point
 };
 
 // The longest lines without a corner of one part of the inner ink, each from where it leaves the outline's stroke: slits in `figure`. How many.
 //   inside, out  ways through `inner`, and from there out of the figure
-size_t cut_part(const Search& search, const std::vector<uint32_t>& anchors, Ways* inside, Ways* out, Mask* inner,
-                Mask* figure) {
+size_t cut_part(const Search& search, const std::vector<uint32_t>& anchors, InkPaths* inside, InkPaths* out,
+                Mask* inner, Mask* figure) {
   size_t cuts = 0;
   for (int32_t branch = 0; branch < kMostBranches; ++branch) {
     std::vector<uint32_t> longest;
@@ -234,7 +234,7 @@ void cut_inner_lines(const Grid<Lab>& colours, Figure* figure) {
     if (depth.values[i] <= search.border) inner.inside[i] = 0;
   const Parts parts = parts_of(inner, true);
   std::vector<std::vector<uint32_t>> anchors(
-      parts.sizes.size());  // pixels next to the outline's stroke, one of each place
+      parts.sizes.size());  // pixels next to the outline's stroke, one of each such point
   std::vector<uint8_t> near(ink.inside.size(), 0);
   for (uint32_t i = 0; i < inner.inside.size(); ++i) {
     const int32_t part = parts.numbers.values[i];
@@ -248,7 +248,7 @@ void cut_inner_lines(const Grid<Lab>& colours, Figure* figure) {
   Mask outwards = ink;  // its border is half paper, and no ink
   for (size_t i = 0; i < outwards.inside.size(); ++i)
     if (depth.values[i] > 0 && depth.values[i] <= search.border + 1) outwards.inside[i] = 1;
-  Ways inside(inner), out(outwards);
+  InkPaths inside(inner), out(outwards);
   size_t cuts = 0;
   for (size_t p = 0; p < parts.sizes.size(); ++p)
     if (static_cast<float>(parts.sizes[p]) >= search.shortest)

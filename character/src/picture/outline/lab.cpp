@@ -16,7 +16,7 @@ std::array<float, 256> linear_table() {
   return table;
 }
 
-// The curve of L*a*b* at 4096 places of 0..1.
+// The curve of L*a*b* at 4096 points of 0..1.
 std::array<float, 4097> curve_table() {
   std::array<float, 4097> table{};
   for (size_t i = 0; i < table.size(); ++i) {

@@ -22,8 +22,8 @@ void check_lines(const PictureFile& picture, const Outline& outline) {
     if (outline[l].size() < 3)
       throw Error(picture.name + ": line " + std::to_string(l) +
                   " of the outline: expected three places or more, found " + std::to_string(outline[l].size()));
-    for (const auto& place : outline[l])
-      if (!std::isfinite(place[0]) || !std::isfinite(place[1]))
+    for (const auto& point : outline[l])
+      if (!std::isfinite(point[0]) || !std::isfinite(point[1]))
         throw Error(picture.name + ": line " + std::to_string(l) + " of the outline: a place is not finite");
   }
 }
@@ -75,7 +75,7 @@ Figure figure_of_outline(const PictureFile& picture, const Outline& outline, con
       for (int64_t x = first; x < last; ++x) inside.inside[size_t{y} * inside.width + static_cast<size_t>(x)] = 1;
     }
   }
-  picture::Chosen chosen = picture::choose_part(picture.name, inside, options.number);
+  picture::ChosenPart chosen = picture::choose_part(picture.name, inside, options.number);
   out.mask = std::move(chosen.mask);
   out.count = chosen.count;
   out.number = chosen.number;

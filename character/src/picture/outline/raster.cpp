@@ -10,8 +10,8 @@ namespace {
 // Scratch of one row or column of `n` values.
 struct Envelope {
   std::vector<double> value, from;  // of the parabolas, and where each begins to be the lowest
-  std::vector<uint32_t> place;
-  explicit Envelope(size_t n) : value(n), from(n + 1), place(n) {}
+  std::vector<uint32_t> position;
+  explicit Envelope(size_t n) : value(n), from(n + 1), position(n) {}
 };
 
 // One dimension: values[i * step] becomes min over k of values[k * step] + (i - k)^2.
@@ -22,13 +22,13 @@ void spread_line(float* values, size_t step, uint32_t n, Envelope* e) {
     if (v >= static_cast<double>(kFar)) continue;
     double begin = -1e30;
     while (count > 0) {
-      const double q = e->place[count - 1], w = e->value[count - 1];
+      const double q = e->position[count - 1], w = e->value[count - 1];
       begin = ((v + double{1} * k * k) - (w + q * q)) / (2 * (k - q));
       if (begin > e->from[count - 1]) break;
       --count;
       begin = -1e30;
     }
-    e->place[count] = k;
+    e->position[count] = k;
     e->value[count] = v;
     e->from[count] = begin;
     ++count;
@@ -37,7 +37,7 @@ void spread_line(float* values, size_t step, uint32_t n, Envelope* e) {
   size_t at = 0;
   for (uint32_t i = 0; i < n; ++i) {
     while (at + 1 < count && e->from[at + 1] <= i) ++at;
-    const double off = double{1} * i - e->place[at];
+    const double off = double{1} * i - e->position[at];
     values[i * step] = static_cast<float>(e->value[at] + off * off);
   }
 }

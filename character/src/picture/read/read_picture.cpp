@@ -17,9 +17,9 @@ bool begins_with(const std::vector<uint8_t>& bytes, const char* text, size_t siz
   return bytes.size() >= size && std::memcmp(bytes.data(), text, size) == 0;
 }
 
-// Of the file's rows, for a place of the seen ones. Exif 2.3, figure 3: 2 mirrored, 3 half a turn, 4 upside down, 5 to 8 with the axes exchanged.
+// Of the file's rows, for a point of the seen ones. Exif 2.3, figure 3: 2 mirrored, 3 half a turn, 4 upside down, 5 to 8 with the axes exchanged.
 template <typename T>
-std::pair<T, T> file_row_place(uint8_t orientation, T x, T y, T last_x, T last_y) {
+std::pair<T, T> file_row_point(uint8_t orientation, T x, T y, T last_x, T last_y) {
   switch (orientation) {
     case 2:
       return {last_x - x, y};
@@ -57,7 +57,7 @@ Pixels turned(Pixels pixels, uint8_t orientation) {
   out.rgba.resize(pixels.rgba.size());
   for (uint32_t y = 0; y < out.height; ++y)
     for (uint32_t x = 0; x < out.width; ++x) {
-      const auto from = file_row_place(orientation, x, y, out.width - 1, out.height - 1);
+      const auto from = file_row_point(orientation, x, y, out.width - 1, out.height - 1);
       std::memcpy(&out.rgba[(size_t{y} * out.width + x) * 4],
                   &pixels.rgba[(size_t{from.second} * pixels.width + from.first) * 4], 4);
     }
@@ -84,16 +84,16 @@ PictureFile decode_picture(const std::string& path, std::vector<uint8_t> bytes) 
 
 PictureFile read_picture(const std::string& path) { return decode_picture(path, read_file(path)); }
 
-PicturePlace file_place(const PictureFile& picture, PicturePlace seen) {
-  const auto place = picture::file_row_place(picture.orientation, seen.u, seen.v, 1.0f, 1.0f);
-  return {place.first, place.second};
+PicturePoint file_point(const PictureFile& picture, PicturePoint seen) {
+  const auto point = picture::file_row_point(picture.orientation, seen.u, seen.v, 1.0f, 1.0f);
+  return {point.first, point.second};
 }
 
-PicturePlace seen_place(const PictureFile& picture, PicturePlace in_file) {
+PicturePoint seen_point(const PictureFile& picture, PicturePoint in_file) {
   // Quarters undo each other, all others themselves.
   const uint8_t back = picture.orientation == 6 ? 8 : picture.orientation == 8 ? 6 : picture.orientation;
-  const auto place = picture::file_row_place(back, in_file.u, in_file.v, 1.0f, 1.0f);
-  return {place.first, place.second};
+  const auto point = picture::file_row_point(back, in_file.u, in_file.v, 1.0f, 1.0f);
+  return {point.first, point.second};
 }
 
 }  // namespace sinew

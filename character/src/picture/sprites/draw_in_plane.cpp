@@ -10,7 +10,7 @@ namespace sinew {
 namespace {
 
 constexpr uint32_t kSamples = 3;  // a side of a pixel
-constexpr uint8_t kSolid = 128;
+constexpr uint8_t kOpaque = 128;
 
 struct Corner {
   float x, y, z, u, v;  // x, y in samples, z towards the viewer; u, v of the seen picture, v runs down
@@ -60,7 +60,7 @@ void fill(const Pixels& pixels, bool cut_out, const std::array<Corner, 3>& t, Ca
       const float z = a * t[0].z + b * t[1].z + c * t[2].z;
       if (z <= canvas->nearness[at]) continue;
       const auto colour = colour_at(pixels, a * t[0].u + b * t[1].u + c * t[2].u, a * t[0].v + b * t[1].v + c * t[2].v);
-      if (cut_out && colour[3] < kSolid) continue;
+      if (cut_out && colour[3] < kOpaque) continue;
       canvas->nearness[at] = z;
       for (size_t k = 0; k < 3; ++k) canvas->colours[4 * at + k] = static_cast<uint8_t>(colour[k] + 0.5f);
       canvas->colours[4 * at + 3] = 255;
@@ -100,7 +100,7 @@ Pixels draw_in_plane(const PictureFile& picture, const Character& posed, const P
   const float scale = window.pixels * static_cast<float>(kSamples);
   const auto corner = [&](size_t c) {
     const Vec3& p = posed.vertices[posed.face_vertices[c]];
-    const PicturePlace seen = seen_place(picture, {posed.corner_uvs[c][0], 1 - posed.corner_uvs[c][1]});
+    const PicturePoint seen = seen_point(picture, {posed.corner_uvs[c][0], 1 - posed.corner_uvs[c][1]});
     return Corner{(p.x - window.left) * scale, (window.top - p.y) * scale, p.z, seen.u, seen.v};
   };
   for (size_t f = 0; f < posed.face_count(); ++f)

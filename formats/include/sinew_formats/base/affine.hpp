@@ -32,6 +32,9 @@ Affine rotation_about(const Rotation& rotation, const Point3& centre);
 
 Point3 transform_point(const Affine& m, double x, double y, double z);
 
+// Of the linear part: below 0 for a mirrored one.
+double determinant(const Affine& m);
+
 // nullopt when it flattens space (a scale of 0).
 std::optional<Affine> inverse(const Affine& m);
 

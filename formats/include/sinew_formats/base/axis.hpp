@@ -13,7 +13,7 @@ enum class Axis : uint8_t { kX, kY, kZ };
 // An axis that may not be known.
 using MaybeAxis = std::optional<Axis>;
 
-// 0, 1, 2: the axis's place in x, y, z.
+// 0, 1, 2: the axis's index in x, y, z.
 constexpr uint32_t axis_index(Axis axis) { return static_cast<uint32_t>(axis); }
 
 }  // namespace sinew

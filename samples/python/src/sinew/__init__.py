@@ -13,7 +13,7 @@ from .deforming import Deformer
 from .files import load, save
 from .mapping import REASONS, JointMap, map
 from .models import Model
-from .opened import OpenCharacter, create, extensions, open, open_picture, open_places, templates  # noqa: A004
+from .opened import OpenCharacter, create, extensions, open, open_picture, open_keypoints, templates  # noqa: A004
 from .retargeting import RetargetStream, joint_classes, retarget
 from .rigger import Rig, rig
 from .style import answers_by_style
@@ -22,4 +22,4 @@ from .transferring import Transferred, TransferredPart, transfer
 __version__ = "0.1.0"
 __all__ = ["ANSWERS", "CLASSES", "REASONS", "Alternative", "Cancelled", "Character", "Clip", "Deformer", "Error", "JointMap",
            "Model", "OpenCharacter", "Question", "RetargetStream", "Rig", "Skeleton", "Skin", "Transferred", "TransferredPart", "answers_by_style", "bind", "create", "extensions", "joint_classes", "load",
-           "map", "multiply", "open", "open_picture", "open_places", "retarget", "rig", "save", "templates", "transfer"]
+           "map", "multiply", "open", "open_picture", "open_keypoints", "retarget", "rig", "save", "templates", "transfer"]

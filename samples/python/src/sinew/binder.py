@@ -55,7 +55,7 @@ def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: declarations
     """
     mesh = Mesh(positions, faces)
     count = len(mesh.positions)
-    options = binding.init(binding.sinew_options)
+    options = binding.init(binding.sinew_bind_options)
     options.method = chosen(method, METHODS, "method")
     options.influence_count = _within(influences, 1, binding.MAX_INFLUENCES, "influences")
     options.weight_format = chosen(weight_format, declarations.WEIGHT_FORMAT, "weight_format")

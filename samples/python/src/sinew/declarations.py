@@ -33,6 +33,16 @@ NO_AREA = 4294967295
 ERROR_INPUT = -30
 ERROR_MEMORY = -31
 MAX_LOD_LEVELS = 8
+WITHOUT_TOES = 1
+WITHOUT_ENDS = 2
+WITHOUT_BIND = 4
+WITHOUT_NAMES = 8
+WITHOUT_RANGE = 16
+WITHOUT_CONTACTS = 32
+WITHOUT_TWIST_SPREAD = 64
+WITHOUT_SMOOTHING = 128
+WITHOUT_POSES = 256
+WITHOUT_CLIPS = 512
 LIMIT_HINGE = 1
 LIMIT_BALL = 2
 DETAIL_HANDS = 1
@@ -55,6 +65,8 @@ STATUS: Dict[str, int] = {"OK": 0, "ERROR_ARGUMENT": -1, "ERROR_WORKSPACE": -2, 
     "ERROR_MODEL_TASK": -19, "ERROR_NOT_BUILT": -20}
 Kernel = Literal["auto", "ref", "avx2", "avxvnni", "vnni", "simd128", "neon", "dsp"]
 KERNEL: Tuple[str, ...] = ("auto", "ref", "avx2", "avxvnni", "vnni", "simd128", "neon", "dsp")
+WITHOUT: Dict[str, int] = {"WITHOUT_TOES": 1, "WITHOUT_ENDS": 2, "WITHOUT_BIND": 4, "WITHOUT_NAMES": 8, "WITHOUT_RANGE": 16,
+    "WITHOUT_CONTACTS": 32, "WITHOUT_TWIST_SPREAD": 64, "WITHOUT_SMOOTHING": 128, "WITHOUT_POSES": 256, "WITHOUT_CLIPS": 512}
 AnswerKind = Literal["proposed", "rigid", "soft", "hard", "softer", "host"]
 ANSWER_KIND: Tuple[str, ...] = ("proposed", "rigid", "soft", "hard", "softer", "host")
 Up = Literal["auto", "x", "y", "z"]
@@ -109,10 +121,8 @@ SimplifyLevel = Literal["high", "low"]
 SIMPLIFY_LEVEL: Tuple[str, ...] = ("high", "low")
 FILE_USE: Dict[str, int] = {"READ_MESH": 1, "READ_SKELETON": 2, "READ_MOTION": 4, "READ_WHOLE": 8, "WRITE_CHARACTER": 16,
     "WRITE_MOTION": 32, "WRITE_MESH": 64, "READ_PICTURE": 256}
-BodyClass = Literal["found", "biped", "quadruped", "bird", "fish", "snake", "many-legged", "other"]
-BODY_CLASS: Tuple[str, ...] = ("found", "biped", "quadruped", "bird", "fish", "snake", "many-legged", "other")
-PictureView = Literal["front", "faces-right", "faces-left"]
-PICTURE_VIEW: Tuple[str, ...] = ("front", "faces-right", "faces-left")
+CheckSeverity = Literal["note", "warning", "error"]
+CHECK_SEVERITY: Tuple[str, ...] = ("note", "warning", "error")
 JointsFrom = Literal["auto", "own", "names", "all"]
 JOINTS_FROM: Tuple[str, ...] = ("auto", "own", "names", "all")
 CharacterRigMethod = Literal["auto", "votes", "shape", "regions", "slots"]
@@ -125,8 +135,10 @@ AnimateMethod = Literal["auto", "copy", "contacts", "reference-points", "stream"
 ANIMATE_METHOD: Tuple[str, ...] = ("auto", "copy", "contacts", "reference-points", "stream")
 PoseDeform = Literal["linear", "dual-quaternion", "volume", "xpbd", "delta-mush"]
 POSE_DEFORM: Tuple[str, ...] = ("linear", "dual-quaternion", "volume", "xpbd", "delta-mush")
-CheckSeverity = Literal["note", "warning", "error"]
-CHECK_SEVERITY: Tuple[str, ...] = ("note", "warning", "error")
+BodyClass = Literal["found", "biped", "quadruped", "bird", "fish", "snake", "many-legged", "other"]
+BODY_CLASS: Tuple[str, ...] = ("found", "biped", "quadruped", "bird", "fish", "snake", "many-legged", "other")
+PictureView = Literal["front", "faces-right", "faces-left"]
+PICTURE_VIEW: Tuple[str, ...] = ("front", "faces-right", "faces-left")
 
 # Callbacks.
 sinew_progress = CFUNCTYPE(c_int, c_void_p, c_uint32)
@@ -169,7 +181,7 @@ class sinew_skin(Structure):
     _fields_ = [("joint_indices", c_void_p), ("weights", c_void_p), ("influence_count", c_uint32), ("weight_format", c_uint32)]
 
 
-class sinew_options(Structure):
+class sinew_bind_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("influence_count", c_uint32), ("weight_format", c_uint32),
         ("candidate_count", c_uint32), ("grid_size", c_uint32), ("surface_vertices", c_uint32), ("symmetric", c_uint32),
         ("rigid_parts", c_uint32), ("softness_percent", c_uint32), ("weights_in_place", c_uint32), ("kernel", c_uint32),
@@ -186,9 +198,8 @@ class sinew_bind_outputs(Structure):
 
 class sinew_deform_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("cell_count", c_uint32), ("round_count", c_uint32),
-        ("softness", c_uint32), ("no_twist_spread", c_uint32), ("no_contact", c_uint32), ("no_smoothing", c_uint32),
-        ("parallel_for", sinew_parallel_for), ("parallel_user", c_void_p), ("thread_count", c_uint32), ("body_contact", c_uint32),
-        ("energy", c_uint32), ("tet_weights", c_uint32)]
+        ("softness", c_uint32), ("without", c_uint32), ("thread_count", c_uint32), ("body_contact", c_uint32),
+        ("parallel_for", sinew_parallel_for), ("parallel_user", c_void_p), ("energy", c_uint32), ("tet_weights", c_uint32)]
 
 
 class sinew_deformer(Structure):
@@ -245,7 +256,7 @@ class sinew_motion_clip(Structure):
         ("frame_count", c_uint32), ("ground", c_float)]
 
 
-class sinew_limb_measure(Structure):
+class sinew_limb_quality(Structure):
     _fields_ = [("joint", c_uint32), ("leg", c_uint32), ("frames", c_uint32), ("deep_frames", c_uint32), ("contact_frames", c_uint32),
         ("range_frames", c_uint32), ("depth", c_float), ("greatest_depth", c_float), ("error", c_float), ("greatest_error", c_float),
         ("reserved", c_uint32 * 2)]
@@ -256,13 +267,13 @@ class sinew_contact_spot(Structure):
 
 
 class sinew_retarget_stream_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("fps", c_float), ("ground", c_float), ("has_ground", c_uint32), ("no_contacts", c_uint32),
-        ("no_range", c_uint32), ("floor", POINTER(sinew_floor)), ("source", POINTER(sinew_motion_body))]
+    _fields_ = [("struct_size", c_uint32), ("fps", c_float), ("ground", c_float), ("has_ground", c_uint32), ("without", c_uint32),
+        ("reserved", c_uint32), ("floor", POINTER(sinew_floor)), ("source", POINTER(sinew_motion_body))]
 
 
 class sinew_rig_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("up", c_uint32), ("mirror", c_uint32), ("spine_count", c_uint32), ("no_toes", c_uint32),
-        ("no_ends", c_uint32), ("weights_in_place", c_uint32), ("kernel", c_uint32), ("progress", sinew_progress),
+    _fields_ = [("struct_size", c_uint32), ("up", c_uint32), ("mirror", c_uint32), ("spine_count", c_uint32), ("without", c_uint32),
+        ("reserved", c_uint32), ("weights_in_place", c_uint32), ("kernel", c_uint32), ("progress", sinew_progress),
         ("progress_user", c_void_p), ("method", c_uint32), ("category", c_uint32), ("front_model", POINTER(sinew_model)),
         ("front", c_uint32), ("axes_known", c_uint32)]
 
@@ -307,9 +318,9 @@ class sinew_transfer_outputs(Structure):
 
 
 class sinew_reference_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("area_power", c_uint32), ("no_own_limb", c_uint32), ("legs", c_uint32), ("falloff", c_float),
-        ("least_cosine", c_float), ("progress", sinew_progress), ("progress_user", c_void_p), ("own_limb", c_uint32), ("head", c_uint32),
-        ("torso", c_uint32), ("source_points", c_uint32)]
+    _fields_ = [("struct_size", c_uint32), ("area_power", c_uint32), ("own_limb", c_uint32), ("legs", c_uint32), ("falloff", c_float),
+        ("least_cosine", c_float), ("progress", sinew_progress), ("progress_user", c_void_p), ("head", c_uint32), ("torso", c_uint32),
+        ("source_points", c_uint32), ("reserved", c_uint32)]
 
 
 class sinew_simplify_options(Structure):
@@ -320,20 +331,8 @@ class sinew_file(Structure):
     _fields_ = [("name", c_char_p), ("bytes", c_void_p), ("size_bytes", c_size_t)]
 
 
-class sinew_character_picture_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("body_class", c_uint32), ("figure", c_uint32), ("flat", c_uint32), ("pixels", c_uint32),
-        ("line_count", c_uint32), ("mask", c_char_p), ("line_offsets", c_void_p), ("outline", c_void_p), ("cut", c_uint32),
-        ("reserved", c_uint32)]
-
-
-class sinew_character_picture_info(Structure):
-    _fields_ = [("struct_size", c_uint32), ("width", c_uint32), ("height", c_uint32), ("figure_count", c_uint32), ("figure", c_uint32),
-        ("body_class", c_uint32), ("view", c_uint32), ("certainty", c_float), ("line_count", c_uint32), ("reserved", c_uint32),
-        ("line_offsets", c_void_p), ("outline", c_void_p)]
-
-
 class sinew_character_profile_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("keep_axes", c_uint32), ("profile", c_char_p), ("licence", c_char_p), ("title", c_char_p),
+    _fields_ = [("struct_size", c_uint32), ("keep_axes", c_uint32), ("profile", c_char_p), ("license", c_char_p), ("title", c_char_p),
         ("authors", POINTER(c_char_p)), ("author_count", c_uint32), ("controls", c_uint32)]
 
 
@@ -352,9 +351,25 @@ class sinew_character_clip(Structure):
         ("joint_names", POINTER(c_char_p)), ("parents", c_void_p)]
 
 
-class sinew_character_place_options(Structure):
+class sinew_character_transform_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("turn_count", c_uint32), ("turns", POINTER(c_char_p)), ("height", c_double),
         ("floor", c_uint32), ("up", c_uint32)]
+
+
+class sinew_character_finding(Structure):
+    _fields_ = [("rule", c_char_p), ("what", c_char_p), ("cure", c_char_p), ("pose", c_char_p), ("clip", c_char_p), ("seconds", c_double),
+        ("value", c_double), ("bound", c_double), ("vertices", c_void_p), ("vertex_count", c_uint32), ("severity", c_uint32),
+        ("joint", c_int32), ("other", c_int32), ("mesh", c_int32), ("position", c_float * 3), ("radius", c_float), ("reserved", c_uint32)]
+
+
+class sinew_character_check_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("without", c_uint32), ("score", c_uint32), ("bound_count", c_uint32),
+        ("bound_rules", POINTER(c_char_p)), ("bounds", c_void_p)]
+
+
+class sinew_character_check_result(Structure):
+    _fields_ = [("struct_size", c_uint32), ("finding_count", c_uint32), ("errors", c_uint32), ("warnings", c_uint32), ("notes", c_uint32),
+        ("reserved", c_uint32), ("findings", POINTER(sinew_character_finding)), ("line", c_char_p), ("score", c_double)]
 
 
 class sinew_character_models(Structure):
@@ -390,16 +405,16 @@ class sinew_character_bind_result(Structure):
 
 
 class sinew_skeleton_edit(Structure):
-    _fields_ = [("kind", c_uint32), ("reserved", c_uint32), ("text", c_char_p)]
+    _fields_ = [("kind", c_uint32), ("reserved", c_uint32), ("joint", c_char_p), ("other", c_char_p), ("position", c_float * 3),
+        ("reserved2", c_uint32)]
 
 
 class sinew_character_rig_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("thread_count", c_uint32), ("progress", sinew_progress), ("progress_user", c_void_p),
-        ("models", POINTER(sinew_character_models)), ("method", c_uint32), ("detail", c_uint32), ("mirror", c_uint32), ("up", c_uint32),
-        ("spine_count", c_uint32), ("no_toes", c_uint32), ("no_ends", c_uint32), ("no_bind", c_uint32), ("keep_lengths", c_uint32),
-        ("influence_count", c_uint32), ("rigid_parts", c_uint32), ("softness_percent", c_uint32), ("surface_vertices", c_uint32),
-        ("edit_count", c_uint32), ("edits", POINTER(sinew_skeleton_edit)), ("skeleton", c_char_p), ("skeleton_character", c_void_p),
-        ("category", c_uint32), ("front", c_uint32), ("gate", c_uint32), ("cut", c_uint32), ("to_pose", c_char_p)]
+        ("models", POINTER(sinew_character_models)), ("bind", POINTER(sinew_character_bind_options)), ("method", c_uint32),
+        ("detail", c_uint32), ("mirror", c_uint32), ("up", c_uint32), ("front", c_uint32), ("category", c_uint32),
+        ("spine_count", c_uint32), ("without", c_uint32), ("keep_lengths", c_uint32), ("gate", c_uint32), ("reserved", c_uint32),
+        ("edit_count", c_uint32), ("edits", POINTER(sinew_skeleton_edit)), ("skeleton", c_char_p), ("skeleton_character", c_void_p)]
 
 
 class sinew_character_doubt(Structure):
@@ -414,10 +429,15 @@ class sinew_character_rig_result(Structure):
         ("doubtful", POINTER(sinew_character_doubt))]
 
 
+class sinew_motion_source(Structure):
+    _fields_ = [("struct_size", c_uint32), ("up", c_uint32), ("file", c_char_p), ("layout", c_char_p), ("actor", c_char_p),
+        ("clip", c_char_p), ("fps", c_double), ("from", c_double), ("to", c_double)]
+
+
 class sinew_character_map_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("no_names", c_uint32), ("no_ends", c_uint32), ("target_up", c_uint32),
-        ("source_up", c_uint32), ("guess_up", c_uint32), ("pin_count", c_uint32), ("pins", POINTER(sinew_map_pin)), ("pins_file", c_char_p),
-        ("branches_first", c_uint32), ("branches_cost", c_uint32), ("layout", c_char_p), ("actor", c_char_p)]
+    _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("without", c_uint32), ("target_up", c_uint32), ("guess_up", c_uint32),
+        ("pin_count", c_uint32), ("pins", POINTER(sinew_map_pin)), ("pins_file", c_char_p), ("branches_first", c_uint32),
+        ("branches_cost", c_uint32), ("source", POINTER(sinew_motion_source))]
 
 
 class sinew_character_map_result(Structure):
@@ -426,30 +446,31 @@ class sinew_character_map_result(Structure):
         ("text", c_char_p)]
 
 
+class sinew_character_deformation(Structure):
+    _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("cells", c_uint32), ("rounds", c_uint32), ("body_contact", c_uint32),
+        ("tet_weights", c_uint32), ("without", c_uint32), ("reserved", c_uint32), ("stiffness", c_double)]
+
+
 class sinew_character_animate_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("thread_count", c_uint32), ("progress", sinew_progress), ("progress_user", c_void_p),
-        ("models", POINTER(sinew_character_models)), ("method", c_uint32), ("in_place", c_uint32), ("no_range", c_uint32),
-        ("target_up", c_uint32), ("motion_up", c_uint32), ("deform", c_uint32), ("cells", c_uint32), ("rounds", c_uint32),
-        ("body_contact", c_uint32), ("shapes", c_uint32), ("fps", c_double), ("from", c_double), ("to", c_double), ("clip", c_char_p),
-        ("map", c_char_p), ("sources", c_void_p), ("area_power", c_uint32), ("no_own_limb", c_uint32), ("legs", c_uint32),
-        ("report", c_uint32), ("falloff", c_double), ("own_limb", c_uint32), ("head", c_uint32), ("torso", c_uint32),
-        ("source_points", c_uint32), ("force", c_uint32), ("translations", c_uint32), ("stiffness", c_double), ("tet_weights", c_uint32),
-        ("no_smoothing", c_uint32), ("layout", c_char_p), ("actor", c_char_p), ("limits", c_char_p), ("depth", c_uint32),
-        ("pin_count", c_uint32), ("pins", POINTER(sinew_map_pin))]
+        ("models", POINTER(sinew_character_models)), ("motion", POINTER(sinew_motion_source)),
+        ("deform", POINTER(sinew_character_deformation)), ("reference", POINTER(sinew_reference_options)), ("method", c_uint32),
+        ("without", c_uint32), ("in_place", c_uint32), ("target_up", c_uint32), ("shapes", c_uint32), ("report", c_uint32),
+        ("force", c_uint32), ("translations", c_uint32), ("depth", c_uint32), ("pin_count", c_uint32), ("pins", POINTER(sinew_map_pin)),
+        ("map", c_char_p), ("sources", c_void_p), ("limits", c_char_p)]
 
 
 class sinew_character_animate_result(Structure):
     _fields_ = [("struct_size", c_uint32), ("clip_count", c_uint32), ("first_clip", c_uint32), ("mapped", c_uint32), ("rigged", c_uint32),
-        ("shape_count", c_uint32), ("certainty", c_float), ("limb_count", c_uint32), ("limbs_before", POINTER(sinew_limb_measure)),
-        ("limbs_after", POINTER(sinew_limb_measure)), ("mapped_by", c_char_p), ("sources", c_void_p), ("reasons", c_void_p),
+        ("shape_count", c_uint32), ("certainty", c_float), ("limb_count", c_uint32), ("limbs_before", POINTER(sinew_limb_quality)),
+        ("limbs_after", POINTER(sinew_limb_quality)), ("mapped_by", c_char_p), ("sources", c_void_p), ("reasons", c_void_p),
         ("source_ends", c_void_p), ("source_names", c_char_p), ("source_count", c_uint32), ("spot_count", c_uint32),
         ("spot_kinds", c_void_p), ("spot_positions", c_void_p), ("spot_errors", c_void_p)]
 
 
 class sinew_character_pose_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("thread_count", c_uint32), ("deform", c_uint32), ("cells", c_uint32), ("rounds", c_uint32),
-        ("body_contact", c_uint32), ("angles", c_void_p), ("rotations", c_void_p), ("matrices", c_void_p), ("clip", c_char_p),
-        ("time", c_double), ("stiffness", c_double), ("tet_weights", c_uint32), ("no_smoothing", c_uint32)]
+    _fields_ = [("struct_size", c_uint32), ("thread_count", c_uint32), ("deform", POINTER(sinew_character_deformation)),
+        ("angles", c_void_p), ("rotations", c_void_p), ("matrices", c_void_p), ("clip", c_char_p), ("time", c_double)]
 
 
 class sinew_character_transfer_options(Structure):
@@ -480,27 +501,10 @@ class sinew_character_lod_level(Structure):
         ("reserved", c_uint32)]
 
 
-class sinew_character_finding(Structure):
-    _fields_ = [("rule", c_char_p), ("what", c_char_p), ("cure", c_char_p), ("pose", c_char_p), ("clip", c_char_p), ("seconds", c_double),
-        ("value", c_double), ("bound", c_double), ("vertices", c_void_p), ("vertex_count", c_uint32), ("severity", c_uint32),
-        ("joint", c_int32), ("other", c_int32), ("mesh", c_int32), ("position", c_float * 3), ("radius", c_float), ("reserved", c_uint32)]
-
-
-class sinew_character_check_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("no_poses", c_uint32), ("no_clips", c_uint32), ("bound_count", c_uint32),
-        ("bound_rules", POINTER(c_char_p)), ("bounds", c_void_p), ("score", c_uint32), ("reserved", c_uint32)]
-
-
-class sinew_character_check_result(Structure):
-    _fields_ = [("struct_size", c_uint32), ("finding_count", c_uint32), ("errors", c_uint32), ("warnings", c_uint32), ("notes", c_uint32),
-        ("reserved", c_uint32), ("findings", POINTER(sinew_character_finding)), ("line", c_char_p), ("score", c_double)]
-
-
 class sinew_character_bake_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("progress", sinew_progress), ("progress_user", c_void_p),
-        ("deform", c_uint32), ("cells", c_uint32), ("rounds", c_uint32), ("body_contact", c_uint32), ("poses", c_uint32),
-        ("shapes", c_uint32), ("seed", c_uint64), ("limit", c_double), ("clip", c_char_p), ("stiffness", c_double),
-        ("tet_weights", c_uint32), ("no_smoothing", c_uint32)]
+        ("deform", POINTER(sinew_character_deformation)), ("poses", c_uint32), ("shapes", c_uint32), ("seed", c_uint64),
+        ("limit", c_double), ("clip", c_char_p)]
 
 
 class sinew_character_bake_result(Structure):
@@ -509,23 +513,35 @@ class sinew_character_bake_result(Structure):
         ("held_out_linear_error", c_double), ("held_out_baked_error", c_double)]
 
 
+class sinew_character_picture_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("body_class", c_uint32), ("figure", c_uint32), ("flat", c_uint32), ("pixels", c_uint32),
+        ("line_count", c_uint32), ("mask", c_char_p), ("line_offsets", c_void_p), ("outline", c_void_p), ("cut", c_uint32),
+        ("reserved", c_uint32)]
+
+
+class sinew_character_picture_info(Structure):
+    _fields_ = [("struct_size", c_uint32), ("width", c_uint32), ("height", c_uint32), ("figure_count", c_uint32), ("figure", c_uint32),
+        ("body_class", c_uint32), ("view", c_uint32), ("certainty", c_float), ("line_count", c_uint32), ("reserved", c_uint32),
+        ("line_offsets", c_void_p), ("outline", c_void_p)]
+
+
 
 STRUCTS: Tuple[Any, ...] = (sinew_mesh, sinew_model, sinew_answer, sinew_alternative, sinew_question, sinew_skeleton, sinew_skin,
-    sinew_options, sinew_bind_outputs, sinew_deform_options, sinew_deformer, sinew_deform_outputs, sinew_joint_limit, sinew_map_pin,
+    sinew_bind_options, sinew_bind_outputs, sinew_deform_options, sinew_deformer, sinew_deform_outputs, sinew_joint_limit, sinew_map_pin,
     sinew_map_options, sinew_map_outputs, sinew_retarget_options, sinew_motion_body, sinew_floor, sinew_contact_options, sinew_motion_clip,
-    sinew_limb_measure, sinew_contact_spot, sinew_retarget_stream_options, sinew_rig_options, sinew_rig_outputs, sinew_joint_verdicts,
+    sinew_limb_quality, sinew_contact_spot, sinew_retarget_stream_options, sinew_rig_options, sinew_rig_outputs, sinew_joint_verdicts,
     sinew_bound_character, sinew_vertex_pair, sinew_transfer_options, sinew_transfer_part, sinew_transfer_outputs, sinew_reference_options,
     sinew_simplify_options)
 
 
-CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_picture_options, sinew_character_picture_info,
-    sinew_character_profile_options, sinew_character_arrays, sinew_character_clip, sinew_character_place_options, sinew_character_models,
-    sinew_character_bind_options, sinew_character_seam, sinew_character_left_out, sinew_character_bind_result, sinew_skeleton_edit,
-    sinew_character_rig_options, sinew_character_doubt, sinew_character_rig_result, sinew_character_map_options, sinew_character_map_result,
-    sinew_character_animate_options, sinew_character_animate_result, sinew_character_pose_options, sinew_character_transfer_options,
-    sinew_character_transfer_result, sinew_character_simplify_options, sinew_character_lod_options, sinew_character_lod_level,
-    sinew_character_finding, sinew_character_check_options, sinew_character_check_result, sinew_character_bake_options,
-    sinew_character_bake_result)
+CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_profile_options, sinew_character_arrays, sinew_character_clip,
+    sinew_character_transform_options, sinew_character_finding, sinew_character_check_options, sinew_character_check_result,
+    sinew_character_models, sinew_character_bind_options, sinew_character_seam, sinew_character_left_out, sinew_character_bind_result,
+    sinew_skeleton_edit, sinew_character_rig_options, sinew_character_doubt, sinew_character_rig_result, sinew_motion_source,
+    sinew_character_map_options, sinew_character_map_result, sinew_character_deformation, sinew_character_animate_options,
+    sinew_character_animate_result, sinew_character_pose_options, sinew_character_transfer_options, sinew_character_transfer_result,
+    sinew_character_simplify_options, sinew_character_lod_options, sinew_character_lod_level, sinew_character_bake_options,
+    sinew_character_bake_result, sinew_character_picture_options, sinew_character_picture_info)
 
 
 # Result and arguments.
@@ -540,10 +556,10 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_model_pack": (c_int, [POINTER(sinew_model), c_void_p, c_size_t]),
     "sinew_skin_linear": (c_int, [c_void_p, c_uint32, POINTER(sinew_skin), c_void_p, c_uint32, c_void_p]),
     "sinew_skin_dual_quaternion": (c_int, [c_void_p, c_uint32, POINTER(sinew_skin), c_void_p, c_uint32, c_void_p]),
-    "sinew_bind_workspace_size": (c_int, [POINTER(sinew_model), c_uint32, c_uint32, c_uint32, c_uint32, POINTER(sinew_options),
+    "sinew_bind_workspace_size": (c_int, [POINTER(sinew_model), c_uint32, c_uint32, c_uint32, c_uint32, POINTER(sinew_bind_options),
         POINTER(c_size_t)]),
-    "sinew_bind": (c_int, [POINTER(sinew_model), POINTER(sinew_mesh), POINTER(sinew_skeleton), POINTER(sinew_options), c_void_p, c_size_t,
-        POINTER(sinew_bind_outputs)]),
+    "sinew_bind": (c_int, [POINTER(sinew_model), POINTER(sinew_mesh), POINTER(sinew_skeleton), POINTER(sinew_bind_options), c_void_p,
+        c_size_t, POINTER(sinew_bind_outputs)]),
     "sinew_deform_create_workspace_size": (c_int, [POINTER(sinew_mesh), c_uint32, c_uint32, POINTER(sinew_deform_options),
         POINTER(c_size_t)]),
     "sinew_deform_create": (c_int, [POINTER(sinew_mesh), POINTER(sinew_skeleton), POINTER(sinew_skin), POINTER(sinew_deform_options),
@@ -564,9 +580,9 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
         POINTER(sinew_contact_options), c_void_p, c_size_t]),
     "sinew_retarget_keep_range": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_clip), c_void_p, c_size_t]),
     "sinew_retarget_measure": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_body), POINTER(sinew_motion_clip),
-        POINTER(sinew_contact_options), c_void_p, c_size_t, POINTER(sinew_limb_measure), c_void_p]),
+        POINTER(sinew_contact_options), c_void_p, c_size_t, POINTER(sinew_limb_quality), c_void_p]),
     "sinew_retarget_spots": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_body), POINTER(sinew_motion_clip),
-        POINTER(sinew_contact_options), c_void_p, c_size_t, POINTER(sinew_limb_measure), c_void_p, POINTER(sinew_contact_spot)]),
+        POINTER(sinew_contact_options), c_void_p, c_size_t, POINTER(sinew_limb_quality), c_void_p, POINTER(sinew_contact_spot)]),
     "sinew_retarget_stream_workspace_size": (c_int, [c_uint32, c_uint32, c_uint32, c_uint32, POINTER(c_size_t)]),
     "sinew_retarget_stream_create": (c_int, [POINTER(sinew_skeleton), POINTER(sinew_skeleton), c_void_p, c_void_p,
         POINTER(sinew_retarget_options), POINTER(sinew_motion_body), POINTER(sinew_retarget_stream_options), c_void_p, c_size_t,
@@ -613,12 +629,8 @@ CHARACTER_FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_character_extensions": (c_char_p, [c_uint32]),
     "sinew_character_open": (c_int, [c_char_p, POINTER(c_void_p)]),
     "sinew_character_open_files": (c_int, [POINTER(sinew_file), c_uint32, POINTER(c_void_p)]),
-    "sinew_character_open_places": (c_int, [c_char_p, c_void_p, c_uint32, c_uint32, POINTER(c_void_p)]),
-    "sinew_character_places_frame": (c_int, [c_void_p, c_void_p, c_uint32, c_void_p, c_void_p]),
-    "sinew_character_open_picture": (c_int, [c_char_p, POINTER(sinew_character_picture_options), POINTER(c_void_p)]),
-    "sinew_character_open_picture_files": (c_int, [POINTER(sinew_file), c_uint32, POINTER(sinew_character_picture_options),
-        POINTER(c_void_p)]),
-    "sinew_character_picture": (c_int, [c_void_p, POINTER(sinew_character_picture_info)]),
+    "sinew_character_open_keypoints": (c_int, [c_char_p, c_void_p, c_uint32, c_uint32, POINTER(c_void_p)]),
+    "sinew_character_keypoints_frame": (c_int, [c_void_p, c_void_p, c_uint32, c_void_p, c_void_p]),
     "sinew_character_create": (c_int, [POINTER(sinew_mesh), POINTER(sinew_skeleton), POINTER(c_void_p)]),
     "sinew_character_copy": (c_int, [c_void_p, POINTER(c_void_p)]),
     "sinew_character_close": (None, [c_void_p]),
@@ -637,12 +649,13 @@ CHARACTER_FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_character_clip_count": (c_int, [c_void_p, c_void_p]),
     "sinew_character_get_clip": (c_int, [c_void_p, c_uint32, POINTER(sinew_character_clip)]),
     "sinew_character_add_clip": (c_int, [c_void_p, POINTER(sinew_character_clip)]),
-    "sinew_character_place": (c_int, [c_void_p, POINTER(sinew_character_place_options)]),
+    "sinew_character_transform": (c_int, [c_void_p, POINTER(sinew_character_transform_options)]),
+    "sinew_character_check": (c_int, [c_void_p, POINTER(sinew_character_check_options), POINTER(sinew_character_check_result)]),
+    "sinew_character_check_rules": (c_char_p, []),
     "sinew_character_bind": (c_int, [c_void_p, POINTER(sinew_character_bind_options), POINTER(sinew_character_bind_result)]),
     "sinew_character_rig": (c_int, [c_void_p, POINTER(sinew_character_rig_options), POINTER(sinew_character_rig_result)]),
     "sinew_character_templates": (c_char_p, []),
     "sinew_character_map": (c_int, [c_void_p, c_void_p, POINTER(sinew_character_map_options), POINTER(sinew_character_map_result)]),
-    "sinew_character_map_file": (c_int, [c_void_p, c_char_p, POINTER(sinew_character_map_options), POINTER(sinew_character_map_result)]),
     "sinew_character_animate": (c_int, [c_void_p, c_void_p, POINTER(sinew_character_animate_options),
         POINTER(sinew_character_animate_result)]),
     "sinew_character_pose": (c_int, [c_void_p, POINTER(sinew_character_pose_options), POINTER(c_void_p)]),
@@ -650,7 +663,9 @@ CHARACTER_FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
         POINTER(sinew_character_transfer_result)]),
     "sinew_character_simplify": (c_int, [c_void_p, POINTER(sinew_character_simplify_options), c_void_p]),
     "sinew_character_lod": (c_int, [c_void_p, POINTER(sinew_character_lod_options), POINTER(c_void_p), POINTER(sinew_character_lod_level)]),
-    "sinew_character_check": (c_int, [c_void_p, POINTER(sinew_character_check_options), POINTER(sinew_character_check_result)]),
-    "sinew_character_check_rules": (c_char_p, []),
     "sinew_character_bake": (c_int, [c_void_p, POINTER(sinew_character_bake_options), POINTER(sinew_character_bake_result)]),
+    "sinew_character_open_picture": (c_int, [c_char_p, POINTER(sinew_character_picture_options), POINTER(c_void_p)]),
+    "sinew_character_open_picture_files": (c_int, [POINTER(sinew_file), c_uint32, POINTER(sinew_character_picture_options),
+        POINTER(c_void_p)]),
+    "sinew_character_picture": (c_int, [c_void_p, POINTER(sinew_character_picture_info)]),
 }

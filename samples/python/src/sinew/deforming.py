@@ -43,7 +43,7 @@ class Deformer:
             return
         options = binding.init(binding.sinew_deform_options)
         options.method, options.cell_count, options.round_count = DEFORM_METHODS.index(method), cells, rounds
-        options.softness, options.no_contact = softness, int(not contact)
+        options.softness, options.without = softness, 0 if contact else declarations.WITHOUT_CONTACTS
         options.body_contact = int(body_contact)
         view = binding.sinew_skin(binding.address(rows.joints), binding.address(rows.weights), rows.joints.shape[1])
         joints = skeleton_view(skeleton, None)

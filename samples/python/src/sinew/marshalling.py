@@ -21,17 +21,16 @@ Correction = Literal["none", "volume", "xpbd", "delta-mush"]
 
 def run(job: str, given: Dict[str, Any]) -> Any:
     """The call of a job. `given`: the arguments of its method, self among them."""
-    options_of, result_of, source, source_first = results.JOBS[job]
+    options_of, result_of, source, source_first, file = results.JOBS[job]
     one, library = given["self"], binding.character_library()
     other, call = given.get(source), getattr(library, f"sinew_character_{job}")
-    if isinstance(other, (str, os.PathLike)):
-        call = getattr(library, f"sinew_character_{job}_file")
-        others: List[Any] = [os.fsencode(other)]
-    else:
-        others = [None if other is None else other.pointer] if source else []
+    named = isinstance(other, (str, os.PathLike))
+    others: List[Any] = [None if named or other is None else other.pointer] if source else []
     characters = [*others, one.pointer] if source_first else [one.pointer, *others]
     view, skeleton = one._view(), one.skeleton
     options, _kept = filled(options_of, given, one)
+    if named:
+        setattr(*_home(options, file), os.fsencode(other))
     models = _Models(**{_model_member(n, given): given[n] for n in ("model", "hands_model", "front_model") if given.get(n) is not None})
     if models.any:
         options.models = ctypes.pointer(models.struct)
@@ -66,8 +65,18 @@ def filled(struct: type, given: Mapping[str, Any], one: Any = None) -> Tuple[Any
         named, character = isinstance(value, (str, os.PathLike)), hasattr(value, "pointer")
         if value is None or character != (kind == "character") or (named and kind in ("array", "structs")) or (kind == "text" and not named and not isinstance(value, int)):
             continue
-        kept += _SETTERS[kind](options, member, value, extra, keyword, given, one)
+        kept += _SETTERS[kind](*_home(options, member), value, extra, keyword, given, one)
     return options, kept
+
+
+def _home(options: Any, member: str) -> Tuple[Any, str]:
+    """The struct that has a member, deform.cells for one of what options.deform points to, and the member's own name."""
+    *path, name = member.split(".")
+    for one in path:
+        if not getattr(options, one):
+            setattr(options, one, ctypes.pointer(binding.init(type(getattr(options, one))._type_)))
+        options = getattr(options, one).contents
+    return options, name
 
 
 def _set_number(options: Any, member: str, value: Any, *_: Any) -> List[Any]:
@@ -124,13 +133,24 @@ def _set_structs(options: Any, member: str, value: Any, extra: Tuple[Any, Tuple[
             value = _pins(value, one.skeleton, given["source"])
         rows = (struct * len(value))()
         for row, items in zip(rows, value):
-            for (name, _), item in zip((f for f in struct._fields_ if f[0] != "reserved"), items):
-                if name == "kind":
-                    item = chosen(item, declarations.EDIT_KIND, keyword)
-                setattr(row, name, item.encode() if isinstance(item, str) else int(item))
+            if struct is declarations.sinew_skeleton_edit:
+                _set_edit(row, *items)
+                continue
+            for (name, _), item in zip(struct._fields_, items):
+                setattr(row, name, int(item))
     setattr(options, member, rows)
     setattr(options, extra[1][0], len(rows))
     return []
+
+
+def _set_edit(row: Any, kind: str, joint: str, *what: Any) -> None:
+    """`what`: the position, and the parent or the new name before it."""
+    row.kind, row.joint = chosen(kind, declarations.EDIT_KIND, "edits"), joint.encode()
+    for item in what:
+        if isinstance(item, str):
+            row.other = item.encode()
+        else:
+            row.position[:] = real(item, (3,), "edits").tolist()
 
 
 def _set_data(options: Any, member: str, array: Any) -> List[Any]:
@@ -151,7 +171,8 @@ def _pins(pins: Mapping[Any, Any], target: Any, source: Any) -> List[Tuple[int, 
 _SETTERS: Dict[str, Callable[..., List[Any]]] = {
     "number": _set_number, "texts": _set_texts, "mapping": _set_mapping, "lines": _set_lines, "array": _set_array, "structs": _set_structs,
     "word": lambda o, member, value, words, keyword, *_: _set_number(o, member, _word(value, words, keyword)),
-    "flag": lambda o, member, value, inverse, *_: _set_number(o, member, int(bool(value) != inverse)),
+    "flag": lambda o, member, value, *_: _set_number(o, member, int(bool(value))),
+    "without": lambda o, member, value, bit, *_: _set_number(o, member, getattr(o, member) | (0 if value else bit)),
     "percent": lambda o, member, value, *_: _set_number(o, member, round(100 * value)),
     "text": lambda o, member, value, *_: _set_number(o, member, os.fsencode(str(value) if isinstance(value, int) else value) or None),
     "character": lambda o, member, value, *_: _set_number(o, member, value.pointer)}

@@ -24,7 +24,7 @@ from .marshalling import array_at, error_line, filled, result_as, run
 from .results import LodLevel, PictureInfo
 
 Source = Union[str, os.PathLike, bytes]
-PlacesLayout = Literal["smpl24", "humanml3d22", "coco17", "mediapipe33"]
+KeypointsLayout = Literal["smpl24", "humanml3d22", "coco17", "mediapipe33"]
 
 
 def open(source: Source, *, name: str = "", beside: Optional[Mapping[str, bytes]] = None) -> "OpenCharacter":  # noqa: A001
@@ -71,16 +71,16 @@ def open_picture(source: Source, *, name: str = "", beside: Optional[Mapping[str
     return OpenCharacter(handle)
 
 
-def open_places(layout: PlacesLayout, places: Any) -> "OpenCharacter":
-    """Places of a person's joints alone, as cameras and captures tell them, as a motion: its skeleton is learnt from these frames, which are its
-    clip. places_frame() turns those that come into what RetargetStream.frame() takes, with this skeleton as the source.
+def open_keypoints(layout: KeypointsLayout, keypoints: Any) -> "OpenCharacter":
+    """Keypoints of a person's joints alone, as cameras and captures tell them, as a motion: its skeleton is learnt from these frames, which are its
+    clip. keypoints_frame() turns those that come into what RetargetStream.frame() takes, with this skeleton as the source.
 
-    layout  which joints the places are
-    places  [frames, 24 (smpl24), 22 (humanml3d22), 17 (coco17) or 33 (mediapipe33), 3], any unit; a second or two are best
+    layout  which joints the keypoints are
+    keypoints  [frames, 24 (smpl24), 22 (humanml3d22), 17 (coco17) or 33 (mediapipe33), 3], any unit; a second or two are best
     """
     handle = ctypes.c_void_p()
-    rows = real(places, (None, None, 3), "places")
-    _check(binding.character_library().sinew_character_open_places(layout.encode(), rows.ctypes.data, rows.shape[1], rows.shape[0], ctypes.byref(handle)), None)
+    rows = real(keypoints, (None, None, 3), "keypoints")
+    _check(binding.character_library().sinew_character_open_keypoints(layout.encode(), rows.ctypes.data, rows.shape[1], rows.shape[0], ctypes.byref(handle)), None)
     return OpenCharacter(handle)
 
 
@@ -157,10 +157,10 @@ class OpenCharacter(Jobs):
         _check(binding.character_library().sinew_character_write(self.pointer, name.encode(), ctypes.byref(files), ctypes.byref(count)), self)
         return {files[i].name.decode(): ctypes.string_at(files[i].bytes, files[i].size_bytes) for i in range(count.value)}
 
-    def set_profile(self, profile: Optional[str], *, authors: Sequence[str] = (), licence: str = "", title: str = "", keep_axes: bool = False,
+    def set_profile(self, profile: Optional[str], *, authors: Sequence[str] = (), license: str = "", title: str = "", keep_axes: bool = False,
                     controls: bool = False) -> None:
         """What save() and write() write from now on: a program or format that `sinew rig --for` lists, None for files as they were read.
-        authors, licence and title are of a VRM; controls: a glTF says in its extras what controls() says. The rest pose stays: that is
+        authors, license and title are of a VRM; controls: a glTF says in its extras what controls() says. The rest pose stays: that is
         to_pose of bind and rig."""
         run("set_profile", locals())
 
@@ -262,11 +262,11 @@ class OpenCharacter(Jobs):
             q, p = _local(*_world(q, p, parents), skeleton.parents)
         return Clip(q[:, :joints], p[:, :joints], fps, name)
 
-    def places_frame(self, places: Any) -> Tuple[np.ndarray, np.ndarray]:
-        """Local rotations [j, 4] and translations [j, 3] of its joints in the frame of these places [n, 3], of open_places()."""
-        row, count = real(places, (None, 3), "places"), self._view().joint_count
+    def keypoints_frame(self, keypoints: Any) -> Tuple[np.ndarray, np.ndarray]:
+        """Local rotations [j, 4] and translations [j, 3] of its joints in the frame of these keypoints [n, 3], of open_keypoints()."""
+        row, count = real(keypoints, (None, 3), "keypoints"), self._view().joint_count
         rotations, translations = np.zeros((count, 4), np.float32), np.zeros((count, 3), np.float32)
-        _check(binding.character_library().sinew_character_places_frame(self.pointer, row.ctypes.data, len(row), rotations.ctypes.data, translations.ctypes.data), self)
+        _check(binding.character_library().sinew_character_keypoints_frame(self.pointer, row.ctypes.data, len(row), rotations.ctypes.data, translations.ctypes.data), self)
         return rotations, translations
 
     def set_skeleton(self, skeleton: Skeleton) -> None:

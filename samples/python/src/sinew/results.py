@@ -12,34 +12,65 @@ from .character import Question
 
 
 @dataclass
-class PictureInfo:
-    """sinew_character_picture_info of C.
+class Finding:
+    """sinew_character_finding of C.
 
-    width  pixels as the picture is seen
-    height  pixels as the picture is seen
-    figure_count  in the picture
-    figure  the one that was taken, from 1 on
-    body_class  0 before it is rigged
-    view  0 before it is rigged
-    certainty  0..1, of class and view together; 0 before it is rigged
-    outline  pixels, x right, y down from the top left corner
+    rule  "left-right"; check_rules() lists them
+    what  one line of English
+    cure  one line: what to do
+    pose  test pose in which it shows; "": none
+    clip  animation in which it shows; "": none
+    seconds  time in the clip
+    value  what was measured
+    bound  the value above which it is a finding
+    vertices  ascending; None where it is about joints or clips
+    joint  joint that it is about; -1: none
+    other  joint that it is compared with; -1: none
+    mesh  mesh of all its vertices; -1: none, or several
+    position  where to look, in the mesh's units
+    radius  how far around the position to look
     """
 
-    width: int
-    height: int
-    figure_count: int
-    figure: int
-    body_class: declarations.BodyClass
-    view: declarations.PictureView
-    certainty: float
-    outline: List[np.ndarray]
+    rule: str
+    what: str
+    cure: str
+    pose: str
+    clip: str
+    seconds: float
+    value: float
+    bound: float
+    vertices: np.ndarray
+    severity: declarations.CheckSeverity
+    joint: int
+    other: int
+    mesh: int
+    position: Tuple[float, ...]
+    radius: float
+
+
+@dataclass
+class CheckResult:
+    """sinew_character_check_result of C.
+
+    errors  findings of each severity
+    findings  errors first
+    line  "checked: 0 findings"
+    score  0..100, how near the weights are to those of three methods; -1 where it was not asked for
+    """
+
+    errors: int
+    warnings: int
+    notes: int
+    findings: List[Finding]
+    line: str
+    score: Optional[float]
 
 
 @dataclass
 class Seam:
     """sinew_character_seam of C.
 
-    joints  that most of it lies between
+    joints  the joints that most of it lies between
     position  its middle
     """
 
@@ -52,14 +83,15 @@ class Seam:
 class BindResult:
     """sinew_character_bind_result of C.
 
-    symmetric_vertices  with symmetric
-    kept_meshes  that stayed attached
-    folded_tips  that gave their weight to their parents
-    answers_by_style  that the style file gave
+    symmetric_vertices  with symmetric: vertices that have a mirror image
+    kept_meshes  meshes that stay attached to one joint
+    folded_tips  joints that gave their weight to their parents
+    answers_by_style  answers by the style file
     seconds  in sinew_bind()
+    left_out  joints that may get no weight
     questions  by falling gain
     vertex_questions  before a cut, or NO_QUESTION; None without questions
-    hash  of the weights, as `sinew bind --json` has it
+    hash  of the weights, as in `sinew bind --json`
     seams  longest first
     doubled_vertices  with cut or to_pose
     """
@@ -82,8 +114,8 @@ class BindResult:
 class Doubt:
     """sinew_character_doubt of C.
 
-    name  of the joint that the limb is called by: LeftArm, RightUpLeg, Tail
-    doubt  how likely the limb is wrong, 0..1
+    name  joint that the limb is called by: LeftArm, RightUpLeg, Tail
+    doubt  probability that the limb is wrong, 0..1
     """
 
     name: str
@@ -95,18 +127,18 @@ class RigResult:
     """sinew_character_rig_result of C.
 
     mirrored  the skeleton is its own mirror image
-    matched  with a skeleton: joints that have a like in the prediction
-    joint_count  N, of the arrays below
+    matched  with a skeleton: its joints that have a counterpart in the prediction
+    joint_count  N: joints of the arrays below
     spread  how far off the votes think they are, see sinew_rig_outputs
     scale  with a skeleton: how much larger it became
     ends  a bone end
     confidence  0..1
     parent_confidence  0..1
-    front  the direction that it faces, unit vector
+    front  unit vector in which the mesh faces
     up  Y or Z
     front_certainty  0..1, see sinew_rig_outputs; below 0.7 a coin toss
     seams  longest first
-    doubtful  most doubtful first; of votes
+    doubtful  limbs by falling doubt; of votes
     """
 
     mirrored: bool
@@ -133,7 +165,7 @@ class MapResult:
 
     method  that was used
     joint_count  J of the target
-    mapped  of them with a source
+    mapped  joints with a source
     certainty  0..1, of front, sides and trunk
     cover  0..1, how much of both bodies it reaches; below 0.5 retarget() refuses it
     sources  joint of the source, -1 = none
@@ -154,8 +186,8 @@ class MapResult:
 
 
 @dataclass
-class LimbMeasure:
-    """sinew_limb_measure of C.
+class LimbQuality:
+    """sinew_limb_quality of C.
 
     joint  of the target: wrist or ankle
     leg  leg, 0: arm
@@ -183,12 +215,12 @@ class LimbMeasure:
 class AnimateResult:
     """sinew_character_animate_result of C.
 
-    clips  that were added
+    clips  clips that were added
     mapped  joints that move
-    rigged  was a bare mesh
+    rigged  it was a bare mesh
     shape_count  morph targets that were added
     certainty  0..1, of front and sides, and no more than how much of both bodies the map reaches
-    limb_count  with report: [clip_count x limb_count] of both below
+    limb_count  with report: limbs in both arrays below
     limbs_before  with report
     limbs_after  with report
     mapped_by  "anatomy and names"
@@ -204,8 +236,8 @@ class AnimateResult:
     shape_count: int
     certainty: float
     limb_count: int
-    limbs_before: List[LimbMeasure]
-    limbs_after: List[LimbMeasure]
+    limbs_before: List[LimbQuality]
+    limbs_after: List[LimbQuality]
     mapped_by: str
     sources: np.ndarray
     reasons: np.ndarray
@@ -223,10 +255,11 @@ class TransferPart:
     vertex  its vertex of lowest index
     vertex_count  of the target
     reason  of the larger share
-    carried  How far the source's weights there are from a bind's: sum over joints of the difference, mean over the vertices,
-        0..131072. 0 where nothing was bound.
-    style  The same between a bind of the target and the source's bind carried over: how far the match is off.
-    mismatch  Mean distance of its vertices from the source as it was laid over the target, longest sides of the target.
+    carried  share of its weights that was carried over, 65536 = all; the rest was bound anew
+    style  how far the source's weights there are from a bind's: sum over joints of the difference, mean over the vertices, 0..131072.
+        0 where nothing was bound
+    mismatch  the same between a bind of the target and the source's bind carried over: how far the match is off
+    distance  mean distance of its vertices from the source as it was laid over the target, longest sides of the target
     """
 
     vertex: int
@@ -242,12 +275,10 @@ class TransferPart:
 class TransferResult:
     """sinew_character_transfer_result of C.
 
-    mapped_joints  of the source
+    mapped_joints  joints of the source
     fitted  the target had no skeleton and has the source's
     bound  something was bound anew
-    carried  see sinew_transfer_outputs, as numbers
-    style  see sinew_transfer_outputs, as numbers
-    mismatch  see sinew_transfer_outputs, as numbers
+    carried  as in sinew_transfer_outputs, and the two below
     parts  by falling size
     """
 
@@ -279,66 +310,11 @@ class LodLevel:
 
 
 @dataclass
-class Finding:
-    """sinew_character_finding of C.
-
-    rule  "left-right"; check_rules() lists them
-    what  one line of English
-    cure  what to do, one line
-    pose  test pose in which it shows; "": none
-    clip  animation in which it shows; "": none
-    seconds  in the clip
-    value  what was measured, and above which it is a finding
-    bound  what was measured, and above which it is a finding
-    vertices  ascending; None where it is about joints or clips
-    joint  that it is about, and that it is compared with; -1: none
-    other  that it is about, and that it is compared with; -1: none
-    mesh  where all its vertices lie in one; -1: none
-    position  where to look, and how far around it, the mesh's units
-    """
-
-    rule: str
-    what: str
-    cure: str
-    pose: str
-    clip: str
-    seconds: float
-    value: float
-    bound: float
-    vertices: np.ndarray
-    severity: declarations.CheckSeverity
-    joint: int
-    other: int
-    mesh: int
-    position: Tuple[float, ...]
-    radius: float
-
-
-@dataclass
-class CheckResult:
-    """sinew_character_check_result of C.
-
-    findings  errors first
-    line  "checked: 0 findings"
-    score  with score: how near the weights are to those of three methods, 0..100; -1 where it was not asked for
-    """
-
-    errors: int
-    warnings: int
-    notes: int
-    findings: List[Finding]
-    line: str
-    score: Optional[float]
-
-
-@dataclass
 class BakeResult:
     """sinew_character_bake_result of C.
 
-    linear_error  of the poses that were learnt, shares of the size
-    baked_error  of the poses that were learnt, shares of the size
-    held_out_linear_error  of others
-    held_out_baked_error  of others
+    linear_error  of the poses that were learnt, shares of the size, and the one below
+    held_out_linear_error  of other poses, and the one below
     """
 
     shape_count: int
@@ -352,89 +328,123 @@ class BakeResult:
     held_out_baked_error: float
 
 
+@dataclass
+class PictureInfo:
+    """sinew_character_picture_info of C.
+
+    width  pixels, of the picture as it is seen
+    figure_count  figures in the picture
+    figure  the one that was taken, from 1 on
+    body_class  0 before it is rigged
+    view  0 before it is rigged
+    certainty  0..1, of class and view together; 0 before it is rigged
+    outline  pixels, x right, y down from the top left corner
+    """
+
+    width: int
+    height: int
+    figure_count: int
+    figure: int
+    body_class: declarations.BodyClass
+    view: declarations.PictureView
+    certainty: float
+    outline: List[np.ndarray]
+
+
 # A struct's keywords: name, kind, member, and what the kind needs.
 Rows = List[Tuple[str, str, str, Any]]
 OPTIONS: Dict[Any, Rows] = {
-    declarations.sinew_character_picture_options: [("body_class", "word", "body_class", declarations.BODY_CLASS),
-        ("figure", "number", "figure", False), ("flat", "flag", "flat", False), ("units", "flag", "pixels", False),
-        ("mask_file", "text", "mask", None), ("outline", "lines", "outline", ('line_offsets', 'line_count', '2')),
-        ("cut", "flag", "cut", False)],
-    declarations.sinew_character_profile_options: [("keep_axes", "flag", "keep_axes", False), ("profile", "text", "profile", None),
-        ("licence", "text", "licence", None), ("title", "text", "title", None), ("authors", "texts", "authors", ('author_count',)),
-        ("controls", "flag", "controls", False)],
-    declarations.sinew_character_place_options: [("turns", "texts", "turns", ('turn_count',)), ("height", "number", "height", False),
-        ("floor", "flag", "floor", False), ("up", "word", "up", declarations.UP)],
+    declarations.sinew_character_profile_options: [("keep_axes", "flag", "keep_axes", None), ("profile", "text", "profile", None),
+        ("license", "text", "license", None), ("title", "text", "title", None), ("authors", "texts", "authors", ('author_count',)),
+        ("controls", "flag", "controls", None)],
+    declarations.sinew_character_transform_options: [("turns", "texts", "turns", ('turn_count',)), ("height", "number", "height", False),
+        ("floor", "flag", "floor", None), ("up", "word", "up", declarations.UP)],
+    declarations.sinew_character_check_options: [("poses", "without", "without", 256), ("clips", "without", "without", 512),
+        ("score", "flag", "score", None), ("bounds", "mapping", "bounds", ('bound_rules', 'bound_count'))],
     declarations.sinew_character_bind_options: [("method", "word", "method", declarations.METHOD),
         ("influences", "number", "influence_count", False), ("up", "word", "up", declarations.UP),
         ("joints", "word", "joints", declarations.JOINTS_FROM), ("rigid_parts", "word", "rigid_parts", declarations.RIGID_PARTS),
         ("softness", "percent", "softness_percent", None), ("surface_vertices", "number", "surface_vertices", False),
-        ("keep_tips", "flag", "keep_tips", False), ("bind_props", "flag", "bind_props", False), ("fit", "flag", "fit", False),
-        ("symmetric", "flag", "symmetric", False), ("keep_confidence", "flag", "keep_confidence", False),
+        ("keep_tips", "flag", "keep_tips", None), ("bind_props", "flag", "bind_props", None), ("fit", "flag", "fit", None),
+        ("symmetric", "flag", "symmetric", None), ("keep_confidence", "flag", "keep_confidence", None),
         ("questions", "number", "question_count", False), ("answers", "structs", "answers", (declarations.sinew_answer, ('answer_count',))),
         ("joint_flags", "array", "joint_flags", ('uint8', ('J',), True, False)),
         ("locked", "array", "locked", ('uint8', ('V',), True, False)), ("hints", "array", "hinted", ('uint8', ('V',), True, False)),
         ("hints", "character", "hints", None), ("like", "character", "like", None), ("style", "text", "style", None),
-        ("to_pose", "text", "to_pose", None), ("cut", "flag", "cut", False)],
+        ("to_pose", "text", "to_pose", None), ("cut", "flag", "cut", None)],
     declarations.sinew_character_rig_options: [("method", "word", "method", declarations.CHARACTER_RIG_METHOD),
         ("detail", "word", "detail", declarations.CHARACTER_DETAIL), ("mirror", "word", "mirror", declarations.MIRROR),
-        ("up", "word", "up", declarations.UP), ("spine", "number", "spine_count", False), ("toes", "flag", "no_toes", True),
-        ("ends", "flag", "no_ends", True), ("bind", "flag", "no_bind", True), ("keep_lengths", "flag", "keep_lengths", False),
-        ("influences", "number", "influence_count", False), ("rigid_parts", "word", "rigid_parts", declarations.RIGID_PARTS),
-        ("softness", "percent", "softness_percent", None), ("surface_vertices", "number", "surface_vertices", False),
+        ("up", "word", "up", declarations.UP), ("front", "word", "front", declarations.FRONT),
+        ("category", "word", "category", declarations.CATEGORY), ("spine", "number", "spine_count", False),
+        ("toes", "without", "without", 1), ("ends", "without", "without", 2), ("bind", "without", "without", 4),
+        ("keep_lengths", "flag", "keep_lengths", None), ("gate", "flag", "gate", None),
         ("edits", "structs", "edits", (declarations.sinew_skeleton_edit, ('edit_count',))), ("skeleton", "text", "skeleton", None),
-        ("skeleton", "character", "skeleton_character", None), ("category", "word", "category", declarations.CATEGORY),
-        ("front", "word", "front", declarations.FRONT), ("gate", "flag", "gate", False), ("cut", "flag", "cut", False),
-        ("to_pose", "text", "to_pose", None)],
-    declarations.sinew_character_map_options: [("method", "word", "method", declarations.MAP_METHOD), ("names", "flag", "no_names", True),
-        ("ends", "flag", "no_ends", True), ("target_up", "word", "target_up", declarations.UP),
-        ("source_up", "word", "source_up", declarations.UP), ("guess_up", "flag", "guess_up", False),
+        ("skeleton", "character", "skeleton_character", None), ("influences", "number", "bind.influence_count", False),
+        ("rigid_parts", "word", "bind.rigid_parts", declarations.RIGID_PARTS), ("softness", "percent", "bind.softness_percent", None),
+        ("surface_vertices", "number", "bind.surface_vertices", False), ("to_pose", "text", "bind.to_pose", None),
+        ("cut", "flag", "bind.cut", None)],
+    declarations.sinew_character_map_options: [("method", "word", "method", declarations.MAP_METHOD), ("names", "without", "without", 8),
+        ("ends", "without", "without", 2), ("target_up", "word", "target_up", declarations.UP), ("guess_up", "flag", "guess_up", None),
         ("pins", "structs", "pins", (declarations.sinew_map_pin, ('pin_count',))), ("pins", "text", "pins_file", None),
         ("first", "word", "branches_first", declarations.BRANCHES_FIRST), ("cost", "word", "branches_cost", declarations.BRANCHES_COST),
-        ("layout", "text", "layout", None), ("actor", "text", "actor", None)],
+        ("source_up", "word", "source.up", declarations.UP), ("layout", "text", "source.layout", None),
+        ("actor", "text", "source.actor", None)],
     declarations.sinew_character_animate_options: [("method", "word", "method", declarations.ANIMATE_METHOD),
-        ("in_place", "flag", "in_place", False), ("natural_range", "flag", "no_range", True),
-        ("target_up", "word", "target_up", declarations.UP), ("motion_up", "word", "motion_up", declarations.UP),
-        ("correct", "word", "deform", declarations.POSE_DEFORM), ("cells", "number", "cells", False), ("rounds", "number", "rounds", False),
-        ("body_contact", "flag", "body_contact", False), ("shapes", "number", "shapes", False), ("fps", "number", "fps", False),
-        ("start", "number", "from", False), ("end", "number", "to", False), ("clip", "text", "clip", None),
-        ("map_file", "text", "map", None), ("joint_map", "array", "sources", ('int32', ('J',), True, False)),
-        ("area_power", "number", "area_power", False), ("legs", "flag", "legs", False), ("report", "flag", "report", False),
-        ("falloff", "number", "falloff", False), ("own_limb", "flag", "own_limb", False), ("head", "flag", "head", False),
-        ("torso", "flag", "torso", False), ("source_points", "flag", "source_points", False), ("force", "flag", "force", False),
-        ("translations", "flag", "translations", False), ("stiffness", "number", "stiffness", False),
-        ("tet_weights", "word", "tet_weights", declarations.TET_WEIGHTS), ("smoothing", "flag", "no_smoothing", True),
-        ("layout", "text", "layout", None), ("actor", "text", "actor", None), ("limits", "text", "limits", None),
-        ("depth", "flag", "depth", False), ("pins", "structs", "pins", (declarations.sinew_map_pin, ('pin_count',)))],
-    declarations.sinew_character_pose_options: [("method", "word", "deform", declarations.POSE_DEFORM), ("cells", "number", "cells", False),
-        ("rounds", "number", "rounds", False), ("body_contact", "flag", "body_contact", False),
-        ("angles", "array", "angles", ('float64', ('J', '3'), False, False)),
+        ("natural_range", "without", "without", 16), ("in_place", "flag", "in_place", None),
+        ("target_up", "word", "target_up", declarations.UP), ("shapes", "number", "shapes", False), ("report", "flag", "report", None),
+        ("force", "flag", "force", None), ("translations", "flag", "translations", None), ("depth", "flag", "depth", None),
+        ("pins", "structs", "pins", (declarations.sinew_map_pin, ('pin_count',))), ("map_file", "text", "map", None),
+        ("joint_map", "array", "sources", ('int32', ('J',), True, False)), ("limits", "text", "limits", None),
+        ("motion_up", "word", "motion.up", declarations.UP), ("layout", "text", "motion.layout", None),
+        ("actor", "text", "motion.actor", None), ("clip", "text", "motion.clip", None), ("fps", "number", "motion.fps", False),
+        ("start", "number", "motion.from", False), ("end", "number", "motion.to", False),
+        ("correct", "word", "deform.method", declarations.POSE_DEFORM), ("cells", "number", "deform.cells", False),
+        ("rounds", "number", "deform.rounds", False), ("body_contact", "flag", "deform.body_contact", None),
+        ("tet_weights", "word", "deform.tet_weights", declarations.TET_WEIGHTS), ("smoothing", "without", "deform.without", 128),
+        ("stiffness", "number", "deform.stiffness", False), ("area_power", "number", "reference.area_power", False),
+        ("own_limb", "flag", "reference.own_limb", None), ("legs", "flag", "reference.legs", None),
+        ("falloff", "number", "reference.falloff", False), ("head", "flag", "reference.head", None),
+        ("torso", "flag", "reference.torso", None), ("source_points", "flag", "reference.source_points", None)],
+    declarations.sinew_character_pose_options: [("angles", "array", "angles", ('float64', ('J', '3'), False, False)),
         ("rotations", "array", "rotations", ('float64', ('J', '4'), False, False)),
         ("matrices", "array", "matrices", ('float64', ('J', '12'), False, False)), ("clip", "text", "clip", None),
-        ("time", "number", "time", False), ("stiffness", "number", "stiffness", False),
-        ("tet_weights", "word", "tet_weights", declarations.TET_WEIGHTS), ("smoothing", "flag", "no_smoothing", True)],
+        ("time", "number", "time", False), ("method", "word", "deform.method", declarations.POSE_DEFORM),
+        ("cells", "number", "deform.cells", False), ("rounds", "number", "deform.rounds", False),
+        ("body_contact", "flag", "deform.body_contact", None), ("tet_weights", "word", "deform.tet_weights", declarations.TET_WEIGHTS),
+        ("smoothing", "without", "deform.without", 128), ("stiffness", "number", "deform.stiffness", False)],
     declarations.sinew_character_transfer_options: [("method", "word", "method", declarations.TRANSFER_METHOD),
         ("influences", "number", "influence_count", False), ("up", "word", "target_up", declarations.UP),
-        ("source_up", "word", "source_up", declarations.UP), ("garment", "flag", "garment", False), ("as_drawn", "flag", "as_drawn", False),
-        ("heat", "flag", "heat", False), ("pairs", "structs", "pairs", (declarations.sinew_vertex_pair, ('pair_count',))),
+        ("source_up", "word", "source_up", declarations.UP), ("garment", "flag", "garment", None), ("as_drawn", "flag", "as_drawn", None),
+        ("heat", "flag", "heat", None), ("pairs", "structs", "pairs", (declarations.sinew_vertex_pair, ('pair_count',))),
         ("locked", "array", "locked", ('uint8', ('V',), True, False)), ("map_file", "text", "map", None)],
-    declarations.sinew_character_simplify_options: [("low", "flag", "low", False), ("joint_count", "number", "joint_count", False),
+    declarations.sinew_character_simplify_options: [("low", "flag", "low", None), ("joint_count", "number", "joint_count", False),
         ("keep", "texts", "keep", ('keep_count',))],
     declarations.sinew_character_lod_options: [("levels", "number", "level_count", False), ("ratio", "number", "ratio", False),
-        ("fewer_joints", "flag", "fewer_joints", False)],
-    declarations.sinew_character_check_options: [("poses", "flag", "no_poses", True), ("clips", "flag", "no_clips", True),
-        ("bounds", "mapping", "bounds", ('bound_rules', 'bound_count')), ("score", "flag", "score", False)],
-    declarations.sinew_character_bake_options: [("method", "word", "deform", declarations.POSE_DEFORM), ("cells", "number", "cells", False),
-        ("rounds", "number", "rounds", False), ("body_contact", "flag", "body_contact", False), ("poses", "number", "poses", False),
-        ("shapes", "number", "shapes", False), ("seed", "number", "seed", False), ("limit", "number", "limit", False),
-        ("clip", "text", "clip", None), ("stiffness", "number", "stiffness", False),
-        ("tet_weights", "word", "tet_weights", declarations.TET_WEIGHTS), ("smoothing", "flag", "no_smoothing", True)],
+        ("fewer_joints", "flag", "fewer_joints", None)],
+    declarations.sinew_character_bake_options: [("poses", "number", "poses", False), ("shapes", "number", "shapes", False),
+        ("seed", "number", "seed", False), ("limit", "number", "limit", False), ("clip", "text", "clip", None),
+        ("method", "word", "deform.method", declarations.POSE_DEFORM), ("cells", "number", "deform.cells", False),
+        ("rounds", "number", "deform.rounds", False), ("body_contact", "flag", "deform.body_contact", None),
+        ("tet_weights", "word", "deform.tet_weights", declarations.TET_WEIGHTS), ("smoothing", "without", "deform.without", 128),
+        ("stiffness", "number", "deform.stiffness", False)],
+    declarations.sinew_character_picture_options: [("body_class", "word", "body_class", declarations.BODY_CLASS),
+        ("figure", "number", "figure", False), ("flat", "flag", "flat", None), ("units", "flag", "pixels", None),
+        ("mask_file", "text", "mask", None), ("outline", "lines", "outline", ('line_offsets', 'line_count', '2')),
+        ("cut", "flag", "cut", None)],
 }
 # The class of a struct, and its fields.
 RESULTS: Dict[Any, Tuple[Any, Rows]] = {
-    declarations.sinew_character_picture_info: (PictureInfo, [("width", "number", "width", False), ("height", "number", "height", False),
-        ("figure_count", "number", "figure_count", False), ("figure", "number", "figure", False),
-        ("body_class", "word", "body_class", declarations.BODY_CLASS), ("view", "word", "view", declarations.PICTURE_VIEW),
-        ("certainty", "number", "certainty", False), ("outline", "lines", "outline", ('line_offsets', 'line_count', '2'))]),
+    declarations.sinew_character_finding: (Finding, [("rule", "text", "rule", None), ("what", "text", "what", None),
+        ("cure", "text", "cure", None), ("pose", "text", "pose", None), ("clip", "text", "clip", None),
+        ("seconds", "number", "seconds", False), ("value", "number", "value", False), ("bound", "number", "bound", False),
+        ("vertices", "array", "vertices", ('uint32', ('vertex_count',), False, False)),
+        ("severity", "word", "severity", declarations.CHECK_SEVERITY), ("joint", "number", "joint", False),
+        ("other", "number", "other", False), ("mesh", "number", "mesh", False), ("position", "numbers", "position", None),
+        ("radius", "number", "radius", False)]),
+    declarations.sinew_character_check_result: (CheckResult, [("errors", "number", "errors", False),
+        ("warnings", "number", "warnings", False), ("notes", "number", "notes", False),
+        ("findings", "structs", "findings", (declarations.sinew_character_finding, ('finding_count',))), ("line", "text", "line", None),
+        ("score", "number", "score", True)]),
     declarations.sinew_character_seam: (Seam, [("joints", "numbers", "joints", None), ("position", "numbers", "position", None),
         ("length", "number", "length", False)]),
     declarations.sinew_character_bind_result: (BindResult, [("symmetric_vertices", "number", "symmetric_vertices", False),
@@ -447,7 +457,7 @@ RESULTS: Dict[Any, Tuple[Any, Rows]] = {
         ("seams", "structs", "seams", (declarations.sinew_character_seam, ('seam_count',))),
         ("doubled_vertices", "number", "doubled_vertices", False)]),
     declarations.sinew_character_doubt: (Doubt, [("name", "text", "name", None), ("doubt", "number", "doubt", False)]),
-    declarations.sinew_character_rig_result: (RigResult, [("mirrored", "flag", "mirrored", False), ("matched", "number", "matched", False),
+    declarations.sinew_character_rig_result: (RigResult, [("mirrored", "flag", "mirrored", None), ("matched", "number", "matched", False),
         ("joint_count", "number", "joint_count", False), ("spread", "number", "spread", False), ("scale", "number", "scale", False),
         ("seconds", "number", "seconds", False), ("bind_seconds", "number", "bind_seconds", False),
         ("ends", "array", "ends", ('uint8', ('joint_count',), False, True)),
@@ -463,17 +473,17 @@ RESULTS: Dict[Any, Tuple[Any, Rows]] = {
         ("sources", "array", "sources", ('int32', ('joint_count',), False, False)),
         ("confidence", "array", "confidence", ('float32', ('joint_count',), False, False)),
         ("reasons", "array", "reasons", ('uint8', ('joint_count',), False, False)), ("text", "text", "text", None)]),
-    declarations.sinew_limb_measure: (LimbMeasure, [("joint", "number", "joint", False), ("leg", "flag", "leg", False),
+    declarations.sinew_limb_quality: (LimbQuality, [("joint", "number", "joint", False), ("leg", "flag", "leg", None),
         ("frames", "number", "frames", False), ("deep_frames", "number", "deep_frames", False),
         ("contact_frames", "number", "contact_frames", False), ("range_frames", "number", "range_frames", False),
         ("depth", "number", "depth", False), ("greatest_depth", "number", "greatest_depth", False), ("error", "number", "error", False),
         ("greatest_error", "number", "greatest_error", False)]),
     declarations.sinew_character_animate_result: (AnimateResult, [("clips", "number", "clip_count", False),
-        ("first_clip", "number", "first_clip", False), ("mapped", "number", "mapped", False), ("rigged", "flag", "rigged", False),
+        ("first_clip", "number", "first_clip", False), ("mapped", "number", "mapped", False), ("rigged", "flag", "rigged", None),
         ("shape_count", "number", "shape_count", False), ("certainty", "number", "certainty", False),
         ("limb_count", "number", "limb_count", False),
-        ("limbs_before", "structs", "limbs_before", (declarations.sinew_limb_measure, ('clip_count', 'limb_count'))),
-        ("limbs_after", "structs", "limbs_after", (declarations.sinew_limb_measure, ('clip_count', 'limb_count'))),
+        ("limbs_before", "structs", "limbs_before", (declarations.sinew_limb_quality, ('clip_count', 'limb_count'))),
+        ("limbs_after", "structs", "limbs_after", (declarations.sinew_limb_quality, ('clip_count', 'limb_count'))),
         ("mapped_by", "text", "mapped_by", None), ("sources", "array", "sources", ('int32', ('J',), False, False)),
         ("reasons", "array", "reasons", ('uint8', ('J',), False, False)),
         ("source_ends", "array", "source_ends", ('uint8', ('source_count',), False, False)), ("source_names", "text", "source_names", None),
@@ -482,46 +492,39 @@ RESULTS: Dict[Any, Tuple[Any, Rows]] = {
         ("spot_errors", "array", "spot_errors", ('float32', ('spot_count',), False, False))]),
     declarations.sinew_transfer_part: (TransferPart, [("vertex", "number", "vertex", False),
         ("vertex_count", "number", "vertex_count", False), ("reason", "word", "reason", declarations.TRANSFER_REASON),
-        ("carried", "fraction", "carried_q16", False), ("style", "fraction", "style_q16", False),
-        ("mismatch", "fraction", "mismatch_q16", False), ("distance", "fraction", "distance_q16", False)]),
+        ("carried", "fraction", "carried_q16", None), ("style", "fraction", "style_q16", None),
+        ("mismatch", "fraction", "mismatch_q16", None), ("distance", "fraction", "distance_q16", None)]),
     declarations.sinew_character_transfer_result: (TransferResult, [("mapped_joints", "number", "mapped_joints", False),
-        ("fitted", "flag", "fitted", False), ("bound", "flag", "bound", False), ("bound_by", "word", "bound_by", declarations.METHOD),
+        ("fitted", "flag", "fitted", None), ("bound", "flag", "bound", None), ("bound_by", "word", "bound_by", declarations.METHOD),
         ("carried", "number", "carried", False), ("style", "number", "style", False), ("mismatch", "number", "mismatch", False),
         ("seconds", "number", "seconds", False), ("mapped_by", "text", "mapped_by", None),
         ("parts", "structs", "parts", (declarations.sinew_transfer_part, ('part_count',)))]),
     declarations.sinew_character_lod_level: (LodLevel, [("rest_error", "number", "rest_error", False),
         ("posed_error", "number", "posed_error", False), ("mean_error", "number", "mean_error", False),
         ("triangle_count", "number", "triangle_count", False)]),
-    declarations.sinew_character_finding: (Finding, [("rule", "text", "rule", None), ("what", "text", "what", None),
-        ("cure", "text", "cure", None), ("pose", "text", "pose", None), ("clip", "text", "clip", None),
-        ("seconds", "number", "seconds", False), ("value", "number", "value", False), ("bound", "number", "bound", False),
-        ("vertices", "array", "vertices", ('uint32', ('vertex_count',), False, False)),
-        ("severity", "word", "severity", declarations.CHECK_SEVERITY), ("joint", "number", "joint", False),
-        ("other", "number", "other", False), ("mesh", "number", "mesh", False), ("position", "numbers", "position", None),
-        ("radius", "number", "radius", False)]),
-    declarations.sinew_character_check_result: (CheckResult, [("errors", "number", "errors", False),
-        ("warnings", "number", "warnings", False), ("notes", "number", "notes", False),
-        ("findings", "structs", "findings", (declarations.sinew_character_finding, ('finding_count',))), ("line", "text", "line", None),
-        ("score", "number", "score", True)]),
     declarations.sinew_character_bake_result: (BakeResult, [("shape_count", "number", "shape_count", False),
         ("bend_count", "number", "bend_count", False), ("moved_vertices", "number", "moved_vertices", False),
         ("learnt_poses", "number", "learnt_poses", False), ("held_out_poses", "number", "held_out_poses", False),
         ("linear_error", "number", "linear_error", False), ("baked_error", "number", "baked_error", False),
         ("held_out_linear_error", "number", "held_out_linear_error", False),
         ("held_out_baked_error", "number", "held_out_baked_error", False)]),
+    declarations.sinew_character_picture_info: (PictureInfo, [("width", "number", "width", False), ("height", "number", "height", False),
+        ("figure_count", "number", "figure_count", False), ("figure", "number", "figure", False),
+        ("body_class", "word", "body_class", declarations.BODY_CLASS), ("view", "word", "view", declarations.PICTURE_VIEW),
+        ("certainty", "number", "certainty", False), ("outline", "lines", "outline", ('line_offsets', 'line_count', '2'))]),
 }
-# Options, result, the other character, and whether that comes first.
-JOBS: Dict[str, Tuple[Any, Any, str, bool]] = {
-    "set_profile": (declarations.sinew_character_profile_options, None, "", False),
-    "place": (declarations.sinew_character_place_options, None, "", False),
-    "bind": (declarations.sinew_character_bind_options, declarations.sinew_character_bind_result, "", False),
-    "rig": (declarations.sinew_character_rig_options, declarations.sinew_character_rig_result, "", False),
-    "map": (declarations.sinew_character_map_options, declarations.sinew_character_map_result, "source", False),
-    "animate": (declarations.sinew_character_animate_options, declarations.sinew_character_animate_result, "motion", False),
-    "pose": (declarations.sinew_character_pose_options, None, "", False),
-    "transfer": (declarations.sinew_character_transfer_options, declarations.sinew_character_transfer_result, "source", True),
-    "simplify": (declarations.sinew_character_simplify_options, None, "", False),
-    "lod": (declarations.sinew_character_lod_options, None, "", False),
-    "check": (declarations.sinew_character_check_options, declarations.sinew_character_check_result, "", False),
-    "bake": (declarations.sinew_character_bake_options, declarations.sinew_character_bake_result, "", False),
+# Options, result, the other character, whether that comes first, and the member of a file in its place.
+JOBS: Dict[str, Tuple[Any, Any, str, bool, str]] = {
+    "set_profile": (declarations.sinew_character_profile_options, None, "", False, ""),
+    "transform": (declarations.sinew_character_transform_options, None, "", False, ""),
+    "check": (declarations.sinew_character_check_options, declarations.sinew_character_check_result, "", False, ""),
+    "bind": (declarations.sinew_character_bind_options, declarations.sinew_character_bind_result, "", False, ""),
+    "rig": (declarations.sinew_character_rig_options, declarations.sinew_character_rig_result, "", False, ""),
+    "map": (declarations.sinew_character_map_options, declarations.sinew_character_map_result, "source", False, "source.file"),
+    "animate": (declarations.sinew_character_animate_options, declarations.sinew_character_animate_result, "motion", False, "motion.file"),
+    "pose": (declarations.sinew_character_pose_options, None, "", False, ""),
+    "transfer": (declarations.sinew_character_transfer_options, declarations.sinew_character_transfer_result, "source", True, ""),
+    "simplify": (declarations.sinew_character_simplify_options, None, "", False, ""),
+    "lod": (declarations.sinew_character_lod_options, None, "", False, ""),
+    "bake": (declarations.sinew_character_bake_options, declarations.sinew_character_bake_result, "", False, ""),
 }

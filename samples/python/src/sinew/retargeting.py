@@ -119,7 +119,7 @@ class RetargetStream:
         sources, classes, views, plan_options = _pair(source, target, joint_map, in_place, scale, source_up, target_up)
         options = binding.init(binding.sinew_retarget_stream_options)
         options.fps, options.has_ground, options.ground = fps, int(ground is not None), ground or 0.0
-        options.no_contacts, options.no_range = int(not contacts), int(not keep_range)
+        options.without = (0 if contacts else declarations.WITHOUT_CONTACTS) | (0 if keep_range else declarations.WITHOUT_RANGE)
         body = None if target_body is None else _body_view(target_body, "target_body")
         moving = None if source_body is None else _body_view(source_body, "source_body")
         if moving is not None:

@@ -78,7 +78,8 @@ def rig(positions: Any, faces: Any, *, method: declarations.RigMethod = "votes",
     options.mirror = chosen(mirror, MIRRORS, "mirror")
     if not 0 <= spine <= 16:
         raise ValueError(f"spine: expected 0 to 16, found {spine}")
-    options.spine_count, options.no_toes, options.no_ends = spine, int(not toes), int(not ends)
+    options.spine_count = spine
+    options.without = (0 if toes else declarations.WITHOUT_TOES) | (0 if ends else declarations.WITHOUT_ENDS)
     room = binding.MAX_RIG_JOINTS
     arrays = {"positions": np.zeros((room, 3), np.float32), "parents": np.zeros(room, np.int32), "flags": np.zeros(room, np.uint8),
               "joint_classes": np.zeros(room, np.uint8), "partners": np.zeros(room, np.int32),

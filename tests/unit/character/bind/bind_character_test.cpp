@@ -45,9 +45,9 @@ void give_own_weights(Character* c) {
   }
 }
 
-CharacterBind bound(const Character& c, JointsFrom from = JointsFrom::kAuto, const std::vector<uint8_t>& said = {},
-                    CharacterBindOptions options = {}) {
-  return bind_character(c, choose_joints(c, from, said), options);
+CharacterBind bound(const Character& c, JointsFrom from = JointsFrom::kAuto,
+                    const std::vector<uint8_t>& joint_flags = {}, CharacterBindOptions options = {}) {
+  return bind_character(c, choose_joints(c, from, joint_flags), options);
 }
 
 std::vector<double> weight_of_joints(const Character& c, const CharacterBind& result, uint32_t mesh) {
@@ -93,11 +93,11 @@ TEST(ChooseJoints, ByNamesWithoutWeights) {
 
 TEST(ChooseJoints, AJointThatIsForbiddenKeepsNoOtherFromComingBack) {
   const Character c = two_bars();
-  std::vector<uint8_t> said(c.joints.size(), 0);
-  said[6] = SINEW_JOINT_NEVER;
-  JointChoice choice = choose_joints(c, JointsFrom::kAuto, said);
+  std::vector<uint8_t> joint_flags(c.joints.size(), 0);
+  joint_flags[6] = SINEW_JOINT_NEVER;
+  JointChoice choice = choose_joints(c, JointsFrom::kAuto, joint_flags);
   EXPECT_EQ(choice.tips, std::vector<size_t>{5});
-  take_back_joints({5, 6}, said, &choice);
+  restore_joints({5, 6}, joint_flags, &choice);
   EXPECT_TRUE(choice.tips.empty());
   EXPECT_EQ(why(choice, 6), "control");
 }
@@ -110,9 +110,9 @@ TEST(BindJob, AChoiceOfBeforeStaysWhateverTheWeightsAreNow) {
   c.influences.clear();
   BindJobOptions options;
   options.choice = &before;
-  options.taken_back = {2, 6};
-  options.said.assign(c.joints.size(), 0);
-  options.said[6] = SINEW_JOINT_NEVER;
+  options.restored_joints = {2, 6};
+  options.joint_flags.assign(c.joints.size(), 0);
+  options.joint_flags[6] = SINEW_JOINT_NEVER;
   BindJob job(options, {}, &c);
   const CharacterBind result = job.bind({}, 0);
   EXPECT_EQ(job.choice().from, JointsFrom::kOwn);
@@ -136,17 +136,17 @@ TEST(ChooseJoints, AllMeansAll) {
 TEST(ChooseJoints, TheUserHasTheLastWord) {
   Character c = two_bars();
   give_own_weights(&c);
-  std::vector<uint8_t> said(c.joints.size(), 0);
-  said[2] = said[6] = SINEW_JOINT_DEFORMS;
-  const JointChoice deform = choose_joints(c, JointsFrom::kAuto, said);
-  EXPECT_EQ(deform.flags, said);
+  std::vector<uint8_t> joint_flags(c.joints.size(), 0);
+  joint_flags[2] = joint_flags[6] = SINEW_JOINT_DEFORMS;
+  const JointChoice deform = choose_joints(c, JointsFrom::kAuto, joint_flags);
+  EXPECT_EQ(deform.flags, joint_flags);
   EXPECT_TRUE(deform.sets.empty());
   EXPECT_EQ(deform.left_out.size(), 5u);
-  said.assign(c.joints.size(), 0);
-  said[1] = SINEW_JOINT_NEVER;
-  const JointChoice never = choose_joints(c, JointsFrom::kAuto, said);
+  joint_flags.assign(c.joints.size(), 0);
+  joint_flags[1] = SINEW_JOINT_NEVER;
+  const JointChoice never = choose_joints(c, JointsFrom::kAuto, joint_flags);
   EXPECT_EQ(why(never, 1), "never deforms, as asked");
-  EXPECT_EQ(weight_of_joints(c, bound(c, JointsFrom::kAuto, said), 0)[1], 0);
+  EXPECT_EQ(weight_of_joints(c, bound(c, JointsFrom::kAuto, joint_flags), 0)[1], 0);
 }
 
 TEST(ChooseJoints, TheFileMaySayWhatDeforms) {

@@ -203,8 +203,8 @@ TEST(Check, TellsWhatIsNewAndWhatIsGone) {
   const CheckChange change = check_change(old_check, before.joints, new_check, now.joints);
   ASSERT_EQ(change.added.size(), 1U);
   EXPECT_STREQ(new_check.findings[change.added[0]].rule->name, "unweighted");
-  ASSERT_EQ(change.gone.size(), 1U);
-  EXPECT_STREQ(old_check.findings[change.gone[0]].rule->name, "weight-sum");
+  ASSERT_EQ(change.removed.size(), 1U);
+  EXPECT_STREQ(old_check.findings[change.removed[0]].rule->name, "weight-sum");
 }
 
 CheckedFile broken_file() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bones in a picture's plane: lengths as drawn, swings to the viewer shown sideways, feet on the floor, places back and forth.
+// Bones in a picture's plane: lengths as drawn, swings to the viewer shown sideways, feet on the floor, positions back and forth.
 #include "picture/plane_bones.hpp"
 
 #include <gtest/gtest.h>

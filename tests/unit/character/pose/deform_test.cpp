@@ -38,7 +38,7 @@ Character bar() {
 
 TEST(CharacterDeformer, KeepsTheRestPoseAndMovesTheBoundVertices) {
   const Character c = bar();
-  CharacterDeformer deformer(c, sinew_deform_options_init());
+  CharacterDeformer deformer(c, SINEW_INIT(sinew_deform_options));
   const Character still = deformer.pose_character(c, pose_palette(c, {}));
   for (size_t v = 0; v < c.vertices.size(); ++v) {
     EXPECT_EQ(still.vertices[v].x, c.vertices[v].x);
@@ -54,7 +54,7 @@ TEST(CharacterDeformer, KeepsTheRestPoseAndMovesTheBoundVertices) {
 // Thighs that have grown together: one leg swings forward, and the other, whose joints stand still, stays.
 TEST(CharacterDeformer, CorrectionsDoNotCrossSeams) {
   const Character body = block_body(1, 3);
-  sinew_deform_options options = sinew_deform_options_init();
+  sinew_deform_options options = SINEW_INIT(sinew_deform_options);
   options.method = SINEW_DEFORM_DELTA_MUSH;
   CharacterDeformer deformer(body, options);
   const Character posed = deformer.pose_character(body, pose_palette(body, {{kLeftUpLeg, 40, 0, 0}}));
@@ -72,13 +72,13 @@ TEST(CharacterDeformer, CorrectionsDoNotCrossSeams) {
 
 TEST(CharacterDeformer, RefusesWhatDoesNotFit) {
   Character c = bar();
-  CharacterDeformer deformer(c, sinew_deform_options_init());
+  CharacterDeformer deformer(c, SINEW_INIT(sinew_deform_options));
   EXPECT_ERROR(deformer.pose({}), "bar", "2");
   std::vector<Affine> palette = pose_palette(c, {});
   palette[1][3] = 1e30;
   EXPECT_ERROR(deformer.pose(palette), "bar", "finite");
   c.influences[3][0].joint = 7;
-  EXPECT_ERROR(CharacterDeformer(c, sinew_deform_options_init()), "vertex 3", "joint 7");
+  EXPECT_ERROR(CharacterDeformer(c, SINEW_INIT(sinew_deform_options)), "vertex 3", "joint 7");
 }
 
 TEST(PoseMatrices, JointsThatAreLeftOutStay) {

@@ -15,14 +15,14 @@
 namespace sinew {
 namespace {
 
-struct Place {
+struct JointRow {
   const char* name;
   const char* parent;
   Vec3 at;
 };
 
 // Arms hang forward and down, the left knee is bent, the left foot points outwards; faces +z, left is +x.
-const std::vector<Place> kSlouched = {
+const std::vector<JointRow> kSlouched = {
     {"Hips", "", {0, 1, 0}},
     {"Spine", "Hips", {0, 1.2f, 0}},
     {"Neck", "Spine", {0, 1.5f, 0}},
@@ -43,22 +43,22 @@ const std::vector<Place> kSlouched = {
     {"RightToeBase", "RightFoot", {-0.1f, 0.03f, 0.13f}},
 };
 
-std::vector<Joint> joints_of(const std::vector<Place>& places) {
+std::vector<Joint> joints_of(const std::vector<JointRow>& rows) {
   std::vector<Joint> joints;
-  for (const Place& place : places) {
+  for (const JointRow& row : rows) {
     int parent = -1;
     for (size_t j = 0; j < joints.size(); ++j)
-      if (joints[j].name == place.parent) parent = static_cast<int>(j);
-    joints.push_back({place.name, place.at, parent});
+      if (joints[j].name == row.parent) parent = static_cast<int>(j);
+    joints.push_back({row.name, row.at, parent});
   }
   return joints;
 }
 
 // A small tetrahedron around every joint, bound to it.
-Character figure(const std::vector<Place>& places) {
+Character figure(const std::vector<JointRow>& rows) {
   Character character;
   character.name = "figure";
-  character.joints = joints_of(places);
+  character.joints = joints_of(rows);
   for (uint32_t j = 0; j < character.joints.size(); ++j) {
     const Vec3 p = character.joints[j].position;
     const uint32_t first = static_cast<uint32_t>(character.vertices.size());
@@ -75,7 +75,7 @@ Character figure(const std::vector<Place>& places) {
   return character;
 }
 
-Vec3 place_of(const Character& character, const std::string& name) {
+Vec3 position_of(const Character& character, const std::string& name) {
   for (const Joint& joint : character.joints)
     if (joint.name == name) return joint.position;
   ADD_FAILURE() << name;
@@ -83,7 +83,7 @@ Vec3 place_of(const Character& character, const std::string& name) {
 }
 
 std::array<double, 3> bone(const Character& character, const std::string& from, const std::string& to) {
-  const Vec3 a = place_of(character, from), b = place_of(character, to);
+  const Vec3 a = position_of(character, from), b = position_of(character, to);
   const double x = static_cast<double>(b.x - a.x), y = static_cast<double>(b.y - a.y),
                z = static_cast<double>(b.z - a.z);
   const double size = std::sqrt(x * x + y * y + z * z);
@@ -97,7 +97,7 @@ void expect_bone(const Character& character, const std::string& from, const std:
 }
 
 double length_of(const Character& character, const std::string& from, const std::string& to) {
-  const Vec3 a = place_of(character, from), b = place_of(character, to);
+  const Vec3 a = position_of(character, from), b = position_of(character, to);
   return std::hypot(static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y), static_cast<double>(b.z - a.z));
 }
 
@@ -146,9 +146,9 @@ TEST(RestPose, MeshFollowsItsJointsAndStaysOnTheFloor) {
 }
 
 TEST(RestPose, ALeaningTrunkIsPutUpright) {
-  std::vector<Place> leaning = kSlouched;
-  for (Place& place : leaning)
-    if (place.at.y > 1.1f) place.at.z += 0.5f * (place.at.y - 1);
+  std::vector<JointRow> leaning = kSlouched;
+  for (JointRow& row : leaning)
+    if (row.at.y > 1.1f) row.at.z += 0.5f * (row.at.y - 1);
   const Character posed = in_rest_pose(figure(leaning), pose_of(RestPose::Kind::kT), Axis::kY);
   expect_bone(posed, "Hips", "Neck", {0, 1, 0});
   expect_bone(posed, "LeftArm", "LeftForeArm", {1, 0, 0});
@@ -176,8 +176,8 @@ TEST(RestPose, StandsAsAnotherFileDoes) {
 }
 
 TEST(RestPose, RefusesWhatItCannotTell) {
-  std::vector<Place> crawling = kSlouched;
-  for (Place& place : crawling) std::swap(place.at.y, place.at.z);
+  std::vector<JointRow> crawling = kSlouched;
+  for (JointRow& row : crawling) std::swap(row.at.y, row.at.z);
   EXPECT_ERROR(in_rest_pose(figure(crawling), pose_of(RestPose::Kind::kT), Axis::kY), "figure", "stand upright");
   Character nameless = figure(kSlouched);
   for (size_t j = 0; j < nameless.joints.size(); ++j) nameless.joints[j].name = "joint" + std::to_string(j);
@@ -215,7 +215,7 @@ TEST(RestPose, ADocumentOfGltfIsMovedToo) {
     EXPECT_NEAR(read.vertices[v].y, posed.vertices[v].y, 1e-5f);
     EXPECT_NEAR(read.vertices[v].z, posed.vertices[v].z, 1e-5f);
   }
-  EXPECT_NEAR(place_of(read, "LeftHand").y, place_of(posed, "LeftHand").y, 1e-5f);
+  EXPECT_NEAR(position_of(read, "LeftHand").y, position_of(posed, "LeftHand").y, 1e-5f);
 }
 
 // Joints of the file itself are moved, by their own names, with the matrices of its skin: what is read is what was posed.

@@ -17,8 +17,8 @@ PredictedSkeleton small_body() {
   PredictedSkeleton s;
   s.mirrored = true;
   s.plane = 0.5f;
-  const auto add = [&](const char* name, Vec3 place, int parent, bool end, int partner) {
-    s.joints.push_back({name, place, parent, !end});
+  const auto add = [&](const char* name, Vec3 position, int parent, bool end, int partner) {
+    s.joints.push_back({name, position, parent, !end});
     s.classes.push_back(SINEW_CLASS_SPINE);
     s.ends.push_back(end ? 1 : 0);
     s.partners.push_back(partner);
@@ -53,11 +53,11 @@ bool has(const PredictedSkeleton& s, const std::string& name) {
     if (one.name == name) return true;
   return false;
 }
-void expect_at(const PredictedSkeleton& s, const std::string& name, Vec3 place) {
+void expect_at(const PredictedSkeleton& s, const std::string& name, Vec3 position) {
   const Vec3 p = joint(s, name).position;
-  EXPECT_EQ(p.x, place.x) << name;
-  EXPECT_EQ(p.y, place.y) << name;
-  EXPECT_EQ(p.z, place.z) << name;
+  EXPECT_EQ(p.x, position.x) << name;
+  EXPECT_EQ(p.y, position.y) << name;
+  EXPECT_EQ(p.z, position.z) << name;
 }
 void expect_sound(const PredictedSkeleton& s) {
   const size_t count = s.joints.size();

@@ -17,7 +17,7 @@ namespace {
 
 struct Row {
   const char *name, *parent;
-  Vec3 place;
+  Vec3 position;
   uint8_t joint_class;
   bool end = false;
 };
@@ -29,15 +29,15 @@ LabelledSkeleton skeleton_of(const std::vector<Row>& rows) {
       if (s.joints[j].name == name) return static_cast<int>(j);
     return -1;
   };
-  const auto add = [&](const std::string& name, const std::string& parent, Vec3 place, const Row& row) {
-    s.joints.push_back({name, place, index_of(parent), {}});
+  const auto add = [&](const std::string& name, const std::string& parent, Vec3 position, const Row& row) {
+    s.joints.push_back({name, position, index_of(parent), {}});
     s.classes.push_back(row.joint_class);
     s.ends.push_back(row.end ? 1 : 0);
   };
   for (const Row& row : rows) {
-    add(row.name, row.parent, row.place, row);
+    add(row.name, row.parent, row.position, row);
     if (side_of_name(row.name) == Side::kNone) continue;
-    add(other_side_name(row.name), other_side_name(row.parent), mirrored(row.place, 0, 0), row);
+    add(other_side_name(row.name), other_side_name(row.parent), mirrored(row.position, 0, 0), row);
   }
   return s;
 }
@@ -94,7 +94,7 @@ size_t index_of(const std::vector<Joint>& joints, const std::string& name) {
   ADD_FAILURE() << "no joint " << name;
   return 0;
 }
-Vec3 place(const std::vector<Joint>& joints, const std::string& name) {
+Vec3 position(const std::vector<Joint>& joints, const std::string& name) {
   return joints[index_of(joints, name)].position;
 }
 float gap(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, std::hypot(a.y - b.y, a.z - b.z)); }
@@ -163,14 +163,14 @@ TEST(FitSkeleton, AnAsymmetricSkeletonStaysItself) {
 TEST(FitSkeleton, LimbsTakeTheOthersPlaces) {
   const FittedSkeleton fitted = fit_skeleton(man(), other_body(), {});
   const std::vector<Joint>& other = other_body().joints;
-  EXPECT_LT(gap(place(fitted.joints, "calf_l"), place(other, "LeftLeg")), 1e-6f);
-  EXPECT_LT(gap(place(fitted.joints, "foot_r"), place(other, "RightFoot")), 1e-6f);
-  EXPECT_LT(gap(place(fitted.joints, "head_end"), place(other, "Head_end")), 1e-6f);
+  EXPECT_LT(gap(position(fitted.joints, "calf_l"), position(other, "LeftLeg")), 1e-6f);
+  EXPECT_LT(gap(position(fitted.joints, "foot_r"), position(other, "RightFoot")), 1e-6f);
+  EXPECT_LT(gap(position(fitted.joints, "head_end"), position(other, "Head_end")), 1e-6f);
   // The maker's habits have a say in these.
   for (const auto& [mine, theirs] :
        {std::pair("hips", "Hips"), std::pair("neck", "Neck"), std::pair("arm_l", "LeftArm"),
         std::pair("hand_l", "LeftHand"), std::pair("thigh_r", "RightUpLeg")})
-    EXPECT_LT(gap(place(fitted.joints, mine), place(other, theirs)), 0.15f) << mine;
+    EXPECT_LT(gap(position(fitted.joints, mine), position(other, theirs)), 0.15f) << mine;
   EXPECT_EQ(fitted.how[index_of(fitted.joints, "spine1")], FitHow::kBetween);
   EXPECT_EQ(fitted.how[index_of(fitted.joints, "index1_l")], FitHow::kCarried);
   EXPECT_EQ(fitted.how[index_of(fitted.joints, "calf_l")], FitHow::kMatched);
@@ -181,7 +181,7 @@ TEST(FitSkeleton, ChainsOfOtherCountsKeepTheirOrderAlongTheChain) {
   const FittedSkeleton fitted = fit_skeleton(man(), other_body(), {});
   const char* chain[] = {"hips", "spine1", "spine2", "neck", "head", "head_end"};
   for (size_t i = 1; i < 6; ++i)
-    EXPECT_GT(place(fitted.joints, chain[i]).y, place(fitted.joints, chain[i - 1]).y + 0.02f) << chain[i];
+    EXPECT_GT(position(fitted.joints, chain[i]).y, position(fitted.joints, chain[i - 1]).y + 0.02f) << chain[i];
   LabelledSkeleton short_tail = skeleton_of({{"Hips", "", {0, 1, 0}, SINEW_CLASS_PELVIS},
                                              {"Spine", "Hips", {0, 1, 1}, SINEW_CLASS_SPINE},
                                              {"Head", "Spine", {0, 1, 2}, SINEW_CLASS_HEAD},
@@ -207,23 +207,23 @@ TEST(FitSkeleton, ChainsOfOtherCountsKeepTheirOrderAlongTheChain) {
 
 TEST(FitSkeleton, DetailsGoWithTheirBones) {
   const FittedSkeleton fitted = fit_skeleton(man(), other_body(), {});
-  const Vec3 arm = place(fitted.joints, "arm_l"), elbow = place(fitted.joints, "forearm_l");
+  const Vec3 arm = position(fitted.joints, "arm_l"), elbow = position(fitted.joints, "forearm_l");
   const Vec3 middle = {(arm.x + elbow.x) / 2, (arm.y + elbow.y) / 2, (arm.z + elbow.z) / 2};
-  EXPECT_LT(gap(place(fitted.joints, "twist_l"), middle), 0.02f)
+  EXPECT_LT(gap(position(fitted.joints, "twist_l"), middle), 0.02f)
       << "half way along a bone that was turned by 45 degrees";
-  const Vec3 hand = place(fitted.joints, "hand_l"), index = place(fitted.joints, "index2_l");
+  const Vec3 hand = position(fitted.joints, "hand_l"), index = position(fitted.joints, "index2_l");
   EXPECT_GT(index.x - hand.x, 0.1f) << "fingers point where the hand's bone end is";
   EXPECT_LT(std::fabs(index.y - hand.y), 0.03f);
-  EXPECT_GT(place(fitted.joints, "eye_l").z, place(fitted.joints, "head").z + 0.05f);
+  EXPECT_GT(position(fitted.joints, "eye_l").z, position(fitted.joints, "head").z + 0.05f);
 }
 
 TEST(FitSkeleton, RootsStayOnTheFloorAndTargetsWithTheirJoints) {
   FitOptions options;
   options.floor = -0.5f;
   const FittedSkeleton fitted = fit_skeleton(man(), other_body(), options);
-  EXPECT_FLOAT_EQ(place(fitted.joints, "root").y, -0.5f);
-  EXPECT_NEAR(place(fitted.joints, "root").z, place(fitted.joints, "hips").z, 1e-5f);
-  EXPECT_LT(gap(place(fitted.joints, "target_l"), place(fitted.joints, "foot_l")), 0.02f);
+  EXPECT_FLOAT_EQ(position(fitted.joints, "root").y, -0.5f);
+  EXPECT_NEAR(position(fitted.joints, "root").z, position(fitted.joints, "hips").z, 1e-5f);
+  EXPECT_LT(gap(position(fitted.joints, "target_l"), position(fitted.joints, "foot_l")), 0.02f);
 }
 
 TEST(FitSkeleton, SymmetricInSymmetricOut) {
@@ -242,7 +242,7 @@ TEST(FitSkeleton, SymmetricInSymmetricOut) {
     EXPECT_TRUE(fitted.symmetric);
     for (const Joint& joint : fitted.joints) {
       if (joint.name == "gun") continue;
-      const Vec3 image = mirrored(joint.position, 0, 0.75f), p = place(fitted.joints, other_side_name(joint.name));
+      const Vec3 image = mirrored(joint.position, 0, 0.75f), p = position(fitted.joints, other_side_name(joint.name));
       EXPECT_FLOAT_EQ(p.x, image.x) << joint.name;
       EXPECT_EQ(p.y, image.y) << joint.name;
       EXPECT_EQ(p.z, image.z) << joint.name;
@@ -263,7 +263,8 @@ TEST(FitSkeleton, KeepLengthsKeepsThem) {
   const FittedSkeleton free = fit_skeleton(mine, other_body(), {});
   const size_t elbow = index_of(mine.joints, "forearm_l");
   EXPECT_GT(std::fabs(bone(free.joints, elbow) - bone(fitted.joints, elbow)), 0.005f);
-  EXPECT_NEAR(place(fitted.joints, "forearm_l").y, place(fitted.joints, "arm_l").y, 0.05f) << "turned all the same";
+  EXPECT_NEAR(position(fitted.joints, "forearm_l").y, position(fitted.joints, "arm_l").y, 0.05f)
+      << "turned all the same";
 }
 
 TEST(FitSkeleton, WhatCannotBeFittedIsRefused) {

@@ -128,8 +128,8 @@ std::vector<std::string> profile_list() {
 INSTANTIATE_TEST_SUITE_P(Profiles, EachProfile, ::testing::ValuesIn(profile_list()),
                          [](const auto& profile) { return profile.param; });
 
-// Places of joints by name, frame by frame, where the clip's rotation keys are copied onto the nodes of `onto` that have the same name; the
-// places are against the hips'.
+// Positions of joints by name, frame by frame, where the clip's rotation keys are copied onto the nodes of `onto` that have the same name; the
+// positions are against the hips'.
 std::vector<std::map<std::string, Point3>> by_name(const std::string& clip, const std::string& onto,
                                                    const std::string& hips) {
   const GltfSource from = *read_character(clip).gltf, to = *read_character(onto).gltf;
@@ -157,7 +157,7 @@ std::vector<std::map<std::string, Point3>> by_name(const std::string& clip, cons
       frames.back()[posed.nodes[n].name] = {world[3], world[7], world[11]};
     }
     const Point3 at_hips = frames.back().at(hips);
-    for (auto& [name, place] : frames.back()) place = place - at_hips;
+    for (auto& [name, position] : frames.back()) position = position - at_hips;
   }
   return frames;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sides in the names of many makers, and mirror images of joints by name and place.
+// Sides in the names of many makers, and mirror images of joints by name and position.
 #include "sinew_character/rig/joint_mirror.hpp"
 
 #include <gtest/gtest.h>

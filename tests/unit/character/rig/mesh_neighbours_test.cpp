@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-// Two squares side by side, cut at the edge that they share: 1 and 4, 2 and 5 lie at one place.
+// Two squares side by side, cut at the edge that they share: 1 and 4, 2 and 5 lie at one position.
 Character cut_strip() {
   Character c;
   c.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {2, 1, 0}, {2, 0, 0}};

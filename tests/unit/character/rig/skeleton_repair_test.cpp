@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Flat joint lists get a hierarchy, and skeletons in other units or places are told and brought back.
+// Flat joint lists get a hierarchy, and skeletons in other units or positions are noticed and brought back.
 #include "sinew_character/rig/skeleton_repair.hpp"
 
 #include <gtest/gtest.h>

@@ -11,7 +11,7 @@ namespace {
 TEST(StructSizes, AreThoseOfTheCompiler) {
   EXPECT_EQ(sinew_struct_size("sinew_mesh"), sizeof(sinew_mesh));
   EXPECT_EQ(sinew_struct_size("sinew_skeleton"), sizeof(sinew_skeleton));
-  EXPECT_EQ(sinew_struct_size("sinew_options"), sizeof(sinew_options));
+  EXPECT_EQ(sinew_struct_size("sinew_bind_options"), sizeof(sinew_bind_options));
   EXPECT_EQ(sinew_struct_size("sinew_transfer_outputs"), sizeof(sinew_transfer_outputs));
 }
 

@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-size_t size_of(const sinew_options& options) {
+size_t size_of(const sinew_bind_options& options) {
   BindPlan plan;
   EXPECT_EQ(plan_bind(nullptr, 1000, 2000, 6000, 20, &options, &plan), SINEW_OK);
   Arena arena;
@@ -18,14 +18,14 @@ size_t size_of(const sinew_options& options) {
   return arena.high_water();
 }
 
-sinew_options heat_options() {
-  sinew_options options = sinew_options_init();
+sinew_bind_options heat_options() {
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.method = SINEW_METHOD_HEAT;
   return options;
 }
 
 TEST(SizeQuery, CallsNobodyBack) {
-  sinew_options options = heat_options();
+  sinew_bind_options options = heat_options();
   const size_t size = size_of(options);
   options.progress = [](void*, uint32_t) -> int {
     ADD_FAILURE() << "progress was reported";
@@ -37,7 +37,7 @@ TEST(SizeQuery, CallsNobodyBack) {
 }
 
 TEST(SizeQuery, IsTheSameForEveryKernel) {
-  sinew_options options = heat_options();
+  sinew_bind_options options = heat_options();
   const size_t size = size_of(options);
   for (options.kernel = 1; sinew_kernel_name(options.kernel) != nullptr; ++options.kernel) {
     EXPECT_EQ(size_of(options), size) << sinew_kernel_name(options.kernel);

@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-Vec3d place(const Vec3d (&corners)[3], const double* shares) {
+Vec3d point_at(const Vec3d (&corners)[3], const double* shares) {
   return shares[0] * corners[0] + shares[1] * corners[1] + shares[2] * corners[2];
 }
 
@@ -21,13 +21,13 @@ void expect_nearest(Vec3d p, const Vec3d (&corners)[3]) {
     EXPECT_LE(share, 1 + 1e-12);
   }
   EXPECT_NEAR(shares[0] + shares[1] + shares[2], 1, 1e-12);
-  const double found = length(p - place(corners, shares));
+  const double found = length(p - point_at(corners, shares));
   constexpr int kSteps = 24;
   for (int i = 0; i <= kSteps; ++i) {
     for (int k = 0; i + k <= kSteps; ++k) {
       const double other[3] = {1.0 - (i + k) / static_cast<double>(kSteps), i / static_cast<double>(kSteps),
                                k / static_cast<double>(kSteps)};
-      ASSERT_LE(found, length(p - place(corners, other)) + 1e-9);
+      ASSERT_LE(found, length(p - point_at(corners, other)) + 1e-9);
     }
   }
 }

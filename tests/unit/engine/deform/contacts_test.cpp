@@ -57,14 +57,15 @@ struct Deformed {
   std::vector<float> at;
 
   Deformed(const Body& body, bool contact, uint32_t method = SINEW_DEFORM_VOLUME) {
-    sinew_deform_options options = sinew_deform_options_init();
+    sinew_deform_options options = SINEW_INIT(sinew_deform_options);
     options.method = method;
     options.body_contact = contact ? 1 : 0;
     EXPECT_EQ(deformer.create(body.tube.mesh(), body.tube.skeleton(), body.tube.skin(), options), SINEW_OK);
   }
   const std::vector<float>& pose(const std::vector<float>& palette) {
     at.assign(size_t{3} * deformer.get().vertex_count, 0);
-    sinew_deform_outputs outputs = sinew_deform_outputs_init(at.data());
+    sinew_deform_outputs outputs = SINEW_INIT(sinew_deform_outputs);
+    outputs.positions = at.data();
     EXPECT_EQ(deformer.pose(palette.data(), &outputs), SINEW_OK);
     return at;
   }

@@ -19,7 +19,7 @@ using sinew_test::BentTube, sinew_test::Posed, sinew_test::farthest, sinew_test:
 constexpr uint32_t kMethods[] = {SINEW_DEFORM_VOLUME, SINEW_DEFORM_XPBD, SINEW_DEFORM_DELTA_MUSH};
 
 sinew_deform_options options_of(uint32_t method) {
-  sinew_deform_options options = sinew_deform_options_init();
+  sinew_deform_options options = SINEW_INIT(sinew_deform_options);
   options.method = method;
   return options;
 }
@@ -76,7 +76,7 @@ TEST(Deform, VolumeIsKeptInABend) {
 TEST(Deform, FewRoundsKeepMostOfTheVolume) {
   const BentTube tube(2, 0.3);
   sinew_deform_options options = options_of(SINEW_DEFORM_VOLUME);
-  options.no_contact = 1;
+  options.without = SINEW_WITHOUT_CONTACTS;
   const double rest = tube.volume(tube.positions);
   const auto error = [&](uint32_t rounds) {
     options.round_count = rounds;
@@ -106,7 +106,7 @@ TEST(Deform, TheSidesOfAFoldStayApart) {
   };
   sinew_deform_options options = options_of(SINEW_DEFORM_VOLUME);
   EXPECT_LT(crossing(pose(tube, options, palette).positions), 1e-4);
-  options.no_contact = 1;
+  options.without = SINEW_WITHOUT_CONTACTS;
   EXPECT_GT(crossing(pose(tube, options, palette).positions), 1e-2);
 }
 
@@ -124,7 +124,7 @@ TEST(Deform, ATwistKeepsItsRadiusAndTheBoneTakesAPart) {
   };
   sinew_deform_options options = options_of(SINEW_DEFORM_VOLUME);
   const std::vector<float> spread = pose(tube, options, palette).positions;
-  options.no_twist_spread = 1;
+  options.without = SINEW_WITHOUT_TWIST_SPREAD;
   const std::vector<float> kept = pose(tube, options, palette).positions;
   EXPECT_LT(radius(skinned(tube, palette, false)), 0.3);
   EXPECT_GT(radius(spread), 0.8);
@@ -209,11 +209,11 @@ TEST(Deform, TheOtherMethodsCalmHardWeights) {
   options.round_count = 15;
   EXPECT_NE(pose(tube, options, palette).positions, five);
   options = options_of(SINEW_DEFORM_XPBD);
-  options.no_smoothing = 1;
+  options.without = SINEW_WITHOUT_SMOOTHING;
   const Posed published = pose(tube, options, palette);
   EXPECT_LT(stretch(tube, published.positions), 0.95 * linear);
   EXPECT_GT(published.outputs.active_tetrahedra, 0u);
-  options.no_smoothing = 0;
+  options.without = 0;
   EXPECT_NE(pose(tube, options, palette).positions, published.positions);
   // Far from the bend both end where the joint puts them.
   for (const std::vector<float>* at : {&five, &published.positions}) {
@@ -224,19 +224,19 @@ TEST(Deform, TheOtherMethodsCalmHardWeights) {
 // A joint that bends through half a turn, and contact that begins, come on step by step.
 TEST(Deform, SweepsOfABendDoNotJump) {
   const BentTube tube(2, 0.3);
-  for (const uint32_t no_contact : {0u, 1u}) {
+  for (const uint32_t without : {0u, uint32_t{SINEW_WITHOUT_CONTACTS}}) {
     sinew_deform_options options = options_of(SINEW_DEFORM_VOLUME);
-    options.no_contact = no_contact;
+    options.without = without;
     sinew::Deformer deformer;
     ASSERT_EQ(deformer.create(tube.mesh(), tube.skeleton(), tube.skin(), options), SINEW_OK);
     float most = 0;
     std::vector<float> last;
-    for (int degrees = no_contact != 0 ? 150 : 0; degrees <= (no_contact != 0 ? 210 : 110); ++degrees) {
+    for (int degrees = without != 0 ? 150 : 0; degrees <= (without != 0 ? 210 : 110); ++degrees) {
       const std::vector<float> now = pose(&deformer, tube.turned({0, 0, 1}, degrees)).positions;
       if (!last.empty()) most = std::max(most, farthest(last, now));
       last = now;
     }
-    EXPECT_LT(most, 0.06f) << no_contact;
+    EXPECT_LT(most, 0.06f) << without;
   }
 }
 
@@ -276,11 +276,11 @@ void backwards(void* calls, uint32_t count, void (*body)(void* body_data, uint32
 TEST(Deform, ThreadsDoNotChangeABit) {
   const BentTube tube(4, 0.3, 0.25);
   const std::vector<float> palette = tube.turned({1, 0, 1}, 75);
-  for (const uint32_t no_contact : {0u, 1u}) {
+  for (const uint32_t without : {0u, uint32_t{SINEW_WITHOUT_CONTACTS}}) {
     sinew_deform_options options = options_of(SINEW_DEFORM_VOLUME);
     options.cell_count = 60;
     options.round_count = 6;
-    options.no_contact = no_contact;
+    options.without = without;
     const std::vector<float> one = pose(tube, options, palette).positions;
     for (const uint32_t threads : {1u, 2u, 7u, SINEW_MAX_THREADS}) {
       int calls = 0;
@@ -381,7 +381,7 @@ TEST(Deform, MeshesThatAreNoBodyArePosedToo) {
   const std::vector<float> palette = tube.turned({0, 0, 1}, 60);
   sinew::Deformer deformer;
   for (const uint32_t method : kMethods) {
-    // One vertex without a face, all vertices at one place, a flat sheet, one triangle.
+    // One vertex without a face, all vertices at one position, a flat sheet, one triangle.
     const float point[3] = {0.5f, 0.2f, 0};
     sinew_mesh mesh = {point, 1, nullptr, nullptr, 0, 0};
     ASSERT_EQ(deformer.create(mesh, tube.skeleton(), tube.skin(), options_of(method)), SINEW_OK);
@@ -420,7 +420,7 @@ class DeformRefusals : public ::testing::Test {
  protected:
   DeformRefusals() : palette(tube.turned({0, 0, 1}, 45)), out(3 * tube.vertex_count(), 7) {}
   sinew_status create(const sinew_mesh& mesh, const sinew_skeleton& skeleton, const sinew_skin& skin,
-                      const sinew_deform_options& options = sinew_deform_options_init()) {
+                      const sinew_deform_options& options = SINEW_INIT(sinew_deform_options)) {
     return deformer.create(mesh, skeleton, skin, options);
   }
   BentTube tube;
@@ -433,7 +433,8 @@ TEST_F(DeformRefusals, MatricesThatAreNoNumbers) {
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e20f}) {
     std::vector<float> broken = palette;
     broken[17] = bad;
-    sinew_deform_outputs outputs = sinew_deform_outputs_init(out.data());
+    sinew_deform_outputs outputs = SINEW_INIT(sinew_deform_outputs);
+    outputs.positions = out.data();
     EXPECT_EQ(deformer.pose(broken.data(), &outputs), SINEW_ERROR_NOT_FINITE);
     EXPECT_EQ(out, std::vector<float>(out.size(), 7));
     EXPECT_EQ(outputs.corrected, 0u);
@@ -468,7 +469,7 @@ TEST_F(DeformRefusals, InputsThatBreakTheRules) {
 
 TEST_F(DeformRefusals, OptionsOutOfRange) {
   const auto refused = [&](auto change) {
-    sinew_deform_options options = sinew_deform_options_init();
+    sinew_deform_options options = SINEW_INIT(sinew_deform_options);
     change(options);
     return create(tube.mesh(), tube.skeleton(), tube.skin(), options);
   };
@@ -477,7 +478,7 @@ TEST_F(DeformRefusals, OptionsOutOfRange) {
   EXPECT_EQ(refused([](auto& o) { o.cell_count = SINEW_MAX_DEFORM_CELLS + 1; }), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(refused([](auto& o) { o.round_count = SINEW_MAX_DEFORM_ROUNDS + 1; }), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(refused([](auto& o) { o.softness = 65536; }), SINEW_ERROR_ARGUMENT);
-  EXPECT_EQ(refused([](auto& o) { o.no_contact = 2; }), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(refused([](auto& o) { o.without = SINEW_WITHOUT_TOES; }), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(refused([](auto& o) { o.thread_count = SINEW_MAX_THREADS + 1; }), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(refused([](auto& o) { o.body_contact = 2; }), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(refused([](auto& o) { o.cell_count = 8; }), SINEW_OK);
@@ -505,7 +506,8 @@ TEST_F(DeformRefusals, MemoryThatIsShort) {
     sinew::Workspace workspace(made.pose_bytes + 64);
     uint8_t* const scratch = static_cast<uint8_t*>(workspace.data());
     std::fill_n(scratch + made.pose_bytes, 64, uint8_t{0x5A});
-    sinew_deform_outputs outputs = sinew_deform_outputs_init(out.data());
+    sinew_deform_outputs outputs = SINEW_INIT(sinew_deform_outputs);
+    outputs.positions = out.data();
     EXPECT_EQ(sinew_deform_pose(&made, palette.data(), scratch, made.pose_bytes - 64, &outputs), SINEW_ERROR_WORKSPACE);
     EXPECT_EQ(out[0], 7);
     ASSERT_EQ(sinew_deform_pose(&made, palette.data(), scratch, made.pose_bytes, &outputs), SINEW_OK);

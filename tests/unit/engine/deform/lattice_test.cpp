@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lattice of a mesh: volumes, edges, weights of nodes and the place of every vertex.
+// The lattice of a mesh: volumes, edges, weights of nodes and the position of every vertex.
 #include "deform/lattice.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 struct Built {
   explicit Built(const sinew_test::BentTube& tube, uint32_t cells = 0) {
     RestInput input;
-    sinew_deform_options options = sinew_deform_options_init();
+    sinew_deform_options options = SINEW_INIT(sinew_deform_options);
     options.cell_count = cells;
     EXPECT_EQ(read_deform_options(&options, &input.options), SINEW_OK);
     input.mesh = tube.mesh();
@@ -99,15 +99,15 @@ TEST(Lattice, VerticesLieWhereTheirSharesSay) {
     const Built built(tube, cells);
     const DeformRest& rest = built.rest;
     for (uint32_t v = 0; v < rest.vertex_count; ++v) {
-      const Embedding& place = rest.lattice.vertices[rest.welded[v]];
-      ASSERT_NE(place.tetrahedron, kNoTetrahedron);
+      const Embedding& embedding = rest.lattice.vertices[rest.welded[v]];
+      ASSERT_NE(embedding.tetrahedron, kNoTetrahedron);
       Vec3d at = {0, 0, 0};
       int sum = 0;
       for (size_t k = 0; k < 4; ++k) {
-        ASSERT_GE(place.shares[k], 0);
-        sum += place.shares[k];
-        at = at +
-             place.shares[k] / 16384.0 * rest.node_position(rest.lattice.tetrahedra[4 * size_t{place.tetrahedron} + k]);
+        ASSERT_GE(embedding.shares[k], 0);
+        sum += embedding.shares[k];
+        at = at + embedding.shares[k] / 16384.0 *
+                      rest.node_position(rest.lattice.tetrahedra[4 * size_t{embedding.tetrahedron} + k]);
       }
       ASSERT_EQ(sum, 1 << kShareBits);
       const Vec3d off = at - rest.position(v);

@@ -15,7 +15,7 @@ using sinew_test::BentTube, sinew_test::Posed, sinew_test::farthest, sinew_test:
     sinew_test::stretch;
 
 sinew_deform_options shipped() {
-  sinew_deform_options options = sinew_deform_options_init();
+  sinew_deform_options options = SINEW_INIT(sinew_deform_options);
   options.method = SINEW_DEFORM_XPBD;
   return options;
 }
@@ -52,7 +52,7 @@ TEST(Published, ASmallBendIsASmallCorrection) {
 TEST(Published, SmoothingIsOfBendsAndGrowsWithThem) {
   const BentTube tube(2, 0.3);
   sinew_deform_options plain = shipped();
-  plain.no_smoothing = 1;
+  plain.without = SINEW_WITHOUT_SMOOTHING;
   float last = 0;
   for (const double degrees : {0.0, 20.0, 60.0, 120.0}) {
     const std::vector<float> palette = tube.turned({0, 0, 1}, degrees);

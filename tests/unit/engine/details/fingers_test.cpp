@@ -10,7 +10,7 @@ namespace sinew::rigging {
 namespace {
 
 using sinew_test::Block;
-using sinew_test::place;
+using sinew_test::grid_point;
 using sinew_test::units;
 using sinew_test::VoteScene;
 
@@ -43,10 +43,11 @@ void add_finger(VoteScene* scene, uint32_t finger, double z, uint32_t joints, do
     return at + Vec3i{random.between(-most, most), random.between(-most, most), random.between(-most, most)};
   };
   for (uint32_t i = 0; i < 40; ++i) {
-    scene->add(off(place(0.1, 0, 0)), kHandPalm, off(place(0.5, 0, z)), finger_class(finger, 0));
+    scene->add(off(grid_point(0.1, 0, 0)), kHandPalm, off(grid_point(0.5, 0, z)), finger_class(finger, 0));
     for (uint32_t k = 0; k < joints; ++k) {
       const uint32_t next = k + 1 < joints ? finger_class(finger, k + 1) : kClassTip;
-      scene->add(off(place(0.5 + 0.12 * k, 0, z)), finger_class(finger, k), off(place(0.62 + 0.12 * k, 0, z)), next);
+      scene->add(off(grid_point(0.5 + 0.12 * k, 0, z)), finger_class(finger, k), off(grid_point(0.62 + 0.12 * k, 0, z)),
+                 next);
     }
   }
 }
@@ -60,7 +61,7 @@ TEST(Fingers, AreWhereTheirVotesGatherAndEndWhereTipsDo) {
     ASSERT_EQ(finger.joints, f == 0 ? 2 : 3) << f;
     EXPECT_TRUE(finger.has_end);
     for (uint32_t k = 0; k <= finger.joints; ++k) {
-      EXPECT_LT(square_distance(finger.at[k], place(0.5 + 0.12 * k, 0, 0.1 * f)), square(units(0.004))) << f << k;
+      EXPECT_LT(square_distance(finger.at[k], grid_point(0.5 + 0.12 * k, 0, 0.1 * f)), square(units(0.004))) << f << k;
       EXPECT_GT(finger.confidence[k], 16384);
     }
   }
@@ -79,7 +80,7 @@ TEST(Fingers, AreNoneWhereVotesDoNotAgreeOrSayPalm) {
   VoteScene scattered, palm;
   for (uint32_t f = 0; f < kFingers; ++f) add_finger(&scattered, f, 0.1 * f, 3, 0.3);
   EXPECT_EQ(Found(scattered).count(), 0u);
-  for (uint32_t i = 0; i < 400; ++i) palm.add(place(0.1, 0, 0), kHandPalm, place(0.8, 0, 0), kClassTip);
+  for (uint32_t i = 0; i < 400; ++i) palm.add(grid_point(0.1, 0, 0), kHandPalm, grid_point(0.8, 0, 0), kClassTip);
   EXPECT_EQ(Found(palm).count(), 0u);
 }
 

@@ -56,14 +56,14 @@ struct Cropped {
   Counts counts;
   Workspace block;
 
-  Cropped(const HandMesh& run, const MeshScene& scene, const HandPosition& place) {
+  Cropped(const HandMesh& run, const MeshScene& scene, const HandPosition& position) {
     const sinew_mesh view = scene.mesh_view();
     counts.vertices = view.vertex_count;
     counts.faces = view.face_count;
     counts.corners = view.corner_count;
     const auto stage = [&](Arena& arena) {
       (void)crop.allocate(arena, counts);
-      (void)crop_hand(run.mesh, place, counts, arena, &crop);
+      (void)crop_hand(run.mesh, position, counts, arena, &crop);
     };
     Arena measuring;
     stage(measuring);
@@ -81,11 +81,11 @@ Vec3i grid(const HandMesh& run, float x, float y, float z) {
 }
 
 HandPosition position_at(const HandMesh& run, float wrist, float elbow, float length) {
-  HandPosition place;
-  place.wrist = grid(run, wrist, 0.5f, 0);
-  place.elbow = grid(run, elbow, 0.5f, 0);
-  place.length = grid(run, length, 0.5f, 0).x - grid(run, 0, 0.5f, 0).x;
-  return place;
+  HandPosition position;
+  position.wrist = grid(run, wrist, 0.5f, 0);
+  position.elbow = grid(run, elbow, 0.5f, 0);
+  position.length = grid(run, length, 0.5f, 0).x - grid(run, 0, 0.5f, 0).x;
+  return position;
 }
 
 TEST(HandFrame, BringsTheForearmToXAndComesBack) {
@@ -95,18 +95,18 @@ TEST(HandFrame, BringsTheForearmToXAndComesBack) {
       for (const bool right : {false, true}) {
         const MeshScene scene = arm();
         const HandMesh run(scene);
-        HandPosition place = position_at(run, 0.8f, 0.4f, 0.2f);
-        place.elbow = place.wrist + elbow;
-        place.quarters = quarters;
-        place.right = right;
-        const Cropped cropped(run, scene, place);
+        HandPosition position = position_at(run, 0.8f, 0.4f, 0.2f);
+        position.elbow = position.wrist + elbow;
+        position.quarters = quarters;
+        position.right = right;
+        const Cropped cropped(run, scene, position);
         const HandFrame& frame = cropped.crop.frame;
-        const Vec3l r = frame.rotated(place.elbow);
+        const Vec3l r = frame.rotated(position.elbow);
         const double size = std::sqrt(static_cast<double>(dot(elbow, elbow)));
         EXPECT_NEAR(static_cast<double>(r.x) / 256, -size, 2);
         EXPECT_NEAR(static_cast<double>(r.y) / 256, 0, 2);
         EXPECT_NEAR(static_cast<double>(r.z) / 256, 0, 2);
-        for (const Vec3i p : {place.wrist, place.wrist + Vec3i{1000, -20000, 30000}}) {
+        for (const Vec3i p : {position.wrist, position.wrist + Vec3i{1000, -20000, 30000}}) {
           const Vec3i back = frame.from(frame.to(p));
           EXPECT_LE(extent(back - p), 2) << quarters << right;
         }
@@ -175,9 +175,9 @@ TEST(HandCrop, PartsBesideTheHandStayOut) {
 TEST(HandCrop, IsEmptyWhereThereIsNoSurface) {
   const MeshScene scene = arm();
   const HandMesh run(scene);
-  HandPosition place = position_at(run, 0.8f, 0.4f, 0.2f);
-  place.wrist = grid(run, 3, 3, 3);
-  EXPECT_EQ(Cropped(run, scene, place).crop.surface_triangles, 0u);
+  HandPosition position = position_at(run, 0.8f, 0.4f, 0.2f);
+  position.wrist = grid(run, 3, 3, 3);
+  EXPECT_EQ(Cropped(run, scene, position).crop.surface_triangles, 0u);
 }
 
 }  // namespace

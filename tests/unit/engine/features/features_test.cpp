@@ -39,8 +39,8 @@ struct Featured {
                           candidates, 32, &counts),
               SINEW_OK);
     const auto run = [&](Arena& arena) {
-      return prepare(scene.mesh_view(), scene.skeleton_view(), 0, counts, PrepareFor::kNetwork, fastest_kernels(), {},
-                     arena, &p);
+      return prepare(scene.mesh_view(), scene.skeleton_view(), 0, counts, PreparePurpose::kNetwork, fastest_kernels(),
+                     {}, arena, &p);
     };
     Arena measuring;
     (void)run(measuring);
@@ -56,7 +56,7 @@ struct Featured {
   sinew_test::HeatScene scene;
   Counts counts;
   Workspace block;
-  Prepared p;
+  PreparedBind p;
 };
 
 // Calls check(run, vertex, slot, joint, channels) for every pair.
@@ -80,7 +80,7 @@ struct Fit {
 };
 
 // The nearest of a joint's bones.
-Fit fit(const Prepared& p, Vec3i at, uint32_t joint) {
+Fit fit(const PreparedBind& p, Vec3i at, uint32_t joint) {
   std::vector<Vec3i> ends;
   for (uint32_t j = 0; j < p.skeleton.joint_count; ++j) {
     if (p.skeleton.parents[j] == static_cast<int32_t>(joint)) ends.push_back(p.skeleton.positions[j]);
@@ -103,7 +103,7 @@ double q13(double value) { return std::fmin(2 - kStep, std::fmax(-2, value)); }
 
 TEST(Features, PairsKnowTheirBones) {
   for_each_pair([](const Featured& run, uint32_t v, uint32_t, uint32_t joint, const int16_t* f) {
-    const Prepared& p = run.p;
+    const PreparedBind& p = run.p;
     const Fit own = fit(p, p.mesh.positions[v], joint);
     double nearest = HUGE_VAL;
     for (uint32_t i = 0; i < run.counts.candidates; ++i) {
@@ -123,7 +123,7 @@ TEST(Features, PairsKnowTheirBones) {
 
 TEST(Features, PairsKnowTheirHeat) {
   for_each_pair([](const Featured& run, uint32_t v, uint32_t, uint32_t joint, const int16_t* f) {
-    const Prepared& p = run.p;
+    const PreparedBind& p = run.p;
     const uint32_t channels[kFieldCount][3] = {{kPair_rule, kPair_rule_root, kPair_rule_log},
                                                {kPair_parts, kPair_parts_root, kPair_parts_log},
                                                {kPair_soft, kPair_soft_root, kPair_soft_log}};

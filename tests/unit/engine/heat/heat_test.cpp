@@ -165,7 +165,7 @@ TEST(Heat, RowsFallAndNameNoJointTwice) {
 TEST(Heat, EqualWeightsComeInOrderOfJoints) {
   HeatScene scene = sinew_test::capsule(20, 12, 0);
   scene.add_joint(0, 1, 0, -1);
-  for (int i = 0; i < 3; ++i) scene.add_joint(0, 3, 0, 0);  // three bones in one place
+  for (int i = 0; i < 3; ++i) scene.add_joint(0, 3, 0, 0);  // three bones at one position
   const HeatRun run(scene);
   ASSERT_EQ(run.status, SINEW_OK);
   for (uint32_t v = 0; v < run.mesh.welded_count; ++v) {

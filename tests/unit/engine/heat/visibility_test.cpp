@@ -85,7 +85,7 @@ TEST(Visibility, FarTargetsUseTheWideWay) {
 
 TEST(Visibility, TreeEqualsBruteForce) {
   HeatScene scene = sinew_test::tangle(300, 900, 3, 11);
-  for (const uint32_t part : {40u, 70u}) {  // two parts more, in the same place
+  for (const uint32_t part : {40u, 70u}) {  // two parts more, at the same position
     const HeatScene other = sinew_test::tangle(part, 2 * part, 1, part);
     const uint32_t base = scene.vertex_count();
     for (size_t i = 0; i < other.positions.size(); i += 3)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sides and limbs of a rig by its joints' places alone.
+// Sides and limbs of a rig by its joints' positions alone.
 #include "human_rig.hpp"
 
 namespace sinew::mapping {

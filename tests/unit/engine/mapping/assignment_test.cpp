@@ -17,17 +17,17 @@ namespace {
 
 // Every way to give each row a column of its own or none.
 double cheapest(const std::vector<double>& cost, int rows, int columns, double alone) {
-  std::vector<int> places(static_cast<size_t>(columns + rows));
-  std::iota(places.begin(), places.end(), 0);
+  std::vector<int> permutation(static_cast<size_t>(columns + rows));
+  std::iota(permutation.begin(), permutation.end(), 0);
   double best = 1e300;
   do {
     double sum = alone * (rows + columns);
     for (int i = 0; i < rows; ++i) {
-      if (places[static_cast<size_t>(i)] < columns)
-        sum += cost[static_cast<size_t>(i * columns + places[static_cast<size_t>(i)])] - 2 * alone;
+      if (permutation[static_cast<size_t>(i)] < columns)
+        sum += cost[static_cast<size_t>(i * columns + permutation[static_cast<size_t>(i)])] - 2 * alone;
     }
     best = std::min(best, sum);
-  } while (std::next_permutation(places.begin(), places.end()));
+  } while (std::next_permutation(permutation.begin(), permutation.end()));
   return best;
 }
 

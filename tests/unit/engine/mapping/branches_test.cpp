@@ -46,8 +46,8 @@ TEST(Branches, DirectionsAreUnifiedBefore) {
   const TestRig a = humanoid(3, true);
   TestRig b = humanoid(3, true);
   for (size_t i = 0; i < b.names.size(); ++i) {
-    b.places[3 * i] = -b.places[3 * i];
-    b.places[3 * i + 2] = -b.places[3 * i + 2];
+    b.positions[3 * i] = -b.positions[3 * i];
+    b.positions[3 * i + 2] = -b.positions[3 * i + 2];
   }
   MapCall call = by_branches();
   call.run(a, b);

@@ -18,7 +18,7 @@ using sinew_test::TestRig;
 // The same rig turned, scaled and moved.
 TestRig moved(TestRig rig, bool z_up, bool half_turn, float scale) {
   for (size_t i = 0; i < rig.names.size(); ++i) {
-    float* const p = &rig.places[3 * i];
+    float* const p = &rig.positions[3 * i];
     if (half_turn) {
       p[0] = -p[0];
       p[2] = -p[2];
@@ -66,7 +66,7 @@ TEST(Map, BothLegsBeginAtTheSameJoint) {
     for (size_t i = 0; i < body.names.size(); ++i) {
       const std::string& name = body.names[i];
       int32_t parent = body.parents[i] < 0 ? -1 : source.find(body.names[static_cast<size_t>(body.parents[i])]);
-      const float* const p = &body.places[3 * i];
+      const float* const p = &body.positions[3 * i];
       const bool thigh = name.find("UpLeg") != std::string::npos;
       if (thigh) parent = source.add(name + "Hip", parent, name[0] == 'L' ? off : 0, 1, 0);
       (void)source.add(name, parent, p[0], thigh ? p[1] - lower : p[1], p[2], body.ends[i] != 0);
@@ -105,7 +105,7 @@ TEST(Map, APelvisUnderTheSpineIsTheHips) {
   b.add("Pelvis", -1, 0, 0.95f, 0);
   const TestRig body = humanoid(3, false);
   for (uint32_t i = 0; i < body.count(); ++i) {
-    const float* const p = &body.places[3 * size_t{i}];
+    const float* const p = &body.positions[3 * size_t{i}];
     b.add(i == 0 ? "Spine0" : body.names[i], body.parents[i] + 1, p[0], i == 0 ? 1.03f : p[1], p[2], body.ends[i] != 0);
   }
   MapCall call;
@@ -119,7 +119,7 @@ TEST(Map, APelvisUnderTheSpineIsTheHips) {
   }
 }
 
-// Places from which nobody reads a body, names that say nothing: a hammer, say.
+// Positions from which nobody reads a body, names that say nothing: a hammer, say.
 TestRig oddity(bool with_end) {
   TestRig rig;
   rig.add("Bone", -1, 0, 0, -3.0f, 0);
@@ -135,9 +135,9 @@ TestRig oddity(bool with_end) {
 TEST(Map, ARigOfTheSameNamesAndHierarchyIsTheSame) {
   const TestRig a = oddity(false);
   TestRig b = oddity(true);
-  for (size_t i = 0; i < b.places.size(); i += 3) {  // in another pose: bent down, and longer on one side
-    b.places[i] *= 3;
-    b.places[i + 1] *= -0.4f;
+  for (size_t i = 0; i < b.positions.size(); i += 3) {  // in another pose: bent down, and longer on one side
+    b.positions[i] *= 3;
+    b.positions[i + 1] *= -0.4f;
   }
   MapCall call;
   call.names = true;
@@ -151,7 +151,7 @@ TEST(Map, ARigOfTheSameNamesAndHierarchyIsTheSame) {
   TestRig held;
   held.add("Armature", -1, 0, 0, 0);
   for (uint32_t i = 0; i < b.count(); ++i) {
-    const float* const p = &b.places[3 * size_t{i}];
+    const float* const p = &b.positions[3 * size_t{i}];
     held.add(b.names[i], b.parents[i] + 1, p[0], p[1], p[2]);
   }
   call.run(a, held);
@@ -198,10 +198,10 @@ TEST(Map, PlainNamesWinOverOddCopiesOfBones) {
   TestRig b = humanoid(2, true, "Character1_");
   const auto copy = [&](const std::string& of, const std::string& name, float x, float y, float z) {
     const int32_t joint = b.find("Character1_" + of);
-    const float* const at = &b.places[3 * static_cast<size_t>(joint)];
-    const float place[3] = {at[0] + x, at[1] + y, at[2] + z};
-    const int32_t made = b.add(name + "_RIGMESH", joint, place[0], place[1], place[2]);
-    b.add(name + "_RIGMESH_end", made, place[0], place[1], place[2], true);
+    const float* const at = &b.positions[3 * static_cast<size_t>(joint)];
+    const float position[3] = {at[0] + x, at[1] + y, at[2] + z};
+    const int32_t made = b.add(name + "_RIGMESH", joint, position[0], position[1], position[2]);
+    b.add(name + "_RIGMESH_end", made, position[0], position[1], position[2], true);
   };
   for (const char* trunk : {"Hips", "Spine1", "Spine2", "Neck"}) copy(trunk, trunk, 0, 0, 0);
   for (const char* const side : {"Left", "Right"}) {
@@ -214,7 +214,7 @@ TEST(Map, PlainNamesWinOverOddCopiesOfBones) {
     copy(std::string(side) + "Leg", letter + "_Tibia", 0, 0, 0);
     copy(std::string(side) + "Foot", letter + "_Talus", 0.05f, -0.03f, 0.02f);
   }
-  float* const end = &b.places[3 * static_cast<size_t>(b.find("Character1_RightHandEnd"))];
+  float* const end = &b.positions[3 * static_cast<size_t>(b.find("Character1_RightHandEnd"))];
   end[0] += 1.1f;
   end[2] += 1.2f;
   MapCall call;
@@ -237,8 +237,8 @@ TEST(Map, OrderOfJointsDoesNotMatter) {
   for (uint32_t i = 0; i < a.count(); ++i) new_of[a.count() - 1 - i] = static_cast<int32_t>(i);
   for (uint32_t i = 0; i < a.count(); ++i) {
     const size_t old = a.count() - 1 - i;
-    turned.add(a.names[old], a.parents[old] < 0 ? -1 : new_of[static_cast<size_t>(a.parents[old])], a.places[3 * old],
-               a.places[3 * old + 1], a.places[3 * old + 2], a.ends[old] != 0);
+    turned.add(a.names[old], a.parents[old] < 0 ? -1 : new_of[static_cast<size_t>(a.parents[old])],
+               a.positions[3 * old], a.positions[3 * old + 1], a.positions[3 * old + 2], a.ends[old] != 0);
   }
   MapCall x, y;
   x.run(a, b);
@@ -356,7 +356,7 @@ TEST(Map, NearlyEqualRigsOfTooManyLimbsGoByTheirPlaces) {
     urchin.add("c", spine, 2 * x, 2 * height, 2 * z);
   }
   TestRig later = urchin;
-  for (size_t i = 0; i < later.places.size(); ++i) later.places[i] *= 1.001f;
+  for (size_t i = 0; i < later.positions.size(); ++i) later.positions[i] *= 1.001f;
   MapCall call;
   call.run(urchin, later);
   for (size_t i = 0; i < call.sources.size(); ++i) ASSERT_EQ(call.sources[i], static_cast<int32_t>(i));
@@ -394,7 +394,8 @@ class MapRefusals : public ::testing::Test {
     (void)sinew_map_workspace_size(a_.count(), a_.count(), &bytes_);
     block_ = sinew::test::AlignedBytes(bytes_);
     sources_.assign(a_.count(), -7);
-    outputs_ = sinew_map_outputs_init(sources_.data());
+    outputs_ = SINEW_INIT(sinew_map_outputs);
+    outputs_.sources = sources_.data();
   }
   void expect(sinew_status status, const char* what) {
     EXPECT_EQ(sinew_map(&rig_, &rig_, &options_, block_.data(), bytes_, &outputs_), status) << what;
@@ -404,7 +405,7 @@ class MapRefusals : public ::testing::Test {
   MapCall call_;
   std::vector<const char*> names_;
   sinew_skeleton rig_;
-  sinew_map_options options_ = sinew_map_options_init();
+  sinew_map_options options_ = SINEW_INIT(sinew_map_options);
   size_t bytes_ = 0;
   sinew::test::AlignedBytes block_{0};
   std::vector<int32_t> sources_;
@@ -433,7 +434,7 @@ TEST_F(MapRefusals, Arguments) {
 TEST_F(MapRefusals, StructsOfOtherVersions) {
   options_.struct_size = 4;
   expect(SINEW_ERROR_ARGUMENT, "too small");
-  options_ = sinew_map_options_init();
+  options_ = SINEW_INIT(sinew_map_options);
   options_.reserved = 1;
   expect(SINEW_ERROR_VERSION, "reserved");
   options_.reserved = 0;
@@ -443,7 +444,7 @@ TEST_F(MapRefusals, StructsOfOtherVersions) {
   struct Future {
     sinew_map_options known;
     uint64_t more;
-  } future = {sinew_map_options_init(), 0};
+  } future = {SINEW_INIT(sinew_map_options), 0};
   future.known.struct_size = sizeof future;
   EXPECT_EQ(sinew_map(&rig_, &rig_, &future.known, block_.data(), bytes_, &outputs_), SINEW_OK);
   future.more = 1;
@@ -466,9 +467,9 @@ TEST_F(MapRefusals, CountsAndWorkspace) {
 }
 
 TEST_F(MapRefusals, PlacesAndParents) {
-  a_.places[4] = std::numeric_limits<float>::infinity();
+  a_.positions[4] = std::numeric_limits<float>::infinity();
   expect(SINEW_ERROR_NOT_FINITE, "infinite");
-  a_.places[4] = 1;
+  a_.positions[4] = 1;
   a_.parents[3] = static_cast<int32_t>(a_.count());
   expect(SINEW_ERROR_INDEX, "no such parent");
   a_.parents[3] = -2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A rig's own motion is known by names and hierarchy, or by hierarchy and places.
+// A rig's own motion is known by names and hierarchy, or by hierarchy and positions.
 #include "mapping/same_rig.hpp"
 
 #include <string>

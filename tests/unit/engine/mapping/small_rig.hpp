@@ -21,7 +21,11 @@ struct SmallRig {
   Hierarchy rig;
 
   sinew_skeleton view() const {
-    return sinew_skeleton_init(positions.data(), parents.data(), static_cast<uint32_t>(parents.size()));
+    sinew_skeleton view = SINEW_INIT(sinew_skeleton);
+    view.positions = positions.data();
+    view.parents = parents.data();
+    view.joint_count = static_cast<uint32_t>(parents.size());
+    return view;
   }
   sinew_status build() {
     EXPECT_TRUE(rig.allocate(arena, static_cast<uint32_t>(parents.size())));

@@ -49,10 +49,10 @@ class Searched {
     scene.search.open(scene, most);
   }
 
-  Vec3d place(uint32_t v) const { return scene.target.vertices[v]; }
+  Vec3d position(uint32_t v) const { return scene.target.vertices[v]; }
   const uint32_t* corners(uint32_t t) const { return body_.triangles + size_t{3} * t; }
   Vec3d middle(uint32_t t) const {
-    return (1.0 / 3.0) * (place(corners(t)[0]) + place(corners(t)[1]) + place(corners(t)[2]));
+    return (1.0 / 3.0) * (position(corners(t)[0]) + position(corners(t)[1]) + position(corners(t)[2]));
   }
   uint32_t limb_of(uint32_t v) const { return scene.limb_of[v]; }
   bool is_of_arm(uint32_t v, uint32_t arm) const { return limb_of(v) == scene.search.limb(arm); }
@@ -113,7 +113,7 @@ TEST(ArmSearch, TheDeepestPointIsThatOfAllVerticesAndTriangles) {
       for (const Vec3d moved : {Vec3d{0, 0, 0}, Vec3d{0.03, -0.02, 0.05}}) {
         double wanted = 0;
         for (const uint32_t v : own.vertices(arm, false)) {
-          const Vec3d p = own.place(v) + moved;
+          const Vec3d p = own.position(v) + moved;
           const auto near = own.by_distance(p, [&](uint32_t c) { return own.is_of_any_arm(c); }).front();
           const double depth = dot(own.middle(near.second) - p, own.scene.target.normal(own.corners(near.second)));
           if (near.first <= reach * reach) wanted = std::max(wanted, depth);
@@ -167,7 +167,7 @@ TEST(ArmSearch, WhatIsInsideIsAsDeepAsItIs) {
     for (uint32_t arm = 0; arm < 2; ++arm) {
       const sinew::motion::ArmDepth all = own.scene.search.deepest(&own.scene.target_tree, arm, {0, 0, 0}, 0);
       const sinew::motion::ArmDepth found = own.scene.search.deepest_inside(&own.scene.target_tree, arm, {0, 0, 0}, 0);
-      if (all.depth > 0 && own.depth_in_boxes(own.place(all.vertex)) < 0.01) continue;
+      if (all.depth > 0 && own.depth_in_boxes(own.position(all.vertex)) < 0.01) continue;
       EXPECT_EQ(found.depth, all.depth) << f;
       inside += all.depth > 0.02 * own.scene.target.height ? 1 : 0;
     }
@@ -203,7 +203,7 @@ TEST(ArmSearch, TheNearestPointAndItsNeighboursAreThoseOfAll) {
       uint32_t vertex = UINT32_MAX;
       Vec3d low = {9, 9, 9}, high = {-9, -9, -9};
       for (const uint32_t v : own.vertices(arm, true)) {
-        const Vec3d p = own.place(v);
+        const Vec3d p = own.position(v);
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
         const double square = own.by_distance(p, is_left_out).front().first;
@@ -223,7 +223,7 @@ TEST(ArmSearch, TheNearestPointAndItsNeighboursAreThoseOfAll) {
       double squares[24];
       const uint32_t count = own.scene.search.neighbours(own.scene.target_tree, arm, vertex, 24, triangles, squares);
       uint32_t at = 0;
-      for (const auto& [square, t] : own.by_distance(own.place(vertex), is_left_out)) {
+      for (const auto& [square, t] : own.by_distance(own.position(vertex), is_left_out)) {
         const Vec3d m = own.middle(t), below = low - m, above = m - high;
         if (at == 24 || std::max({below.x, below.y, below.z, above.x, above.y, above.z}) > reach) continue;
         ASSERT_LT(at, count);

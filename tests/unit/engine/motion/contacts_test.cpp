@@ -35,34 +35,34 @@ TEST(Contacts, FeetThatStandStayWhereTheyStand) {
         pose.set(thigh + 1, knee, vec(&pose.translations[3 * (thigh + 1)]));
         pose.set(thigh + 2, conjugate(hip * knee), vec(&pose.translations[3 * (thigh + 2)]));
       }
-      const Vec3d foot = placed(clip.source, pose).places[kLeftFoot];
+      const Vec3d foot = world_pose(clip.source, pose).positions[kLeftFoot];
       const Vec3d back = clip.source.at(kLeftFoot) - foot;
       pose.set(0, sinew::motion::kNoRotation, clip.source.at(0) + Vec3d{0, back.y, back.z});
-      ASSERT_LT(distance(placed(clip.source, pose).places[kLeftFoot], clip.source.at(kLeftFoot)), 1e-6);
+      ASSERT_LT(distance(world_pose(clip.source, pose).positions[kLeftFoot], clip.source.at(kLeftFoot)), 1e-6);
       clip.add(pose);
     }
     const auto slide = [&] {
       double most = 0;
       for (uint32_t f = 1; f < clip.frames; ++f)
         for (const uint32_t foot : {kLeftFoot, kRightFoot})
-          most = std::max(most, std::hypot(clip.frame(f).places[foot].x - clip.frame(f - 1).places[foot].x,
-                                           clip.frame(f).places[foot].z - clip.frame(f - 1).places[foot].z));
+          most = std::max(most, std::hypot(clip.frame(f).positions[foot].x - clip.frame(f - 1).positions[foot].x,
+                                           clip.frame(f).positions[foot].z - clip.frame(f - 1).positions[foot].z));
       return most;
     };
     EXPECT_GT(slide(), 0.01) << "copied";
     double lowest = 1, highest = 0;
     for (uint32_t f = 0; f < clip.frames; ++f) {
-      lowest = std::min(lowest, clip.frame(f).places[kLeftFoot].y);
-      highest = std::max(highest, clip.frame(f).places[kLeftFoot].y);
+      lowest = std::min(lowest, clip.frame(f).positions[kLeftFoot].y);
+      highest = std::max(highest, clip.frame(f).positions[kLeftFoot].y);
     }
     EXPECT_GT(highest - lowest, 0.01) << "copied";
     const BoxBody a(clip.source, 0.1), b(clip.target, 0.1);
     ASSERT_EQ(clip.contacts(with_source ? &a : nullptr, b), SINEW_OK);
     EXPECT_LT(slide(), 1e-4);
     for (uint32_t f = 0; f < clip.frames; ++f) {
-      const Placed pose = clip.frame(f);
-      EXPECT_NEAR(pose.places[kLeftFoot].y, 0.1, 2e-3) << "on the floor";
-      EXPECT_NEAR(distance(pose.places[kLeftThigh], pose.places[kLeftCalf]),
+      const WorldPose pose = clip.frame(f);
+      EXPECT_NEAR(pose.positions[kLeftFoot].y, 0.1, 2e-3) << "on the floor";
+      EXPECT_NEAR(distance(pose.positions[kLeftThigh], pose.positions[kLeftCalf]),
                   distance(longer.at(kLeftThigh), longer.at(kLeftCalf)), 1e-5);
     }
   }
@@ -80,13 +80,14 @@ TEST(Contacts, AHandThatTouchesTouches) {
     PlayedClip clip(scene, scene);
     reach_forward(&clip, forward);
     const BoxBody source(scene, 0.12), target(scene, belly);
-    const double before = clip.frame(6).places[kLeftHand].z;
+    const double before = clip.frame(6).positions[kLeftHand].z;
     ASSERT_EQ(clip.contacts(&source, target), SINEW_OK);
-    const Placed after = clip.frame(6);
-    EXPECT_NEAR(after.places[kLeftHand].z - before, belly - 0.12, 0.015) << belly;
-    EXPECT_LT(distance(after.places[kRightHand], scene.at(kRightHand)), 1e-5) << "the other hand stays";
+    const WorldPose after = clip.frame(6);
+    EXPECT_NEAR(after.positions[kLeftHand].z - before, belly - 0.12, 0.015) << belly;
+    EXPECT_LT(distance(after.positions[kRightHand], scene.at(kRightHand)), 1e-5) << "the other hand stays";
     for (uint32_t f = 1; f < clip.frames; ++f)
-      EXPECT_LT(distance(clip.frame(f).places[kLeftHand], clip.frame(f - 1).places[kLeftHand]), 1e-3) << "no jitter";
+      EXPECT_LT(distance(clip.frame(f).positions[kLeftHand], clip.frame(f - 1).positions[kLeftHand]), 1e-3)
+          << "no jitter";
   }
 }
 
@@ -96,10 +97,10 @@ TEST(Contacts, AHandInsideOfTheBodyComesOut) {
   PlayedClip clip(scene, scene);
   reach_forward(&clip, {0.05, -0.3, 0.95});
   const BoxBody thin(scene, 0.05), thick(scene, 0.36);
-  ASSERT_LT(clip.frame(6).places[kLeftHand].z, 0.33) << "inside of it: the test needs that";
+  ASSERT_LT(clip.frame(6).positions[kLeftHand].z, 0.33) << "inside of it: the test needs that";
   ASSERT_EQ(clip.contacts(&thin, thick), SINEW_OK);
-  EXPECT_GT(clip.frame(6).places[kLeftHand].z, 0.36);
-  EXPECT_LT(clip.frame(6).places[kLeftHand].z, 0.45) << "and no farther";
+  EXPECT_GT(clip.frame(6).positions[kLeftHand].z, 0.36);
+  EXPECT_LT(clip.frame(6).positions[kLeftHand].z, 0.45) << "and no farther";
 }
 
 // A motion without a body: what is deeper in the target's than at rest comes out, and the rest stays.
@@ -110,14 +111,16 @@ TEST(Contacts, AnArmOfAMotionWithoutABodyComesOut) {
     reach_forward(&clip, {0.05, -0.3, 0.95}, frames);
     const BoxBody thick(scene, 0.36);
     const uint32_t f = frames / 2;
-    const Placed before = clip.frame(f);
-    ASSERT_LT(before.places[kLeftHand].z, 0.33) << "inside of it: the test needs that";
+    const WorldPose before = clip.frame(f);
+    ASSERT_LT(before.positions[kLeftHand].z, 0.33) << "inside of it: the test needs that";
     ASSERT_EQ(clip.contacts(nullptr, thick), SINEW_OK);
-    EXPECT_GT(clip.frame(f).places[kLeftHand].z, 0.36) << frames;
-    EXPECT_LT(clip.frame(f).places[kLeftHand].z, 0.45) << "and no farther";
-    EXPECT_LT(distance(clip.frame(f).places[kRightHand], before.places[kRightHand]), 1e-6) << "the other hand stays";
+    EXPECT_GT(clip.frame(f).positions[kLeftHand].z, 0.36) << frames;
+    EXPECT_LT(clip.frame(f).positions[kLeftHand].z, 0.45) << "and no farther";
+    EXPECT_LT(distance(clip.frame(f).positions[kRightHand], before.positions[kRightHand]), 1e-6)
+        << "the other hand stays";
     for (uint32_t i = 1; i < clip.frames; ++i)
-      EXPECT_LT(distance(clip.frame(i).places[kLeftHand], clip.frame(i - 1).places[kLeftHand]), 1e-3) << "no jitter";
+      EXPECT_LT(distance(clip.frame(i).positions[kLeftHand], clip.frame(i - 1).positions[kLeftHand]), 1e-3)
+          << "no jitter";
   }
 }
 
@@ -130,7 +133,7 @@ TEST(Contacts, WithoutABodyArmsThatDifferLittleComeOutAlike) {
     PlayedClip clip(longer, scene);
     reach_forward(&clip, {0.05, -0.3, 0.95 - 0.04 * k}, 3);
     ASSERT_EQ(clip.contacts(nullptr, thick), SINEW_OK);
-    const Vec3d now = clip.frame(1).places[kLeftHand];
+    const Vec3d now = clip.frame(1).positions[kLeftHand];
     if (k > 0) {
       EXPECT_LT(distance(now, before), 0.06) << k;
     }
@@ -143,7 +146,7 @@ TEST(Contacts, WithoutABodyAHandBehindASheetStays) {
   const MotionScene scene = body(20), longer = body(20, 1.2);
   PlayedClip clip(longer, scene);
   reach_forward(&clip, {0.05, -0.3, 0.95}, 3);
-  const Vec3d before = clip.frame(1).places[kLeftHand];
+  const Vec3d before = clip.frame(1).positions[kLeftHand];
   BoxBody sheet(scene, 0.05);
   const uint32_t first = static_cast<uint32_t>(sheet.positions.size() / 3);
   for (int corner = 0; corner < 4; ++corner) {
@@ -155,7 +158,7 @@ TEST(Contacts, WithoutABodyAHandBehindASheetStays) {
   }
   for (const uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) sheet.triangles.push_back(first + corner);
   ASSERT_EQ(clip.contacts(nullptr, sheet), SINEW_OK);
-  EXPECT_LT(distance(clip.frame(1).places[kLeftHand], before), 1e-6);
+  EXPECT_LT(distance(clip.frame(1).positions[kLeftHand], before), 1e-6);
 }
 
 // As deep as at rest is no fault of the motion.
@@ -166,7 +169,8 @@ TEST(Contacts, WithoutABodyAnArmMayBeAsDeepAsAtRest) {
   const BoxBody thick(scene, 0.45);  // over the hands of hanging arms
   const std::vector<float> before = clip.rotations;
   ASSERT_EQ(clip.contacts(nullptr, thick), SINEW_OK);
-  for (uint32_t f = 0; f < 4; ++f) EXPECT_LT(distance(clip.frame(f).places[kLeftHand], scene.at(kLeftHand)), 1e-4) << f;
+  for (uint32_t f = 0; f < 4; ++f)
+    EXPECT_LT(distance(clip.frame(f).positions[kLeftHand], scene.at(kLeftHand)), 1e-4) << f;
 }
 
 // A knee bent to the front is straightened, one that is hardly so is left alone, and nothing pops on the way.
@@ -180,9 +184,9 @@ TEST(Contacts, KneesAndElbowsStayInTheirRange) {
     pose.set(0, sinew::motion::kNoRotation, clip->source.at(0) + Vec3d{0, 3, 0});  // in the air: no foot stands
     clip->add(pose);
   };
-  const auto angle_of = [&](const Placed& pose) {  // of the calf to the back, degrees
-    const Vec3d calf = sinew::unit(pose.places[kLeftFoot] - pose.places[kLeftCalf]);
-    const Vec3d thigh = sinew::unit(pose.places[kLeftCalf] - pose.places[kLeftThigh]);
+  const auto angle_of = [&](const WorldPose& pose) {  // of the calf to the back, degrees
+    const Vec3d calf = sinew::unit(pose.positions[kLeftFoot] - pose.positions[kLeftCalf]);
+    const Vec3d thigh = sinew::unit(pose.positions[kLeftCalf] - pose.positions[kLeftThigh]);
     return std::atan2(sinew::cross(thigh, calf).x, sinew::dot(thigh, calf)) * 180 / 3.14159265358979;
   };
   PlayedClip clip(longer, scene), free(longer, scene);
@@ -202,7 +206,7 @@ TEST(Contacts, KneesAndElbowsStayInTheirRange) {
       EXPECT_NEAR(own_angle, copied, 1e-2) << f;
     }
     if (f > 0) fastest = std::max(fastest, std::abs(own_angle - angle_of(clip.frame(f - 1))));
-    EXPECT_NEAR(distance(clip.frame(f).places[kLeftCalf], clip.frame(f).places[kLeftFoot]),
+    EXPECT_NEAR(distance(clip.frame(f).positions[kLeftCalf], clip.frame(f).positions[kLeftFoot]),
                 distance(scene.at(kLeftCalf), scene.at(kLeftFoot)), 1e-5);
   }
   EXPECT_LT(fastest, 4) << "0.05 is 2.9 degrees";
@@ -214,7 +218,7 @@ TEST(Measure, CountsWhatIsLeftToBeMended) {
   PlayedClip clip(scene, scene);
   reach_forward(&clip, {0.05, -0.3, 0.95});
   for (const bool with_source : {true, false}) {
-    std::vector<sinew_limb_measure> before = clip.measure(with_source ? &thin : nullptr, thick);
+    std::vector<sinew_limb_quality> before = clip.measure(with_source ? &thin : nullptr, thick);
     ASSERT_EQ(before.size(), 4u);
     EXPECT_EQ(before[0].joint, uint32_t{kLeftHand});
     EXPECT_EQ(before[3].joint, uint32_t{kRightFoot});
@@ -222,7 +226,8 @@ TEST(Measure, CountsWhatIsLeftToBeMended) {
     EXPECT_EQ(before[2].leg, 1u);
     EXPECT_EQ(before[0].frames, 12u);
     EXPECT_EQ(before[0].deep_frames, 12u) << "inside of the belly";
-    EXPECT_GT(before[0].greatest_depth * 1.68, 0.36 - clip.frame(6).places[kLeftHand].z) << "the hand's box is deeper";
+    EXPECT_GT(before[0].greatest_depth * 1.68, 0.36 - clip.frame(6).positions[kLeftHand].z)
+        << "the hand's box is deeper";
     EXPECT_LT(before[0].greatest_depth * 1.68, 0.2);
     EXPECT_NEAR(before[0].depth, before[0].greatest_depth, 1e-4);
     EXPECT_EQ(before[1].deep_frames, 0u);
@@ -237,7 +242,7 @@ TEST(Measure, CountsWhatIsLeftToBeMended) {
   PlayedClip touching(scene, scene);
   reach_forward(&touching, {0.1, -0.8, 0.35});
   const BoxBody source(scene, 0.12), target(scene, 0.06);
-  const sinew_limb_measure copied = touching.measure(&source, target)[0];
+  const sinew_limb_quality copied = touching.measure(&source, target)[0];
   EXPECT_EQ(copied.contact_frames, 12u);
   EXPECT_GT(copied.error, 0.01);
   ASSERT_EQ(touching.contacts(&source, target), SINEW_OK);
@@ -250,7 +255,7 @@ TEST(Measure, CountsWhatIsLeftToBeMended) {
     sliding.translations[3 * 17 * f] += 0.01f * static_cast<float>(f);
     sliding.translations[3 * 17 * f + 1] -= 0.05f;
   }
-  const sinew_limb_measure foot = sliding.measure(nullptr, thin)[2];
+  const sinew_limb_quality foot = sliding.measure(nullptr, thin)[2];
   EXPECT_NEAR(foot.error * 1.58, 0.01, 1e-4);
   EXPECT_EQ(foot.contact_frames, 5u);
   EXPECT_EQ(foot.deep_frames, 6u);
@@ -265,17 +270,19 @@ TEST(Spots, AreTheMeasureFrameByFrame) {
   reach_forward(&clip, {0.05, -0.3, 0.95});
   for (const bool with_source : {true, false}) {
     std::vector<sinew_contact_spot> spots;
-    const std::vector<sinew_limb_measure> limbs = clip.measure(with_source ? &thin : nullptr, thick, &spots);
-    const std::vector<sinew_limb_measure> plain = clip.measure(with_source ? &thin : nullptr, thick);
+    const std::vector<sinew_limb_quality> limbs = clip.measure(with_source ? &thin : nullptr, thick, &spots);
+    const std::vector<sinew_limb_quality> plain = clip.measure(with_source ? &thin : nullptr, thick);
     ASSERT_EQ(limbs.size(), 4u);
     EXPECT_EQ(std::memcmp(limbs.data(), plain.data(), limbs.size() * sizeof limbs[0]), 0);
     for (uint32_t f = 0; f < clip.frames; ++f) {
       const sinew_contact_spot* const row = &spots[size_t{f} * SINEW_MAX_MOTION_LIMBS];
       EXPECT_EQ(row[0].kind, uint32_t{SINEW_SPOT_INSIDE}) << f;
       EXPECT_NEAR(row[0].error, limbs[0].depth, 1e-4);
-      const Placed posed = clip.frame(f);
-      const Vec3d place = {row[0].position[0], row[0].position[1], row[0].position[2]};
-      EXPECT_LT(std::min(distance(place, posed.places[kLeftHand]), distance(place, posed.places[kLeftForearm])), 0.07)
+      const WorldPose posed = clip.frame(f);
+      const Vec3d position = {row[0].position[0], row[0].position[1], row[0].position[2]};
+      EXPECT_LT(
+          std::min(distance(position, posed.positions[kLeftHand]), distance(position, posed.positions[kLeftForearm])),
+          0.07)
           << "a corner of the hand's box or the elbow's";
       EXPECT_EQ(row[1].kind, uint32_t{SINEW_SPOT_NONE});
       EXPECT_EQ(row[2].kind, uint32_t{SINEW_SPOT_STANDS});
@@ -290,7 +297,7 @@ TEST(Spots, AreTheMeasureFrameByFrame) {
   reach_forward(&touching, {0.1, -0.8, 0.35});
   const BoxBody source(scene, 0.12), target(scene, 0.06);
   std::vector<sinew_contact_spot> spots;
-  const sinew_limb_measure copied = touching.measure(&source, target, &spots)[0];
+  const sinew_limb_quality copied = touching.measure(&source, target, &spots)[0];
   EXPECT_EQ(spots[0].kind, uint32_t{SINEW_SPOT_TOUCHES});
   EXPECT_NEAR(spots[0].error, copied.error, 1e-4);
 

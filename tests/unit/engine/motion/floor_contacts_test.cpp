@@ -21,21 +21,21 @@ Figures play(const Motion& motion, const Proportions& p, bool with_source, int s
   const MotionScene source = built({}), target = built(p);
   const BoxBody a(source, 0.1), b(target, 0.1 * p.size, p.size);
   PlayedClip clip(source, target);
-  std::vector<Placed> poses;
+  std::vector<WorldPose> poses;
   for (int f = 0; f < 30; ++f) {
     Directions d = motion(f / 15.0);
     if (stands_with >= 0) fit_trunk(source, a, static_cast<uint32_t>(stands_with), &d);
     Pose pose = posed(source, d, {0, 0, 2 * along * f});
-    const double low = lowest(source, a, placed(source, pose), -1);
+    const double low = lowest(source, a, world_pose(source, pose), -1);
     pose = posed(source, d, {0, -low, 2 * along * f});
-    poses.push_back(placed(source, pose));
+    poses.push_back(world_pose(source, pose));
     clip.add(pose);
   }
   EXPECT_EQ(clip.contacts(with_source ? &a : nullptr, b), SINEW_OK);
   Figures out;
   const double height = 1.58 * p.size;
   for (uint32_t f = 0; f < clip.frames; ++f) {
-    const Placed now = clip.frame(f);
+    const WorldPose now = clip.frame(f);
     out.below = std::max(out.below, -lowest(target, b, now, -1) / height);
     for (const uint32_t j : {kLeftHand, kRightHand, kLeftCalf, kRightCalf, kLeftForearm, kRightForearm, kLeftThigh,
                              kRightThigh, kLeftFoot, kRightFoot}) {
@@ -77,7 +77,7 @@ TEST(FloorContacts, HandsOnTheFloorDoNotSlide) {
   Directions d = planking(0);
   fit_trunk(source, a, kLeftFoot, &d);
   const Pose first = posed(source, d, {0, 0, 0});
-  const double low = lowest(source, a, placed(source, first), -1);
+  const double low = lowest(source, a, world_pose(source, first), -1);
   for (int f = 0; f < 20; ++f) {  // hips to and fro, hands and feet where they are
     const double swing = 0.03 * std::sin(0.4 * f);
     Directions moved = d;
@@ -90,7 +90,7 @@ TEST(FloorContacts, HandsOnTheFloorDoNotSlide) {
   const auto slide = [&] {
     double most = 0;
     for (uint32_t f = 1; f < clip.frames; ++f)
-      most = std::max(most, distance(clip.frame(f).places[kRightHand], clip.frame(f - 1).places[kRightHand]));
+      most = std::max(most, distance(clip.frame(f).positions[kRightHand], clip.frame(f - 1).positions[kRightHand]));
     return most;
   };
   EXPECT_GT(slide(), 0.001) << "copied";
@@ -108,12 +108,12 @@ TEST(FloorContacts, FeetStandOnAnUnevenFloor) {
   settings.floor = &floor;
   PlayedClip clip(scene, target);
   for (int f = 0; f < 5; ++f) clip.add(rest_pose(scene));
-  const double hips = clip.frame(2).places[kPelvis].y;
+  const double hips = clip.frame(2).positions[kPelvis].y;
   ASSERT_EQ(clip.contacts(&boxes, own, settings), SINEW_OK);
-  const Placed stands = clip.frame(2);
-  EXPECT_NEAR(stands.places[kLeftFoot].y, 0.1 + 0.3, 5e-3) << "where the floor is highest below it";
-  EXPECT_NEAR(stands.places[kRightFoot].y, 0.1 + 0.22, 5e-3);
-  EXPECT_NEAR(stands.places[kPelvis].y, hips + 0.2, 1e-6);
+  const WorldPose stands = clip.frame(2);
+  EXPECT_NEAR(stands.positions[kLeftFoot].y, 0.1 + 0.3, 5e-3) << "where the floor is highest below it";
+  EXPECT_NEAR(stands.positions[kRightFoot].y, 0.1 + 0.22, 5e-3);
+  EXPECT_NEAR(stands.positions[kPelvis].y, hips + 0.2, 1e-6);
 
   const auto refused = [&](sinew_floor wrong) {
     settings.floor = &wrong;

@@ -41,7 +41,7 @@ TEST(RetargetStream, InTheAirItIsTheRetargetOfAFrame) {
   sinew_motion_body body = boxes.view();
   body.triangle_count = 0;  // so hands know nothing of it
   StreamSettings settings;
-  settings.no_range = 1;
+  settings.without |= SINEW_WITHOUT_RANGE;
   Live live(source, target, &body, settings), bare(source, target, nullptr, settings);
   PlayedClip clip(source, target);
   for (uint32_t f = 0; f < 20; ++f) {
@@ -63,7 +63,7 @@ TEST(RetargetStream, KeepsTheRangeThatClipsKeep) {
   const BoxBody boxes(target, 0.1);
   const sinew_motion_body own = boxes.view();
   StreamSettings settings;
-  settings.no_contacts = 1;
+  settings.without |= SINEW_WITHOUT_CONTACTS;
   Live live(source, target, &own, settings);
   PlayedClip clip(source, target);
   std::vector<float> rotations;
@@ -93,14 +93,14 @@ StreamFigures play(const Proportions& p, const Motion& motion, int stands_with) 
   const sinew_motion_body body = b.view();
   Live live(source, target, &body);
   StreamFigures out;
-  Placed before, from;
+  WorldPose before, from;
   const double height = 1.58 * p.size;
   for (int f = 0; f < 30; ++f) {
     Directions d = motion(f / 30.0);
     if (stands_with >= 0) fit_trunk(source, a, static_cast<uint32_t>(stands_with), &d);
-    const double low = lowest(source, a, placed(source, posed(source, d, {0, 0, 0})), -1);
+    const double low = lowest(source, a, world_pose(source, posed(source, d, {0, 0, 0})), -1);
     const Pose pose = posed(source, d, {0, -low, 0});
-    const Placed own = placed(source, pose), now = placed(target, live.next(pose));
+    const WorldPose own = world_pose(source, pose), now = world_pose(target, live.next(pose));
     out.below = std::max(out.below, -lowest(target, b, now, -1) / height);
     for (const uint32_t j : {kLeftHand, kRightHand, kLeftCalf, kRightCalf, kLeftThigh, kRightThigh}) {
       if (lowest(source, a, own, static_cast<int>(j)) > 0.012) continue;
@@ -108,9 +108,10 @@ StreamFigures play(const Proportions& p, const Motion& motion, int stands_with) 
       double now_low = lowest(target, b, now, static_cast<int>(j));
       if (j == kLeftHand) now_low = std::min(now_low, lowest(target, b, now, kLeftFinger));
       out.off = std::max(out.off, std::abs(now_low) / height);
-      if (f > 0 && distance(own.places[j], from.places[j]) < 0.002)
-        out.slide = std::max(
-            out.slide, std::hypot(now.places[j].x - before.places[j].x, now.places[j].z - before.places[j].z) / height);
+      if (f > 0 && distance(own.positions[j], from.positions[j]) < 0.002)
+        out.slide = std::max(out.slide, std::hypot(now.positions[j].x - before.positions[j].x,
+                                                   now.positions[j].z - before.positions[j].z) /
+                                            height);
     }
     before = now;
     from = own;
@@ -138,7 +139,7 @@ TEST(RetargetStream, TheBodyIsOnTheFloorFromTheFirstFrameOn) {
 TEST(RetargetStream, FeetThatStandStayAndThenGo) {
   const MotionScene source = built({}), target = built({1, 1, 1, 1.3, 1});
   Live live(source, target, nullptr);
-  Placed before;
+  WorldPose before;
   double slide = 0, jump = 0;
   for (int f = 0; f < 60; ++f) {
     Directions d;
@@ -148,11 +149,11 @@ TEST(RetargetStream, FeetThatStandStayAndThenGo) {
       d.thighs[side] = bend;
       d.calves[side] = -bend;
     }
-    const Placed free = placed(source, posed(source, d, {0, 0, 0}));
-    const Vec3d back = source.at(kLeftFoot) - free.places[kLeftFoot];
-    const Placed now = placed(target, live.next(posed(source, d, {0, back.y + lift, back.z})));
+    const WorldPose free = world_pose(source, posed(source, d, {0, 0, 0}));
+    const Vec3d back = source.at(kLeftFoot) - free.positions[kLeftFoot];
+    const WorldPose now = world_pose(target, live.next(posed(source, d, {0, back.y + lift, back.z})));
     if (f > 0) {
-      const Vec3d way = now.places[kLeftFoot] - before.places[kLeftFoot];
+      const Vec3d way = now.positions[kLeftFoot] - before.positions[kLeftFoot];
       if (f < 40) slide = std::max(slide, std::hypot(way.x, way.z));
       jump = std::max(jump, std::sqrt(sinew::dot(way, way)));
     }
@@ -174,25 +175,25 @@ TEST(RetargetStream, AHandThatTouchesTouches) {
     const BoxBody boxes(scene, belly);
     const sinew_motion_body target = boxes.view();
     Live live(scene, scene, &target, settings);
-    const double copied = placed(scene, pose).places[kLeftHand].z;
-    Placed now, before;
+    const double copied = world_pose(scene, pose).positions[kLeftHand].z;
+    WorldPose now, before;
     for (int f = 0; f < 20; ++f) {
       before = now;
-      now = placed(scene, live.next(pose));
-      EXPECT_NEAR(now.places[kLeftHand].z - copied, belly - 0.12, 0.015) << belly;
+      now = world_pose(scene, live.next(pose));
+      EXPECT_NEAR(now.positions[kLeftHand].z - copied, belly - 0.12, 0.015) << belly;
       if (f > 0) {
-        EXPECT_LT(distance(now.places[kLeftHand], before.places[kLeftHand]), 5e-3) << "and lies there";
+        EXPECT_LT(distance(now.positions[kLeftHand], before.positions[kLeftHand]), 5e-3) << "and lies there";
       }
     }
     // Where it does not touch, it goes by and by.
-    now = placed(scene, live.next(rest_pose(scene)));
+    now = world_pose(scene, live.next(rest_pose(scene)));
     for (int f = 0; f < 20; ++f) {
       before = now;
-      now = placed(scene, live.next(rest_pose(scene)));
-      EXPECT_LT(distance(now.places[kLeftHand], before.places[kLeftHand]), 0.03) << "without a jump";
+      now = world_pose(scene, live.next(rest_pose(scene)));
+      EXPECT_LT(distance(now.positions[kLeftHand], before.positions[kLeftHand]), 0.03) << "without a jump";
     }
-    EXPECT_LT(distance(now.places[kLeftHand], scene.at(kLeftHand)), 1e-4);
-    EXPECT_LT(distance(now.places[kRightHand], scene.at(kRightHand)), 1e-5) << "the other hand stays";
+    EXPECT_LT(distance(now.positions[kLeftHand], scene.at(kLeftHand)), 1e-4);
+    EXPECT_LT(distance(now.positions[kRightHand], scene.at(kRightHand)), 1e-5) << "the other hand stays";
   }
 }
 
@@ -205,23 +206,24 @@ TEST(RetargetStream, AnArmInTheBodyComesOutAtOnce) {
   bare.triangle_count = 0;
   Live live(longer, scene, &thick), knows_nothing(longer, scene, &bare);
   const Pose inside = reaching_pose(longer, {0.05, -0.3, 0.95}), outside = rest_pose(longer);
-  ASSERT_LT(placed(scene, knows_nothing.next(inside)).places[kLeftHand].z, 0.33) << "the test needs that";
-  Placed before;
+  ASSERT_LT(world_pose(scene, knows_nothing.next(inside)).positions[kLeftHand].z, 0.33) << "the test needs that";
+  WorldPose before;
   for (int f = 0; f < 12; ++f) {
-    const Placed now = placed(scene, live.next(inside));
-    EXPECT_GT(now.places[kLeftHand].z, 0.358) << f;
-    EXPECT_LT(now.places[kLeftHand].z, 0.46) << "and no farther";
-    EXPECT_LT(distance(now.places[kRightHand], placed(scene, knows_nothing.next(inside)).places[kRightHand]), 1e-6)
+    const WorldPose now = world_pose(scene, live.next(inside));
+    EXPECT_GT(now.positions[kLeftHand].z, 0.358) << f;
+    EXPECT_LT(now.positions[kLeftHand].z, 0.46) << "and no farther";
+    EXPECT_LT(distance(now.positions[kRightHand], world_pose(scene, knows_nothing.next(inside)).positions[kRightHand]),
+              1e-6)
         << "the other hand stays";
     if (f > 0) {
-      EXPECT_LT(distance(now.places[kLeftHand], before.places[kLeftHand]), f == 1 ? 0.015 : 1e-5) << "no jitter";
+      EXPECT_LT(distance(now.positions[kLeftHand], before.positions[kLeftHand]), f == 1 ? 0.015 : 1e-5) << "no jitter";
     }
     before = now;
   }
-  const Vec3d rest = placed(scene, knows_nothing.next(outside)).places[kLeftHand];
+  const Vec3d rest = world_pose(scene, knows_nothing.next(outside)).positions[kLeftHand];
   double far = 1;
   for (int f = 0; f < 60; ++f) {
-    const double own = distance(placed(scene, live.next(outside)).places[kLeftHand], rest);
+    const double own = distance(world_pose(scene, live.next(outside)).positions[kLeftHand], rest);
     EXPECT_LE(own, f == 0 ? 0.2 : 0.95 * far + 1e-6) << f;
     far = own;
   }
@@ -238,12 +240,13 @@ TEST(RetargetStream, ArmsMayBeAsDeepAsTheyAreMeantToBe) {
     if (f == 4) {
       EXPECT_EQ(live.stream.restart(), SINEW_OK);
     }
-    EXPECT_LT(distance(placed(scene, live.next(rest_pose(longer))).places[kLeftHand], scene.at(kLeftHand)), 1e-4) << f;
+    EXPECT_LT(distance(world_pose(scene, live.next(rest_pose(longer))).positions[kLeftHand], scene.at(kLeftHand)), 1e-4)
+        << f;
   }
   StreamSettings settings;
   settings.source = &thick;
   Live same(scene, scene, &thick, settings);
-  settings.no_contacts = 1;
+  settings.without |= SINEW_WITHOUT_CONTACTS;
   Live copied(scene, scene, &thick, settings);
   const Pose touching = reaching_pose(scene, {0.1, -0.8, 0.35});
   EXPECT_EQ(same.next(touching).rotations, copied.next(touching).rotations);
@@ -263,7 +266,7 @@ TEST(RetargetStream, SameFramesAgainGiveTheSameBytesAfterARestart) {
     const double bend = 0.3 + 0.2 * std::sin(0.3 * f);
     d.thighs[0] = d.thighs[1] = bend;
     d.calves[0] = d.calves[1] = -bend;
-    const Vec3d back = source.at(kLeftFoot) - placed(source, posed(source, d, {0, 0, 0})).places[kLeftFoot];
+    const Vec3d back = source.at(kLeftFoot) - world_pose(source, posed(source, d, {0, 0, 0})).positions[kLeftFoot];
     return posed(source, d, {aside, back.y, back.z});
   };
   Live live(source, target, &body), other(source, target, &body);
@@ -296,7 +299,7 @@ TEST(RetargetStream, MisuseIsAStatus) {
   wrong.fps = 0.5f;
   EXPECT_EQ(make(wrong, &own), SINEW_ERROR_ARGUMENT);
   wrong = {};
-  wrong.no_range = 2;
+  wrong.without = SINEW_WITHOUT_TOES;
   EXPECT_EQ(make(wrong, &own), SINEW_ERROR_ARGUMENT);
   wrong = {};
   wrong.ground = std::numeric_limits<float>::infinity();

@@ -31,9 +31,9 @@ Pose play(const MotionScene& source, const MotionScene& target, const std::vecto
   return out;
 }
 
-double farthest(const Placed& a, const Placed& b) {
+double farthest(const WorldPose& a, const WorldPose& b) {
   double most = 0;
-  for (size_t j = 0; j < a.places.size(); ++j) most = std::max(most, distance(a.places[j], b.places[j]));
+  for (size_t j = 0; j < a.positions.size(); ++j) most = std::max(most, distance(a.positions[j], b.positions[j]));
   return most;
 }
 
@@ -47,24 +47,25 @@ TEST(Retarget, TheSameRigMovesAsItself) {
     for (uint32_t seed = 0; seed < 20; ++seed) {
       const Pose pose = random_pose(scene, seed, 1.5, {0.3 * seed, 0.1, -2});
       const Pose out = play(scene, scene, one_to_one(scene.count()), pose);
-      EXPECT_LT(farthest(placed(scene, out), placed(scene, pose)), 1e-6 * kHeight);
+      EXPECT_LT(farthest(world_pose(scene, out), world_pose(scene, pose)), 1e-6 * kHeight);
     }
   }
 }
 
-// Bones that stretch, feet that hang on the root: places go with the turns, by the ratio of the legs.
+// Bones that stretch, feet that hang on the root: positions go with the turns, by the ratio of the legs.
 TEST(Retarget, JointsThatLeaveTheirPlacesDoSo) {
   const MotionScene scene = body(10), half = body(10, 0.5);
   for (uint32_t seed = 0; seed < 10; ++seed) {
     Pose pose = random_pose(scene, seed, 1.0, {0.5, 0, 1});
     for (size_t i = 3; i < pose.translations.size(); ++i)
       pose.translations[i] += 0.1f * std::sin(static_cast<float>(i) + static_cast<float>(seed));
-    const Placed wanted = placed(scene, pose);
-    EXPECT_LT(farthest(placed(scene, play(scene, scene, one_to_one(17), pose)), wanted), 1e-6 * kHeight);
+    const WorldPose wanted = world_pose(scene, pose);
+    EXPECT_LT(farthest(world_pose(scene, play(scene, scene, one_to_one(17), pose)), wanted), 1e-6 * kHeight);
     RetargetSettings stretch;
     stretch.translations = 1;
-    const Placed small = placed(half, play(scene, half, one_to_one(17), pose, stretch));
-    for (uint32_t j = 0; j < 17; ++j) EXPECT_LT(distance(small.places[j], 0.5 * wanted.places[j]), 1e-6 * kHeight);
+    const WorldPose small = world_pose(half, play(scene, half, one_to_one(17), pose, stretch));
+    for (uint32_t j = 0; j < 17; ++j)
+      EXPECT_LT(distance(small.positions[j], 0.5 * wanted.positions[j]), 1e-6 * kHeight);
   }
 }
 
@@ -73,12 +74,12 @@ TEST(Retarget, BonesOfTheBodyKeepTheirLengthsUnlessAsked) {
   const MotionScene scene = body(10), half = body(10, 0.5);
   Pose pose = rest_pose(scene);
   for (size_t i = 3; i < pose.translations.size(); ++i) pose.translations[i] += 0.4f;
-  const Placed found = placed(half, play(scene, half, one_to_one(17), pose));
+  const WorldPose found = world_pose(half, play(scene, half, one_to_one(17), pose));
   for (uint32_t j = 0; j < 17; ++j) {
     const int32_t parent = half.parents[j];
     if (parent < 0 || half.classes[j] == SINEW_CLASS_INDEX) continue;
     const uint32_t p = static_cast<uint32_t>(parent);
-    EXPECT_NEAR(distance(found.places[j], found.places[p]), distance(half.at(j), half.at(p)), 1e-6) << j;
+    EXPECT_NEAR(distance(found.positions[j], found.positions[p]), distance(half.at(j), half.at(p)), 1e-6) << j;
   }
 }
 
@@ -87,24 +88,25 @@ TEST(Retarget, ArmsOfAnAPosePointToWhereThoseOfATPoseDo) {
   const MotionScene source = body(0), target = body(40);
   for (uint32_t seed = 0; seed < 20; ++seed) {
     const Pose pose = random_pose(source, seed, 1.0);
-    const Placed wanted = placed(source, pose), found = placed(target, play(source, target, one_to_one(17), pose));
+    const WorldPose wanted = world_pose(source, pose),
+                    found = world_pose(target, play(source, target, one_to_one(17), pose));
     for (const auto& [from, to] : {std::pair{kLeftUpperArm, kLeftForearm},
                                    {kLeftForearm, kLeftHand},
                                    {kRightForearm, kRightHand},
                                    {kLeftThigh, kLeftCalf},
                                    {kRightCalf, kRightFoot}}) {
-      const Vec3d a = sinew::unit(wanted.places[to] - wanted.places[from]);
-      const Vec3d b = sinew::unit(found.places[to] - found.places[from]);
+      const Vec3d a = sinew::unit(wanted.positions[to] - wanted.positions[from]);
+      const Vec3d b = sinew::unit(found.positions[to] - found.positions[from]);
       EXPECT_LT(distance(a, b), 1e-5) << from;
     }
   }
   // Without classes nothing is aligned.
   const Pose rest = rest_pose(source);
-  const Placed loose = placed(target, play(source, target, one_to_one(17), rest, {}, false));
-  EXPECT_GT(distance(loose.places[kLeftHand], source.at(kLeftHand)), 0.2);
-  const Placed aligned = placed(target, play(source, target, one_to_one(17), rest));
-  EXPECT_LT(distance(aligned.places[kLeftHand], source.at(kLeftHand)), 0.01);
-  EXPECT_LT(distance(aligned.places[kLeftFinger], source.at(kLeftFinger)), 0.02) << "below a hand all turns with it";
+  const WorldPose loose = world_pose(target, play(source, target, one_to_one(17), rest, {}, false));
+  EXPECT_GT(distance(loose.positions[kLeftHand], source.at(kLeftHand)), 0.2);
+  const WorldPose aligned = world_pose(target, play(source, target, one_to_one(17), rest));
+  EXPECT_LT(distance(aligned.positions[kLeftHand], source.at(kLeftHand)), 0.01);
+  EXPECT_LT(distance(aligned.positions[kLeftFinger], source.at(kLeftFinger)), 0.02) << "below a hand all turns with it";
 }
 
 TEST(Retarget, AnotherAxisUpAndCentimetresGiveTheSameMotion) {
@@ -118,20 +120,20 @@ TEST(Retarget, AnotherAxisUpAndCentimetresGiveTheSameMotion) {
   const Quat raise = sinew::motion::shortest_arc({0, 1, 0}, {0, 0, 1});
   for (uint32_t seed = 0; seed < 10; ++seed) {
     const Pose wanted = random_pose(target, seed, 1.2, {1, 0.2, 0.5});
-    const Placed world = placed(target, wanted);
+    const WorldPose world = world_pose(target, wanted);
     Pose pose(source.count());
     for (uint32_t j = 0; j < source.count(); ++j) {
       const Quat turn = raise * world.rotations[j] * conjugate(raise);
       const int32_t parent = source.parents[j];
       if (parent < 0) {
-        pose.set(j, turn, 100.0 * rotate(raise, world.places[j]));
+        pose.set(j, turn, 100.0 * rotate(raise, world.positions[j]));
       } else {
         const size_t p = static_cast<size_t>(parent);
         const Quat above = raise * world.rotations[p] * conjugate(raise);
         pose.set(j, conjugate(above) * turn, source.at(j) - source.at(p));
       }
     }
-    EXPECT_LT(farthest(placed(target, play(source, target, one_to_one(17), pose)), world), 2e-6 * kHeight);
+    EXPECT_LT(farthest(world_pose(target, play(source, target, one_to_one(17), pose)), world), 2e-6 * kHeight);
   }
 }
 
@@ -150,11 +152,12 @@ TEST(Retarget, AMotionThatFacesAnotherWayIsTurned) {
     const Vec3d front = rotate(turn, {0, 0, 1});
     pose.translations[0] += static_cast<float>(front.x);  // it walks ahead
     pose.translations[2] += static_cast<float>(front.z);
-    const Placed found = placed(target, play(source, target, one_to_one(17), pose));
-    EXPECT_NEAR(found.places[kPelvis].z, 1, 1e-5) << angle;
-    EXPECT_NEAR(found.places[kPelvis].x, 0, 1e-5) << angle;
-    EXPECT_LT(distance(found.places[kLeftHand] - found.places[kPelvis], target.at(kLeftHand) - target.at(kPelvis)),
-              1e-5)
+    const WorldPose found = world_pose(target, play(source, target, one_to_one(17), pose));
+    EXPECT_NEAR(found.positions[kPelvis].z, 1, 1e-5) << angle;
+    EXPECT_NEAR(found.positions[kPelvis].x, 0, 1e-5) << angle;
+    EXPECT_LT(
+        distance(found.positions[kLeftHand] - found.positions[kPelvis], target.at(kLeftHand) - target.at(kPelvis)),
+        1e-5)
         << angle;
   }
 }
@@ -164,18 +167,18 @@ TEST(Retarget, HipsGoByTheLengthOfTheLegsAndFeetStayOnTheFloor) {
   Pose pose = rest_pose(source);
   pose.translations[1] += 0.3f;
   pose.translations[2] += 4;
-  Placed found = placed(target, play(source, target, one_to_one(17), pose));
-  EXPECT_NEAR(found.places[kPelvis].z, 2, 1e-6);
-  EXPECT_NEAR(found.places[kLeftFoot].y, 0.05 + 0.15, 1e-6);
+  WorldPose found = world_pose(target, play(source, target, one_to_one(17), pose));
+  EXPECT_NEAR(found.positions[kPelvis].z, 2, 1e-6);
+  EXPECT_NEAR(found.positions[kLeftFoot].y, 0.05 + 0.15, 1e-6);
   RetargetSettings in_place;
   in_place.in_place = 1;
-  found = placed(target, play(source, target, one_to_one(17), pose, in_place));
-  EXPECT_NEAR(found.places[kPelvis].z, 0, 1e-6);
-  EXPECT_NEAR(found.places[kLeftFoot].y, 0.2, 1e-6);
+  found = world_pose(target, play(source, target, one_to_one(17), pose, in_place));
+  EXPECT_NEAR(found.positions[kPelvis].z, 0, 1e-6);
+  EXPECT_NEAR(found.positions[kLeftFoot].y, 0.2, 1e-6);
   RetargetSettings scaled;
   scaled.scale = 2;
-  found = placed(target, play(source, target, one_to_one(17), pose, scaled));
-  EXPECT_NEAR(found.places[kPelvis].z, 8, 1e-5);
+  found = world_pose(target, play(source, target, one_to_one(17), pose, scaled));
+  EXPECT_NEAR(found.positions[kPelvis].z, 8, 1e-5);
 }
 
 // A BVH's root stands at 0 at rest: the clip says where the floor is.
@@ -202,7 +205,7 @@ TEST(Retarget, TheFloorIsWhereTheFeetOfAClipStand) {
   ASSERT_EQ(plan.frame(pose.rotations.data(), pose.translations.data(), ground, out.rotations.data(),
                        out.translations.data()),
             SINEW_OK);
-  EXPECT_NEAR(placed(target, out).places[kLeftFoot].y, 0.1, 1e-6);
+  EXPECT_NEAR(world_pose(target, out).positions[kLeftFoot].y, 0.1, 1e-6);
 
   // A source that stands on the floor at rest keeps its own height, however high the clip jumps.
   ASSERT_EQ(plan.make(target.view(), target.view(), one_to_one(17).data(), target.classes.data()), SINEW_OK);
@@ -221,10 +224,10 @@ TEST(Retarget, JointsWithoutASourceFollowTheirParents) {
     for (size_t i = 0; i < 3; ++i)
       EXPECT_NEAR(out.translations[3 * j + i], rest_pose(scene).translations[3 * j + i], 1e-6);
   }
-  const Placed found = placed(scene, out), wanted = placed(scene, pose);
-  EXPECT_LT(
-      distance(found.places[kRightHand] - found.places[kPelvis], wanted.places[kRightHand] - wanted.places[kPelvis]),
-      1e-6);
+  const WorldPose found = world_pose(scene, out), wanted = world_pose(scene, pose);
+  EXPECT_LT(distance(found.positions[kRightHand] - found.positions[kPelvis],
+                     wanted.positions[kRightHand] - wanted.positions[kPelvis]),
+            1e-6);
 }
 
 // A floor joint above the hips, as games have it, stays where it is; one that moves in the source moves.
@@ -239,15 +242,15 @@ TEST(Retarget, ARootOnTheFloorStaysThere) {
   map.insert(map.begin(), -1);
   Pose pose = rest_pose(source);
   pose.translations[2] += 1;
-  Placed found = placed(target, play(source, target, map, pose));
-  EXPECT_LT(distance(found.places[0], {0, 0, 0}), 1e-9);
-  EXPECT_NEAR(found.places[1].z, 1, 1e-6);
+  WorldPose found = world_pose(target, play(source, target, map, pose));
+  EXPECT_LT(distance(found.positions[0], {0, 0, 0}), 1e-9);
+  EXPECT_NEAR(found.positions[1].z, 1, 1e-6);
 
   Pose rooted = rest_pose(target);
   rooted.translations[2] = 3;
-  found = placed(target, play(target, target, one_to_one(18), rooted));
-  EXPECT_NEAR(found.places[0].z, 3, 1e-6);
-  EXPECT_NEAR(found.places[1].z, 3, 1e-6);
+  found = world_pose(target, play(target, target, one_to_one(18), rooted));
+  EXPECT_NEAR(found.positions[0].z, 3, 1e-6);
+  EXPECT_NEAR(found.positions[1].z, 3, 1e-6);
 }
 
 TEST(Retarget, RootsBesideTheBodyMoveByThemselves) {
@@ -257,18 +260,18 @@ TEST(Retarget, RootsBesideTheBodyMoveByThemselves) {
   scene.add({1, 1, 0}, -1, SINEW_CLASS_OTHER);  // a socket
   Pose pose = random_pose(scene, 4, 0.7, {0.2, 0, 1});
   pose.translations[15] = 3;
-  EXPECT_LT(farthest(placed(scene, play(scene, scene, one_to_one(6), pose)), placed(scene, pose)), 1e-6);
+  EXPECT_LT(farthest(world_pose(scene, play(scene, scene, one_to_one(6), pose)), world_pose(scene, pose)), 1e-6);
 }
 
 TEST(Retarget, ChainsAndSingleJointsMove) {
   MotionScene chain;
   for (int j = 0; j < 6; ++j) chain.add({0, 0.1, 0.2 * j}, j - 1, SINEW_CLASS_OTHER);
   const Pose pose = random_pose(chain, 5, 0.8, {1, 0, 2});
-  EXPECT_LT(farthest(placed(chain, play(chain, chain, one_to_one(6), pose)), placed(chain, pose)), 1e-6);
+  EXPECT_LT(farthest(world_pose(chain, play(chain, chain, one_to_one(6), pose)), world_pose(chain, pose)), 1e-6);
   MotionScene one;
   one.add({1, 2, 3}, -1, SINEW_CLASS_OTHER);
   const Pose alone = random_pose(one, 1, 0.5, {1, 1, 1});
-  EXPECT_LT(farthest(placed(one, play(one, one, {0}, alone)), placed(one, alone)), 1e-6);
+  EXPECT_LT(farthest(world_pose(one, play(one, one, {0}, alone)), world_pose(one, alone)), 1e-6);
   // Joints in any order: children first.
   MotionScene backwards;
   backwards.positions = {0, 1, 0, 0, 0, 0};
@@ -321,7 +324,7 @@ TEST(Retarget, WhatIsWrongIsRefusedAndNothingIsWritten) {
   broken = scene;
   broken.rotations.assign(68, std::numeric_limits<float>::infinity());
   EXPECT_EQ(create(broken, scene, map, nullptr), SINEW_ERROR_NOT_FINITE);
-  sinew_retarget_options options = sinew_retarget_options_init();
+  sinew_retarget_options options = SINEW_INIT(sinew_retarget_options);
   for (uint32_t* const member : {&options.method, &options.in_place}) {
     *member = 9;
     EXPECT_EQ(create(scene, scene, map, &options), SINEW_ERROR_ARGUMENT);
@@ -390,9 +393,9 @@ TEST(Retarget, FeetUnderTheRootGoWithTheShin) {
   map.push_back(-1);
   for (uint32_t seed = 0; seed < 10; ++seed) {
     const Pose pose = random_pose(source, seed, 1.0, {0.4, 0.1, 1});
-    const Placed wanted = placed(plain, play(source, plain, map, pose));
-    const Placed found = placed(driven, play(source, driven, map, pose));
-    for (uint32_t j = 0; j < 18; ++j) EXPECT_LT(distance(found.places[j], wanted.places[j]), 1e-6) << j;
+    const WorldPose wanted = world_pose(plain, play(source, plain, map, pose));
+    const WorldPose found = world_pose(driven, play(source, driven, map, pose));
+    for (uint32_t j = 0; j < 18; ++j) EXPECT_LT(distance(found.positions[j], wanted.positions[j]), 1e-6) << j;
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Classes, roles, sides and partners of whole skeletons: the names that the usual makers give, places in the hierarchy, and
+// Classes, roles, sides and partners of whole skeletons: the names that the usual makers give, positions in the hierarchy, and
 // what follows them.
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ struct Verdicts {
   std::vector<uint8_t> classes, roles;
   std::vector<int8_t> sides;
   std::vector<int32_t> numbers, partners, images;
-  sinew_joint_verdicts out = sinew_joint_verdicts_init();
+  sinew_joint_verdicts out = SINEW_INIT(sinew_joint_verdicts);
   sinew_status status = SINEW_OK;
 
   explicit Verdicts(const std::vector<Joint>& joints, const std::vector<uint8_t>& follows = {}) {
@@ -42,7 +42,10 @@ struct Verdicts {
       parents.push_back(joint.parent);
       positions.insert(positions.end(), {joint.position.x, joint.position.y, joint.position.z});
     }
-    sinew_skeleton named = sinew_skeleton_init(positions.data(), parents.data(), static_cast<uint32_t>(n));
+    sinew_skeleton named = SINEW_INIT(sinew_skeleton);
+    named.positions = positions.data();
+    named.parents = parents.data();
+    named.joint_count = static_cast<uint32_t>(n);
     named.names = names.data();
     classes.resize(n);
     roles.resize(n);
@@ -289,9 +292,10 @@ TEST(JointClasses, TheCallersFaults) {
   float positions[6] = {};
   uint8_t follows[2] = {0, 3};
   alignas(64) char memory[8192];
-  sinew_skeleton joints = sinew_skeleton_init(nullptr, nullptr, 2);
+  sinew_skeleton joints = SINEW_INIT(sinew_skeleton);
+  joints.joint_count = 2;
   joints.names = names;
-  sinew_joint_verdicts out = sinew_joint_verdicts_init();
+  sinew_joint_verdicts out = SINEW_INIT(sinew_joint_verdicts);
   EXPECT_EQ(sinew_joint_classes(&joints, nullptr, memory, sizeof memory, &out), SINEW_OK) << "names alone are enough";
   joints.parents = parents;
   joints.positions = positions;

@@ -82,10 +82,10 @@ TEST(JointName, EveryRowOfTheTableIsRead) {
     EXPECT_EQ(find_word({word.text, static_cast<int>(std::string(word.text).size())}), &word)
         << word.text << " is there twice";
     const JointName got = read_joint_name(word.text);
-    const bool side = (word.says & (kLeft | kRight)) != 0;
-    EXPECT_EQ(got.side, (word.says & kLeft) != 0 ? 1 : side ? -1 : 0) << word.text;
+    const bool side = (word.flags & (kLeft | kRight)) != 0;
+    EXPECT_EQ(got.side, (word.flags & kLeft) != 0 ? 1 : side ? -1 : 0) << word.text;
     if (!side) {
-      EXPECT_EQ(got.says & ~kHind, word.says & ~kHind) << word.text;
+      EXPECT_EQ(got.flags & ~kHind, word.flags & ~kHind) << word.text;
     }
     EXPECT_EQ(static_cast<int>(got.part), static_cast<int>(word.part)) << word.text;
     if (word.part == Part::kNone || side) continue;

@@ -18,7 +18,7 @@ constexpr uint32_t kJoints = 5, kInfluences = 12;
 
 // A row as weights of all joints.
 std::vector<double> weights_of(const HeatScene& scene, uint32_t vertex) {
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.method = SINEW_METHOD_DISTANCE;
   options.influence_count = kInfluences;
   const sinew_mesh mesh = scene.mesh_view();
@@ -29,7 +29,9 @@ std::vector<double> weights_of(const HeatScene& scene, uint32_t vertex) {
             SINEW_OK);
   sinew::Workspace block(bytes);
   std::vector<uint16_t> joints(size_t{kInfluences} * mesh.vertex_count), weights(joints.size());
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = joints.data();
+  outputs.weights = weights.data();
   EXPECT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), block.size(), &outputs), SINEW_OK);
   std::vector<double> row(kJoints, 0);
   for (uint32_t i = 0; i < kInfluences; ++i)

@@ -16,11 +16,11 @@ using namespace sinew_test;
 using sinew::dot;
 
 // The corners of a rigid body in a pose.
-std::vector<Vec3d> posed(const MotionScene& scene, const BoxBody& body, const Placed& pose) {
+std::vector<Vec3d> posed(const MotionScene& scene, const BoxBody& body, const WorldPose& pose) {
   std::vector<Vec3d> out;
   for (size_t v = 0; v < body.joints.size(); ++v) {
     const size_t j = body.joints[v];
-    out.push_back(pose.places[j] + rotate(pose.rotations[j], vec(&body.positions[3 * v]) - scene.at(j)));
+    out.push_back(pose.positions[j] + rotate(pose.rotations[j], vec(&body.positions[3 * v]) - scene.at(j)));
   }
   return out;
 }
@@ -46,15 +46,16 @@ bool is_below(const MotionScene& scene, uint32_t joint, uint32_t ancestor) {
   return false;
 }
 
-struct Wish {
+struct GoalOptions {
   int power = 3;
   double falloff = 0.05, eps = 1e-5;
   bool own_limb = false;
 };
 
-// The place of a joint by the equations, in double with the maths library.
+// The position of a joint by the equations, in double with the maths library.
 Vec3d expected_position(const MotionScene& source, const MotionScene& target, const BoxBody& a, const BoxBody& b,
-                        const Placed& from, const Placed& copied, uint32_t joint, uint32_t shoulder, const Wish& wish) {
+                        const WorldPose& from, const WorldPose& copied, uint32_t joint, uint32_t shoulder,
+                        const GoalOptions& goal_options) {
   const auto source_triangles = triangles(a, posed(source, a, from));
   const auto target_triangles = triangles(b, posed(target, b, copied));
   std::vector<Vec3d> rest;
@@ -70,7 +71,7 @@ Vec3d expected_position(const MotionScene& source, const MotionScene& target, co
   };
   double mean = 0;
   for (const Triangle& t : source_triangles) mean += t.area / static_cast<double>(source_triangles.size());
-  // Torso, head, arms and legs wish apart. A box is one joint's.
+  // Torso, head, arms and legs have goals of their own. A box is one joint's.
   struct Part {
     Vec3d sum = {0, 0, 0};
     double all = 0, near = 1e9;
@@ -81,18 +82,18 @@ Vec3d expected_position(const MotionScene& source, const MotionScene& target, co
     size_t part = 0;
     for (size_t k = 1; k < 6; ++k)
       if (is_below(source, a.joints[a.triangles[3 * i]], tops[k])) part = k;
-    if (tops[part] == shoulder && !wish.own_limb) continue;
+    if (tops[part] == shoulder && !goal_options.own_limb) continue;
     uint32_t nearest = 0;
     for (uint32_t j = 1; j < source.count(); ++j)
       if (j != kLeftFinger &&
           distance(source.at(j), rest_triangles[i].middle) < distance(source.at(nearest), rest_triangles[i].middle))
         nearest = j;
-    const Vec3d v = from.places[joint] - source_triangles[i].middle;
+    const Vec3d v = from.positions[joint] - source_triangles[i].middle;
     const double far = std::sqrt(dot(v, v));
     const Vec3d along = (1 / far) * v;
-    double own = std::pow(source_triangles[i].area / mean, wish.power) *
-                 std::max(std::abs(dot(along, source_triangles[i].normal)), wish.eps);
-    if (wish.falloff > 0) own *= std::exp(-std::pow(far / (wish.falloff * height(a)), 2));
+    double own = std::pow(source_triangles[i].area / mean, goal_options.power) *
+                 std::max(std::abs(dot(along, source_triangles[i].normal)), goal_options.eps);
+    if (goal_options.falloff > 0) own *= std::exp(-std::pow(far / (goal_options.falloff * height(a)), 2));
     // Bones of the way: those that are above just one of the two ends.
     double way = 0, other = 0;
     bool any = false;
@@ -100,8 +101,8 @@ Vec3d expected_position(const MotionScene& source, const MotionScene& target, co
       if (is_below(source, nearest, j) == is_below(source, joint, j)) continue;
       any = true;
       const size_t up = static_cast<size_t>(source.parents[j]);
-      way += std::abs(dot(along, from.places[j] - from.places[up]));
-      other += std::abs(dot(along, copied.places[j] - copied.places[up]));
+      way += std::abs(dot(along, from.positions[j] - from.positions[up]));
+      other += std::abs(dot(along, copied.positions[j] - copied.positions[up]));
     }
     const double factor = !any ? 1 : way < 1e-6 * height(a) ? height(b) / height(a) : other / way;
     parts[part].all += own;
@@ -143,41 +144,44 @@ Pose arms_forward(const MotionScene& scene, double amount) {
 
 TEST(ReferencePoints, ArmsGoWhereTheEquationsSay) {
   const Bodies bodies;
-  for (const Wish& wish : {Wish{}, Wish{4, 0, 1e-5, true}, Wish{0, 0, 1e-5, false}, Wish{1, 0, 0.3, true},
-                           Wish{2, 0.2, 1e-5, true}, Wish{0, 0.1, 1e-5, false}}) {
+  for (const GoalOptions& goal_options :
+       {GoalOptions{}, GoalOptions{4, 0, 1e-5, true}, GoalOptions{0, 0, 1e-5, false}, GoalOptions{1, 0, 0.3, true},
+        GoalOptions{2, 0.2, 1e-5, true}, GoalOptions{0, 0.1, 1e-5, false}}) {
     PlayedClip clip(bodies.source, bodies.target);
     const Pose pose = arms_forward(bodies.source, 0.6);
     clip.add(pose);
-    const Placed from = placed(bodies.source, pose), copied = clip.frame(0);
-    sinew_reference_options settings = sinew_reference_options_init();
-    settings.area_power = wish.power == 0 ? SINEW_NO_AREA : static_cast<uint32_t>(wish.power);
-    settings.falloff = wish.falloff > 0 ? static_cast<float>(wish.falloff) : SINEW_NO_FALLOFF;
-    settings.own_limb = wish.own_limb ? 1 : 0;
-    settings.least_cosine = static_cast<float>(wish.eps);
+    const WorldPose from = world_pose(bodies.source, pose), copied = clip.frame(0);
+    sinew_reference_options settings = SINEW_INIT(sinew_reference_options);
+    settings.area_power = goal_options.power == 0 ? SINEW_NO_AREA : static_cast<uint32_t>(goal_options.power);
+    settings.falloff = goal_options.falloff > 0 ? static_cast<float>(goal_options.falloff) : SINEW_NO_FALLOFF;
+    settings.own_limb = goal_options.own_limb ? 1 : 0;
+    settings.least_cosine = static_cast<float>(goal_options.eps);
     ASSERT_EQ(clip.reference_points(bodies.a, bodies.b, settings), SINEW_OK);
-    const Placed made = clip.frame(0);
+    const WorldPose made = clip.frame(0);
     double moved = 0;
     for (const uint32_t arm : {kLeftUpperArm, kRightUpperArm}) {
       const auto goal = [&](uint32_t joint) {
-        return expected_position(bodies.source, bodies.target, bodies.a, bodies.b, from, copied, joint, arm, wish);
+        return expected_position(bodies.source, bodies.target, bodies.a, bodies.b, from, copied, joint, arm,
+                                 goal_options);
       };
-      const Vec3d shoulder = copied.places[arm], elbow = goal(arm + 1), wrist = goal(arm + 2);
-      const double upper = distance(copied.places[arm], copied.places[arm + 1]),
-                   lower = distance(copied.places[arm + 1], copied.places[arm + 2]);
+      const Vec3d shoulder = copied.positions[arm], elbow = goal(arm + 1), wrist = goal(arm + 2);
+      const double upper = distance(copied.positions[arm], copied.positions[arm + 1]),
+                   lower = distance(copied.positions[arm + 1], copied.positions[arm + 2]);
       const double reach = std::min(distance(wrist, shoulder), 0.9995 * (upper + lower));
       const Vec3d along = sinew::unit(wrist - shoulder);
-      EXPECT_LT(distance(made.places[arm + 2], shoulder + reach * along), 2e-4) << wish.power << " " << wish.falloff;
+      EXPECT_LT(distance(made.positions[arm + 2], shoulder + reach * along), 2e-4)
+          << goal_options.power << " " << goal_options.falloff;
       // The elbow lies in the plane of shoulder, wrist and wanted elbow, on its side.
       const Vec3d side = sinew::unit(elbow - shoulder - dot(elbow - shoulder, along) * along);
-      const Vec3d bend = made.places[arm + 1] - shoulder;
+      const Vec3d bend = made.positions[arm + 1] - shoulder;
       EXPECT_NEAR(dot(bend, side), std::sqrt(dot(bend, bend) - std::pow(dot(bend, along), 2)), 1e-3);
-      moved = std::max(moved, distance(made.places[arm + 2], copied.places[arm + 2]));
-      EXPECT_NEAR(distance(made.places[arm], made.places[arm + 1]), upper, 1e-5);
-      EXPECT_NEAR(distance(made.places[arm + 1], made.places[arm + 2]), lower, 1e-5);
+      moved = std::max(moved, distance(made.positions[arm + 2], copied.positions[arm + 2]));
+      EXPECT_NEAR(distance(made.positions[arm], made.positions[arm + 1]), upper, 1e-5);
+      EXPECT_NEAR(distance(made.positions[arm + 1], made.positions[arm + 2]), lower, 1e-5);
     }
     EXPECT_GT(moved, 0.001) << "it does something";
     for (const uint32_t joint : {kHead, kLeftFoot, kRightCalf, kLeftUpperArm})
-      EXPECT_LT(distance(made.places[joint], copied.places[joint]), 1e-5) << "all else stays";
+      EXPECT_LT(distance(made.positions[joint], copied.positions[joint]), 1e-5) << "all else stays";
   }
 }
 
@@ -185,14 +189,14 @@ TEST(ReferencePoints, LegsGoAlongWhereTheyAreWanted) {
   const Bodies bodies;
   PlayedClip clip(bodies.source, bodies.target);
   clip.add(arms_forward(bodies.source, 0.6));
-  const Placed copied = clip.frame(0);
-  sinew_reference_options settings = sinew_reference_options_init();
+  const WorldPose copied = clip.frame(0);
+  sinew_reference_options settings = SINEW_INIT(sinew_reference_options);
   settings.legs = 1;
   ASSERT_EQ(clip.reference_points(bodies.a, bodies.b, settings), SINEW_OK);
-  const Placed made = clip.frame(0);
-  EXPECT_GT(distance(made.places[kLeftFoot], copied.places[kLeftFoot]), 0.005);
-  EXPECT_NEAR(distance(made.places[kLeftCalf], made.places[kLeftFoot]),
-              distance(copied.places[kLeftCalf], copied.places[kLeftFoot]), 1e-5);
+  const WorldPose made = clip.frame(0);
+  EXPECT_GT(distance(made.positions[kLeftFoot], copied.positions[kLeftFoot]), 0.005);
+  EXPECT_NEAR(distance(made.positions[kLeftCalf], made.positions[kLeftFoot]),
+              distance(copied.positions[kLeftCalf], copied.positions[kLeftFoot]), 1e-5);
 }
 
 // A body of twice the size in all is nearly where the copy puts it: only triangles of the joint itself say otherwise.
@@ -201,12 +205,12 @@ TEST(ReferencePoints, AScaledBodyStaysNearlyAsItIsCopied) {
   const BoxBody a(source, 0.1), b(target, 0.1, 2);
   PlayedClip clip(source, target);
   for (uint32_t f = 0; f < 4; ++f) clip.add(arms_forward(source, 0.3 + 0.2 * f));
-  std::vector<Placed> copied;
+  std::vector<WorldPose> copied;
   for (uint32_t f = 0; f < 4; ++f) copied.push_back(clip.frame(f));
   ASSERT_EQ(clip.reference_points(a, b), SINEW_OK);
   for (uint32_t f = 0; f < 4; ++f)
     for (const uint32_t joint : {kLeftForearm, kLeftHand, kRightHand})
-      EXPECT_LT(distance(clip.frame(f).places[joint], copied[f].places[joint]), 0.01);
+      EXPECT_LT(distance(clip.frame(f).positions[joint], copied[f].positions[joint]), 0.01);
 }
 
 TEST(ReferencePoints, TheSameBodyIsLeftAsItIs) {
@@ -225,22 +229,22 @@ TEST(ReferencePoints, AHeadAndATorsoMoveWhereAskedAndKeepTheirBones) {
     PlayedClip clip(bodies.source, bodies.target);
     const Pose pose = arms_forward(bodies.source, 0.6);
     clip.add(pose);
-    const Placed from = placed(bodies.source, pose), copied = clip.frame(0);
-    sinew_reference_options settings = sinew_reference_options_init();
+    const WorldPose from = world_pose(bodies.source, pose), copied = clip.frame(0);
+    sinew_reference_options settings = SINEW_INIT(sinew_reference_options);
     (torso ? settings.torso : settings.head) = 1;
     ASSERT_EQ(clip.reference_points(bodies.a, bodies.b, settings), SINEW_OK);
-    const Placed made = clip.frame(0);
+    const WorldPose made = clip.frame(0);
     if (!torso) {
-      EXPECT_GT(distance(made.places[kHead], copied.places[kHead]), 1e-4);
+      EXPECT_GT(distance(made.positions[kHead], copied.positions[kHead]), 1e-4);
     }
     const auto up = [&](uint32_t j) { return static_cast<size_t>(bodies.target.parents[j]); };
-    EXPECT_NEAR(distance(made.places[kHead], made.places[up(kHead)]),
-                distance(copied.places[kHead], copied.places[up(kHead)]), 1e-5);
-    EXPECT_LT(distance(made.places[kLeftFoot], copied.places[kLeftFoot]), 1e-5) << "legs stay";
+    EXPECT_NEAR(distance(made.positions[kHead], made.positions[up(kHead)]),
+                distance(copied.positions[kHead], copied.positions[up(kHead)]), 1e-5);
+    EXPECT_LT(distance(made.positions[kLeftFoot], copied.positions[kLeftFoot]), 1e-5) << "legs stay";
     if (!torso) continue;
     // The spine points where the source's does.
-    const Vec3d own = sinew::unit(made.places[kSpine] - made.places[up(kSpine)]);
-    const Vec3d wanted = sinew::unit(from.places[kSpine] - from.places[up(kSpine)]);
+    const Vec3d own = sinew::unit(made.positions[kSpine] - made.positions[up(kSpine)]);
+    const Vec3d wanted = sinew::unit(from.positions[kSpine] - from.positions[up(kSpine)]);
     EXPECT_LT(distance(own, wanted), 1e-5);
   }
 }
@@ -251,17 +255,17 @@ TEST(ReferencePoints, TheSourcesPointsOfAScaledBodyAreTheTargets) {
   const BoxBody a(source, 0.1), b(target, 0.1, 2);
   PlayedClip own(source, target), others(source, target);
   for (PlayedClip* clip : {&own, &others}) clip->add(arms_forward(source, 0.6));
-  sinew_reference_options settings = sinew_reference_options_init();
+  sinew_reference_options settings = SINEW_INIT(sinew_reference_options);
   ASSERT_EQ(own.reference_points(a, b, settings), SINEW_OK);
   settings.source_points = 1;
   ASSERT_EQ(others.reference_points(a, b, settings), SINEW_OK);
-  EXPECT_LT(distance(own.frame(0).places[kLeftHand], others.frame(0).places[kLeftHand]), 1e-4);
+  EXPECT_LT(distance(own.frame(0).positions[kLeftHand], others.frame(0).positions[kLeftHand]), 1e-4);
   const Bodies bodies;  // of another it is not
   PlayedClip first(bodies.source, bodies.target), second(bodies.source, bodies.target);
   for (PlayedClip* clip : {&first, &second}) clip->add(arms_forward(bodies.source, 0.6));
   ASSERT_EQ(first.reference_points(bodies.a, bodies.b), SINEW_OK);
   ASSERT_EQ(second.reference_points(bodies.a, bodies.b, settings), SINEW_OK);
-  EXPECT_GT(distance(first.frame(0).places[kLeftHand], second.frame(0).places[kLeftHand]), 1e-3);
+  EXPECT_GT(distance(first.frame(0).positions[kLeftHand], second.frame(0).positions[kLeftHand]), 1e-3);
 }
 
 // A motion without a mesh: both skeletons get the same capsules, so that a skeleton that is only scaled stays nearly as copied.
@@ -270,23 +274,23 @@ TEST(ReferencePoints, CapsulesStandForABodyThatIsNotThere) {
   const BoxBody thick(bodies.target, 0.3, 0.7);
   PlayedClip clip(bodies.source, bodies.target);
   for (uint32_t f = 0; f < 6; ++f) clip.add(arms_forward(bodies.source, 0.1 * f));
-  std::vector<Placed> copied;
+  std::vector<WorldPose> copied;
   for (uint32_t f = 0; f < 6; ++f) copied.push_back(clip.frame(f));
   ASSERT_EQ(clip.reference_points(nullptr, thick), SINEW_OK);
   double moved = 0;
   for (uint32_t f = 0; f < 6; ++f) {
     for (const uint32_t hand : {kLeftHand, kRightHand})
-      moved = std::max(moved, distance(clip.frame(f).places[hand], copied[f].places[hand]));
-    EXPECT_LT(distance(clip.frame(f).places[kHead], copied[f].places[kHead]), 1e-5);
+      moved = std::max(moved, distance(clip.frame(f).positions[hand], copied[f].positions[hand]));
+    EXPECT_LT(distance(clip.frame(f).positions[kHead], copied[f].positions[kHead]), 1e-5);
   }
   EXPECT_GT(moved, 1e-3) << "a thick body pushes hands out";
   const MotionScene source = body(20), larger = body(20, 2);
   PlayedClip scaled(source, larger);
   scaled.add(arms_forward(source, 0.6));
-  const Placed before = scaled.frame(0);
+  const WorldPose before = scaled.frame(0);
   ASSERT_EQ(scaled.reference_points(nullptr, BoxBody(larger, 0.1, 2)), SINEW_OK);
   for (const uint32_t joint : {kLeftForearm, kLeftHand, kRightHand})
-    EXPECT_LT(distance(scaled.frame(0).places[joint], before.places[joint]), 0.02);
+    EXPECT_LT(distance(scaled.frame(0).positions[joint], before.positions[joint]), 0.02);
 }
 
 // Live: a frame alone gives what it gives in a clip.
@@ -304,7 +308,7 @@ TEST(ReferencePoints, FramesDoNotKnowOfEachOther) {
 
 // The command says it, other front-ends do not: the same bytes.
 TEST(ReferencePoints, TheDefaultFalloffIsTheOneThatACallerCanSay) {
-  sinew_reference_options options = sinew_reference_options_init();
+  sinew_reference_options options = SINEW_INIT(sinew_reference_options);
   sinew::motion::ReferenceOptions unsaid, said;
   sinew::Progress progress;
   ASSERT_EQ(sinew::motion::read_reference_options(&options, &unsaid, &progress), SINEW_OK);
@@ -319,16 +323,15 @@ TEST(ReferencePoints, WhatIsWrongIsRefused) {
   for (uint32_t f = 0; f < 3; ++f) clip.add(random_pose(bodies.source, f, 0.5));
   const std::vector<float> before = clip.rotations;
   const auto refused = [&](const auto& change) {
-    sinew_reference_options settings = sinew_reference_options_init();
+    sinew_reference_options settings = SINEW_INIT(sinew_reference_options);
     change(&settings);
     EXPECT_EQ(clip.reference_points(bodies.a, bodies.b, settings), SINEW_ERROR_ARGUMENT);
   };
   refused([](sinew_reference_options* s) { s->struct_size = 8; });
   refused([](sinew_reference_options* s) { s->area_power = 5; });
-  refused([](sinew_reference_options* s) { s->no_own_limb = 2; });
+  refused([](sinew_reference_options* s) { s->own_limb = 2; });
   refused([](sinew_reference_options* s) { s->legs = 2; });
   refused([](sinew_reference_options* s) { s->own_limb = 2; });
-  refused([](sinew_reference_options* s) { s->own_limb = s->no_own_limb = 1; });
   refused([](sinew_reference_options* s) { s->head = 2; });
   refused([](sinew_reference_options* s) { s->torso = 2; });
   refused([](sinew_reference_options* s) { s->source_points = 2; });
@@ -347,7 +350,7 @@ TEST(ReferencePoints, WhatIsWrongIsRefused) {
   clip.from_rotations[30] = 0;
   EXPECT_EQ(clip.rotations, before);
   int calls = 0;
-  sinew_reference_options settings = sinew_reference_options_init();
+  sinew_reference_options settings = SINEW_INIT(sinew_reference_options);
   settings.progress_user = &calls;
   settings.progress = [](void* user, uint32_t) { return ++*static_cast<int*>(user) == 2 ? 1 : 0; };
   EXPECT_EQ(clip.reference_points(bodies.a, bodies.b, settings), SINEW_ERROR_CANCELLED);

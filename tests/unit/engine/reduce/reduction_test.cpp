@@ -29,13 +29,13 @@ std::map<std::pair<uint32_t, uint32_t>, int> triangles_at_edges(const Mesh& mesh
   return edges;
 }
 
-sinew::Vec3i point_of(const Mesh& mesh, const sinew::SurfacePosition& place) {
+sinew::Vec3i point_of(const Mesh& mesh, const sinew::SurfacePosition& position) {
   double p[3] = {0, 0, 0};
   for (int i = 0; i < 3; ++i) {
-    const sinew::Vec3i at = mesh.positions[place.vertices[i]];
-    p[0] += at.x * (place.shares[i] / 32768.0);
-    p[1] += at.y * (place.shares[i] / 32768.0);
-    p[2] += at.z * (place.shares[i] / 32768.0);
+    const sinew::Vec3i at = mesh.positions[position.vertices[i]];
+    p[0] += at.x * (position.shares[i] / 32768.0);
+    p[1] += at.y * (position.shares[i] / 32768.0);
+    p[2] += at.z * (position.shares[i] / 32768.0);
   }
   return {static_cast<int32_t>(std::lround(p[0])), static_cast<int32_t>(std::lround(p[1])),
           static_cast<int32_t>(std::lround(p[2]))};
@@ -123,10 +123,10 @@ TEST(Reduction, PlacesLieAtTheirVertices) {
   double farthest = 0;
   for (uint32_t v = 0; v < flat.mesh.welded_count; ++v) {
     const sinew::Vec3i at = flat.mesh.positions[v];
-    const sinew::SurfacePosition place = plane.position(flat.mesh, v);
-    ASSERT_EQ(place.shares[0] + place.shares[1] + place.shares[2], 32768u);
+    const sinew::SurfacePosition position = plane.position(flat.mesh, v);
+    ASSERT_EQ(position.shares[0] + position.shares[1] + position.shares[2], 32768u);
     const bool rim = std::abs(at.x) > sinew::kSide * 0.44 || std::abs(at.y - sinew::kSide / 2) > sinew::kSide * 0.44;
-    if (!rim) farthest = std::max(farthest, distance(at, point_of(plane.mesh, place)));
+    if (!rim) farthest = std::max(farthest, distance(at, point_of(plane.mesh, position)));
   }
   EXPECT_LT(farthest, sinew::kSide / 2000.0);
 
@@ -135,9 +135,9 @@ TEST(Reduction, PlacesLieAtTheirVertices) {
   double nearer = 0, whole = 0;
   for (uint32_t v = 0; v < body.mesh.welded_count; ++v) {
     const sinew::Vec3i at = body.mesh.positions[v];
-    const sinew::SurfacePosition place = body.reduction.position(body.mesh, v);
+    const sinew::SurfacePosition position = body.reduction.position(body.mesh, v);
     const double own = distance(at, body.reduction.mesh.positions[body.reduction.vertex[v]]);
-    const double found = distance(at, point_of(body.reduction.mesh, place));
+    const double found = distance(at, point_of(body.reduction.mesh, position));
     EXPECT_LE(found, own + 64);  // shares have 15 bits
     nearer += found;
     whole += own;

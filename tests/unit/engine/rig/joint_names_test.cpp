@@ -13,7 +13,7 @@ namespace sinew::rigging {
 namespace {
 
 using sinew_test::FoundRig;
-using sinew_test::place;
+using sinew_test::grid_point;
 
 std::vector<std::string> names_of(const std::vector<RigJoint>& joints) {
   char names[kMaxRigJoints][kMaxJointName];
@@ -42,17 +42,18 @@ TEST(JointNames, SidesOfJointsThatNothingMirrors) {
   std::vector<RigJoint> joints(5);
   const uint8_t classes[] = {kClassPelvis, kClassThigh, kClassThigh, kClassWing, kClassTail};
   for (size_t i = 0; i < 5; ++i) {
-    joints[i] = {place(i == 2 ? -0.1 : 0.1, 0, 0), static_cast<int16_t>(i == 0 ? -1 : 0), -1, classes[i], 0, 0, 0, 0};
+    joints[i] = {
+        grid_point(i == 2 ? -0.1 : 0.1, 0, 0), static_cast<int16_t>(i == 0 ? -1 : 0), -1, classes[i], 0, 0, 0, 0};
   }
   EXPECT_EQ(names_of(joints), (std::vector<std::string>{"Hips", "LeftUpLeg", "RightUpLeg", "LeftWing", "Tail"}));
 }
 
 TEST(JointNames, TwoEndsOfOneJointHaveNumbers) {
   std::vector<RigJoint> joints(4);
-  joints[0] = {place(0, 0, 0), -1, 0, kClassHead, 0, 0, 0, 0};
-  joints[1] = {place(0.1, 0, 0), 0, 2, kClassHead, 1, 0, 0, 0};
-  joints[2] = {place(-0.1, 0, 0), 0, 1, kClassHead, 1, 0, 0, 0};
-  joints[3] = {place(0, 0.1, 0), 0, 3, kClassHead, 0, 0, 0, 0};
+  joints[0] = {grid_point(0, 0, 0), -1, 0, kClassHead, 0, 0, 0, 0};
+  joints[1] = {grid_point(0.1, 0, 0), 0, 2, kClassHead, 1, 0, 0, 0};
+  joints[2] = {grid_point(-0.1, 0, 0), 0, 1, kClassHead, 1, 0, 0, 0};
+  joints[3] = {grid_point(0, 0.1, 0), 0, 3, kClassHead, 0, 0, 0, 0};
   EXPECT_EQ(names_of(joints), (std::vector<std::string>{"Head", "Head_end", "Head_end1", "Head1"}));
 }
 
@@ -66,7 +67,7 @@ TEST(JointNames, NoneComesTwiceAndAllFit) {
   for (size_t i = 0; i < joints.size(); ++i) {
     const int16_t before = static_cast<int16_t>(i - 1);
     const bool tip = i % 2 == 1;
-    joints[i] = {place(-0.1, 0, 0),
+    joints[i] = {grid_point(-0.1, 0, 0),
                  static_cast<int16_t>(tip || i == 0 ? before : before - 1),
                  -1,
                  kClassToe,

@@ -13,8 +13,8 @@ namespace sinew::rigging {
 namespace {
 
 using sinew_test::FoundRig;
+using sinew_test::grid_point;
 using sinew_test::KnownJoint;
-using sinew_test::place;
 using sinew_test::units;
 using sinew_test::votes_for;
 using sinew_test::VoteScene;
@@ -27,7 +27,7 @@ VoteScene standing(const std::vector<KnownJoint>& joints, uint32_t each) {
     if (end.parent < 0) continue;
     const KnownJoint& start = joints[static_cast<size_t>(end.parent)];
     const auto vote = [&](const KnownJoint& j) {
-      return place(j.x + 0.003 * random.normal(), j.y + 0.003 * random.normal(), j.z + 0.003 * random.normal());
+      return grid_point(j.x + 0.003 * random.normal(), j.y + 0.003 * random.normal(), j.z + 0.003 * random.normal());
     };
     for (uint32_t i = 0; i < each; ++i) {
       const Vec3i from = vote(start);
@@ -51,7 +51,7 @@ TEST(Limbs, NoneCrossesToTheOtherSide) {
   for (uint32_t i = 0; i < 90; ++i) {  // votes say that each foot hangs on the other knee
     for (const auto& [knee, foot] : {std::pair(3, 7), std::pair(6, 4)}) {
       const KnownJoint &a = joints[static_cast<size_t>(knee)], &b = joints[static_cast<size_t>(foot)];
-      scene.add(place(a.x, a.y, a.z), kClassCalf, place(b.x, b.y, b.z), kClassFoot);
+      scene.add(grid_point(a.x, a.y, a.z), kClassCalf, grid_point(b.x, b.y, b.z), kClassFoot);
     }
   }
   const FoundRig found(scene);
@@ -138,7 +138,8 @@ TEST(Limbs, ASecondArmIsALimbOfItsOwn) {
                                           {.4, .7, 0, kClassHand, 3},     {.15, .85, 0, kClassUpperArm, 1},
                                           {.3, .95, 0, kClassForearm, 5}};
   VoteScene scene = votes_for(joints, 60, 0.003, 1);
-  for (uint32_t i = 0; i < 150; ++i) scene.add(place(.1, .7, 0), kClassUpperArm, place(.15, .85, 0), kClassUpperArm);
+  for (uint32_t i = 0; i < 150; ++i)
+    scene.add(grid_point(.1, .7, 0), kClassUpperArm, grid_point(.15, .85, 0), kClassUpperArm);
   const FoundRig found(scene);
   size_t arms = 0;
   for (const RigJoint& joint : found.joints) {
@@ -192,7 +193,7 @@ TEST(Limbs, NoBoneGoesThroughTheAirWhereAnotherGoesThroughTheBody) {
   VoteScene scene = votes_for(joints, 60, 0.003, 1);
   for (uint32_t i = 0; i < 1500; ++i) {  // votes say that ears are hands of the forearms
     const double side = i % 2 == 0 ? 1 : -1;
-    scene.add(place(side * .2, .42, 0), kClassForearm, place(side * .2, .75, 0), kClassHand);
+    scene.add(grid_point(side * .2, .42, 0), kClassForearm, grid_point(side * .2, .75, 0), kClassHand);
   }
   EXPECT_EQ(FoundRig(scene).count_of(kClassEar), 0u);
   // Balls along all bones that are there.
@@ -200,7 +201,7 @@ TEST(Limbs, NoBoneGoesThroughTheAirWhereAnotherGoesThroughTheBody) {
     const KnownJoint& end = joints[1 + p % 6];
     const KnownJoint& start = joints[static_cast<size_t>(end.parent)];
     const double t = static_cast<double>(p / 6 % 9) / 8;
-    scene.inside.push_back(place(start.x + t * (end.x - start.x), start.y + t * (end.y - start.y), 0));
+    scene.inside.push_back(grid_point(start.x + t * (end.x - start.x), start.y + t * (end.y - start.y), 0));
     scene.inside_radii.push_back(units(.03));
   }
   const FoundRig found(scene);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Skeletons from votes: a known humanoid comes back, symmetry is exact, the order of points does not matter, any votes
-// give a tree, and wishes are kept.
+// give a tree, and options are kept.
 #include "rig/tree.hpp"
 
 #include <gtest/gtest.h>
@@ -14,9 +14,9 @@ namespace sinew::rigging {
 namespace {
 
 using sinew_test::FoundRig;
+using sinew_test::grid_point;
 using sinew_test::known_humanoid;
 using sinew_test::KnownJoint;
-using sinew_test::place;
 using sinew_test::random_votes;
 using sinew_test::same_joints;
 using sinew_test::units;
@@ -75,7 +75,7 @@ TEST(Rig, AKnownHumanoidComesBack) {
     EXPECT_EQ(found.joints.size(), wanted) << seed;
     for (const KnownJoint& joint : known) {
       for (const double side : {1.0, -1.0}) {
-        const Vec3i at = place(side * joint.x, joint.y, joint.z);
+        const Vec3i at = grid_point(side * joint.x, joint.y, joint.z);
         size_t nearest = 0;
         for (size_t i = 0; i < found.joints.size(); ++i) {
           if (distance(found.joints[i].position, at) < distance(found.joints[nearest].position, at)) nearest = i;
@@ -91,7 +91,7 @@ TEST(Rig, AKnownHumanoidComesBack) {
         const KnownJoint& above = known[static_cast<size_t>(joint.parent)];
         EXPECT_EQ(hit.joint_class, tip ? above.joint_class : joint.joint_class) << seed;
         const RigJoint& parent = found.joints[static_cast<size_t>(hit.parent)];
-        EXPECT_LT(distance(parent.position, place(above.x * side, above.y, above.z)), 0.006) << seed;
+        EXPECT_LT(distance(parent.position, grid_point(above.x * side, above.y, above.z)), 0.006) << seed;
         EXPECT_NEAR(hit.confidence, 16718, 40);  // 1 / (1 + 0.02 / 0.05)^2
         EXPECT_GT(hit.parent_confidence, 1000) << seed << " " << joint.y;
       }
@@ -156,7 +156,7 @@ TEST(Rig, TheOrderOfVotesThatAreAlikeDoesNotMatter) {
     test::Random random(seed);
     VoteScene scene;
     const auto node = [&] {
-      return place(random.between(-6, 6) * 0.02, random.between(0, 4) * 0.02, random.between(0, 4) * 0.02);
+      return grid_point(random.between(-6, 6) * 0.02, random.between(0, 4) * 0.02, random.between(0, 4) * 0.02);
     };
     for (int i = 0; i < 400; ++i) {
       const Vec3i start = node();
@@ -198,21 +198,21 @@ TEST(Rig, NothingIsAPelvisAtTheMean) {
   expect_sound(none, true, "no points");
   ASSERT_EQ(none.joints.size(), 1u);
   EXPECT_EQ(none.joints[0].joint_class, kClassPelvis);
-  EXPECT_TRUE((none.joints[0].position == place(0, 0.5, 0.01)));
+  EXPECT_TRUE((none.joints[0].position == grid_point(0, 0.5, 0.01)));
   EXPECT_EQ(none.joints[0].confidence, 0);
   EXPECT_EQ(none.spread, 65535);
 }
 
 TEST(Rig, OneVoteAndAllVotesInOnePlace) {
   VoteScene scene;
-  scene.add(place(0.2, 0.3, 0), kClassHand, place(0.3, 0.3, 0), kClassTip, 0.02, 1);
+  scene.add(grid_point(0.2, 0.3, 0), kClassHand, grid_point(0.3, 0.3, 0), kClassTip, 0.02, 1);
   for (int more = 0; more < 2; ++more) {
     const FoundRig found(scene);
     expect_sound(found, true, "one place");
     ASSERT_EQ(found.joints[0].joint_class, kClassHand) << more;
     // Folded, but nothing on the plane: the root is put there.
-    EXPECT_TRUE((found.joints[0].position == place(0, 0.3, 0)));
-    for (int i = 0; i < 500; ++i) scene.add(place(0.2, 0.3, 0), kClassHand, place(0.2, 0.3, 0), kClassHand);
+    EXPECT_TRUE((found.joints[0].position == grid_point(0, 0.3, 0)));
+    for (int i = 0; i < 500; ++i) scene.add(grid_point(0.2, 0.3, 0), kClassHand, grid_point(0.2, 0.3, 0), kClassHand);
   }
 }
 
@@ -234,13 +234,13 @@ TEST(Rig, UnfoldedSidesAreFoundApart) {
 TEST(Rig, SpineHasAsManyJointsAsWished) {
   const VoteScene scene = votes_for(known_humanoid(), 60, 0.004, 7);
   const FoundRig free(scene);
-  for (int32_t wish = 0; wish <= 16; ++wish) {
+  for (int32_t spine = 0; spine <= 16; ++spine) {
     RigOptions options;
-    options.spine = wish;
+    options.spine = spine;
     const FoundRig found(scene, options);
-    expect_sound(found, true, "spine " + std::to_string(wish));
-    EXPECT_EQ(found.count_of(kClassSpine), static_cast<uint32_t>(wish));
-    EXPECT_EQ(found.joints.size() + free.count_of(kClassSpine), free.joints.size() + static_cast<size_t>(wish));
+    expect_sound(found, true, "spine " + std::to_string(spine));
+    EXPECT_EQ(found.count_of(kClassSpine), static_cast<uint32_t>(spine));
+    EXPECT_EQ(found.joints.size() + free.count_of(kClassSpine), free.joints.size() + static_cast<size_t>(spine));
     // A chain from the pelvis to the neck, upwards; clavicles hang on its last joint.
     int16_t last = 0;
     for (size_t i = 0; i < found.joints.size(); ++i) {
@@ -255,7 +255,7 @@ TEST(Rig, SpineHasAsManyJointsAsWished) {
         EXPECT_EQ(joint.parent, last);
       }
     }
-    if (wish == 2) {  // as there were: nothing moves
+    if (spine == 2) {  // as there were: nothing moves
       EXPECT_TRUE(same_joints(found.joints, free.joints));
     }
   }
@@ -289,7 +289,7 @@ TEST(Rig, ToesAndEndsGoWhereTheyAreNotWanted) {
   EXPECT_EQ(flat.count_of(kClassFoot, true), 2u);
   for (const RigJoint& joint : flat.joints) {
     if (joint.joint_class == kClassFoot && joint.tip != 0 && joint.position.x > 0) {
-      EXPECT_LT(distance(joint.position, place(.07, .02, .09)), 0.006);
+      EXPECT_LT(distance(joint.position, grid_point(.07, .02, .09)), 0.006);
     }
   }
   options.ends = false;

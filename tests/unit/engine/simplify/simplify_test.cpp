@@ -31,14 +31,16 @@ struct Tree {
     sinew::Workspace workspace;
     std::vector<const char*> texts;
     for (const std::string& name : names) texts.push_back(name.c_str());
-    sinew_skeleton skeleton =
-        sinew_skeleton_init(positions.data(), parents.data(), static_cast<uint32_t>(parents.size()));
+    sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+    skeleton.positions = positions.data();
+    skeleton.parents = parents.data();
+    skeleton.joint_count = static_cast<uint32_t>(parents.size());
     if (!names.empty()) skeleton.names = texts.data();
     return sinew::simplify(skeleton, areas.empty() ? nullptr : areas.data(), keep.empty() ? nullptr : keep.data(),
                            options, &workspace, into);
   }
   std::vector<uint32_t> simplify(uint32_t level, uint32_t joints = 0) const {
-    sinew_simplify_options options = sinew_simplify_options_init();
+    sinew_simplify_options options = SINEW_INIT(sinew_simplify_options);
     options.level = level;
     options.joint_count = joints;
     std::vector<uint32_t> into;
@@ -153,7 +155,7 @@ TEST(Simplify, SamplesOfTheSurfaceSayWhatIsNear) {
   Tree t;
   t.add(0, 0, 0, -1);
   for (int i = 1; i < 6; ++i) t.add(0, static_cast<float>(i), 0, i - 1);  // straight: only the samples' distances count
-  sinew_simplify_options options = sinew_simplify_options_init();
+  sinew_simplify_options options = SINEW_INIT(sinew_simplify_options);
   options.joint_count = 5;
   std::vector<uint32_t> into;
   std::vector<float> centroids = t.positions;
@@ -269,7 +271,7 @@ TEST(Simplify, LargeAndOddTrees) {
 }
 
 TEST(Simplify, WrongCallsAreRefused) {
-  const sinew_simplify_options plain = sinew_simplify_options_init();
+  const sinew_simplify_options plain = SINEW_INIT(sinew_simplify_options);
   std::vector<uint32_t> into;
   const auto with = [&](const auto& change) {
     Tree t = figure();
@@ -298,7 +300,10 @@ TEST(Simplify, WrongCallsAreRefused) {
   ASSERT_EQ(sinew_simplify_workspace_size(11, &bytes), SINEW_OK);
   const sinew::Workspace workspace(bytes);
   into.assign(11, 0);
-  const sinew_skeleton skeleton = sinew_skeleton_init(t.positions.data(), t.parents.data(), 11);
+  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
+  skeleton.positions = t.positions.data();
+  skeleton.parents = t.parents.data();
+  skeleton.joint_count = 11;
   EXPECT_EQ(sinew_simplify(&skeleton, nullptr, nullptr, nullptr, workspace.data(), bytes - 1, into.data()),
             SINEW_ERROR_WORKSPACE);
 }

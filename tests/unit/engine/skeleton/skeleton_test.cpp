@@ -35,12 +35,12 @@ TEST(Skeleton, ParentsComeFirst) {
   const MeshRun run(scene);
   ASSERT_EQ(run.status, SINEW_OK);
   const sinew::Skeleton& s = run.skeleton;
-  std::vector<int> place(7, -1);
-  for (int i = 0; i < 7; ++i) place[s.order[i]] = i;
+  std::vector<int> rank(7, -1);
+  for (int i = 0; i < 7; ++i) rank[s.order[i]] = i;
   for (int j = 0; j < 7; ++j) {
-    EXPECT_GE(place[j], 0);
+    EXPECT_GE(rank[j], 0);
     if (parents[j] >= 0) {
-      EXPECT_LT(place[parents[j]], place[j]);
+      EXPECT_LT(rank[parents[j]], rank[j]);
     }
   }
   EXPECT_EQ(std::vector<uint16_t>(s.depth, s.depth + 7), (std::vector<uint16_t>{1, 2, 3, 0, 1, 0, 1}));

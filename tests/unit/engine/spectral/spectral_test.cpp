@@ -50,22 +50,22 @@ double largest_difference(const SpectralRun& a, const SpectralRun& b, uint32_t v
 
 TEST(Spectral, NumberingOfVerticesAndFacesDoesNotMatter) {
   const MeshScene scene = body();
-  std::vector<uint32_t> order(scene.vertex_count()), place(scene.vertex_count());
+  std::vector<uint32_t> order(scene.vertex_count()), new_index(scene.vertex_count());
   std::iota(order.begin(), order.end(), 0u);
   std::shuffle(order.begin(), order.end(), std::mt19937(5));
-  for (uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+  for (uint32_t i = 0; i < order.size(); ++i) new_index[order[i]] = i;
   MeshScene other;
   for (uint32_t v : order)
     other.add_vertex(scene.positions[3 * v], scene.positions[3 * v + 1], scene.positions[3 * v + 2]);
   for (size_t f = scene.offsets.size() - 1; f-- > 0;) {
     std::vector<uint32_t> face;
-    for (uint32_t c = scene.offsets[f]; c < scene.offsets[f + 1]; ++c) face.push_back(place[scene.corners[c]]);
+    for (uint32_t c = scene.offsets[f]; c < scene.offsets[f + 1]; ++c) face.push_back(new_index[scene.corners[c]]);
     other.add_face(face);
   }
   other.add_joint(0, 0, 0, -1);
   const SpectralRun a(scene), b(other);
   for (uint32_t v = 0; v < scene.vertex_count(); ++v) {
-    for (uint32_t i = 0; i < kSpectralChannels; ++i) ASSERT_EQ(a.at(v, i), b.at(place[v], i)) << v << " " << i;
+    for (uint32_t i = 0; i < kSpectralChannels; ++i) ASSERT_EQ(a.at(v, i), b.at(new_index[v], i)) << v << " " << i;
   }
 }
 
@@ -100,7 +100,7 @@ TEST(Spectral, PlaceAndSizeDoNotMatterAndTurningHardly) {
     });
   };
   EXPECT_EQ(scaled(64.0f), 0);
-  // What is left is a last place of the grid here and there.
+  // What is left is a last digit of the grid here and there.
   EXPECT_LE(scaled(0.37f), 0.01);
   EXPECT_LE(changed([](float* p) {
               p[0] += 17.0f;

@@ -25,7 +25,7 @@ MeshScene scene_of(const std::vector<int32_t>& parents) {
 
 struct Completed {
   MeshRun source, target;
-  std::vector<int32_t> same, takes, head;
+  std::vector<int32_t> same, target_of, head;
   std::vector<uint8_t> is_new;
   JointCounterparts map;
 
@@ -33,11 +33,11 @@ struct Completed {
       : source(from), target(to) {
     const size_t sources = from.joint_count(), targets = to.joint_count();
     same.resize(sources);
-    takes.resize(sources);
+    target_of.resize(sources);
     head.resize(targets);
     is_new.resize(targets);
     map.same = same.data();
-    map.takes = takes.data();
+    map.target_of = target_of.data();
     map.head = head.data();
     map.is_new = is_new.data();
     std::vector<uint32_t> scratch(2 * sources);
@@ -52,14 +52,14 @@ TEST(JointCounterparts, WeightWithoutACounterpartGoesUpElseDown) {
   const MeshScene source = scene_of({-1, 0, 1, 2, 1}), target = scene_of({-1, 0});
   const Completed c(source, target, {-1, 0, -1, 1, -1});
   EXPECT_EQ(c.same, (Joints{-1, 0, -1, 1, -1}));
-  EXPECT_EQ(c.takes, (Joints{0, 0, 0, 1, 0}));
+  EXPECT_EQ(c.target_of, (Joints{0, 0, 0, 1, 0}));
   EXPECT_EQ(c.is_new, (std::vector<uint8_t>{0, 0}));
 }
 
 TEST(JointCounterparts, TheNearestBelowOfSeveralIsTheOneOfLowestNumber) {
   const MeshScene source = scene_of({-1, 0, 0, 1}), target = scene_of({-1, 0, 0});
-  EXPECT_EQ(Completed(source, target, {-1, -1, 2, 1}).takes, (Joints{2, 1, 2, 1}));
-  EXPECT_EQ(Completed(source, target, {-1, 1, 2, 0}).takes, (Joints{1, 1, 2, 0}));
+  EXPECT_EQ(Completed(source, target, {-1, -1, 2, 1}).target_of, (Joints{2, 1, 2, 1}));
+  EXPECT_EQ(Completed(source, target, {-1, 1, 2, 0}).target_of, (Joints{1, 1, 2, 0}));
 }
 
 TEST(JointCounterparts, AJointThatMustGetNoWeightTakesNone) {
@@ -68,7 +68,7 @@ TEST(JointCounterparts, AJointThatMustGetNoWeightTakesNone) {
   target.flags = {0, SINEW_JOINT_NEVER};
   const Completed c(source, target, {0, 1});
   EXPECT_EQ(c.same, (Joints{0, 1}));
-  EXPECT_EQ(c.takes, (Joints{0, 0}));
+  EXPECT_EQ(c.target_of, (Joints{0, 0}));
 }
 
 TEST(JointCounterparts, JointsThatOnlyTheTargetHasShareTheirHeads) {

@@ -28,7 +28,7 @@ std::vector<Triangle> triangles_of(const MeshScene& scene) {
   return out;
 }
 
-Vec3d place(const std::vector<float>& positions, uint32_t v) {
+Vec3d position(const std::vector<float>& positions, uint32_t v) {
   const float* const p = &positions[3 * size_t{v}];
   return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
 }
@@ -47,7 +47,7 @@ MeshScene sleeve_of(const MeshScene& body, double radius) {
 std::vector<float> posed(const MeshScene& scene, const std::vector<uint16_t>& joints,
                          const std::vector<uint16_t>& weights, double degrees) {
   std::vector<float> palette;
-  double x = 0, y = 0, angle = 0;  // of the joint's new place
+  double x = 0, y = 0, angle = 0;  // of the joint's new position
   for (size_t j = 0; j < 3; ++j) {
     const double rest_x = double{scene.joints[3 * j]}, rest_y = double{scene.joints[3 * j + 1]};
     if (j > 0) {
@@ -79,8 +79,8 @@ size_t crossings(const MeshScene& body, const std::vector<float>& skin, const Me
     for (const Triangle& line : triangles_of(lines))
       for (size_t k = 0; k < 3; ++k)
         for (const Triangle& wall : walls)
-          if (goes_through(place(p, line[k]), place(p, line[(k + 1) % 3]), place(q, wall[0]), place(q, wall[1]),
-                           place(q, wall[2])))
+          if (goes_through(position(p, line[k]), position(p, line[(k + 1) % 3]), position(q, wall[0]),
+                           position(q, wall[1]), position(q, wall[2])))
             ++count;
   };
   through(garment, cloth, body, skin);
@@ -92,7 +92,7 @@ size_t crossings(const MeshScene& body, const std::vector<float>& skin, const Me
 TEST(Layers, ASleeveComesThroughTheSkinLessThanOneThatIsBoundAlone) {
   const MeshScene body = limb(25, 12, 3, 0.3);
   const BoundRows rows = painted(body, 3);
-  sinew_transfer_options worn_options = sinew_transfer_options_init(), alone_options = worn_options;
+  sinew_transfer_options worn_options = SINEW_INIT(sinew_transfer_options), alone_options = worn_options;
   worn_options.garment = 1;
   alone_options.method = SINEW_TRANSFER_REBIND;
   size_t worn_crossings = 0, alone_crossings = 0;

@@ -47,9 +47,9 @@ TEST(Match, RowsAreMadeWhole) {
 }
 
 TEST(Match, RowsGoToTheJointsThatTakeThem) {
-  int32_t takes[4] = {2, 2, -1, 0};
+  int32_t target_of[4] = {2, 2, -1, 0};
   JointCounterparts map;
-  map.takes = takes;
+  map.target_of = target_of;
   const Four a;
   a.rows.add(0, 0, 100);
   a.rows.add(0, 1, 100);

@@ -21,20 +21,21 @@ using sinew_test::MeshScene;
 
 struct Searched {
   MeshRun run;
-  std::vector<Vec3d> places;
+  std::vector<Vec3d> positions;
   std::vector<uint8_t> of_use;
   Block block = Block(size_t{1} << 22);
   SurfaceTree tree;
 
   explicit Searched(const MeshScene& scene) : run(scene), of_use(run.mesh.welded_count, 1) {
-    for (uint32_t v = 0; v < run.mesh.welded_count; ++v) places.push_back(1e-6 * to_double(run.mesh.positions[v]));
+    for (uint32_t v = 0; v < run.mesh.welded_count; ++v) positions.push_back(1e-6 * to_double(run.mesh.positions[v]));
   }
   void build() {
     ASSERT_TRUE(tree.allocate(block.arena, run.counts));
-    tree.build(run.mesh, places.data(), of_use.data(), block.arena);
+    tree.build(run.mesh, positions.data(), of_use.data(), block.arena);
   }
   Vec3d point(const MatchedPoint& p) const {
-    return p.shares[0] * places[p.corners[0]] + p.shares[1] * places[p.corners[1]] + p.shares[2] * places[p.corners[2]];
+    return p.shares[0] * positions[p.corners[0]] + p.shares[1] * positions[p.corners[1]] +
+           p.shares[2] * positions[p.corners[2]];
   }
 };
 
@@ -51,9 +52,9 @@ TEST(SurfaceTree, FindsWhatASearchOfAllFinds) {
     for (uint32_t t = 0; t < s.run.mesh.triangle_count; ++t) {
       const uint32_t* const c = s.run.mesh.triangles + 3 * size_t{t};
       double shares[3];
-      nearest_on_triangle(p, s.places[c[0]], s.places[c[1]], s.places[c[2]], shares);
-      least = lesser(
-          least, length(p - (shares[0] * s.places[c[0]] + shares[1] * s.places[c[1]] + shares[2] * s.places[c[2]])));
+      nearest_on_triangle(p, s.positions[c[0]], s.positions[c[1]], s.positions[c[2]], shares);
+      least = lesser(least, length(p - (shares[0] * s.positions[c[0]] + shares[1] * s.positions[c[1]] +
+                                        shares[2] * s.positions[c[2]])));
     }
     EXPECT_NEAR(found.distance, least, 1e-12);
     EXPECT_NEAR(length(p - s.point(found)), found.distance, 1e-12);
@@ -72,10 +73,10 @@ TEST(SurfaceTree, FacesThatLookTheOtherWayCostMore) {
   scene.add_joint(0.5, 0.5, 0.01, -1);
   Searched s(scene);
   s.build();
-  double front = s.places[0].z, back = front;  // vertices have an order of their own
-  for (const Vec3d& place : s.places) {
-    front = greater(front, place.z);
-    back = lesser(back, place.z);
+  double front = s.positions[0].z, back = front;  // vertices have an order of their own
+  for (const Vec3d& position : s.positions) {
+    front = greater(front, position.z);
+    back = lesser(back, position.z);
   }
   ASSERT_LT(back, front);
   const double between = 0.4 * front + 0.6 * back;
@@ -89,7 +90,7 @@ TEST(SurfaceTree, FacesThatLookTheOtherWayCostMore) {
 
 TEST(SurfaceTree, VerticesOfNoUseAreLeftOut) {
   Searched s(sinew_test::cube_sphere(4));
-  for (uint32_t v = 0; v < s.run.mesh.welded_count; ++v) s.of_use[v] = s.places[v].x < 0.2 ? 1 : 0;
+  for (uint32_t v = 0; v < s.run.mesh.welded_count; ++v) s.of_use[v] = s.positions[v].x < 0.2 ? 1 : 0;
   s.build();
   const MatchedPoint found = s.tree.nearest({5, 0.5, 0}, {0, 0, 0}, Facing::kSame);
   bool any = false;
@@ -110,9 +111,9 @@ TEST(SurfaceTree, AMeshWithoutTrianglesOffersItsPoints) {
   s.build();
   EXPECT_EQ(s.tree.item_count(), 9u);
   for (uint32_t v = 0; v < 9; ++v) {
-    const MatchedPoint found = s.tree.nearest(s.places[v], {0, 0, 0}, Facing::kSame);
+    const MatchedPoint found = s.tree.nearest(s.positions[v], {0, 0, 0}, Facing::kSame);
     EXPECT_NEAR(found.distance, 0, 1e-12);
-    EXPECT_NEAR(length(s.point(found) - s.places[v]), 0, 1e-12);
+    EXPECT_NEAR(length(s.point(found) - s.positions[v]), 0, 1e-12);
   }
 }
 

@@ -20,7 +20,7 @@ class Planned {
     return plan_transfer(nullptr, {bound_, mesh_, skeleton_}, options, &plan);
   }
   sinew_status make(uint32_t method, uint32_t garment = 0) {
-    sinew_transfer_options options = sinew_transfer_options_init();
+    sinew_transfer_options options = SINEW_INIT(sinew_transfer_options);
     options.method = method;
     options.garment = garment;
     return make(&options);

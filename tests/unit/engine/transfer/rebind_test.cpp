@@ -55,7 +55,7 @@ TEST(DressedMesh, TrianglesWithoutOffsetsGetThem) {
   EXPECT_EQ(dressed.mesh.face_vertices[5], 5u);
 }
 
-// Two of the caller's vertices at one place: the mean of their rows.
+// Two of the caller's vertices at one position: the mean of their rows.
 TEST(OwnRows, AreMeansOfWhatIsWelded) {
   MeshScene scene;
   for (const float x : {0.0f, 1.0f, 0.0f, 0.0f}) scene.add_vertex(x, 0, scene.vertex_count() == 3 ? 1.0f : 0.0f);

@@ -23,7 +23,7 @@ constexpr uint32_t kMethods[] = {SINEW_TRANSFER_AUTO, SINEW_TRANSFER_NEAREST, SI
                                  SINEW_TRANSFER_REBIND};
 
 sinew_transfer_options method(uint32_t number) {
-  sinew_transfer_options options = sinew_transfer_options_init();
+  sinew_transfer_options options = SINEW_INIT(sinew_transfer_options);
   options.method = number;
   return options;
 }
@@ -57,7 +57,7 @@ TEST(Transfer, TheSameMeshKeepsItsWeights) {
       << "a bind does not know what was painted, or this test could not fail";
 }
 
-// Heights and places differ, units too: 1:100 and back.
+// Heights and positions differ, units too: 1:100 and back.
 TEST(Transfer, AnotherBuildAndScaleGetsLikeWeights) {
   const MeshScene source = limb(25, 12, 3, 0.3);
   const BoundRows rows = painted(source, 3);
@@ -143,7 +143,7 @@ TEST(Transfer, LockedVerticesStay) {
     locked[v] = 1;
     before.weights[4 * v] = 777;
   }
-  sinew_transfer_options options = sinew_transfer_options_init();
+  sinew_transfer_options options = SINEW_INIT(sinew_transfer_options);
   options.locked = locked.data();
   const TransferRun run = run_transfer(source, painted(source, 3), source, options, {}, before);
   ASSERT_EQ(run.status, SINEW_OK);
@@ -163,7 +163,7 @@ TEST(Transfer, SkeletonsMayDiffer) {
   target.parents.resize(2);
   target.joints.resize(6);
   const TransferRun fewer = run_transfer(source, rows, target, {}, {0, 1, -1});
-  const TransferRun less = run_transfer(source, rows, target, sinew_transfer_options_init(), {0, 1, -1});
+  const TransferRun less = run_transfer(source, rows, target, SINEW_INIT(sinew_transfer_options), {0, 1, -1});
   EXPECT_EQ(fewer.status, SINEW_ERROR_ARGUMENT) << "struct_size was not set";
   ASSERT_EQ(less.status, SINEW_OK);
   expect_rows(less, 2);
@@ -182,7 +182,7 @@ TEST(Transfer, SkeletonsMayDiffer) {
 TEST(Transfer, AGarmentIsCarriedNearTheBodyAndBoundFarFromIt) {
   const MeshScene body = limb(25, 12, 3, 0.3);
   const BoundRows rows = painted(body, 3);
-  sinew_transfer_options options = sinew_transfer_options_init();
+  sinew_transfer_options options = SINEW_INIT(sinew_transfer_options);
   options.garment = 1;
   const MeshScene sleeve = limb(20, 16, 3, 0.33);
   const TransferRun near = run_transfer(body, rows, sleeve, options);
@@ -269,7 +269,7 @@ TEST(Transfer, RubbishIsAStatusOrFinite) {
     for (size_t i = 0; i < flat.positions.size(); i += 3) flat.positions[i] = 0;
     MeshScene one_position = good;
     one_position.positions.assign(one_position.positions.size(), 5);
-    MeshScene heap = good;  // all joints at one place
+    MeshScene heap = good;  // all joints at one position
     heap.joints.assign(heap.joints.size(), 0.5f);
     MeshScene huge = good;
     for (float& x : huge.positions) x *= 1e30f;
@@ -291,7 +291,7 @@ TEST(Transfer, OptionsOutOfTheirRangeAreRefused) {
   const BoundRows rows = painted(scene, 3);
   std::vector<std::pair<const char*, sinew_transfer_options>> refused;
   const auto add = [&](const char* name) -> sinew_transfer_options& {
-    refused.emplace_back(name, sinew_transfer_options_init());
+    refused.emplace_back(name, SINEW_INIT(sinew_transfer_options));
     return refused.back().second;
   };
   add("method").method = 4;
@@ -308,8 +308,9 @@ TEST(Transfer, OptionsOutOfTheirRangeAreRefused) {
     EXPECT_EQ(run.sized, SINEW_ERROR_ARGUMENT) << name;
     EXPECT_EQ(run.status, SINEW_ERROR_ARGUMENT) << name;
   }
-  EXPECT_EQ(run_transfer(scene, rows, scene, sinew_transfer_options_init(), {0, 3, 2}).status, SINEW_ERROR_RANGE);
-  EXPECT_EQ(run_transfer(scene, rows, scene, sinew_transfer_options_init(), {-1, -1, -1}).status, SINEW_ERROR_RANGE);
+  EXPECT_EQ(run_transfer(scene, rows, scene, SINEW_INIT(sinew_transfer_options), {0, 3, 2}).status, SINEW_ERROR_RANGE);
+  EXPECT_EQ(run_transfer(scene, rows, scene, SINEW_INIT(sinew_transfer_options), {-1, -1, -1}).status,
+            SINEW_ERROR_RANGE);
 }
 
 TEST(Transfer, ThreadsAndNumbersOfVerticesChangeNothing) {

@@ -281,7 +281,7 @@ TEST(RigPoints, NeighboursAreTheNearestByPlaceAndMedialPoint) {
       order.emplace_back(dot(a, a) + dot(b, b), j);
     }
     std::sort(order.begin(), order.end());
-    if (order[0].second != i || order[1].first == 0) continue;  // two points in one place
+    if (order[0].second != i || order[1].first == 0) continue;  // two points at one position
     for (uint32_t k = 0; k < kNeighbours; ++k) {
       EXPECT_EQ(set.near_neighbours[i * kNeighbours + k], order[k + 1].second);
       EXPECT_EQ(set.far_neighbours[i * kNeighbours + k], order[(k + 1) * kFarStep].second);

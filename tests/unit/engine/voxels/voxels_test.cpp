@@ -100,7 +100,7 @@ TEST(Voxels, MarksExactlyTheTouchedCells) {
   }
 }
 
-// As a cut out and turned mesh may have them: three places in a line, farther apart than a few cells.
+// As a cut out and turned mesh may have them: three points in a line, farther apart than a few cells.
 TEST(Voxels, ATriangleWithoutAreaTouchesWhatItsLineDoes) {
   sinew::VoxelGrid grid;
   grid.low = {0, 0, 0};

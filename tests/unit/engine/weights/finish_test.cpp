@@ -17,7 +17,7 @@ namespace {
 using sinew_test::HeatRun;
 using sinew_test::run_measured;
 
-// Three vertices of the caller, the first two at one place, whose rows come from logits for joints 5, 2 and 7.
+// Three vertices of the caller, the first two at one position, whose rows come from logits for joints 5, 2 and 7.
 struct Predicted {
   Mesh mesh;
   Skeleton skeleton;
@@ -41,7 +41,9 @@ struct Predicted {
   void write(std::vector<uint16_t>* out_joints, std::vector<Weight>* weights) {
     out_joints->resize(6, 99);
     weights->resize(6, Weight(77));
-    sinew_bind_outputs outputs = sinew_bind_outputs_init(out_joints->data(), weights->data());
+    sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+    outputs.joint_indices = out_joints->data();
+    outputs.weights = weights->data();
     outputs.confidence = confidence;
     write_rows(prediction, options, EditedRows(), Threads(), &outputs);
   }
@@ -114,7 +116,9 @@ TEST(WriteRows, WithoutLogitsRowsAreTheHeatFields) {
   const Prediction prediction{p.mesh,  p.mesh,  p.reduction, p.skeleton,      p.heat,
                               nullptr, nullptr, 0,           softmax_s16_ref, nullptr};
   std::vector<uint16_t> joints(6), weights(6);
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = joints.data();
+  outputs.weights = weights.data();
   write_rows(prediction, p.options, EditedRows(), Threads(), &outputs);
   EXPECT_EQ(joints, (std::vector<uint16_t>{4, 0, 4, 0, 6, 3}));  // the second row is empty: its nearest joint
   EXPECT_EQ(weights, (std::vector<uint16_t>{65535, 0, 65535, 0, 49152, 16383}));
@@ -185,7 +189,9 @@ class Edited {
           const sinew_status status =
               edit_rows(prediction, options, run_.counts, joints.data(), weights.data(), {}, arena, &edited);
           if (status != SINEW_OK || arena.measuring()) return status;
-          sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+          sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+          outputs.joint_indices = joints.data();
+          outputs.weights = weights.data();
           write_rows(prediction, options, edited, Threads(), &outputs);
           symmetric_vertices = outputs.symmetric_vertices;
           return SINEW_OK;

@@ -91,9 +91,9 @@ TEST(GatherGivenRows, TakesTheMeanOfWhatWasGivenAtOnePlace) {
   w.give(0, 4, 65535, 0, 0);
   w.give(1, 4, 32768, 7, 32767);
   const GivenRows& given = w.gather();
-  EXPECT_EQ(given.kind[0], Given::kKept);
-  EXPECT_EQ(given.kind[1], Given::kFree);
-  EXPECT_EQ(given.kind[2], Given::kFree);
+  EXPECT_EQ(given.kind[0], GivenKind::kKept);
+  EXPECT_EQ(given.kind[1], GivenKind::kFree);
+  EXPECT_EQ(given.kind[2], GivenKind::kFree);
   EXPECT_NEAR(given.rows.weight(0, 4), 49151, 1);
   EXPECT_NEAR(given.rows.weight(0, 7), 16384, 1);
 }
@@ -103,7 +103,7 @@ TEST(GatherGivenRows, ARowThatSumsToTheWholeStaysAsItIs) {
   w.hints[4] = 1;
   w.give(4, 3, 65000, 1, 535);
   const GivenRows& given = w.gather();
-  EXPECT_EQ(given.kind[2], Given::kSteers);
+  EXPECT_EQ(given.kind[2], GivenKind::kSteers);
   EXPECT_EQ(given.rows.weight(2, 3), 65000u);
   EXPECT_EQ(given.rows.weight(2, 1), 535u);
 }
@@ -115,7 +115,7 @@ TEST(GatherGivenRows, HintsAloneCountWhereThereAreBoth) {
   w.give(2, 1, 65535, 0, 0);
   w.give(3, 2, 65535, 0, 0);
   const GivenRows& given = w.gather();
-  EXPECT_EQ(given.kind[1], Given::kSteers);
+  EXPECT_EQ(given.kind[1], GivenKind::kSteers);
   EXPECT_EQ(given.rows.weight(1, 1), 0u);
   EXPECT_EQ(given.rows.weight(1, 2), 65535u);
 }
@@ -123,7 +123,7 @@ TEST(GatherGivenRows, HintsAloneCountWhereThereAreBoth) {
 TEST(GatherGivenRows, LockedRowsWithoutWeightAreFree) {
   Welded w;
   w.locked[4] = 1;
-  EXPECT_EQ(w.gather().kind[2], Given::kFree);
+  EXPECT_EQ(w.gather().kind[2], GivenKind::kFree);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ struct Steered {
 
 TEST(Hints, TheGivenRowComesIntoPlaceAndItsNeighboursFollow) {
   Steered s(sinew_test::capsule(15, 16, 2));
-  s.given.give(s.hinted, Given::kSteers, {{1, 65535}});
+  s.given.give(s.hinted, GivenKind::kSteers, {{1, 65535}});
   ASSERT_EQ(s.steer(), SINEW_OK);
   EXPECT_EQ(s.rows.row(s.hinted), s.given.row(s.hinted));
   const Mesh& mesh = s.run.mesh;
@@ -54,7 +54,7 @@ TEST(Hints, TheGivenRowComesIntoPlaceAndItsNeighboursFollow) {
 
 TEST(Hints, AnotherPartKeepsItsRowsBitByBit) {
   Steered s(sinew_test::capsule(15, 16, 2));
-  s.given.give(s.hinted, Given::kSteers, {{1, 65535}});
+  s.given.give(s.hinted, GivenKind::kSteers, {{1, 65535}});
   ASSERT_EQ(s.steer(), SINEW_OK);
   uint32_t others = 0;
   for (uint32_t v = 0; v < s.run.mesh.welded_count; ++v) {
@@ -68,7 +68,7 @@ TEST(Hints, AnotherPartKeepsItsRowsBitByBit) {
 
 TEST(Hints, AHintThatSaysWhatIsThereChangesNothing) {
   Steered s(sinew_test::capsule(15, 16, 2));
-  s.given.give(s.hinted, Given::kSteers, {{0, kWholeRow}});
+  s.given.give(s.hinted, GivenKind::kSteers, {{0, kWholeRow}});
   ASSERT_EQ(s.steer(), SINEW_OK);
   for (uint32_t v = 0; v < s.run.mesh.welded_count; ++v) EXPECT_EQ(s.rows.rows.weight(v, 0), kWholeRow) << v;
 }
@@ -77,7 +77,7 @@ TEST(Hints, AJointThatMayGetNoWeightIsLeftOut) {
   sinew_test::HeatScene scene = sinew_test::capsule(15, 16, 2);
   scene.flags = {0, SINEW_JOINT_NEVER};
   Steered s(scene);
-  s.given.give(s.hinted, Given::kSteers, {{1, 65535}});
+  s.given.give(s.hinted, GivenKind::kSteers, {{1, 65535}});
   ASSERT_EQ(s.steer(), SINEW_OK);
   for (uint32_t v = 0; v < s.run.mesh.welded_count; ++v) {
     const uint32_t expected = v == s.hinted ? 65535 : 0;
@@ -87,7 +87,7 @@ TEST(Hints, AJointThatMayGetNoWeightIsLeftOut) {
 
 TEST(Hints, TooSmallABlockAndCancellingAreStatuses) {
   Steered s(sinew_test::capsule(15, 16, 2));
-  s.given.give(s.hinted, Given::kSteers, {{1, 65535}});
+  s.given.give(s.hinted, GivenKind::kSteers, {{1, 65535}});
   EXPECT_EQ(s.steer({}, 64), SINEW_ERROR_WORKSPACE);
   Progress progress;
   progress.callback = [](void*, uint32_t) { return 1; };

@@ -93,7 +93,7 @@ struct Bound {
 };
 
 Bound bind(const MeshScene& scene, const std::vector<sinew_answer>& answers = {}, uint32_t questions = 8,
-           sinew_options options = sinew_options_init()) {
+           sinew_bind_options options = SINEW_INIT(sinew_bind_options)) {
   Bound bound;
   const sinew_mesh mesh = scene.mesh_view();
   const sinew_skeleton skeleton = scene.skeleton_view();
@@ -110,7 +110,9 @@ Bound bind(const MeshScene& scene, const std::vector<sinew_answer>& answers = {}
                                            skeleton.joint_count, &options, &bound.bytes);
   if (bound.status != SINEW_OK) return bound;
   const sinew::Workspace block(bound.bytes);
-  sinew_bind_outputs outputs = sinew_bind_outputs_init(bound.joints.data(), bound.weights.data());
+  sinew_bind_outputs outputs = SINEW_INIT(sinew_bind_outputs);
+  outputs.joint_indices = bound.joints.data();
+  outputs.weights = bound.weights.data();
   outputs.questions = questions > 0 ? bound.questions.data() : nullptr;
   outputs.vertex_questions = bound.vertex_questions.data();
   outputs.vertex_parts = bound.vertex_parts.data();
@@ -237,7 +239,7 @@ TEST(Answers, LockedVerticesHaveTheLastWord) {
   MeshScene scene = doll();
   std::vector<uint8_t> locked(kFirstOfBadge + kBadge, 0);
   locked[kRight] = 1;
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.locked = locked.data();
   const sinew_mesh mesh = scene.mesh_view();
   const sinew_skeleton skeleton = scene.skeleton_view();
@@ -276,7 +278,7 @@ TEST(Answers, WhatIsWrongIsAStatusAndTouchesNothing) {
   refused(rigid(0, kTop), SINEW_ERROR_RANGE);
   EXPECT_EQ(bind(scene, {rigid(0, kMiddle)}).status, SINEW_OK);
 
-  sinew_options options = sinew_options_init();
+  sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.method = SINEW_METHOD_HEAT;
   size_t bytes = 0;
   options.question_count = SINEW_MAX_QUESTIONS + 1;

@@ -84,15 +84,15 @@ TEST(Symmetry, MirrorsAGivenRowOntoAFreePartner) {
   Found found(two_sided());
   HandRows rows(found.run.mesh.welded_count);
   const uint32_t left = found.left(), right = found.symmetry.vertex[left];
-  rows.give(left, Given::kSteers, {{2, 50000}, {1, 15535}});
+  rows.give(left, GivenKind::kSteers, {{2, 50000}, {1, 15535}});
   mirror_given_rows(found.run.mesh, found.symmetry, &rows.given);
-  EXPECT_EQ(rows.given.kind[right], Given::kSteers);
+  EXPECT_EQ(rows.given.kind[right], GivenKind::kSteers);
   EXPECT_EQ(rows.rows.weight(right, 3), 50000u);
   EXPECT_EQ(rows.rows.weight(right, 1), 15535u);
 
-  rows.give(right, Given::kKept, {{3, 65535}});  // given itself: stays
+  rows.give(right, GivenKind::kKept, {{3, 65535}});  // given itself: stays
   mirror_given_rows(found.run.mesh, found.symmetry, &rows.given);
-  EXPECT_EQ(rows.given.kind[right], Given::kKept);
+  EXPECT_EQ(rows.given.kind[right], GivenKind::kKept);
   EXPECT_EQ(rows.rows.weight(right, 3), 65535u);
 }
 
@@ -129,7 +129,7 @@ TEST(Symmetry, APairWithAGivenRowLosesItsPartners) {
   HandRows rows(found.run.mesh.welded_count), given(found.run.mesh.welded_count);
   for (uint32_t v = 0; v < found.run.mesh.welded_count; ++v) rows.set(v, {{0, kWholeRow}});
   const uint32_t left = found.left(), right = found.symmetry.vertex[left];
-  given.give(left, Given::kKept, {{1, 65535}});
+  given.give(left, GivenKind::kKept, {{1, 65535}});
   mirror_rows(found.run.mesh, given.given, 4, &rows.rows, &found.symmetry);
   EXPECT_EQ(found.symmetry.vertex[left], kNoPartner);
   EXPECT_EQ(found.symmetry.vertex[right], kNoPartner);

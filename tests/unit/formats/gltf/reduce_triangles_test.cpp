@@ -20,7 +20,7 @@ namespace {
 
 constexpr uint32_t kSide = 24;
 
-// A wavy square in two materials, bound to two joints, with a shape; all that a vertex has follows from its place.
+// A wavy square in two materials, bound to two joints, with a shape; all that a vertex has follows from its position.
 Character waves() {
   Character c;
   c.name = "waves";
@@ -71,13 +71,13 @@ TEST(ReduceTriangles, VerticesThatAreLeftKeepAllAndPartsGoOnTouching) {
   const float middle = static_cast<float>(kSide / 2) / (kSide - 1);
   for (size_t p = 0; p < 2; ++p) {
     const tinygltf::Primitive& primitive = model.meshes[0].primitives[p];
-    const std::vector<float> places = accessor_floats("", model, primitive.attributes.at("POSITION"), 3),
+    const std::vector<float> positions = accessor_floats("", model, primitive.attributes.at("POSITION"), 3),
                              uvs = accessor_floats("", model, primitive.attributes.at("TEXCOORD_0"), 2),
                              moves = accessor_floats("", model, primitive.targets.at(0).at("POSITION"), 3);
-    for (size_t v = 0; v < places.size() / 3; ++v) {
-      EXPECT_EQ(uvs[2 * v], places[3 * v]);
-      EXPECT_NEAR(moves[3 * v + 2], 1 + places[3 * v], 1e-6);
-      if (std::abs(places[3 * v] - middle) < 1e-6f) borders[p].insert(places[3 * v + 1]);
+    for (size_t v = 0; v < positions.size() / 3; ++v) {
+      EXPECT_EQ(uvs[2 * v], positions[3 * v]);
+      EXPECT_NEAR(moves[3 * v + 2], 1 + positions[3 * v], 1e-6);
+      if (std::abs(positions[3 * v] - middle) < 1e-6f) borders[p].insert(positions[3 * v + 1]);
     }
   }
   EXPECT_GE(borders[0].size(), 2u);

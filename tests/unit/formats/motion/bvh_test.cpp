@@ -114,10 +114,10 @@ TEST(Bvh, ReadsWhatOtherProgramsWrite) {
               plain, 0);
   EXPECT_EQ(read_bvh(folder.write("a.bvh", with(kSmall, "JOINT Leg", "JOINT Left Leg"))).joints[1].name, "Left Leg");
   EXPECT_EQ(read_bvh(folder.write("a.bvh", with(kSmall, "JOINT Leg", "JOINT Hips"))).joints[1].name, "Hips_2");
-  // Positions in every joint: as places, or all 0 as differences from the offsets.
+  // Positions in every joint: as positions, or all 0 as differences from the offsets.
   const std::string six = with(kSmall, "CHANNELS 3 Y", "CHANNELS 6 Xposition Yposition Zposition Y");
-  for (const std::string place : {"0.5 -0.5 0 ", "0 0 0 "}) {
-    const std::string rows = "0 1 0 0 0 0 " + place + "0 0 0\n1 2 3 90 0 0 " + place + "0 0 90\n";
+  for (const std::string position : {"0.5 -0.5 0 ", "0 0 0 "}) {
+    const std::string rows = "0 1 0 0 0 0 " + position + "0 0 0\n1 2 3 90 0 0 " + position + "0 0 90\n";
     expect_same(read_bvh(folder.write("small.bvh", six.substr(0, six.find("0 1 0 0 0 0")) + rows)), plain, 1e-12);
   }
   // Two roots, one of them a prop.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// NumPy files: rotations of body models in all their forms, places alone, zips, and what is wrong in one line.
+// NumPy files: rotations of body models in all their forms, keypoints alone, zips, and what is wrong in one line.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 #include "numpy_bytes.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/keypoints_stream.hpp"
 #include "sinew_formats/motion.hpp"
-#include "sinew_formats/places_stream.hpp"
 #include "temp_folder.hpp"
 
 namespace sinew {
@@ -137,31 +137,31 @@ TEST(Numpy, KnowsModelsByTheirCounts) {
 }
 
 TEST(Numpy, AWorldWithZUpIsTurned) {
-  std::vector<double> poses = bent_body(24), places = path();
+  std::vector<double> poses = bent_body(24), keypoints = path();
   for (size_t f = 0; f < kFrames; ++f) {  // about x by a quarter after the turn about y
     const Quaternion q = multiply(axis_rotation(0, std::acos(0.0)), axis_rotation(1, 1.2));
     const double angle = 2 * std::acos(q[3]), s = std::sin(angle / 2);
     for (size_t i = 0; i < 3; ++i) poses[f * 72 + i] = q[i] / s * angle;
-    places[3 * f + 1] = -0.3;
-    places[3 * f + 2] = 0.95;
+    keypoints[3 * f + 1] = -0.3;
+    keypoints[3 * f + 2] = 0.95;
   }
   const Motion motion = read("a.npz", zip_of({{"poses.npy", npy_of(shape_of({kFrames, 72}), poses)},
-                                              {"trans.npy", npy_of(shape_of({kFrames, 3}), places)}}));
+                                              {"trans.npy", npy_of(shape_of({kFrames, 3}), keypoints)}}));
   const MotionFrame &a = motion.clips[0].frames[2], b = amass().clips[0].frames[2];
   EXPECT_NEAR(std::abs(dot(a.rotations[0], b.rotations[0])), 1, 1e-12);
   for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(a.translations[0][i], b.translations[0][i], 1e-12);
   EXPECT_TRUE(has_note(motion, "stands along z"));
 }
 
-// Places of a motion's joints, in the order that a layout has them.
-std::vector<float> places_of(const Motion& motion, const std::function<Point3(const Point3&)>& change = {}) {
+// Keypoints of a motion's joints, in the order that a layout has them.
+std::vector<float> keypoints_of(const Motion& motion, const std::function<Point3(const Point3&)>& change = {}) {
   std::vector<float> values;
   for (const MotionFrame& frame : motion.clips[0].frames)
     for (const Point3& p : world_pose(motion, frame).positions)
       for (const double x : change ? change(p) : p) values.push_back(static_cast<float>(x));
   return values;
 }
-void expect_same_places(const Motion& found, const Motion& from, double tolerance) {
+void expect_same_keypoints(const Motion& found, const Motion& from, double tolerance) {
   for (size_t f = 0; f < kFrames; ++f) {
     const WorldPose a = world_pose(found, found.clips[0].frames[f]), b = world_pose(from, from.clips[0].frames[f]);
     for (size_t j = 0; j < found.joints.size(); ++j) {
@@ -171,12 +171,12 @@ void expect_same_places(const Motion& found, const Motion& from, double toleranc
   }
 }
 
-TEST(Numpy, PlacesAloneBecomeAMotion) {
+TEST(Numpy, KeypointsAloneBecomeAMotion) {
   const Motion from = amass();
-  const Motion found = read("p.npy", npy_of(shape_of({kFrames, 24, 3}), places_of(from)));
+  const Motion found = read("p.npy", npy_of(shape_of({kFrames, 24, 3}), keypoints_of(from)));
   ASSERT_EQ(found.joints.size(), 24u);
   EXPECT_TRUE(has_note(found, "the layout smpl24 was guessed"));
-  expect_same_places(found, from, 1e-5);
+  expect_same_keypoints(found, from, 1e-5);
   // Bent limbs turn about their hinges: as they did.
   const size_t knee = joint_of(from, "rightUpperLeg"), elbow = joint_of(from, "leftLowerArm");
   const WorldPose a = world_pose(found, found.clips[0].frames[4]), b = world_pose(from, from.clips[0].frames[4]);
@@ -198,7 +198,7 @@ void expect_same_frame(const MotionFrame& found, const MotionFrame& from, double
   }
 }
 
-TEST(Places, FramesThatComeAreThoseOfTheWhole) {
+TEST(Keypoints, FramesThatComeAreThoseOfTheWhole) {
   const Motion from = amass();
   // As they are; along z, mirrored; relative to the hips.
   const std::vector<std::function<Point3(const Point3&)>> worlds = {{},
@@ -209,7 +209,7 @@ TEST(Places, FramesThatComeAreThoseOfTheWhole) {
                                                                       return Point3{p[0], p[1], -p[2]};
                                                                     }};
   for (size_t w = 0; w <= worlds.size(); ++w) {
-    std::vector<float> values = places_of(from, w < worlds.size() ? worlds[w] : worlds[0]);
+    std::vector<float> values = keypoints_of(from, w < worlds.size() ? worlds[w] : worlds[0]);
     if (w == worlds.size())
       for (size_t i = 0; i < values.size(); i += 3)
         for (size_t a = 0; a < 3; ++a)
@@ -218,7 +218,7 @@ TEST(Places, FramesThatComeAreThoseOfTheWhole) {
       for (size_t f = 0; f < kFrames; ++f) std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(72 * f), 3, 0.0f);
     const Motion whole = read("p.npy", npy_of(shape_of({kFrames, 24, 3}), values), "smpl24");
     const std::vector<std::vector<Point3>> rows = rows_of(values, 24);
-    const PlacesStream all("smpl24", rows), first("smpl24", {rows[0], rows[1]});
+    const KeypointsStream all("smpl24", rows), first("smpl24", {rows[0], rows[1]});
     EXPECT_EQ(all.person().clips[0].frames.size(), kFrames);
     for (size_t f = 0; f < kFrames; ++f) {
       expect_same_frame(all.next(rows[f]), whole.clips[0].frames[f], 0);
@@ -227,8 +227,8 @@ TEST(Places, FramesThatComeAreThoseOfTheWhole) {
   }
 }
 
-TEST(Places, WhatIsWrongIsOneLine) {
-  const std::vector<std::vector<Point3>> rows = rows_of(places_of(amass()), 24);
+TEST(Keypoints, WhatIsWrongIsOneLine) {
+  const std::vector<std::vector<Point3>> rows = rows_of(keypoints_of(amass()), 24);
   const auto line = [](const auto& call) -> std::string {
     try {
       call();
@@ -237,36 +237,36 @@ TEST(Places, WhatIsWrongIsOneLine) {
     }
     return "nothing";
   };
-  EXPECT_EQ(line([&] { PlacesStream("h36m", rows); }),
-            "places: no layout is called 'h36m', expected one of smpl24, humanml3d22, coco17, mediapipe33");
-  EXPECT_EQ(line([&] { PlacesStream("smpl24", {}); }),
-            "places: expected frames of the person that moves, a second or two, found none");
-  EXPECT_EQ(line([&] { PlacesStream("coco17", rows); }), "places: expected 17 places as coco17 has, found 24");
-  const PlacesStream stream("smpl24", rows);
+  EXPECT_EQ(line([&] { KeypointsStream("h36m", rows); }),
+            "keypoints: no layout is called 'h36m', expected one of smpl24, humanml3d22, coco17, mediapipe33");
+  EXPECT_EQ(line([&] { KeypointsStream("smpl24", {}); }),
+            "keypoints: expected frames of the person that moves, a second or two, found none");
+  EXPECT_EQ(line([&] { KeypointsStream("coco17", rows); }), "keypoints: expected 17 keypoints as coco17 has, found 24");
+  const KeypointsStream stream("smpl24", rows);
   std::vector<Point3> row = rows[0];
   row[3][1] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(line([&] { (void)stream.next(row); }), "places: number 3 is not finite");
+  EXPECT_EQ(line([&] { (void)stream.next(row); }), "keypoints: number 3 is not finite");
 }
 
-TEST(Numpy, PlacesMayStandAlongAnyAxisAndBeMirrored) {
+TEST(Numpy, KeypointsMayStandAlongAnyAxisAndBeMirrored) {
   const Motion from = amass();
   const Motion z_up = read("z.npy",
-                           npy_of(shape_of({kFrames, 24, 3}), places_of(from,
-                                                                        [](const Point3& p) {
-                                                                          return Point3{p[0], -p[2], p[1]};
-                                                                        })),
+                           npy_of(shape_of({kFrames, 24, 3}), keypoints_of(from,
+                                                                           [](const Point3& p) {
+                                                                             return Point3{p[0], -p[2], p[1]};
+                                                                           })),
                            "smpl24");
-  expect_same_places(z_up, from, 1e-5);
+  expect_same_keypoints(z_up, from, 1e-5);
   EXPECT_TRUE(has_note(z_up, "stands along z"));
   EXPECT_FALSE(has_note(z_up, "guessed; --layout")) << "it was said";
-  const Motion down = read("d.npy", npy_of(shape_of({kFrames, 24, 3}), places_of(from, [](const Point3& p) {
+  const Motion down = read("d.npy", npy_of(shape_of({kFrames, 24, 3}), keypoints_of(from, [](const Point3& p) {
                                              return Point3{p[0], -p[1], -p[2]};
                                            })));
-  expect_same_places(down, from, 1e-5);
-  const Motion mirrored = read("m.npy", npy_of(shape_of({kFrames, 24, 3}), places_of(from, [](const Point3& p) {
+  expect_same_keypoints(down, from, 1e-5);
+  const Motion mirrored = read("m.npy", npy_of(shape_of({kFrames, 24, 3}), keypoints_of(from, [](const Point3& p) {
                                                  return Point3{p[0], p[1], -p[2]};
                                                })));
-  expect_same_places(mirrored, from, 1e-5);
+  expect_same_keypoints(mirrored, from, 1e-5);
   EXPECT_TRUE(has_note(mirrored, "left-handed"));
 }
 
@@ -301,10 +301,10 @@ TEST(Numpy, LayoutsOfCamerasHaveMiddles) {
   }
 }
 
-TEST(Numpy, PlacesRelativeToTheHipsStandOnTheFloor) {
+TEST(Numpy, KeypointsRelativeToTheHipsStandOnTheFloor) {
   Motion from = amass();
   for (MotionFrame& frame : from.clips[0].frames) frame.translations[0] = {};
-  const Motion found = read("r.npy", npy_of(shape_of({kFrames, 24, 3}), places_of(from)));
+  const Motion found = read("r.npy", npy_of(shape_of({kFrames, 24, 3}), keypoints_of(from)));
   EXPECT_TRUE(has_note(found, "on the floor"));
   for (const MotionFrame& frame : found.clips[0].frames) {
     double low = 1e9;
@@ -316,7 +316,7 @@ TEST(Numpy, PlacesRelativeToTheHipsStandOnTheFloor) {
 TEST(Numpy, IsASkeletonToo) {
   const TempFolder folder;
   Character character;
-  read_skeleton(folder.write("p.npy", npy_of(shape_of({kFrames, 24, 3}), places_of(amass()))), false, &character);
+  read_skeleton(folder.write("p.npy", npy_of(shape_of({kFrames, 24, 3}), keypoints_of(amass()))), false, &character);
   EXPECT_EQ(character.joints.size(), 24u);
   EXPECT_ERROR(read_skeleton(folder.file("p.npy"), true, &character), "p.npy", "expected skin weights, found a NumPy");
 }
@@ -334,13 +334,13 @@ TEST(Numpy, WhatIsWrongIsOneLine) {
   fails("a.npy", npy_of("<f4", "2, 3", ""), "expected a 'shape' such as (3, 4)");
   fails("a.npy", npy_of("<f4", "(2, -3)", ""), "expected a 'shape' such as (3, 4)");
   fails("a.npy", npy_of(shape_of({2, 23, 3}), std::vector<float>(138)),
-        "expected places of 24 (smpl24), 22 (humanml3d22), 17 (coco17), 33 (mediapipe33) joints, found 23");
+        "expected keypoints of 24 (smpl24), 22 (humanml3d22), 17 (coco17), 33 (mediapipe33) joints, found 23");
   fails("a.npy", npy_of(shape_of({2, 24, 3}), std::vector<float>(144)),
         "expected a layout (smpl24, humanml3d22, coco17, mediapipe33), found 'h36m'", "h36m");
   fails("a.npy", npy_of(shape_of({2, 24, 3}), std::vector<float>(144)), "expected 17 joints of coco17, found 24",
         "coco17");
   fails("a.npy", npy_of(shape_of({0, 24, 3}), std::vector<float>()), "frames, found 0");
-  fails("a.npy", npy_of(shape_of({7}), std::vector<float>(7)), "or places [frames, joints, 3], found [7]");
+  fails("a.npy", npy_of(shape_of({7}), std::vector<float>(7)), "or keypoints [frames, joints, 3], found [7]");
   fails("a.npz", "PK", "expected a zip with its directory");
   fails("a.npz", zip_of({}), "found no numbers");
   std::string shrunk = zip_of({{"a.npy", npy_of("(1)", std::vector<float>{1})}});

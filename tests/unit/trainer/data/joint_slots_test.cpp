@@ -15,15 +15,15 @@ using namespace rigging;
 
 struct Body {
   TargetSkeleton target;
-  std::vector<std::array<double, 3>> places;
+  std::vector<std::array<double, 3>> positions;
   int joint(JointClass c, int parent, double x = 0, bool tip = false) {
     TargetJoint joint;
     joint.joint_class = c;
     joint.parent = parent;
     joint.tip = tip;
     target.joints.push_back(joint);
-    places.push_back({x, 0, 0});
-    return static_cast<int>(places.size()) - 1;
+    positions.push_back({x, 0, 0});
+    return static_cast<int>(positions.size()) - 1;
   }
 };
 
@@ -55,7 +55,7 @@ TEST(JointSlots, SidesAreToldByPlace) {
   const int hips = body.joint(kClassPelvis, -1);
   const int right = body.joint(kClassThigh, hips, -0.1), left = body.joint(kClassThigh, hips, 0.1);
   const int toe = body.joint(kClassFoot, left, 0.1, true);
-  const auto held = assign_slots(body.target, body.places);
+  const auto held = assign_slots(body.target, body.positions);
   EXPECT_EQ(held[slot_of(kClassPelvis)], hips);
   EXPECT_EQ(held[slot_of(kClassThigh, 0, SlotSide::kLeft)], left);
   EXPECT_EQ(held[slot_of(kClassThigh, 0, SlotSide::kRight)], right);
@@ -70,7 +70,7 @@ TEST(JointSlots, TheOuterOneOfTwoAndWhatHasNoSlot) {
   const int outer = body.joint(kClassUpperArm, hips, 0.3);
   body.joint(kClassHair, hips);
   body.joint(kClassOther, hips);
-  const auto held = assign_slots(body.target, body.places);
+  const auto held = assign_slots(body.target, body.positions);
   EXPECT_EQ(held[slot_of(kClassUpperArm, 0, SlotSide::kLeft)], outer);
   EXPECT_EQ(std::count_if(held.begin(), held.end(), [](int j) { return j >= 0; }), 2);
 }
@@ -79,7 +79,7 @@ TEST(JointSlots, ALongChainIsThinnedAtEqualSteps) {
   Body body;
   int last = body.joint(kClassPelvis, -1);
   for (int i = 0; i < 8; ++i) last = body.joint(kClassTail, last);
-  const auto held = assign_slots(body.target, body.places);
+  const auto held = assign_slots(body.target, body.positions);
   for (uint8_t i = 0; i < 4; ++i) EXPECT_EQ(held[slot_of(kClassTail, i)], 1 + 2 * i);
   std::array<uint8_t, kSlotPairs> connected;
   connected_slots(body.target, held, &connected);

@@ -59,17 +59,17 @@ TEST(RigSample, AShellHasTheLabelsOfItsSurface) {
 
 TEST(RigSample, JointsOfAWidePoseStayInsideTheMesh) {
   for (uint64_t seed = 1; seed < 6; ++seed) {
-    const RigSource::Placed placed = biped().make_mesh(seed, {.strength = 1, .wide = true, .cells = 72});
+    const RigSource::PosedMesh posed_mesh = biped().make_mesh(seed, {.strength = 1, .wide = true, .cells = 72});
     double low[3] = {1e9, 1e9, 1e9}, high[3] = {-1e9, -1e9, -1e9};
-    for (uint32_t v = 0; v < placed.engine.mesh.welded_count; ++v) {
-      const Vec3i p = placed.engine.mesh.positions[v];
+    for (uint32_t v = 0; v < posed_mesh.engine.mesh.welded_count; ++v) {
+      const Vec3i p = posed_mesh.engine.mesh.positions[v];
       const double at[3] = {p.x / double{kSide}, p.y / double{kSide}, p.z / double{kSide}};
       for (size_t i = 0; i < 3; ++i) {
         low[i] = std::min(low[i], at[i]);
         high[i] = std::max(high[i], at[i]);
       }
     }
-    for (const auto& joint : placed.joints)
+    for (const auto& joint : posed_mesh.joints)
       for (size_t i = 0; i < 3; ++i) {
         EXPECT_GT(joint[i], low[i] - 0.02) << seed;
         EXPECT_LT(joint[i], high[i] + 0.02) << seed;

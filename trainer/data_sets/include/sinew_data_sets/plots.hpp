@@ -55,7 +55,7 @@ struct HistogramOptions {
   bool logarithmic = false;
 };
 std::string histogram(const std::vector<double>& values, const HistogramOptions& options);
-// Bars standing on named places; shares or counts.
+// Bars over named categories; shares or counts.
 struct ColumnOptions {
   std::string x_label, y_label;
   int digits = 0;       // of the numbers above the columns

@@ -23,7 +23,7 @@ struct TargetFinger {
 
 struct TargetHand {
   uint32_t joint = 0;  // of the character: the wrist
-  int elbow = -1;      // joint above the wrist that is another place, -1 without one
+  int elbow = -1;      // joint above the wrist at another position, -1 without one
   bool right = false;
   bool clear = true;                  // false: joints that move several fingers at once, or fewer than three fingers
   std::vector<TargetFinger> fingers;  // by finger; none: a hand whose fingers its maker did not rig

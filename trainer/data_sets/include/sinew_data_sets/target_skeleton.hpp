@@ -20,7 +20,7 @@ struct TargetJoint {
   int parent = -1;                                         // index into TargetSkeleton::joints, -1 for the root
   rigging::JointClass joint_class = rigging::kClassOther;  // a bone end: its joint's
   bool tip = false;                                        // a bone end: where a leaf's bone stops, no joint of its own
-  uint32_t source = 0;  // joint of the character whose place it has; a bone end: its joint's
+  uint32_t source = 0;  // joint of the character whose position it has; a bone end: its joint's
   double mass = 0;      // share of the surface that it moves, 0..1; all joints together 1; a bone end: 0
 };
 
@@ -35,7 +35,7 @@ struct TargetSkeleton {
 //    between two of them.
 // 3. An unbound joint at the top goes, again and again: the child with the most surface below becomes the root, the
 //    others hang on the nearest joint below that.
-// 4. A child nearer than 1 % of the side to its parent, or 8 % where both are pelvises, is merged into it; the place of
+// 4. A child nearer than 1 % of the side to its parent, or 8 % where both are pelvises, is merged into it; the position of
 //    the heavier one stays.
 // 5. Every leaf gets a bone end: the file's, where exactly one weightless leaf hangs on it further than 1 % away; else
 //    0.85 of the way to the end (98 % quantile) of its vertices, in their mean direction. None where that is below 1 %.

@@ -62,7 +62,7 @@ class ModOutlineT : public OpenMesh::Decimater::ModBaseT<MeshT> {
 struct WeldedMesh {
   std::vector<Vec3> vertices;
   std::vector<uint32_t> origin;  // [vertices] first vertex of the Character that was merged into it
-  std::vector<char> fixed;       // another vertex stands at the same place with other weights: a seam to keep closed
+  std::vector<char> fixed;       // another vertex stands at the same position with other weights: a seam to keep closed
   std::vector<std::vector<uint32_t>> triangles;
   std::vector<size_t> face_of;  // [triangles] face of the Character
 };

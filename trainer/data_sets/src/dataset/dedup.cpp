@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Same and near-same characters: normalised positions matched through a grid, then joints by place, then weights.
+// Same and near-same characters: normalised positions matched through a grid, then joints by position, then weights.
 #include "sinew_data_sets/dedup.hpp"
 
 #include <algorithm>
@@ -167,7 +167,7 @@ DuplicateFinder::Match DuplicateFinder::compare(const Shape& a, const Shape& b) 
   match.position = std::sqrt(sum / static_cast<double>(count));
   match.likeness = Likeness::kOtherSkeleton;
 
-  // Every joint that holds weight needs a joint at the same place, one for one; better one that holds weight as well.
+  // Every joint that holds weight needs a joint at the same position, one for one; better one that holds weight as well.
   std::vector<uint32_t> joint_of(a.joints.size(), UINT32_MAX);
   std::vector<uint8_t> taken(b.joints.size(), 0);
   const auto pair_up = [&](bool used_in_a, bool used_in_b) {

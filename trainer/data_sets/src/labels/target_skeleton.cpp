@@ -400,7 +400,7 @@ class TargetMaker {
   std::vector<bool> bound_, alive_;
   std::vector<double> surface_below_;
   std::vector<int> parents_;                            // among those alive
-  std::vector<int> sources_, merged_into_;              // whose place a joint has; where it went, itself if nowhere
+  std::vector<int> sources_, merged_into_;              // whose position a joint has; where it went, itself if nowhere
   std::vector<std::vector<Influence>> vertex_weights_;  // [V] on target joints
   TargetSkeleton out_;
 };

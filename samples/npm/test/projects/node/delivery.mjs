@@ -19,7 +19,7 @@ const refused = (run) => {
 };
 
 const hero = await house.open(at("biped__robed.obj"), "biped__robed.obj", { "biped__robed.rig.txt": at("biped__robed.rig.txt") });
-hero.place({ turns: ["y"], height: 2, floor: true });
+hero.transform({ turns: ["y"], height: 2, floor: true });
 hero.bind();
 hero.setProfile({ controls: true });
 const glb = hero.save("hero.glb");
@@ -28,7 +28,7 @@ writeFileSync(join(out, "hero.controls.json"), hero.controls);
 hero.setProfile({ profile: "mixamo" });
 writeFileSync(join(out, "mixamo.glb"), hero.save("hero.glb"));
 const errors = {
-  turn: refused(() => hero.place({ turns: ["up"] })),
+  turn: refused(() => hero.transform({ turns: ["up"] })),
   profile: refused(() => hero.setProfile({ profile: "none" })),
   rule: refused(() => hero.check({ bounds: { none: 1 } })),
   option: refused(() => hero.check({ count: 2 })),

@@ -28,13 +28,13 @@ for (const { job, files, picture, motion, options, save } of jobs) {
     lines.push(`${error.name} ${error.status}: ${error.message}`);
   }
 }
-// A person that stands, as places alone, then one that has moved aside.
-const places = Float32Array.from([0, 0.95, 0, 0.1, 0.9, 0, -0.1, 0.9, 0, 0, 1.05, 0, 0.1, 0.5, 0, -0.1, 0.5, 0, 0, 1.2, 0, 0.1, 0.1, 0, -0.1, 0.1, 0, 0, 1.3, 0, 0.1, 0.02, 0.1, -0.1, 0.02, 0.1, 0, 1.5, 0, 0.06, 1.4, 0,
+// A person that stands, as keypoints alone, then one that has moved aside.
+const keypoints = Float32Array.from([0, 0.95, 0, 0.1, 0.9, 0, -0.1, 0.9, 0, 0, 1.05, 0, 0.1, 0.5, 0, -0.1, 0.5, 0, 0, 1.2, 0, 0.1, 0.1, 0, -0.1, 0.1, 0, 0, 1.3, 0, 0.1, 0.02, 0.1, -0.1, 0.02, 0.1, 0, 1.5, 0, 0.06, 1.4, 0,
   -0.06, 1.4, 0, 0, 1.6, 0, 0.2, 1.4, 0, -0.2, 1.4, 0, 0.5, 1.4, 0, -0.5, 1.4, 0, 0.75, 1.4, 0, -0.75, 1.4, 0]);
-const person = house.openPlaces("humanml3d22", [places]);
-const still = person.placesFrame(places).rotations;
-const { rotations, translations } = person.placesFrame(places.map((x, i) => (i % 3 === 0 ? x + 1 : x)));
-const errors = [() => person.placesFrame(places.slice(3)), () => house.openPlaces("h36m", [places]), () => house.openPlaces("humanml3d22", [])].map((call) => {
+const person = house.openKeypoints("humanml3d22", [keypoints]);
+const still = person.keypointsFrame(keypoints).rotations;
+const { rotations, translations } = person.keypointsFrame(keypoints.map((x, i) => (i % 3 === 0 ? x + 1 : x)));
+const errors = [() => person.keypointsFrame(keypoints.slice(3)), () => house.openKeypoints("h36m", [keypoints]), () => house.openKeypoints("humanml3d22", [])].map((call) => {
   try {
     call();
     return "";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A figure becomes a closed mesh in the picture's place, as thick as it is wide.
+// A figure becomes a closed mesh at the picture's position, as thick as it is wide.
 #include "sinew_character/picture/picture_mesh.hpp"
 
 #include <gtest/gtest.h>

@@ -23,20 +23,20 @@ TEST(Outline, ThereAndBack) {
   const Outline outline = outline_of(find_figure(picture));
   ASSERT_EQ(outline.size(), 2u) << "the border and the hole's";
   EXPECT_LT(outline[0].size(), 120u) << "few enough to be dragged";
-  for (const auto& place : outline[0]) EXPECT_NEAR(std::hypot(place[0] - 100.5f, place[1] - 90.5f), 70, 1.5);
-  for (const auto& place : outline[1]) EXPECT_NEAR(std::hypot(place[0] - 100.5f, place[1] - 90.5f), 30, 1.5);
+  for (const auto& point : outline[0]) EXPECT_NEAR(std::hypot(point[0] - 100.5f, point[1] - 90.5f), 70, 1.5);
+  for (const auto& point : outline[1]) EXPECT_NEAR(std::hypot(point[0] - 100.5f, point[1] - 90.5f), 30, 1.5);
   const Figure back = figure_of_outline(picture, outline);
   EXPECT_EQ(back.source, FigureSource::kMask);
   EXPECT_GT(overlap(back.mask, in_ring), 0.98);
 }
 
-// Outlines are found in a smaller picture; their places are the whole one's.
+// Outlines are found in a smaller picture; their points are those of the whole one.
 TEST(Outline, OfALargePictureIsInItsPixels) {
   const PictureFile picture = ring(8);
   const Figure figure = find_figure(picture);
   ASSERT_EQ(figure.step, 2u);
   const Outline outline = outline_of(figure);
-  for (const auto& place : outline[0]) EXPECT_NEAR(std::hypot(place[0] - 804, place[1] - 724), 560, 8);
+  for (const auto& point : outline[0]) EXPECT_NEAR(std::hypot(point[0] - 804, point[1] - 724), 560, 8);
   const auto half_size = [](int x, int y) { return in_ring(x / 4, y / 4); };
   EXPECT_GT(overlap(figure_of_outline(picture, outline).mask, half_size), 0.98);
 }

@@ -78,7 +78,7 @@ TEST(ReadJpeg, ExifTurns) {
     const bool red_first = o == 1 || o == 4 || o == 5 || o == 6;
     EXPECT_EQ(is_red(picture.pixels, turned ? 1 : 1, 1), red_first) << int{o};
     EXPECT_EQ(is_red(picture.pixels, turned ? 1 : last, turned ? last : 1), !red_first) << int{o};
-    const PicturePlace in_file = file_place(picture, {0.25f, 0.125f}), back = seen_place(picture, in_file);
+    const PicturePoint in_file = file_point(picture, {0.25f, 0.125f}), back = seen_point(picture, in_file);
     EXPECT_FLOAT_EQ(back.u, 0.25f);
     EXPECT_FLOAT_EQ(back.v, 0.125f);
   }

@@ -21,14 +21,14 @@ Character made(uint64_t seed) {
 Character moved(const Character& c) {
   Character out = c;
   const auto count = static_cast<uint32_t>(c.vertices.size());
-  const auto place = [&](const Vec3& p) { return Vec3{2 * p.x + 7, 2 * p.y - 3, 2 * p.z + 1}; };
+  const auto moved_point = [&](const Vec3& p) { return Vec3{2 * p.x + 7, 2 * p.y - 3, 2 * p.z + 1}; };
   for (uint32_t v = 0; v < count; ++v) {
-    out.vertices[count - 1 - v] = place(c.vertices[v]);
+    out.vertices[count - 1 - v] = moved_point(c.vertices[v]);
     out.influences[count - 1 - v] = c.influences[v];
   }
   for (uint32_t& v : out.face_vertices) v = count - 1 - v;
   for (Joint& joint : out.joints) {
-    joint.position = place(joint.position);
+    joint.position = moved_point(joint.position);
     joint.name = "other " + joint.name;
   }
   return out;

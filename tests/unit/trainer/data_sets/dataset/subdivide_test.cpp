@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Subdivided characters: counts, places and weights.
+// Subdivided characters: counts, positions and weights.
 #include <gtest/gtest.h>
 
 #include "sinew_data_sets/dataset.hpp"

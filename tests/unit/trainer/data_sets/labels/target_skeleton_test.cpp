@@ -141,7 +141,7 @@ TEST(TargetSkeleton, JointsAtOnePlaceAreOne) {
   EXPECT_EQ(names_of(target), (Names{"Hips", "Neck", "Ear.L", "Ear.L_end"}));
   EXPECT_EQ(parents_of(target), (Parents{-1, 0, 1, 2}));
   EXPECT_EQ(target.owners, (Owners{0, 1, 1, 2}));
-  expect_at(target.joints[1], 0, 8.05f, 0);  // the heavier one's place
+  expect_at(target.joints[1], 0, 8.05f, 0);  // the heavier one's position
   EXPECT_EQ(target.joints[1].source, 2u);
   EXPECT_EQ(target.joints[1].joint_class, kClassNeck);
   doll.character.joints[1].name = "Bone.007";

@@ -231,7 +231,7 @@ TEST_P(EveryCreature, JointsHaveClassesAndStandInTheBody) {
       EXPECT_TRUE(p.x > low.x && p.y > low.y && p.z > low.z && p.x < high.x && p.y < high.y && p.z < high.z) << j.name;
     }
     EXPECT_NEAR(low.y, 0.0f, 0.2f * (high.y - low.y)) << "not on the floor";
-    // The left side has a joint for each of the right one's, at the mirrored place.
+    // The left side has a joint for each of the right one's, at the mirrored position.
     std::map<std::string, Vec3> by_name;
     for (const Joint& j : c.joints) by_name[j.name] = j.position;
     for (const auto& [name, p] : by_name) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One transform for everything; quarters are exact.
-#include "sinew_character/pose/placement.hpp"
+#include "sinew_character/pose/character_transform.hpp"
 
 #include <algorithm>
 #include <array>
@@ -56,40 +56,42 @@ void turn_normals(const Affine& m, Character* character) {
 
 }  // namespace
 
-bool places(const Placement& placement) { return !placement.turns.empty() || placement.height != 0 || placement.floor; }
+bool is_identity(const CharacterTransform& transform) {
+  return transform.turns.empty() && transform.height == 0 && !transform.floor;
+}
 
-void check_placement(const Placement& placement) {
-  for (const std::string& turn : placement.turns) {
+void check_transform(const CharacterTransform& transform) {
+  for (const std::string& turn : transform.turns) {
     const std::string axis = turn.substr(turn.rfind('-', 0) == 0 ? 1 : 0);
     if (axis != "x" && axis != "y" && axis != "z")
       throw Error("turn " + in_quotes(turn) + ": expected x, y, z, -x, -y or -z");
   }
-  if (!(placement.height >= 0) || std::isinf(placement.height))
+  if (!(transform.height >= 0) || std::isinf(transform.height))
     throw Error("height: expected metres above 0, as in 1.75");
 }
 
-Character placed(Character character, const Placement& placement, Axis up_axis) {
-  if (!places(placement)) return character;
-  check_placement(placement);
+Character transformed(Character character, const CharacterTransform& transform, Axis up_axis) {
+  if (is_identity(transform)) return character;
+  check_transform(transform);
   if (character.vertices.empty()) throw Error(character.name + ": has no mesh to turn or to scale");
   Affine m = kIdentity;
-  for (const std::string& turn : placement.turns) m = multiply(quarter(turn), m);
-  if (placement.height > 0) {
+  for (const std::string& turn : transform.turns) m = multiply(quarter(turn), m);
+  if (transform.height > 0) {
     const auto [low, high] = reach(character, m, up_axis);
-    const double scale = placement.height / (high - low);
+    const double scale = transform.height / (high - low);
     if (!std::isfinite(scale))
       throw Error(character.name + ": is flat along " + (up_axis == Axis::kZ ? "z" : "y") +
                   ", which shall be its height; turn it upright first");
     m = multiply({scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0}, m);
   }
-  if (placement.floor) m[4 * axis_index(up_axis) + 3] -= reach(character, m, up_axis)[0];
+  if (transform.floor) m[4 * axis_index(up_axis) + 3] -= reach(character, m, up_axis)[0];
   for (Vec3& p : character.vertices) move_point(m, &p);
   for (Joint& joint : character.joints) move_point(m, &joint.position);
   turn_normals(m, &character);
   if (character.gltf) {
     std::vector<Joint> own = character.gltf->joints;
     for (Joint& joint : own) move_point(m, &joint.position);
-    character.gltf = placed_document(character.name, *character.gltf, m, own);
+    character.gltf = transformed_document(character.name, *character.gltf, m, own);
   }
   return character;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A motion from places of joints alone: rotations from bones and hinges.
-#ifndef SINEW_FORMATS_MOTION_PLACES_HPP
-#define SINEW_FORMATS_MOTION_PLACES_HPP
+// A motion from keypoints of joints alone: rotations from bones and hinges.
+#ifndef SINEW_FORMATS_MOTION_KEYPOINTS_HPP
+#define SINEW_FORMATS_MOTION_KEYPOINTS_HPP
 
 #include <string>
 #include <vector>
@@ -11,9 +11,9 @@
 namespace sinew {
 
 // Which numbers of a row stand for which joint.
-struct PlacesLayout {
+struct KeypointsLayout {
   const char* name;  // "coco17"
-  size_t count;      // places in a row
+  size_t count;      // keypoints in a row
   double fps;        // where a file says none
   struct Joint {
     const char* name;             // of person_joints(); "left" ones stand for both sides
@@ -22,13 +22,13 @@ struct PlacesLayout {
   };
   std::vector<Joint> joints;
 };
-const std::vector<PlacesLayout>& places_layouts();
+const std::vector<KeypointsLayout>& keypoint_layouts();
 
 // One clip of a person's joints. Bones are as long as they are in most frames; hips, chest and head turn by their sides, elbows and knees
 // by the plane in which they bend, everything else by the shortest turn of its bone against its parent. Which axis is up, a mirrored
-// world and places that are relative to the hips are found out, and told in the notes.
-//   places  [frames][layout.count] finite
-Motion motion_of_places(const PlacesLayout& layout, const std::vector<std::vector<Point3>>& places);
+// world and keypoints that are relative to the hips are found out, and told in the notes.
+//   keypoints  [frames][layout.count] finite
+Motion motion_of_keypoints(const KeypointsLayout& layout, const std::vector<std::vector<Point3>>& keypoints);
 
 }  // namespace sinew
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "motion/places.hpp"
+#include "motion/keypoints.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include "motion/person.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/keypoints_stream.hpp"
 #include "sinew_formats/median.hpp"
-#include "sinew_formats/places_stream.hpp"
 
 namespace sinew {
 namespace {
@@ -36,28 +36,28 @@ constexpr SidedPart kSided[] = {{"hips", "leftUpperLeg", "spine"},
 }  // namespace
 
 // A person's joints that were learnt from frames, and frames of it.
-class PlacesSolver {
+class KeypointsSolver {
  public:
-  explicit PlacesSolver(const PlacesLayout& layout) : columns_(layout) {
+  explicit KeypointsSolver(const KeypointsLayout& layout) : columns_(layout) {
     motion_.joints = person_joints(columns_.names);
   }
 
   // Up, sides, floor and lengths of `rows`, which are the motion's clip from then on.
   void learn(const std::vector<std::vector<Point3>>& rows) {
-    for (const std::vector<Point3>& row : rows) places_.push_back(joints_of(row));
+    for (const std::vector<Point3>& row : rows) keypoints_.push_back(joints_of(row));
     stand_up();
     fit_lengths();
     fit_sides();
     Clip clip;
-    for (const std::vector<Point3>& frame : places_) clip.frames.push_back(frame_of(frame));
+    for (const std::vector<Point3>& frame : keypoints_) clip.frames.push_back(frame_of(frame));
     motion_.clips.push_back(std::move(clip));
-    places_.clear();
+    keypoints_.clear();
   }
 
   // One that may not have been among them.
   MotionFrame frame(const std::vector<Point3>& row) const {
     std::vector<Point3> at = joints_of(row);
-    for (Point3& place : at) place = rotate(turn_, place);
+    for (Point3& point : at) point = rotate(turn_, point);
     if (mirrored_) mirror(&at);
     if (relative_) lower(&at);
     return frame_of(at);
@@ -71,8 +71,8 @@ class PlacesSolver {
     std::vector<std::string> names;
     std::vector<std::vector<size_t>> of;
 
-    explicit Columns(const PlacesLayout& layout) {
-      for (const PlacesLayout::Joint& joint : layout.joints) {
+    explicit Columns(const KeypointsLayout& layout) {
+      for (const KeypointsLayout::Joint& joint : layout.joints) {
         names.emplace_back(joint.name);
         of.push_back(joint.columns);
         if (joint.right.empty()) continue;
@@ -98,13 +98,13 @@ class PlacesSolver {
   }
 
   static void mirror(std::vector<Point3>* at) {
-    for (Point3& place : *at) place[2] = -place[2];
+    for (Point3& point : *at) point[2] = -point[2];
   }
   // The lowest joint on the floor.
   static void lower(std::vector<Point3>* at) {
     double low = (*at)[0][1];
-    for (const Point3& place : *at) low = std::min(low, place[1]);
-    for (Point3& place : *at) place[1] -= low;
+    for (const Point3& point : *at) low = std::min(low, point[1]);
+    for (Point3& point : *at) point[1] -= low;
   }
 
   // The mean direction from one joint to another.
@@ -112,7 +112,7 @@ class PlacesSolver {
     const int a = index(from), b = index(to);
     Point3 sum{};
     if (a >= 0 && b >= 0)
-      for (const std::vector<Point3>& frame : places_) sum = sum + unit(between(frame, a, b));
+      for (const std::vector<Point3>& frame : keypoints_) sum = sum + unit(between(frame, a, b));
     return sum;
   }
 
@@ -122,11 +122,11 @@ class PlacesSolver {
     turn_ = turn_to_y_up(up);
     if (axis_name(up) != "y")
       motion_.notes.push_back("the body stands along " + axis_name(up) + ", which is taken for up");
-    for (std::vector<Point3>& frame : places_)
-      for (Point3& place : frame) place = rotate(turn_, place);
+    for (std::vector<Point3>& frame : keypoints_)
+      for (Point3& point : frame) point = rotate(turn_, point);
     // Toes and noses point to where left, seen with up, has its front.
     double front = 0;
-    for (const std::vector<Point3>& frame : places_)
+    for (const std::vector<Point3>& frame : keypoints_)
       for (const auto& [from, to] :
            {std::pair("leftFoot", "leftToes"), std::pair("rightFoot", "rightToes"), std::pair("head", "nose_end")}) {
         const int a = index(from), b = index(to), left = index("leftUpperLeg"), right = index("rightUpperLeg");
@@ -137,25 +137,25 @@ class PlacesSolver {
     if (mirrored_) {
       motion_.notes.emplace_back(
           "left and right are exchanged (a left-handed world), so it is read as its mirror image");
-      for (std::vector<Point3>& frame : places_) mirror(&frame);
+      for (std::vector<Point3>& frame : keypoints_) mirror(&frame);
     }
     put_on_floor();
   }
 
-  // Places that are relative to the hips say nothing of how high these are: the lowest joint is on the floor.
+  // Keypoints that are relative to the hips say nothing of how high these are: the lowest joint is on the floor.
   void put_on_floor() {
     const size_t hips = static_cast<size_t>(index("hips"));
     double size = 0, moved = 0;
-    for (const std::vector<Point3>& frame : places_) {
-      for (const Point3& place : frame) size = std::max(size, length(place - frame[hips]));
-      moved = std::max(moved, length(frame[hips] - places_[0][hips]));
+    for (const std::vector<Point3>& frame : keypoints_) {
+      for (const Point3& point : frame) size = std::max(size, length(point - frame[hips]));
+      moved = std::max(moved, length(frame[hips] - keypoints_[0][hips]));
     }
-    relative_ = places_.size() >= 2 && !(moved > kHipsStill * size);
+    relative_ = keypoints_.size() >= 2 && !(moved > kHipsStill * size);
     if (!relative_) return;
     motion_.notes.emplace_back(
-        "hips never leave their place, so places are taken as relative to them, and the lowest joint of every frame is "
+        "hips never move, so keypoints are taken as relative to them, and the lowest joint of every frame is "
         "on the floor");
-    for (std::vector<Point3>& frame : places_) lower(&frame);
+    for (std::vector<Point3>& frame : keypoints_) lower(&frame);
   }
 
   // Offsets keep their direction and get the length that the bone mostly has.
@@ -164,7 +164,7 @@ class PlacesSolver {
       MotionJoint& joint = motion_.joints[j];
       if (joint.parent < 0) continue;
       std::vector<double> lengths;
-      for (const std::vector<Point3>& frame : places_)
+      for (const std::vector<Point3>& frame : keypoints_)
         lengths.push_back(length(between(frame, joint.parent, static_cast<int>(j))));
       joint.offset = median(&lengths) * unit(joint.offset);
     }
@@ -174,7 +174,7 @@ class PlacesSolver {
   // What hangs on a part that turns by its sides is where it is in that part's own axes, in the mean.
   void fit_sides() {
     std::vector<Point3> offsets(motion_.joints.size());
-    for (const std::vector<Point3>& frame : places_) {
+    for (const std::vector<Point3>& frame : keypoints_) {
       const std::vector<Quaternion> world = rotations_of(frame);
       for (size_t j = 0; j < offsets.size(); ++j) {
         const int parent = motion_.joints[j].parent;
@@ -186,12 +186,12 @@ class PlacesSolver {
     for (size_t j = 0; j < offsets.size(); ++j) {
       const int parent = motion_.joints[j].parent;
       if (parent >= 0 && sided_part(static_cast<size_t>(parent)) != nullptr)
-        motion_.joints[j].offset = (1 / static_cast<double>(places_.size())) * offsets[j];
+        motion_.joints[j].offset = (1 / static_cast<double>(keypoints_.size())) * offsets[j];
     }
     take_rest();
   }
 
-  // Places at rest, the lowest on the floor.
+  // Keypoints at rest, the lowest on the floor.
   void take_rest() {
     MotionJoint& hips = motion_.joints[static_cast<size_t>(index("hips"))];
     hips.offset = {};
@@ -273,14 +273,14 @@ class PlacesSolver {
 
   Columns columns_;
   Motion motion_;
-  std::vector<std::vector<Point3>> places_;  // [frames][J]
+  std::vector<std::vector<Point3>> keypoints_;  // [frames][J]
   std::vector<Point3> rest_;
   Quaternion turn_ = kNoRotation4;            // to y up
   bool mirrored_ = false, relative_ = false;  // to the hips
 };
 
-const std::vector<PlacesLayout>& places_layouts() {
-  using Joints = std::vector<PlacesLayout::Joint>;
+const std::vector<KeypointsLayout>& keypoint_layouts() {
+  using Joints = std::vector<KeypointsLayout::Joint>;
   static const Joints body = {{"hips", {0}},
                               {"leftUpperLeg", {1}, {2}},
                               {"leftLowerLeg", {4}, {5}},
@@ -295,7 +295,7 @@ const std::vector<PlacesLayout>& places_layouts() {
                               {"leftUpperArm", {16}, {17}},
                               {"leftLowerArm", {18}, {19}},
                               {"leftHand", {20}, {21}}};
-  static const std::vector<PlacesLayout> layouts = [] {
+  static const std::vector<KeypointsLayout> layouts = [] {
     Joints smpl = body;
     smpl.push_back({"leftHand_end", {22}, {23}});
     const Joints coco = {{"hips", {11, 12}},         {"leftUpperLeg", {11}, {12}}, {"leftLowerLeg", {13}, {14}},
@@ -315,55 +315,56 @@ const std::vector<PlacesLayout>& places_layouts() {
                               {"leftLowerArm", {13}, {14}},
                               {"leftHand", {15}, {16}},
                               {"leftHand_end", {17, 19}, {18, 20}}};
-    return std::vector<PlacesLayout>{{"smpl24", 24, 30, smpl},
-                                     {"humanml3d22", 22, 20, body},
-                                     {"coco17", 17, 30, coco},
-                                     {"mediapipe33", 33, 30, mediapipe}};
+    return std::vector<KeypointsLayout>{{"smpl24", 24, 30, smpl},
+                                        {"humanml3d22", 22, 20, body},
+                                        {"coco17", 17, 30, coco},
+                                        {"mediapipe33", 33, 30, mediapipe}};
   }();
   return layouts;
 }
 
 std::string motion_layouts() {
   std::string names;
-  for (const PlacesLayout& layout : places_layouts()) names += (names.empty() ? "" : ", ") + std::string(layout.name);
+  for (const KeypointsLayout& layout : keypoint_layouts())
+    names += (names.empty() ? "" : ", ") + std::string(layout.name);
   return names;
 }
 
-Motion motion_of_places(const PlacesLayout& layout, const std::vector<std::vector<Point3>>& places) {
-  PlacesSolver solver(layout);
-  solver.learn(places);
+Motion motion_of_keypoints(const KeypointsLayout& layout, const std::vector<std::vector<Point3>>& keypoints) {
+  KeypointsSolver solver(layout);
+  solver.learn(keypoints);
   return std::move(solver.motion());
 }
 
-PlacesStream::PlacesStream(const std::string& layout, const std::vector<std::vector<Point3>>& first) {
-  for (const PlacesLayout& one : places_layouts())
+KeypointsStream::KeypointsStream(const std::string& layout, const std::vector<std::vector<Point3>>& first) {
+  for (const KeypointsLayout& one : keypoint_layouts())
     if (layout == one.name) layout_ = &one;
   if (layout_ == nullptr)
-    throw Error("places: no layout is called '" + layout + "', expected one of " + motion_layouts());
-  if (first.empty()) throw Error("places: expected frames of the person that moves, a second or two, found none");
+    throw Error("keypoints: no layout is called '" + layout + "', expected one of " + motion_layouts());
+  if (first.empty()) throw Error("keypoints: expected frames of the person that moves, a second or two, found none");
   for (const std::vector<Point3>& row : first) check(row);
-  solver_ = std::make_unique<PlacesSolver>(*layout_);
+  solver_ = std::make_unique<KeypointsSolver>(*layout_);
   solver_->learn(first);
   Motion& person = solver_->motion();
   person.name = person.clips[0].name = layout_->name;
   person.clips[0].frame_time = 1 / layout_->fps;
 }
 
-PlacesStream::PlacesStream(PlacesStream&&) noexcept = default;
-PlacesStream::~PlacesStream() = default;
+KeypointsStream::KeypointsStream(KeypointsStream&&) noexcept = default;
+KeypointsStream::~KeypointsStream() = default;
 
-void PlacesStream::check(const std::vector<Point3>& row) const {
+void KeypointsStream::check(const std::vector<Point3>& row) const {
   if (row.size() != layout_->count)
-    throw Error("places: expected " + std::to_string(layout_->count) + " places as " + layout_->name + " has, found " +
-                std::to_string(row.size()));
+    throw Error("keypoints: expected " + std::to_string(layout_->count) + " keypoints as " + layout_->name +
+                " has, found " + std::to_string(row.size()));
   for (size_t i = 0; i < row.size(); ++i)
     if (!std::isfinite(row[i][0] + row[i][1] + row[i][2]))
-      throw Error("places: number " + std::to_string(i) + " is not finite");
+      throw Error("keypoints: number " + std::to_string(i) + " is not finite");
 }
 
-const Motion& PlacesStream::person() const { return solver_->motion(); }
+const Motion& KeypointsStream::person() const { return solver_->motion(); }
 
-MotionFrame PlacesStream::next(const std::vector<Point3>& row) const {
+MotionFrame KeypointsStream::next(const std::vector<Point3>& row) const {
   check(row);
   return solver_->frame(row);
 }

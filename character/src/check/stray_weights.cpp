@@ -62,7 +62,7 @@ void specks(const RigFacts& facts, Findings* findings) {
 // such vertices elsewhere, is where a brush or a bind went through a gap.
 class Islands {
  public:
-  //   weights  of the joint, of vertices that are the first at their places
+  //   weights  of the joint, of vertices that are the first at their positions
   Islands(const RigFacts& facts, const BoneDistance& distance, uint32_t joint, std::map<uint32_t, double> weights)
       : facts_(facts), distance_(distance), joint_(joint), weights_(std::move(weights)) {}
 
@@ -139,7 +139,7 @@ class Islands {
 
 }  // namespace
 
-void check_places(const RigFacts& facts, Findings* findings) {
+void check_stray_weights(const RigFacts& facts, Findings* findings) {
   labels(facts, findings);
   specks(facts, findings);
   std::vector<std::map<uint32_t, double>> weights(facts.moves.size());

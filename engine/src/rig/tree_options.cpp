@@ -68,7 +68,7 @@ struct Line {
     along[count] = count == 0 ? 0 : along[count - 1] + static_cast<int64_t>(length(p - at[count - 1]));
     at[count++] = p;
   }
-  Vec3i place(int64_t distance) const {
+  Vec3i position(int64_t distance) const {
     uint32_t i = 1;
     while (i + 1 < count && along[i] < distance) ++i;
     const int64_t whole = along[i] - along[i - 1], share = distance - along[i - 1];
@@ -112,7 +112,7 @@ SINEW_RARE void set_spine(FoldedTree* tree, uint32_t joints) {
   line.add(tree->nodes[old.below].at);
   for (uint32_t i = 0; i < old.count; ++i) line.add(tree->nodes[old.nodes[i]].at);
   if (old.above != kNoNode) line.add(tree->nodes[old.above].at);
-  // From `first` on, in `count` places with `gaps` steps between them.
+  // From `first` on, at `count` positions with `gaps` steps between them.
   int64_t first = 0, last = line.along[line.count - 1], gaps = int64_t{count} + 1, skipped = 1;
   if (old.count >= 2) {
     first = line.along[1];
@@ -127,7 +127,7 @@ SINEW_RARE void set_spine(FoldedTree* tree, uint32_t joints) {
   for (uint32_t i = 0; i < count; ++i) {
     distances[i] = first + round_div((last - first) * (i + skipped), gaps);
     if (old.count > 0) made[i] = tree->nodes[old.nodes[nearest(line.along + 1, old.count, distances[i])]];
-    made[i].at = line.place(distances[i]);
+    made[i].at = line.position(distances[i]);
     made[i].joint_class = kClassSpine;
     made[i].has_end = made[i].has_end && i + 1 == count;
   }

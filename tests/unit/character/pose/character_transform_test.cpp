@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sinew_character/pose/placement.hpp"
+#include "sinew_character/pose/character_transform.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,34 +31,34 @@ void expect_at(const Vec3& p, float x, float y, float z) {
   EXPECT_EQ(p.z, z);
 }
 
-TEST(Placement, QuartersAreExactAndFollowEachOther) {
-  expect_at(placed(body(), {{"x"}, 0, false}, Axis::kY).joints[1].position, 0.25f, 0, 2.5f);
-  expect_at(placed(body(), {{"y"}, 0, false}, Axis::kY).joints[1].position, 0, 2.5f, -0.25f);
-  expect_at(placed(body(), {{"z"}, 0, false}, Axis::kY).joints[1].position, -2.5f, 0.25f, 0);
-  expect_at(placed(body(), {{"x", "-x"}, 0, false}, Axis::kY).vertices[3], 0, 3, 0);
-  expect_at(placed(body(), {{"x", "y"}, 0, false}, Axis::kY).joints[1].position, 2.5f, 0, -0.25f);
+TEST(CharacterTransform, QuartersAreExactAndFollowEachOther) {
+  expect_at(transformed(body(), {{"x"}, 0, false}, Axis::kY).joints[1].position, 0.25f, 0, 2.5f);
+  expect_at(transformed(body(), {{"y"}, 0, false}, Axis::kY).joints[1].position, 0, 2.5f, -0.25f);
+  expect_at(transformed(body(), {{"z"}, 0, false}, Axis::kY).joints[1].position, -2.5f, 0.25f, 0);
+  expect_at(transformed(body(), {{"x", "-x"}, 0, false}, Axis::kY).vertices[3], 0, 3, 0);
+  expect_at(transformed(body(), {{"x", "y"}, 0, false}, Axis::kY).joints[1].position, 2.5f, 0, -0.25f);
 }
 
-TEST(Placement, HeightAndFloorAreAlongUp) {
-  const Character tall = placed(body(), {{}, 1, true}, Axis::kY);
+TEST(CharacterTransform, HeightAndFloorAreAlongUp) {
+  const Character tall = transformed(body(), {{}, 1, true}, Axis::kY);
   expect_at(tall.vertices[0], 0, 0, 0);
   expect_at(tall.vertices[3], 0, 1, 0);
   expect_at(tall.joints[1].position, 0.125f, 0.75f, 0);
-  const Character turned = placed(body(), {{"x"}, 4, true}, Axis::kZ);
+  const Character turned = transformed(body(), {{"x"}, 4, true}, Axis::kZ);
   expect_at(turned.vertices[3], 0, 0, 4);
   EXPECT_EQ(turned.influences.size(), 4u);
 }
 
-TEST(Placement, NothingIsAskedForAndNothingChanges) {
-  EXPECT_FALSE(places({}));
-  expect_at(placed(body(), {}, Axis::kY).vertices[3], 0, 3, 0);
+TEST(CharacterTransform, NothingIsAskedForAndNothingChanges) {
+  EXPECT_TRUE(is_identity(CharacterTransform()));
+  expect_at(transformed(body(), {}, Axis::kY).vertices[3], 0, 3, 0);
 }
 
-TEST(Placement, ADocumentOfGltfGoesAlong) {
+TEST(CharacterTransform, ADocumentOfGltfGoesAlong) {
   const TempFolder folder;
   const std::string file = folder.file("body.glb"), moved = folder.file("moved.glb");
   write_gltf(file, body());
-  const Character there = placed(read_gltf(file), {{"z", "y"}, 0.5, true}, Axis::kY);
+  const Character there = transformed(read_gltf(file), {{"z", "y"}, 0.5, true}, Axis::kY);
   ASSERT_TRUE(there.gltf);
   write_gltf(moved, there);
   const Character again = read_gltf(moved);
@@ -76,12 +76,12 @@ TEST(Placement, ADocumentOfGltfGoesAlong) {
   }
 }
 
-TEST(Placement, WrongWishesAreOneLine) {
-  EXPECT_ERROR(placed(body(), {{"w"}, 0, false}, Axis::kY), "turn 'w'", "expected x, y, z, -x, -y or -z");
-  EXPECT_ERROR(placed(body(), {{}, -1, false}, Axis::kY), "height");
+TEST(CharacterTransform, WrongOptionsAreOneLine) {
+  EXPECT_ERROR(transformed(body(), {{"w"}, 0, false}, Axis::kY), "turn 'w'", "expected x, y, z, -x, -y or -z");
+  EXPECT_ERROR(transformed(body(), {{}, -1, false}, Axis::kY), "height");
   Character flat = body();
   for (Vec3& p : flat.vertices) p.y = 0;
-  EXPECT_ERROR(placed(flat, {{}, 1.8, false}, Axis::kY), "body", "is flat along y");
+  EXPECT_ERROR(transformed(flat, {{}, 1.8, false}, Axis::kY), "body", "is flat along y");
 }
 
 }  // namespace
