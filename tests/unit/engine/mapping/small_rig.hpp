@@ -16,6 +16,7 @@ namespace sinew::mapping {
 struct SmallRig {
   std::vector<float> positions = {0, 1, 0, 0, 2, 0, 0, 3, 0, 1, 2, 0.5f, 2, 2, 0.5f, -1, 2, 0.5f, -2, 2, 0.5f};
   std::vector<int32_t> parents = {-1, 0, 1, 1, 3, 1, 5};
+  std::vector<uint8_t> ends;  // empty: not told
   Workspace memory = Workspace(1 << 20);
   Arena arena = Arena(memory.data(), memory.size());
   Hierarchy rig;
@@ -25,6 +26,7 @@ struct SmallRig {
     view.positions = positions.data();
     view.parents = parents.data();
     view.joint_count = static_cast<uint32_t>(parents.size());
+    if (!ends.empty()) view.ends = ends.data();
     return view;
   }
   sinew_status build() {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// sinew_rig_details() of faces and props: eyes where loose balls are, the jaw behind and below them, and nothing where there are none.
+// sinew_rig_details() of faces: eyes where loose balls are, the jaw behind and below them, and nothing without eyes.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -10,37 +9,17 @@
 #include <string>
 #include <vector>
 
-#include "mesh_scene.hpp"
-#include "rig_skeleton.hpp"
-#include "sinew/sinew.hpp"
+#include "ball_scene.hpp"
 
+namespace sinew::rigging {
 namespace {
 
+using sinew_test::add_ball;
 using sinew_test::add_cube;
-using sinew_test::cube_sphere;
 using sinew_test::MeshScene;
 using sinew_test::RigSkeleton;
 
 using Point = std::array<float, 3>;
-
-// An ellipsoid; its vertices behind `cut` along z (of the unit ball) are left out with their faces.
-void add_ball(MeshScene* scene, const Point& at, const Point& radius, float cut = -2) {
-  const MeshScene ball = cube_sphere(6);
-  const uint32_t first = scene->vertex_count();
-  for (uint32_t v = 0; v < ball.vertex_count(); ++v) {
-    const float* const p = &ball.positions[size_t{3} * v];
-    scene->add_vertex(at[0] + radius[0] * p[0], at[1] + radius[1] * p[1], at[2] + radius[2] * std::max(p[2], cut));
-  }
-  for (size_t f = 0; f + 1 < ball.offsets.size(); ++f) {
-    std::vector<uint32_t> face;
-    bool kept = true;
-    for (uint32_t c = ball.offsets[f]; c < ball.offsets[f + 1]; ++c) {
-      face.push_back(first + ball.corners[c]);
-      kept = kept && ball.positions[size_t{3} * ball.corners[c] + 2] >= cut;
-    }
-    if (kept) scene->add_face(face);
-  }
-}
 
 constexpr float kEyeX = 0.032f, kEyeY = 1.69f, kEyeZ = 0.08f, kEye = 0.012f;
 
@@ -57,8 +36,8 @@ MeshScene with_eyes(float cut = -2) {
   return scene;
 }
 
-struct Skeleton : RigSkeleton {
-  explicit Skeleton(bool mirrored = true) {
+struct HeadSkeleton : RigSkeleton {
+  explicit HeadSkeleton(bool mirrored = true) {
     const auto self = [&](int j) { return mirrored ? j : -1; };
     outputs.mirrored = mirrored ? 1 : 0;
     add("Hips", 0, 1, 0, -1, SINEW_CLASS_PELVIS, 0, self(0));
@@ -70,17 +49,8 @@ struct Skeleton : RigSkeleton {
 };
 
 sinew_status add_face(const MeshScene& scene, RigSkeleton* skeleton,
-                      sinew_rig_options options = SINEW_INIT(sinew_rig_options), size_t missing = 0,
-                      uint32_t wanted = SINEW_DETAIL_FACE) {
-  const sinew_mesh mesh = scene.mesh_view();
-  size_t bytes = 0;
-  const sinew_status status = sinew_rig_details_workspace_size(nullptr, mesh.vertex_count, mesh.face_count,
-                                                               mesh.corner_count, wanted, &options, &bytes);
-  if (status != SINEW_OK) return status;
-  const sinew::Workspace block(bytes);
-  std::memset(block.data(), 0x5A, bytes);
-  return sinew_rig_details(nullptr, &mesh, wanted, &options, block.data(), missing > bytes ? 0 : bytes - missing,
-                           &skeleton->outputs);
+                      sinew_rig_options options = SINEW_INIT(sinew_rig_options), size_t missing = 0) {
+  return add_details(scene, SINEW_DETAIL_FACE, skeleton, options, missing);
 }
 
 void expect_near(const Point& p, const Point& q, float distance, const std::string& what) {
@@ -89,7 +59,7 @@ void expect_near(const Point& p, const Point& q, float distance, const std::stri
 }
 
 TEST(FaceOfASkeleton, GetsEyesInTheirBallsAndAJawBehind) {
-  Skeleton s;
+  HeadSkeleton s;
   ASSERT_EQ(add_face(with_eyes(), &s), SINEW_OK);
   ASSERT_EQ(s.outputs.joint_count, 8u);
   EXPECT_EQ(s.name(4), "LeftEye");
@@ -117,7 +87,7 @@ TEST(FaceOfASkeleton, GetsEyesInTheirBallsAndAJawBehind) {
 
 TEST(FaceOfASkeleton, TakesABallWithoutItsBackForAWholeOne) {
   for (const float cut : {0.1f, -0.1f, 0.5f}) {
-    Skeleton s(false);
+    HeadSkeleton s(false);
     ASSERT_EQ(add_face(with_eyes(cut), &s), SINEW_OK);
     ASSERT_EQ(s.outputs.joint_count, 8u) << cut;
     expect_near(s.at(4), {kEyeX, kEyeY, kEyeZ}, 0.2f * kEye, "left eye");
@@ -127,11 +97,11 @@ TEST(FaceOfASkeleton, TakesABallWithoutItsBackForAWholeOne) {
 }
 
 TEST(FaceOfASkeleton, IsTheSameWhereverItFacesAndWhateverPointsUp) {
-  Skeleton first;
+  HeadSkeleton first;
   ASSERT_EQ(add_face(with_eyes(), &first), SINEW_OK);
   const auto expect_same = [&](const char* what, uint32_t quarters, uint32_t up, auto turn) {
     MeshScene scene = with_eyes();
-    Skeleton s;
+    HeadSkeleton s;
     for (size_t v = 0; v < scene.positions.size(); v += 3) turn(&scene.positions[v]);
     for (uint32_t j = 0; j < s.outputs.joint_count; ++j) turn(&s.positions[size_t{3} * j]);
     s.outputs.facing = quarters;
@@ -162,9 +132,9 @@ TEST(FaceOfASkeleton, IsTheSameWhereverItFacesAndWhateverPointsUp) {
 }
 
 TEST(FaceOfASkeleton, WithoutEyesStaysAsItIs) {
-  const Skeleton before;
+  const HeadSkeleton before;
   const auto expect_none = [&](const char* what, const MeshScene& scene) {
-    Skeleton s;
+    HeadSkeleton s;
     ASSERT_EQ(add_face(scene, &s), SINEW_OK) << what;
     EXPECT_TRUE(s.same_as(before)) << what;
   };
@@ -189,21 +159,76 @@ TEST(FaceOfASkeleton, WithoutEyesStaysAsItIs) {
   points.offsets = {0};
   points.corners.clear();
   expect_none("no faces", points);
-  Skeleton headless;
+  HeadSkeleton headless;
   headless.classes[2] = headless.classes[3] = SINEW_CLASS_SPINE;
   ASSERT_EQ(add_face(with_eyes(), &headless), SINEW_OK);
   EXPECT_EQ(headless.outputs.joint_count, 4u);
 }
 
+// A chin is looked for in the surface in front of the jaw, where a head that stands has one.
+TEST(FaceOfASkeleton, HasNoJawWhereThereIsNoChin) {
+  MeshScene chinless;
+  add_cube(&chinless, -0.75f, 0, -0.75f, 1.5f);
+  add_ball(&chinless, {0, 1.75f, 0}, {0.08f, 0.07f, 0.1f});  // ends above where a chin would be
+  for (const float side : {1.0f, -1.0f}) add_ball(&chinless, {side * kEyeX, 1.72f, kEyeZ}, {kEye, kEye, kEye});
+  HeadSkeleton s;
+  ASSERT_EQ(add_face(chinless, &s), SINEW_OK);
+  ASSERT_EQ(s.outputs.joint_count, 6u);
+  EXPECT_EQ(s.classes[5], SINEW_CLASS_EYE);
+  // An animal's, whose neck goes forwards.
+  HeadSkeleton lying;
+  lying.positions[4] = 1.6f;
+  lying.positions[5] = -0.3f;
+  ASSERT_EQ(add_face(with_eyes(), &lying), SINEW_OK);
+  ASSERT_EQ(lying.outputs.joint_count, 6u);
+  EXPECT_EQ(lying.classes[5], SINEW_CLASS_EYE);
+}
+
+TEST(FaceOfASkeleton, OfTwoPairsTheOneInFrontAreTheEyes) {
+  for (const bool front_first : {false, true}) {
+    MeshScene scene = person();
+    for (const bool front : {front_first, !front_first})
+      for (const float side : {1.0f, -1.0f})  // the others are ears' rings, say
+        add_ball(&scene, {side * (front ? kEyeX : 0.045f), kEyeY, front ? kEyeZ : 0.03f}, {kEye, kEye, kEye});
+    HeadSkeleton s;
+    ASSERT_EQ(add_face(scene, &s), SINEW_OK);
+    ASSERT_GE(s.outputs.joint_count, 6u);
+    expect_near(s.at(4), {kEyeX, kEyeY, kEyeZ}, 1e-4f, front_first ? "front first" : "front last");
+  }
+}
+
+TEST(FaceOfASkeleton, IsOneForEachHead) {
+  MeshScene scene;
+  HeadSkeleton s(false);
+  s.outputs.joint_count = 0;
+  s.add("Hips", 0, 1, 0, -1, SINEW_CLASS_PELVIS, 0, -1);
+  add_cube(&scene, -0.75f, 0, -0.75f, 1.5f);
+  for (const float x : {0.3f, -0.3f}) {
+    add_ball(&scene, {x, 1.65f, 0}, {0.08f, 0.13f, 0.1f});
+    for (const float side : {1.0f, -1.0f}) add_ball(&scene, {x + side * kEyeX, kEyeY, kEyeZ}, {kEye, kEye, kEye});
+    const int neck = static_cast<int>(s.outputs.joint_count);
+    s.add("Neck", x, 1.5f, 0, 0, SINEW_CLASS_NECK, 0, -1);
+    s.add("Head", x, 1.6f, 0, neck, SINEW_CLASS_HEAD, 0, -1);
+    s.add("Head_end", x, 1.78f, 0, neck + 1, SINEW_CLASS_HEAD, SINEW_JOINT_NEVER, -1);
+  }
+  ASSERT_EQ(add_face(scene, &s), SINEW_OK);
+  ASSERT_EQ(s.outputs.joint_count, 15u);
+  expect_near(s.at(7), {0.3f + kEyeX, kEyeY, kEyeZ}, 1e-4f, "the first head's left eye");
+  expect_near(s.at(11), {-0.3f + kEyeX, kEyeY, kEyeZ}, 1e-4f, "the second one's");
+  EXPECT_EQ(s.parents[7], 2);
+  EXPECT_EQ(s.parents[11], 5);
+  EXPECT_NE(s.name(7), s.name(11));
+}
+
 TEST(FaceOfASkeleton, IsAddedOnceAndNamedAnew) {
-  Skeleton s;
+  HeadSkeleton s;
   std::strcpy(s.outputs.names[1], "LeftEye");
   ASSERT_EQ(add_face(with_eyes(), &s), SINEW_OK);
   EXPECT_EQ(s.name(4), "LeftEye1");
   ASSERT_EQ(s.outputs.joint_count, 8u);
   ASSERT_EQ(add_face(with_eyes(), &s), SINEW_OK);
   EXPECT_EQ(s.outputs.joint_count, 8u);
-  Skeleton full;
+  HeadSkeleton full;
   while (full.outputs.joint_count < SINEW_MAX_RIG_JOINTS - 3)
     full.add("Bone" + std::to_string(full.outputs.joint_count), 0, 1, 0, 0, SINEW_CLASS_OTHER, 0, -1);
   ASSERT_EQ(add_face(with_eyes(), &full), SINEW_OK);
@@ -213,20 +238,20 @@ TEST(FaceOfASkeleton, IsAddedOnceAndNamedAnew) {
 TEST(FaceOfASkeleton, WhatIsWrongIsSaidAndNothingWritten) {
   const MeshScene scene = with_eyes();
   const auto fails = [&](const char* what, sinew_status expected, auto change) {
-    Skeleton s, untouched;
+    HeadSkeleton s, untouched;
     change(s);
     change(untouched);
     EXPECT_EQ(add_face(scene, &s), expected) << what;
     EXPECT_TRUE(s.same_as(untouched)) << what;
   };
-  fails("no classes", SINEW_ERROR_ARGUMENT, [](Skeleton& s) { s.outputs.joint_classes = nullptr; });
-  fails("no joint", SINEW_ERROR_COUNT, [](Skeleton& s) { s.outputs.joint_count = 0; });
-  fails("a cycle", SINEW_ERROR_INDEX, [](Skeleton& s) { s.parents[1] = 2; });
-  fails("a wrong partner", SINEW_ERROR_INDEX, [](Skeleton& s) { s.partners[2] = 9; });
+  fails("no classes", SINEW_ERROR_ARGUMENT, [](HeadSkeleton& s) { s.outputs.joint_classes = nullptr; });
+  fails("no joint", SINEW_ERROR_COUNT, [](HeadSkeleton& s) { s.outputs.joint_count = 0; });
+  fails("a cycle", SINEW_ERROR_INDEX, [](HeadSkeleton& s) { s.parents[1] = 2; });
+  fails("a wrong partner", SINEW_ERROR_INDEX, [](HeadSkeleton& s) { s.partners[2] = 9; });
   fails("no number", SINEW_ERROR_NOT_FINITE,
-        [](Skeleton& s) { s.positions[4] = std::numeric_limits<float>::infinity(); });
-  const Skeleton before;
-  Skeleton s;
+        [](HeadSkeleton& s) { s.positions[4] = std::numeric_limits<float>::infinity(); });
+  const HeadSkeleton before;
+  HeadSkeleton s;
   EXPECT_EQ(add_face(scene, &s, SINEW_INIT(sinew_rig_options), 64), SINEW_ERROR_WORKSPACE);
   sinew_rig_options options = SINEW_INIT(sinew_rig_options);
   options.progress = [](void*, uint32_t) { return 1; };
@@ -243,84 +268,5 @@ TEST(FaceOfASkeleton, WhatIsWrongIsSaidAndNothingWritten) {
   EXPECT_EQ(bytes, 0u);
 }
 
-// An arm of one part along x from 0.2: the wrist is at 0.6, the hand ends at 0.72.
-MeshScene arm() {
-  MeshScene scene;
-  add_ball(&scene, {0.46f, 1.4f, 0}, {0.26f, 0.04f, 0.04f});
-  return scene;
-}
-
-struct ArmSkeleton : RigSkeleton {
-  ArmSkeleton() {
-    add("Hips", 0, 1, 0, -1, SINEW_CLASS_PELVIS, 0, -1);
-    add("LeftForeArm", 0.35f, 1.4f, 0, 0, SINEW_CLASS_FOREARM, 0, -1);
-    add("LeftHand", 0.6f, 1.4f, 0, 1, SINEW_CLASS_HAND, 0, -1);
-    add("LeftHand_end", 0.72f, 1.4f, 0, 2, SINEW_CLASS_HAND, SINEW_JOINT_NEVER, -1);
-  }
-};
-
-sinew_status add_props(const MeshScene& scene, RigSkeleton* skeleton,
-                       sinew_rig_options options = SINEW_INIT(sinew_rig_options), size_t missing = 0) {
-  return add_face(scene, skeleton, options, missing, SINEW_DETAIL_PROPS);
-}
-
-TEST(PropsOfASkeleton, AreJointsOfWhatAHandHolds) {
-  MeshScene scene = arm();
-  add_ball(&scene, {0.66f, 1.4f, 0.15f}, {0.012f, 0.012f, 0.2f});  // a stick
-  add_ball(&scene, {0.66f, 1.4f, 0.4f}, {0.03f, 0.005f, 0.1f});    // and its blade, too far away for itself
-  ArmSkeleton s;
-  ASSERT_EQ(add_props(scene, &s), SINEW_OK);
-  ASSERT_EQ(s.outputs.joint_count, 6u);
-  EXPECT_EQ(s.name(4), "LeftHandProp");
-  EXPECT_EQ(s.name(5), "LeftHandProp_end");
-  EXPECT_EQ(s.parents[4], 2);
-  EXPECT_EQ(s.parents[5], 4);
-  EXPECT_EQ(s.flags[4], 0);
-  EXPECT_EQ(s.flags[5], SINEW_JOINT_NEVER);
-  EXPECT_EQ(s.classes[5], SINEW_CLASS_PROP);
-  EXPECT_EQ(s.partners[4], -1);
-  EXPECT_NEAR(s.positions[12], 0.66f, 0.02f);
-  EXPECT_NEAR(s.positions[14], 0, 0.06f) << "where the hand grips it";
-  EXPECT_NEAR(s.positions[17], 0.35f, 0.01f) << "where it ends";
-  ASSERT_EQ(add_props(scene, &s), SINEW_OK);
-  EXPECT_EQ(s.outputs.joint_count, 6u) << "once";
-}
-
-TEST(PropsOfASkeleton, AreNoSleevesGlovesOrFingers) {
-  const ArmSkeleton before;
-  const auto expect_none = [&](const char* what, const MeshScene& scene) {
-    ArmSkeleton s;
-    ASSERT_EQ(add_props(scene, &s), SINEW_OK) << what;
-    EXPECT_TRUE(s.same_as(before)) << what;
-  };
-  MeshScene bare = arm(), sleeve = arm(), glove = arm(), belt = arm(), fingers = arm(), claw;
-  expect_none("bare", bare);
-  add_ball(&sleeve, {0.45f, 1.4f, 0}, {0.27f, 0.06f, 0.06f});
-  expect_none("sleeve", sleeve);
-  add_ball(&glove, {0.66f, 1.4f, 0}, {0.07f, 0.05f, 0.05f});
-  expect_none("glove", glove);
-  add_ball(&belt, {0, 1, 0}, {0.2f, 0.02f, 0.2f});
-  expect_none("belt", belt);
-  for (int f = 0; f < 4; ++f)
-    add_ball(&fingers, {0.8f, 1.4f, 0.03f * static_cast<float>(f) - 0.045f}, {0.15f, 0.01f, 0.01f});
-  expect_none("fingers", fingers);
-  add_ball(&claw, {0.3f, 1.4f, 0}, {0.25f, 0.04f, 0.04f});  // ends before the wrist: the other part is the hand
-  add_ball(&claw, {0.75f, 1.4f, 0}, {0.14f, 0.03f, 0.03f});
-  expect_none("a hand that is a part itself", claw);
-}
-
-TEST(PropsOfASkeleton, WhatIsWrongIsSaidAndNothingWritten) {
-  MeshScene scene = arm();
-  add_ball(&scene, {0.66f, 1.4f, 0.15f}, {0.012f, 0.012f, 0.2f});
-  const ArmSkeleton before;
-  ArmSkeleton s;
-  EXPECT_EQ(add_props(scene, &s, SINEW_INIT(sinew_rig_options), SIZE_MAX), SINEW_ERROR_WORKSPACE);
-  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
-  options.progress = [](void*, uint32_t) { return 1; };
-  EXPECT_EQ(add_props(scene, &s, options), SINEW_ERROR_CANCELLED);
-  EXPECT_TRUE(s.same_as(before));
-  s.outputs.joint_count = SINEW_MAX_RIG_JOINTS + 1;
-  EXPECT_EQ(add_props(scene, &s), SINEW_ERROR_COUNT);
-}
-
 }  // namespace
+}  // namespace sinew::rigging
