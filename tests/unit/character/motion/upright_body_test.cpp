@@ -63,19 +63,19 @@ TEST(UprightBody, ALegThatBeginsWhereTheHipsAreBeginsAtItsNextJoint) {
 TEST(UprightBody, StandsWithItsLegsBelowItAndItsSidesAlike) {
   const Motion walk = walking_person();
   const UprightBody body = body_of(walk).value();
-  EXPECT_TRUE(stands(body, positions_of(walk)));
+  EXPECT_TRUE(is_upright(body, positions_of(walk)));
   const auto turned = [&](const char* name, const Quaternion& turn) {
     std::vector<Quaternion> turns(walk.joints.size(), kNoRotation4);
     turns[joint_of(walk, name)] = turn;
     return positions_of(walk, turns);
   };
-  EXPECT_TRUE(stands(body, turned("LeftHand", axis_rotation(2, 1))));
-  EXPECT_TRUE(stands(body, turned("Hips", axis_rotation(1, 2)))) << "it may face any direction";
-  EXPECT_FALSE(stands(body, turned("Hips", axis_rotation(2, 3)))) << "upside down";
-  EXPECT_FALSE(stands(body, turned("Spine", axis_rotation(0, 1.7)))) << "bent over";
-  EXPECT_FALSE(stands(body, turned("LeftUpLeg", axis_rotation(0, -1)))) << "a step";
-  EXPECT_FALSE(stands(body, turned("RightLeg", axis_rotation(0, 2)))) << "a knee";
-  EXPECT_FALSE(stands(body, turned("LeftForeArm", axis_rotation(1, 2.9)))) << "a folded arm";
+  EXPECT_TRUE(is_upright(body, turned("LeftHand", axis_rotation(2, 1))));
+  EXPECT_TRUE(is_upright(body, turned("Hips", axis_rotation(1, 2)))) << "it may face any direction";
+  EXPECT_FALSE(is_upright(body, turned("Hips", axis_rotation(2, 3)))) << "upside down";
+  EXPECT_FALSE(is_upright(body, turned("Spine", axis_rotation(0, 1.7)))) << "bent over";
+  EXPECT_FALSE(is_upright(body, turned("LeftUpLeg", axis_rotation(0, -1)))) << "a step";
+  EXPECT_FALSE(is_upright(body, turned("RightLeg", axis_rotation(0, 2)))) << "a knee";
+  EXPECT_FALSE(is_upright(body, turned("LeftForeArm", axis_rotation(1, 2.9)))) << "a folded arm";
 }
 
 }  // namespace
