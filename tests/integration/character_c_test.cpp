@@ -285,7 +285,8 @@ TEST_F(CharacterC, TellsHowAMotionFits) {
 
 TEST_F(CharacterC, AnimatesByAFileAndAPartOfIt) {
   make_swing();
-  good("animate " + kRobed + " --motion swing.bvh --start 0.1 --end 0.3 --method reference-points --legs -o command.glb");
+  good("animate " + kRobed +
+       " --motion swing.bvh --start 0.1 --end 0.3 --method reference-points --legs -o command.glb");
   const Handle robed = open(kRobed);
   const std::string file = in("swing.bvh");
   sinew_motion_source motion = SINEW_INIT(sinew_motion_source);

@@ -218,7 +218,7 @@ class FormApplier {
     std::vector<float> values = accessor_floats(path_, model_, accessor, 3);
     for (size_t i = 0; i + 2 < values.size(); i += 3) {
       const Point3 p = rotated(before(node), {static_cast<double>(values[i]), static_cast<double>(values[i + 1]),
-                                             static_cast<double>(values[i + 2])});
+                                              static_cast<double>(values[i + 2])});
       for (size_t k = 0; k < 3; ++k) values[i + k] = static_cast<float>(p[k]);
     }
     return add_floats(values, "VEC3", 3);

@@ -122,7 +122,7 @@ export class Binder {
       const at = {
         mesh: this.#calls.mesh(blocks, m),
         skeleton: this.#calls.skeleton(blocks, s, chosen.flags, UP_AXES[upAxis]),
-        options: blocks.struct("options", {
+        options: blocks.struct("bindOptions", {
           method,
           influence_count: n,
           surface_vertices: options.surfaceVertices,
