@@ -805,7 +805,7 @@ namespace Sinew
                 MappedBy = Character.Text(r.mapped_by), Sources = Character.Ints(r.sources, sizes.joint_count),
                 Reasons = Character.Bytes(r.reasons, sizes.joint_count), SourceEnds = Character.Bytes(r.source_ends, r.source_count),
                 SourceNames = Character.Text(r.source_names), SpotKinds = Character.Bytes(r.spot_kinds, r.spot_count),
-                SpotPositions = Character.Floats(r.spot_positions, r.spot_count * r.3),
+                SpotPositions = Character.Floats(r.spot_positions, r.spot_count * 3),
                 SpotErrors = Character.Floats(r.spot_errors, r.spot_count) };
         }
     }

@@ -150,7 +150,7 @@ def _result(struct: Struct, h: Headers) -> List[str]:
 
 def _read(v: Value) -> str:
     at = f"r.{v.name}"
-    count = " * ".join({"J": "sizes.joint_count", "V": "sizes.vertex_count"}.get(c, f"r.{c}") for c in v.counts)
+    count = " * ".join({"J": "sizes.joint_count", "V": "sizes.vertex_count"}.get(c, c if c.isdigit() else f"r.{c}") for c in v.counts)
     if v.kind == "number":
         if v.name.endswith("_q16"):
             return f"{at} / 65536.0"
