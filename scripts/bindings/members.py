@@ -21,8 +21,9 @@ _NONE = ("struct_size", "reserved", "progress_user")
 
 @dataclass
 class Value:
-    """`name`: unique; `member`: where it is, deform.cells for a member of what the member deform points to. kind: flag, word, number, percent, text, texts, array, numbers (an array inside of the struct), structs, character, models, threads,
-    progress, lines (`counts`: the offsets), mapping (`counts`: the names of its numbers). `of`: the enum, the struct, the type of C.
+    """`name`: unique; `member`: where it is, deform.cells for a member of what the member deform points to. kind: flag, word, number, percent,
+    text, texts, array, numbers (an array inside of the struct), structs, character, models, threads, progress, lines (`counts`: the offsets),
+    mapping (`counts`: the names of its numbers). `of`: the enum, the struct, the type of C.
     `bit`: of a flag that is one of sinew_without, else 0. `path`: member and struct of each pointer on the way."""
 
     name: str

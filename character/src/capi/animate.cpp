@@ -71,13 +71,6 @@ AnimatedCharacter start(const sinew_character& from, const sinew_character_anima
   return out;
 }
 
-// Pins name joints of both skeletons.
-void check_pins(const std::vector<sinew_map_pin>& pins, size_t joint_count, size_t source_count) {
-  for (const sinew_map_pin& pin : pins)
-    if (pin.target >= joint_count || pin.source < -1 || pin.source >= static_cast<int32_t>(source_count))
-      throw Failure(SINEW_ERROR_RANGE, "pins: a pin names a joint that does not exist");
-}
-
 void fill_result(const AnimatedCharacter& made, const Motion& source, uint32_t first_clip, ResultViews* views,
                  sinew_character_animate_result* result) {
   if (result == nullptr) return;
@@ -145,7 +138,7 @@ void animate(const sinew_character_animate_options& options, ProgressOfCaller* p
     motion = &own;
   }
   MotionFile source = motion_of_handle(motion, played, job, made.character);
-  check_pins(job.pins, made.character.joints.size(), source.motion.joints.size());
+  check_pins(options.pins, options.pin_count, made.character.joints.size(), source.motion.joints.size());
   if (played.clip == nullptr) {
     Motion before;
     for (const Clip& clip : target->clips) before.clips.emplace_back().name = clip.name;

@@ -212,6 +212,13 @@ inline void check_without(uint32_t without, uint32_t known) {
   if ((without & ~known) != 0) throw Failure(SINEW_ERROR_ARGUMENT, "without: has a bit that this call does not take");
 }
 
+// A caller's pins name joints of both skeletons; a source may be -1, none.
+inline void check_pins(const sinew_map_pin* pins, uint32_t pin_count, size_t target_joints, size_t source_joints) {
+  for (uint32_t p = 0; p < pin_count; ++p)
+    if (pins[p].target >= target_joints || pins[p].source < -1 || pins[p].source >= static_cast<int32_t>(source_joints))
+      throw Failure(SINEW_ERROR_RANGE, "pins: pin " + std::to_string(p) + " names a joint that does not exist");
+}
+
 // The progress members of options, before these are checked: they have the same offsets in every struct.
 template <class Options>
 ProgressOfCaller progress_of(const Options* given) {

@@ -71,11 +71,9 @@ void map(const sinew_character_map_options& options, const sinew_character* from
   const MaybeAxis source_up = maybe_axis(motion.up);
   job.source_up = source_up ? source_up : from == nullptr && is_template(motion.file) ? Axis::kY : job.target_up;
   if (options.pins_file != nullptr) job.pins = read_map_file(options.pins_file, target, source);
+  check_pins(options.pins, options.pin_count, target.joints.size(), source.joints.size());
   for (uint32_t p = 0; p < options.pin_count; ++p) {
     const sinew_map_pin& pin = options.pins[p];
-    if (pin.target >= target.joints.size() || pin.source < -1 ||
-        pin.source >= static_cast<int32_t>(source.joints.size()))
-      throw Failure(SINEW_ERROR_RANGE, "pins: pin " + std::to_string(p) + " names a joint that does not exist");
     std::erase_if(job.pins, [&](const sinew_map_pin& one) {
       return one.target == pin.target || (pin.source >= 0 && one.source == pin.source);
     });

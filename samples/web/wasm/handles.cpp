@@ -20,15 +20,15 @@ Json room_json(const Motion& motion, const Clip& clip, const std::vector<Joint>&
   around = is;
   for (const MotionFrame& frame : clip.frames) {
     const std::vector<Affine> palette = motion_palette(motion, frame, rest.size());
-    std::vector<std::array<double, 3>> places;
+    std::vector<std::array<double, 3>> positions;
     std::array<double, 3> middle = {0, 0, 0};
     for (size_t j = 0; j < rest.size(); ++j) {
       const Vec3& p = rest[j].position;
       const auto at = transform_point(palette[j], p.x, p.y, p.z);
-      places.push_back({at[0], at[1], at[2]});
+      positions.push_back({at[0], at[1], at[2]});
       for (size_t i = 0; i < 3; ++i) middle[i] += at[i] / static_cast<double>(rest.size());
     }
-    for (const auto& at : places)
+    for (const auto& at : positions)
       for (size_t i = 0; i < 3; ++i) {
         is[i] = {std::min(is[i][0], at[i]), std::max(is[i][1], at[i])};
         around[i] = {std::min(around[i][0], at[i] - middle[i]), std::max(around[i][1], at[i] - middle[i])};
