@@ -37,7 +37,7 @@ class Findings {
  private:
   int mesh_of(const std::vector<uint32_t>& vertices) const;
   const Character& character_;
-  const CheckOptions& options_;
+  const CheckOptions options_;  // a copy: callers pass a temporary
   double size_ = 1;
   std::vector<RigFinding> findings_;
 };
