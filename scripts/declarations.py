@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Declarations for other languages, and the table of struct sizes that libraries answer with, from the C headers by libclang.
+"""Declarations for other languages, words of options, and the table of struct sizes that libraries answer with, from the C headers by libclang.
 
     scripts/declarations.py            writes them
     scripts/declarations.py --check    says what differs and exits 1; exits 77 without libclang
@@ -12,7 +12,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from bindings.c import table_text
+from bindings.c import table_text, words_text
 from bindings.csharp import csharp_text
 from bindings.csharp_jobs import csharp_jobs_text
 from bindings.headers import ROOT, headers_of, library
@@ -38,7 +38,8 @@ def main() -> int:
     native, wasm = headers_of(cindex, "x86_64-unknown-linux-gnu"), headers_of(cindex, "wasm32-unknown-unknown")
     texts = {PYTHON / "declarations.py": python_text(native), PYTHON / "jobs.py": jobs_text(native), PYTHON / "results.py": results_text(native),
              CSHARP / "Native.cs": csharp_text(native), CSHARP / "CharacterJobs.cs": csharp_jobs_text(native),
-             NPM / "layouts.js": javascript_text(wasm), NPM / "jobs.js": jobs_js_text(wasm), NPM / "jobs.d.ts": jobs_types_text(wasm)}
+             NPM / "layouts.js": javascript_text(wasm), NPM / "jobs.js": jobs_js_text(wasm), NPM / "jobs.d.ts": jobs_types_text(wasm),
+             ROOT / "samples/cli/enum_words.hpp": words_text(native)}
     for character, path in TABLES.items():
         if path.parent.is_dir() and any(s.character == character for s in native.structs):
             texts[path] = table_text(native, character)

@@ -75,11 +75,6 @@ AnimateOptions animate_options(const AnimateSettings& s) {
   AnimateOptions options = s;
   options.up = maybe_axis(s.up_name);
   options.motion_up = maybe_axis(s.motion_up_name);
-  options.method = s.method_name == "copy"               ? AnimateMethod::kCopy
-                   : s.method_name == "contacts"         ? AnimateMethod::kContacts
-                   : s.method_name == "reference-points" ? AnimateMethod::kReferencePoints
-                   : s.method_name == "stream"           ? AnimateMethod::kStream
-                                                         : AnimateMethod::kAuto;
   options.force = s.force || s.motions.empty();  // of a picture, whose clip nobody asked for: a warning will do
   options.reference.area_power = s.area_power == 0 ? SINEW_NO_AREA : s.area_power;
   options.reference.falloff = s.falloff == 0 ? SINEW_NO_FALLOFF : static_cast<float>(s.falloff);
@@ -271,14 +266,12 @@ void add_animate_inputs(CLI::App* sub, AnimateSettings* s) {
                     extensions_text(kWritesMotion))
       ->required();
   shared_option(sub, "--map", s->map, "By anatomy and names unless given");
-  shared_option(
-      sub, "--method", s->method_name,
+  shared_word_option(
+      sub, "--method", s->method, kAnimateMethod,
       "copy: every joint rotates as its source does, rest poses aligned; contacts: then feet stay where they "
       "stand, arms stay out of the body, and where the motion has a body of the same mesh, hands keep in touch "
       "with it; stream: the same without a look ahead, each frame of those before it alone, as a capture or a game has "
-      "it; reference-points: the published method, by points of both bodies, for comparison; auto: contacts")
-      ->check(CLI::IsMember({"auto", "copy", "contacts", "stream", "reference-points"}))
-      ->capture_default_str();
+      "it; reference-points: the published method, by points of both bodies, for comparison; auto: contacts");
   sub->add_option("--sheet", s->sheet, "Also draw frames of every clip side by side")->type_name("FILE");
   shared_option(sub, "--up", s->up_name, "For the character")
       ->check(CLI::IsMember({"auto", "x", "y", "z"}))
@@ -378,7 +371,7 @@ void add_animate(CLI::App& app) {
   sub->callback([s, of_reference, sub] {
     check_picture_options(*sub, s->character);
     for (const CLI::Option* option : of_reference)
-      if (option->count() > 0 && s->method_name != "reference-points")
+      if (option->count() > 0 && s->method != AnimateMethod::kReferencePoints)
         throw UsageError(option->get_name() + " goes with --method reference-points");
     run_animate(*s);
   });

@@ -18,7 +18,7 @@
 namespace sinew::cli {
 
 struct AnimateSettings : AnimateOptions {
-  std::string output, method_name = "auto", up_name = "auto", motion_up_name = "auto", sheet, layout, actor;
+  std::string output, up_name = "auto", motion_up_name = "auto", sheet, layout, actor;
   std::string format = "glb";
   std::vector<std::string> motions;
   DeformSettings deform;

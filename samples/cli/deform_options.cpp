@@ -21,11 +21,11 @@ std::optional<sinew_deform_options> deform_options(const DeformSettings& setting
   const bool xpbd = options.method == SINEW_DEFORM_XPBD;
   if (settings.body_contact && settings.method != "volume" && !xpbd)
     throw UsageError("--body-contact needs --deform volume or xpbd");
-  if (!xpbd && (settings.no_smoothing || settings.stiffness != 0 || !settings.tet_weights.empty()))
+  if (!xpbd && (settings.no_smoothing || settings.stiffness != 0 || settings.tet_weights != SINEW_TET_WEIGHTS_SKIN))
     throw UsageError("--no-smoothing, --stiffness and --tet-weights need --deform xpbd");
   if (settings.no_smoothing) options.without = SINEW_WITHOUT_SMOOTHING;
   options.energy = static_cast<uint32_t>(std::lround(1000 * settings.stiffness));
-  if (settings.tet_weights == "distance") options.tet_weights = SINEW_TET_WEIGHTS_DISTANCE;
+  options.tet_weights = settings.tet_weights;
   if (settings.method == "volume" || options.method != SINEW_DEFORM_VOLUME) return options;
   if (settings.cells != 0 || settings.rounds != 0)
     throw UsageError("--cells and --rounds need --deform volume, xpbd or delta-mush");
@@ -52,9 +52,7 @@ void add_solver_options(CLI::App* sub, DeformSettings* settings) {
   shared_option(sub, "--stiffness", settings->stiffness)
       ->check(CLI::Range(0.001, SINEW_MAX_DEFORM_ENERGY / 1000.0))
       ->default_str("0.2");
-  shared_option(sub, "--tet-weights", settings->tet_weights)
-      ->check(CLI::IsMember({"skin", "distance"}))
-      ->default_str("skin");
+  shared_word_option(sub, "--tet-weights", settings->tet_weights, kTetWeights, "");
   shared_flag(sub, "--no-smoothing", settings->no_smoothing);
 }
 

@@ -20,7 +20,7 @@ struct DeformSettings {
   unsigned cells = 0, rounds = 0;
   bool body_contact = false;
   double stiffness = 0;  // 0: the method's own
-  std::string tet_weights{};
+  uint32_t tet_weights = SINEW_TET_WEIGHTS_SKIN;
   bool no_smoothing = false;
 };
 

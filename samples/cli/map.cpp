@@ -31,8 +31,9 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kNoEnds = "none";  // of --ends, in place of a file
 
 struct MapCommandSettings {
-  std::string target, source, preset, output = "-", method = "auto", cost = "mean", first = "both", up = "auto",
-                                      source_up, pins_file, ends_file, png, level, layout, actor;
+  std::string target, source, preset, output = "-", up = "auto", source_up, pins_file, ends_file, png, level, layout,
+                                      actor;
+  uint32_t method = SINEW_MAP_AUTO, cost = SINEW_BRANCHES_MEAN, first = SINEW_BRANCHES_BOTH;
   std::vector<std::string> pins;
   bool no_names = false, json = false;
 };
@@ -156,9 +157,10 @@ MapCommandSettings settled(MapCommandSettings s) {
     throw UsageError("give the other skeleton with --from FILE, or the names of a standard rig with --to NAME");
   if (!s.preset.empty()) s.source = "template:" + s.preset;
   if (s.source_up.empty()) s.source_up = s.source.rfind("template:", 0) == 0 ? "y" : s.up;
-  for (const auto& [option, changed] : {std::pair("--cost", s.cost != "mean"), std::pair("--first", s.first != "both")})
-    if (changed && s.method != "branches")
-      throw UsageError(std::string(option) + " is for --method branches; found --method " + s.method);
+  for (const auto& [option, changed] :
+       {std::pair("--cost", s.cost != SINEW_BRANCHES_MEAN), std::pair("--first", s.first != SINEW_BRANCHES_BOTH)})
+    if (changed && s.method != SINEW_MAP_BRANCHES)
+      throw UsageError(std::string(option) + " is for --method branches; found --method " + kMapMethod[s.method]);
   if (s.output != "-") check_output(s.output, {".txt", ".map", ".json"});
   if (!s.png.empty()) check_output(s.png, {".png"});
   return s;
@@ -166,11 +168,9 @@ MapCommandSettings settled(MapCommandSettings s) {
 
 MappedSkeleton map_joints(const MapCommandSettings& s, const MapRig& target, const MapRig& source) {
   MapSkeletonOptions options;
-  options.method = s.method == "sinew" ? SINEW_MAP_SINEW : SINEW_MAP_AUTO;
-  if (s.method == "branches") options.method = SINEW_MAP_BRANCHES;
-  options.branches_cost = s.cost == "sum" ? SINEW_BRANCHES_SUM : SINEW_BRANCHES_MEAN;
-  if (s.first == "target") options.branches_first = SINEW_BRANCHES_TARGET;
-  if (s.first == "source") options.branches_first = SINEW_BRANCHES_SOURCE;
+  options.method = s.method;
+  options.branches_cost = s.cost;
+  options.branches_first = s.first;
   options.names = !s.no_names;
   options.ends = s.ends_file != kNoEnds;
   options.target_up = maybe_axis(s.up);
@@ -230,23 +230,18 @@ void add_map_inputs(CLI::App* sub, MapCommandSettings* s) {
   sub->add_option("--set", s->pins, "Keep this pair, and let the rest follow; - for no source. Any number of times")
       ->type_name("JOINT=SOURCE_JOINT")
       ->allow_extra_args(false);
-  shared_option(sub, "--method", s->method,
-                "sinew: by anatomy; branches: the published method, for comparison; auto: sinew, and branches for "
-                "nearly equal rigs without a body")
-      ->check(CLI::IsMember({"auto", "sinew", "branches"}))
-      ->capture_default_str();
+  shared_word_option(sub, "--method", s->method, kMapMethod,
+                     "sinew: by anatomy; branches: the published method, for comparison; auto: sinew, and branches for "
+                     "nearly equal rigs without a body");
   sub->add_option(
          "--at-level", s->level,
          "Map what both skeletons keep at a level of sinew simplify. low: made at the high level, then reduced")
       ->type_name("high|low")
       ->check(CLI::IsMember({"high", "low"}));
-  sub->add_option("--cost", s->cost, "--method branches: two branches cost the mean or the sum of their joints' costs")
-      ->check(CLI::IsMember({"mean", "sum"}))
-      ->capture_default_str();
-  sub->add_option("--first", s->first,
-                  "--method branches: whose branches choose one of the other skeleton's each; both: the cheaper way")
-      ->check(CLI::IsMember({"both", "target", "source"}))
-      ->capture_default_str();
+  word_option(sub, "--cost", s->cost, kBranchesCost,
+              "--method branches: two branches cost the mean or the sum of their joints' costs");
+  word_option(sub, "--first", s->first, kBranchesFirst,
+              "--method branches: whose branches choose one of the other skeleton's each; both: the cheaper way");
   sub->add_flag("--no-names", s->no_names, "Do not read the joints' names");
   sub->add_option(
          "--ends", s->ends_file,

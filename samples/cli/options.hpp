@@ -4,11 +4,13 @@
 #define SINEW_CLI_OPTIONS_HPP
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "enum_words.hpp"
 #include "sinew_character/pose/character_transform.hpp"
 #include "sinew_formats/base/axis.hpp"
 #include "sinew_formats/file_kinds.hpp"
@@ -43,6 +45,23 @@ template <class T>
 CLI::Option* shared_option(CLI::App* sub, const std::string& names, T& value, const std::string& more = "") {
   const OptionWord& word = option_word(names);
   return sub->add_option(names, value, sentences(word.meaning, more))->type_name(word.value);
+}
+// An option that takes one of these words, as the number that it has in them.
+template <class Number>
+CLI::Option* word_option(CLI::App* sub, const std::string& names, Number& value, const Words& words,
+                         const std::string& text) {
+  const auto set = [&value, &words](const std::string& word) {
+    value = static_cast<Number>(std::find(words.begin(), words.end(), word) - words.begin());
+  };
+  return sub->add_option_function<std::string>(names, set, text)
+      ->check(CLI::IsMember(words))
+      ->default_str(words[static_cast<size_t>(value)]);
+}
+template <class Number>
+CLI::Option* shared_word_option(CLI::App* sub, const std::string& names, Number& value, const Words& words,
+                                const std::string& more) {
+  const OptionWord& word = option_word(names);
+  return word_option(sub, names, value, words, sentences(word.meaning, more))->type_name(word.value);
 }
 CLI::Option* shared_flag(CLI::App* sub, const std::string& name, bool& value, const std::string& more = "");
 

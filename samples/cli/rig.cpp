@@ -38,9 +38,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct RigCommandSettings {
-  std::string detail = "body", hands_model, front_model;
-  std::string mesh, output, model, bind_model, png, up = "auto", front = "auto", format = "glb", prediction, skeleton,
-                                                    to_pose;
+  std::string hands_model, front_model;
+  std::string mesh, output, model, bind_model, png, up = "auto", format = "glb", prediction, skeleton, to_pose;
+  SkeletonDetail detail = SkeletonDetail::kBody;
+  uint32_t front = SINEW_FRONT_AUTO;
   MethodOptions method;
   PictureOptions picture;
   std::vector<SkeletonEdit> edits;
@@ -61,9 +62,9 @@ Models load_models(const RigCommandSettings& s) {
   if (s.prediction.empty() && !s.method.extracts())
     models.rig = load_model(s.model, s.method.slots() ? ModelUse::kSlotJoints : ModelUse::kRig);
   if (!s.no_bind) models.bind = load_model(s.bind_model);
-  if (s.detail != "body" || s.method.job_method() == RigMethod::kAuto)
+  if (s.detail != SkeletonDetail::kBody || s.method.method == RigMethod::kAuto)
     models.hands = load_model(s.hands_model, ModelUse::kHands);
-  if (s.prediction.empty() && !is_picture(s.mesh) && (s.front == "auto" || s.up == "auto"))
+  if (s.prediction.empty() && !is_picture(s.mesh) && (s.front == SINEW_FRONT_AUTO || s.up == "auto"))
     models.front = load_front_model(s.front_model);
   return models;
 }
@@ -72,23 +73,16 @@ struct RiggedInput : RiggedCharacter {
   std::optional<PictureCharacter> picture;  // without its `rigged`, which is this
 };
 
-constexpr std::array<const char*, 7> kFronts = {"auto", "+z", "-z", "+x", "-x", "+y", "-y"};
-
-uint32_t front_number(const std::string& front) {
-  const auto found = std::find(kFronts.begin(), kFronts.end(), front);
-  return static_cast<uint32_t>(found - kFronts.begin());  // in the order of sinew_front
-}
+const Words kFronts = {"auto", "+z", "-z", "+x", "-x", "+y", "-y"};  // by sinew_front
 
 RigJobOptions job_options(const RigCommandSettings& s) {
   RigJobOptions job;
-  job.method = s.method.job_method();
-  job.category = category_number(s.method.category);
-  job.detail = s.detail == "full"    ? SkeletonDetail::kFull
-               : s.detail == "hands" ? SkeletonDetail::kHands
-                                     : SkeletonDetail::kBody;
+  job.method = s.method.method;
+  job.category = s.method.category;
+  job.detail = s.detail;
   job.mirror = s.mirror ? SINEW_MIRROR_ALWAYS : s.no_mirror ? SINEW_MIRROR_NEVER : SINEW_MIRROR_AUTO;
   if (s.up != "auto") job.up = axis_of(s.up);
-  job.front = front_number(s.front);
+  job.front = s.front;
   job.spine_count = s.spine;
   job.toes = !s.no_toes;
   job.ends = !s.no_ends;
@@ -272,14 +266,16 @@ void run_rig(RigCommandSettings s) {
     throw UsageError("--keep-lengths is for a skeleton of your own: give --skeleton");
   if (!s.to_pose.empty() && s.no_bind) throw UsageError("--to-pose moves the mesh by its weights: leave --no-bind out");
   if (s.cut && s.no_bind && !is_picture(s.mesh)) throw UsageError("--cut finds seams by weights: leave --no-bind out");
-  if (!s.hands_model.empty() && s.detail == "body")
+  if (!s.hands_model.empty() && s.detail == SkeletonDetail::kBody)
     throw UsageError("--hands-model is for fingers: give --detail hands or full");
-  if (s.front.size() == 2 && s.front[1] == s.up[0])
-    throw UsageError("--front " + s.front + " is up by --up " + s.up + ": give an axis across it");
+  const std::string& front = kFronts[s.front];
+  if (s.front != SINEW_FRONT_AUTO && front[1] == s.up[0])
+    throw UsageError("--front " + front + " is up by --up " + s.up + ": give an axis across it");
   if (is_picture(s.mesh))
-    for (const auto& [given, option] : {std::pair{s.up != "auto", "--up"}, std::pair{s.front != "auto", "--front"},
-                                        std::pair{!s.prediction.empty(), "--prediction"},
-                                        std::pair{!is_identity(s.transform), "--turn, --height or --floor"}})
+    for (const auto& [given, option] :
+         {std::pair{s.up != "auto", "--up"}, std::pair{s.front != SINEW_FRONT_AUTO, "--front"},
+          std::pair{!s.prediction.empty(), "--prediction"},
+          std::pair{!is_identity(s.transform), "--turn, --height or --floor"}})
       if (given) throw UsageError(std::string(option) + " is for meshes, and " + s.mesh + " is a picture");
   if (!s.prediction.empty() && !is_identity(s.transform))
     throw UsageError("--prediction stands where the mesh does: leave --turn, --height and --floor out");
@@ -323,22 +319,18 @@ void add_rig_inputs(CLI::App* sub, RigCommandSettings* s) {
         throw CLI::Success();
       },
       "List the skeletons that --skeleton knows by name");
-  shared_option(
-      sub, "--detail", s->detail,
+  shared_word_option(
+      sub, "--detail", s->detail, kCharacterDetail,
       "body: down to the hands; hands: with fingers, where the mesh shows some; full: with eyes that are loose "
-      "balls and a jaw, too")
-      ->check(CLI::IsMember({"body", "hands", "full"}))
-      ->capture_default_str();
+      "balls and a jaw, too");
   add_method_options(sub, &s->method);
   sub->add_flag("--no-bind", s->no_bind, "The skeleton alone, without weights");
   add_influences(sub, s->influences);
   shared_option(sub, "--up", s->up, "auto: y for glTF, else found")
       ->check(CLI::IsMember({"auto", "y", "z"}))
       ->capture_default_str();
-  sub->add_option("--front", s->front, "Where the mesh faces, in its own axes; auto: found, at any angle")
-      ->type_name("AXIS")
-      ->check(CLI::IsMember({"auto", "+z", "-z", "+x", "-x", "+y", "-y"}))
-      ->capture_default_str();
+  word_option(sub, "--front", s->front, kFronts, "Where the mesh faces, in its own axes; auto: found, at any angle")
+      ->type_name("AXIS");
   shared_option(sub, "--png", s->png, "The mesh with its joints, coloured by weight");
   shared_flag(sub, "--json", s->json, "Joints with confidences; with a folder one line for every mesh");
   sub->add_flag(

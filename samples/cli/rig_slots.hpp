@@ -3,8 +3,6 @@
 #ifndef SINEW_CLI_RIG_SLOTS_HPP
 #define SINEW_CLI_RIG_SLOTS_HPP
 
-#include <string>
-
 #include "sinew_character/jobs/rig_job.hpp"
 
 namespace CLI {
@@ -15,23 +13,15 @@ namespace sinew::cli {
 
 // --method and --class of sinew rig.
 struct MethodOptions {
-  std::string method = "auto", category = "any";
-  bool slots() const { return method == "slots"; }
+  RigMethod method = RigMethod::kAuto;
+  uint32_t category = SINEW_CATEGORY_ANY;
+  bool slots() const { return method == RigMethod::kSlots; }
   // From the mesh alone, without a model.
-  bool extracts() const { return method == "shape" || method == "regions"; }
-  RigMethod job_method() const {
-    return method == "shape"     ? RigMethod::kShape
-           : method == "regions" ? RigMethod::kRegions
-           : method == "slots"   ? RigMethod::kSlots
-           : method == "votes"   ? RigMethod::kVotes
-                                 : RigMethod::kAuto;
-  }
+  bool extracts() const { return method == RigMethod::kShape || method == RigMethod::kRegions; }
 };
 void add_method_options(CLI::App* sub, MethodOptions* options);
 // Throws UsageError for options that the method does not take. Called before any work.
 void check_method(const CLI::App& sub, const MethodOptions& options);
-// Number of a category that is one.
-uint32_t category_number(const std::string& name);
 
 }  // namespace sinew::cli
 #endif

@@ -12,12 +12,10 @@ namespace sinew::cli {
 
 void add_style_options(CLI::App* sub, StyleOptions* style) {
   section(sub, "Style");
-  sub->add_option("--rigid-parts", style->rigid_parts,
-                  "Whether connected parts move with one joint each. always: toys, robots, armour; never: no part does "
-                  "unless the heat field says so; auto: the model decides")
-      ->type_name("WHEN")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
-      ->capture_default_str();
+  word_option(sub, "--rigid-parts", style->rigid_parts, kRigidParts,
+              "Whether connected parts move with one joint each. always: toys, robots, armour; never: no part does "
+              "unless the heat field says so; auto: the model decides")
+      ->type_name("WHEN");
   sub->add_option("--softness", style->softness,
                   "How softly weights blend between joints: 2 twice as softly, 0.5 harder")
       ->type_name("X")
@@ -34,9 +32,7 @@ void add_style_options(CLI::App* sub, StyleOptions* style) {
 void apply_style(const StyleOptions& style, BindOptions* options) {
   if (options->method != SINEW_METHOD_MODEL && style.softness != 1)
     throw UsageError("--softness is for the model's weights: leave it out with --method heat or distance");
-  options->rigid_parts = style.rigid_parts == "always"  ? SINEW_RIGID_PARTS_ALWAYS
-                         : style.rigid_parts == "never" ? SINEW_RIGID_PARTS_NEVER
-                                                        : SINEW_RIGID_PARTS_AUTO;
+  options->rigid_parts = style.rigid_parts;
   options->surface_vertices = style.surface_vertices;
   options->softness_percent = static_cast<uint32_t>(std::lround(style.softness * 100));
 }
@@ -44,7 +40,7 @@ void apply_style(const StyleOptions& style, BindOptions* options) {
 std::string style_text(const StyleOptions& style) {
   const StyleOptions usual;
   std::string text;
-  if (style.rigid_parts != usual.rigid_parts) text += " --rigid-parts " + style.rigid_parts;
+  if (style.rigid_parts != usual.rigid_parts) text += " --rigid-parts " + kRigidParts[style.rigid_parts];
   if (style.softness != usual.softness) text += print(" --softness %g", style.softness);
   if (style.surface_vertices != usual.surface_vertices) text += print(" --surface-vertices %u", style.surface_vertices);
   return text;

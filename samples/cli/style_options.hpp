@@ -11,7 +11,7 @@
 namespace sinew::cli {
 
 struct StyleOptions {
-  std::string rigid_parts = "auto";
+  uint32_t rigid_parts = SINEW_RIGID_PARTS_AUTO;
   double softness = 1;
   uint32_t surface_vertices = 32768;
 };

@@ -32,20 +32,14 @@ using Json = nlohmann::ordered_json;
 
 struct TransferCommandSettings {
   std::string source, output, model, lock, png, png_confidence;
-  std::string method = "auto", up = "y", source_up, format = "glb";
+  std::string up = "y", source_up, format = "glb";
   std::vector<std::string> targets, pairs;
   TargetSource from;
   ProfileSettings profile;
+  uint32_t method = SINEW_TRANSFER_AUTO;
   unsigned influences = 4, threads = 1;
   bool as_drawn = false, heat = false, json = false;
 };
-
-uint32_t method_of(const std::string& name) {
-  if (name == "nearest") return SINEW_TRANSFER_NEAREST;
-  if (name == "biharmonic") return SINEW_TRANSFER_BIHARMONIC;
-  if (name == "rebind") return SINEW_TRANSFER_REBIND;
-  return SINEW_TRANSFER_AUTO;
-}
 
 const char* reason_text(uint32_t reason) {
   switch (reason) {
@@ -104,7 +98,7 @@ Transferred transfer_one(const TransferCommandSettings& s, const Character& sour
   done.target = reader->read(path);
   Character& character = done.target.character;
   TransferOptions options;
-  options.method = method_of(s.method);
+  options.method = s.method;
   options.model = model != nullptr ? &model->model : nullptr;
   options.influence_count = s.influences;
   options.up_axis = axis_of(s.up);
@@ -143,7 +137,7 @@ Json summary_json(const TransferCommandSettings& s, const Character& source, con
   json["source"] = s.source;
   json["target"] = path;
   json["output"] = output;
-  json["method"] = s.method;
+  json["method"] = kTransferMethod[s.method];
   json["skeleton"] = done.target.skeleton;
   json["mapped_joints"] = mapped_count(done.target.mapping);
   json["source_joints"] = source.joints.size();
@@ -245,9 +239,9 @@ void check_inputs_stay(const TransferCommandSettings& s, const std::vector<std::
 }
 
 void check_transfer(const TransferCommandSettings& s) {
-  if (s.method == "biharmonic" && s.from.garment)
+  if (s.method == SINEW_TRANSFER_BIHARMONIC && s.from.garment)
     throw UsageError("--garment and --method biharmonic: a garment lies on its body, give auto, nearest or rebind");
-  if (s.method != "biharmonic" && (!s.pairs.empty() || s.as_drawn))
+  if (s.method != SINEW_TRANSFER_BIHARMONIC && (!s.pairs.empty() || s.as_drawn))
     throw UsageError("--pair and --as-drawn are for --method biharmonic");
   if (s.from.garment && !(s.from.skeleton.empty() && s.from.map.empty()))
     throw UsageError("--garment has the skeleton of the source: leave out --skeleton and --map");
@@ -275,7 +269,7 @@ void run_transfer(const TransferCommandSettings& s) {
                 ": has no weights to carry over; expected a bound character: a file with a skin, or NAME.obj with a "
                 "NAME.rig.txt beside it that has skin lines");
   std::unique_ptr<LoadedModel> model;
-  const bool binds = s.method == "auto" || s.method == "rebind";
+  const bool binds = s.method == SINEW_TRANSFER_AUTO || s.method == SINEW_TRANSFER_REBIND;
   if (binds && !s.heat) model = load_model(s.model);
   TargetReader reader(source, s.from);
   size_t failed = 0;
@@ -313,11 +307,9 @@ void add_transfer_inputs(CLI::App* sub, TransferCommandSettings* s) {
       "--garment", s->from.garment,
       "The targets are worn by the source: same space, same skeleton. Near the body its weights, far from it a "
       "bind of the dressed whole");
-  shared_option(sub, "--method", s->method,
-                "auto: a balance of nearest and rebind, vertex by vertex; nearest: the source's weights alone; "
-                "biharmonic: by distances along the surface; rebind: by the binder that suits the source")
-      ->check(CLI::IsMember({"auto", "nearest", "biharmonic", "rebind"}))
-      ->capture_default_str();
+  shared_word_option(sub, "--method", s->method, kTransferMethod,
+                     "auto: a balance of nearest and rebind, vertex by vertex; nearest: the source's weights alone; "
+                     "biharmonic: by distances along the surface; rebind: by the binder that suits the source");
   add_influences(sub, s->influences);
   shared_option(sub, "--png", s->png, "The target with its joints, coloured by weight");
   shared_flag(sub, "--json", s->json, "A line for every target");

@@ -1,6 +1,20 @@
 # SPDX-License-Identifier: MIT
-"""The table of struct sizes that libraries answer with."""
-from .headers import CHARACTER, ENGINE, GENERATOR, Headers
+"""The table of struct sizes that libraries answer with, and the words of enumerations for the command."""
+from .headers import CHARACTER, ENGINE, GENERATOR, Headers, camel, filled, short, words_of
+
+# Enumerations that the command has as options.
+COMMAND_WORDS = ("animate_method", "branches_cost", "branches_first", "category", "character_detail", "character_rig_method", "map_method",
+                 "rigid_parts", "tet_weights", "transfer_method")
+
+
+def words_text(h: Headers) -> str:
+    out = ["// SPDX-License-Identifier: MIT", f"// Words of enumerations of C by number, for options. {GENERATOR}", "#ifndef SINEW_CLI_ENUM_WORDS_HPP",
+           "#define SINEW_CLI_ENUM_WORDS_HPP", "", "#include <string>", "#include <vector>", "", "namespace sinew::cli {", "", "using Words = std::vector<std::string>;", ""]
+    for name, enumerators in h.enums:
+        if short(name) in COMMAND_WORDS:
+            items = ", ".join(f'"{w}"' for w in words_of(enumerators) or [])
+            out.append(f"inline const Words k{camel(short(name))} = {{{items}}};")
+    return "\n".join(out + ["", "}  // namespace sinew::cli", "#endif"]) + "\n"
 
 
 def table_text(h: Headers, character: bool) -> str:

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "options.hpp"
+#include "sinew_character/picture/body_class.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/print.hpp"
 #include "support.hpp"
@@ -35,9 +36,8 @@ Argument output_argument(const std::string& kinds) {
 }
 
 Argument class_argument() {
-  return {"class",      "--class",
-          Value::kText, "What kind of body it is, where it is taken for another",
-          false,        {"biped", "quadruped", "bird", "fish", "snake", "many-legged", "other"}};
+  return {"class", "--class",         Value::kText, "What kind of body it is, where it is taken for another",
+          false,   body_class_words()};
 }
 
 Argument controls_argument() {
@@ -63,18 +63,17 @@ Tool rig_tool() {
       "Makes a skeleton for a bare mesh or a picture of a character and binds it. Answers joints with confidences "
       "and what is doubtful.",
       true,
-      with_transform(
-          {{"mesh", "", Value::kInput,
-            "Mesh (" + mesh_files() + ") or picture (" + extensions_text(kReadsPicture) + ")", true},
-           output_argument(extensions_text(kWritesSkin)),
-           {"skeleton", "--skeleton", Value::kInput, "Put this file's skeleton into the mesh"},
-           {"detail", "--detail", Value::kText, "How much of the body has joints", false, {"body", "hands", "full"}},
-           class_argument(),
-           {"up", "--up", Value::kText, "Axis that points up", false, {"auto", "y", "z"}},
-           {"to_pose", "--to-pose", Value::kText, "Put into a rest pose", false, {"t", "a"}},
-           {"cut", "--cut", Value::kFlag, "Open what has grown together"},
-           controls_argument(),
-           {"picture", "--png", Value::kOutput, "Also draw the mesh with its joints: .png"}})};
+      with_transform({{"mesh", "", Value::kInput,
+                       "Mesh (" + mesh_files() + ") or picture (" + extensions_text(kReadsPicture) + ")", true},
+                      output_argument(extensions_text(kWritesSkin)),
+                      {"skeleton", "--skeleton", Value::kInput, "Put this file's skeleton into the mesh"},
+                      {"detail", "--detail", Value::kText, "How much of the body has joints", false, kCharacterDetail},
+                      class_argument(),
+                      {"up", "--up", Value::kText, "Axis that points up", false, {"auto", "y", "z"}},
+                      {"to_pose", "--to-pose", Value::kText, "Put into a rest pose", false, {"t", "a"}},
+                      {"cut", "--cut", Value::kFlag, "Open what has grown together"},
+                      controls_argument(),
+                      {"picture", "--png", Value::kOutput, "Also draw the mesh with its joints: .png"}})};
 }
 
 Tool bind_tool() {
