@@ -12,7 +12,7 @@
 #include "data/engine_mesh.hpp"
 #include "data/grown_shell.hpp"
 #include "data/point_sample.hpp"
-#include "data/silhouette.hpp"
+#include "data/sourced_surface.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/sample.hpp"

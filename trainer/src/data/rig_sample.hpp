@@ -11,7 +11,7 @@
 
 #include "data/engine_mesh.hpp"
 #include "data/rig_pose.hpp"
-#include "data/rough_surface.hpp"
+#include "data/sourced_surface.hpp"
 #include "sinew_data_sets/target_skeleton.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/character.hpp"

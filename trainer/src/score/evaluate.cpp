@@ -8,7 +8,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "data/dense_rows.hpp"
 #include "sinew_character/check/bone_distance.hpp"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/base/box.hpp"
