@@ -19,7 +19,7 @@
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
-#include "sinew_trainer/float_skeleton.hpp"
+#include "sinew_trainer/rig_difference.hpp"
 #include "sinew_trainer/rig_report.hpp"
 #include "sinew_trainer/rig_score.hpp"
 #include "support.hpp"

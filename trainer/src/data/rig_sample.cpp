@@ -11,7 +11,6 @@
 #include "data/eigen_points.hpp"
 #include "data/engine_mesh.hpp"
 #include "data/grown_shell.hpp"
-#include "data/point_sample.hpp"
 #include "data/sourced_surface.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "data/slot_sample.hpp"
 #include "network/layer_runner.hpp"
 #include "sinew_formats/float_network.hpp"
-#include "sinew_trainer/joint_slots.hpp"
 
 namespace sinew {
 
