@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "sinew_trainer/confidence.hpp"
-#include "sinew_trainer/engine_logits.hpp"
+#include "sinew_trainer/engine_network.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/garment_pictures.hpp"
 #include "sinew_trainer/report.hpp"

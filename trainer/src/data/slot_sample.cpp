@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "data/rig_sample.hpp"
+#include "network/slot_network.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -74,8 +75,6 @@ void connected_slots(const TargetSkeleton& target, const std::array<int, kSlots>
     (*connected)[slot_pair(std::min(s, other), std::max(s, other))] = 1;
   }
 }
-
-using namespace rigging;
 
 NetworkSample slot_points(const PointSet& set) {
   NetworkSample s = point_sample(set);

@@ -15,10 +15,6 @@
 
 namespace sinew {
 
-// The joint vector of a slot: position in the mirror frame (3) and offset from the skin, its length; all in longest sides. Then,
-// of what a network says, how likely the slot holds a joint, 0 to 1.
-constexpr uint32_t kSlotOffset = 3, kSlotPresence = 4, kSlotNumbers = 5;
-
 // Which joint of a skeleton each slot holds, -1 for none. Joints come by their depth below the root, those nearer to the
 // outside first; each takes the first free slot of its class and side. Of a chain that is longer than its slots, joints
 // at equal steps stay. Classes without slots (hair, other) and what finds none free are left out.

@@ -16,9 +16,8 @@
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_trainer/calibrate.hpp"
+#include "sinew_trainer/engine_network.hpp"
 #include "sinew_trainer/network.hpp"
-#include "sinew_trainer/network_input.hpp"
 #include "votes/rig_task.hpp"
 
 namespace sinew {
