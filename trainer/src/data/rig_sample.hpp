@@ -15,7 +15,7 @@
 #include "sinew_data_sets/target_skeleton.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/character.hpp"
-#include "sinew_trainer/network_sample.hpp"
+#include "sinew_trainer/sample.hpp"
 #include "votes/rig_points.hpp"
 
 namespace sinew {

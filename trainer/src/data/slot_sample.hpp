@@ -11,7 +11,7 @@
 #include "data/rig_sample.hpp"
 #include "published/joint_slots.hpp"
 #include "sinew_data_sets/target_skeleton.hpp"
-#include "sinew_trainer/network_sample.hpp"
+#include "sinew_trainer/sample.hpp"
 
 namespace sinew {
 

@@ -15,7 +15,7 @@
 #include <sstream>
 
 #include "core/random.hpp"
-#include "network/widen.hpp"
+#include "network/networks.hpp"
 #include "run/optimizer.hpp"
 #include "sinew_formats/base/parallel.hpp"
 #include "sinew_formats/error.hpp"

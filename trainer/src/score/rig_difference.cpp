@@ -12,7 +12,7 @@
 #include "data/slot_sample.hpp"
 #include "network/slot_network.hpp"
 #include "published/slots.hpp"
-#include "run/front_loss.hpp"
+#include "run/rig_loss.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
