@@ -11,7 +11,7 @@
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/bend_pictures.hpp"
-#include "sinew_trainer/reliability_plot.hpp"
+#include "sinew_trainer/confidence.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

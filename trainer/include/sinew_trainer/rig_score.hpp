@@ -40,6 +40,21 @@ struct RigScore {
   double classes = 0;    // share of pairs without bone ends whose classes agree
   double symmetric = 0;  // 1 where every predicted joint has a mirror image, within 2e-6, about the middle of them all
 };
+// Its figures, in the order and by the names of the yardstick.
+struct RigFigure {
+  const char* key;
+  double RigScore::*value;
+};
+inline constexpr std::array<RigFigure, 9> kRigFigures = {{{"J2J", &RigScore::j2j},
+                                                          {"J2B", &RigScore::j2b},
+                                                          {"B2B", &RigScore::b2b},
+                                                          {"precision", &RigScore::precision},
+                                                          {"recall", &RigScore::recall},
+                                                          {"IoU", &RigScore::iou},
+                                                          {"joined", &RigScore::joined},
+                                                          {"class", &RigScore::classes},
+                                                          {"symmetric", &RigScore::symmetric}}};
+
 // Of every predicted joint the reference joint that it is paired with, -1 = none.
 std::vector<int> pair_joints(const ScoredSkeleton& predicted, const ScoredSkeleton& reference);
 // Same figures as rig_eval.py. Throws Error where either has no joints.

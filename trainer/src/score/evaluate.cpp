@@ -15,7 +15,6 @@
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/vertex_areas.hpp"
 #include "sinew_trainer/fold_targets.hpp"
-#include "sinew_trainer/random_poses.hpp"
 
 namespace sinew {
 namespace {

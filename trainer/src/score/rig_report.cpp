@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "score/rig_figures.hpp"
 #include "sinew_character/page/html.hpp"
+#include "sinew_trainer/rig_score.hpp"
 
 namespace sinew {
 namespace {
