@@ -20,7 +20,6 @@
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/rig_difference.hpp"
-#include "sinew_trainer/rig_report.hpp"
 #include "sinew_trainer/rig_score.hpp"
 #include "support.hpp"
 #include "votes/rig_task.hpp"

@@ -21,10 +21,10 @@
 #include "sinew_formats/print.hpp"
 #include "sinew_quant/model_writer.hpp"
 #include "sinew_trainer/engine_network.hpp"
+#include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/network.hpp"
 #include "sinew_trainer/rig_difference.hpp"
 #include "sinew_trainer/train.hpp"
-#include "sinew_trainer/weight_difference.hpp"
 #include "support.hpp"
 #include "votes/rig_task.hpp"
 

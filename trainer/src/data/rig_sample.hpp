@@ -40,10 +40,10 @@ struct RigVariant {
           // stretched, small parts vanish
   bool wide = false;   // wide_pose() (rig_pose.hpp), not mild_pose()
   uint32_t cells = 0;  // grown together: a shell of so many cells (grown_shell.hpp)
-  bool wall = false;   // double (rough_surface.hpp)
+  bool wall = false;   // double (sourced_surface.hpp)
   bool specks = false;
   bool picture =
-      false;  // as a picture of it would be, without the three above: mostly of its broad side (silhouette.hpp)
+      false;  // as a picture of it would be, without the three above: mostly of its broad side (sourced_surface.hpp)
 };
 
 // A character in its mirror frame, ready to be posed, stretched and sampled. What a point learns follows its joints, so that

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One joint turned, seen from the side on which it bends, by linear skinning and by the engine's deformer; under cloth, skin that
 // comes through shows in its own colour.
-#include "sinew_trainer/bend_pictures.hpp"
-
 #include "score/bends.hpp"
 #include "sinew/deform.h"
 #include "sinew_character/bind/transfer.hpp"
@@ -12,6 +10,7 @@
 #include "sinew_character/pose/deform.hpp"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_character/predict/label_skeleton.hpp"
+#include "sinew_trainer/report.hpp"
 
 namespace sinew {
 namespace {

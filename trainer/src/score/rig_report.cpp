@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Figures, families, and every character's two skeletons beside each other, as HTML.
-#include "sinew_trainer/rig_report.hpp"
 
 #include <algorithm>
 #include <cmath>

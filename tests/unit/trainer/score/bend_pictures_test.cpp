@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The report's pictures of bends: a panel for every joint that its name tells; of cloth a row of four for every bend under it, the same
 // bytes again, and fewer crossings than before.
-#include "sinew_trainer/bend_pictures.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <string>
 
 #include "sinew_formats/io.hpp"
+#include "sinew_trainer/report.hpp"
 
 namespace sinew {
 namespace {

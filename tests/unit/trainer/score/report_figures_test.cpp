@@ -11,7 +11,6 @@
 #include "sinew_trainer/confidence.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/sample.hpp"
-#include "sinew_trainer/weight_difference.hpp"
 
 namespace sinew {
 namespace {
