@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Walls and specks are added behind what is there. Silhouettes: triangles to pixels, with the nearest and the farthest corner of
 // each; the picture house makes the mesh.
+#include "data/sourced_surface.hpp"
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
@@ -8,7 +10,6 @@
 #include <limits>
 #include <vector>
 
-#include "data/sourced_surface.hpp"
 #include "sinew_character/picture/picture_mesh.hpp"
 #include "sinew_formats/base/point.hpp"
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Silhouettes of boxes: where the box is, as wide and as high, with the corners that are seen from either side.
+#include "data/sourced_surface.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "data/sourced_surface.hpp"
 #include "sinew_formats/base/point.hpp"
 
 namespace sinew {
