@@ -14,8 +14,8 @@
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_quant/quantize.hpp"
-#include "sinew_trainer/calibrate.hpp"
-#include "sinew_trainer/engine_logits.hpp"
+#include "sinew_trainer/engine_network.hpp"
+#include "sinew_trainer/network.hpp"
 #include "sinew_trainer/ranks.hpp"
 #include "support.hpp"
 

@@ -15,7 +15,7 @@
 #include "sinew_formats/base/parallel.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
-#include "sinew_trainer/recall.hpp"
+#include "sinew_trainer/evaluate.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

@@ -10,7 +10,7 @@
 #include "dataset.hpp"
 #include "options.hpp"
 #include "progress.hpp"
-#include "sinew_data_sets/target_hands.hpp"
+#include "sinew_data_sets/target_skeleton.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "support.hpp"

@@ -10,8 +10,8 @@
 #include "sinew_formats/checkpoint.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
-#include "sinew_trainer/bend_pictures.hpp"
-#include "sinew_trainer/reliability_plot.hpp"
+#include "sinew_trainer/confidence.hpp"
+#include "sinew_trainer/report.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

@@ -15,7 +15,7 @@
 #include "sinew_formats/base/parallel.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
-#include "sinew_trainer/reliability_plot.hpp"
+#include "sinew_trainer/confidence.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

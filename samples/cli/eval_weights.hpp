@@ -12,12 +12,10 @@
 #include <vector>
 
 #include "sinew_trainer/confidence.hpp"
-#include "sinew_trainer/engine_logits.hpp"
+#include "sinew_trainer/engine_network.hpp"
 #include "sinew_trainer/evaluate.hpp"
-#include "sinew_trainer/garment_pictures.hpp"
 #include "sinew_trainer/report.hpp"
 #include "sinew_trainer/sample.hpp"
-#include "sinew_trainer/weight_difference.hpp"
 #include "style_options.hpp"
 
 namespace sinew::cli {

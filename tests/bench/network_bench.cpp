@@ -15,8 +15,8 @@
 #include "sinew/sinew.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_trainer/engine_network.hpp"
 #include "sinew_trainer/network.hpp"
-#include "sinew_trainer/network_input.hpp"
 
 namespace {
 

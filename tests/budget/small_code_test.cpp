@@ -15,6 +15,7 @@
 
 #include "../../samples/embedded/character_small.h"
 #include "sinew/sinew.h"
+#include "skeleton_of.hpp"
 
 namespace {
 
@@ -54,10 +55,7 @@ struct Result {
 // Asks for the workspace and binds, in more than enough where the question was refused.
 Result bind(const Model& model, const sinew_bind_options& options) {
   const sinew_mesh mesh = {kPositions, kVertices, nullptr, kCorners, kTriangles, 3 * kTriangles};
-  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
-  skeleton.positions = kJointPositions;
-  skeleton.parents = kJointParents;
-  skeleton.joint_count = kJoints;
+  sinew_skeleton skeleton = sinew_test::skeleton_of(kJointPositions, kJointParents, kJoints);
   Result result;
   result.joints.assign(size_t{kVertices} * 4, 0);
   result.weights.assign(size_t{kVertices} * 4, 0);
@@ -100,10 +98,7 @@ TEST(SmallCode, HasNoMotion) {
   EXPECT_EQ(sinew_retarget_create_workspace_size(1, 1, &bytes), SINEW_ERROR_NOT_BUILT);
   const float origin[3] = {0, 0, 0};
   const int32_t parent = -1, map = 0;
-  sinew_skeleton rig = SINEW_INIT(sinew_skeleton);
-  rig.positions = origin;
-  rig.parents = &parent;
-  rig.joint_count = 1;
+  sinew_skeleton rig = sinew_test::skeleton_of(origin, &parent, 1);
   const Block block = block_of(1 << 16);
   sinew_retarget* plan = nullptr;
   EXPECT_EQ(sinew_retarget_create(&rig, &rig, &map, nullptr, nullptr, block.get(), 1 << 16, &plan),

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "sinew/sinew.h"
+#include "skeleton_of.hpp"
 
 namespace sinew_test {
 
@@ -49,13 +50,7 @@ struct Tube {
             static_cast<uint32_t>(corners.size() / 3),
             static_cast<uint32_t>(corners.size())};
   }
-  sinew_skeleton skeleton() const {
-    sinew_skeleton view = SINEW_INIT(sinew_skeleton);
-    view.positions = joints.data();
-    view.parents = parents.data();
-    view.joint_count = kJoints;
-    return view;
-  }
+  sinew_skeleton skeleton() const { return skeleton_of(joints.data(), parents.data(), kJoints); }
 };
 
 struct StackCase {

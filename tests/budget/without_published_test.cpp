@@ -8,6 +8,7 @@
 
 #include "sinew/published.h"
 #include "sinew/sinew.hpp"
+#include "skeleton_of.hpp"
 
 namespace {
 
@@ -16,13 +17,7 @@ const uint32_t kCorners[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
 const float kJoints[] = {0.1f, 0.1f, 0.1f, 0.5f, 0.1f, 0.1f};
 const int32_t kParents[] = {-1, 0};
 const sinew_mesh kMesh = {kPositions, 4, nullptr, kCorners, 4, 12};
-sinew_skeleton skeleton() {
-  sinew_skeleton view = SINEW_INIT(sinew_skeleton);
-  view.positions = kJoints;
-  view.parents = kParents;
-  view.joint_count = 2;
-  return view;
-}
+sinew_skeleton skeleton() { return sinew_test::skeleton_of(kJoints, kParents, 2); }
 
 TEST(WithoutPublishedMethods, TheyAreNotBuilt) {
   sinew::Workspace workspace(size_t{1} << 24);

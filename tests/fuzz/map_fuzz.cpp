@@ -7,6 +7,7 @@
 #include "bind_checks.hpp"
 #include "fuzz.hpp"
 #include "mesh_input.hpp"
+#include "skeleton_of.hpp"
 
 namespace {
 
@@ -24,10 +25,7 @@ struct RigInput : SkeletonInput {
   void read(Bytes& in, uint8_t shape, uint8_t extras) {
     const uint32_t joints = in.below(48);
     read_joints(in, shape, joints);
-    rig = SINEW_INIT(sinew_skeleton);
-    rig.positions = joint_positions.data();
-    rig.parents = parents.data();
-    rig.joint_count = joints;
+    rig = sinew_test::skeleton_of(joint_positions.data(), parents.data(), joints);
     for (uint32_t j = 0; j < joints; ++j) {
       const uint8_t name = in.u8();
       names.push_back(name < 9 ? kNames[name] : std::string(1 + name % 3, static_cast<char>(name)));

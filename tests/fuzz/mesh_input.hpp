@@ -9,6 +9,7 @@
 
 #include "bundled_model.hpp"
 #include "fuzz.hpp"
+#include "skeleton_of.hpp"
 
 namespace sinew::test {
 
@@ -75,9 +76,7 @@ struct SkeletonInput {
                                                    : static_cast<int32_t>(in.below(j + 1)) - 1);
       flags.push_back(in.u8() % 16 == 0 ? in.u8() : uint8_t{0});
     }
-    skeleton.positions = joint_positions.data();
-    skeleton.parents = parents.data();
-    skeleton.joint_count = joints;
+    skeleton = sinew_test::skeleton_of(joint_positions.data(), parents.data(), joints);
   }
 };
 

@@ -6,6 +6,7 @@
 #include "model/layout.hpp"
 #include "network_fixture.hpp"
 #include "sinew/sinew.hpp"
+#include "skeleton_of.hpp"
 
 namespace {
 
@@ -28,10 +29,7 @@ void bind_with(const sinew_model& model) {
   mesh.face_vertices = faces;
   mesh.face_count = 4;
   mesh.corner_count = 12;
-  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
-  skeleton.positions = joint_positions;
-  skeleton.parents = parents;
-  skeleton.joint_count = 3;
+  sinew_skeleton skeleton = sinew_test::skeleton_of(joint_positions, parents, 3);
   sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.grid_size = 16;
   Binding first, second;

@@ -12,6 +12,7 @@
 #include "sinew/motion_clips.h"
 #include "sinew/published.h"
 #include "sinew/rig.h"
+#include "skeleton_of.hpp"
 #include "skinned_triangles.hpp"
 
 namespace {
@@ -48,10 +49,7 @@ struct RigInput {
   uint32_t up = SINEW_UP_AUTO;
 
   sinew_skeleton view() const {
-    sinew_skeleton view = SINEW_INIT(sinew_skeleton);
-    view.positions = positions.data();
-    view.parents = parents.data();
-    view.joint_count = static_cast<uint32_t>(parents.size());
+    sinew_skeleton view = sinew_test::skeleton_of(positions, parents);
     if (!rotations.empty()) view.rotations = rotations.data();
     view.up = up;
     return view;

@@ -6,6 +6,7 @@
 #include "fuzz.hpp"
 #include "sinew/names.h"
 #include "sinew/sinew.hpp"
+#include "skeleton_of.hpp"
 
 namespace {
 
@@ -67,10 +68,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     check_side(names[j].c_str());
   }
   for (const std::string& name : names) texts.push_back(name.c_str());
-  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
-  skeleton.positions = positions.data();
-  skeleton.parents = parents.data();
-  skeleton.joint_count = count;
+  sinew_skeleton skeleton = sinew_test::skeleton_of(positions.data(), parents.data(), count);
   skeleton.names = texts.data();
   const uint8_t* const told = (shape & 1) != 0 ? follows.data() : nullptr;
   const Verdicts first(skeleton, told, 0), second(skeleton, told, 0xA5);

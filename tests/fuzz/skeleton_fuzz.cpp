@@ -8,6 +8,7 @@
 #include "bind_checks.hpp"
 #include "fuzz.hpp"
 #include "mesh_input.hpp"
+#include "skeleton_of.hpp"
 
 namespace {
 
@@ -193,10 +194,7 @@ void check_details(const Call& call, const Skeleton& given, size_t seed) {
 
 // What comes out is a skeleton for sinew_bind().
 void check_bind(const Call& call, const Skeleton& s) {
-  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
-  skeleton.positions = s.positions.data();
-  skeleton.parents = s.parents.data();
-  skeleton.joint_count = s.outputs.joint_count;
+  sinew_skeleton skeleton = sinew_test::skeleton_of(s.positions.data(), s.parents.data(), s.outputs.joint_count);
   skeleton.flags = s.flags.data();
   sinew_bind_options options = SINEW_INIT(sinew_bind_options);
   options.grid_size = 16;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "../support/rig_skeleton.hpp"
+#include "../support/skeleton_of.hpp"
 #include "bind/bind.hpp"
 #include "kernels/select.hpp"
 #include "network/network.hpp"
@@ -124,10 +125,7 @@ Input read_input(const std::string& obj) {
   in.mesh = {
       in.positions.data(), static_cast<uint32_t>(in.positions.size() / 3), in.offsets.data(),
       in.corners.data(),   static_cast<uint32_t>(in.offsets.size() - 1),   static_cast<uint32_t>(in.corners.size())};
-  in.skeleton = SINEW_INIT(sinew_skeleton);
-  in.skeleton.positions = in.joints.data();
-  in.skeleton.parents = in.parents.data();
-  in.skeleton.joint_count = static_cast<uint32_t>(names.size());
+  in.skeleton = sinew_test::skeleton_of(in.joints.data(), in.parents.data(), static_cast<uint32_t>(names.size()));
   return in;
 }
 
@@ -511,10 +509,7 @@ void hash_details(const char* name, const SetLine& line, const Input& in, const 
 void hash_map(const char* name, const SetLine& line, const Input& in, const Input& source) {
   std::vector<const char*> names[2];
   const auto rig_of = [&](const Input& of, std::vector<const char*>* texts) {
-    sinew_skeleton rig = SINEW_INIT(sinew_skeleton);
-    rig.positions = of.joints.data();
-    rig.parents = of.parents.data();
-    rig.joint_count = of.skeleton.joint_count;
+    sinew_skeleton rig = sinew_test::skeleton_of(of.joints.data(), of.parents.data(), of.skeleton.joint_count);
     for (const std::string& one : of.names) texts->push_back(one.c_str());
     if (line.names != 0) rig.names = texts->data();
     if (line.z_up == 0) rig.up = SINEW_UP_Y;
@@ -605,15 +600,9 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
     for (int32_t up = in.parents[j]; up >= 0 && depth < 7; up = in.parents[static_cast<size_t>(up)]) ++depth;
     classes.push_back(by_depth[depth]);
   }
-  sinew_skeleton source = SINEW_INIT(sinew_skeleton);
-  source.positions = positions.data();
-  source.parents = in.parents.data();
-  source.joint_count = joints;
+  sinew_skeleton source = sinew_test::skeleton_of(positions.data(), in.parents.data(), joints);
   source.rotations = rotations.data();
-  sinew_skeleton target = SINEW_INIT(sinew_skeleton);
-  target.positions = in.joints.data();
-  target.parents = in.parents.data();
-  target.joint_count = joints;
+  sinew_skeleton target = sinew_test::skeleton_of(in.joints.data(), in.parents.data(), joints);
   size_t bytes = 0;
   check(sinew_retarget_create_workspace_size(joints, joints, &bytes));
   Block block(bytes);

@@ -16,6 +16,7 @@
 #include "cli_fixture.hpp"
 #include "make_glb.hpp"
 #include "sinew/character.h"
+#include "skeleton_of.hpp"
 
 namespace sinew {
 namespace {
@@ -493,10 +494,7 @@ TEST_F(CharacterC, ArraysInAreArraysOut) {
   const int32_t parents[] = {-1, 0};
   const char* names[] = {"Hips", "Head"};
   const sinew_mesh mesh = {positions, 4, nullptr, faces, 2, 6};
-  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
-  skeleton.positions = joints;
-  skeleton.parents = parents;
-  skeleton.joint_count = 2;
+  sinew_skeleton skeleton = sinew_test::skeleton_of(joints, parents, 2);
   skeleton.names = names;
   sinew_character* made = nullptr;
   ASSERT_EQ(sinew_character_create(&mesh, &skeleton, &made), SINEW_OK) << sinew_character_error(nullptr);

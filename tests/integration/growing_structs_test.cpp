@@ -14,6 +14,7 @@
 #include "sinew/motion_clips.h"
 #include "sinew/published.h"
 #include "sinew/sinew.hpp"
+#include "skeleton_of.hpp"
 
 // Members never move, and nothing is put between them.
 #define SINEW_KEEPS(type, member) \
@@ -204,10 +205,7 @@ class GrowingStructs : public ::testing::Test {
     const float joint_positions[] = {0.5f, 0.1f, 0.5f, 0.5f, 2, 0.5f};
     const int32_t parents[] = {-1, 0};
     const sinew_mesh mesh = {positions.data(), kVertices, nullptr, corners.data(), kTriangles, 3 * kTriangles};
-    sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
-    skeleton.positions = joint_positions;
-    skeleton.parents = parents;
-    skeleton.joint_count = 2;
+    sinew_skeleton skeleton = sinew_test::skeleton_of(joint_positions, parents, 2);
     const auto* const o = reinterpret_cast<const sinew_bind_options*>(&options);
     size_t bytes = 0;
     const sinew_status sized = sinew_bind_workspace_size(nullptr, mesh.vertex_count, mesh.face_count, mesh.corner_count,
@@ -438,10 +436,7 @@ class GrowingDeformStructs : public GrowingStructs {
     const float joint_positions[] = {0.5f, 0.1f, 0.5f, 0.5f, 1.5f, 0.5f};
     const int32_t parents[] = {-1, 0};
     const sinew_mesh mesh = {positions.data(), kVertices, nullptr, corners.data(), kTriangles, 3 * kTriangles};
-    sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
-    skeleton.positions = joint_positions;
-    skeleton.parents = parents;
-    skeleton.joint_count = 2;
+    sinew_skeleton skeleton = sinew_test::skeleton_of(joint_positions, parents, 2);
     const sinew_skin skin = {joints.data(), weights.data(), kInfluences, SINEW_WEIGHT_UNORM16};
     const float palette[24] = {1,    0,     0, 0,    0,    1,    0, 0,    0, 0, 1, 0,
                                0.6f, -0.8f, 0, 1.4f, 0.8f, 0.6f, 0, 0.2f, 0, 0, 1, 0};
@@ -521,10 +516,7 @@ class GrowingMotionStructs : public ::testing::Test {
   template <class RetargetOptions>
   sinew_status plan(const RetargetOptions& options) {
     const int32_t parent = -1, source = 0;
-    sinew_skeleton from = SINEW_INIT(sinew_skeleton);
-    from.positions = origin;
-    from.parents = &parent;
-    from.joint_count = 1;
+    sinew_skeleton from = sinew_test::skeleton_of(origin, &parent, 1);
     sinew_skeleton to = from;
     to.positions = aside;
     size_t bytes = 0;
@@ -665,10 +657,7 @@ TEST_F(GrowingStructs, ProgramsOfTheFirstReleaseAndOfTheFutureTransferAsEver) {
   const float joint_positions[] = {0.5f, 0.1f, 0.5f, 0.5f, 2, 0.5f};
   const int32_t parents[] = {-1, 0}, map[] = {0, 1};
   const sinew_mesh mesh = {positions.data(), kVertices, nullptr, corners.data(), kTriangles, 3 * kTriangles};
-  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
-  skeleton.positions = joint_positions;
-  skeleton.parents = parents;
-  skeleton.joint_count = 2;
+  sinew_skeleton skeleton = sinew_test::skeleton_of(joint_positions, parents, 2);
   std::vector<uint16_t> source_joints(kVertices), source_weights(kVertices, 65535);
   for (uint32_t v = 0; v < kVertices; ++v) source_joints[v] = v >= kVertices / 2 ? 1 : 0;
   const sinew_bound_character source = {
@@ -748,10 +737,7 @@ TEST_F(GrowingStructs, ProgramsOfTheFirstReleaseAndOfTheFutureSimplifyAsEver) {
     EXPECT_EQ(sinew_simplify_workspace_size(4, &bytes), SINEW_OK);
     sinew::Workspace workspace(bytes);
     uint32_t into[4] = {};
-    sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
-    skeleton.positions = places;
-    skeleton.parents = parents;
-    skeleton.joint_count = 4;
+    sinew_skeleton skeleton = sinew_test::skeleton_of(places, parents, 4);
     const sinew_status status =
         sinew_simplify(&skeleton, nullptr, nullptr, static_cast<const sinew_simplify_options*>(options),
                        workspace.data(), bytes, into);

@@ -17,8 +17,7 @@
 #include "sinew_data_sets/synthesize.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_quant/quantize.hpp"
-#include "sinew_trainer/calibrate.hpp"
-#include "sinew_trainer/engine_logits.hpp"
+#include "sinew_trainer/engine_network.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/network.hpp"
 

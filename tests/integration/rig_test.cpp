@@ -12,6 +12,7 @@
 #include "rig_scene.hpp"
 #include "sample_mesh.hpp"
 #include "sinew/published.h"
+#include "skeleton_of.hpp"
 
 namespace {
 
@@ -212,10 +213,7 @@ TEST(SkeletonOfAMesh, TheSkeletonCanBeBoundAtOnce) {
   const RiggedScene rigged(scene, SINEW_INIT(sinew_rig_options));
   rigged.expect_sound();
   const sinew_mesh mesh = scene.mesh_view();
-  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
-  skeleton.positions = rigged.positions.data();
-  skeleton.parents = rigged.parents.data();
-  skeleton.joint_count = rigged.count;
+  sinew_skeleton skeleton = sinew_test::skeleton_of(rigged.positions.data(), rigged.parents.data(), rigged.count);
   skeleton.flags = rigged.flags.data();
   size_t bytes = 0;
   ASSERT_EQ(sinew_bind_workspace_size(bundled_model(), mesh.vertex_count, mesh.face_count, mesh.corner_count,

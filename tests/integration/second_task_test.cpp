@@ -19,9 +19,8 @@
 #include "sinew_formats/checkpoint.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_quant/quantize.hpp"
-#include "sinew_trainer/calibrate.hpp"
+#include "sinew_trainer/engine_network.hpp"
 #include "sinew_trainer/network.hpp"
-#include "sinew_trainer/network_input.hpp"
 #include "temp_folder.hpp"
 
 namespace sinew {

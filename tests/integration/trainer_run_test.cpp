@@ -11,7 +11,6 @@
 #include <fstream>
 #include <map>
 
-#include "data/augment.hpp"
 #include "data/sample_cache.hpp"
 #include "run/loss.hpp"
 #include "sinew_data_sets/dataset.hpp"

@@ -15,6 +15,7 @@
 
 #include "open_bundled_model.hpp"
 #include "sinew/sinew.hpp"
+#include "skeleton_of.hpp"
 #include "with_asan.hpp"
 
 namespace {
@@ -54,10 +55,7 @@ sinew_mesh mesh_of(const Scene& scene) {
           static_cast<uint32_t>(scene.corners.size())};
 }
 sinew_skeleton skeleton_of(const Scene& scene) {
-  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
-  skeleton.positions = scene.joints.data();
-  skeleton.parents = scene.parents.data();
-  skeleton.joint_count = static_cast<uint32_t>(scene.parents.size());
+  sinew_skeleton skeleton = sinew_test::skeleton_of(scene.joints, scene.parents);
   skeleton.up = scene.up;
   return skeleton;
 }
@@ -336,10 +334,7 @@ TEST(BindProperty, LockedRowsAndExcludedJoints) {
                            static_cast<uint32_t>(scene.offsets.size() - 1),
                            static_cast<uint32_t>(scene.corners.size())};
   std::vector<uint8_t> flags = {0, SINEW_JOINT_NEVER, 0, 0}, locked(n, 0);
-  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
-  skeleton.positions = scene.joints.data();
-  skeleton.parents = scene.parents.data();
-  skeleton.joint_count = 4;
+  sinew_skeleton skeleton = sinew_test::skeleton_of(scene.joints.data(), scene.parents.data(), 4);
   skeleton.flags = flags.data();
   locked[5] = 1;
   sinew_bind_options options = SINEW_INIT(sinew_bind_options);

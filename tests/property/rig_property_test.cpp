@@ -9,6 +9,7 @@
 
 #include "draw.hpp"
 #include "rig_scene.hpp"
+#include "skeleton_of.hpp"
 #include "with_asan.hpp"
 
 namespace {
@@ -199,10 +200,7 @@ MeshScene random_mesh(uint32_t seed) {
 
 void expect_binds(const MeshScene& scene, const RiggedScene& rigged) {
   const sinew_mesh mesh = scene.mesh_view();
-  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
-  skeleton.positions = rigged.positions.data();
-  skeleton.parents = rigged.parents.data();
-  skeleton.joint_count = rigged.count;
+  sinew_skeleton skeleton = sinew_test::skeleton_of(rigged.positions.data(), rigged.parents.data(), rigged.count);
   skeleton.flags = rigged.flags.data();
   sinew::Workspace workspace;
   sinew::Skin<uint16_t> skin;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sinew/sinew.hpp"
+#include "skeleton_of.hpp"
 
 namespace sinew_test {
 
@@ -55,13 +56,7 @@ struct BentTube {
             static_cast<uint32_t>(corners.size() / 3),
             static_cast<uint32_t>(corners.size())};
   }
-  sinew_skeleton skeleton() const {
-    sinew_skeleton view = SINEW_INIT(sinew_skeleton);
-    view.positions = joint_positions.data();
-    view.parents = parents.data();
-    view.joint_count = static_cast<uint32_t>(parents.size());
-    return view;
-  }
+  sinew_skeleton skeleton() const { return skeleton_of(joint_positions, parents); }
   sinew_skin skin() const { return {joints.data(), weights.data(), 2, SINEW_WEIGHT_UNORM16}; }
 
   // Every joint but the first turned by an angle about an axis through itself, on top of its parent.

@@ -10,6 +10,7 @@
 
 #include "aligned_bytes.hpp"
 #include "sinew/sinew.h"
+#include "skeleton_of.hpp"
 
 namespace sinew_test {
 
@@ -83,10 +84,7 @@ struct MapCall {
   sinew_map_outputs outputs = {};
 
   sinew_skeleton view(const TestRig& rig, std::vector<const char*>* texts) const {
-    sinew_skeleton view = SINEW_INIT(sinew_skeleton);
-    view.positions = rig.positions.data();
-    view.parents = rig.parents.data();
-    view.joint_count = rig.count();
+    sinew_skeleton view = skeleton_of(rig.positions.data(), rig.parents.data(), rig.count());
     for (const std::string& name : rig.names) texts->push_back(name.c_str());
     if (names) view.names = texts->data();
     if (ends) view.ends = rig.ends.data();

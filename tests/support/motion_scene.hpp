@@ -10,6 +10,7 @@
 
 #include "motion/quaternion.hpp"
 #include "sinew/sinew.hpp"
+#include "skeleton_of.hpp"
 
 namespace sinew_test {
 
@@ -29,10 +30,7 @@ struct MotionScene {
   uint32_t up = SINEW_UP_AUTO;
 
   sinew_skeleton view() const {
-    sinew_skeleton view = SINEW_INIT(sinew_skeleton);
-    view.positions = positions.data();
-    view.parents = parents.data();
-    view.joint_count = count();
+    sinew_skeleton view = skeleton_of(positions.data(), parents.data(), count());
     if (!rotations.empty()) view.rotations = rotations.data();
     view.up = up;
     return view;

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <random>
 
-#include "sinew_trainer/network_sample.hpp"
+#include "sinew_trainer/sample.hpp"
 #include "votes/rig_task.hpp"
 
 namespace sinew {

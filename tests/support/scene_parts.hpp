@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sinew/types.h"
+#include "skeleton_of.hpp"
 
 namespace sinew_test {
 
@@ -30,11 +31,8 @@ struct SceneParts {
   }
   // A view of the scene, which must outlive it.
   sinew_skeleton skeleton_view() const {
-    sinew_skeleton view = SINEW_INIT(sinew_skeleton);
-    view.positions = joints.data();
-    view.parents = parents.data();
+    sinew_skeleton view = skeleton_of(joints.data(), parents.data(), joint_count());
     view.flags = flags.empty() ? nullptr : flags.data();
-    view.joint_count = joint_count();
     view.up = up;
     return view;
   }

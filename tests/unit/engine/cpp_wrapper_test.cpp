@@ -12,6 +12,7 @@
 #include "rig_scene.hpp"
 #include "sinew/published.h"
 #include "sinew/sinew.hpp"
+#include "skeleton_of.hpp"
 #include "transfer_scene.hpp"
 
 namespace {
@@ -180,10 +181,7 @@ TEST(CppWrapper, WorkspaceGrowsAndMoves) {
 TEST(CppWrapper, ARetargetPlanThatWasNotMadeRefuses) {
   const float positions[6] = {0, 0, 0, 0, 1, 0};
   const int32_t parents[2] = {-1, 0}, map[2] = {0, 1}, none[2] = {-1, -1};
-  sinew_skeleton rig = SINEW_INIT(sinew_skeleton);
-  rig.positions = positions;
-  rig.parents = parents;
-  rig.joint_count = 2;
+  sinew_skeleton rig = sinew_test::skeleton_of(positions, parents, 2);
   const float rotations[8] = {0, 0, 0, 1, 0, 0, 0.6f, 0.8f}, translations[6] = {1, 2, 3, 0, 1, 0};
   float turned[8], moved[6], ground = 0;
   sinew::RetargetPlan plan;

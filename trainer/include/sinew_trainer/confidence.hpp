@@ -55,5 +55,12 @@ std::vector<JudgedConfidence> apply_confidence(const std::vector<JudgedConfidenc
 // Throws Error when there are fewer than two families.
 Reliability reliability_across_families(const std::vector<JudgedConfidence>& judged);
 
+// The plainest confidence, for binders that tell none: the largest weight of each row as a share of the row, 0..255;
+// 0 for an empty row.
+std::vector<uint8_t> top_weights(const std::vector<std::vector<Influence>>& rows);
+
+// Hits over confidence and, below it, how much of the data each bin holds, as SVG of sinew_formats/plots.hpp.
+std::string reliability_plot(const Reliability& reliability);
+
 }  // namespace sinew
 #endif

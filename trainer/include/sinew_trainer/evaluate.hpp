@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The yardstick: how far predicted skin weights are from reference weights. Same numbers as weights_eval.py to 1e-4.
+// The yardstick: how far predicted skin weights are from reference weights or from another result, in random poses as well,
+// and how much of those a network could reach. Same numbers as weights_eval.py to 1e-4.
 #ifndef SINEW_TRAINER_EVALUATE_HPP
 #define SINEW_TRAINER_EVALUATE_HPP
 
+#include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -60,6 +64,39 @@ std::vector<std::pair<std::string, double>> beaten_by(const Scores& scores, cons
 // Markdown table as the yardstick prints it; JSON with every number.
 std::string scores_markdown(const std::string& label, const Scores& scores);
 std::string scores_json(const std::string& label, const Scores& scores);
+// Text in tables of Markdown, where a bar would end the cell.
+inline std::string markdown_cell(std::string text) {
+  for (size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) text.insert(at, 1, '\\');
+  return text;
+}
+
+// Random poses of the yardstick (numpy's default_rng seeded with crc32(name), axis normal, angle uniform, limit 30..60
+// degrees): [poses][joints] skinning matrices; `positions` scaled as the caller wants. Same draws as weights_eval.py.
+std::vector<std::vector<Affine>> random_poses(const Character& character, const std::string& name,
+                                              const std::vector<std::array<double, 3>>& positions, int poses = 10);
+
+// For each K of `ks` (1..SINEW_MAX_CANDIDATES): the mean over bound vertices of the share of reference weight on
+// the K candidates the network would choose from, end markers counted as their parents. `grid` is the voxel grid's
+// longest side. Throws Error when the character cannot be bound or has no weights.
+std::vector<double> candidate_recall(const Character& character, const std::vector<uint32_t>& ks, uint32_t grid);
+
+// Counts over (vertex, joint) pairs that have weight in at least one of two results, each row rounded to whole 255ths
+// that sum to 255.
+struct WeightDifference {
+  static constexpr size_t kSteps = 8;
+  std::array<size_t, kSteps> steps = {};  // pairs that differ by 0, 1, 2, 3, 4..7, 8..15, 16..31, 32 and more 255ths
+  size_t vertices = 0, flips = 0;         // flips: the strongest joint differs
+  void add(const std::vector<std::vector<Influence>>& a, const std::vector<std::vector<Influence>>& b);
+  size_t weights() const;      // pairs
+  double close_share() const;  // share of pairs that differ by at most 1/255; 1 for none
+  double flip_share() const;   // of the vertices
+  static const char* step_name(size_t step);
+};
+
+// A row as whole 255ths with the exact sum, largest remainders rounded up; empty for an empty row.
+std::map<uint32_t, int> row_unorm8(const std::vector<Influence>& row);
+// Joint with the largest weight, the lowest index among equals; UINT32_MAX for an empty row.
+uint32_t strongest_joint(const std::vector<Influence>& row);
 
 }  // namespace sinew
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Families of characters that look alike, and how they are dealt to folds.
+// Families of characters: which look alike, how they are dealt to folds, and how often training draws from each.
 #ifndef SINEW_TRAINER_FAMILY_GROUPS_HPP
 #define SINEW_TRAINER_FAMILY_GROUPS_HPP
 
@@ -11,6 +11,8 @@
 #include <vector>
 
 namespace sinew {
+
+class Random;  // core/random.hpp
 
 // Which families look alike and are therefore left out together. A family that the file does not name follows the rule:
 // mh_* is "mh", every other is named by itself without the digits at its end (q_men19 -> q_men).
@@ -29,6 +31,12 @@ FamilyGroups read_family_groups(const std::string& path);
 // families: name -> number of characters. Throws Error when there are fewer groups than folds.
 std::vector<std::vector<std::string>> make_folds(const std::map<std::string, size_t>& families,
                                                  const FamilyGroups& groups, uint32_t fold_count);
+
+// One round of about as many draws as there are characters, shuffled. `families` names the family of each character.
+// Families in `shares` have that share of the round, the others divide the rest. The fraction of a draw that is left over
+// is drawn by chance, so that shares are exact in the long run.
+std::vector<uint32_t> draw_round(const std::vector<std::string>& families, double power,
+                                 const std::map<std::string, double>& shares, Random* random);
 
 }  // namespace sinew
 #endif

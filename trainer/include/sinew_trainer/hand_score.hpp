@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The yardstick of fingers: predicted ones against those of a rigged character's clear hands (target_hands.hpp).
+// The yardstick of fingers: predicted ones against those of a rigged character's clear hands (target_skeleton.hpp).
 #ifndef SINEW_TRAINER_HAND_SCORE_HPP
 #define SINEW_TRAINER_HAND_SCORE_HPP
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sinew_character/predict/predict_skeleton.hpp"
-#include "sinew_data_sets/target_hands.hpp"
+#include "sinew_data_sets/target_skeleton.hpp"
 
 namespace sinew {
 

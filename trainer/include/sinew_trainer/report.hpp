@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The accuracy report: several variants of a binder (float, int16, fewer bits, heat) compared on one data set.
+// The accuracy report: several variants of a binder (float, int16, fewer bits, heat) compared on one data set, with pictures of
+// bends: before and after correction, and under cloth.
 #ifndef SINEW_TRAINER_REPORT_HPP
 #define SINEW_TRAINER_REPORT_HPP
 
@@ -11,10 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "sinew/sinew.h"
 #include "sinew_formats/base/axis.hpp"
 #include "sinew_trainer/confidence.hpp"
 #include "sinew_trainer/evaluate.hpp"
-#include "sinew_trainer/weight_difference.hpp"
 
 namespace sinew {
 
@@ -71,6 +72,24 @@ ReportPicture report_picture(const Character& reference, const std::vector<std::
 std::string report_html(const ReportData& data);
 // The table of variants alone.
 std::string quantisation_table_markdown(const ReportData& data);
+
+// Elbow, knee, hip and shoulder bent and wrist twisted, each as linear skinning shows it and with its volume kept: the joints of
+// one side that names tell. A panel a joint; none where no name tells a joint.
+ReportPicture bend_pictures(const Character& character, Axis up = Axis::kY, int side = 300);
+
+// How much there is to see. Cloth is a part of the mesh of its own that lies around another part and the bone.
+struct Clothing {
+  size_t bends = 0;      // of the report's elbow, knee, hip and shoulder those under cloth; 0 when nothing is dressed
+  size_t crossings = 0;  // pairs of triangles of cloth and skin that cross at rest
+};
+Clothing measure_clothing(const Character& character);
+
+// Four panels a bend: the cloth bound alone, with the weights of the body's nearest points, as a transfer to a garment gives them, and
+// these with the volume of body and cloth kept. The body has the weights of `character`. Each caption counts the pairs of triangles of
+// cloth and skin that cross and did not at rest. No panels when nothing lies under cloth.
+//   model  for the binds; null: by heat
+ReportPicture garment_pictures(const Character& character, const sinew_model* model, Axis up = Axis::kY,
+                               int side = 300);
 
 }  // namespace sinew
 #endif

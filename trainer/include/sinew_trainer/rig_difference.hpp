@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Networks of skeletons and fronts on their way to integers: ranges over a folder's characters, and how far the integers'
-// answers lie from float's.
+// Networks of skeletons and fronts on their way to integers: skeletons by the float network; ranges over a folder's characters; how
+// far the integers' answers lie from float's.
 #ifndef SINEW_TRAINER_RIG_DIFFERENCE_HPP
 #define SINEW_TRAINER_RIG_DIFFERENCE_HPP
 
 #include <string>
 
 #include "sinew/sinew.h"
+#include "sinew_character/predict/predict_skeleton.hpp"
 #include "sinew_formats/float_network.hpp"
 
 namespace sinew {
@@ -54,6 +55,17 @@ struct SlotDifference {
 //   model  of calibrate_slots(), quantised and opened by sinew_rig_model_open()
 SlotDifference compare_slots(const FloatNetwork& both, const sinew_model& model, const std::string& folder,
                              size_t limit);
+
+// As predict_skeleton() with the model, whose network is replaced by the float one: points, votes in steps of 1/1024 and
+// everything behind them are the engine's.
+//   network  of task rig, for bodies
+//   options  model is set, of the same layers
+// Throws Error with the character's name, and OutOfMemory.
+PredictedSkeleton predict_float_skeleton(const Character& character, const FloatNetwork& network,
+                                         const SkeletonOptions& options);
+
+// Whether both have the same joints, by class and side of the plane, on the same parents.
+bool same_tree(const PredictedSkeleton& a, const PredictedSkeleton& b);
 
 }  // namespace sinew
 #endif

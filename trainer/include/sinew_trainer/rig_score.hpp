@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The yardstick of predicted skeletons: how far they are from the target skeleton of a rigged character.
+// The yardstick of predicted skeletons: how far they are from the target skeleton of a rigged character, and the
+// report on them.
 #ifndef SINEW_TRAINER_RIG_SCORE_HPP
 #define SINEW_TRAINER_RIG_SCORE_HPP
 
@@ -11,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "sinew_character/draw/image.hpp"
 #include "sinew_data_sets/target_skeleton.hpp"
 #include "sinew_formats/character.hpp"
 #include "votes/joint_class.hpp"
@@ -40,6 +42,21 @@ struct RigScore {
   double classes = 0;    // share of pairs without bone ends whose classes agree
   double symmetric = 0;  // 1 where every predicted joint has a mirror image, within 2e-6, about the middle of them all
 };
+// Its figures, in the order and by the names of the yardstick.
+struct RigFigure {
+  const char* key;
+  double RigScore::*value;
+};
+inline constexpr std::array<RigFigure, 9> kRigFigures = {{{"J2J", &RigScore::j2j},
+                                                          {"J2B", &RigScore::j2b},
+                                                          {"B2B", &RigScore::b2b},
+                                                          {"precision", &RigScore::precision},
+                                                          {"recall", &RigScore::recall},
+                                                          {"IoU", &RigScore::iou},
+                                                          {"joined", &RigScore::joined},
+                                                          {"class", &RigScore::classes},
+                                                          {"symmetric", &RigScore::symmetric}}};
+
 // Of every predicted joint the reference joint that it is paired with, -1 = none.
 std::vector<int> pair_joints(const ScoredSkeleton& predicted, const ScoredSkeleton& reference);
 // Same figures as rig_eval.py. Throws Error where either has no joints.
@@ -79,6 +96,23 @@ RigScores summarise(std::vector<std::pair<std::string, RigScore>> characters);
 // The table of the yardstick, times 100, as Markdown; JSON with every number as it is, null for NaN.
 std::string rig_scores_markdown(const RigScores& scores);
 std::string rig_scores_json(const RigScores& scores);
+
+struct RigReportPicture {
+  std::string character;                      // name, as in RigScores::characters
+  std::vector<uint8_t> reference, predicted;  // PNG: the mesh with either skeleton, from the same side
+};
+// Both skeletons in the character's mesh, `side` pixels high.
+RigReportPicture rig_report_picture(const Character& character, const TargetSkeleton& reference,
+                                    const std::vector<Joint>& predicted, int side = 300);
+
+struct RigReport {
+  std::string title = "sinew: skeletons";
+  RigScores scores;
+  std::vector<RigReportPicture> pictures;
+  std::vector<std::pair<std::string, std::string>> facts;  // how the numbers were made: term, fact
+};
+// The whole page; characters from the worst J2J to the best. The same report gives the same bytes.
+std::string rig_report_html(const RigReport& report);
 
 }  // namespace sinew
 #endif

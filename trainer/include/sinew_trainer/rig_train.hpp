@@ -31,7 +31,7 @@ struct RigTrainConfig : RunConfig {
   uint32_t synthetic = 20;
   // Slots: what the error of joints counts, 0 to 1; that of connections counts the rest.
   double balance = 0.7;
-  // Slots: "published", plain mean absolute errors; or "balanced" (src/run/slot_loss.hpp).
+  // Slots: "published", plain mean absolute errors; or "balanced" (src/run/rig_loss.hpp).
   std::string losses = "published";
   // Characters that are not trained on, by name (a * at the end stands for any rest), and why.
   std::map<std::string, std::string> leave_out;

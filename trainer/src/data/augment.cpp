@@ -2,13 +2,12 @@
 // Augmentation: changed copies of a training character. One human in 165 variants teaches little; what is the same
 // under turning, mirroring, stretching and another density is worth learning, and so are other skeletons and rest poses
 // of the same body.
-#include "data/augment.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
 #include "core/random.hpp"
+#include "data/sample_cache.hpp"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_data_sets/dataset.hpp"
 #include "sinew_formats/base/box.hpp"

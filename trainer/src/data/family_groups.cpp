@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Groups of families that look alike, and how they are dealt to folds.
+// Groups of families that look alike, how they are dealt to folds, and the order in which training draws characters, so that many
+// look-alikes do not drown the few.
 #include "sinew_trainer/family_groups.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "core/random.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 
@@ -107,6 +112,44 @@ std::vector<std::vector<std::string>> make_folds(const std::map<std::string, siz
   }
   for (std::vector<std::string>& fold : folds) std::sort(fold.begin(), fold.end());
   return folds;
+}
+
+namespace {
+
+void shuffle(std::vector<uint32_t>* items, Random* random) {
+  for (size_t i = items->size(); i > 1; --i)
+    std::swap((*items)[i - 1], (*items)[random->below(static_cast<uint32_t>(i))]);
+}
+
+}  // namespace
+
+std::vector<uint32_t> draw_round(const std::vector<std::string>& families, double power,
+                                 const std::map<std::string, double>& shares, Random* random) {
+  std::map<std::string, std::vector<uint32_t>> members;
+  for (uint32_t i = 0; i < families.size(); ++i) members[families[i]].push_back(i);
+  double sum = 0, rest = 1;  // of the families without a share of their own
+  for (const auto& [name, characters] : members) {
+    if (const auto given = shares.find(name); given != shares.end()) {
+      rest -= given->second;
+    } else {
+      sum += std::pow(static_cast<double>(characters.size()), power);
+    }
+  }
+  std::vector<uint32_t> round;
+  for (auto& [name, characters] : members) {
+    const auto given = shares.find(name);
+    const double share =
+        given != shares.end() ? given->second : rest * std::pow(static_cast<double>(characters.size()), power) / sum;
+    size_t quota = static_cast<size_t>(share * static_cast<double>(families.size()) + random->uniform());
+    while (quota > 0) {
+      shuffle(&characters, random);
+      const size_t take = std::min(quota, characters.size());
+      round.insert(round.end(), characters.begin(), characters.begin() + static_cast<std::ptrdiff_t>(take));
+      quota -= take;
+    }
+  }
+  shuffle(&round, random);
+  return round;
 }
 
 }  // namespace sinew

@@ -9,7 +9,7 @@
 
 #include "data/eigen_points.hpp"
 #include "data/engine_mesh.hpp"
-#include "data/point_sample.hpp"
+#include "data/rig_sample.hpp"
 #include "details/hand_crop.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"

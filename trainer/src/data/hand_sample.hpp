@@ -7,7 +7,7 @@
 
 #include "data/rig_sample.hpp"
 #include "details/hand_class.hpp"
-#include "sinew_data_sets/target_hands.hpp"
+#include "sinew_data_sets/target_skeleton.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/motion.hpp"
 

@@ -11,11 +11,11 @@
 
 #include "data/engine_mesh.hpp"
 #include "data/rig_pose.hpp"
-#include "data/rough_surface.hpp"
+#include "data/sourced_surface.hpp"
 #include "sinew_data_sets/target_skeleton.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/character.hpp"
-#include "sinew_trainer/network_sample.hpp"
+#include "sinew_trainer/sample.hpp"
 #include "votes/rig_points.hpp"
 
 namespace sinew {
@@ -40,10 +40,10 @@ struct RigVariant {
           // stretched, small parts vanish
   bool wide = false;   // wide_pose() (rig_pose.hpp), not mild_pose()
   uint32_t cells = 0;  // grown together: a shell of so many cells (grown_shell.hpp)
-  bool wall = false;   // double (rough_surface.hpp)
+  bool wall = false;   // double (sourced_surface.hpp)
   bool specks = false;
   bool picture =
-      false;  // as a picture of it would be, without the three above: mostly of its broad side (silhouette.hpp)
+      false;  // as a picture of it would be, without the three above: mostly of its broad side (sourced_surface.hpp)
 };
 
 // A character in its mirror frame, ready to be posed, stretched and sampled. What a point learns follows its joints, so that
@@ -105,6 +105,30 @@ class RigSource {
   std::vector<double> area_;    // [T] doubled
   uint32_t parts_ = 0;
 };
+
+// A set of points as a network's sample: what it reads, without what it should say.
+inline RigSample point_sample(const rigging::PointSet& set) {
+  using namespace rigging;
+  RigSample s;
+  s.vertices = kSetPoints;
+  s.candidates = 1;
+  s.part_count = 1;
+  s.joints = 1;
+  s.inputs.resize(1);
+  s.inputs[0].channels = kRigChannels;
+  s.inputs[0].rows.assign(set.features, set.features + size_t{kSetPoints} * kRigChannels);
+  s.candidate.assign(kSetPoints, 0xFFFF);
+  s.part.assign(kSetPoints, 0);
+  s.part_offsets = {0, kSetPoints};
+  for (uint32_t i = 0; i <= kSetPoints; ++i) {
+    if (i < kSetPoints) s.part_vertices.push_back(i);
+    s.row_offsets.push_back(i * kNeighbours);
+  }
+  s.far_offsets = s.row_offsets;
+  s.col_indices.assign(set.near_neighbours, set.near_neighbours + size_t{kSetPoints} * kNeighbours);
+  s.far_indices.assign(set.far_neighbours, set.far_neighbours + size_t{kSetPoints} * kNeighbours);
+  return s;
+}
 
 }  // namespace sinew
 #endif

@@ -16,7 +16,6 @@
 #include <sstream>
 
 #include "core/random.hpp"
-#include "data/augment.hpp"
 #include "features/features.hpp"
 #include "sinew_data_sets/dataset.hpp"
 #include "sinew_formats/base/parallel.hpp"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sinew_trainer/network_sample.hpp"
+#include "sinew_trainer/sample.hpp"
 
 namespace sinew {
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The engine's stages with float rows in between.
-#include "sinew_trainer/float_skeleton.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-#include "data/point_sample.hpp"
+#include "data/rig_sample.hpp"
 #include "kernels/select.hpp"
 #include "rig/rig.hpp"
 #include "sinew/sinew.hpp"
@@ -13,6 +11,7 @@
 #include "sinew_character/bind/engine_views.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_trainer/network.hpp"
+#include "sinew_trainer/rig_difference.hpp"
 
 namespace sinew {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sinew_formats/float_network.hpp"
-#include "sinew_trainer/network_sample.hpp"
+#include "sinew_trainer/sample.hpp"
 
 namespace sinew {
 

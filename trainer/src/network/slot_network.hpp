@@ -8,10 +8,14 @@
 #include <vector>
 
 #include "network/layer_runner.hpp"
+#include "published/joint_slots.hpp"
 #include "sinew_formats/float_network.hpp"
-#include "sinew_trainer/joint_slots.hpp"
 
 namespace sinew {
+
+// The joint vector of a slot: position in the mirror frame (3) and offset from the skin, its length; all in longest sides. Then,
+// of what a network says, how likely the slot holds a joint, 0 to 1.
+constexpr uint32_t kSlotOffset = 3, kSlotPresence = 4, kSlotNumbers = 5;
 
 // What the runner returns: [kSlots x kSlotNumbers], then the probability of every pair to hang together [rigging::kSlotPairs].
 constexpr uint32_t kSlotOutputs = rigging::kSlots * kSlotNumbers + rigging::kSlotPairs;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Channels of a narrow network in a wide one, followed from layer to layer.
-#include "network/widen.hpp"
-
 #include <cstddef>
 #include <numeric>
 #include <vector>
 
+#include "network/networks.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

@@ -3,12 +3,25 @@
 #ifndef SINEW_TRAINER_RUN_BIND_TASK_HPP
 #define SINEW_TRAINER_RUN_BIND_TASK_HPP
 
-#include "network/absent_channels.hpp"
+#include <cstdint>
+#include <string>
+#include <vector>
+
 #include "run/loss.hpp"
 #include "run/task.hpp"
+#include "sinew_formats/float_network.hpp"
 #include "sinew_trainer/train.hpp"
 
 namespace sinew {
+
+// Input channels that a configuration does without.
+struct AbsentChannels {
+  std::vector<uint32_t> vertex, pair;  // ascending
+};
+// Of TrainConfig::without. Throws Error naming `source`: no channel has the name, or it is the heat prior's.
+AbsentChannels absent_channels(const std::vector<std::string>& names, const std::string& source);
+// Sets the weights that read them to 0.
+void clear_weights(const AbsentChannels& absent, FloatNetwork* network);
 
 // Its samples are of type Sample.
 class BindTask : public TrainingTask {

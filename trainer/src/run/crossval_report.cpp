@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "core/markdown.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/crossval.hpp"
+#include "sinew_trainer/evaluate.hpp"
 
 namespace sinew {
 namespace {

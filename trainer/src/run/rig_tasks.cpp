@@ -2,11 +2,9 @@
 // What a training run asks about votes, slots and fronts.
 #include "run/rig_tasks.hpp"
 
-#include "network/rig_network.hpp"
+#include "network/networks.hpp"
 #include "network/slot_network.hpp"
-#include "run/front_loss.hpp"
 #include "run/rig_loss.hpp"
-#include "run/slot_loss.hpp"
 #include "sinew_formats/error.hpp"
 #include "votes/rig_task.hpp"
 

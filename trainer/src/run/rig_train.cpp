@@ -18,7 +18,6 @@
 #include "run/rig_tasks.hpp"
 #include "run/settings.hpp"
 #include "run/training_run.hpp"
-#include "run/training_set.hpp"
 #include "sinew_data_sets/synthesize.hpp"
 #include "sinew_formats/base/parallel.hpp"
 #include "sinew_formats/io.hpp"

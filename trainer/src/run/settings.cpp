@@ -91,4 +91,13 @@ void check_run_settings(const RunConfig& c, const Requirement& require) {
   require(shares < 1, "family_shares", "shares that leave something for the other families");
 }
 
+bool is_left_out(const std::map<std::string, std::string>& leave_out, const std::string& name) {
+  for (const auto& [pattern, reason] : leave_out) {
+    const bool prefix = !pattern.empty() && pattern.back() == '*';
+    if (prefix ? name.compare(0, pattern.size() - 1, pattern, 0, pattern.size() - 1) == 0 : name == pattern)
+      return true;
+  }
+  return false;
+}
+
 }  // namespace sinew

@@ -10,7 +10,7 @@
 
 #include "network/layer_runner.hpp"
 #include "sinew_formats/float_network.hpp"
-#include "sinew_trainer/network_sample.hpp"
+#include "sinew_trainer/sample.hpp"
 
 namespace sinew {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "features/features.hpp"
-#include "network/absent_channels.hpp"
+#include "run/bind_task.hpp"
 #include "run/settings.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_trainer/train.hpp"

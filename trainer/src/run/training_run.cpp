@@ -15,12 +15,12 @@
 #include <sstream>
 
 #include "core/random.hpp"
-#include "data/family_queue.hpp"
-#include "network/widen.hpp"
+#include "network/networks.hpp"
 #include "run/optimizer.hpp"
 #include "sinew_formats/base/parallel.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_trainer/family_groups.hpp"
 
 namespace sinew {
 namespace {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Bends of the report's pictures, the step before bend_pictures.cpp and garment_pictures.cpp.
-#include "bends.hpp"
+// Bends of the report's pictures and which connected parts of a character are cloth, the step before bend_pictures.cpp.
+#include "score/bends.hpp"
 
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "sinew/rig.h"
 #include "sinew_character/pose/pose.hpp"
+#include "sinew_character/predict/label_skeleton.hpp"
+#include "sinew_character/rig/mesh_neighbours.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/print.hpp"
 
@@ -94,6 +98,141 @@ BentView bent_view(const Character& character, size_t joint, const Bend& bend, d
   if (from_front ? ahead < 0 : outward * across < 0) across = -across, ahead = -ahead;
   view.yaw_degrees =
       static_cast<float>(std::atan2(across, ahead) / kDegree + (from_front ? bend.aside : -bend.aside) * outward);
+  return out;
+}
+
+namespace {
+
+constexpr int kRays = 12;
+constexpr double kDressReach = 0.25;  // of the longest side: cloth farther from the bone is not around it
+constexpr double kDownTheBone = 0.3;  // beside the joint, where a bend has its creases, but outside of the trunk
+
+Vec3d position_of(const Vec3& p) {
+  return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
+}
+
+// [V] the number of the vertex' connected part, in the order of their first vertices.
+std::vector<size_t> parts_of(const Character& character, size_t* count) {
+  const auto neighbours = neighbours_of(character);
+  std::vector<size_t> parts(character.vertices.size(), SIZE_MAX), queue;
+  *count = 0;
+  for (size_t first = 0; first < parts.size(); ++first) {
+    if (parts[first] != SIZE_MAX) continue;
+    parts[first] = *count;
+    queue = {first};
+    while (!queue.empty()) {
+      const size_t v = queue.back();
+      queue.pop_back();
+      for (const uint32_t n : neighbours[v]) {
+        if (parts[n] != SIZE_MAX) continue;
+        parts[n] = *count;
+        queue.push_back(n);
+      }
+    }
+    ++*count;
+  }
+  return parts;
+}
+
+// How far along a ray of unit length a triangle is met (Moeller and Trumbore, 1997), or infinity.
+double met_after(Vec3d from, Vec3d direction, Vec3d a, Vec3d b, Vec3d c) {
+  const Vec3d u = b - a, v = c - a, across = cross(direction, v);
+  const double volume = dot(u, across);
+  if (volume == 0) return INFINITY;
+  const Vec3d to = from - a, over = cross(to, u);
+  const double s = dot(to, across) / volume, t = dot(direction, over) / volume, distance = dot(v, over) / volume;
+  return s >= 0 && t >= 0 && s + t <= 1 && distance > 0 ? distance : INFINITY;
+}
+
+// Parts that every ray meets, each with the mean of its nearest distances.
+std::map<size_t, double> parts_around(const Character& character, const std::vector<size_t>& parts, Vec3d from,
+                                      Vec3d bone, double reach) {
+  const Vec3d any = std::abs(bone.y) < 0.7 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
+  const Vec3d u = unit(cross(bone, any)), v = cross(bone, u);
+  std::map<size_t, std::array<double, kRays>> met;
+  std::array<double, kRays> none;
+  none.fill(INFINITY);
+  for (size_t f = 0; f < character.face_count(); ++f) {
+    const uint32_t begin = character.face_offsets[f], end = character.face_offsets[f + 1];
+    for (uint32_t i = begin + 2; i < end; ++i) {
+      const uint32_t first = character.face_vertices[begin];
+      const Vec3d a = position_of(character.vertices[first]),
+                  b = position_of(character.vertices[character.face_vertices[i - 1]]),
+                  c = position_of(character.vertices[character.face_vertices[i]]);
+      for (size_t r = 0; r < kRays; ++r) {
+        const double angle = 2 * std::acos(-1.0) * static_cast<double>(r) / kRays;
+        const double distance = met_after(from, std::cos(angle) * u + std::sin(angle) * v, a, b, c);
+        if (distance > reach) continue;
+        double& nearest = met.emplace(parts[first], none).first->second[r];
+        nearest = std::min(nearest, distance);
+      }
+    }
+  }
+  std::map<size_t, double> around;
+  for (const auto& [part, distances] : met) {
+    double sum = 0;
+    for (const double distance : distances) sum += distance / kRays;
+    if (sum < INFINITY) around.emplace(part, sum);
+  }
+  return around;
+}
+
+// The parts that `keep` tells, with all joints.
+Character piece(const Character& whole, const std::vector<char>& keep) {
+  Character out;
+  out.name = whole.name;
+  out.joints = whole.joints;
+  std::vector<uint32_t> index(whole.vertices.size(), 0);
+  for (size_t v = 0; v < keep.size(); ++v) {
+    if (keep[v] == 0) continue;
+    index[v] = static_cast<uint32_t>(out.vertices.size());
+    out.vertices.push_back(whole.vertices[v]);
+    out.influences.push_back(whole.influences[v]);
+  }
+  for (size_t f = 0; f < whole.face_count(); ++f) {
+    const uint32_t begin = whole.face_offsets[f], end = whole.face_offsets[f + 1];
+    if (begin == end || keep[whole.face_vertices[begin]] == 0) continue;
+    for (uint32_t i = begin; i < end; ++i) out.face_vertices.push_back(index[whole.face_vertices[i]]);
+    out.face_offsets.push_back(static_cast<uint32_t>(out.face_vertices.size()));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<Dressed> take_apart(const Character& character) {
+  if (character.influences.empty()) return std::nullopt;
+  size_t part_count = 0;
+  const std::vector<size_t> parts = parts_of(character, &part_count);
+  if (part_count < 2) return std::nullopt;
+  const LabelledSkeleton labels = label_skeleton(character.joints);
+  const double size = static_cast<double>(box_of(character.vertices).longest_side());
+  Dressed out;
+  std::vector<char> cloth(part_count, 0);
+  for (const Bend& bend : report_bends()) {
+    const size_t joint = bend.twist ? SIZE_MAX : bent_joint(character, labels, bend);
+    if (joint == SIZE_MAX) continue;
+    const Vec3d bone = bone_direction(character, joint), at = position_of(character.joints[joint].position);
+    double bone_length = size;
+    for (const Joint& child : character.joints)
+      if (child.parent == static_cast<int>(joint))
+        bone_length = std::min(bone_length, length(position_of(child.position) - at));
+    const auto around =
+        parts_around(character, parts, at + kDownTheBone * bone_length * bone, bone, kDressReach * size);
+    if (around.size() < 2) continue;
+    double inner = INFINITY;
+    for (const auto& [part, distance] : around) inner = std::min(inner, distance);
+    for (const auto& [part, distance] : around)
+      if (distance > inner) cloth[part] = 1;
+    out.bends.emplace_back(&bend, joint);
+  }
+  if (out.bends.empty()) return std::nullopt;
+  std::vector<char> keep(character.vertices.size());
+  for (size_t v = 0; v < keep.size(); ++v) keep[v] = cloth[parts[v]] != 0;
+  out.garment = piece(character, keep);
+  out.garment.influences.clear();
+  for (char& one : keep) one = one == 0;
+  out.body = piece(character, keep);
   return out;
 }
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The bends that the report's pictures show: which joint, about which axis, how far and from which side.
+// The bends that the report's pictures show: which joint, about which axis, how far and from which side; and a dressed character
+// taken apart, the body and the cloth that lies around it, with the bends under cloth.
 #ifndef SINEW_SCORE_BENDS_HPP
 #define SINEW_SCORE_BENDS_HPP
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/vec3d.hpp"
@@ -46,6 +49,15 @@ struct BentView {
 };
 BentView bent_view(const Character& character, size_t joint, const Bend& bend, double degrees, Axis up, float radius,
                    int side);
+
+struct Dressed {
+  Character body, garment;  // both with the joints of the whole; the body with its weights, the garment without
+  std::vector<std::pair<const Bend*, size_t>> bends;  // those of report_bends() that lie under cloth, and their joints
+};
+
+// A connected part is cloth when at some bend it lies around a part that lies around the bone: rays from the bone, across it, all meet
+// both, and it farther away. What is not cloth is the body. nullopt when there is no cloth, no weights, or no joint that names tell.
+std::optional<Dressed> take_apart(const Character& character);
 
 }  // namespace sinew
 #endif

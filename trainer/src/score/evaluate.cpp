@@ -8,7 +8,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "data/dense_rows.hpp"
 #include "sinew_character/check/bone_distance.hpp"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/base/box.hpp"
@@ -16,7 +15,6 @@
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/vertex_areas.hpp"
 #include "sinew_trainer/fold_targets.hpp"
-#include "sinew_trainer/random_poses.hpp"
 
 namespace sinew {
 namespace {

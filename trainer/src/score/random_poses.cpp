@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Random poses, draw by draw those of numpy.
-#include "sinew_trainer/random_poses.hpp"
-
 #include <zlib.h>
 
 #include <algorithm>
@@ -9,9 +7,10 @@
 #include <cstddef>
 #include <numbers>
 
-#include "score/numpy_random.hpp"
+#include "score/numpy.hpp"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_trainer/evaluate.hpp"
 
 namespace sinew {
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Recall of the engine's candidates: runs the stages that choose them, heat once and the rest for every number K.
-#include "sinew_trainer/recall.hpp"
-
 #include "bind/pipeline.hpp"
 #include "candidates/candidates.hpp"
 #include "features/features.hpp"
@@ -10,6 +8,7 @@
 #include "sinew/sinew.hpp"
 #include "sinew_character/bind/engine_views.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/fold_targets.hpp"
 
 namespace sinew {

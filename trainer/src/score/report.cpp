@@ -7,7 +7,7 @@
 #include "score/report_parts.hpp"
 #include "sinew_character/page/html.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_trainer/reliability_plot.hpp"
+#include "sinew_trainer/confidence.hpp"
 
 namespace sinew {
 namespace {

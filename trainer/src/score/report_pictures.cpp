@@ -7,7 +7,7 @@
 #include "sinew_character/page/html.hpp"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/base/box.hpp"
-#include "sinew_trainer/random_poses.hpp"
+#include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/report.hpp"
 
 namespace sinew {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Figures, families, and every character's two skeletons beside each other, as HTML.
-#include "sinew_trainer/rig_report.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "score/rig_figures.hpp"
 #include "sinew_character/page/html.hpp"
+#include "sinew_trainer/rig_score.hpp"
 
 namespace sinew {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "score/assignment.hpp"
+#include "score/numpy.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"

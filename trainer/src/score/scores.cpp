@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/markdown.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/evaluate.hpp"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Differences between two results in 255ths.
-#include "sinew_trainer/weight_difference.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
 #include "sinew_formats/error.hpp"
+#include "sinew_trainer/evaluate.hpp"
 
 namespace sinew {
 

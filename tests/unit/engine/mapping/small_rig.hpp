@@ -9,6 +9,7 @@
 
 #include "mapping/hierarchy.hpp"
 #include "sinew/sinew.hpp"
+#include "skeleton_of.hpp"
 
 namespace sinew::mapping {
 
@@ -22,10 +23,7 @@ struct SmallRig {
   Hierarchy rig;
 
   sinew_skeleton view() const {
-    sinew_skeleton view = SINEW_INIT(sinew_skeleton);
-    view.positions = positions.data();
-    view.parents = parents.data();
-    view.joint_count = static_cast<uint32_t>(parents.size());
+    sinew_skeleton view = sinew_test::skeleton_of(positions, parents);
     if (!ends.empty()) view.ends = ends.data();
     return view;
   }

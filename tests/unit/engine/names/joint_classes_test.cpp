@@ -11,6 +11,7 @@
 #include "names/words.hpp"
 #include "sinew/names.h"
 #include "sinew/sinew.hpp"
+#include "skeleton_of.hpp"
 
 namespace sinew {
 namespace {
@@ -42,10 +43,7 @@ struct Verdicts {
       parents.push_back(joint.parent);
       positions.insert(positions.end(), {joint.position.x, joint.position.y, joint.position.z});
     }
-    sinew_skeleton named = SINEW_INIT(sinew_skeleton);
-    named.positions = positions.data();
-    named.parents = parents.data();
-    named.joint_count = static_cast<uint32_t>(n);
+    sinew_skeleton named = sinew_test::skeleton_of(positions.data(), parents.data(), static_cast<uint32_t>(n));
     named.names = names.data();
     classes.resize(n);
     roles.resize(n);

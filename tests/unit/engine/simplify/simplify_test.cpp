@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sinew/sinew.hpp"
+#include "skeleton_of.hpp"
 
 namespace {
 
@@ -31,10 +32,7 @@ struct Tree {
     sinew::Workspace workspace;
     std::vector<const char*> texts;
     for (const std::string& name : names) texts.push_back(name.c_str());
-    sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
-    skeleton.positions = positions.data();
-    skeleton.parents = parents.data();
-    skeleton.joint_count = static_cast<uint32_t>(parents.size());
+    sinew_skeleton skeleton = sinew_test::skeleton_of(positions, parents);
     if (!names.empty()) skeleton.names = texts.data();
     return sinew::simplify(skeleton, areas.empty() ? nullptr : areas.data(), keep.empty() ? nullptr : keep.data(),
                            options, &workspace, into);
@@ -300,10 +298,7 @@ TEST(Simplify, WrongCallsAreRefused) {
   ASSERT_EQ(sinew_simplify_workspace_size(11, &bytes), SINEW_OK);
   const sinew::Workspace workspace(bytes);
   into.assign(11, 0);
-  sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
-  skeleton.positions = t.positions.data();
-  skeleton.parents = t.parents.data();
-  skeleton.joint_count = 11;
+  sinew_skeleton skeleton = sinew_test::skeleton_of(t.positions.data(), t.parents.data(), 11);
   EXPECT_EQ(sinew_simplify(&skeleton, nullptr, nullptr, nullptr, workspace.data(), bytes - 1, into.data()),
             SINEW_ERROR_WORKSPACE);
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Groups of families, by rule and by file, and how they are dealt to folds.
+// Groups of families, by rule and by file, how they are dealt to folds, and how often they and their characters are drawn.
 #include "sinew_trainer/family_groups.hpp"
 
 #include <gtest/gtest.h>
 
+#include <map>
+
+#include "core/random.hpp"
 #include "expect_error.hpp"
 #include "temp_folder.hpp"
 
@@ -63,6 +66,45 @@ TEST(Folds, KeepGroupsWholeAndHoldAboutAsManyFamilies) {
   EXPECT_EQ(count, families.size());
   EXPECT_ERROR(make_folds(families, groups, 7), "7 folds", "found 6");
   EXPECT_ERROR(make_folds(families, groups, 1), "at least 2");
+}
+
+TEST(FamilyQueue, FamiliesAreDrawnByThePowerOfTheirSizeAndMembersEqually) {
+  std::vector<std::string> families(100, "many");
+  families.insert(families.end(), 4, "few");
+  Random random(1);
+  std::map<uint32_t, int> count;
+  size_t draws = 0;
+  for (int round = 0; round < 400; ++round) {
+    for (uint32_t character : draw_round(families, 0.5, {}, &random)) {
+      ++count[character];
+      ++draws;
+    }
+  }
+  int few = 0;
+  for (uint32_t i = 100; i < 104; ++i) few += count[i];
+  const double share = 2.0 / 12.0;  // sqrt(4) / (sqrt(100) + sqrt(4))
+  EXPECT_NEAR(static_cast<double>(few) / static_cast<double>(draws), share, 0.005);
+  for (uint32_t i = 100; i < 104; ++i) EXPECT_NEAR(count[i], few / 4.0, 0.1 * few / 4.0);
+  for (uint32_t i = 0; i < 100; ++i) EXPECT_GT(count[i], 200);
+}
+
+TEST(FamilyQueue, ANamedFamilyHasItsShare) {
+  std::vector<std::string> families(100, "many");
+  families.insert(families.end(), 4, "few");
+  families.insert(families.end(), 9, "some");
+  Random random(2);
+  std::map<std::string, int> count;
+  size_t draws = 0;
+  for (int round = 0; round < 400; ++round) {
+    for (uint32_t character : draw_round(families, 0.5, {{"many", 0.25}, {"absent", 0.5}}, &random)) {
+      ++count[families[character]];
+      ++draws;
+    }
+  }
+  const auto share = [&](const char* name) { return count[name] / static_cast<double>(draws); };
+  EXPECT_NEAR(share("many"), 0.25, 0.005);
+  EXPECT_NEAR(share("few"), 0.75 * 2 / 5, 0.005);
+  EXPECT_NEAR(share("some"), 0.75 * 3 / 5, 0.005);
 }
 
 }  // namespace

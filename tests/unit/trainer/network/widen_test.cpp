@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A network in a wider one: what it computes stays, what is added can learn.
-#include "network/widen.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +9,6 @@
 #include "expect_error.hpp"
 #include "network/layer_runner.hpp"
 #include "network/networks.hpp"
-#include "network/rig_network.hpp"
 #include "random_sample.hpp"
 #include "ring_of_points.hpp"
 

@@ -10,7 +10,6 @@
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_trainer/fold_targets.hpp"
-#include "sinew_trainer/random_poses.hpp"
 
 namespace sinew {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The yardstick's random poses are numpy's.
-#include "sinew_trainer/random_poses.hpp"
-
 #include <gtest/gtest.h>
 
 #include "expect_affine.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_trainer/evaluate.hpp"
 
 namespace sinew {
 namespace {

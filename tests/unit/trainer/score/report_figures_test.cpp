@@ -8,11 +8,9 @@
 #include "sinew_data_sets/synthesize.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_trainer/confidence.hpp"
 #include "sinew_trainer/evaluate.hpp"
-#include "sinew_trainer/recall.hpp"
-#include "sinew_trainer/reliability_plot.hpp"
 #include "sinew_trainer/sample.hpp"
-#include "sinew_trainer/weight_difference.hpp"
 
 namespace sinew {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The page on skeletons: every character with both pictures, the worst first, whatever the names.
-#include "sinew_trainer/rig_report.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+
+#include "sinew_trainer/rig_score.hpp"
 
 namespace sinew {
 namespace {

@@ -49,9 +49,5 @@ class DuplicateFinder {
   std::vector<std::unique_ptr<Shape>> shapes_;
 };
 
-// Puts the files of one character (mesh, rig beside an OBJ, buffers and pictures of a .gltf) into a folder as hard links, as copies where
-// links are not possible. Never replaces a file: throws Error.
-void place_character(const std::string& mesh_path, const std::string& folder);
-
 }  // namespace sinew
 #endif

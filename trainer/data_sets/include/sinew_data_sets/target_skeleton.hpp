@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The skeleton that a rigged character teaches and that a predicted one is measured by: the joints that move its body,
-// whatever else its maker put into the file.
+// The skeleton and the hands that a rigged character teaches and that predicted ones are measured by: the joints that move its
+// body and the fingers of its hands, whatever else its maker put into the file.
 #ifndef SINEW_DATA_SETS_TARGET_SKELETON_HPP
 #define SINEW_DATA_SETS_TARGET_SKELETON_HPP
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,30 @@ TargetSkeleton target_skeleton(const Character& character);
 
 // As joints of a file, in the same order. Names are unique, and no leaf but a bone end is named as one.
 std::vector<Joint> target_joints(const TargetSkeleton& target);
+
+struct TargetFinger {
+  uint32_t finger = 0;                           // 0 thumb, 1 index, 2 middle, 3 ring, 4 pinky
+  std::vector<uint32_t> joints;                  // of the character, from the palm outward: 1 to 3
+  std::vector<std::array<double, 3>> positions;  // of these
+  std::optional<std::array<double, 3>> end;      // of the last bone
+};
+
+struct TargetHand {
+  uint32_t joint = 0;  // of the character: the wrist
+  int elbow = -1;      // joint above the wrist at another position, -1 without one
+  bool right = false;
+  bool clear = true;                  // false: joints that move several fingers at once, or fewer than three fingers
+  std::vector<TargetFinger> fingers;  // by finger; none: a hand whose fingers its maker did not rig
+  double length = 0;                  // from the wrist to the farthest of what it moves (98 % quantile)
+};
+
+// Every joint of class hand that moves something, outermost where one hangs on another. Joints of a finger that move
+// nothing are left out, and metacarpals, but for the thumb's, are part of the palm. Throws Error where
+// target_skeleton() does.
+std::vector<TargetHand> target_hands(const Character& character);
+
+// A body's target with the fingers of its clear hands behind it, their bone ends last: "full" bodies for the eye.
+TargetSkeleton with_fingers(const Character& character, TargetSkeleton body);
 
 }  // namespace sinew
 #endif

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Fingers by names below joints of class hand.
-#include "sinew_data_sets/target_hands.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "names/joint_name.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
+#include "sinew_data_sets/target_skeleton.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"
 

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "synth/creature.hpp"
-
 namespace sinew::synth {
 namespace {
 

@@ -69,5 +69,8 @@ struct Blueprint {
 // `resolution` is the voxel count along the longest side; cell is set from it.
 Blueprint make_blueprint(BodyPlan plan, int resolution, Random* random);
 
+// The plans of kCreaturePlans. Positions as in make_blueprint(); the cell is set from the body's real size.
+Blueprint make_creature(BodyPlan plan, int resolution, Random* random);
+
 }  // namespace sinew::synth
 #endif

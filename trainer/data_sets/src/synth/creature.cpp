@@ -2,12 +2,10 @@
 // Creatures of every proportion for skeleton prediction: a few joints drawn freely around a body plan, every bone a
 // capsule from its joint to the next, both sides alike.
 // Draws stand in statements of their own: arguments of a call are evaluated in any order.
-#include "synth/creature.hpp"
-
 #include <algorithm>
 #include <utility>
 
-#include "synth/mascot.hpp"
+#include "synth/blueprint.hpp"
 #include "synth/sketch.hpp"
 
 namespace sinew::synth {

@@ -2,7 +2,7 @@
 // Proportions that data of artists hardly has: the head is as high as all below it, arms and legs are short, and hair,
 // ears, wings and tails are as long as limbs or longer.
 // Draws stand in statements of their own: arguments of a call are evaluated in any order.
-#include "synth/mascot.hpp"
+#include "synth/sketch.hpp"
 
 namespace sinew::synth {
 namespace {

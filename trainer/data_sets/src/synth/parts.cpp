@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Lumps and shells of revolution, and bodies that are made of them.
-#include "synth/parts.hpp"
-
 #include <algorithm>
 #include <map>
+
+#include "synth/surface.hpp"
 
 namespace sinew::synth {
 

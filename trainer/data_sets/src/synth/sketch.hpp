@@ -118,5 +118,8 @@ void any_tail(Sketch* s, const Body& body, int joints, double thickness, double 
 // Up to three neck joints, the head and its end, ears.
 void head(Sketch* s, Body* body, int necks, double neck_length, Point direction, double radius, double ears);
 
+// Upright, with one or more of pigtails, long ears, wings and a big tail. Positions as in make_creature().
+Body mascot(Sketch* s);
+
 }  // namespace sinew::synth
 #endif

@@ -4,7 +4,6 @@
 
 #include "sinew_formats/error.hpp"
 #include "synth/blueprint.hpp"
-#include "synth/parts.hpp"
 #include "synth/surface.hpp"
 
 namespace sinew {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <map>
 
-#include "synth/parts.hpp"
+#include "synth/surface.hpp"
 
 namespace sinew::synth {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Fingers of characters by the names that makers give them.
-#include "sinew_data_sets/target_hands.hpp"
-
 #include <gtest/gtest.h>
+
+#include "sinew_data_sets/target_skeleton.hpp"
 
 namespace sinew {
 namespace {

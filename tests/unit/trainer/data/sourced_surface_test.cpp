@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Silhouettes of boxes: where the box is, as wide and as high, with the corners that are seen from either side.
-#include "data/silhouette.hpp"
+#include "data/sourced_surface.hpp"
 
 #include <gtest/gtest.h>
 

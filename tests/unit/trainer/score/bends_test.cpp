@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is cloth of a character: parts around a part around the bone, in any order of the file, and nothing else.
-#include "score/dressed.hpp"
+#include "score/bends.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which joint of a skeleton each slot holds.
-#include "sinew_trainer/joint_slots.hpp"
+#include "data/slot_sample.hpp"
 
 #include <gtest/gtest.h>
 
