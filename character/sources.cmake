@@ -4,27 +4,21 @@
 set(sinew_picture_sources
   picture/mesh/contour
   picture/mesh/delaunay
-  picture/mesh/inflation
   picture/mesh/picture_mesh
   picture/mesh/plane_mesh
   picture/outline/background
-  picture/outline/choose_part
+  picture/outline/figure_parts
   picture/outline/find_figure
   picture/outline/foreground
-  picture/outline/holes
   picture/outline/inner_lines
-  picture/outline/lab
   picture/outline/outline
   picture/outline/raster
-  picture/outline/sheet
-  picture/read/exif
   picture/read/read_jpeg
   picture/read/read_picture
   picture/read/read_png
   picture/read/read_stb
-  picture/sprites/animated_png
-  picture/sprites/draw_in_plane
-  picture/sprites/sprite_sheet)
+  picture/sprites/sprite_files
+  picture/sprites/draw_in_plane)
 # Renders and HTML pages, which need libpng.
 set(sinew_draw_sources
   draw/colour
@@ -132,16 +126,12 @@ set(sinew_character_sources
   check/weigh_findings
   style/style
   style/style_file
-  picture/body_class
   picture/joints_inside
   picture/outline_class
   picture/picture_frames
   picture/picture_view
-  picture/pins_by_class
   picture/plane_bones
   picture/plane_motion
-  picture/side_limbs
-  picture/silhouette
   profile/control_text
   profile/controls
   profile/joint_axes

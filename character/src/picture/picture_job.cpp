@@ -4,9 +4,9 @@
 #include <memory>
 #include <utility>
 
-#include "picture/body_category.hpp"
 #include "picture/outline_class.hpp"
 #include "sinew_character/models/models.hpp"
+#include "sinew_character/picture/body_class.hpp"
 #include "sinew_formats/file_kinds.hpp"
 
 namespace sinew {

@@ -5,10 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "picture/body_category.hpp"
-#include "picture/choose_view.hpp"
 #include "picture/joints_inside.hpp"
-#include "picture/side_limbs.hpp"
+#include "sinew_character/picture/body_class.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/print.hpp"
 

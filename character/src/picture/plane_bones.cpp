@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "picture/plane_bones.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "sinew/rig.h"
+#include "sinew_character/picture/plane_motion.hpp"
 
 namespace sinew {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "picture/mesh/contour.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "picture/mesh/plane_mesh.hpp"
 
 namespace sinew::picture {
 namespace {

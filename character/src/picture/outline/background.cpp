@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "picture/outline/background.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
+
+#include "picture/outline/foreground.hpp"
 
 namespace sinew::picture {
 namespace {

@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "picture/outline/choose_part.hpp"
+#include "picture/outline/figure_parts.hpp"
 #include "picture/outline/foreground.hpp"
-#include "picture/outline/holes.hpp"
-#include "picture/outline/inner_lines.hpp"
-#include "picture/outline/sheet.hpp"
 #include "sinew_character/picture/figure.hpp"
 #include "sinew_formats/error.hpp"
 

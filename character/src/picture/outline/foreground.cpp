@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "picture/outline/background.hpp"
-
 namespace sinew::picture {
 namespace {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "picture/outline/inner_lines.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
+
+#include "picture/outline/figure_parts.hpp"
 
 namespace sinew::picture {
 namespace {

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "sinew_character/picture/outline.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 
-#include "picture/mesh/contour.hpp"
-#include "picture/outline/choose_part.hpp"
-#include "picture/outline/inner_lines.hpp"
-#include "picture/outline/lab.hpp"
+#include "picture/mesh/plane_mesh.hpp"
+#include "picture/outline/figure_parts.hpp"
+#include "picture/outline/raster.hpp"
+#include "sinew_character/picture/figure.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

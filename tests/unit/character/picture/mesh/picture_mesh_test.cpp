@@ -9,7 +9,7 @@
 
 #include "expect_error.hpp"
 #include "picture/mesh/delaunay.hpp"
-#include "picture/mesh/inflation.hpp"
+#include "picture/mesh/plane_mesh.hpp"
 #include "small_pictures.hpp"
 
 namespace sinew::test {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "expect_error.hpp"
-#include "picture/outline/sheet.hpp"
+#include "picture/outline/figure_parts.hpp"
 #include "small_pictures.hpp"
 
 namespace sinew::test {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A figure's border as lines, and lines as a figure.
-#include "sinew_character/picture/outline.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "expect_error.hpp"
+#include "sinew_character/picture/figure.hpp"
 #include "small_pictures.hpp"
 
 namespace sinew::test {
