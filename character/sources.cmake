@@ -24,16 +24,14 @@ set(sinew_draw_sources
   draw/colour
   draw/image
   draw/render
-  page/bind_page
-  page/check_page
+  page/pages
   page/html)
 set(sinew_character_sources
   rig/infer_parents
   rig/joint_mirror
-  rig/joint_surfaces
   rig/joint_verdicts
   rig/joints_beside_mesh
-  rig/mesh_neighbours
+  rig/mesh_surface
   bind/answers
   bind/bind
   bind/bind_character
@@ -41,8 +39,6 @@ set(sinew_character_sources
   bind/cut_seams
   bind/engine_views
   bind/fold_tips
-  bind/joint_map
-  bind/round_influences
   bind/seam_homes
   bind/seam_leak
   bind/seam_surface
@@ -71,15 +67,12 @@ set(sinew_character_sources
   pose/deform
   pose/character_transform
   pose/pose
-  pose/pose_file
   pose/rest_pose
-  bake/bake_bends
-  bake/bake_clip
+  bake/bake
   bake/bends
   bake/corrections
   bake/driver_fit
   clips/builtin_motion
-  clips/gait
   clips/others
   clips/person
   clips/puppet
@@ -135,7 +128,6 @@ set(sinew_character_sources
   profile/control_text
   profile/controls
   profile/joint_axes
-  profile/profile_names
   profile/profiles
   profile/standard_bones
   profile/write_for_profile)
@@ -167,10 +159,8 @@ set(sinew_job_sources
   jobs/bind_job
   jobs/character_file
   jobs/check_job
-  jobs/check_score
   jobs/lod_job
   jobs/pose_job
-  jobs/rig_bare_mesh
   jobs/rig_job
   jobs/simplify_job
   jobs/thread_pool

@@ -14,7 +14,7 @@
 #include "folder_files.hpp"
 #include "progress.hpp"
 #include "sinew_character/draw/image.hpp"
-#include "sinew_character/page/bind_page.hpp"
+#include "sinew_character/page/pages.hpp"
 #include "sinew_formats/base/parallel.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "bind/seam_surface.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +6,8 @@
 #include <limits>
 #include <queue>
 
-#include "sinew_character/rig/mesh_neighbours.hpp"
+#include "bind/seam_steps.hpp"
+#include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/base/box.hpp"
 
 namespace sinew {

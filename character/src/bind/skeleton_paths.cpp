@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "bind/skeleton_paths.hpp"
-
 #include <algorithm>
 #include <utility>
+
+#include "bind/seam_steps.hpp"
 
 namespace sinew {
 namespace {

@@ -6,8 +6,8 @@
 #include <map>
 
 #include "motion/map_rig_view.hpp"
-#include "rig/joint_surfaces.hpp"
 #include "sinew/sinew.hpp"
+#include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

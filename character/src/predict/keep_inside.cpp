@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "predict/turn.hpp"
-#include "rig/joints_beside_mesh.hpp"
 #include "sinew_character/rig/joint_mirror.hpp"
+#include "sinew_character/rig/joint_verdicts.hpp"
 #include "sinew_formats/base/box.hpp"
 
 namespace sinew {

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "sinew_character/predict/label_skeleton.hpp"
-#include "sinew_character/rig/mesh_neighbours.hpp"
+#include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/base/box.hpp"
 
 namespace sinew {

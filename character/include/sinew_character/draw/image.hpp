@@ -49,5 +49,12 @@ std::vector<std::array<uint8_t, 3>> heat_colours(const std::vector<float>& value
 // Side by side, same height.
 Image beside(const std::vector<Image>& images);
 
+// Colours of pictures: sRGB bytes to linear light and back, joints' colours, a scale for errors.
+
+using Linear = std::array<float, 3>;  // linear light, 0..1
+
+Linear to_linear(const std::array<uint8_t, 3>& srgb);
+std::array<uint8_t, 3> to_srgb(const Linear& light);
+
 }  // namespace sinew
 #endif

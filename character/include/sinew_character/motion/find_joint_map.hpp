@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "sinew_character/bind/joint_map.hpp"
+#include "sinew_character/bind/transfer.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {

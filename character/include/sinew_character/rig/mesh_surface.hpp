@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which vertices of a mesh lie at one position, and which lie beside each other.
-#ifndef SINEW_CHARACTER_MESH_NEIGHBOURS_HPP
-#define SINEW_CHARACTER_MESH_NEIGHBOURS_HPP
+// A mesh's surface: which vertices lie at one position and beside each other, and how much of it moves with each joint.
+#ifndef SINEW_CHARACTER_RIG_MESH_SURFACE_HPP
+#define SINEW_CHARACTER_RIG_MESH_SURFACE_HPP
 
 #include <algorithm>
 #include <cstdint>
@@ -38,6 +38,16 @@ std::vector<std::vector<uint32_t>> welded_rings(const Character& character, cons
 // [V] the vertices at the other end of an edge, once for each face that has it; and of two vertices at one position each has the
 // other, so that walks go on across seams.
 std::vector<std::vector<uint32_t>> neighbours_of(const Character& character);
+
+// The surface that moves with each joint: how much of it, and where its middle is.
+struct JointSurfaces {
+  std::vector<float> shares;     // [J] of the whole
+  std::vector<float> centroids;  // [J x 3] the joint's position where nothing moves with it
+};
+
+// Vertices are the samples, each as large as a third of the triangles around it; all alike where there is no surface, as in a
+// rig.txt without its mesh. Empty without weights.
+JointSurfaces joint_surfaces(const Character& character);
 
 }  // namespace sinew
 #endif

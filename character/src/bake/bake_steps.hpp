@@ -1,14 +1,29 @@
 // SPDX-License-Identifier: MIT
-// Which turns of joints, alone and two together, drive a few shapes that tell most of how a region moves.
-#ifndef SINEW_CHARACTER_BAKE_DRIVER_FIT_HPP
-#define SINEW_CHARACTER_BAKE_DRIVER_FIT_HPP
+// Steps of a bake: where a surface bends, what linear skinning lacks there, and which turns of joints drive it.
+#ifndef SINEW_CHARACTER_BAKE_BAKE_STEPS_HPP
+#define SINEW_CHARACTER_BAKE_BAKE_STEPS_HPP
 
 #include <Eigen/Core>
 #include <vector>
 
 #include "sinew_character/bake/bake.hpp"
+#include "sinew_formats/character.hpp"
 
 namespace sinew {
+
+// Where a surface bends, and what lies near.
+struct Bends {
+  std::vector<size_t> joints;  // with a parent, such that vertices follow both what is below and something else
+  std::vector<std::vector<double>> distances;  // [bends][J] joints between the bend and what follows a joint
+  std::vector<std::vector<size_t>> of_vertex;  // [V] numbers of bends, the nearest first; none where nothing bends
+};
+
+Bends find_bends(const Character& character, size_t most_of_a_vertex);
+
+// [poses x 3 V] where each vertex would have to stand at rest, less where it does: least squares against the corrected pose, with
+// a small ridge where skinning flattens.
+Eigen::MatrixXf moves_before_skinning(const Character& character, const std::vector<Palette>& poses,
+                                      const sinew_deform_options& deform, const BakeProgress& progress);
 
 // Turns of all joints in all poses.
 class PoseRotations {
