@@ -56,8 +56,6 @@ set(sinew_character_sources
   predict/marker_edits
   predict/match_limbs
   predict/predict_details
-  predict/predict_face
-  predict/predict_hands
   predict/predict_skeleton
   predict/skeleton_arrays
   predict/skeleton_fit
@@ -80,16 +78,12 @@ set(sinew_character_sources
   motion/common_body
   motion/human_limits
   motion/joint_limits
-  motion/limb_bends
-  motion/map_cover
   motion/map_file
-  motion/map_levels
   motion/map_skeleton
   motion/map_source
   motion/motion_file
   motion/motion_map
   motion/moving_joints
-  motion/rest_floor
   motion/retarget
   motion/simplify_skeleton
   motion/stance
@@ -103,7 +97,7 @@ set(sinew_character_sources
   check/findings
   check/joints
   check/label_check
-  check/layer_crossings
+  check/surface_faults
   check/matrices
   check/mesh_check
   check/names
@@ -115,7 +109,6 @@ set(sinew_character_sources
   check/rules
   check/symmetry
   check/test_poses
-  check/torn_edges
   check/weigh_findings
   style/style
   style/style_file
@@ -133,7 +126,6 @@ set(sinew_character_sources
   profile/write_for_profile)
 # Jobs as the command does them, the bundled models, and the C API over both; a page has models of its own.
 set(sinew_job_sources
-  motion/find_joint_map
   predict/own_skeleton
   picture/picture_job
   capi/animate
@@ -143,7 +135,6 @@ set(sinew_job_sources
   capi/check
   capi/clips
   capi/keypoints
-  capi/lod
   capi/map
   capi/open
   capi/picture
@@ -153,7 +144,6 @@ set(sinew_job_sources
   capi/simplify
   capi/struct_sizes
   capi/transfer
-  capi/transform
   jobs/animate_job
   jobs/bake_job
   jobs/bind_job

@@ -15,7 +15,7 @@
 #include "options.hpp"
 #include "pictures.hpp"
 #include "progress.hpp"
-#include "sinew_character/check/checked_note.hpp"
+#include "sinew_character/check/check.hpp"
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/motion/motion_file.hpp"
 #include "sinew_character/picture/plane_motion.hpp"

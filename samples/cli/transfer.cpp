@@ -16,7 +16,7 @@
 #include "options.hpp"
 #include "profile_options.hpp"
 #include "sinew/published.h"
-#include "sinew_character/check/checked_note.hpp"
+#include "sinew_character/check/check.hpp"
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/jobs/thread_pool.hpp"
 #include "sinew_formats/file_names.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "check/check_rooms.hpp"
+#include "check/findings.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
 #include "sinew_character/rig/skeleton_repair.hpp"
 #include "sinew_formats/base/point.hpp"

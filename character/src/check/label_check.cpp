@@ -11,7 +11,6 @@
 #include <numeric>
 #include <tuple>
 
-#include "sinew_character/check/bone_distance.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
 #include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/median.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "check/check_rooms.hpp"
+#include "check/findings.hpp"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/base/point.hpp"

@@ -5,8 +5,8 @@
 
 #include "sinew_character/bind/bind.hpp"
 #include "sinew_character/bind/bind_character.hpp"
-#include "sinew_character/check/bone_distance.hpp"
 #include "sinew_character/check/check_output.hpp"
+#include "sinew_character/check/label_check.hpp"
 #include "sinew_character/jobs/character_file.hpp"
 #include "sinew_character/models/models.hpp"
 #include "sinew_formats/error.hpp"

@@ -10,16 +10,15 @@
 #include <string>
 #include <utility>
 
-#include "predict/fit_fingers.hpp"
+#include "predict/fit_details.hpp"
 #include "sinew/published.h"
-#include "sinew_character/check/checked_note.hpp"
+#include "sinew_character/check/check.hpp"
 #include "sinew_character/jobs/thread_pool.hpp"
 #include "sinew_character/models/models.hpp"
 #include "sinew_character/pose/rest_pose.hpp"
 #include "sinew_character/predict/lone_hand.hpp"
 #include "sinew_character/predict/own_skeleton.hpp"
-#include "sinew_character/predict/predict_face.hpp"
-#include "sinew_character/predict/predict_hands.hpp"
+#include "sinew_character/predict/predict_details.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

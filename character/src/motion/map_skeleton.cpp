@@ -8,7 +8,6 @@
 #include <optional>
 #include <utility>
 
-#include "motion/map_rig_view.hpp"
 #include "motion/upright_body.hpp"
 #include "sinew/names.h"
 #include "sinew/sinew.hpp"

@@ -6,9 +6,9 @@
 #include <map>
 #include <utility>
 
-#include "motion/moved_joints.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"
-#include "sinew_character/predict/label_skeleton.hpp"
+#include "sinew_character/motion/motion_map.hpp"
+#include "sinew_character/predict/fit_skeleton.hpp"
 #include "sinew_character/rig/joint_mirror.hpp"
 #include "sinew_formats/base/box.hpp"
 

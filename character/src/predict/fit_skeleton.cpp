@@ -7,7 +7,6 @@
 #include <numeric>
 #include <string>
 
-#include "predict/chain_points.hpp"
 #include "predict/match_limbs.hpp"
 #include "predict/turn.hpp"
 #include "sinew/sinew.h"

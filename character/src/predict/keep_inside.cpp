@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "predict/keep_inside.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
 
+#include "predict/fit_details.hpp"
 #include "predict/turn.hpp"
 #include "sinew_character/rig/joint_mirror.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Details in their order: fingers first, since props hang on hands.
+// Details of a skeleton, whose arrays go through sinew_rig_details() and come back longer: fingers first, since props hang on hands.
 #include "sinew_character/predict/predict_details.hpp"
 
 #include <algorithm>
+#include <set>
 
-#include "sinew_character/predict/predict_face.hpp"
-#include "sinew_character/predict/predict_hands.hpp"
+#include "skeleton_arrays.hpp"
 
 namespace sinew {
 namespace {
@@ -38,6 +38,52 @@ std::vector<std::string> predict_details(const Character& character, SkeletonDet
     notes.push_back("no head with eyes that are parts of their own, so no joints of a face");
   predict_props(character, options, skeleton);
   return notes;
+}
+
+size_t predict_hands(const Character& character, const sinew_model& hands, const SkeletonOptions& options,
+                     PredictedSkeleton* skeleton) {
+  // Names here are longer than there, so only what is put behind them is taken: the hand's own name is left empty.
+  SkeletonArrays arrays(character, *skeleton, "fingers", false);
+  arrays.grow(character, options, SINEW_DETAIL_HANDS, &hands, skeleton);
+
+  std::set<int> fingered;
+  arrays.resize(skeleton);
+  for (size_t j = 0; j < arrays.joint_count(); ++j) {
+    if (!is_finger_class(arrays.joint_class(j)) || *arrays.name(j) == 0) continue;
+    int hand = arrays.parent(j);
+    while (is_finger_class(arrays.joint_class(static_cast<size_t>(hand))))
+      hand = arrays.parent(static_cast<size_t>(hand));
+    fingered.insert(hand);
+    arrays.take(j, skeleton->joints[static_cast<size_t>(hand)].name + arrays.name(j), skeleton);
+  }
+  return fingered.size();
+}
+
+namespace {
+
+// Lets the skeleton grow by one detail and returns how many joints there are more that are no bone ends.
+size_t add_joints(const Character& character, const SkeletonOptions& options, const char* what, sinew_rig_detail detail,
+                  PredictedSkeleton* skeleton) {
+  const size_t before = skeleton->joints.size();
+  SkeletonArrays arrays(character, *skeleton, what, true);
+  arrays.grow(character, options, detail, nullptr, skeleton);
+  size_t more = 0;
+  arrays.resize(skeleton);
+  for (size_t j = before; j < arrays.joint_count(); ++j) {
+    arrays.take(j, arrays.name(j), skeleton);
+    more += skeleton->ends[j] == 0 ? 1 : 0;
+  }
+  return more;
+}
+
+}  // namespace
+
+size_t predict_face(const Character& character, const SkeletonOptions& options, PredictedSkeleton* skeleton) {
+  return add_joints(character, options, "faces", SINEW_DETAIL_FACE, skeleton);
+}
+
+size_t predict_props(const Character& character, const SkeletonOptions& options, PredictedSkeleton* skeleton) {
+  return add_joints(character, options, "props", SINEW_DETAIL_PROPS, skeleton);
 }
 
 }  // namespace sinew

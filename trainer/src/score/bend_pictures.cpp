@@ -7,7 +7,7 @@
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/pose/deform.hpp"
 #include "sinew_character/pose/pose.hpp"
-#include "sinew_character/predict/label_skeleton.hpp"
+#include "sinew_character/predict/fit_skeleton.hpp"
 
 namespace sinew {
 

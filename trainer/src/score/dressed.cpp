@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "sinew_character/predict/label_skeleton.hpp"
+#include "sinew_character/predict/fit_skeleton.hpp"
 #include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/base/box.hpp"
 

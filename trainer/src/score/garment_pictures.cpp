@@ -5,7 +5,7 @@
 #include "bends.hpp"
 #include "dressed.hpp"
 #include "sinew_character/bind/transfer.hpp"
-#include "sinew_character/check/layer_crossings.hpp"
+#include "sinew_character/check/surface_faults.hpp"
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/page/html.hpp"
 #include "sinew_character/pose/deform.hpp"

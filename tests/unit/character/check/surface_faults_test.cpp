@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Crossings of two layers: which pairs, whatever lies at rest, and as many as a count without a sweep finds.
-#include "sinew_character/check/layer_crossings.hpp"
+#include "sinew_character/check/surface_faults.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: MIT
-// A caller's choice of how posed meshes follow, as the engine's options.
-#ifndef SINEW_CHARACTER_CAPI_CORRECTIONS_OF_HPP
-#define SINEW_CHARACTER_CAPI_CORRECTIONS_OF_HPP
+// Callers' structs as jobs take them, and results as callers see them: what several calls share.
+#ifndef SINEW_CHARACTER_CAPI_CONVERSIONS_HPP
+#define SINEW_CHARACTER_CAPI_CONVERSIONS_HPP
 
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "handle.hpp"
+#include "sinew/character.h"
+#include "sinew/skeleton.h"
+#include "sinew_character/bind/seams.hpp"
+#include "sinew_character/jobs/rig_job.hpp"
+#include "sinew_character/motion/map_source.hpp"
+#include "sinew_character/motion/motion_file.hpp"
+#include "sinew_formats/character.hpp"
 
 namespace sinew {
 
@@ -58,6 +67,41 @@ inline auto steps_of(ProgressOfCaller* progress) {
 inline std::string text_or_empty(const char* text) { return text == nullptr ? "" : text; }
 inline std::string file_of(const sinew_character& character) {
   return character.path.empty() ? character.character.name : character.path;
+}
+
+// The motion of a handle, as sinew_character_animate() plays it and sinew_character_map() maps from it.
+inline bool plays_its_file(const sinew_character& from) {
+  return from.clips.empty() && !from.path.empty() && !from.drop_animations;
+}
+
+// The clips that were added to a character.
+inline MotionFile added_motion(const sinew_character& from) {
+  Motion added = motion_of(from.character.joints);
+  added.name = from.character.name;
+  added.clips = from.clips;
+  return {std::move(added), true};
+}
+
+// The mesh that moves with it; null: none, or one of several people.
+inline const Character* body_of(const sinew_character& from, const MotionFile& motion) {
+  return from.character.vertices.empty() || !motion.whole ? nullptr : &from.character;
+}
+
+// Throws Failure, and Error for names.
+std::vector<Joint> joints_of(const sinew_skeleton* given);
+
+//   picture  out: what the character's picture became; unchanged where it is of none
+RiggedCharacter rig_of(const sinew_character& from, const sinew_character_rig_options& options,
+                       ProgressOfCaller* progress, std::shared_ptr<const PictureCharacter>* picture);
+
+// Seams as the C API tells them.
+inline std::vector<sinew_character_seam> seams_of(const Seams& seams) {
+  std::vector<sinew_character_seam> views;
+  for (const Seam& seam : seams.seams)
+    views.push_back({{static_cast<uint32_t>(seam.joints[0]), static_cast<uint32_t>(seam.joints[1])},
+                     {seam.position.x, seam.position.y, seam.position.z},
+                     static_cast<float>(seam.length)});
+  return views;
 }
 
 }  // namespace sinew

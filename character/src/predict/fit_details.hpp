@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Fingers of a skeleton that is put into a mesh, where the mesh's are.
-#ifndef SINEW_CHARACTER_PREDICT_FIT_FINGERS_HPP
-#define SINEW_CHARACTER_PREDICT_FIT_FINGERS_HPP
+// What is done to a skeleton after it was fitted into a mesh: its fingers go where the mesh's are, limbs stay in the mesh.
+#ifndef SINEW_CHARACTER_PREDICT_FIT_DETAILS_HPP
+#define SINEW_CHARACTER_PREDICT_FIT_DETAILS_HPP
 
 #include <cstddef>
 #include <optional>
@@ -23,6 +23,11 @@ size_t fit_fingers(const PredictedSkeleton& found, FittedSkeleton* fitted);
 // A hand's skeleton put where a lone hand was found: turned, scaled and moved as a whole by its fingers, then these as above.
 // nullopt: fewer than three fingers are in both.
 std::optional<FittedSkeleton> fit_lone_hand(const std::vector<Joint>& own, const PredictedSkeleton& found);
+
+// Bones of chains that nothing of the mesh spoke for (FitHow::kCarried) become so short, by tenths to a tenth, that they end in it or within
+// 2 % of its longest side from a vertex; both of a mirrored pair alike. What matched joints hang on stays. Returns how many bones became
+// shorter.
+size_t keep_inside(const Character& mesh, FittedSkeleton* fitted);
 
 }  // namespace sinew
 #endif

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What fits a body and what does not.
-#include "sinew_character/motion/map_cover.hpp"
+#include "sinew_character/motion/motion_map.hpp"
 
 #include <gtest/gtest.h>
 
-#include "sinew_character/motion/motion_map.hpp"
 #include "walking_motion.hpp"
 
 namespace sinew {
