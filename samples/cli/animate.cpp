@@ -19,7 +19,7 @@
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/motion/motion_file.hpp"
 #include "sinew_character/picture/plane_motion.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"
 #include "sinew_formats/print.hpp"

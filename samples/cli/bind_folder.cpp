@@ -16,7 +16,7 @@
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/page/pages.hpp"
 #include "sinew_formats/base/parallel.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "support.hpp"

@@ -17,7 +17,7 @@
 #include "sinew_character/motion/map_source.hpp"
 #include "sinew_character/motion/motion_map.hpp"
 #include "sinew_character/motion/simplify_skeleton.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"
 #include "sinew_formats/print.hpp"

@@ -17,7 +17,7 @@
 #include "sinew_character/pose/deform.hpp"
 #include "sinew_character/pose/rest_pose.hpp"
 #include "sinew_character/predict/fit_skeleton.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"
 #include "sinew_formats/print.hpp"

@@ -19,7 +19,7 @@
 #include "sinew_character/check/check.hpp"
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/jobs/thread_pool.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "support.hpp"

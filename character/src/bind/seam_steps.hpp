@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "sinew_character/bind/seams.hpp"
-#include "sinew_formats/base/joint_tree.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/character.hpp"
 

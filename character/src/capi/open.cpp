@@ -7,7 +7,6 @@
 #include "conversions.hpp"
 #include "handle.hpp"
 #include "sinew_formats/file_kinds.hpp"
-#include "sinew_formats/file_names.hpp"
 
 namespace sinew {
 namespace {

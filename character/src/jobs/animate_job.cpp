@@ -12,7 +12,7 @@
 #include "sinew_character/motion/map_source.hpp"
 #include "sinew_character/motion/motion_map.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/print.hpp"
 
 namespace sinew {

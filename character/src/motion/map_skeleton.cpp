@@ -19,7 +19,6 @@
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
-#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/text_lines.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "predict/limbs.hpp"
 #include "predict/turn.hpp"
-#include "sinew_formats/base/joint_tree.hpp"
+#include "sinew_formats/character.hpp"
 
 namespace sinew {
 

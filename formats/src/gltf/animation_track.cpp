@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "gltf/gltf_model.hpp"
-#include "sinew_formats/base/quaternion.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
 

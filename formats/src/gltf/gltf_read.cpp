@@ -11,7 +11,7 @@
 #include "gltf/gltf_model.hpp"
 #include "gltf/gltf_source.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/joint_names.hpp"
 #include "text/text_lines.hpp"

@@ -10,7 +10,6 @@
 #include "gltf/changed_document.hpp"
 #include "gltf/fixed_weights.hpp"
 #include "gltf/gltf_source.hpp"
-#include "gltf/mesh_nodes.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "gltf/tinygltf.hpp"
-#include "sinew_formats/base/quaternion.hpp"
+#include "sinew_formats/base/affine.hpp"
 
 namespace sinew {
 

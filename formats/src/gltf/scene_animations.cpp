@@ -10,7 +10,7 @@
 #include "gltf/gltf_source.hpp"
 #include "gltf/scene_nodes.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "motion/keypoints.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/text_lines.hpp"
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "usd/usd_materials.hpp"
-
 #include "gltf/gltf_source.hpp"
 #include "usd/usd_text.hpp"
+#include "usd/usd_write.hpp"
 
 namespace sinew {
 

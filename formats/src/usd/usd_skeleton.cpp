@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "usd/usd_skeleton.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -10,6 +8,7 @@
 #include "gltf/node_parts.hpp"
 #include "text/text_lines.hpp"
 #include "usd/usd_text.hpp"
+#include "usd/usd_write.hpp"
 
 namespace sinew {
 namespace {

@@ -3,7 +3,7 @@
 #ifndef SINEW_TRAINER_BEND_PICTURES_HPP
 #define SINEW_TRAINER_BEND_PICTURES_HPP
 
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_trainer/report.hpp"
 
 namespace sinew {

@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "sinew/sinew.h"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_trainer/report.hpp"
 
 namespace sinew {

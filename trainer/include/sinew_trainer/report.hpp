@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_trainer/confidence.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/weight_difference.hpp"

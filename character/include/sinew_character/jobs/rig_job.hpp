@@ -15,7 +15,7 @@
 #include "sinew_character/predict/limb_doubts.hpp"
 #include "sinew_character/predict/predict_details.hpp"
 #include "sinew_character/predict/predict_skeleton.hpp"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {

@@ -10,7 +10,7 @@
 #include "sinew/published.h"
 #include "sinew/sinew.h"
 #include "sinew_character/bind/engine_views.hpp"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "sinew_character/bind/transfer.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {

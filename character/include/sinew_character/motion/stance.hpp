@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew {

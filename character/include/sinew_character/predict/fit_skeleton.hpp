@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sinew_character/predict/predict_skeleton.hpp"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {

@@ -6,7 +6,7 @@
 
 #include "picture/read/decoders.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 
 namespace sinew {
