@@ -50,14 +50,12 @@ set(sinew_character_sources
   predict/fit_skeleton
   predict/keep_inside
   predict/label_skeleton
-  predict/limb_doubts
   predict/limbs
   predict/lone_hand
   predict/marker_edits
   predict/match_limbs
   predict/predict_details
   predict/predict_skeleton
-  predict/skeleton_arrays
   predict/skeleton_fit
   predict/skeleton_template
   predict/turn

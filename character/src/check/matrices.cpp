@@ -7,7 +7,7 @@
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/base/point.hpp"
-#include "sinew_formats/gltf_rest.hpp"
+#include "sinew_formats/gltf_summary.hpp"
 #include "sinew_formats/print.hpp"
 
 namespace sinew {

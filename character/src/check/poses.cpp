@@ -6,7 +6,7 @@
 #include <map>
 
 #include "check/findings.hpp"
-#include "check/test_poses.hpp"
+#include "check/rig_facts.hpp"
 #include "sinew_character/check/surface_faults.hpp"
 #include "sinew_character/pose/bend_volume.hpp"
 #include "sinew_character/pose/pose.hpp"

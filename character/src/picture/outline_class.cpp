@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "picture/outline_class.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>

@@ -4,7 +4,6 @@
 #include <memory>
 #include <utility>
 
-#include "picture/outline_class.hpp"
 #include "sinew_character/models/models.hpp"
 #include "sinew_character/picture/body_class.hpp"
 #include "sinew_formats/file_kinds.hpp"

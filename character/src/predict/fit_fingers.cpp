@@ -6,7 +6,7 @@
 #include <map>
 
 #include "predict/fit_details.hpp"
-#include "predict/match_limbs.hpp"
+#include "predict/limbs.hpp"
 #include "predict/turn.hpp"
 #include "sinew_character/predict/predict_details.hpp"
 #include "sinew_character/rig/joint_mirror.hpp"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "gltf/gltf_model.hpp"
 #include "gltf/gltf_source.hpp"
-#include "gltf/tinygltf.hpp"
 #include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/character.hpp"
 

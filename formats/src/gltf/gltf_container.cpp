@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "gltf/gltf_model.hpp"
 #include "gltf/gltf_source.hpp"
-#include "gltf/tinygltf.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/text_lines.hpp"

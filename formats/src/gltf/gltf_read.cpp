@@ -6,7 +6,6 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "gltf/bind_pose.hpp"
 #include "gltf/gltf_from_scene.hpp"
 #include "gltf/gltf_model.hpp"
 #include "gltf/gltf_source.hpp"

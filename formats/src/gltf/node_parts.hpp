@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gltf/tinygltf.hpp"
+#include "gltf/gltf_model.hpp"
 #include "sinew_formats/base/affine.hpp"
 
 namespace sinew {

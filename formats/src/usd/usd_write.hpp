@@ -10,7 +10,6 @@
 
 #include "gltf/animation_track.hpp"
 #include "gltf/gltf_model.hpp"
-#include "gltf/tinygltf.hpp"
 #include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/io.hpp"
 

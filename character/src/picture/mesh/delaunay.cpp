@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "picture/mesh/delaunay.hpp"
-
 #include <utility>
+
+#include "picture/mesh/plane_mesh.hpp"
 
 namespace sinew::picture {
 

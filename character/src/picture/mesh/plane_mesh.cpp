@@ -7,8 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "picture/mesh/delaunay.hpp"
-
 namespace sinew::picture {
 namespace {
 

@@ -8,7 +8,6 @@
 #include <map>
 
 #include "expect_error.hpp"
-#include "picture/mesh/delaunay.hpp"
 #include "picture/mesh/plane_mesh.hpp"
 #include "small_pictures.hpp"
 
