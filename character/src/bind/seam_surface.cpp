@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The surface that seams are found on: its edges, and normals that look outwards.
 #include <algorithm>
 #include <array>
 #include <cmath>

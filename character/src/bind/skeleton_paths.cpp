@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// How far joints are apart, straight and along the skeleton.
 #include <algorithm>
 #include <utility>
 

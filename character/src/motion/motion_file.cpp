@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A motion from a file or of the clips that ship, its frames over the floor of its rest pose.
 #include "sinew_character/motion/motion_file.hpp"
 
 #include <algorithm>

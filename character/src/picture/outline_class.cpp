@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Words for kinds of bodies, and the kind that an outline is of, by a small network.
 #include <algorithm>
 #include <cmath>
 #include <cstring>

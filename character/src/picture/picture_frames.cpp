@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Frames of an animated picture, for sprite sheets and loops.
 #include <algorithm>
 #include <cmath>
 #include <string>

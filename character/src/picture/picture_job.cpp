@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A picture becomes a character: outline, mesh, skeleton, weights.
 #include "sinew_character/picture/picture_job.hpp"
 
 #include <memory>

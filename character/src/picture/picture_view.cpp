@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// From where a picture shows its character, by the skeletons that votes find.
 #include "sinew_character/picture/picture_view.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// One clip of a body in space becomes one in the picture's plane.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Fingers of a skeleton that was fitted into a mesh go where the mesh's are.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A fitted skeleton without limbs beside the mesh.
 #include <algorithm>
 #include <cmath>
 #include <numeric>

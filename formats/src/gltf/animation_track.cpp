@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// One sampler of a glTF animation: read, and its value at any time.
 #include "gltf/animation_track.hpp"
 
 #include <algorithm>

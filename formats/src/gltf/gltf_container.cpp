@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// GLB and .gltf taken apart and put together; accessors added to a document.
 #include "gltf/gltf_container.hpp"
 
 #include <array>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Compressed geometry made plain: which extensions there are, and meshoptimizer's; Draco's is in gltf_draco.cpp.
 #include "gltf/gltf_decompress.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Animations of a scene that Assimp read, as a glTF document's.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Humanoid nodes of a VRM animation read; a VRM's licence, bones and extension written.
 #include "gltf/vrm.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Rotations of joints from keypoints alone: from bones and hinges.
 #include <algorithm>
 #include <cmath>
 #include <utility>

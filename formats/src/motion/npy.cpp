@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Arrays of numbers of NumPy, from .npy and .npz.
 #include "motion/npy.hpp"
 
 #include <bit>

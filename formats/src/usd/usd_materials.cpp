@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Materials of a character as USD's text.
 #include "gltf/gltf_source.hpp"
 #include "usd/usd_text.hpp"
 #include "usd/usd_write.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Skeletons and animations of a character as USD's text.
 #include <algorithm>
 #include <cmath>
 #include <optional>

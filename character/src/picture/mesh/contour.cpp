@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The border of a mask as closed lines, stairs smoothed away.
 #include <algorithm>
 #include <cmath>
 #include <utility>

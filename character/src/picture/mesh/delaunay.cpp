@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Delaunay's triangulation of points in the plane, one after the other.
 #include <utility>
 
 #include "picture/mesh/plane_mesh.hpp"

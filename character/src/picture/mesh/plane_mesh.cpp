@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A silhouette in triangles, and how thick it is where.
 #include "picture/mesh/plane_mesh.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// What the background of a picture looks like: a smooth colour with ruled lines, or a few flat ones.
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Background grown inwards from the border; what is left.
 #include "picture/outline/foreground.hpp"
 
 #include <algorithm>

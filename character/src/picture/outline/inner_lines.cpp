@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Slits along lines that are drawn inside of a figure.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The border of a figure as closed lines that a user can drag, and back.
 #include <algorithm>
 #include <cmath>
 #include <string>
