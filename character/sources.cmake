@@ -8,10 +8,9 @@ set(sinew_picture_sources
   picture/mesh/plane_mesh
   picture/outline/background
   picture/outline/figure_parts
-  picture/outline/find_figure
+  picture/outline/figure
   picture/outline/foreground
   picture/outline/inner_lines
-  picture/outline/outline
   picture/outline/raster
   picture/read/read_jpeg
   picture/read/read_picture
@@ -41,9 +40,8 @@ set(sinew_character_sources
   bind/fold_tips
   bind/seam_homes
   bind/seam_leak
-  bind/seam_surface
+  bind/seam_steps
   bind/seams
-  bind/skeleton_paths
   bind/transfer
   predict/edit_skeleton
   predict/fit_fingers
