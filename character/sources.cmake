@@ -4,42 +4,33 @@
 set(sinew_picture_sources
   picture/mesh/contour
   picture/mesh/delaunay
-  picture/mesh/inflation
   picture/mesh/picture_mesh
   picture/mesh/plane_mesh
   picture/outline/background
-  picture/outline/choose_part
-  picture/outline/find_figure
+  picture/outline/figure_parts
+  picture/outline/figure
   picture/outline/foreground
-  picture/outline/holes
   picture/outline/inner_lines
-  picture/outline/lab
-  picture/outline/outline
   picture/outline/raster
-  picture/outline/sheet
-  picture/read/exif
   picture/read/read_jpeg
   picture/read/read_picture
   picture/read/read_png
   picture/read/read_stb
-  picture/sprites/animated_png
-  picture/sprites/draw_in_plane
-  picture/sprites/sprite_sheet)
+  picture/sprites/sprite_files
+  picture/sprites/draw_in_plane)
 # Renders and HTML pages, which need libpng.
 set(sinew_draw_sources
   draw/colour
   draw/image
   draw/render
-  page/bind_page
-  page/check_page
+  page/pages
   page/html)
 set(sinew_character_sources
   rig/infer_parents
   rig/joint_mirror
-  rig/joint_surfaces
   rig/joint_verdicts
   rig/joints_beside_mesh
-  rig/mesh_neighbours
+  rig/mesh_surface
   bind/answers
   bind/bind
   bind/bind_character
@@ -47,29 +38,22 @@ set(sinew_character_sources
   bind/cut_seams
   bind/engine_views
   bind/fold_tips
-  bind/joint_map
-  bind/round_influences
   bind/seam_homes
   bind/seam_leak
-  bind/seam_surface
+  bind/seam_steps
   bind/seams
-  bind/skeleton_paths
   bind/transfer
   predict/edit_skeleton
   predict/fit_fingers
   predict/fit_skeleton
   predict/keep_inside
   predict/label_skeleton
-  predict/limb_doubts
   predict/limbs
   predict/lone_hand
   predict/marker_edits
   predict/match_limbs
   predict/predict_details
-  predict/predict_face
-  predict/predict_hands
   predict/predict_skeleton
-  predict/skeleton_arrays
   predict/skeleton_fit
   predict/skeleton_template
   predict/turn
@@ -77,15 +61,12 @@ set(sinew_character_sources
   pose/deform
   pose/character_transform
   pose/pose
-  pose/pose_file
   pose/rest_pose
-  bake/bake_bends
-  bake/bake_clip
+  bake/bake
   bake/bends
   bake/corrections
   bake/driver_fit
   clips/builtin_motion
-  clips/gait
   clips/others
   clips/person
   clips/puppet
@@ -93,16 +74,12 @@ set(sinew_character_sources
   motion/common_body
   motion/human_limits
   motion/joint_limits
-  motion/limb_bends
-  motion/map_cover
   motion/map_file
-  motion/map_levels
   motion/map_skeleton
   motion/map_source
   motion/motion_file
   motion/motion_map
   motion/moving_joints
-  motion/rest_floor
   motion/retarget
   motion/simplify_skeleton
   motion/stance
@@ -116,7 +93,7 @@ set(sinew_character_sources
   check/findings
   check/joints
   check/label_check
-  check/layer_crossings
+  check/surface_faults
   check/matrices
   check/mesh_check
   check/names
@@ -128,30 +105,23 @@ set(sinew_character_sources
   check/rules
   check/symmetry
   check/test_poses
-  check/torn_edges
   check/weigh_findings
   style/style
   style/style_file
-  picture/body_class
   picture/joints_inside
   picture/outline_class
   picture/picture_frames
   picture/picture_view
-  picture/pins_by_class
   picture/plane_bones
   picture/plane_motion
-  picture/side_limbs
-  picture/silhouette
   profile/control_text
   profile/controls
   profile/joint_axes
-  profile/profile_names
   profile/profiles
   profile/standard_bones
   profile/write_for_profile)
 # Jobs as the command does them, the bundled models, and the C API over both; a page has models of its own.
 set(sinew_job_sources
-  motion/find_joint_map
   predict/own_skeleton
   picture/picture_job
   capi/animate
@@ -161,7 +131,6 @@ set(sinew_job_sources
   capi/check
   capi/clips
   capi/keypoints
-  capi/lod
   capi/map
   capi/open
   capi/picture
@@ -171,16 +140,13 @@ set(sinew_job_sources
   capi/simplify
   capi/struct_sizes
   capi/transfer
-  capi/transform
   jobs/animate_job
   jobs/bake_job
   jobs/bind_job
   jobs/character_file
   jobs/check_job
-  jobs/check_score
   jobs/lod_job
   jobs/pose_job
-  jobs/rig_bare_mesh
   jobs/rig_job
   jobs/simplify_job
   jobs/thread_pool

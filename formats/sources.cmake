@@ -3,7 +3,6 @@
 set(sinew_formats_sources
   base/affine
   base/parallel
-  base/quaternion
   fbx/fbx_animations
   fbx/fbx_binary
   fbx/fbx_geometry
@@ -16,7 +15,6 @@ set(sinew_formats_sources
   files/memory_files
   files/picture_files
   files/read_mesh
-  gltf/add_accessor
   gltf/animation_track
   gltf/bind_pose
   gltf/control_points
@@ -28,8 +26,6 @@ set(sinew_formats_sources
   gltf/gltf_draco
   gltf/gltf_from_mesh
   gltf/gltf_from_scene
-  gltf/gltf_joint_nodes
-  gltf/gltf_meshopt
   gltf/gltf_model
   gltf/gltf_morphs_write
   gltf/morph_animations
@@ -38,17 +34,14 @@ set(sinew_formats_sources
   gltf/gltf_read
   gltf/gltf_rest
   gltf/gltf_skin
-  gltf/move_joints
-  gltf/transform_document
-  gltf/move_vertices
+  gltf/changed_document
   gltf/pick_vertices
   gltf/reduce_triangles
   gltf/gltf_summary
   gltf/gltf_write
   gltf/lod_document
   gltf/tinygltf
-  gltf/vrm_animation
-  gltf/vrm_write
+  gltf/vrm
   gltf/vrm_zero
   motion/actors
   motion/bvh_read

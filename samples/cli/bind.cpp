@@ -14,7 +14,7 @@
 #include "options.hpp"
 #include "progress.hpp"
 #include "sinew/published.h"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "style_options.hpp"
 #include "support.hpp"
 

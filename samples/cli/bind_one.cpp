@@ -16,7 +16,7 @@
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/jobs/bind_job.hpp"
 #include "sinew_character/style/style.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sinew_character/bind/bind_character.hpp"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 
 namespace sinew::cli {
 

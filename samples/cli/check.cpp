@@ -10,7 +10,7 @@
 #include "options.hpp"
 #include "progress.hpp"
 #include "sinew_character/check/check_output.hpp"
-#include "sinew_character/page/check_page.hpp"
+#include "sinew_character/page/pages.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "support.hpp"

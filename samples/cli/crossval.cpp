@@ -11,7 +11,7 @@
 
 #include "commands.hpp"
 #include "options.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_quant/quantize.hpp"
 #include "sinew_trainer/engine_network.hpp"

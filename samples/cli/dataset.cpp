@@ -12,7 +12,7 @@
 #include "dataset.hpp"
 #include "options.hpp"
 #include "sinew_data_sets/synthesize.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"
 

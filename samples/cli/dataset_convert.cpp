@@ -11,7 +11,7 @@
 #include "options.hpp"
 #include "progress.hpp"
 #include "sinew_data_sets/dataset.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "support.hpp"

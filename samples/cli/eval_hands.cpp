@@ -6,7 +6,7 @@
 
 #include "eval_studies.hpp"
 #include "progress.hpp"
-#include "sinew_character/predict/predict_hands.hpp"
+#include "sinew_character/predict/predict_details.hpp"
 #include "sinew_formats/base/parallel.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"

@@ -16,7 +16,7 @@
 #include "sinew_character/predict/predict_skeleton.hpp"
 #include "sinew_formats/base/parallel.hpp"
 #include "sinew_formats/checkpoint.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/rig_difference.hpp"

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "sinew_formats/file_kinds.hpp"
-#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"
 

@@ -15,7 +15,6 @@
 #include "options.hpp"
 #include "sinew_formats/checkpoint.hpp"
 #include "sinew_formats/file_kinds.hpp"
-#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "support.hpp"

@@ -11,7 +11,6 @@
 #include "profile_options.hpp"
 #include "sinew_character/jobs/lod_job.hpp"
 #include "sinew_formats/file_kinds.hpp"
-#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/lod_document.hpp"
 #include "sinew_formats/memory_files.hpp"

@@ -12,7 +12,7 @@
 
 #include "enum_words.hpp"
 #include "sinew_character/pose/character_transform.hpp"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/file_kinds.hpp"
 
 namespace sinew::cli {

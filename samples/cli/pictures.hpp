@@ -7,7 +7,7 @@
 #include "sinew_character/motion/map_skeleton.hpp"
 #include "sinew_character/picture/picture_file.hpp"
 #include "sinew_character/pose/deform.hpp"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew::cli {

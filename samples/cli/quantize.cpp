@@ -16,7 +16,7 @@
 #include "front/front_points.hpp"
 #include "options.hpp"
 #include "progress.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_quant/model_writer.hpp"

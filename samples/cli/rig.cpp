@@ -26,7 +26,7 @@
 #include "sinew_character/jobs/rig_job.hpp"
 #include "sinew_character/pose/character_transform.hpp"
 #include "sinew_character/predict/skeleton_template.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "style_options.hpp"

@@ -8,7 +8,6 @@
 
 #include "sinew_character/predict/skeleton_template.hpp"
 #include "sinew_formats/file_kinds.hpp"
-#include "sinew_formats/file_names.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

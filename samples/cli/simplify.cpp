@@ -10,7 +10,7 @@
 #include "options.hpp"
 #include "profile_options.hpp"
 #include "sinew_character/jobs/simplify_job.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/gltf_summary.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "sinew_character/picture/picture_job.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sinew_character/picture/picture_frames.hpp"
+#include "sinew_character/picture/sprites.hpp"
 #include "sinew_formats/io.hpp"
 
 namespace CLI {

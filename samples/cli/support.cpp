@@ -12,7 +12,6 @@
 #include <sstream>
 
 #include "sinew_formats/file_kinds.hpp"
-#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 
 namespace fs = std::filesystem;

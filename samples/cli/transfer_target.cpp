@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"
 

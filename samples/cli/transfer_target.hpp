@@ -8,7 +8,7 @@
 
 #include "sinew_character/jobs/transfer_job.hpp"
 #include "sinew_character/models/models.hpp"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew::cli {

@@ -14,7 +14,7 @@
 #include "hand_scene.hpp"
 #include "sinew_character/jobs/rig_job.hpp"
 #include "sinew_character/models/models.hpp"
-#include "sinew_character/predict/predict_hands.hpp"
+#include "sinew_character/predict/predict_details.hpp"
 
 namespace sinew {
 namespace {

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "gltf/bind_pose.hpp"
+#include "gltf/gltf_model.hpp"
 #include "gltf/gltf_source.hpp"
 #include "sinew_formats/io.hpp"
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/base/point.hpp"
-#include "sinew_formats/base/quaternion.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
 

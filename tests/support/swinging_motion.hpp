@@ -3,7 +3,7 @@
 #ifndef SINEW_TESTS_SUPPORT_SWINGING_MOTION_HPP
 #define SINEW_TESTS_SUPPORT_SWINGING_MOTION_HPP
 
-#include "sinew_formats/base/quaternion.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew {

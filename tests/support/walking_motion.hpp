@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "random.hpp"
-#include "sinew_formats/base/quaternion.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Bends of a surface, by its skin weights and the tree of its joints.
-#include "bake/bends.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "bake/bake_steps.hpp"
 #include "sinew_character/pose/pose.hpp"
 
 namespace sinew {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Poses for a fit, what linear skinning lacks in them, and what is still lacking with shapes.
-#include "bake/corrections.hpp"
-
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <random>
 
+#include "bake/bake_steps.hpp"
 #include "sinew_character/pose/deform.hpp"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/base/box.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Reduced rank ridge regression (Izenman 1975) of moves on values of turns. Constants are those that left least error on four characters of
 // the deformation yardstick, in sixty poses that were in no fit and are not those that `sinew bake` is measured by.
-#include "bake/driver_fit.hpp"
-
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "bake/bake_steps.hpp"
 
 namespace sinew {
 namespace {

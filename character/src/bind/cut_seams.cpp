@@ -4,11 +4,11 @@
 #include <map>
 #include <utility>
 
-#include "bind/seam_surface.hpp"
+#include "bind/seam_steps.hpp"
 #include "gltf/changed_document.hpp"
 #include "sinew_character/bind/bind.hpp"
 #include "sinew_character/bind/seams.hpp"
-#include "sinew_character/rig/mesh_neighbours.hpp"
+#include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/base/point.hpp"
 

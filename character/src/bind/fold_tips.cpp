@@ -5,7 +5,7 @@
 #include <map>
 
 #include "sinew_character/bind/bind_character.hpp"
-#include "sinew_character/rig/mesh_neighbours.hpp"
+#include "sinew_character/rig/mesh_surface.hpp"
 
 namespace sinew {
 namespace {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What weights say, the distance to each bone against its usual one, and creases, relaxed over the band. All constants: train families.
-#include "bind/seam_homes.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 
+#include "bind/seam_steps.hpp"
 #include "sinew_formats/median.hpp"
 
 namespace sinew {

@@ -2,9 +2,7 @@
 // Seams by true weights, and what a prediction has across them.
 #include <algorithm>
 
-#include "bind/seam_homes.hpp"
-#include "bind/seam_surface.hpp"
-#include "bind/skeleton_paths.hpp"
+#include "bind/seam_steps.hpp"
 #include "sinew_character/bind/seams.hpp"
 
 namespace sinew {

@@ -6,9 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "bind/seam_homes.hpp"
-#include "bind/seam_surface.hpp"
-#include "bind/skeleton_paths.hpp"
+#include "bind/seam_steps.hpp"
 #include "sinew_character/bind/bind.hpp"
 #include "sinew_formats/base/box.hpp"
 

@@ -2,11 +2,9 @@
 // sinew_character_animate(): the job of `sinew animate`.
 #include <cmath>
 
-#include "corrections_of.hpp"
+#include "conversions.hpp"
 #include "handle.hpp"
-#include "motion_of.hpp"
-#include "rig_of.hpp"
-#include "sinew_character/check/checked_note.hpp"
+#include "sinew_character/check/check.hpp"
 #include "sinew_character/jobs/animate_job.hpp"
 #include "sinew_character/motion/motion_file.hpp"
 #include "sinew_character/picture/plane_motion.hpp"

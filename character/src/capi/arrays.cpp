@@ -3,8 +3,8 @@
 #include <cmath>
 #include <set>
 
+#include "conversions.hpp"
 #include "handle.hpp"
-#include "joints_of.hpp"
 #include "sinew_character/bind/bind.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sinew_character_bake(): the job of `sinew bake`.
-#include "corrections_of.hpp"
+#include "conversions.hpp"
 #include "handle.hpp"
 #include "sinew_character/jobs/bake_job.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sinew_character_bind(): the job of `sinew bind`.
+#include "conversions.hpp"
 #include "handle.hpp"
-#include "seams_of.hpp"
 #include "sinew_character/jobs/bind_job.hpp"
 
 namespace sinew {

@@ -20,7 +20,7 @@
 #include "sinew_character/models/models.hpp"
 #include "sinew_character/picture/picture_job.hpp"
 #include "sinew_character/profile/profile.hpp"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/keypoints_stream.hpp"
 #include "sinew_formats/memory_files.hpp"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // sinew_character_map(): the job of `sinew map`.
-#include "corrections_of.hpp"
+#include "conversions.hpp"
 #include "handle.hpp"
-#include "motion_of.hpp"
-#include "sinew_character/motion/map_cover.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"
+#include "sinew_character/motion/motion_map.hpp"
 #include "sinew_character/predict/own_skeleton.hpp"
 #include "sinew_formats/file_kinds.hpp"
 

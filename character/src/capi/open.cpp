@@ -4,10 +4,9 @@
 #include <filesystem>
 #include <set>
 
+#include "conversions.hpp"
 #include "handle.hpp"
-#include "joints_of.hpp"
 #include "sinew_formats/file_kinds.hpp"
-#include "sinew_formats/file_names.hpp"
 
 namespace sinew {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "corrections_of.hpp"
+#include "conversions.hpp"
 #include "handle.hpp"
 #include "sinew_character/jobs/pose_job.hpp"
 

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "conversions.hpp"
 #include "handle.hpp"
-#include "rig_of.hpp"
-#include "seams_of.hpp"
 #include "sinew_character/bind/engine_views.hpp"
 #include "sinew_character/jobs/rig_job.hpp"
 #include "sinew_character/predict/skeleton_template.hpp"

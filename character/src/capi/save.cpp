@@ -3,7 +3,6 @@
 #include "handle.hpp"
 #include "sinew_character/profile/controls.hpp"
 #include "sinew_formats/file_kinds.hpp"
-#include "sinew_formats/file_names.hpp"
 
 namespace sinew {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // sinew_character_transfer(): the job of `sinew transfer`.
-#include "corrections_of.hpp"
+#include "conversions.hpp"
 #include "handle.hpp"
-#include "sinew_character/check/checked_note.hpp"
+#include "sinew_character/check/check.hpp"
 #include "sinew_character/jobs/thread_pool.hpp"
 #include "sinew_character/jobs/transfer_job.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Distances from points to segments.
-#include "sinew_character/check/bone_distance.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "sinew_character/check/label_check.hpp"
 
 namespace sinew {
 

@@ -7,8 +7,7 @@
 #include <set>
 #include <tuple>
 
-#include "check/check_rooms.hpp"
-#include "sinew_character/check/checked_note.hpp"
+#include "check/findings.hpp"
 
 namespace sinew {
 namespace {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "check/test_poses.hpp"
+#include "check/rig_facts.hpp"
 #include "sinew/sinew.h"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/print.hpp"

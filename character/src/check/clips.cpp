@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "check/check_rooms.hpp"
+#include "check/findings.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/median.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "check/check_rooms.hpp"
-#include "rig/joints_beside_mesh.hpp"
+#include "check/findings.hpp"
+#include "sinew_character/rig/joint_verdicts.hpp"
 #include "sinew_character/rig/skeleton_repair.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/print.hpp"

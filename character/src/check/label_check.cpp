@@ -11,9 +11,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "sinew_character/check/bone_distance.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
-#include "sinew_character/rig/mesh_neighbours.hpp"
+#include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/median.hpp"
 #include "sinew_formats/print.hpp"
 

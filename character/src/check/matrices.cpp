@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "check/check_rooms.hpp"
+#include "check/findings.hpp"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/base/point.hpp"
-#include "sinew_formats/gltf_rest.hpp"
+#include "sinew_formats/gltf_summary.hpp"
 #include "sinew_formats/print.hpp"
 
 namespace sinew {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "check/check_rooms.hpp"
+#include "check/findings.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"
 #include "sinew_character/predict/skeleton_template.hpp"
 #include "sinew_formats/base/point.hpp"

@@ -5,10 +5,9 @@
 #include <cmath>
 #include <map>
 
-#include "check/check_rooms.hpp"
-#include "check/test_poses.hpp"
-#include "check/torn_edges.hpp"
-#include "sinew_character/check/layer_crossings.hpp"
+#include "check/findings.hpp"
+#include "check/rig_facts.hpp"
+#include "sinew_character/check/surface_faults.hpp"
 #include "sinew_character/pose/bend_volume.hpp"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/base/point.hpp"

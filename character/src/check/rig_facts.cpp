@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "sinew_character/pose/pose.hpp"
-#include "sinew_character/rig/mesh_neighbours.hpp"
+#include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/error.hpp"
 

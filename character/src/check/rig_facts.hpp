@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// What rules ask a character for, found once.
+// What rules ask a character for: facts found once, and poses that every body of its kind takes.
 #ifndef SINEW_CHARACTER_CHECK_RIG_FACTS_HPP
 #define SINEW_CHARACTER_CHECK_RIG_FACTS_HPP
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "sinew_character/rig/joint_verdicts.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -42,6 +44,16 @@ struct RigFacts {
   // At most one other joint of its class is on its side: of insects little can be said by names.
   bool is_single(size_t joint) const;
 };
+
+// Poses that every body of a kind takes: elbows and knees bent, limbs swung, hands turned.
+struct TestPose {
+  std::string name;             // "elbows and knees bent by 90 degrees"
+  std::vector<size_t> joints;   // that turn
+  std::vector<Affine> palette;  // [J] skinning matrices
+};
+
+// Poses in which at least one joint turns. Angles are tabled with their sines, so that matrices are the same on every machine.
+std::vector<TestPose> test_poses(const RigFacts& facts);
 
 }  // namespace sinew
 #endif

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <random>
 
-#include "check/torn_edges.hpp"
+#include "sinew_character/check/surface_faults.hpp"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/print.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "check/check_rooms.hpp"
+#include "check/findings.hpp"
 #include "sinew_formats/print.hpp"
 
 namespace sinew {

@@ -4,8 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "check/check_rooms.hpp"
-#include "sinew_character/check/bone_distance.hpp"
+#include "check/findings.hpp"
 #include "sinew_character/check/label_check.hpp"
 #include "sinew_formats/print.hpp"
 

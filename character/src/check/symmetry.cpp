@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "check/check_rooms.hpp"
+#include "check/findings.hpp"
 #include "sinew_character/rig/joint_mirror.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/median.hpp"

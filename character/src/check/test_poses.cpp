@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The table of test poses, and the axes that joints turn about.
-#include "check/test_poses.hpp"
-
 #include <array>
 #include <cmath>
 
+#include "check/rig_facts.hpp"
 #include "sinew_formats/base/point.hpp"
 
 namespace sinew {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "check/check_rooms.hpp"
-#include "sinew_character/check/bone_distance.hpp"
+#include "check/findings.hpp"
+#include "sinew_character/check/label_check.hpp"
 
 namespace sinew {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "clips/builtin_clips.hpp"
+#include "clips/puppet.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
 

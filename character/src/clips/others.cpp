@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A bird that flaps, a fish that swims, a spider that crawls.
-#include "clips/builtin_clips.hpp"
 #include "clips/puppet.hpp"
 
 namespace sinew::clips {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Clips of a person: cycles of legs that stand where they stand, arms against them, a trunk that carries the head level.
-#include "clips/builtin_clips.hpp"
-#include "clips/gait.hpp"
 #include "clips/puppet.hpp"
 
 namespace sinew::clips {

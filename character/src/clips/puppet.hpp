@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A bundled skeleton that code poses joint by joint, limbs by where they reach: what the clips that ship are made with.
+// What clips are made with: a puppet of a bundled skeleton, the path of a foot, and the clips of each kind of body.
 #ifndef SINEW_CHARACTER_CLIPS_PUPPET_HPP
 #define SINEW_CHARACTER_CLIPS_PUPPET_HPP
 
+#include <functional>
 #include <initializer_list>
 #include <map>
 #include <string>
@@ -12,6 +13,8 @@
 #include "sinew_formats/motion.hpp"
 
 namespace sinew::clips {
+
+// A bundled skeleton that code poses joint by joint, limbs by where they reach: what the clips that ship are made with.
 
 constexpr double kFps = 30;
 
@@ -87,6 +90,35 @@ Clip cycle(Puppet* puppet, const std::string& name, size_t frames, const Point3&
     if (puppet->take_stretch() <= kReach || drop > kLowest) return clip;
   }
 }
+
+// Points of a foot at rest, flat on the floor.
+struct FootShape {
+  Point3 ankle, heel, ball;
+};
+
+struct FootPose {
+  Point3 ankle;
+  double pitch = 0;  // degrees, toes down
+  double toes = 0;   // degrees of the toes in the world
+};
+
+struct FootPath {
+  double stance = 0.6;  // share of the cycle
+  double stride = 1;    // what the body travels in one
+  double front = 0;     // where the foot stands, flat, against its position at rest, when the stance begins
+  double lift = 0;      // height that the ankle is carried higher than it leaves and lands
+  std::function<double(double phase)> pitch;
+};
+
+// In the frame that travels with the body. While it stands the foot moves back as fast as that travels, so its pivot stays in place.
+FootPose foot_at(const FootPath& path, const FootShape& shape, double phase);
+
+// All clips of one kind of body, made when they are asked for.
+Motion person_clips();     // walk, run, idle, wave, jump, sit, squat, reach
+Motion quadruped_clips();  // walk, trot, idle
+Motion bird_clips();       // flap
+Motion fish_clips();       // swim
+Motion spider_clips();     // crawl
 
 }  // namespace sinew::clips
 #endif

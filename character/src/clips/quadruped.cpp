@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Clips of a quadruped: every leg has its own phase of one cycle; hind legs carry a metatarsus between hock and toes.
-#include "clips/builtin_clips.hpp"
-#include "clips/gait.hpp"
 #include "clips/puppet.hpp"
 
 namespace sinew::clips {

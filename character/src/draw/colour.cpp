@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Colours of pictures: conversions, one colour per joint, weights and errors as vertex colours.
-#include "draw/colour.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include "draw/colour.hpp"
 #include "sinew_character/draw/image.hpp"
 #include "sinew_formats/error.hpp"
 

@@ -6,13 +6,13 @@
 #include <iterator>
 #include <utility>
 
-#include "motion/moved_joints.hpp"
 #include "sinew_character/bind/engine_views.hpp"
 #include "sinew_character/jobs/rig_job.hpp"
 #include "sinew_character/motion/joint_limits.hpp"
 #include "sinew_character/motion/map_source.hpp"
+#include "sinew_character/motion/motion_map.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/print.hpp"
 
 namespace sinew {

@@ -8,9 +8,9 @@
 
 #include "sinew_character/bind/engine_views.hpp"
 #include "sinew_character/bind/transfer.hpp"
-#include "sinew_character/check/checked_note.hpp"
+#include "sinew_character/check/check.hpp"
 #include "sinew_character/jobs/thread_pool.hpp"
-#include "sinew_character/motion/find_joint_map.hpp"
+#include "sinew_character/motion/motion_map.hpp"
 #include "sinew_character/pose/rest_pose.hpp"
 #include "sinew_character/rig/skeleton_repair.hpp"
 #include "sinew_formats/error.hpp"

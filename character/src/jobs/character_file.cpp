@@ -7,7 +7,6 @@
 #include "sinew_character/clips/builtin_motion.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
-#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/memory_files.hpp"
 #include "sinew_formats/motion.hpp"
 

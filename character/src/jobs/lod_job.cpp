@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "check/rig_facts.hpp"
-#include "check/test_poses.hpp"
 #include "sinew_character/jobs/character_file.hpp"
 #include "sinew_character/jobs/simplify_job.hpp"
 #include "sinew_formats/base/point.hpp"

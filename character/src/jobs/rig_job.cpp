@@ -5,19 +5,20 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "predict/fit_fingers.hpp"
+#include "predict/fit_details.hpp"
 #include "sinew/published.h"
-#include "sinew_character/check/checked_note.hpp"
+#include "sinew_character/check/check.hpp"
 #include "sinew_character/jobs/thread_pool.hpp"
+#include "sinew_character/models/models.hpp"
 #include "sinew_character/pose/rest_pose.hpp"
 #include "sinew_character/predict/lone_hand.hpp"
 #include "sinew_character/predict/own_skeleton.hpp"
-#include "sinew_character/predict/predict_face.hpp"
-#include "sinew_character/predict/predict_hands.hpp"
+#include "sinew_character/predict/predict_details.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -229,6 +230,13 @@ RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool 
 RiggedCharacter rig_character(Character mesh, const RigJobOptions& job, const RigModels& models) {
   PredictedSkeleton predicted = predict_for_job(job, models, &mesh);
   return rig_character(std::move(mesh), std::move(predicted), false, job, models);
+}
+
+Character rig_bare_mesh(Character mesh) {
+  const std::unique_ptr<LoadedModel> rig = load_model("", ModelUse::kRig), bind = load_model(""),
+                                     hands = load_model("", ModelUse::kHands), front = load_front_model();
+  const RigModels models = {&rig->model, &bind->model, &hands->model, front ? &front->model : nullptr};
+  return rig_character(std::move(mesh), {}, models).character;
 }
 
 }  // namespace sinew

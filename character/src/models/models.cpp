@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "front/front_points.hpp"
-#include "models/bundled_models.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "votes/rig_task.hpp"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "motion/limb_bends.hpp"
 #include "motion/upright_body.hpp"
 #include "sinew/rig.h"
 #include "sinew_character/motion/joint_limits.hpp"

@@ -3,7 +3,7 @@
 #include "sinew_character/motion/joint_limits.hpp"
 
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/joint_names.hpp"
 #include "text/text_lines.hpp"

@@ -8,19 +8,17 @@
 #include <optional>
 #include <utility>
 
-#include "motion/map_rig_view.hpp"
 #include "motion/upright_body.hpp"
-#include "rig/joint_surfaces.hpp"
 #include "sinew/names.h"
 #include "sinew/sinew.hpp"
 #include "sinew_character/bind/bind.hpp"
 #include "sinew_character/clips/builtin_motion.hpp"
 #include "sinew_character/motion/map_source.hpp"
 #include "sinew_character/predict/skeleton_template.hpp"
+#include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
-#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/text_lines.hpp"
 

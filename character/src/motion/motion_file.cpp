@@ -1,16 +1,109 @@
 // SPDX-License-Identifier: MIT
+// A motion from a file or of the clips that ship, its frames over the floor of its rest pose.
 #include "sinew_character/motion/motion_file.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
+#include "motion/upright_body.hpp"
 #include "sinew_character/clips/builtin_motion.hpp"
-#include "sinew_character/motion/map_cover.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"
-#include "sinew_character/motion/rest_floor.hpp"
+#include "sinew_character/motion/motion_map.hpp"
+#include "sinew_formats/base/point.hpp"
+#include "sinew_formats/median.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew {
+
+// Up at rest and in the frames, and the floor that decides which of the two is meant.
+
+namespace {
+
+constexpr double kStands = 0.85, kLies = 0.5;             // cosine of what a trunk leans, in the median frame
+constexpr double kBelowFloor = 0.05, kAboveFloor = 0.15;  // of the body's height: where its lowest joint may be
+
+// A trunk's direction and the joints of one pose.
+struct TrunkPose {
+  Point3 trunk;
+  std::vector<Point3> positions;
+};
+
+Point3 trunk_of(const UprightBody& body, const std::vector<Point3>& at) {
+  const auto p = [&](int joint) { return at[static_cast<size_t>(joint)]; };
+  const int top = body.head >= 0 ? body.head : body.chest;
+  return unit(p(top) - 0.5 * (p(body.legs[0].upper) + p(body.legs[1].upper)));
+}
+
+double lowest(const std::vector<Point3>& positions, size_t axis) {
+  double low = positions.front()[axis];
+  for (const Point3& p : positions) low = std::min(low, p[axis]);
+  return low;
+}
+
+double median_along(const std::vector<TrunkPose>& frames, size_t axis) {
+  std::vector<double> values;
+  for (const TrunkPose& frame : frames) values.push_back(frame.trunk[axis]);
+  return median(&values);
+}
+
+bool on_floor(const std::vector<TrunkPose>& frames, size_t axis, double height) {
+  std::vector<double> values;
+  for (const TrunkPose& frame : frames) values.push_back(lowest(frame.positions, axis));
+  const double low = median(&values);
+  return low > -kBelowFloor * height && low < kAboveFloor * height;
+}
+
+size_t largest(const Point3& p) {
+  size_t best = 0;
+  for (size_t k = 1; k < 3; ++k) best = std::abs(p[k]) > std::abs(p[best]) ? k : best;
+  return best;
+}
+
+}  // namespace
+
+std::optional<Motion> motion_on_rest_floor(const Motion& motion) {
+  const MapRig rig = map_rig_of(motion);
+  const std::optional<UprightBody> body = find_upright_body(rig.joints, limb_classes(rig, {}));
+  std::vector<Point3> rest;
+  for (const Joint& joint : rig.joints)
+    rest.push_back({double{joint.position.x}, double{joint.position.y}, double{joint.position.z}});
+  if (!body || !is_upright(*body, rest)) return std::nullopt;
+  const size_t up = largest(trunk_of(*body, rest));
+  double high = rest[0][up];
+  for (const Point3& p : rest) high = std::max(high, p[up]);
+  const double height = high - lowest(rest, up);
+
+  std::vector<TrunkPose> frames;
+  for (const Clip& clip : motion.clips)
+    for (const MotionFrame& frame : clip.frames) {
+      std::vector<Point3> positions = world_pose(motion, frame).positions;
+      const Point3 trunk = trunk_of(*body, positions);
+      frames.push_back({trunk, std::move(positions)});
+    }
+  if (frames.empty() || std::abs(median_along(frames, up)) > kLies || on_floor(frames, up, height)) return std::nullopt;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    if (axis == up || median_along(frames, axis) < kStands || !on_floor(frames, axis, height)) continue;
+    Point3 from{}, to{};
+    from[axis] = to[up] = 1;
+    const Quaternion raise = rotation_between(from, to);
+    Motion out = motion;
+    for (Clip& clip : out.clips)
+      for (MotionFrame& frame : clip.frames)
+        for (size_t j = 0; j < out.joints.size(); ++j) {
+          if (out.joints[j].parent >= 0) continue;
+          frame.rotations[j] = normalised(multiply(raise, frame.rotations[j]));
+          frame.translations[j] = rotate(raise, frame.translations[j]);
+        }
+    out.notes.push_back(std::string("its rest pose has ") + "xyz"[up] + " up and its frames have " + "xyz"[axis] +
+                        " up; they were turned upright, which is a guess");
+    return out;
+  }
+  return std::nullopt;
+}
+
 namespace {
 
 // How much of both bodies a map from the motion's reaches, then how many joints of the rig it moves.

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Frames spread over all clips; means of rotations by the sum of quaternions on one side.
-#include "motion/moving_joints.hpp"
-
 #include <algorithm>
 #include <numeric>
 
+#include "sinew_character/motion/stance.hpp"
 #include "sinew_formats/base/point.hpp"
 
 namespace sinew {

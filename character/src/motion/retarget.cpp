@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "motion/common_body.hpp"
-#include "pose/skin_arrays.hpp"
 #include "sinew_character/bind/engine_views.hpp"
 #include "sinew_character/clips/builtin_motion.hpp"
-#include "sinew_formats/base/quaternion.hpp"
+#include "sinew_character/pose/pose.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"

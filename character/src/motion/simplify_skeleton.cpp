@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
-#include "motion/map_rig_view.hpp"
-#include "rig/joint_surfaces.hpp"
 #include "sinew/sinew.hpp"
+#include "sinew_character/motion/map_skeleton.hpp"
+#include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -81,6 +82,117 @@ Simplified simplify_skeleton(const SimplifyOptions& options, Character* characte
   for (std::vector<Influence>& row : character->influences) merge_weights(simplified, &row);
   character->joints = std::move(left);
   return simplified;
+}
+
+// Both skeletons simplified, mapped, and the map brought back to the joints that they had.
+
+namespace {
+
+// What each joint of a rig is part of at a level.
+std::vector<uint32_t> merged(const MapRig& rig, const MapSkeletonOptions& options, const std::vector<uint8_t>& keep,
+                             bool low) {
+  const MapRigView view(rig, {}, options);
+  SimplifySettings settings;
+  settings.level = low ? SINEW_SIMPLIFY_LOW : SINEW_SIMPLIFY_HIGH;
+  Workspace workspace;
+  std::vector<uint32_t> into;
+  const sinew_status status = simplify(view.skeleton, nullptr, keep.data(), settings, &workspace, &into);
+  if (status != SINEW_OK) throw Error(rig.name + ": cannot be simplified for a map, " + sinew_status_text(status));
+  return into;
+}
+
+struct Reduced {
+  MapRig rig;
+  std::vector<int> number;      // [J before] -1 where it is gone
+  std::vector<uint32_t> joint;  // [J now] which it was
+};
+
+Reduced reduced(const MapRig& rig, const std::vector<uint32_t>& into) {
+  Reduced out;
+  out.rig.name = rig.name;
+  out.rig.joints = joints_left(rig.joints, into, &out.number);
+  for (uint32_t j = 0; j < into.size(); ++j) {
+    if (into[j] != j) continue;
+    out.joint.push_back(j);
+    if (!rig.ends.empty()) out.rig.ends.push_back(rig.ends[j]);
+  }
+  return out;
+}
+
+// The map between fewer joints as one of all.
+MappedSkeleton widened(MappedSkeleton map, const Reduced& target, const Reduced& source) {
+  const size_t count = target.number.size();
+  MappedSkeleton wide = map;
+  wide.sources.assign(count, -1);
+  wide.confidence.assign(count, 0);
+  wide.reasons.assign(count, SINEW_MAP_FEWER_JOINTS);
+  for (size_t j = 0; j < target.joint.size(); ++j) {
+    const int32_t from = map.sources[j];
+    wide.sources[target.joint[j]] = from >= 0 ? static_cast<int32_t>(source.joint[static_cast<size_t>(from)]) : -1;
+    wide.confidence[target.joint[j]] = map.confidence[j];
+    wide.reasons[target.joint[j]] = map.reasons[j];
+  }
+  return wide;
+}
+
+void drop(MappedSkeleton* map, size_t joint) {
+  map->sources[joint] = -1;
+  map->confidence[joint] = 0;
+  map->reasons[joint] = SINEW_MAP_FEWER_JOINTS;
+}
+
+void reduce(const std::vector<uint32_t>& target_into, const std::vector<uint32_t>& source_into, MappedSkeleton* map) {
+  std::vector<uint8_t> used(source_into.size(), 0);
+  for (size_t t = 0; t < target_into.size(); ++t) {
+    if (map->sources[t] < 0) continue;
+    if (target_into[t] != t) {
+      const uint32_t stays = target_into[t];  // gets the source, if it has none of its own
+      if (map->sources[stays] < 0) {
+        map->sources[stays] = map->sources[t];
+        map->confidence[stays] = map->confidence[t];
+        map->reasons[stays] = map->reasons[t];
+      }
+      drop(map, t);
+    }
+  }
+  for (const int32_t from : map->sources) {
+    if (from >= 0 && source_into[static_cast<size_t>(from)] == static_cast<uint32_t>(from))
+      used[static_cast<size_t>(from)] = 1;
+  }
+  for (size_t t = 0; t < target_into.size(); ++t) {
+    const int32_t from = map->sources[t];
+    if (from < 0 || source_into[static_cast<size_t>(from)] == static_cast<uint32_t>(from)) continue;
+    const uint32_t stays = source_into[static_cast<size_t>(from)];
+    if (used[stays] != 0) {
+      drop(map, t);
+      continue;
+    }
+    map->sources[t] = static_cast<int32_t>(stays);
+    used[stays] = 1;
+  }
+}
+
+}  // namespace
+
+MappedSkeleton map_at_level(const MapRig& target, const MapRig& source, const MapSkeletonOptions& options, bool low) {
+  std::vector<uint8_t> keep[2] = {std::vector<uint8_t>(target.joints.size(), 0),
+                                  std::vector<uint8_t>(source.joints.size(), 0)};
+  for (const sinew_map_pin& pin : options.pins) {
+    keep[0].at(pin.target) = 1;
+    if (pin.source >= 0) keep[1].at(static_cast<size_t>(pin.source)) = 1;
+  }
+  const Reduced to = reduced(target, merged(target, options, keep[0], false)),
+                from = reduced(source, merged(source, options, keep[1], false));
+  MapSkeletonOptions own = options;
+  for (sinew_map_pin& pin : own.pins) {
+    pin.target = static_cast<uint32_t>(to.number[pin.target]);
+    if (pin.source >= 0) pin.source = from.number[static_cast<size_t>(pin.source)];
+  }
+  MappedSkeleton map = widened(map_skeleton(to.rig, from.rig, own), to, from);
+  if (low) reduce(merged(target, options, keep[0], true), merged(source, options, keep[1], true), &map);
+  map.mapped = static_cast<size_t>(
+      std::count_if(map.sources.begin(), map.sources.end(), [](int32_t from_joint) { return from_joint >= 0; }));
+  return map;
 }
 
 }  // namespace sinew

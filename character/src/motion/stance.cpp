@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "motion/moving_joints.hpp"
 #include "motion/upright_body.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"

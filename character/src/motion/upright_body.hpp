@@ -6,8 +6,10 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
 
@@ -37,6 +39,21 @@ std::optional<UprightBody> find_upright_body(const std::vector<Joint>& joints, c
 
 // Whether a body stands in a pose: legs below it, head above, left and right apart and mirrored.
 bool is_upright(const UprightBody& body, const std::vector<Point3>& positions);
+
+// Directions of a body in the world at rest, unit vectors, and the middle of its hips.
+struct BodyFrame {
+  Point3 up{}, front{}, left{}, middle{};  // no front: nobody knows
+};
+
+// Up from feet to head, front where toes point, else by the sides of names.
+//   up  of the world: "x", "y", "z", or "auto"
+BodyFrame body_frame(const std::vector<Joint>& joints, const UprightBody& body, MaybeAxis up);
+
+// To where a calf, else a forearm, goes when its joint bends, across the bone above it: to the side of the bend at rest, else the calf back and the
+// forearm to the front. nullopt where nobody knows.
+//   along, own  unit vectors along the bone above and along its own
+//   front       of the body; zero: nobody knows
+std::optional<Point3> bend_side(const Point3& along, const Point3& own, const Point3& front, bool calf);
 
 }  // namespace sinew
 #endif

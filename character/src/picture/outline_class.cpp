@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "picture/outline_class.hpp"
-
+// Words for kinds of bodies, and the kind that an outline is of, by a small network.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -8,8 +7,24 @@
 #include <utility>
 
 #include "picture/outline_class_table.hpp"
+#include "sinew_character/picture/body_class.hpp"
 
 namespace sinew {
+
+const std::vector<std::string>& body_class_words() {
+  static const std::vector<std::string> words = {"biped", "quadruped", "bird", "fish", "snake", "many-legged", "other"};
+  return words;
+}
+
+const std::string& body_class_word(BodyClass body) { return body_class_words()[static_cast<size_t>(body)]; }
+
+std::optional<BodyClass> body_class_of(const std::string& word) {
+  const auto& words = body_class_words();
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (found == words.end()) return std::nullopt;
+  return static_cast<BodyClass>(found - words.begin());
+}
+
 namespace {
 
 constexpr int kPairs = kOutlineCells / 2;

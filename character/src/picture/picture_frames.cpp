@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "sinew_character/picture/picture_frames.hpp"
-
+// Frames of an animated picture, for sprite sheets and loops.
 #include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "sinew_character/picture/sprites.hpp"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/error.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
+// A picture becomes a character: outline, mesh, skeleton, weights.
 #include "sinew_character/picture/picture_job.hpp"
 
 #include <memory>
 #include <utility>
 
-#include "picture/body_category.hpp"
-#include "picture/outline_class.hpp"
 #include "sinew_character/models/models.hpp"
+#include "sinew_character/picture/body_class.hpp"
 #include "sinew_formats/file_kinds.hpp"
 
 namespace sinew {

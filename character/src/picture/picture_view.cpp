@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
+// From where a picture shows its character, by the skeletons that votes find.
 #include "sinew_character/picture/picture_view.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "picture/body_category.hpp"
-#include "picture/choose_view.hpp"
 #include "picture/joints_inside.hpp"
-#include "picture/side_limbs.hpp"
+#include "sinew_character/picture/body_class.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/print.hpp"
 

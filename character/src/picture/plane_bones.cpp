@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "picture/plane_bones.hpp"
-
+// One clip of a body in space becomes one in the picture's plane.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "sinew/rig.h"
+#include "sinew_character/picture/plane_motion.hpp"
 
 namespace sinew {
 namespace {

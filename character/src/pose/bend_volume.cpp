@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "sinew_character/pose/pose.hpp"
-#include "sinew_character/rig/mesh_neighbours.hpp"
+#include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/base/point.hpp"
 
 namespace sinew {

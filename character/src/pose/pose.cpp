@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <numbers>
 
-#include "pose/skin_arrays.hpp"
 #include "sinew/sinew.h"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"

@@ -12,7 +12,7 @@
 #include "predict/limbs.hpp"
 #include "predict/turn.hpp"
 #include "sinew_character/pose/deform.hpp"
-#include "sinew_character/predict/label_skeleton.hpp"
+#include "sinew_character/predict/fit_skeleton.hpp"
 #include "sinew_character/predict/own_skeleton.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
 #include "sinew_formats/error.hpp"

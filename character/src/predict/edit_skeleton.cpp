@@ -8,7 +8,6 @@
 #include <optional>
 #include <string_view>
 
-#include "predict/marker_edits.hpp"
 #include "predict/mirror_plane.hpp"
 #include "sinew_character/rig/joint_mirror.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"

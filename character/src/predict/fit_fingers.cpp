@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "predict/fit_fingers.hpp"
-
+// Fingers of a skeleton that was fitted into a mesh go where the mesh's are.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 
-#include "predict/chain_points.hpp"
-#include "predict/match_limbs.hpp"
+#include "predict/fit_details.hpp"
+#include "predict/limbs.hpp"
 #include "predict/turn.hpp"
-#include "sinew_character/predict/predict_hands.hpp"
+#include "sinew_character/predict/predict_details.hpp"
 #include "sinew_character/rig/joint_mirror.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
 

@@ -7,8 +7,7 @@
 #include <numeric>
 #include <string>
 
-#include "predict/chain_points.hpp"
-#include "predict/match_limbs.hpp"
+#include "predict/limbs.hpp"
 #include "predict/turn.hpp"
 #include "sinew/sinew.h"
 #include "sinew_character/rig/joint_mirror.hpp"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "predict/keep_inside.hpp"
-
+// A fitted skeleton without limbs beside the mesh.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
 
+#include "predict/fit_details.hpp"
 #include "predict/turn.hpp"
-#include "rig/joints_beside_mesh.hpp"
 #include "sinew_character/rig/joint_mirror.hpp"
+#include "sinew_character/rig/joint_verdicts.hpp"
 #include "sinew_formats/base/box.hpp"
 
 namespace sinew {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Classes, bone ends and mirror images of a skeleton by its names and positions.
-#include "sinew_character/predict/label_skeleton.hpp"
-
 #include <string>
 
+#include "sinew_character/predict/fit_skeleton.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
 #include "sinew_formats/error.hpp"
 

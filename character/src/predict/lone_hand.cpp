@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-#include "sinew_character/predict/predict_hands.hpp"
+#include "sinew_character/predict/predict_details.hpp"
 
 namespace sinew {
 namespace {

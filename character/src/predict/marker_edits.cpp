@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Chains by sinew's own names, from the body outwards.
-#include "predict/marker_edits.hpp"
-
 #include <algorithm>
 #include <array>
 #include <string>
 
+#include "sinew_character/predict/edit_skeleton.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
 

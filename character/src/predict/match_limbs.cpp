@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Chains of one kind and side are matched by nearness, their joints by class.
-#include "predict/match_limbs.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "predict/limbs.hpp"
 #include "sinew/sinew.h"
 #include "sinew_character/rig/joint_mirror.hpp"
 

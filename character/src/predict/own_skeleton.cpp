@@ -7,9 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "predict/fit_fingers.hpp"
-#include "predict/keep_inside.hpp"
-#include "sinew_character/predict/predict_face.hpp"
+#include "predict/fit_details.hpp"
+#include "sinew_character/predict/predict_details.hpp"
 #include "sinew_character/predict/skeleton_template.hpp"
 #include "sinew_character/rig/joint_mirror.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"

@@ -8,7 +8,6 @@
 #include <map>
 #include <sstream>
 
-#include "predict/template_texts.hpp"
 #include "sinew_character/rig/joint_mirror.hpp"
 #include "sinew_formats/error.hpp"
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "motion/limb_bends.hpp"
+#include "motion/upright_body.hpp"
 #include "profile/standard_bones.hpp"
 #include "sinew/rig.h"
 #include "sinew_character/motion/map_skeleton.hpp"

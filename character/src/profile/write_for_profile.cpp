@@ -11,7 +11,6 @@
 #include "sinew_formats/document_form.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
-#include "sinew_formats/file_names.hpp"
 
 namespace sinew {
 namespace {

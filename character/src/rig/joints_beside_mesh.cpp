@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Joints that stand in the air beside the mesh: poles and targets whose names do not tell.
-#include "rig/joints_beside_mesh.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

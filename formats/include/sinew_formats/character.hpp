@@ -4,6 +4,7 @@
 #define SINEW_FORMATS_CHARACTER_HPP
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -82,6 +83,9 @@ struct Character {
 
   size_t face_count() const { return face_offsets.size() - 1; }
 };
+
+// The joint tree: indices of joints, which are int where -1 means none, as positions in arrays.
+inline size_t joint_index(int joint) { return static_cast<size_t>(joint); }
 
 }  // namespace sinew
 #endif

@@ -60,5 +60,10 @@ std::string remedy(const std::string& path);
 std::string extensions_text(uint32_t uses, const char* between = ", ");
 std::vector<std::string> extensions_of(uint32_t uses);
 
+// How file names are read: extensions without regard to case, the stem that names a character, the rig beside a mesh.
+bool has_extension(const std::string& path, const char* extension);  // ".glb"; the name must be longer than that
+std::string stem_of(const std::string& path);                        // folder/NAME.rig.txt -> NAME, "-" -> stdin
+std::string rig_path_beside(const std::string& mesh_path);           // folder/NAME.obj -> folder/NAME.rig.txt
+
 }  // namespace sinew
 #endif

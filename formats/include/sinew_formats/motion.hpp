@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "sinew_formats/base/affine.hpp"
-#include "sinew_formats/base/quaternion.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fbx/fbx_scene.hpp"
+#include "fbx/fbx_write.hpp"
 #include "gltf/animation_track.hpp"
-#include "sinew_formats/base/quaternion.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {

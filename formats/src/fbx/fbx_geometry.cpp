@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Meshes as geometries, with their skins and shapes.
-#include "fbx/fbx_scene.hpp"
+#include "fbx/fbx_write.hpp"
 #include "gltf/control_points.hpp"
 
 namespace sinew {

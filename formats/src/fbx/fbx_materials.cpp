@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fbx/fbx_scene.hpp"
+#include "fbx/fbx_write.hpp"
 
 namespace sinew {
 namespace {

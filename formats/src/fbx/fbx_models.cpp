@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "fbx/fbx_scene.hpp"
+#include "fbx/fbx_write.hpp"
 #include "gltf/control_points.hpp"
 #include "gltf/node_parts.hpp"
 

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "fbx/fbx_scene.hpp"
-
 namespace sinew {
 namespace {
 

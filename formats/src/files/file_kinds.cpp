@@ -2,8 +2,6 @@
 // The table, and questions to it.
 #include "sinew_formats/file_kinds.hpp"
 
-#include "sinew_formats/file_names.hpp"
-
 namespace sinew {
 namespace {
 

@@ -4,7 +4,6 @@
 
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
-#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"
 

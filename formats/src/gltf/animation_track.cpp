@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+// One sampler of a glTF animation: read, and its value at any time.
 #include "gltf/animation_track.hpp"
 
 #include <algorithm>
 
 #include "gltf/gltf_model.hpp"
-#include "sinew_formats/base/quaternion.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "gltf/tinygltf.hpp"
+#include "gltf/gltf_model.hpp"
 
 namespace sinew {
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Which pose the inverse bind matrices agree on.
-#include "gltf/bind_pose.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "gltf/gltf_model.hpp"
 #include "sinew_formats/base/box.hpp"
 
 namespace sinew {

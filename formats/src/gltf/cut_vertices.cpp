@@ -11,7 +11,6 @@
 #include "gltf/changed_document.hpp"
 #include "gltf/gltf_model.hpp"
 #include "gltf/gltf_source.hpp"
-#include "gltf/mesh_nodes.hpp"
 
 namespace sinew {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A parsed glTF document: its node tree, the values of its accessors, its bind matrices.
+// A glTF document as tinygltf parses it: its node tree, the values of its accessors, its bind matrices and the pose they were made in.
 #ifndef SINEW_FORMATS_GLTF_GLTF_MODEL_HPP
 #define SINEW_FORMATS_GLTF_GLTF_MODEL_HPP
 
@@ -8,8 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "gltf/tinygltf.hpp"
 #include "sinew_formats/base/affine.hpp"
+#include "sinew_formats/character.hpp"
+
+// tinygltf under a namespace of our own: Debian's libdraco exports another version of it, and a program that loads both
+// would mix the two. So it is compiled here (tinygltf.cpp), without the picture codecs that nothing needs.
+
+#define tinygltf sinew_tinygltf
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#include <tiny_gltf.h>
 
 namespace sinew {
 
@@ -47,6 +55,27 @@ std::vector<Affine> inverse_bind_matrices(const std::string& where, const tinygl
 // Throws Error naming `where` for indices that name no vertex, or a list that is not in threes.
 std::vector<std::array<uint32_t, 3>> primitive_triangles(const std::string& where, const tinygltf::Model& model,
                                                          const tinygltf::Primitive& primitive, size_t vertex_count);
+
+// The pose that a glTF file's skins were bound in. Nodes stand in whatever pose the file was saved in, perhaps a frame
+// of an animation; the inverse bind matrices remember the other one.
+
+// How much weight the joints of each skin have in the meshes of the scene.
+using SkinWeights = std::vector<std::vector<double>>;  // [skins][joints of the skin]
+
+// Two transforms are one when they move no corner of a box of this size apart by more than this share of the size.
+constexpr double kSamePose = 1e-3;
+
+// Whether `a` and `b` do the same to the points within `size` of the origin's mesh box, see kSamePose.
+bool same_pose(const Affine& a, const Affine& b, const std::vector<Vec3>& box_corners, double size);
+
+// What a skin's joints do to its vertices while nobody moves them: world x inverse bind matrix.
+std::vector<Affine> skin_palette(const std::string& where, const tinygltf::Model& model, const GltfNodes& nodes,
+                                 int skin);
+
+// The pose of the inverse bind matrices where those of all joints with weight agree on one; the nodes' present pose
+// where it is the same. Where they agree on none, `agrees` is false, and meshes stand as their weights hold them.
+GltfBindPose find_bind_pose(const std::string& path, const tinygltf::Model& model, const GltfNodes& nodes,
+                            const SkinWeights& weights);
 
 }  // namespace sinew
 #endif

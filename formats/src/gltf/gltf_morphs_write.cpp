@@ -6,9 +6,9 @@
 #include <map>
 #include <optional>
 
+#include "gltf/changed_document.hpp"
 #include "gltf/gltf_container.hpp"
 #include "gltf/gltf_source.hpp"
-#include "gltf/mesh_nodes.hpp"
 #include "gltf/morph_animations.hpp"
 #include "gltf/node_parts.hpp"
 #include "gltf/surface_normals.hpp"

@@ -6,12 +6,11 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "gltf/bind_pose.hpp"
 #include "gltf/gltf_from_scene.hpp"
 #include "gltf/gltf_model.hpp"
 #include "gltf/gltf_source.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/joint_names.hpp"
 #include "text/text_lines.hpp"

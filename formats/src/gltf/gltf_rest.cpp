@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Skinning matrices of the nodes as they stand; their scales.
-#include "sinew_formats/gltf_rest.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-#include "gltf/bind_pose.hpp"
+#include "gltf/gltf_model.hpp"
 #include "gltf/gltf_source.hpp"
+#include "sinew_formats/gltf_summary.hpp"
 
 namespace sinew {
 namespace {

@@ -6,11 +6,10 @@
 #include <map>
 #include <set>
 
-#include "gltf/bind_pose.hpp"
 #include "gltf/changed_document.hpp"
 #include "gltf/fixed_weights.hpp"
+#include "gltf/gltf_model.hpp"
 #include "gltf/gltf_source.hpp"
-#include "gltf/mesh_nodes.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
@@ -292,7 +291,7 @@ class SkinWriter {
     box_size_ = static_cast<double>(box.diagonal());
   }
 
-  // Of a joint's and a skin's transform, over the character's box (see bind_pose.hpp).
+  // Of a joint's and a skin's transform, over the character's box (see gltf_model.hpp).
   bool same_pose(const Affine& a, const Affine& b) const {
     const std::optional<Affine> back = inverse(b);
     if (!back) return false;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "gltf/bind_pose.hpp"
+#include "gltf/gltf_model.hpp"
 #include "gltf/gltf_source.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gltf/tinygltf.hpp"
-#include "sinew_formats/base/quaternion.hpp"
+#include "gltf/gltf_model.hpp"
+#include "sinew_formats/base/affine.hpp"
 
 namespace sinew {
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Animations of a scene that Assimp read, as a glTF document's.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +11,7 @@
 #include "gltf/gltf_source.hpp"
 #include "gltf/scene_nodes.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {

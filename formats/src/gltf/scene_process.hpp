@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: MIT
-// What Assimp's readers of rarer formats do to the process that calls them, kept away from it: 5.2 crashes or hangs on broken files
-// of some (MD5, SMD), and prints to standard output for others (OGRE's XML).
+// Assimp in its place: files of its own, and a process of its own for readers of rarer formats.
 #ifndef SINEW_FORMATS_GLTF_SCENE_PROCESS_HPP
 #define SINEW_FORMATS_GLTF_SCENE_PROCESS_HPP
 
+#include <algorithm>
+#include <assimp/IOStream.hpp>
+#include <assimp/IOSystem.hpp>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_formats/memory_files.hpp"
 
 #if defined(__unix__) && !defined(__EMSCRIPTEN__)
 #include <fcntl.h>
@@ -24,6 +30,8 @@
 
 namespace sinew {
 
+// What Assimp's readers of rarer formats do to the process that calls them, kept away from it: 5.2 crashes or hangs on broken files
+// of some (MD5, SMD), and prints to standard output for others (OGRE's XML).
 struct SceneBytes {
   std::vector<uint8_t> glb;
   std::vector<std::string> notes;
@@ -117,6 +125,48 @@ inline SceneBytes convert_in_child(const std::string&, const std::string&, size_
 }
 
 #endif
+
+// Assimp's files: bytes that formats reads, from the disk or from memory.
+class SceneFile : public Assimp::IOStream {
+ public:
+  explicit SceneFile(std::vector<uint8_t> bytes) : bytes_(std::move(bytes)) {}
+  size_t Read(void* out, size_t size, size_t count) override {
+    if (size == 0) return 0;
+    const size_t whole = std::min(count, (bytes_.size() - at_) / size);
+    if (whole != 0) std::memcpy(out, bytes_.data() + at_, whole * size);
+    at_ += whole * size;
+    return whole;
+  }
+  size_t Write(const void*, size_t, size_t) override { return 0; }
+  aiReturn Seek(size_t offset, aiOrigin origin) override {
+    const size_t from = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? at_ : bytes_.size();
+    if (offset > bytes_.size() || from > bytes_.size() - offset) return aiReturn_FAILURE;
+    at_ = from + offset;
+    return aiReturn_SUCCESS;
+  }
+  size_t Tell() const override { return at_; }
+  size_t FileSize() const override { return bytes_.size(); }
+  void Flush() override {}
+
+ private:
+  std::vector<uint8_t> bytes_;
+  size_t at_ = 0;
+};
+
+class SceneFiles : public Assimp::IOSystem {
+ public:
+  bool Exists(const char* path) const override { return is_file(path); }
+  char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char* path, const char* mode) override {
+    if (std::strchr(mode, 'r') == nullptr || !is_file(path)) return nullptr;
+    try {
+      return new SceneFile(read_file(path));
+    } catch (const Error&) {
+      return nullptr;
+    }
+  }
+  void Close(Assimp::IOStream* file) override { delete file; }
+};
 
 }  // namespace sinew
 #endif

@@ -15,13 +15,11 @@
 #include "gltf/gltf_container.hpp"
 #include "gltf/gltf_from_scene.hpp"
 #include "gltf/gltf_source.hpp"
-#include "gltf/scene_files.hpp"
 #include "gltf/scene_nodes.hpp"
 #include "gltf/scene_process.hpp"
 #include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
-#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/text_lines.hpp"
 

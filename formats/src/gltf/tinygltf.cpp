@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: MIT
 // The one place where tinygltf's functions are compiled.
 #define TINYGLTF_IMPLEMENTATION
-#include "gltf/tinygltf.hpp"
+#include "gltf/gltf_model.hpp"

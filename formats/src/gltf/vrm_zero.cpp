@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "gltf/gltf_source.hpp"
-#include "gltf/vrm_write.hpp"
+#include "gltf/vrm.hpp"
 
 namespace sinew {
 namespace {

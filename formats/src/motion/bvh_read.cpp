@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <numbers>
 
-#include "sinew_formats/base/quaternion.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"
 #include "text/joint_names.hpp"

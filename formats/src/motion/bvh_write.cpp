@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sinew_formats/base/quaternion.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"

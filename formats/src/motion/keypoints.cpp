@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "motion/keypoints.hpp"
-
+// Rotations of joints from keypoints alone: from bones and hinges.
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -2,7 +2,7 @@
 // Weights of corrective shapes, and meshes under them.
 #include "sinew_formats/morphs.hpp"
 
-#include "sinew_formats/base/quaternion.hpp"
+#include "sinew_formats/base/affine.hpp"
 
 namespace sinew {
 

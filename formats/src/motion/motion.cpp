@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sinew_formats/base/quaternion.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "text/text_lines.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Arrays of numbers of NumPy, from .npy and .npz.
 #include "motion/npy.hpp"
 
 #include <bit>
@@ -8,7 +9,7 @@
 #include <string_view>
 
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/text_lines.hpp"
 

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <optional>
 
-#include "motion/keypoints.hpp"
 #include "motion/npy.hpp"
 #include "motion/person.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
+#include "sinew_formats/keypoints_stream.hpp"
 #include "sinew_formats/print.hpp"
 #include "text/text_lines.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "motion/person.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 

@@ -13,7 +13,7 @@
 #include <unordered_map>
 
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/decimal.hpp"
 #include "text/mtl.hpp"

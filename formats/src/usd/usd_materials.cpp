@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "usd/usd_materials.hpp"
-
+// Materials of a character as USD's text.
 #include "gltf/gltf_source.hpp"
 #include "usd/usd_text.hpp"
+#include "usd/usd_write.hpp"
 
 namespace sinew {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "usd/usd_skeleton.hpp"
-
+// Skeletons and animations of a character as USD's text.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -10,6 +9,7 @@
 #include "gltf/node_parts.hpp"
 #include "text/text_lines.hpp"
 #include "usd/usd_text.hpp"
+#include "usd/usd_write.hpp"
 
 namespace sinew {
 namespace {

@@ -8,9 +8,7 @@
 #include <optional>
 
 #include "gltf/control_points.hpp"
-#include "sinew_formats/file_names.hpp"
-#include "usd/usd_materials.hpp"
-#include "usd/usd_skeleton.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "usd/usd_text.hpp"
 
 namespace sinew {

@@ -8,7 +8,7 @@
 #include "sinew/sinew.h"
 #include "sinew_formats/base64.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

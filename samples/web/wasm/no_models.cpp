@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page fetches its models, so its module has none.
-#include "models/bundled_models.hpp"
+#include "sinew_character/models/models.hpp"
 
 namespace sinew {
 

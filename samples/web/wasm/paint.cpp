@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "sinew_character/bind/bind.hpp"
-#include "sinew_character/rig/mesh_neighbours.hpp"
+#include "sinew_character/rig/mesh_surface.hpp"
 
 namespace sinew::web {
 namespace {

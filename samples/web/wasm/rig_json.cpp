@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "sinew_character/draw/image.hpp"
-#include "sinew_character/predict/limb_doubts.hpp"
+#include "sinew_character/predict/predict_skeleton.hpp"
 #include "sinew_character/rig/joint_mirror.hpp"
 
 namespace sinew::web {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "sinew_character/predict/label_skeleton.hpp"
+#include "sinew_character/predict/fit_skeleton.hpp"
 #include "sinew_character/predict/own_skeleton.hpp"
 #include "sinew_formats/error.hpp"
 

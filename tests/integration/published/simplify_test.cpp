@@ -11,7 +11,7 @@
 #include "sinew/names.h"
 #include "sinew/published.h"
 #include "sinew_character/jobs/simplify_job.hpp"
-#include "sinew_character/motion/map_levels.hpp"
+#include "sinew_character/motion/simplify_skeleton.hpp"
 #include "sinew_character/predict/predict_skeleton.hpp"
 #include "sinew_formats/io.hpp"
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "sinew/sinew.h"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_trainer/confidence.hpp"
 #include "sinew_trainer/evaluate.hpp"
 

@@ -20,7 +20,7 @@
 #include "sinew_data_sets/dataset.hpp"
 #include "sinew_formats/base/parallel.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 

@@ -4,12 +4,12 @@
 #include "score/bends.hpp"
 #include "sinew/deform.h"
 #include "sinew_character/bind/transfer.hpp"
-#include "sinew_character/check/layer_crossings.hpp"
+#include "sinew_character/check/surface_faults.hpp"
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/page/html.hpp"
 #include "sinew_character/pose/deform.hpp"
 #include "sinew_character/pose/pose.hpp"
-#include "sinew_character/predict/label_skeleton.hpp"
+#include "sinew_character/predict/fit_skeleton.hpp"
 #include "sinew_trainer/report.hpp"
 
 namespace sinew {

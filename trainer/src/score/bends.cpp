@@ -8,8 +8,8 @@
 
 #include "sinew/rig.h"
 #include "sinew_character/pose/pose.hpp"
-#include "sinew_character/predict/label_skeleton.hpp"
-#include "sinew_character/rig/mesh_neighbours.hpp"
+#include "sinew_character/predict/fit_skeleton.hpp"
+#include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/print.hpp"
 

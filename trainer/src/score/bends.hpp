@@ -13,9 +13,9 @@
 
 #include "core/vec3d.hpp"
 #include "sinew_character/draw/image.hpp"
-#include "sinew_character/predict/label_skeleton.hpp"
+#include "sinew_character/predict/fit_skeleton.hpp"
 #include "sinew_formats/base/affine.hpp"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {

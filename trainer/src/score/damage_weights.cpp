@@ -6,8 +6,8 @@
 #include <map>
 
 #include "score/rig_damage.hpp"
-#include "sinew_character/check/bone_distance.hpp"
-#include "sinew_character/rig/mesh_neighbours.hpp"
+#include "sinew_character/check/label_check.hpp"
+#include "sinew_character/rig/mesh_surface.hpp"
 
 namespace sinew {
 namespace {

@@ -8,7 +8,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "sinew_character/check/bone_distance.hpp"
+#include "sinew_character/check/label_check.hpp"
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/base/point.hpp"

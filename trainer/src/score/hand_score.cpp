@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "sinew_character/predict/predict_hands.hpp"
+#include "sinew_character/predict/predict_details.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"

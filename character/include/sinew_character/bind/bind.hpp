@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sinew/sinew.h"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {

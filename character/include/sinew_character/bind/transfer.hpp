@@ -5,14 +5,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "sinew/sinew.h"
-#include "sinew_character/bind/joint_map.hpp"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
+
+// [source joints] the target's joint that stands for it, or -1.
+using JointMapping = std::vector<int32_t>;
+
+// Joints of the same name.
+JointMapping map_joints_by_name(const std::vector<Joint>& source, const std::vector<Joint>& target);
+
+size_t mapped_count(const JointMapping& mapping);
 
 // What sinew_transfer_options says, for a target of V vertices and J joints.
 struct TransferOptions {

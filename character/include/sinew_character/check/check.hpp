@@ -73,5 +73,10 @@ struct CheckChange {
 CheckChange check_change(const RigCheck& before, const std::vector<Joint>& joints_before, const RigCheck& now,
                          const std::vector<Joint>& joints_now);
 
+// checked_line() of what is cheap; "" for a character without joints or weights.
+std::string checked_note(const Character& character, const Motion* motion = nullptr);
+// The same as a note of the character.
+void add_checked_note(Character* character);
+
 }  // namespace sinew
 #endif

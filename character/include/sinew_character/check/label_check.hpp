@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -32,6 +33,19 @@ std::vector<LabelFinding> check_labels(const Character& character);
 // Mirror twin of each joint ([J], own index when there is none): by the words left and right or l and r in the names,
 // else by position about the YZ plane through the middle of all joints.
 std::vector<uint32_t> mirror_twins(const Character& character);
+
+// A joint moves the segments to its children; a leaf is a point until it is given an end.
+class BoneDistance {
+ public:
+  explicit BoneDistance(const Character& character);
+  double operator()(const Vec3& point, size_t joint) const;
+  void set_leaf_end(size_t joint, const Point3& end);  // does nothing for a joint with children
+
+ private:
+  std::vector<Point3> joints_, ends_;
+  std::vector<std::vector<size_t>> children_;
+  double scale_ = 1;
+};
 
 }  // namespace sinew
 #endif

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -48,6 +48,13 @@ std::vector<std::array<uint8_t, 3>> weight_colours(const Character& character);
 std::vector<std::array<uint8_t, 3>> heat_colours(const std::vector<float>& values, float scale);
 // Side by side, same height.
 Image beside(const std::vector<Image>& images);
+
+// Colours of pictures: sRGB bytes to linear light and back, joints' colours, a scale for errors.
+
+using Linear = std::array<float, 3>;  // linear light, 0..1
+
+Linear to_linear(const std::array<uint8_t, 3>& srgb);
+std::array<uint8_t, 3> to_srgb(const Linear& light);
 
 }  // namespace sinew
 #endif

@@ -12,7 +12,7 @@
 #include "sinew_character/bake/bake.hpp"
 #include "sinew_character/motion/motion_map.hpp"
 #include "sinew_character/motion/retarget.hpp"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "sinew_character/bind/bind_character.hpp"
 #include "sinew_character/style/style.hpp"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {

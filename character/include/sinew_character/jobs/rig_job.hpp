@@ -12,10 +12,9 @@
 #include "sinew_character/check/rig_gate.hpp"
 #include "sinew_character/predict/edit_skeleton.hpp"
 #include "sinew_character/predict/fit_skeleton.hpp"
-#include "sinew_character/predict/limb_doubts.hpp"
 #include "sinew_character/predict/predict_details.hpp"
 #include "sinew_character/predict/predict_skeleton.hpp"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "sinew_character/bind/transfer.hpp"
-#include "sinew_character/motion/find_joint_map.hpp"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_character/motion/motion_map.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {

@@ -8,7 +8,7 @@
 
 #include "sinew/joint_limits.h"
 #include "sinew_character/motion/map_skeleton.hpp"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 
 namespace sinew {
 

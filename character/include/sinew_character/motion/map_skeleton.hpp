@@ -9,7 +9,8 @@
 
 #include "sinew/published.h"
 #include "sinew/sinew.h"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_character/bind/engine_views.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
 
@@ -79,6 +80,15 @@ std::vector<sinew_map_pin> read_map_file(const std::string& path, const MapRig& 
                                          MapRepeats repeats = MapRepeats::kNone);
 // TARGET_JOINT=SOURCE_JOINT, or TARGET_JOINT=- for none. Throws Error.
 sinew_map_pin parse_map_pin(const std::string& text, const MapRig& target, const MapRig& source);
+
+// Holds pointers into the rig.
+struct MapRigView : SkeletonView {
+  MapRigView(const MapRig& rig, MaybeAxis up, const MapSkeletonOptions& options) : SkeletonView(rig.joints) {
+    if (!options.names) skeleton.names = nullptr;
+    if (options.ends && !rig.ends.empty()) skeleton.ends = rig.ends.data();
+    skeleton.up = engine_up(up);
+  }
+};
 
 }  // namespace sinew
 #endif

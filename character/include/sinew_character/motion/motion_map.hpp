@@ -1,17 +1,33 @@
 // SPDX-License-Identifier: MIT
-// Which joint of a character moves as which joint of a motion, and what joints are for.
+// Which joint of a character moves as which joint of a motion, how much of both bodies that reaches, and maps of joints for weights.
 #ifndef SINEW_CHARACTER_MOTION_MAP_HPP
 #define SINEW_CHARACTER_MOTION_MAP_HPP
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "sinew_character/motion/map_cover.hpp"
+#include "sinew_character/bind/transfer.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
+#include "sinew_formats/character.hpp"
 
 namespace sinew {
+
+// Below it a motion is not for a character. Of 840 pairs of skeletons it refuses all 60 of people and four-legged animals, and of the
+// others 8 between animals whose legs the map does not find.
+constexpr float kLeastCover = 0.5f;
+
+struct MapCover {
+  float share =
+      1;  // 0..1: the least of legs, of arms or the head, of the trunk, and of how alike both go upright; 1 where neither has legs
+  std::string missing;  // what is least, for the user: "no legs"
+};
+
+//   sources  [target J] joint of the source or -1
+MapCover map_cover(const MapRig& target, MaybeAxis target_up, const MapRig& source, MaybeAxis source_up,
+                   const std::vector<int>& sources);
 
 // Below it left and right may be exchanged.
 constexpr float kDoubtfulSides = 0.5f;
@@ -34,6 +50,17 @@ MotionMap map_motion(const MapRig& target, const MapRig& source, MaybeAxis targe
 // legs, by what a human body has there.
 std::vector<uint8_t> motion_classes(const MapRig& target, const MapRig& source, MaybeAxis target_up,
                                     const std::vector<int>& sources);
+
+// How many joints of the target have one of the source.
+inline size_t moved_joints(const MotionMap& map) {
+  return static_cast<size_t>(
+      std::count_if(map.sources.begin(), map.sources.end(), [](int joint) { return joint >= 0; }));
+}
+
+// Which joint of the target (a character of the file `path`) stands for which of the source's [source joints]: by the file `map` where
+// it is not empty, by equal names where most joints have one, else by anatomy. Throws Error where none does.
+JointMapping find_joint_map(const Character& source, const std::string& map, const std::string& path,
+                            const Character& target, std::string* mapped_by);
 
 }  // namespace sinew
 #endif

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A character with fewer joints: the engine's sinew_simplify() on its skeleton, weights summed up.
+// A character with fewer joints by the engine's sinew_simplify(), weights summed up, and maps between such skeletons.
 #ifndef SINEW_CHARACTER_SIMPLIFY_SKELETON_HPP
 #define SINEW_CHARACTER_SIMPLIFY_SKELETON_HPP
 
 #include <string>
 #include <vector>
 
+#include "sinew_character/motion/map_skeleton.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -35,6 +36,13 @@ std::vector<Joint> joints_left(const std::vector<Joint>& joints, const std::vect
 // Throws Error for a skeleton without joints, one that the engine refuses, or a name in `keep` that no joint has; the
 // character is as it was then.
 Simplified simplify_skeleton(const SimplifyOptions& options, Character* character);
+
+// As map_skeleton(), between what both skeletons keep at the high level of sinew_simplify(). Joints that go have no source;
+// pinned ones stay.
+//   low  the map is then reduced by the low level: a joint of the target that goes leaves its source to the joint that it
+//        is part of, if that has none, and a source that goes gives way to the joint that it is part of, where no other
+//        joint of the target has that one
+MappedSkeleton map_at_level(const MapRig& target, const MapRig& source, const MapSkeletonOptions& options, bool low);
 
 }  // namespace sinew
 #endif

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
-// What kind of body a character has, in a word.
+// What kind of body a character has, in a word, and which kind an outline is of.
 #ifndef SINEW_CHARACTER_BODY_CLASS_HPP
 #define SINEW_CHARACTER_BODY_CLASS_HPP
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "sinew/sinew.h"
+#include "sinew_character/picture/figure.hpp"
+
 namespace sinew {
 
-// To add one: its word in body_class.cpp.
+// To add one: its word in outline_class.cpp.
 enum class BodyClass { kBiped, kQuadruped, kBird, kFish, kSnake, kManyLegged, kOther };
 
 struct BodyGuess {
@@ -21,6 +26,27 @@ struct BodyGuess {
 const std::vector<std::string>& body_class_words();
 const std::string& body_class_word(BodyClass body);
 std::optional<BodyClass> body_class_of(const std::string& word);
+
+// The engine's sinew_category of a class, and back. Categories are in the order of classes, behind SINEW_CATEGORY_ANY.
+inline uint32_t category_of(BodyClass body) { return static_cast<uint32_t>(body) + SINEW_CATEGORY_BIPED; }
+inline BodyClass body_of_category(uint32_t category) { return static_cast<BodyClass>(category - SINEW_CATEGORY_BIPED); }
+
+// What kind of body an outline is of, by a small network of its own.
+
+constexpr int kOutlineCells = 24, kOutlineFeatures = 245, kOutlineClasses = 6;
+
+// How much of each cell of the square about the figure it covers, 0..255, rows from the top.
+using OutlineCells = std::array<std::array<int32_t, kOutlineCells>, kOutlineCells>;
+OutlineCells outline_cells(const Mask& mask);
+
+// 0..255: of pairs of rows and of columns how often the figure begins in one, how much it covers, where it begins and ends; width,
+// height, area, fullness, likeness of both halves; cells of twice the size.
+std::array<int32_t, kOutlineFeatures> outline_features(const OutlineCells& cells);
+
+// One hidden layer over outline_features() of the figure and of its mirror image, trained by scripts/outline_class.py on drawn
+// characters and clip art. Integers up to the choice; the certainty is its softmax. Never kOther; an empty mask is a biped
+// with certainty 0.
+BodyGuess class_of_outline(const Mask& mask);
 
 }  // namespace sinew
 #endif

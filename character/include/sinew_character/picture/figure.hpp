@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The figure of a picture: which pixels are the character.
+// The figure of a picture: which pixels are the character, and its border as closed lines.
 #ifndef SINEW_CHARACTER_FIGURE_HPP
 #define SINEW_CHARACTER_FIGURE_HPP
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -45,6 +46,15 @@ Figure figure_of_mask(const PictureFile& picture, const PictureFile& mask, const
 
 // In the picture's own size.
 Mask full_mask(const PictureFile& picture, const Figure& figure);
+
+// Closed lines in pixels of the picture, x right, y down from its top left corner: the figure's border, then those of its holes and smaller parts.
+using Outline = std::vector<std::vector<std::array<float, 2>>>;
+
+// Points of the border, no pixel of the mask farther than 0.6 from the lines between.
+Outline outline_of(const Figure& figure);
+
+// What lies inside of an odd number of the lines. Throws Error: a line of less than three points, one that is not finite, too little inside.
+Figure figure_of_outline(const PictureFile& picture, const Outline& outline, const FigureOptions& options = {});
 
 }  // namespace sinew
 #endif

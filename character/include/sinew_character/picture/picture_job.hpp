@@ -8,7 +8,6 @@
 #include <string>
 
 #include "sinew_character/picture/figure.hpp"
-#include "sinew_character/picture/outline.hpp"
 #include "sinew_character/picture/picture_mesh.hpp"
 #include "sinew_character/picture/picture_view.hpp"
 

@@ -3,6 +3,7 @@
 #ifndef SINEW_CHARACTER_PICTURE_VIEW_HPP
 #define SINEW_CHARACTER_PICTURE_VIEW_HPP
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,18 @@ struct SeenBody {
 //   job    method, mirror, spine_count, toes and ends are looked at
 SeenBody see_body(const Character& mesh, const std::optional<BodyClass>& given, const BodyGuess& guess,
                   const RigJobOptions& job, const RigModels& models, std::vector<std::string>* notes);
+
+// The one whose votes agree most. Bipeds are drawn from the front: where votes hardly tell, they are seen from there.
+inline size_t choose_view(const std::vector<SeenBody>& seen) {
+  constexpr float kHardly = 1.11f;  // times the least spread
+  size_t best = 0;
+  for (size_t s = 1; s < seen.size(); ++s)
+    if (seen[s].skeleton.spread < seen[best].skeleton.spread) best = s;
+  if (seen[best].body != BodyClass::kBiped) return best;
+  for (size_t s = 0; s < seen.size(); ++s)
+    if (seen[s].view == PictureView::kFront && seen[s].skeleton.spread < kHardly * seen[best].skeleton.spread) return s;
+  return best;
+}
 
 }  // namespace sinew
 #endif

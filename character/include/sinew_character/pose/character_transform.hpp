@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {

@@ -8,7 +8,7 @@
 
 #include "sinew_character/predict/fit_skeleton.hpp"
 #include "sinew_formats/base/affine.hpp"
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {

@@ -37,5 +37,9 @@ SkeletonEdit parse_edit(EditKind kind, const std::string& text);
 // left) the skeleton is as it was.
 void edit_skeleton(const std::vector<SkeletonEdit>& edits, bool mirror, PredictedSkeleton* skeleton);
 
+// The joints that are to be added for a marker (kAt) that no joint is called like: its own, and those between it and the body that are
+// missing too, at their usual shares of the way. Throws Error for a name that no chain has, or a skeleton without what the chain hangs on.
+std::vector<SkeletonEdit> marker_edits(const std::vector<Joint>& joints, const SkeletonEdit& marker);
+
 }  // namespace sinew
 #endif

@@ -7,7 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "sinew_formats/base/axis.hpp"
+#include "sinew_character/predict/predict_skeleton.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -51,6 +52,15 @@ struct FittedSkeleton {
 // the other has z. A skeleton fitted to itself, moved or scaled, stays exactly itself up to rounding.
 // Throws Error when `mine` has no joints, forms a cycle, or fewer than two joints match.
 FittedSkeleton fit_skeleton(const LabelledSkeleton& mine, const LabelledSkeleton& other, const FitOptions& options);
+
+// By names: joint_verdicts(); controls, slots, fingers and faces are details. Leaves
+// called ends or tips are bone ends.
+LabelledSkeleton label_skeleton(const std::vector<Joint>& joints);
+LabelledSkeleton label_skeleton(const PredictedSkeleton& skeleton);
+
+// A file's skeleton in the place of a predicted one: parents first, partners where it is its own mirror image, confidence
+// 1. Throws Error for a skeleton without joints or with a cycle.
+PredictedSkeleton skeleton_from_joints(const std::vector<Joint>& joints);
 
 }  // namespace sinew
 #endif

@@ -8,7 +8,6 @@
 
 #include "sinew_character/bind/bind_character.hpp"
 #include "sinew_character/predict/fit_skeleton.hpp"
-#include "sinew_character/predict/label_skeleton.hpp"
 #include "sinew_character/predict/predict_skeleton.hpp"
 #include "sinew_formats/character.hpp"
 

@@ -20,5 +20,11 @@ std::vector<TemplateInfo> skeleton_templates();
 // Error with the names there are.
 std::vector<Joint> skeleton_template(const std::string& name);
 
+// The files of templates/ as they were when the library was built.
+struct TemplateText {
+  const char *name, *text;
+};
+extern const TemplateText kTemplateTexts[];  // by name; a null name ends them
+
 }  // namespace sinew
 #endif

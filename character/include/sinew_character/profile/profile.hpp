@@ -11,9 +11,9 @@
 #include "sinew/names.h"
 #include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/character.hpp"
+#include "sinew_formats/document_form.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/morphs.hpp"
-#include "sinew_formats/vrm.hpp"
 
 namespace sinew {
 

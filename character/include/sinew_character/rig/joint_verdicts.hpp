@@ -49,5 +49,9 @@ void find_joints_beside_mesh(const Character& character, std::vector<uint8_t>* r
 // Leaves called tip or leaf that no mesh is near: ends, into `roles` [J].
 void find_tips_without_mesh(const Character& character, std::vector<uint8_t>* roles);
 
+// In how many of the six directions along the axes a ray from `p` meets a face (as a fan of triangles).
+int directions_with_mesh(const Character& character, const Vec3& p);
+constexpr int kMostHitsOutside = 2;  // directions in which a point outside may see the mesh
+
 }  // namespace sinew
 #endif

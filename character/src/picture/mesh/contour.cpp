@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "picture/mesh/contour.hpp"
-
+// The border of a mask as closed lines, stairs smoothed away.
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "picture/mesh/plane_mesh.hpp"
 
 namespace sinew::picture {
 namespace {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "picture/mesh/delaunay.hpp"
-
+// Delaunay's triangulation of points in the plane, one after the other.
 #include <utility>
+
+#include "picture/mesh/plane_mesh.hpp"
 
 namespace sinew::picture {
 

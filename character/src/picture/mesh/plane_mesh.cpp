@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A silhouette in triangles, and how thick it is where.
 #include "picture/mesh/plane_mesh.hpp"
 
 #include <algorithm>
@@ -6,8 +7,6 @@
 #include <map>
 #include <set>
 #include <utility>
-
-#include "picture/mesh/delaunay.hpp"
 
 namespace sinew::picture {
 namespace {
@@ -155,6 +154,21 @@ PlaneMesh triangulate(const Mask& mask, const Inflation& inflation, size_t wante
   PlaneMesh out = mesh_at(mask, loops, inflation, spacing);
   for (int round = 0; round < 3 && out.points.size() > 2 * wanted; ++round)
     out = mesh_at(mask, loops, inflation, spacing *= 1.4);
+  return out;
+}
+
+// A ball about q with radius d(q), the distance to the outline, is sqrt(d(q)^2 - |p - q|^2) high at p: the largest of these is one more spread of
+// parabolas, of -d^2. A limb of any width has a round cross-section.
+Inflation inflate(const Mask& mask) {
+  Inflation out = {squared_distance(mask, true), {}};
+  out.height = out.depth;
+  for (float& v : out.height.values) v = v > 0 ? -v : kFar;
+  spread_parabolas(&out.height);
+  for (size_t i = 0; i < mask.inside.size(); ++i) {
+    const bool in = mask.inside[i] != 0;
+    out.height.values[i] = in ? std::sqrt(std::max(0.0f, -out.height.values[i])) : 0;
+    out.depth.values[i] = in ? std::sqrt(out.depth.values[i]) : 0;
+  }
   return out;
 }
 

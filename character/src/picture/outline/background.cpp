@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "picture/outline/background.hpp"
-
+// What the background of a picture looks like: a smooth colour with ruled lines, or a few flat ones.
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
+
+#include "picture/outline/foreground.hpp"
 
 namespace sinew::picture {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
+// Background grown inwards from the border; what is left.
 #include "picture/outline/foreground.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include "picture/outline/background.hpp"
 
 namespace sinew::picture {
 namespace {

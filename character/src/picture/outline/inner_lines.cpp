@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "picture/outline/inner_lines.hpp"
-
+// Slits along lines that are drawn inside of a figure.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
+
+#include "picture/outline/figure_parts.hpp"
 
 namespace sinew::picture {
 namespace {

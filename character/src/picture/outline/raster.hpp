@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Grids of numbers, and distances on them.
+// Pictures as grids of numbers: distances and parts on them, and colours as eyes part them.
 #ifndef SINEW_CHARACTER_PICTURE_OUTLINE_RASTER_HPP
 #define SINEW_CHARACTER_PICTURE_OUTLINE_RASTER_HPP
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "sinew_character/picture/figure.hpp"
+#include "sinew_character/picture/picture_file.hpp"
 
 namespace sinew::picture {
 
@@ -40,6 +42,19 @@ struct Parts {
 };
 // Connected pixels that are `value`: over corners as well for figures (8 neighbours), over edges alone for what is none (4).
 Parts parts_of(const Mask& mask, bool value);
+
+// Colours as eyes part them: CIE 1976 L*a*b*, white D65 (IEC 61966-2-1 for sRGB).
+
+using Lab = std::array<float, 3>;  // L 0..100, a and b about -100..100
+
+// The picture in means of step x step pixels; what is transparent is left out of a mean.
+struct Reduced {
+  Grid<Lab> colours;
+  Grid<uint8_t> alpha;  // 0..255
+};
+Reduced reduce(const Pixels& pixels, uint32_t step);
+// Outlines are found at up to 1,280 pixels a side.
+uint32_t step_of(const Pixels& pixels);
 
 }  // namespace sinew::picture
 #endif

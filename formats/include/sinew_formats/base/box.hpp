@@ -1,15 +1,26 @@
 // SPDX-License-Identifier: MIT
-// The box around points, along the axes.
+// Axes of the world, and the box around points along them.
 #ifndef SINEW_FORMATS_BASE_BOX_HPP
 #define SINEW_FORMATS_BASE_BOX_HPP
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
+
+// An axis of the world. A mesh has y or z up; callers' other codes for it are converted in the C API, the command and the page.
+enum class Axis : uint8_t { kX, kY, kZ };
+
+// An axis that may not be known.
+using MaybeAxis = std::optional<Axis>;
+
+// 0, 1, 2: the axis's index in x, y, z.
+constexpr uint32_t axis_index(Axis axis) { return static_cast<uint32_t>(axis); }
 
 struct Box {
   Vec3 low, high;

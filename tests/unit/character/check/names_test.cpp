@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "check/check_rooms.hpp"
+#include "check/findings.hpp"
 
 namespace sinew {
 namespace {

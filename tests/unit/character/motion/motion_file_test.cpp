@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "expect_error.hpp"
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/io.hpp"
+#include "walking_motion.hpp"
 
 namespace sinew {
 namespace {
@@ -24,6 +28,48 @@ TEST(MotionFile, AWalkIsThatOfTheCharactersLimbs) {
   EXPECT_ERROR(read_motion_for({"builtin:fly"}, sample("biped__robot")), "builtin:fly", "bird: flap");
   EXPECT_ERROR(read_motion_for({"builtin:wave", 0, "", "eve"}, sample("biped__robot")), "found 'eve'");
   EXPECT_ERROR(read_motion_for({"walk.doc"}, sample("biped__robot")), "walk.doc", "expected a motion");
+}
+
+// Frames that go over another floor than their rest pose are turned; those that lie on it are not.
+
+constexpr size_t kX = 0;
+const double kQuarter = std::acos(0.0);
+
+// Frames turned in the world and moved, the rest pose as it was.
+Motion turned_frames(Motion motion, const Quaternion& turn, const Point3& by = {}) {
+  for (MotionFrame& frame : motion.clips[0].frames) {
+    frame.rotations[0] = multiply(turn, frame.rotations[0]);
+    frame.translations[0] = rotate(turn, frame.translations[0]) + by;
+  }
+  return motion;
+}
+
+TEST(RestFloor, FramesOfAnotherUpAreTurnedUpright) {
+  const Motion walk = walking_person();
+  const Motion other = turned_frames(walk, axis_rotation(kX, kQuarter));
+  const std::optional<Motion> found = motion_on_rest_floor(other);
+  ASSERT_TRUE(found);
+  for (size_t f = 0; f < walk.clips[0].frames.size(); ++f) {
+    const WorldPose a = world_pose(walk, walk.clips[0].frames[f]), b = world_pose(*found, found->clips[0].frames[f]);
+    for (size_t j = 0; j < walk.joints.size(); ++j) ASSERT_LT(length(a.positions[j] - b.positions[j]), 1e-9) << f;
+  }
+  ASSERT_EQ(found->notes.size(), 1u);
+  EXPECT_NE(found->notes[0].find("its rest pose has y up and its frames have z up"), std::string::npos);
+}
+
+TEST(RestFloor, WhatStandsOrLiesOnItsOwnFloorStays) {
+  const Motion walk = walking_person();
+  EXPECT_FALSE(motion_on_rest_floor(walk));
+  EXPECT_FALSE(motion_on_rest_floor(turned_world(walk, axis_rotation(kX, kQuarter)))) << "z up at rest, too";
+  Motion there = walk;
+  for (MotionFrame& frame : there.clips[0].frames) frame.translations[0][2] = 0;
+  EXPECT_TRUE(motion_on_rest_floor(turned_frames(there, axis_rotation(kX, kQuarter))));
+  EXPECT_FALSE(motion_on_rest_floor(turned_frames(there, axis_rotation(kX, kQuarter), {0, 0.4, 0}))) << "asleep";
+  EXPECT_FALSE(motion_on_rest_floor(turned_frames(walk, axis_rotation(kX, kQuarter), {0, 5, -1}))) << "it swims";
+  EXPECT_FALSE(motion_on_rest_floor(turned_frames(walk, axis_rotation(kX, 0.6)))) << "it leans";
+  Motion still = walk;
+  still.clips.clear();
+  EXPECT_FALSE(motion_on_rest_floor(still));
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Means over frames, mirror images by counts and lengths.
-#include "motion/moving_joints.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "sinew_character/motion/stance.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "swinging_motion.hpp"
 #include "walking_motion.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Outlines of bodies are told apart, in any size and facing either way.
-#include "picture/outline_class.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+
+#include "sinew_character/picture/body_class.hpp"
 
 namespace sinew {
 namespace {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Fingers of a skeleton that is put into a mesh go where those of the mesh were found.
-#include "predict/fit_fingers.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "predict/fit_details.hpp"
 #include "sinew_character/predict/skeleton_template.hpp"
 
 namespace sinew {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Chains that nothing spoke for stay in the mesh; what does already, and what something spoke for, stays where it is.
-#include "predict/keep_inside.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
+
+#include "predict/fit_details.hpp"
 
 namespace sinew {
 namespace {

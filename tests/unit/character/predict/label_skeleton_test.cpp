@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Classes of whole skeletons by their names: every template's, and those of makers with habits of their own.
-#include "sinew_character/predict/label_skeleton.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
+#include "sinew_character/predict/fit_skeleton.hpp"
 #include "sinew_character/predict/skeleton_template.hpp"
 #include "sinew_formats/error.hpp"
 

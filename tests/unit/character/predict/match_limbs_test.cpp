@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Chains of two skeletons side by side, the joints in them that are the same, and how well the whole fits.
-#include "predict/match_limbs.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "predict/limbs.hpp"
 #include "sinew/sinew.h"
 
 namespace sinew {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sinew_character/predict/label_skeleton.hpp"
+#include "sinew_character/predict/fit_skeleton.hpp"
 #include "sinew_character/predict/skeleton_template.hpp"
 
 namespace sinew {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is written as FBX comes back by our reader, which is Assimp's.
+#include "fbx/fbx_write.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +12,6 @@
 
 #include "expect_error.hpp"
 #include "fbx/fbx_binary.hpp"
-#include "fbx/fbx_scene.hpp"
 #include "gltf/gltf_source.hpp"
 #include "make_glb.hpp"
 #include "same_character.hpp"

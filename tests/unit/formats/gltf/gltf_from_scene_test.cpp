@@ -9,7 +9,7 @@
 #include "expect_error.hpp"
 #include "glb_round.hpp"
 #include "scene_files.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "with_asan.hpp"
 
 // Assimp 5.2.5 forgets parts of its own tree of an FBX: no leak of ours.

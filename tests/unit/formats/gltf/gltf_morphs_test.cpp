@@ -7,7 +7,7 @@
 
 #include "gltf_validator.hpp"
 #include "make_glb.hpp"
-#include "sinew_formats/base/quaternion.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/morphs.hpp"
 #include "temp_folder.hpp"

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "expect_error.hpp"
-#include "sinew_formats/base/quaternion.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"
 #include "temp_folder.hpp"

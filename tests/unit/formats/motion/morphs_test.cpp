@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "sinew_character/pose/pose.hpp"
-#include "sinew_formats/base/quaternion.hpp"
+#include "sinew_formats/base/affine.hpp"
 
 namespace sinew {
 namespace {

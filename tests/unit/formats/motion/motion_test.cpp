@@ -8,7 +8,7 @@
 
 #include "expect_affine.hpp"
 #include "expect_error.hpp"
-#include "sinew_formats/base/quaternion.hpp"
+#include "sinew_formats/base/affine.hpp"
 #include "swinging_motion.hpp"
 
 namespace sinew {

@@ -8,8 +8,7 @@
 #include <map>
 
 #include "expect_error.hpp"
-#include "picture/mesh/delaunay.hpp"
-#include "picture/mesh/inflation.hpp"
+#include "picture/mesh/plane_mesh.hpp"
 #include "small_pictures.hpp"
 
 namespace sinew::test {

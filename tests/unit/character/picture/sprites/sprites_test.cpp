@@ -15,11 +15,11 @@
 namespace sinew::test {
 namespace {
 
-bool in_body(int x, int y) { return in_disc(x, y, 60, 50, 40) && !in_disc(x, y, 60, 50, 12); }
+bool in_sprite(int x, int y) { return in_disc(x, y, 60, 50, 40) && !in_disc(x, y, 60, 50, 12); }
 const Rgba kBlue = {20, 40, 220, 255};
 
 PictureFile body() {
-  return picture_of(120, 100, [](int x, int y) { return !in_body(x, y) ? kClear : x < 60 ? kRed : kBlue; });
+  return picture_of(120, 100, [](int x, int y) { return !in_sprite(x, y) ? kClear : x < 60 ? kRed : kBlue; });
 }
 
 Pixels drawn(const PictureFile& picture, float shift) {
@@ -38,7 +38,7 @@ TEST(Sprites, AtRestThePictureIsSeen) {
     for (int x = 0; x < 120; ++x) {
       const uint8_t* p = &seen.rgba[static_cast<size_t>(y * 120 + x) * 4];
       const bool opaque = p[3] > 127;
-      wrong += opaque != in_body(x, y) || (opaque && (p[0] > p[2]) != (x < 60)) ? 1 : 0;
+      wrong += opaque != in_sprite(x, y) || (opaque && (p[0] > p[2]) != (x < 60)) ? 1 : 0;
     }
   EXPECT_LT(wrong, 120u) << "more than a rim of half a pixel";
   EXPECT_EQ(seen.rgba[(50 * 120 + 30) * 4 + 0], kRed[0]) << "no light is added";

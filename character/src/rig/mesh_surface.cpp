@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Neighbours by positions and edges.
+#include "sinew_character/rig/mesh_surface.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+
+#include "sinew_formats/vertex_areas.hpp"
+
+namespace sinew {
+
+std::vector<uint32_t> first_at_position(const Character& character) {
+  std::map<std::array<float, 3>, uint32_t> first;
+  std::vector<uint32_t> positions;
+  positions.reserve(character.vertices.size());
+  for (uint32_t v = 0; v < character.vertices.size(); ++v) {
+    const Vec3& p = character.vertices[v];
+    positions.push_back(first.emplace(std::array<float, 3>{p.x, p.y, p.z}, v).first->second);
+  }
+  return positions;
+}
+
+std::vector<std::vector<uint32_t>> welded_rings(const Character& c, const std::vector<uint32_t>& first) {
+  std::vector<std::vector<uint32_t>> rings(c.vertices.size());
+  for (size_t f = 0; f < c.face_count(); ++f) {
+    const uint32_t begin = c.face_offsets[f], end = c.face_offsets[f + 1];
+    for (uint32_t k = begin; k < end; ++k) {
+      const uint32_t a = first[c.face_vertices[k]], b = first[c.face_vertices[k + 1 < end ? k + 1 : begin]];
+      if (a == b) continue;
+      rings[a].push_back(b);
+      rings[b].push_back(a);
+    }
+  }
+  for (auto& ring : rings) {
+    std::sort(ring.begin(), ring.end());
+    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  }
+  return rings;
+}
+
+std::vector<std::vector<uint32_t>> neighbours_of(const Character& character) {
+  const std::vector<uint32_t> positions = first_at_position(character);
+  std::vector<std::vector<uint32_t>> neighbours(positions.size());
+  const auto join = [&](uint32_t a, uint32_t b) {
+    neighbours[a].push_back(b);
+    neighbours[b].push_back(a);
+  };
+  for (uint32_t v = 0; v < positions.size(); ++v)
+    if (positions[v] != v) join(v, positions[v]);
+  for (size_t f = 0; f < character.face_count(); ++f) {
+    const uint32_t first = character.face_offsets[f], end = character.face_offsets[f + 1];
+    for (uint32_t c = first; c < end; ++c)
+      join(character.face_vertices[c], character.face_vertices[c + 1 < end ? c + 1 : first]);
+  }
+  return neighbours;
+}
+
+// Areas of faces to vertices, of vertices to joints.
+
+namespace {
+
+// [V] as vertex_areas(); all alike where there is no surface.
+std::vector<double> shares_of_vertices(const Character& c) {
+  std::vector<double> areas = vertex_areas(c);
+  if (!std::any_of(areas.begin(), areas.end(), [](double area) { return area > 0; })) areas.assign(areas.size(), 1.0);
+  return areas;
+}
+
+}  // namespace
+
+JointSurfaces joint_surfaces(const Character& c) {
+  if (c.influences.empty()) return {};
+  const std::vector<double> areas = shares_of_vertices(c);
+  std::vector<double> sums(c.joints.size(), 0.0);
+  std::vector<std::array<double, 3>> middles(c.joints.size());
+  double whole = 0;
+  for (size_t v = 0; v < c.influences.size(); ++v) {
+    const Vec3& p = c.vertices[v];
+    for (const Influence& influence : c.influences[v]) {
+      const double share = areas[v] * influence.weight;
+      sums.at(influence.joint) += share;
+      std::array<double, 3>& middle = middles[influence.joint];
+      middle = {middle[0] + share * p.x, middle[1] + share * p.y, middle[2] + share * p.z};
+      whole += share;
+    }
+  }
+  if (!(whole > 0)) return {};
+  JointSurfaces surfaces;
+  for (size_t j = 0; j < sums.size(); ++j) {
+    surfaces.shares.push_back(static_cast<float>(sums[j] / whole));
+    const Vec3& at = c.joints[j].position;
+    const float own[3] = {at.x, at.y, at.z};
+    for (size_t axis = 0; axis < 3; ++axis)
+      surfaces.centroids.push_back(sums[j] > 0 ? static_cast<float>(middles[j][axis] / sums[j]) : own[axis]);
+  }
+  return surfaces;
+}
+
+}  // namespace sinew

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// Humanoid nodes of a VRM animation read; a VRM's licence, bones and extension written.
+#include "gltf/vrm.hpp"
+
+#include <algorithm>
+
+#include "gltf/gltf_source.hpp"
+#include "sinew_formats/error.hpp"
+#include "text/text_lines.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr const char* kExtension = "VRMC_vrm_animation";
+
+class HumanoidReader {
+ public:
+  HumanoidReader(const std::string& path, const GltfSource& source) : path_(path), source_(source) {}
+
+  std::optional<HumanoidNodes> read() {
+    const Json* const extension = member(member(&source_.document, "extensions"), kExtension);
+    if (extension == nullptr) return std::nullopt;
+    const Json* const bones = member(member(extension, "humanoid"), "humanBones");
+    if (bones == nullptr || bones->empty()) fail("humanoid.humanBones", "none");
+    for (const auto& [name, bone] : bones->items())
+      if (!nodes_.bones.emplace(static_cast<size_t>(node_of("humanBones." + name, bone)), name).second)
+        fail("a node of its own for every bone", "one that is two, " + in_quotes(name));
+    const Json* const expressions = member(extension, "expressions");
+    for (const char* list : {"preset", "custom"})
+      if (const Json* const named = member(expressions, list))
+        for (const auto& [name, one] : named->items())
+          nodes_.others.insert(node_of("expressions." + std::string(list) + "." + name, one));
+    if (const Json* const eyes = member(extension, "lookAt")) nodes_.others.insert(node_of("lookAt", *eyes));
+    for (const tinygltf::Animation& animation : source_.model.animations)
+      for (const tinygltf::AnimationChannel& channel : animation.channels)
+        nodes_.left_out = nodes_.left_out || nodes_.carries_no_joint(channel.target_node);
+    return std::move(nodes_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& expected, const std::string& found) const {
+    throw Error(path_ + ": extension " + kExtension + ": expected " + expected + ", found " + found);
+  }
+  static const Json* member(const Json* object, const char* name) {
+    if (object == nullptr || !object->is_object()) return nullptr;
+    const auto found = object->find(name);
+    return found == object->end() || !found->is_object() ? nullptr : &*found;
+  }
+  int node_of(const std::string& where, const Json& object) const {
+    const size_t count = source_.model.nodes.size();
+    const Json* const node = object.is_object() && object.contains("node") ? &object["node"] : nullptr;
+    if (node == nullptr || !node->is_number_unsigned() || node->get<uint64_t>() >= count)
+      fail("a node below " + std::to_string(count) + " in " + in_quotes(where), node == nullptr ? "none" : "another");
+    return node->get<int>();
+  }
+
+  const std::string path_;
+  const GltfSource& source_;
+  HumanoidNodes nodes_;
+};
+
+}  // namespace
+
+std::optional<HumanoidNodes> read_humanoid_nodes(const std::string& path, const GltfSource& source) {
+  return HumanoidReader(path, source).read();
+}
+
+// Humanoid and meta of VRMC_vrm (github.com/vrm-c/vrm-specification, VRMC_vrm-1.0), and which extension a document gets.
+
+namespace {
+
+// A member of meta and its words; none: a text.
+struct LicenceWord {
+  const char* key;
+  std::vector<std::string> values;
+};
+
+const std::vector<LicenceWord>& licence_words() {
+  static const std::vector<std::string> kYesNo = {"true", "false"};
+  static const std::vector<LicenceWord> kWords = {
+      {"avatarPermission", {"onlyAuthor", "onlySeparatelyLicensedPerson", "everyone"}},
+      {"commercialUsage", {"personalNonProfit", "personalProfit", "corporation"}},
+      {"creditNotation", {"required", "unnecessary"}},
+      {"modification", {"prohibited", "allowModification", "allowModificationRedistribution"}},
+      {"allowRedistribution", kYesNo},
+      {"allowExcessivelyViolentUsage", kYesNo},
+      {"allowExcessivelySexualUsage", kYesNo},
+      {"allowPoliticalOrReligiousUsage", kYesNo},
+      {"allowAntisocialOrHateUsage", kYesNo},
+      {"licenseName",
+       {"Redistribution_Prohibited", "CC0", "CC_BY", "CC_BY_NC", "CC_BY_SA", "CC_BY_NC_SA", "CC_BY_ND", "CC_BY_NC_ND",
+        "Other"}},
+      {"copyrightInformation", {}},
+      {"otherLicenseUrl", {}}};
+  return kWords;
+}
+
+std::string joined(const std::vector<std::string>& list, const char* between) {
+  std::string out;
+  for (const std::string& one : list) out += (out.empty() ? "" : between) + one;
+  return out;
+}
+
+Json meta_of(const VrmData& vrm) {
+  Json meta = {{"name", vrm.title}, {"authors", vrm.authors}, {"licenseUrl", "https://vrm.dev/licenses/1.0/"}};
+  for (const auto& [key, value] : vrm.licence) {
+    if (key == "licenseName")
+      throw Error("licence licenseName: a word of VRM 0.x; 1.0 has no names of licences, say what is allowed");
+    if (key.rfind("allow", 0) == 0)
+      meta[key] = value == "true";
+    else
+      meta[key] = value;
+  }
+  return meta;
+}
+
+}  // namespace
+
+const std::vector<std::string>& vrm_required_bones(bool zero) {
+  static const std::vector<std::string> kBones = {"hips",          "spine",         "head",          "leftUpperLeg",
+                                                  "leftLowerLeg",  "leftFoot",      "rightUpperLeg", "rightLowerLeg",
+                                                  "rightFoot",     "leftUpperArm",  "leftLowerArm",  "leftHand",
+                                                  "rightUpperArm", "rightLowerArm", "rightHand"};
+  static const std::vector<std::string> kZero = [] {
+    std::vector<std::string> bones = kBones;
+    bones.insert(bones.begin() + 2, {"chest", "neck"});
+    return bones;
+  }();
+  return zero ? kZero : kBones;
+}
+
+std::map<std::string, int> humanoid_nodes(const std::string& path, const VrmData& vrm,
+                                          const std::vector<int>& joint_nodes) {
+  std::map<std::string, int> bones;
+  for (size_t j = 0; j < vrm.bones.size() && j < joint_nodes.size(); ++j) {
+    if (vrm.bones[j].empty()) continue;
+    if (!bones.emplace(vrm.bones[j], joint_nodes[j]).second)
+      throw Error(path + ": cannot write a VRM, two joints are its " + vrm.bones[j]);
+  }
+  std::vector<std::string> missing;
+  for (const std::string& bone : vrm_required_bones(vrm.zero))
+    if (bones.count(bone) == 0) missing.push_back(bone);
+  if (!missing.empty()) throw Error(path + ": cannot write a VRM, it has no " + joined(missing, ", "));
+  return bones;
+}
+
+std::map<std::string, std::string> parse_vrm_licence(const std::string& text) {
+  std::map<std::string, std::string> out;
+  if (text.rfind("http://", 0) == 0 || text.rfind("https://", 0) == 0) return {{"otherLicenseUrl", text}};
+  for (size_t from = 0; from < text.size();) {
+    const size_t end = std::min(text.find(',', from), text.size()), equals = text.find('=', from);
+    const std::string key = text.substr(from, std::min(equals, end) - from),
+                      value = equals < end ? text.substr(equals + 1, end - equals - 1) : "";
+    std::vector<std::string> keys;
+    const LicenceWord* word = nullptr;
+    for (const LicenceWord& one : licence_words()) {
+      keys.emplace_back(one.key);
+      if (key == one.key) word = &one;
+    }
+    if (word == nullptr)
+      throw Error("licence " + in_quotes(key) + ": expected a web address, or KEY=VALUE with one of " +
+                  joined(keys, ", "));
+    const bool known = word->values.empty()
+                           ? !value.empty()
+                           : std::find(word->values.begin(), word->values.end(), value) != word->values.end();
+    if (!known)
+      throw Error("licence " + key + "=" + value + ": expected " +
+                  (word->values.empty() ? "a text" : joined(word->values, ", ")));
+    out[key] = value;
+    from = end + 1;
+  }
+  return out;
+}
+
+void add_vrm(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes, GltfSource* source) {
+  if (vrm.authors.empty()) throw Error(path + ": cannot write a VRM without an author");
+  Json& document = source->document;
+  Json& extensions = document["extensions"];
+  if (!extensions.is_object()) extensions = Json::object();
+  if (vrm.zero) {
+    Json zero = vrm_zero(path, vrm, joint_nodes, document);
+    for (const char* newer : {"VRMC_vrm", "VRMC_springBone"}) extensions.erase(newer);
+    extensions["VRM"] = std::move(zero);
+  } else {
+    extensions.erase("VRM");
+    Json& own = extensions["VRMC_vrm"];
+    if (!own.is_object()) own = Json::object();
+    own["specVersion"] = "1.0";
+    own["meta"] = meta_of(vrm);
+    Json bones = Json::object();
+    for (const auto& [bone, node] : humanoid_nodes(path, vrm, joint_nodes)) bones[bone] = {{"node", node}};
+    own["humanoid"] = {{"humanBones", std::move(bones)}};
+  }
+  Json used = Json::array();
+  if (document.contains("extensionsUsed"))
+    for (const Json& name : document["extensionsUsed"])
+      if (name != "VRM" && name != "VRMC_vrm" && (!vrm.zero || name != "VRMC_springBone")) used.push_back(name);
+  used.push_back(vrm.zero ? "VRM" : "VRMC_vrm");
+  document["extensionsUsed"] = used;
+}
+
+}  // namespace sinew
