@@ -149,7 +149,6 @@ set(sinew_job_sources
   jobs/pose_job
   jobs/rig_job
   jobs/simplify_job
-  jobs/thread_pool
   jobs/transfer_job
   models/models)
 foreach(sources sinew_picture_sources sinew_draw_sources sinew_character_sources sinew_job_sources)

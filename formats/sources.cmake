@@ -2,7 +2,7 @@
 # What formats is compiled from, once for every build of it: this folder's and the WebAssembly modules'.
 set(sinew_formats_sources
   base/affine
-  base/parallel
+  base/thread_pool
   fbx/fbx_animations
   fbx/fbx_binary
   fbx/fbx_geometry

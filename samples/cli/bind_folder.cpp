@@ -12,10 +12,11 @@
 #include <vector>
 
 #include "folder_files.hpp"
+#include "options.hpp"
 #include "progress.hpp"
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/page/pages.hpp"
-#include "sinew_formats/base/parallel.hpp"
+#include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"

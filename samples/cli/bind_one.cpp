@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bind_questions.hpp"
+#include "options.hpp"
 #include "sinew_character/bind/answers.hpp"
 #include "sinew_character/bind/engine_views.hpp"
 #include "sinew_character/draw/image.hpp"

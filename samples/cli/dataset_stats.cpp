@@ -12,7 +12,7 @@
 #include "progress.hpp"
 #include "sinew_character/draw/image.hpp"
 #include "sinew_data_sets/dataset_page.hpp"
-#include "sinew_formats/base/parallel.hpp"
+#include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/evaluate.hpp"

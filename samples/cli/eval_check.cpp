@@ -10,7 +10,7 @@
 #include "eval_studies.hpp"
 #include "progress.hpp"
 #include "sinew_character/check/check.hpp"
-#include "sinew_formats/base/parallel.hpp"
+#include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/rig_damage.hpp"

@@ -5,7 +5,7 @@
 #include "eval_studies.hpp"
 #include "progress.hpp"
 #include "sinew_character/bind/bind_character.hpp"
-#include "sinew_formats/base/parallel.hpp"
+#include "sinew_formats/base/thread_pool.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

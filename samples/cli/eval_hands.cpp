@@ -7,7 +7,7 @@
 #include "eval_studies.hpp"
 #include "progress.hpp"
 #include "sinew_character/predict/predict_details.hpp"
-#include "sinew_formats/base/parallel.hpp"
+#include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/hand_score.hpp"

@@ -14,7 +14,7 @@
 #include "rig_slots.hpp"
 #include "sinew/published.h"
 #include "sinew_character/predict/predict_skeleton.hpp"
-#include "sinew_formats/base/parallel.hpp"
+#include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/checkpoint.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"

@@ -18,7 +18,7 @@
 #include "sinew/published.h"
 #include "sinew_character/check/check.hpp"
 #include "sinew_character/draw/image.hpp"
-#include "sinew_character/jobs/thread_pool.hpp"
+#include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"

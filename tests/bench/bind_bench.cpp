@@ -22,7 +22,7 @@
 #include "network/network.hpp"
 #include "sinew/sinew.hpp"
 #if !defined(__EMSCRIPTEN__)
-#include "sinew_character/jobs/thread_pool.hpp"
+#include "sinew_formats/base/thread_pool.hpp"
 #endif
 
 namespace {

@@ -12,7 +12,7 @@
 #include "bench_report.hpp"
 #include "heat_scene.hpp"
 #include "sinew/sinew.hpp"
-#include "sinew_character/jobs/thread_pool.hpp"
+#include "sinew_formats/base/thread_pool.hpp"
 
 namespace {
 

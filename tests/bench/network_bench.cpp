@@ -38,10 +38,10 @@ Character body(double vertices) {
   return c;
 }
 
-struct Model {
+struct BundledModel {
   std::vector<uint64_t> storage;
   sinew_model model = {};
-  Model() {
+  BundledModel() {
     const std::vector<uint8_t> bytes = read_file(SINEW_SOURCE_DIR "/samples/data/sinew_default.sinew");
     storage.resize(bytes.size() / 8 + 1);
     std::memcpy(storage.data(), bytes.data(), bytes.size());
@@ -135,7 +135,7 @@ void compare(const Contestant& a, const Contestant& b, const Sample& s, double l
   if (sum / static_cast<double>(count) > limit) throw Error(a.name + " and " + b.name + " compute different things");
 }
 
-void measure(double vertices, const Model& model, const FloatNetwork& network, int repeats) {
+void measure(double vertices, const BundledModel& model, const FloatNetwork& network, int repeats) {
   const Sample sample =
       make_sample(body(vertices), model.model.candidate_count, model.model.grid_size, model.model.feature_set);
   std::vector<std::unique_ptr<Contestant>> all;
@@ -172,7 +172,7 @@ int main(int argc, char** argv) {
     int repeats = 15;
     std::vector<double> sizes = {10000};
     sinew_bench::read_arguments(argc, argv, &repeats, &sizes);
-    const Model model;
+    const BundledModel model;
     const Checkpoint checkpoint = read_checkpoint(SINEW_SOURCE_DIR "/samples/data/sinew_default.ckpt");
     std::printf("machine,compiler,commit,vertices,network,median_ms,ns_per_vertex,times_fastest_int16,bytes,hash\n");
     for (const double vertices : sizes) measure(vertices, model, checkpoint.network, repeats);

@@ -73,7 +73,7 @@ Bends find_bends(const Character& character, size_t most_of_a_vertex) {
   constexpr double kLeast = 0.02;  // concern of a bend that is not the nearest
   Bends bends;
   bends.joints = bending_joints(character);
-  const std::vector<size_t> order = parents_first(character);
+  const std::vector<size_t> order = joint_tree(character).parents_first;
   for (const size_t joint : bends.joints) bends.distances.push_back(distances_from(character.joints, order, joint));
   for (const std::vector<Influence>& row : character.influences) {
     std::vector<std::pair<double, size_t>> concern;

@@ -75,7 +75,7 @@ std::vector<Palette> random_palettes(const Character& character, size_t count, d
   constexpr double kChance = 0.7;
   std::mt19937_64 bits(seed);  // its distributions differ between libraries, so they are not used
   const auto draw = [&bits] { return static_cast<double>(bits() >> 11) / 9007199254740992.0; };
-  const std::vector<size_t> order = parents_first(character);
+  const std::vector<size_t> order = joint_tree(character).parents_first;
   std::vector<Palette> out;
   for (size_t p = 0; p < count; ++p) {
     Palette palette(character.joints.size(), kIdentity);

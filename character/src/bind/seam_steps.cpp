@@ -12,6 +12,7 @@
 
 #include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/base/box.hpp"
+#include "sinew_formats/base/joint_tree.hpp"
 
 namespace sinew {
 namespace {

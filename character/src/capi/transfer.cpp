@@ -3,8 +3,8 @@
 #include "conversions.hpp"
 #include "handle.hpp"
 #include "sinew_character/check/check.hpp"
-#include "sinew_character/jobs/thread_pool.hpp"
 #include "sinew_character/jobs/transfer_job.hpp"
+#include "sinew_formats/base/thread_pool.hpp"
 
 namespace sinew {
 namespace {

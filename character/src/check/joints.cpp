@@ -38,7 +38,7 @@ double distance_to_own(const RigFacts& facts, size_t joint) {
   };
   look(joint);
   if (facts.character.joints[joint].parent >= 0) look(static_cast<size_t>(facts.character.joints[joint].parent));
-  for (const uint32_t child : facts.children[joint]) look(child);
+  for (const uint32_t child : facts.tree.children[joint]) look(child);
   return nearest;
 }
 
@@ -84,7 +84,7 @@ void dead(const RigFacts& facts, Findings* findings) {
     if (facts.weight[j] > 0 || parent < 0 || facts.weight[static_cast<size_t>(parent)] <= 0) continue;
     if (!facts.is_limb(j) || !facts.is_single(j)) continue;
     bool below = false;
-    for (const uint32_t child : facts.children[j]) below = below || facts.weight[child] > 0;
+    for (const uint32_t child : facts.tree.children[j]) below = below || facts.weight[child] > 0;
     if (!below) continue;
     RigFinding finding;
     finding.joint = static_cast<int>(j);

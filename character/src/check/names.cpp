@@ -79,7 +79,7 @@ void order(const RigFacts& facts, Findings* findings) {
     // A foreleg hangs on a shoulder. What ends a chain may be called after all of it: IKBackLeg under BackLowerLeg.
     if (own.limb == Limb::kLeg && facts.verdicts.classes[static_cast<size_t>(above)] == SINEW_CLASS_CLAVICLE) continue;
     std::string why;
-    if (own.limb == up.limb && own.rank < up.rank && !facts.children[j].empty())
+    if (own.limb == up.limb && own.rank < up.rank && !facts.tree.children[j].empty())
       why = "which such a joint carries";
     else if (own.limb != up.limb && (up.limb == Limb::kArm || up.limb == Limb::kLeg) && own.limb != Limb::kNone)
       why = "which is another limb";
@@ -128,10 +128,10 @@ Point3 toes_ahead(const RigFacts& facts, const Point3& up) {
     if (above) continue;
     Point3 middle = {};
     for (const uint32_t v : facts.moves[j]) middle = middle + point(facts.character.vertices[v]);
-    for (const uint32_t child : facts.children[j])
+    for (const uint32_t child : facts.tree.children[j])
       for (const uint32_t v : facts.moves[child]) middle = middle + point(facts.character.vertices[v]);
     size_t count = facts.moves[j].size();
-    for (const uint32_t child : facts.children[j]) count += facts.moves[child].size();
+    for (const uint32_t child : facts.tree.children[j]) count += facts.moves[child].size();
     const Point3 to =
         across((1.0 / static_cast<double>(count)) * middle - point(facts.character.joints[j].position), up);
     ahead = ahead + unit(to);

@@ -59,7 +59,7 @@ std::vector<uint32_t> parts_of(const std::vector<uint32_t>& first, const std::ve
 
 RigFacts::RigFacts(const Character& c) : character(c) {
   check_sound(c);
-  parents_first = sinew::parents_first(c);
+  tree = joint_tree(c);
   std::vector<Vec3> points = c.vertices;
   if (points.empty())
     for (const Joint& joint : c.joints) points.push_back(joint.position);
@@ -67,9 +67,6 @@ RigFacts::RigFacts(const Character& c) : character(c) {
   if (side > 0) size = side;
   bound = !c.influences.empty() && c.influences.size() == c.vertices.size();
   verdicts = joint_verdicts(c.joints, bound ? follows_of(c) : std::vector<uint8_t>());
-  children.resize(c.joints.size());
-  for (size_t j = 0; j < c.joints.size(); ++j)
-    if (c.joints[j].parent >= 0) children[static_cast<size_t>(c.joints[j].parent)].push_back(static_cast<uint32_t>(j));
   first = first_at_position(c);
   rings = welded_rings(c, first);
   parts = parts_of(first, rings);

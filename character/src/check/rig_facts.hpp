@@ -10,6 +10,7 @@
 
 #include "sinew_character/rig/joint_verdicts.hpp"
 #include "sinew_formats/base/affine.hpp"
+#include "sinew_formats/base/joint_tree.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -20,17 +21,16 @@ struct RigFacts {
   explicit RigFacts(const Character& character);  // throws Error, see check_rig()
 
   const Character& character;
-  double size = 1;                              // the mesh's longest side; of a skeleton alone the skeleton's
-  bool bound = false;                           // there are weights
-  JointVerdicts verdicts;                       // by names, positions and weights
-  std::vector<std::vector<uint32_t>> children;  // [J]
-  std::vector<size_t> parents_first;            // [J]
-  std::vector<uint32_t> first;                  // [V] the first vertex at its position
-  std::vector<std::vector<uint32_t>> rings;     // [V] of first vertices, each once, ascending; of others empty
-  std::vector<uint32_t> parts;                  // [V] number of the connected piece of the surface
-  std::vector<uint32_t> strongest;              // [V] joint, kNoOne for a row without weight
-  std::vector<std::vector<uint32_t>> moves;     // [J] vertices that it is the strongest of
-  std::vector<double> weight;                   // [J] of all rows, each brought to a sum of 1
+  double size = 1;         // the mesh's longest side; of a skeleton alone the skeleton's
+  bool bound = false;      // there are weights
+  JointVerdicts verdicts;  // by names, positions and weights
+  JointTree tree;
+  std::vector<uint32_t> first;               // [V] the first vertex at its position
+  std::vector<std::vector<uint32_t>> rings;  // [V] of first vertices, each once, ascending; of others empty
+  std::vector<uint32_t> parts;               // [V] number of the connected piece of the surface
+  std::vector<uint32_t> strongest;           // [V] joint, kNoOne for a row without weight
+  std::vector<std::vector<uint32_t>> moves;  // [J] vertices that it is the strongest of
+  std::vector<double> weight;                // [J] of all rows, each brought to a sum of 1
 
   // Weight for a joint, the row brought to a sum of 1.
   double weight_of(uint32_t vertex, uint32_t joint) const;

@@ -78,7 +78,7 @@ class Poser {
       }
     }
     out.palette.assign(count, kIdentity);
-    for (const size_t j : facts_.parents_first) {
+    for (const size_t j : facts_.tree.parents_first) {
       const int parent = facts_.character.joints[j].parent;
       out.palette[j] = parent < 0 ? local[j] : multiply(out.palette[static_cast<size_t>(parent)], local[j]);
     }
@@ -103,7 +103,7 @@ class Poser {
   // Along the bone: to its children's middle, of a leaf on from its parent.
   Point3 bone(size_t joint) const {
     Point3 to = {};
-    for (const uint32_t child : facts_.children[joint]) to = to + (position(child) - position(joint));
+    for (const uint32_t child : facts_.tree.children[joint]) to = to + (position(child) - position(joint));
     const int parent = facts_.character.joints[joint].parent;
     if (!(length(to) > 1e-6 * facts_.size) && parent >= 0) to = position(joint) - position(static_cast<size_t>(parent));
     return unit(to);

@@ -9,10 +9,10 @@
 #include "sinew_character/bind/engine_views.hpp"
 #include "sinew_character/bind/transfer.hpp"
 #include "sinew_character/check/check.hpp"
-#include "sinew_character/jobs/thread_pool.hpp"
 #include "sinew_character/motion/motion_map.hpp"
 #include "sinew_character/pose/rest_pose.hpp"
 #include "sinew_character/rig/skeleton_repair.hpp"
+#include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/print.hpp"
 

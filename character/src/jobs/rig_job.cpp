@@ -13,12 +13,12 @@
 #include "predict/fit_details.hpp"
 #include "sinew/published.h"
 #include "sinew_character/check/check.hpp"
-#include "sinew_character/jobs/thread_pool.hpp"
 #include "sinew_character/models/models.hpp"
 #include "sinew_character/pose/rest_pose.hpp"
 #include "sinew_character/predict/lone_hand.hpp"
 #include "sinew_character/predict/own_skeleton.hpp"
 #include "sinew_character/predict/predict_details.hpp"
+#include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

@@ -28,7 +28,7 @@ Quaternion mean_of(const std::vector<Quaternion>& all) {
 
 }  // namespace
 
-MovingJoints::MovingJoints(const Motion& motion) : motion_(motion), children_(motion.joints.size()) {
+MovingJoints::MovingJoints(const Motion& motion) : motion_(motion), tree_(motion.joints) {
   size_t frames = 0;
   for (const Clip& clip : motion.clips) frames += clip.frames.size();
   const size_t step = std::max<size_t>(1, (frames + kMostFrames - 1) / kMostFrames);
@@ -36,19 +36,10 @@ MovingJoints::MovingJoints(const Motion& motion) : motion_(motion), children_(mo
   for (const Clip& clip : motion.clips)
     for (const MotionFrame& frame : clip.frames)
       if (at++ % step == 0) poses_.push_back(world_pose(motion, frame));
-  for (size_t j = 0; j < motion.joints.size(); ++j) {
-    const int up = motion.joints[j].parent;
-    if (up < 0)
-      order_.push_back(j);
-    else
-      children_[static_cast<size_t>(up)].push_back(static_cast<int>(j));
-  }
-  for (size_t next = 0; next < order_.size(); ++next)
-    for (const int child : children_[order_[next]]) order_.push_back(static_cast<size_t>(child));
   below_.assign(motion.joints.size(), 1);
   for (const MotionJoint& joint : motion.joints) lengths_.push_back(joint.parent < 0 ? 0 : length(joint.offset));
-  for (size_t k = order_.size(); k-- > 0;) {
-    const size_t j = order_[k];
+  for (size_t k = tree_.parents_first.size(); k-- > 0;) {
+    const size_t j = tree_.parents_first[k];
     if (motion.joints[j].parent < 0) continue;
     below_[static_cast<size_t>(motion.joints[j].parent)] += below_[j];
     lengths_[static_cast<size_t>(motion.joints[j].parent)] += lengths_[j];
@@ -93,7 +84,7 @@ bool MovingJoints::is_still(int joint) const {
 
 std::vector<Point3> MovingJoints::posed(const std::vector<Quaternion>& rotations) const {
   std::vector<Point3> positions(rotations.size());
-  for (const size_t j : order_) {
+  for (const size_t j : tree_.parents_first) {
     const int up = motion_.joints[j].parent;
     if (up >= 0)
       positions[j] =
@@ -107,7 +98,8 @@ int MovingJoints::trunk_root() const {
   for (size_t j = 0; j < motion_.joints.size(); ++j)
     if (motion_.joints[j].parent < 0 && (best < 0 || below_[j] > below_[static_cast<size_t>(best)]))
       best = static_cast<int>(j);
-  while (best >= 0 && children_[static_cast<size_t>(best)].size() == 1) best = children_[static_cast<size_t>(best)][0];
+  while (best >= 0 && tree_.children[static_cast<size_t>(best)].size() == 1)
+    best = tree_.children[static_cast<size_t>(best)][0];
   return best;
 }
 
@@ -115,8 +107,8 @@ void MovingJoints::pair_below(int a, int b, std::vector<std::pair<int, int>>* pa
   std::vector<std::pair<int, int>> queue = {{a, b}};
   for (size_t i = 0; i < queue.size(); ++i) {
     pairs->push_back(queue[i]);
-    const std::vector<int>& first = children_[static_cast<size_t>(queue[i].first)];
-    const std::vector<int>& second = children_[static_cast<size_t>(queue[i].second)];
+    const std::vector<int>& first = tree_.children[static_cast<size_t>(queue[i].first)];
+    const std::vector<int>& second = tree_.children[static_cast<size_t>(queue[i].second)];
     for (size_t k = 0; k < first.size() && first.size() == second.size(); ++k) queue.emplace_back(first[k], second[k]);
   }
 }
@@ -129,13 +121,13 @@ std::vector<std::pair<int, int>> MovingJoints::mirror_pairs() const {
     const double more = std::max(lengths_[x], lengths_[y]);
     return below_[x] == below_[y] && below_[x] > 2 && std::abs(lengths_[x] - lengths_[y]) <= kAlike * more;
   };
-  for (const size_t j : order_) {
+  for (const size_t j : tree_.parents_first) {
     const int up = motion_.joints[j].parent;
     if (up >= 0 && taken[static_cast<size_t>(up)] != 0) taken[j] = 1;  // inside of a pair
     if (taken[j] != 0) continue;
-    for (size_t a = 0; a < children_[j].size(); ++a)
-      for (size_t b = a + 1; b < children_[j].size(); ++b) {
-        const int x = children_[j][a], y = children_[j][b];
+    for (size_t a = 0; a < tree_.children[j].size(); ++a)
+      for (size_t b = a + 1; b < tree_.children[j].size(); ++b) {
+        const int x = tree_.children[j][a], y = tree_.children[j][b];
         if (taken[static_cast<size_t>(x)] != 0 || taken[static_cast<size_t>(y)] != 0 || !alike(x, y)) continue;
         taken[static_cast<size_t>(x)] = taken[static_cast<size_t>(y)] = 1;
         pair_below(x, y, &pairs);

@@ -7,6 +7,7 @@
 
 #include "sinew/rig.h"
 #include "sinew_character/rig/joint_mirror.hpp"
+#include "sinew_formats/base/joint_tree.hpp"
 #include "sinew_formats/base/point.hpp"
 
 namespace sinew {
@@ -15,21 +16,9 @@ namespace {
 class BodyFinder {
  public:
   BodyFinder(const std::vector<Joint>& joints, const std::vector<uint8_t>& classes)
-      : joints_(joints), classes_(classes), children_(joints.size()) {
-    std::vector<int> order;
-    for (size_t j = 0; j < joints.size(); ++j) {
-      if (joints[j].parent >= 0)
-        children_[static_cast<size_t>(joints[j].parent)].push_back(static_cast<int>(j));
-      else
-        order.push_back(static_cast<int>(j));
-    }
-    for (size_t next = 0; next < order.size(); ++next) {
-      const std::vector<int>& below = children_[static_cast<size_t>(order[next])];
-      order.insert(order.end(), below.begin(), below.end());
-    }
-    reach_.assign(joints.size(), 0);
-    for (size_t k = order.size(); k-- > 0;) {
-      const int joint = order[k], up = parent(joint);
+      : joints_(joints), classes_(classes), tree_(joints), reach_(joints.size(), 0) {
+    for (size_t k = tree_.parents_first.size(); k-- > 0;) {
+      const int joint = static_cast<int>(tree_.parents_first[k]), up = parent(joint);
       if (up < 0) continue;
       double& own = reach_[static_cast<size_t>(up)];
       own = std::max(own, reach_from_parent(joint));
@@ -77,10 +66,10 @@ class BodyFinder {
   }
   // The nearest joint below of a class, -1 = none.
   int first_below(int joint, uint8_t wanted) const {
-    std::vector<int> queue = children_[static_cast<size_t>(joint)];
+    std::vector<int> queue = tree_.children[static_cast<size_t>(joint)];
     for (size_t i = 0; i < queue.size(); ++i) {
       if (class_of(queue[i]) == wanted) return queue[i];
-      const std::vector<int>& below = children_[static_cast<size_t>(queue[i])];
+      const std::vector<int>& below = tree_.children[static_cast<size_t>(queue[i])];
       queue.insert(queue.end(), below.begin(), below.end());
     }
     return -1;
@@ -90,7 +79,7 @@ class BodyFinder {
     int at = joint;
     while (at >= 0 && !(distance(joint, at) > 0)) {
       int best = -1;
-      for (const int child : children_[static_cast<size_t>(at)])
+      for (const int child : tree_.children[static_cast<size_t>(at)])
         if (best < 0 || reach_from_parent(child) > reach_from_parent(best)) best = child;
       at = best;
     }
@@ -139,7 +128,7 @@ class BodyFinder {
 
   const std::vector<Joint>& joints_;
   const std::vector<uint8_t>& classes_;
-  std::vector<std::vector<int>> children_;
+  JointTree tree_;
   std::vector<double> reach_;  // [J] length of the longest way down
 };
 

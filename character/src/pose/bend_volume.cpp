@@ -49,7 +49,7 @@ BendVolumes::BendVolumes(const Character& character)
       if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles_.push_back(t);
     }
   }
-  (void)parents_first(character);  // no cycle from here on
+  (void)joint_tree(character);  // no cycle from here on
   for (const Joint& joint : character.joints) parents_.push_back(joint.parent);
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "sinew/sinew.h"
+#include "sinew_formats/base/joint_tree.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"
 
@@ -45,32 +46,18 @@ void quantise_row(const std::vector<Influence>& row, size_t slots, uint16_t* joi
 
 }  // namespace
 
-std::vector<size_t> parents_first(const Character& character) {
+JointTree joint_tree(const Character& character) {
   const size_t joint_count = character.joints.size();
-  std::vector<std::vector<size_t>> children(joint_count);
-  std::vector<size_t> order;
-  order.reserve(joint_count);
-  for (size_t j = 0; j < joint_count; ++j) {
-    const int parent = character.joints[j].parent;
-    if (parent >= static_cast<int>(joint_count)) {
-      throw Error(character.name + ": joint '" + character.joints[j].name + "' names parent " + std::to_string(parent) +
+  for (const Joint& joint : character.joints)
+    if (joint.parent >= static_cast<int>(joint_count))
+      throw Error(character.name + ": joint '" + joint.name + "' names parent " + std::to_string(joint.parent) +
                   ", but there are " + std::to_string(joint_count) + " joints");
-    }
-    if (parent < 0) {
-      order.push_back(j);
-    } else {
-      children[static_cast<size_t>(parent)].push_back(j);
-    }
-  }
-  for (size_t next = 0; next < order.size(); ++next) {
-    const std::vector<size_t>& below = children[order[next]];
-    order.insert(order.end(), below.begin(), below.end());
-  }
-  if (order.size() != joint_count) {
-    throw Error(character.name + ": the joint parents form a cycle (" + std::to_string(joint_count - order.size()) +
+  JointTree tree(character.joints);
+  const size_t left = joint_count - tree.parents_first.size();
+  if (left != 0)
+    throw Error(character.name + ": the joint parents form a cycle (" + std::to_string(left) +
                 " joints hang on it); give every joint a way to a root");
-  }
-  return order;
+  return tree;
 }
 
 std::vector<JointRotation> rotate_joints(const Character& character, const std::function<double()>& degrees) {
@@ -88,7 +75,7 @@ std::vector<JointRotation> rotate_joints(const Character& character, const std::
 }
 
 std::vector<Affine> pose_palette(const Character& character, const std::vector<JointRotation>& rotations) {
-  const std::vector<size_t> order = parents_first(character);
+  const std::vector<size_t> order = joint_tree(character).parents_first;
   std::vector<Rotation> local(character.joints.size(), kNoRotation);
   for (const JointRotation& rotation : rotations) {
     if (rotation.joint >= character.joints.size()) {

@@ -12,6 +12,7 @@
 #include "sinew_character/predict/predict_details.hpp"
 #include "sinew_character/rig/joint_mirror.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
+#include "sinew_formats/base/joint_tree.hpp"
 
 namespace sinew {
 namespace {

@@ -11,6 +11,7 @@
 #include "predict/turn.hpp"
 #include "sinew/sinew.h"
 #include "sinew_character/rig/joint_mirror.hpp"
+#include "sinew_formats/base/joint_tree.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -52,7 +53,7 @@ class Fitter {
         scales_(mine.joints.size(), 1),
         links_(mine.joints.size()) {
     (void)matches_.misfit(&whole_);
-    sort_joints();
+    order_ = JointTree(mine_.joints).parents_first;
   }
 
   FittedSkeleton fit() {
@@ -83,18 +84,6 @@ class Fitter {
     positions_[j] = p;
     how_[j] = how;
     known_[j] = true;
-  }
-
-  void sort_joints() {
-    std::vector<std::vector<int>> children(count());
-    for (size_t j = 0; j < count(); ++j) {
-      if (parent(j) < 0)
-        order_.push_back(j);
-      else
-        children[joint_index(parent(j))].push_back(static_cast<int>(j));
-    }
-    for (size_t i = 0; i < order_.size(); ++i)
-      for (const int child : children[order_[i]]) order_.push_back(joint_index(child));
   }
 
   void place_matches() {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Classes, bone ends and mirror images of a skeleton by its names and positions.
+#include <algorithm>
 #include <string>
 
 #include "sinew_character/predict/fit_skeleton.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
+#include "sinew_formats/base/joint_tree.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -28,15 +30,11 @@ LabelledSkeleton label_skeleton(const PredictedSkeleton& skeleton) {
 
 PredictedSkeleton skeleton_from_joints(const std::vector<Joint>& joints) {
   if (joints.empty()) throw Error("the skeleton has no joints");
-  std::vector<size_t> order;
+  std::vector<size_t> order = JointTree(joints).parents_first;
   std::vector<int> index(joints.size(), -1);
-  bool parents_first = true;
-  for (size_t j = 0; j < joints.size(); ++j) parents_first = parents_first && joints[j].parent < static_cast<int>(j);
-  for (size_t j = 0; j < joints.size(); ++j)
-    if (parents_first || joints[j].parent < 0) order.push_back(j);
-  for (size_t i = 0; i < order.size() && !parents_first; ++i)
-    for (size_t j = 0; j < joints.size(); ++j)
-      if (joints[j].parent == static_cast<int>(order[i])) order.push_back(j);
+  bool in_order = true;
+  for (size_t j = 0; j < joints.size(); ++j) in_order = in_order && joints[j].parent < static_cast<int>(j);
+  if (in_order) std::sort(order.begin(), order.end());
   if (order.size() != joints.size()) throw Error("the joints form a cycle, expected a tree");
   for (size_t i = 0; i < order.size(); ++i) index[order[i]] = static_cast<int>(i);
   PredictedSkeleton skeleton;

@@ -7,6 +7,7 @@
 #include "predict/limbs.hpp"
 #include "sinew/sinew.h"
 #include "sinew_character/rig/joint_mirror.hpp"
+#include "sinew_formats/base/joint_tree.hpp"
 
 namespace sinew {
 namespace {

@@ -9,6 +9,7 @@
 #include "sinew_character/pose/pose.hpp"
 #include "sinew_character/profile/profile.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
+#include "sinew_formats/base/joint_tree.hpp"
 #include "sinew_formats/base/point.hpp"
 
 namespace sinew {
@@ -123,9 +124,7 @@ Rotation turn_between(const Point3& from, const Point3& to) {
 class Bones {
  public:
   Bones(const std::vector<Joint>& joints, const JointVerdicts& verdicts)
-      : joints_(joints), verdicts_(verdicts), children_(joints.size()) {
-    for (size_t j = 0; j < joints.size(); ++j)
-      if (joints[j].parent >= 0) children_[index_of(joints[j].parent)].push_back(j);
+      : joints_(joints), verdicts_(verdicts), children_(JointTree(joints).children) {
     Vec3 low = joints.empty() ? Vec3{} : joints[0].position, high = low;
     for (const Joint& joint : joints) {
       low = {std::min(low.x, joint.position.x), std::min(low.y, joint.position.y), std::min(low.z, joint.position.z)};
@@ -174,9 +173,9 @@ class Bones {
   // The nearest joint below of the same class or one that follows it, with twists and helpers passed over. SIZE_MAX: none.
   size_t next_of(size_t j, uint8_t own) const {
     const std::vector<uint8_t> next = next_classes(own);
-    std::vector<size_t> level = children_[j];
+    std::vector<int> level = children_[j];
     while (!level.empty()) {
-      std::vector<size_t> below;
+      std::vector<int> below;
       for (const bool same : {true, false})
         for (const size_t one : level) {
           const uint8_t other = verdicts_.classes[one];
@@ -215,7 +214,7 @@ class Bones {
 
   const std::vector<Joint>& joints_;
   const JointVerdicts& verdicts_;
-  std::vector<std::vector<size_t>> children_;
+  std::vector<std::vector<int>> children_;
   double least_ = 0;
 };
 
@@ -228,7 +227,7 @@ std::vector<Rotation> joint_axes(const std::vector<Joint>& joints, const AxesTab
   skeleton.joints = joints;
   std::vector<Rotation> axes(joints.size(), of_letters(table[0].left));
   std::vector<Point3> directions(joints.size(), {0, 1, 0});
-  for (const size_t j : parents_first(skeleton)) {
+  for (const size_t j : joint_tree(skeleton).parents_first) {
     const int parent = joints[j].parent;
     const uint8_t own = verdicts.classes[j];
     if (parent >= 0) axes[j] = axes[index_of(parent)], directions[j] = directions[index_of(parent)];

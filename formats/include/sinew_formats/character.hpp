@@ -84,8 +84,5 @@ struct Character {
   size_t face_count() const { return face_offsets.size() - 1; }
 };
 
-// The joint tree: indices of joints, which are int where -1 means none, as positions in arrays.
-inline size_t joint_index(int joint) { return static_cast<size_t>(joint); }
-
 }  // namespace sinew
 #endif

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "sinew_formats/base/affine.hpp"
+#include "sinew_formats/base/joint_tree.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "text/text_lines.hpp"
@@ -15,25 +16,6 @@ namespace sinew {
 namespace {
 
 Point3 sum(const Point3& a, const Point3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-
-// Parents before children; readers refuse cycles.
-std::vector<size_t> parents_first(const Motion& motion) {
-  const size_t count = motion.joints.size();
-  std::vector<std::vector<size_t>> children(count);
-  std::vector<size_t> order;
-  for (size_t j = 0; j < count; ++j) {
-    const int parent = motion.joints[j].parent;
-    if (parent < 0)
-      order.push_back(j);
-    else
-      children[static_cast<size_t>(parent)].push_back(j);
-  }
-  for (size_t next = 0; next < order.size(); ++next) {
-    const std::vector<size_t>& below = children[order[next]];
-    order.insert(order.end(), below.begin(), below.end());
-  }
-  return order;
-}
 
 MotionFrame between(const MotionFrame& a, const MotionFrame& b, double t) {
   if (t <= 0) return a;
@@ -61,7 +43,7 @@ std::string names_of(const Motion& motion) {
 
 std::vector<Joint> rest_joints(const Motion& motion) {
   std::vector<Point3> positions(motion.joints.size());
-  for (const size_t j : parents_first(motion)) {
+  for (const size_t j : JointTree(motion.joints).parents_first) {
     const MotionJoint& joint = motion.joints[j];
     positions[j] = joint.parent < 0 ? joint.offset : sum(positions[static_cast<size_t>(joint.parent)], joint.offset);
   }
@@ -127,7 +109,7 @@ WorldPose world_pose(const Motion& motion, const MotionFrame& frame) {
   WorldPose pose;
   pose.rotations.resize(motion.joints.size(), kNoRotation4);
   pose.positions.resize(motion.joints.size());
-  for (const size_t j : parents_first(motion)) {
+  for (const size_t j : JointTree(motion.joints).parents_first) {
     const int above = motion.joints[j].parent;
     if (above < 0) {
       pose.rotations[j] = frame.rotations[j];

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "sinew_formats/base/parallel.hpp"
+#include "sinew_formats/base/thread_pool.hpp"
 
 namespace sinew {
 

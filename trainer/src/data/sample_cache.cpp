@@ -18,7 +18,7 @@
 #include "core/random.hpp"
 #include "features/features.hpp"
 #include "sinew_data_sets/dataset.hpp"
-#include "sinew_formats/base/parallel.hpp"
+#include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "sinew_formats/base/parallel.hpp"
+#include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/checkpoint.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"

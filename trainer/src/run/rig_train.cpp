@@ -19,7 +19,7 @@
 #include "run/settings.hpp"
 #include "run/training_run.hpp"
 #include "sinew_data_sets/synthesize.hpp"
-#include "sinew_formats/base/parallel.hpp"
+#include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/ranks.hpp"
 

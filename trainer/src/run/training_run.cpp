@@ -17,7 +17,7 @@
 #include "core/random.hpp"
 #include "network/networks.hpp"
 #include "run/optimizer.hpp"
-#include "sinew_formats/base/parallel.hpp"
+#include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/family_groups.hpp"

@@ -78,7 +78,7 @@ BentView bent_view(const Character& character, size_t joint, const Bend& bend, d
   const Vec3d axis = rotation_axis(character, joint, bend, up), at = position_of(character.joints[joint]);
   const Affine turn = rotation_about(axis_rotation({axis.x, axis.y, axis.z}, degrees * kDegree), {at.x, at.y, at.z});
   out.palette.assign(character.joints.size(), kIdentity);
-  for (const size_t j : parents_first(character)) {
+  for (const size_t j : joint_tree(character).parents_first) {
     const int parent = character.joints[j].parent;
     if (parent >= 0) out.palette[j] = out.palette[static_cast<size_t>(parent)];
     if (j == joint) out.palette[j] = multiply(out.palette[j], turn);

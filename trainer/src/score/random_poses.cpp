@@ -23,7 +23,7 @@ std::vector<std::vector<Affine>> random_poses(const Character& character, const 
     throw Error(name + ": random poses need one position per joint, expected " + std::to_string(joint_count) +
                 ", found " + std::to_string(positions.size()));
   }
-  const std::vector<size_t> order = parents_first(character);
+  const std::vector<size_t> order = joint_tree(character).parents_first;
 
   const auto* bytes = reinterpret_cast<const Bytef*>(name.data());
   NumpyRandom random(static_cast<uint64_t>(crc32(crc32(0, nullptr, 0), bytes, static_cast<uInt>(name.size()))));

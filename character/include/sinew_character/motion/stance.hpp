@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sinew_formats/base/box.hpp"
+#include "sinew_formats/base/joint_tree.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew {
@@ -28,7 +29,7 @@ class MovingJoints {
   size_t frame_count() const { return poses_.size(); }
   Point3 position(size_t frame, int joint) const { return poses_[frame].positions[static_cast<size_t>(joint)]; }
   Quaternion rotation(size_t frame, int joint) const { return poses_[frame].rotations[static_cast<size_t>(joint)]; }
-  const std::vector<size_t>& order() const { return order_; }  // parents first
+  const std::vector<size_t>& order() const { return tree_.parents_first; }  // parents first
   int parent(int joint) const { return motion_.joints[static_cast<size_t>(joint)].parent; }
   Point3 offset(int joint) const { return motion_.joints[static_cast<size_t>(joint)].offset; }
 
@@ -53,8 +54,7 @@ class MovingJoints {
 
   const Motion& motion_;
   std::vector<WorldPose> poses_;
-  std::vector<size_t> order_;
-  std::vector<std::vector<int>> children_;
+  JointTree tree_;
   std::vector<int> below_;       // [J] joints of the subtree
   std::vector<double> lengths_;  // [J] of its bones, the joint's own included
 };

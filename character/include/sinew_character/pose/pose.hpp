@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "sinew_formats/base/affine.hpp"
+#include "sinew_formats/base/joint_tree.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
 
-// Joint indices, every parent before its children. Throws Error when the hierarchy has a cycle or a parent that does
-// not exist.
-std::vector<size_t> parents_first(const Character& character);
+// Of a hierarchy that is one: throws Error for a cycle and for a parent that does not exist.
+JointTree joint_tree(const Character& character);
 
 // One pose: turn joints about their own rest position by XYZ Euler angles in degrees (R = Rz Ry Rx), children follow.
 struct JointRotation {

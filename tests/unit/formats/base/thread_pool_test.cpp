@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every item once, on as many threads as there are; the first failure comes out.
-#include "sinew_formats/base/parallel.hpp"
+#include "sinew_formats/base/thread_pool.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Threads that a job lends to the engine (sinew_bind_options::parallel_for).
-#ifndef SINEW_CHARACTER_THREAD_POOL_HPP
-#define SINEW_CHARACTER_THREAD_POOL_HPP
+// Threads that stay, for what the engine divides (sinew_bind_options::parallel_for), and a loop over independent items on several of them.
+#ifndef SINEW_FORMATS_BASE_THREAD_POOL_HPP
+#define SINEW_FORMATS_BASE_THREAD_POOL_HPP
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <thread>
 #include <vector>
 
@@ -37,6 +39,10 @@ class ThreadPool {
   std::atomic<uint32_t> loop_{0};     // counts loops; what the others wait for
   std::atomic<uint32_t> working_{0};  // others that are not back from it
 };
+
+// Calls work(item, thread) once for every item in [0, count), thread in [0, threads). Items start in rising order. After
+// an exception no further item starts; the first one is thrown again here.
+void parallel_for(size_t count, unsigned threads, const std::function<void(size_t item, unsigned thread)>& work);
 
 }  // namespace sinew
 #endif

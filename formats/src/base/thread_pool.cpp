@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A loop over a few pieces of work on threads that stay, because a bind has a hundred of them.
-#include "sinew_character/jobs/thread_pool.hpp"
+// The threads stay between two loops, because a bind has a hundred of them.
+#include "sinew_formats/base/thread_pool.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <mutex>
 
 namespace sinew {
 
@@ -44,6 +48,25 @@ void ThreadPool::serve() {
     work();
     if (--working_ == 0) working_.notify_one();
   }
+}
+
+void parallel_for(size_t count, unsigned threads, const std::function<void(size_t, unsigned)>& work) {
+  std::atomic<size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex failure_mutex;
+  auto loop = [&](unsigned thread) {
+    try {
+      for (size_t item = next++; item < count; item = next++) work(item, thread);
+    } catch (...) {
+      next = count;
+      const std::lock_guard<std::mutex> lock(failure_mutex);
+      if (!failure) failure = std::current_exception();
+    }
+  };
+  const unsigned used = static_cast<unsigned>(std::min<size_t>(std::max(threads, 1u), count));
+  ThreadPool(used).run(
+      used, [](void* data, uint32_t thread) { (*static_cast<decltype(loop)*>(data))(thread); }, &loop);
+  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace sinew
