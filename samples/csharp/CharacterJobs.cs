@@ -285,6 +285,8 @@ namespace Sinew
         public TetWeights TetWeights;
         /// <summary>Bends are not smoothed, of SINEW_POSE_XPBD</summary>
         public bool Smoothing = true;
+        /// <summary>"xpbd" as published, see sinew/deform.h</summary>
+        public bool DeformAsDrawn;
         /// <summary>Of "xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2</summary>
         public double Stiffness;
         /// <summary>Reference points: n, 1 .. 4, or NO_AREA for 0; 0 = 3</summary>
@@ -302,6 +304,9 @@ namespace Sinew
         public bool Torso;
         /// <summary>Reference points: reference points are the source's, in the size of the target; 0: the target's</summary>
         public bool SourcePoints;
+        /// <summary>Reference points: as published: one sum over all triangles, the limb's own too; knees, ankles, head and torso as well;
+        /// the source's reference points; no falloff, no push-out. own_limb to source_points say nothing then</summary>
+        public bool AsDrawn;
         /// <summary>Bytes of .sinew files in place of the bundled models; or null.</summary>
         public byte[] Model, HandsModel, FrontModel;
 
@@ -312,10 +317,11 @@ namespace Sinew
                 layout = pins.Of(Layout), actor = pins.Of(Actor), clip = pins.Of(Clip), fps = Fps, from = From, to = To };
             var deform = new Native.sinew_character_deformation {struct_size = Character.Size<Native.sinew_character_deformation>(),
                 method = (uint)Deform, cells = (uint)Cells, rounds = (uint)Rounds, body_contact = BodyContact ? 1u : 0,
-                tet_weights = (uint)TetWeights, without = (Smoothing ? 0 : Native.WITHOUT_SMOOTHING), stiffness = Stiffness };
+                tet_weights = (uint)TetWeights, without = (Smoothing ? 0 : Native.WITHOUT_SMOOTHING),
+                deform_as_drawn = DeformAsDrawn ? 1u : 0, stiffness = Stiffness };
             var reference = new Native.sinew_reference_options {struct_size = Character.Size<Native.sinew_reference_options>(),
                 area_power = (uint)AreaPower, own_limb = OwnLimb ? 1u : 0, legs = Legs ? 1u : 0, falloff = Falloff, head = Head ? 1u : 0,
-                torso = Torso ? 1u : 0, source_points = SourcePoints ? 1u : 0 };
+                torso = Torso ? 1u : 0, source_points = SourcePoints ? 1u : 0, as_drawn = AsDrawn ? 1u : 0 };
             return pins.Of(new Native.sinew_character_animate_options {
                 struct_size = Character.Size<Native.sinew_character_animate_options>(), thread_count = (uint)Threads,
                 progress = watch.Callback, models = Character.Models(pins, null, Model, HandsModel, null, FrontModel),
@@ -353,6 +359,8 @@ namespace Sinew
         public TetWeights TetWeights;
         /// <summary>Bends are not smoothed, of SINEW_POSE_XPBD</summary>
         public bool Smoothing = true;
+        /// <summary>"xpbd" as published, see sinew/deform.h</summary>
+        public bool DeformAsDrawn;
         /// <summary>Of "xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2</summary>
         public double Stiffness;
         public int Threads = 1;
@@ -364,7 +372,8 @@ namespace Sinew
             Character.Length(Matrices, sizes.joint_count * 12, "PoseSettings.Matrices: expected [J x 12] numbers");
             var deform = new Native.sinew_character_deformation {struct_size = Character.Size<Native.sinew_character_deformation>(),
                 method = (uint)Deform, cells = (uint)Cells, rounds = (uint)Rounds, body_contact = BodyContact ? 1u : 0,
-                tet_weights = (uint)TetWeights, without = (Smoothing ? 0 : Native.WITHOUT_SMOOTHING), stiffness = Stiffness };
+                tet_weights = (uint)TetWeights, without = (Smoothing ? 0 : Native.WITHOUT_SMOOTHING),
+                deform_as_drawn = DeformAsDrawn ? 1u : 0, stiffness = Stiffness };
             return pins.Of(new Native.sinew_character_pose_options {struct_size = Character.Size<Native.sinew_character_pose_options>(),
                 thread_count = (uint)Threads, angles = pins.Of(Angles), rotations = pins.Of(Rotations), matrices = pins.Of(Matrices),
                 clip = pins.Of(Clip), time = Time, deform = pins.Of(deform) });
@@ -434,6 +443,8 @@ namespace Sinew
         public TetWeights TetWeights;
         /// <summary>Bends are not smoothed, of SINEW_POSE_XPBD</summary>
         public bool Smoothing = true;
+        /// <summary>"xpbd" as published, see sinew/deform.h</summary>
+        public bool DeformAsDrawn;
         /// <summary>Of "xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2</summary>
         public double Stiffness;
         public Func<float, bool> Progress;
@@ -442,7 +453,8 @@ namespace Sinew
         {
             var deform = new Native.sinew_character_deformation {struct_size = Character.Size<Native.sinew_character_deformation>(),
                 method = (uint)Deform, cells = (uint)Cells, rounds = (uint)Rounds, body_contact = BodyContact ? 1u : 0,
-                tet_weights = (uint)TetWeights, without = (Smoothing ? 0 : Native.WITHOUT_SMOOTHING), stiffness = Stiffness };
+                tet_weights = (uint)TetWeights, without = (Smoothing ? 0 : Native.WITHOUT_SMOOTHING),
+                deform_as_drawn = DeformAsDrawn ? 1u : 0, stiffness = Stiffness };
             return pins.Of(new Native.sinew_character_bake_options {struct_size = Character.Size<Native.sinew_character_bake_options>(),
                 progress = watch.Callback, poses = (uint)Poses, shapes = (uint)Shapes, seed = Seed, limit = Limit, clip = pins.Of(Clip),
                 deform = pins.Of(deform) });

@@ -215,7 +215,7 @@ namespace Sinew
         {
             public uint struct_size, method, cell_count, round_count, softness, without, thread_count, body_contact;
             public IntPtr parallel_for, parallel_user;
-            public uint energy, tet_weights;
+            public uint energy, tet_weights, as_drawn, reserved;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -409,7 +409,7 @@ namespace Sinew
             public uint struct_size, area_power, own_limb, legs;
             public float falloff, least_cosine;
             public IntPtr progress, progress_user;
-            public uint head, torso, source_points, reserved;
+            public uint head, torso, source_points, as_drawn;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -609,7 +609,7 @@ namespace Sinew
         [StructLayout(LayoutKind.Sequential)]
         public struct sinew_character_deformation
         {
-            public uint struct_size, method, cells, rounds, body_contact, tet_weights, without, reserved;
+            public uint struct_size, method, cells, rounds, body_contact, tet_weights, without, deform_as_drawn;
             public double stiffness;
         }
 

@@ -398,7 +398,8 @@ typedef struct sinew_character_deformation {
   /* Bits of sinew_without.
    *   SINEW_WITHOUT_SMOOTHING  bends are not smoothed, of SINEW_POSE_XPBD */
   uint32_t without;
-  uint32_t reserved;
+  /* 1: SINEW_POSE_XPBD as published, see sinew/deform.h. */
+  uint32_t deform_as_drawn;
   /* Of SINEW_POSE_XPBD: of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2. */
   double stiffness;
 } sinew_character_deformation;
@@ -415,8 +416,8 @@ typedef struct sinew_character_animate_options {
   const sinew_motion_source* motion;
   /* Corrections of the posed mesh; null = none. */
   const sinew_character_deformation* deform;
-  /* Reference points: area_power, own_limb, legs, falloff, head, torso and source_points of SINEW_ANIMATE_REFERENCE_POINTS; null =
-   * defaults. */
+  /* Reference points: area_power, own_limb, legs, falloff, head, torso, source_points and as_drawn of
+   * SINEW_ANIMATE_REFERENCE_POINTS; null = defaults. */
   const sinew_reference_options* reference;
   /* sinew_animate_method */
   uint32_t method;

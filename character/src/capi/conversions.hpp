@@ -36,8 +36,11 @@ inline std::optional<sinew_deform_options> corrections_of(const sinew_character_
   if (options.stiffness != 0 &&
       !(options.stiffness >= 1 / kThousandths && options.stiffness <= SINEW_MAX_DEFORM_ENERGY / kThousandths))
     throw Failure(SINEW_ERROR_ARGUMENT, "stiffness: expected 0.001 to 1000, or 0 for the method's own");
-  if (method != SINEW_POSE_XPBD && (options.stiffness != 0 || options.tet_weights != 0 || options.without != 0))
-    throw Failure(SINEW_ERROR_ARGUMENT, "stiffness, tet_weights and SINEW_WITHOUT_SMOOTHING: are for SINEW_POSE_XPBD");
+  check_at_most("deform_as_drawn", options.deform_as_drawn, 1);
+  if (method != SINEW_POSE_XPBD &&
+      (options.stiffness != 0 || options.tet_weights != 0 || options.without != 0 || options.deform_as_drawn != 0))
+    throw Failure(SINEW_ERROR_ARGUMENT,
+                  "stiffness, tet_weights, deform_as_drawn and SINEW_WITHOUT_SMOOTHING: are for SINEW_POSE_XPBD");
   if (options.body_contact != 0 && method != SINEW_POSE_VOLUME && method != SINEW_POSE_XPBD)
     throw Failure(SINEW_ERROR_ARGUMENT, "body_contact: is for SINEW_POSE_VOLUME and SINEW_POSE_XPBD");
   if (method < SINEW_POSE_VOLUME) {
@@ -52,6 +55,7 @@ inline std::optional<sinew_deform_options> corrections_of(const sinew_character_
   out.energy = static_cast<uint32_t>(std::lround(kThousandths * options.stiffness));
   out.tet_weights = options.tet_weights;
   out.without = options.without;
+  out.as_drawn = options.deform_as_drawn;
   if (method == SINEW_POSE_XPBD) out.method = SINEW_DEFORM_XPBD;
   if (method == SINEW_POSE_DELTA_MUSH) out.method = SINEW_DEFORM_DELTA_MUSH;
   return out;

@@ -42,6 +42,9 @@ typedef enum sinew_tet_weights {
  *                    each other: an arm and the torso, a thigh and the belly, two thighs, cloth on them as well. Takes
  *                    several times as long. Where a motion drives limbs through each other, dents come and go within a
  *                    frame. Not for delta mush; on the calling thread
+ *   as_drawn         a Laplacian smooths the bends, and nothing inflates them to their volume at rest; the tetrahedra have
+ *                    weights by distance; contact between all parts of the body is a constraint of the solver, several
+ *                    times as slow. body_contact and tet_weights say nothing then
  *   parallel_for     as in sinew_bind_options. The result does not depend on it. Where several threads pose one deformer, each
  *                    calls it. SINEW_DEFORM_VOLUME alone
  *   thread_count     more than 1 is worth while for large lattices: at 64 cells, hardly at 32 */
@@ -59,6 +62,8 @@ typedef struct sinew_deform_options {
   uint32_t energy; /* k of SINEW_DEFORM_XPBD's springs from a tetrahedron's centroid to its corners, in thousandths,
                           * 1..SINEW_MAX_DEFORM_ENERGY; 0 = 200 */
   uint32_t tet_weights; /* sinew_tet_weights, of SINEW_DEFORM_XPBD */
+  uint32_t as_drawn;    /* 1: SINEW_DEFORM_XPBD as published */
+  uint32_t reserved;    /* 0 */
 } sinew_deform_options;
 
 /* A deformer, filled by sinew_deform_create(). Keeps its size. Its memory is the caller's and must stay as it is while the

@@ -74,7 +74,9 @@ typedef struct sinew_reference_options {
   uint32_t head;  /* 1: the head moves as well */
   uint32_t torso; /* 1: torso joints lie as the source's do, each seen from the one before; 0: they turn as copied */
   uint32_t source_points; /* 1: reference points are the source's, in the size of the target; 0: the target's */
-  uint32_t reserved;      /* 0 */
+  uint32_t
+      as_drawn; /* 1: as published: one sum over all triangles, the limb's own too; knees, ankles, head and torso as well; the
+                           * source's reference points; no falloff, no push-out. own_limb to source_points say nothing then */
 } sinew_reference_options;
 
 /* Bytes sinew_retarget_reference_points() needs.

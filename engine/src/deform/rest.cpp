@@ -168,7 +168,8 @@ sinew_status read_deform_options(const sinew_deform_options* given, sinew_deform
     if (status != SINEW_OK) return status;
   }
   sinew_deform_options& o = *options;
-  if (o.body_contact > 1 || o.tet_weights > SINEW_TET_WEIGHTS_DISTANCE || o.energy > SINEW_MAX_DEFORM_ENERGY) {
+  if (o.body_contact > 1 || o.as_drawn > 1 || o.reserved != 0 || o.tet_weights > SINEW_TET_WEIGHTS_DISTANCE ||
+      o.energy > SINEW_MAX_DEFORM_ENERGY) {
     return SINEW_ERROR_ARGUMENT;
   }
   if (o.method > SINEW_DEFORM_DELTA_MUSH || o.round_count > SINEW_MAX_DEFORM_ROUNDS || o.softness > 65535 ||
@@ -182,6 +183,11 @@ sinew_status read_deform_options(const sinew_deform_options* given, sinew_deform
     o.round_count = o.method == SINEW_DEFORM_DELTA_MUSH ? 5 : o.method == SINEW_DEFORM_VOLUME ? 20 : 60;
   if (o.softness == 0) o.softness = 5 * 256;
   if (o.energy == 0) o.energy = 200;
+  if (o.as_drawn != 0 && o.method != SINEW_DEFORM_XPBD) return SINEW_ERROR_ARGUMENT;
+  if (o.as_drawn != 0) {
+    o.body_contact = 1;
+    o.tet_weights = SINEW_TET_WEIGHTS_DISTANCE;
+  }
   return SINEW_OK;
 }
 

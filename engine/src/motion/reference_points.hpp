@@ -13,6 +13,7 @@ namespace sinew::motion {
 struct ReferenceOptions {
   uint32_t area_power = 3;
   bool own_limb = false, legs = false, head = false, torso = false, source_points = false;
+  bool as_drawn = false;  // one sum over all parts of the body, and nothing pushed out
   // Capsules are a guess (ours): they push joints away from the body, straight out, and do no more.
   bool outwards = false;
   double falloff = static_cast<double>(0.05f);  // share of the source's height, as a caller says it; 0 = none

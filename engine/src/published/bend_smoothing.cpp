@@ -111,6 +111,21 @@ void inflate(const PosedJoints& posed, SmoothedVertex* vertices, BendVolume* vol
 
 }  // namespace
 
+void smooth_bends_as_drawn(const PosedJoints& posed, SmoothedVertex* vertices, Vec3d* positions) {
+  const DeformRest& rest = *posed.rest;
+  for (uint32_t u = 0; u < rest.welded_count; ++u) vertices[u] = begin_vertex(posed, u, positions[rest.first[u]]);
+  for (uint32_t u = 0; u < rest.welded_count; ++u) {
+    const uint32_t begin = rest.row_offsets[u], end = rest.row_offsets[u + 1];
+    Vec3d sum = {0, 0, 0};
+    for (uint32_t r = begin; r < end; ++r) sum = sum + vertices[rest.col_indices[r]].position;
+    vertices[u].next = begin == end ? vertices[u].position : (1.0 / (end - begin)) * sum;
+  }
+  for (uint32_t v = 0; v < rest.vertex_count; ++v) {
+    const SmoothedVertex& own = vertices[rest.welded[v]];
+    if (own.share > 0) positions[v] = own.next;
+  }
+}
+
 void smooth_bends(const PosedJoints& posed, const uint8_t* moved, SmoothedVertex* vertices, BendVolume* volumes,
                   Vec3d* positions) {
   const DeformRest& rest = *posed.rest;

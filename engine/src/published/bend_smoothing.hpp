@@ -30,5 +30,8 @@ struct BendVolume {
 void smooth_bends(const PosedJoints& posed, const uint8_t* moved, SmoothedVertex* vertices, BendVolume* volumes,
                   Vec3d* positions);
 
+// As published: a vertex of a bend goes to the mean of its neighbours, once.
+void smooth_bends_as_drawn(const PosedJoints& posed, SmoothedVertex* vertices, Vec3d* positions);
+
 }  // namespace sinew::deform
 #endif

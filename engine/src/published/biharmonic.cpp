@@ -10,7 +10,7 @@ namespace {
 constexpr uint32_t kNearest = DistanceMatch::kNearest;
 constexpr uint32_t kFewest = 4;         // references
 constexpr uint32_t kCompared = 8;       // references of a vertex, those that are nearest to it: of a caller's few pairs
-constexpr uint32_t kComparedFound = 5;  // and of those that were found
+constexpr uint32_t kComparedFound = 5;  // and of those that were found; as drawn all
 constexpr uint32_t kNeighbours = 6;     // references around one, for its scale
 constexpr double kMostDistanceScale = 2;  // of one reference's distances
 constexpr double kNearDistance = 0.02;    // added to distances before they are inverted
@@ -66,7 +66,8 @@ struct Columns {
     }
   }
 
-  bool lies_beside(const Least<kCompared>& compared, uint32_t source_vertex) const {
+  template <uint32_t kMost>
+  bool lies_beside(const Least<kMost>& compared, uint32_t source_vertex) const {
     for (uint32_t k = 0; k < compared.count; ++k) {
       const uint32_t corner = references.points[compared.numbers[k]].source.corners[0];
       if (source_part[corner] == source_part[source_vertex]) return true;
@@ -75,8 +76,9 @@ struct Columns {
   }
 
   // The source's vertices with the least squared difference of distances; of the compared references' parts alone, if asked.
-  Least<kNearest> most_alike(const Least<kCompared>& compared, bool of_their_parts) const {
-    double weights[kCompared];
+  template <uint32_t kMost>
+  Least<kNearest> most_alike(const Least<kMost>& compared, bool of_their_parts) const {
+    double weights[kMost];
     for (uint32_t k = 0; k < compared.count; ++k) {
       const double d = compared.keys[k] + kNearDistance;
       weights[k] = as_drawn ? 1 : 1 / (d * d);
@@ -99,20 +101,34 @@ struct Columns {
     return best;
   }
 
-  void find(uint32_t vertex, uint32_t* vertices, double* shares) const {
+  double distance(uint32_t vertex, uint32_t reference) const {
+    return target[size_t{reference} * target_count + vertex];
+  }
+
+  Least<kNearest> most_alike_of_all(uint32_t vertex) const {
+    Least<SINEW_MAX_TRANSFER_PAIRS> compared;
+    for (uint32_t i = 0; i < references.count; ++i) compared.add(distance(vertex, i), i);
+    return most_alike(compared, false);
+  }
+
+  Least<kNearest> most_alike_of_near(uint32_t vertex) const {
     // How far parts are from each other is what ties make of it: a vertex is compared at references of its own part, with vertices
     // of the parts where those lie on the source. A part without such references is compared at all.
     Least<kCompared> compared, own;
     for (uint32_t i = 0; i < references.count; ++i) {
-      const double d = target[size_t{i} * target_count + vertex];
+      const double d = distance(vertex, i);
       compared.add(d, i);
       if (target_part[references.points[i].target.corners[0]] == target_part[vertex]) own.add(d, i);
     }
     const bool has_own = own.count >= kFewest;
     if (has_own) compared = own;
     if (compared.count > most_compared) compared.count = most_compared;
-    Least<kNearest> best = most_alike(compared, has_own);
-    if (best.count == 0) best = most_alike(compared, false);
+    const Least<kNearest> best = most_alike(compared, has_own);
+    return best.count > 0 ? best : most_alike(compared, false);
+  }
+
+  void find(uint32_t vertex, uint32_t* vertices, double* shares) const {
+    const Least<kNearest> best = as_drawn ? most_alike_of_all(vertex) : most_alike_of_near(vertex);
     double sum = 0;
     const double farthest = best.keys[best.count - 1];
     for (uint32_t i = 0; i < best.count; ++i) {
@@ -186,7 +202,7 @@ sinew_status match_by_distances(const TransferPlan& plan, const Pair& pair, cons
                            of_use,
                            plan.as_drawn,
                            plan.pair_count > 0 ? kCompared : kComparedFound};
-  columns.scale();
+  if (!plan.as_drawn) columns.scale();
   constexpr uint32_t kVertexPiece = 64;
   plan.target.threads.ranges(pair.target.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
     for (uint32_t v = begin; v < end; ++v)

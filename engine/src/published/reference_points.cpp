@@ -71,7 +71,7 @@ class ReferencePoints {
     find_nodes();
     find_head();
     find_groups();
-    if (!options_.outwards) s_.search.open(s_);
+    if (pushes_out()) s_.search.open(s_);
     if (s_.source.height > 0) heights_ = s_.target.height / s_.source.height;
   }
 
@@ -85,7 +85,7 @@ class ReferencePoints {
       if (options_.torso) take_torso();
       s_.target.pose(plan_.target_rotations, plan_.target_positions);
       s_.target.find_middles(s_.body->triangles, triangles_);
-      if (!options_.outwards) find_depths();
+      if (pushes_out()) find_depths();
       Vec3d middles[kMostLimbs], lasts[kMostLimbs];
       for (uint32_t l = 0; l < s_.limbs.count; ++l) {
         if (!is_moved(l)) continue;
@@ -96,7 +96,7 @@ class ReferencePoints {
       for (uint32_t l = 0; l < s_.limbs.count; ++l) {
         if (is_moved(l)) move_limb(s_.limbs.limbs[l], lasts[l], middles[l], &plan_);
       }
-      if (!options_.outwards) come_out();
+      if (pushes_out()) come_out();
       s_.store(f);
       if (!s_.in->progress.report(static_cast<uint32_t>(uint64_t{f + 1} * 1000 / frames))) return SINEW_ERROR_CANCELLED;
     }
@@ -104,6 +104,7 @@ class ReferencePoints {
   }
 
  private:
+  bool pushes_out() const { return !options_.outwards && !options_.as_drawn; }
   bool is_moved(uint32_t limb) const { return options_.legs || !s_.limbs.limbs[limb].leg; }
   uint32_t source_of(uint32_t t) const { return static_cast<uint32_t>(plan_.map[t]); }
   Vec3d source_rest(uint32_t t) const { return rotate(plan_.rotation, plan_.source.positions[source_of(t)]); }
@@ -205,7 +206,7 @@ class ReferencePoints {
   }
 
   bool is_left_out(uint32_t triangle, uint32_t own_part) const {
-    return (!options_.own_limb || own_part == kHead) && s_.parts_of[triangle] == own_part;
+    return (!options_.own_limb || (own_part == kHead && !options_.as_drawn)) && s_.parts_of[triangle] == own_part;
   }
 
   double influence(uint32_t triangle, Vec3d along, double distance) const {
@@ -227,7 +228,7 @@ class ReferencePoints {
   };
 
   // Where all triangles together want a joint; where it is, if none has a say. The parts of the body have one goal each, the mean of
-  // which counts by nearness.
+  // which counts by nearness; as drawn all triangles are one part.
   Vec3d position(uint32_t joint, uint32_t own_part) {
     const Vec3d goal = plan_.source_positions[source_of(joint)];
     PartGoal part_goals[kFirstLimb + kMostLimbs];
@@ -252,7 +253,7 @@ class ReferencePoints {
           factor = from > kLeastLength * s_.source.height ? to / from : heights_;
         }
         const double own = influence(i, along, distance);
-        PartGoal& part_goal = part_goals[s_.parts_of[i]];
+        PartGoal& part_goal = part_goals[options_.as_drawn ? kTorso : s_.parts_of[i]];
         if (own > 0 && (part_goal.all == 0 || distance < part_goal.nearest)) {
           part_goal.nearest = distance;
           part_goal.triangle = i;
@@ -394,7 +395,7 @@ sinew_status run_reference_points(sinew_retarget* plan, const sinew_motion_body*
   const sinew_status status = scene.open(plan, &source, target, inputs);
   if (status != SINEW_OK || scene.is_same_body() || target.triangle_count == 0) return status;
   ReferenceOptions own = options;
-  own.outwards = source_body == nullptr;
+  own.outwards = source_body == nullptr && !own.as_drawn;
   return ReferencePoints(own, &scene).run();
 }
 

@@ -31,6 +31,7 @@ class PublishedPose {
     moved_ = arena.alloc<uint8_t>(rest_.welded_count);
     BendVolume* const volumes = arena.alloc<BendVolume>(rest_.joint_count);
     if (!state_.allocate(arena, lattice_, rest_.welded_count)) return SINEW_ERROR_WORKSPACE;
+    if (as_drawn()) held_ = arena.alloc<HalfSpace>(rest_.welded_count);
     if (rest_.has_contact()) {
       contact_nodes_ = arena.alloc<SolverNode>(lattice_.node_count);
       if (!(contacts_.allocate(arena, rest_.vertex_count) && pressed_.allocate(arena, lattice_))) {
@@ -38,21 +39,22 @@ class PublishedPose {
       }
     }
     if (arena.measuring()) return SINEW_OK;
-    const uint32_t n = rest_.influence_count;
-    for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
-      const size_t at = static_cast<size_t>(v) * n;
-      positions_[v] = blend_linear(posed_, rest_.joints + at, rest_.weights + at, n, rest_.position(v));
-      spaces_[v] = {{0, 0, 0}, 0};
-    }
+    skin();
+    for (uint32_t v = 0; v < rest_.vertex_count; ++v) spaces_[v] = {{0, 0, 0}, 0};
     if (lattice_.tetrahedron_count == 0 || !bends(posed_)) return SINEW_OK;
     if ((rest_.options.without & SINEW_WITHOUT_CONTACTS) == 0)
       find_half_spaces(posed_, rest_.threads(), planes, spaces_);
     skin_nodes();
     find_moving();
     correct();
+    const bool smooths = (rest_.options.without & SINEW_WITHOUT_SMOOTHING) == 0;
+    if (as_drawn()) {
+      collide();
+      if (smooths) smooth_bends_as_drawn(posed_, smoothed, positions_);
+      return SINEW_OK;
+    }
     if (rest_.has_contact()) keep_apart();  // while the surface is where the lattice has it
-    if ((rest_.options.without & SINEW_WITHOUT_SMOOTHING) == 0)
-      smooth_bends(posed_, moved_, smoothed, volumes, positions_);
+    if (smooths) smooth_bends(posed_, moved_, smoothed, volumes, positions_);
     for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
       if (is_rigid(v)) continue;
       positions_[v] = positions_[v] - outside_by(spaces_[v], positions_[v]) * spaces_[v].normal;
@@ -61,6 +63,16 @@ class PublishedPose {
   }
 
  private:
+  bool as_drawn() const { return rest_.options.as_drawn != 0; }
+
+  void skin() {
+    const uint32_t n = rest_.influence_count;
+    for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
+      const size_t at = static_cast<size_t>(v) * n;
+      positions_[v] = blend_linear(posed_, rest_.joints + at, rest_.weights + at, n, rest_.position(v));
+    }
+  }
+
   bool is_rigid(uint32_t v) const { return rest_.rigid[rest_.welded[v]] != 0; }
 
   // Cells around the first vertex, wherever the character is.
@@ -93,6 +105,10 @@ class PublishedPose {
       const double offset = (1 / cell_) * (half.offset - dot(half.normal, middle_));
       add_xpbd_point(lattice_, u, {half.normal, offset}, &state_);
     }
+    solve();
+  }
+
+  void solve() {
     XpbdSettings settings;
     settings.rounds = rest_.options.round_count;
     settings.edge_compliance = rest_.options.softness / 256.0;
@@ -125,12 +141,38 @@ class PublishedPose {
     }
   }
 
-  // Parts of the body that are no neighbours.
-  void keep_apart() {
+  void find_contact_nodes() {
     for (uint32_t n = 0; n < lattice_.node_count; ++n) {
       contact_nodes_[n].position = to_units(static_cast<double>(kCellUnits) * state_.nodes[n]);
       contact_nodes_[n].moves = state_.moves[n] != 0 ? -1 : 0;
     }
+  }
+
+  // As drawn, parts of the body that are no neighbours: what touches gets a half space, and the solver goes on from where it was.
+  void collide() {
+    const uint32_t bends = state_.point_count;
+    for (uint32_t u = 0; u < rest_.welded_count; ++u) held_[u] = {{0, 0, 0}, 0};
+    for (int pass = 0; pass < kContactPasses; ++pass) {
+      find_contact_nodes();
+      if (!find_contacts({posed_, spaces_, positions_, contact_nodes_, middle_}, &contacts_)) return;
+      state_.point_count = bends;
+      for (uint32_t u = 0; u < rest_.welded_count; ++u) {
+        const Embedding& position = lattice_.vertices[u];
+        if (spaces_[rest_.first[u]].set() || position.tetrahedron == kNoTetrahedron) continue;
+        if (contacts_.pushes[u] > 0) {
+          const Vec3d out = contacts_.directions[u];
+          held_[u] = {out, dot(out, embedded(lattice_, position, state_.nodes)) + contacts_.pushes[u] / kCellUnits};
+        }
+        if (held_[u].set()) add_xpbd_point(lattice_, u, held_[u], &state_);
+      }
+      skin();
+      solve();
+    }
+  }
+
+  // Parts of the body that are no neighbours.
+  void keep_apart() {
+    find_contact_nodes();
     for (int pass = 0; pass < kContactPasses; ++pass) {
       if (!find_contacts({posed_, spaces_, positions_, contact_nodes_, middle_}, &contacts_)) return;
       press_contacts(rest_, contacts_, &pressed_);
@@ -155,6 +197,7 @@ class PublishedPose {
   SolverNode* contact_nodes_ = nullptr;  // [n] lattice units
   uint8_t* moved_ = nullptr;             // [U] 1: a vertex that goes with the lattice
   HalfSpace* spaces_ = nullptr;          // [V] of bends
+  HalfSpace* held_ = nullptr;            // [U] of what touches, in cells; as drawn
   Vec3d* begin_ = nullptr;               // [n] blended nodes, cells
   Vec3d middle_ = {0, 0, 0};
 };

@@ -166,6 +166,8 @@ export interface RetargetOptions {
   tetWeights?: "skin" | "distance";
   /** false: bends are not smoothed, of SINEW_POSE_XPBD */
   smoothing?: boolean;
+  /** "xpbd" as published, see sinew/deform.h */
+  deformAsDrawn?: boolean;
   /** of "xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2 */
   stiffness?: number;
   /** reference points: n, 1 .. 4, or NO_AREA for 0; 0 = 3 */
@@ -182,6 +184,9 @@ export interface RetargetOptions {
   torso?: boolean;
   /** reference points: reference points are the source's, in the size of the target; 0: the target's */
   sourcePoints?: boolean;
+  /** reference points: as published: one sum over all triangles, the limb's own too; knees, ankles, head and torso as well; the
+   * source's reference points; no falloff, no push-out. own_limb to source_points say nothing then */
+  asDrawn?: boolean;
   onProgress?: Progress;
 }
 export interface TransferOptions {

@@ -41,9 +41,10 @@ export const LAYOUTS = {
   bindOutputs: layout(44,
     "struct_size@0:u32 symmetric_vertices@4:u32 joint_indices@8:u32 weights@12:u32 confidence@16:u32 used_bytes@20:u32 " +
     "questions@24:u32 vertex_questions@28:u32 vertex_parts@32:u32 questions_written@36:u32 reserved@40:u32"),
-  deformOptions: layout(48,
+  deformOptions: layout(56,
     "struct_size@0:u32 method@4:u32 cell_count@8:u32 round_count@12:u32 softness@16:u32 without@20:u32 thread_count@24:u32 " +
-    "body_contact@28:u32 parallel_for@32:u32 parallel_user@36:u32 energy@40:u32 tet_weights@44:u32"),
+    "body_contact@28:u32 parallel_for@32:u32 parallel_user@36:u32 energy@40:u32 tet_weights@44:u32 as_drawn@48:u32 " +
+    "reserved@52:u32"),
   deformer: layout(56,
     "memory@0:u32 pose_bytes@4:u32 vertex_count@8:u32 joint_count@12:u32 tetrahedron_count@16:u32 node_count@20:u32 " +
     "split_cell_count@24:u32 reserved@28:u32x7"),
@@ -98,7 +99,7 @@ export const LAYOUTS = {
     "reference_count@48:u32 used_bytes@52:u32"),
   referenceOptions: layout(48,
     "struct_size@0:u32 area_power@4:u32 own_limb@8:u32 legs@12:u32 falloff@16:f32 least_cosine@20:f32 progress@24:u32 " +
-    "progress_user@28:u32 head@32:u32 torso@36:u32 source_points@40:u32 reserved@44:u32"),
+    "progress_user@28:u32 head@32:u32 torso@36:u32 source_points@40:u32 as_drawn@44:u32"),
   simplifyOptions: layout(20, "struct_size@0:u32 level@4:u32 joint_count@8:u32 reserved@12:u32 centroids@16:u32"),
   file: layout(12, "name@0:u32 bytes@4:u32 size_bytes@8:u32"),
   characterProfileOptions: layout(32,
@@ -155,7 +156,7 @@ export const LAYOUTS = {
     "sources@32:u32 confidence@36:u32 reasons@40:u32 text@44:u32"),
   characterDeformation: layout(40,
     "struct_size@0:u32 method@4:u32 cells@8:u32 rounds@12:u32 body_contact@16:u32 tet_weights@20:u32 without@24:u32 " +
-    "reserved@28:u32 stiffness@32:f64"),
+    "deform_as_drawn@28:u32 stiffness@32:f64"),
   characterAnimateOptions: layout(88,
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 motion@20:u32 deform@24:u32 " +
     "reference@28:u32 method@32:u32 without@36:u32 in_place@40:u32 target_up@44:u32 shapes@48:u32 report@52:u32 force@56:u32 " +

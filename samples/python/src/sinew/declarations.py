@@ -199,7 +199,8 @@ class sinew_bind_outputs(Structure):
 class sinew_deform_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("cell_count", c_uint32), ("round_count", c_uint32),
         ("softness", c_uint32), ("without", c_uint32), ("thread_count", c_uint32), ("body_contact", c_uint32),
-        ("parallel_for", sinew_parallel_for), ("parallel_user", c_void_p), ("energy", c_uint32), ("tet_weights", c_uint32)]
+        ("parallel_for", sinew_parallel_for), ("parallel_user", c_void_p), ("energy", c_uint32), ("tet_weights", c_uint32),
+        ("as_drawn", c_uint32), ("reserved", c_uint32)]
 
 
 class sinew_deformer(Structure):
@@ -320,7 +321,7 @@ class sinew_transfer_outputs(Structure):
 class sinew_reference_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("area_power", c_uint32), ("own_limb", c_uint32), ("legs", c_uint32), ("falloff", c_float),
         ("least_cosine", c_float), ("progress", sinew_progress), ("progress_user", c_void_p), ("head", c_uint32), ("torso", c_uint32),
-        ("source_points", c_uint32), ("reserved", c_uint32)]
+        ("source_points", c_uint32), ("as_drawn", c_uint32)]
 
 
 class sinew_simplify_options(Structure):
@@ -448,7 +449,7 @@ class sinew_character_map_result(Structure):
 
 class sinew_character_deformation(Structure):
     _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("cells", c_uint32), ("rounds", c_uint32), ("body_contact", c_uint32),
-        ("tet_weights", c_uint32), ("without", c_uint32), ("reserved", c_uint32), ("stiffness", c_double)]
+        ("tet_weights", c_uint32), ("without", c_uint32), ("deform_as_drawn", c_uint32), ("stiffness", c_double)]
 
 
 class sinew_character_animate_options(Structure):

@@ -129,9 +129,9 @@ class Jobs:
                  joint_map: Any = None, limits: Text = None, motion_up: declarations.Up = "auto", layout: Text = None, actor: Text = None,
                  clip: Text = None, fps: float = 0, start: float = 0, end: float = 0, correct: Correction = "none", cells: int = 0,
                  rounds: int = 0, body_contact: bool = False, tet_weights: declarations.TetWeights = "skin", smoothing: bool = True,
-                 stiffness: float = 0, area_power: int = 0, own_limb: bool = False, legs: bool = False, falloff: float = 0,
-                 head: bool = False, torso: bool = False, source_points: bool = False, model: ModelFile = None,
-                 hands_model: ModelFile = None, front_model: ModelFile = None, threads: int = 1,
+                 deform_as_drawn: bool = False, stiffness: float = 0, area_power: int = 0, own_limb: bool = False, legs: bool = False,
+                 falloff: float = 0, head: bool = False, torso: bool = False, source_points: bool = False, as_drawn: bool = False,
+                 model: ModelFile = None, hands_model: ModelFile = None, front_model: ModelFile = None, threads: int = 1,
                  progress: ProgressFunction = None) -> AnimateResult:
         """Adds clips of another skeleton to a bound character, which are saved with it. A bare mesh is rigged first.
 
@@ -162,6 +162,7 @@ class Jobs:
         body_contact  with VOLUME or XPBD, limbs keep out of the body
         tet_weights  of "xpbd"
         smoothing  False: bends are not smoothed, of POSE_XPBD
+        deform_as_drawn  "xpbd" as published, see sinew/deform.h
         stiffness  of "xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2
         area_power  reference points: n, 1 .. 4, or NO_AREA for 0; 0 = 3
         own_limb  reference points: triangles of the limb itself have influence as well
@@ -170,13 +171,15 @@ class Jobs:
         head  reference points: the head moves as well
         torso  reference points: torso joints lie as the source's do, each seen from the one before; 0: they turn as copied
         source_points  reference points: reference points are the source's, in the size of the target; 0: the target's
+        as_drawn  reference points: as published: one sum over all triangles, the limb's own too; knees, ankles, head and torso as
+            well; the source's reference points; no falloff, no push-out. own_limb to source_points say nothing then
         model, hands_model, front_model  files or bytes in place of the bundled ones
         """
         return run("animate", locals())
 
     def pose(self, *, angles: Any = None, rotations: Any = None, matrices: Any = None, clip: Text = None, time: float = 0,
              method: declarations.PoseDeform = "linear", cells: int = 0, rounds: int = 0, body_contact: bool = False,
-             tet_weights: declarations.TetWeights = "skin", smoothing: bool = True, stiffness: float = 0,
+             tet_weights: declarations.TetWeights = "skin", smoothing: bool = True, deform_as_drawn: bool = False, stiffness: float = 0,
              threads: int = 1) -> "OpenCharacter":
         """Makes a copy of a bound character in a pose, to be saved as .obj or viewed.
 
@@ -192,6 +195,7 @@ class Jobs:
         body_contact  with VOLUME or XPBD, limbs keep out of the body
         tet_weights  of "xpbd"
         smoothing  False: bends are not smoothed, of POSE_XPBD
+        deform_as_drawn  "xpbd" as published, see sinew/deform.h
         stiffness  of "xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2
         """
         return run("pose", locals())
@@ -217,7 +221,7 @@ class Jobs:
 
     def bake(self, *, poses: int = 0, shapes: int = 0, seed: int = 0, limit: float = 0, clip: Text = None,
              method: declarations.PoseDeform = "volume", cells: int = 0, rounds: int = 0, body_contact: bool = False,
-             tet_weights: declarations.TetWeights = "skin", smoothing: bool = True, stiffness: float = 0,
+             tet_weights: declarations.TetWeights = "skin", smoothing: bool = True, deform_as_drawn: bool = False, stiffness: float = 0,
              progress: ProgressFunction = None) -> BakeResult:
         """Adds morph targets that correct bends, with what drives them, which are saved with the character.
 
@@ -233,6 +237,7 @@ class Jobs:
         body_contact  with VOLUME or XPBD, limbs keep out of the body
         tet_weights  of "xpbd"
         smoothing  False: bends are not smoothed, of POSE_XPBD
+        deform_as_drawn  "xpbd" as published, see sinew/deform.h
         stiffness  of "xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2
         """
         return run("bake", locals())

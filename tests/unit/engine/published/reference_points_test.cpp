@@ -50,6 +50,7 @@ struct GoalOptions {
   int power = 3;
   double falloff = 0.05, eps = 1e-5;
   bool own_limb = false;
+  bool as_drawn = false;  // one part; points of the source, of a target as tall
 };
 
 // The position of a joint by the equations, in double with the maths library.
@@ -105,8 +106,11 @@ Vec3d expected_position(const MotionScene& source, const MotionScene& target, co
       other += std::abs(dot(along, copied.positions[j] - copied.positions[up]));
     }
     const double factor = !any ? 1 : way < 1e-6 * height(a) ? height(b) / height(a) : other / way;
+    if (goal_options.as_drawn) part = 0;
+    const Vec3d point = goal_options.as_drawn ? source_triangles[i].middle + copied.positions[0] - from.positions[0]
+                                              : target_triangles[i].middle;
     parts[part].all += own;
-    parts[part].sum = parts[part].sum + own * (target_triangles[i].middle + factor * v);
+    parts[part].sum = parts[part].sum + own * (point + factor * v);
     parts[part].near = std::min(parts[part].near, far);
   }
   Vec3d sum = {0, 0, 0};
@@ -183,6 +187,35 @@ TEST(ReferencePoints, ArmsGoWhereTheEquationsSay) {
     for (const uint32_t joint : {kHead, kLeftFoot, kRightCalf, kLeftUpperArm})
       EXPECT_LT(distance(made.positions[joint], copied.positions[joint]), 1e-5) << "all else stays";
   }
+}
+
+// As published: one sum over all triangles, the limb's own too, of the source's points; arms and legs.
+TEST(ReferencePoints, AsDrawnAllTrianglesHaveOneSum) {
+  const MotionScene source = body(20);
+  MotionScene target = body(20);
+  Bodies::widen(&target);
+  const BoxBody a(source, 0.1), b(target, 0.16);
+  PlayedClip clip(source, target);
+  const Pose pose = arms_forward(source, 0.6);
+  clip.add(pose);
+  const WorldPose from = world_pose(source, pose), copied = clip.frame(0);
+  sinew_reference_options settings = SINEW_INIT(sinew_reference_options);
+  settings.as_drawn = 1;
+  settings.falloff = 0.2f;  // says nothing
+  ASSERT_EQ(clip.reference_points(a, b, settings), SINEW_OK);
+  const WorldPose made = clip.frame(0);
+  const GoalOptions drawn = {3, 0, 1e-5, true, true};
+  double moved = 0;
+  for (const uint32_t limb : {kLeftUpperArm, kRightUpperArm, kLeftThigh, kRightThigh}) {
+    const Vec3d top = made.positions[limb];
+    const Vec3d goal = expected_position(source, target, a, b, from, copied, limb + 2, limb, drawn);
+    const double reach =
+        std::min(distance(goal, top), 0.9995 * (distance(made.positions[limb], made.positions[limb + 1]) +
+                                                distance(made.positions[limb + 1], made.positions[limb + 2])));
+    EXPECT_LT(distance(made.positions[limb + 2], top + reach * sinew::unit(goal - top)), 2e-4) << limb;
+    moved = std::max(moved, distance(made.positions[limb + 2], copied.positions[limb + 2]));
+  }
+  EXPECT_GT(moved, 0.001) << "it does something";
 }
 
 TEST(ReferencePoints, LegsGoAlongWhereTheyAreWanted) {
