@@ -10,6 +10,7 @@
 #include "eval_studies.hpp"
 #include "progress.hpp"
 #include "sinew/published.h"
+#include "sinew_character/bind/bind_character.hpp"
 #include "sinew_character/predict/predict_skeleton.hpp"
 #include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/checkpoint.hpp"
