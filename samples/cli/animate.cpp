@@ -11,7 +11,6 @@
 
 #include "animate_report.hpp"
 #include "commands.hpp"
-#include "folder_files.hpp"
 #include "options.hpp"
 #include "pictures.hpp"
 #include "progress.hpp"

@@ -9,11 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "deform_options.hpp"
-#include "picture_options.hpp"
-#include "profile_options.hpp"
+#include "option_groups.hpp"
 #include "sinew_character/jobs/animate_job.hpp"
-#include "sprite_options.hpp"
 
 namespace sinew::cli {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "commands.hpp"
-#include "deform_options.hpp"
+#include "option_groups.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "sinew_character/jobs/bake_job.hpp"

@@ -8,14 +8,13 @@
 #include <string>
 #include <utility>
 
-#include "bind_folder.hpp"
-#include "bind_one.hpp"
+#include "bind_files.hpp"
 #include "commands.hpp"
+#include "option_groups.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "sinew/published.h"
 #include "sinew_formats/file_kinds.hpp"
-#include "style_options.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

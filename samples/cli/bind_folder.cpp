@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A folder of meshes bound file by file.
-#include "bind_folder.hpp"
-
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -11,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "folder_files.hpp"
+#include "bind_files.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "sinew_character/draw/image.hpp"

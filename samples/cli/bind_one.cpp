@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // One file from its mesh to its weights.
-#include "bind_one.hpp"
-
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -10,7 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "bind_questions.hpp"
+#include "bind_files.hpp"
+#include "bind_summary.hpp"
 #include "options.hpp"
 #include "sinew_character/bind/answers.hpp"
 #include "sinew_character/bind/engine_views.hpp"

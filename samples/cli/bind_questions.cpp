@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Questions as text, JSON and pictures, and answers from a terminal.
-#include "bind_questions.hpp"
-
 #include <istream>
 #include <ostream>
 
+#include "bind_summary.hpp"
 #include "sinew_character/bind/answers.hpp"
 #include "sinew_character/draw/image.hpp"
 #include "sinew_formats/error.hpp"

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
-// One function per subcommand: declares its options and says what runs when it is chosen. How help texts look.
+// The subcommands: a function each, which declares its options and says what runs when it is chosen; how a program of them
+// runs, and how help texts look.
 #ifndef SINEW_CLI_COMMANDS_HPP
 #define SINEW_CLI_COMMANDS_HPP
 
+#include <exception>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -11,6 +15,23 @@ class FormatterBase;
 }  // namespace CLI
 
 namespace sinew::cli {
+
+struct Command {
+  const char* name;
+  void (*add)(CLI::App&);  // declares its options and says what runs when it is chosen
+};
+
+struct Program {
+  std::string name, description, footer;
+  std::vector<Command> commands;
+  // The words of the command line as CLI11 is to read them; null: as they are.
+  std::vector<std::string> (*read_words)(const CLI::App&, std::vector<std::string>) = nullptr;
+  // True where another process of the same run reports this failure; null: none does.
+  bool (*is_reported_elsewhere)(const std::vector<std::string>& words, const std::exception&) = nullptr;
+};
+
+// Exit status: 0 done, 1 the job failed, 2 wrong usage, 3 done, but --gate found it wanting.
+int run_program(const Program& program, int argc, char** argv);
 
 void add_bind(CLI::App& app);
 void add_eval(CLI::App& app);
@@ -33,6 +54,14 @@ void add_serve(CLI::App& app);
 // --help: one screen. The first sentence of every option that stands under no heading of its own (section()), and of the
 // footer what comes before its first empty line. --help-all: everything, of a command with subcommands theirs too.
 std::shared_ptr<CLI::FormatterBase> help_text();
+
+void add_dataset_check(CLI::App* parent);
+void add_dataset_stats(CLI::App* parent);
+void add_dataset_dedup(CLI::App* parent);
+void add_dataset_split(CLI::App* parent);
+void add_dataset_target(CLI::App* parent);
+void add_dataset_convert(CLI::App* parent);
+void add_dataset_decimate(CLI::App* parent);
 
 }  // namespace sinew::cli
 #endif

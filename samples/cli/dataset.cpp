@@ -9,7 +9,6 @@
 #include <string>
 
 #include "commands.hpp"
-#include "dataset.hpp"
 #include "options.hpp"
 #include "sinew_data_sets/synthesize.hpp"
 #include "sinew_formats/file_kinds.hpp"

@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-#include "dataset.hpp"
+#include "commands.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "sinew_character/draw/image.hpp"

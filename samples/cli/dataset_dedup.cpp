@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "dataset.hpp"
+#include "commands.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "sinew_data_sets/dedup.hpp"

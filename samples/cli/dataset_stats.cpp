@@ -7,7 +7,7 @@
 #include <string>
 #include <thread>
 
-#include "dataset.hpp"
+#include "commands.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "sinew_character/draw/image.hpp"

@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "commands.hpp"
-#include "eval_rig.hpp"
 #include "eval_studies.hpp"
 #include "eval_weights.hpp"
 #include "options.hpp"

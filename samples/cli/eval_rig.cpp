@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Reads characters and predicted skeletons, measures them side by side, prints and writes the figures.
-#include "eval_rig.hpp"
-
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -9,10 +7,10 @@
 #include <mutex>
 #include <optional>
 
+#include "eval_studies.hpp"
 #include "progress.hpp"
-#include "rig_skeleton.hpp"
-#include "rig_slots.hpp"
 #include "sinew/published.h"
+#include "sinew_character/bind/bind_character.hpp"
 #include "sinew_character/predict/predict_skeleton.hpp"
 #include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/checkpoint.hpp"

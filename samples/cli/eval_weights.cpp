@@ -10,7 +10,6 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
-#include "dataset.hpp"
 #include "progress.hpp"
 #include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/io.hpp"

@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "option_groups.hpp"
 #include "sinew_trainer/confidence.hpp"
 #include "sinew_trainer/engine_network.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/report.hpp"
 #include "sinew_trainer/sample.hpp"
-#include "style_options.hpp"
 
 namespace sinew::cli {
 

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "option_groups.hpp"
 #include "options.hpp"
-#include "profile_options.hpp"
 #include "sinew_character/jobs/lod_job.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"

@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "commands.hpp"
-#include "program.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

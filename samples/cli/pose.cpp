@@ -10,7 +10,7 @@
 #include <string>
 
 #include "commands.hpp"
-#include "deform_options.hpp"
+#include "option_groups.hpp"
 #include "options.hpp"
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/jobs/pose_job.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "program.hpp"
-
+// Reads the command line, runs one of the subcommands, turns every failure into one line and an exit status.
 #include <CLI/CLI.hpp>
 #ifdef __GLIBC__
 #include <malloc.h>

@@ -15,13 +15,10 @@
 
 #include "bind_summary.hpp"
 #include "commands.hpp"
-#include "folder_files.hpp"
+#include "option_groups.hpp"
 #include "options.hpp"
-#include "picture_options.hpp"
-#include "profile_options.hpp"
 #include "progress.hpp"
-#include "rig_skeleton.hpp"
-#include "rig_slots.hpp"
+#include "rig_options.hpp"
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/jobs/rig_job.hpp"
 #include "sinew_character/pose/character_transform.hpp"
@@ -29,7 +26,6 @@
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
-#include "style_options.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

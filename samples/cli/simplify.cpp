@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "commands.hpp"
+#include "option_groups.hpp"
 #include "options.hpp"
-#include "profile_options.hpp"
 #include "sinew_character/jobs/simplify_job.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/gltf_summary.hpp"

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "program.hpp"
 #include "sinew_trainer/ranks.hpp"
 #include "support.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the subcommands share: usage errors, outputs that are checked before work starts, models, lists of names,
+// What the subcommands share: usage errors, files of folders, outputs that are checked before work starts, models, lists of names,
 // signals.
 #ifndef SINEW_CLI_SUPPORT_HPP
 #define SINEW_CLI_SUPPORT_HPP
@@ -83,6 +83,17 @@ std::string with_version(const std::string& command, const std::string& kind, co
                          const std::string& text);
 // One line, without a byte of a broken file that a terminal would obey.
 std::string printable(std::string text);
+
+struct FolderFile {
+  std::string name;  // below the folder
+  std::string mesh, output;
+};
+
+// output_folder/RELATIVE/NAME + extension for every folder/RELATIVE/NAME.*, by name. Throws UsageError where the outputs
+// would be the next run's inputs, and Error where there is no mesh or outputs would replace inputs or each other.
+//   or_pictures  a folder without a mesh gives its pictures: beside meshes they are textures
+std::vector<FolderFile> folder_files(const std::string& folder, const std::string& output_folder,
+                                     const std::string& extension, bool or_pictures = false);
 
 }  // namespace sinew::cli
 #endif

@@ -12,9 +12,8 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "folder_files.hpp"
+#include "option_groups.hpp"
 #include "options.hpp"
-#include "profile_options.hpp"
 #include "sinew/published.h"
 #include "sinew_character/check/check.hpp"
 #include "sinew_character/draw/image.hpp"

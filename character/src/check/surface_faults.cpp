@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/segment_triangle.hpp"
+#include "core/triangle.hpp"
 #include "sinew_formats/base/box.hpp"
 
 namespace sinew {

@@ -3,7 +3,7 @@
 #include "sinew/model.h"
 
 #include "api/arguments.hpp"
-#include "bind/plan.hpp"
+#include "bind/bind.hpp"
 #include "model/reader.hpp"
 #include "network/packed_layers.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The caller's sinew_skeleton, of any version, and which axis of it is up.
+// The caller's sinew_skeleton, of any version, which axis of it is up, and whether names of its joints are equal.
 #ifndef SINEW_CORE_READ_SKELETON_HPP
 #define SINEW_CORE_READ_SKELETON_HPP
 
@@ -34,6 +34,15 @@ inline sinew_status read_up_axis(uint32_t up, uint32_t* up_axis) {
   if (up != SINEW_UP_AUTO && up != SINEW_UP_Y && up != SINEW_UP_Z) return SINEW_ERROR_ARGUMENT;
   *up_axis = up == SINEW_UP_Z ? 1 : 0;
   return SINEW_OK;
+}
+
+// Equal strings; the engine calls memory routines alone.
+inline bool same_text(const char* a, const char* b) {
+  while (*a != 0 && *a == *b) {
+    ++a;
+    ++b;
+  }
+  return *a == *b;
 }
 
 }  // namespace sinew

@@ -2,7 +2,7 @@
 // Patches of triangles in a cell, copies by weights, inner cells in layers, and the union of corners.
 #include "deform/copies.hpp"
 
-#include "core/triangle_point.hpp"
+#include "core/triangle.hpp"
 #include "core/union_find.hpp"
 #include "core/vector_math.hpp"
 #include "voxels/triangle_cells.hpp"

@@ -3,7 +3,7 @@
 #include "deform/lattice.hpp"
 
 #include "core/sort.hpp"
-#include "core/triangle_point.hpp"
+#include "core/triangle.hpp"
 #include "core/vector_math.hpp"
 #include "deform/copies.hpp"
 #include "mesh/topology.hpp"

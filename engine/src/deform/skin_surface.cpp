@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "core/triangle_point.hpp"
+#include "core/triangle.hpp"
 
 namespace sinew::deform {
 namespace {

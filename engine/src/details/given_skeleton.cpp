@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "core/same_text.hpp"
+#include "core/read_skeleton.hpp"
 #include "core/vector_math.hpp"
 
 namespace sinew::rigging {

@@ -2,7 +2,7 @@
 // Joint by joint, by its whole name, or by its position.
 #include "mapping/same_rig.hpp"
 
-#include "core/same_text.hpp"
+#include "core/read_skeleton.hpp"
 
 namespace sinew::mapping {
 namespace {

@@ -9,7 +9,7 @@
 namespace sinew {
 
 // Numbers of tasks in model files; never reused. From kFirstPrivateTask on they are nobody's, for experiments and tests.
-constexpr uint32_t kTaskBind = 0;  // skin weights: bind/plan.hpp
+constexpr uint32_t kTaskBind = 0;  // skin weights: bind/bind.hpp
 constexpr uint32_t kTaskRig = 1;   // a skeleton for a bare mesh: votes/rig_task.hpp
 constexpr uint32_t kFirstPrivateTask = 0x80000000u;
 

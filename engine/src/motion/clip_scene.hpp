@@ -1,14 +1,27 @@
 // SPDX-License-Identifier: MIT
-// A clip that was copied from one rig to another, with the body that it moves: what every pass over whole clips shares.
+// A clip that was copied from one rig to another, with the body that it moves and an uneven floor: what every pass over
+// whole clips shares.
 #ifndef SINEW_MOTION_CLIP_SCENE_HPP
 #define SINEW_MOTION_CLIP_SCENE_HPP
 
 #include "core/counts.hpp"
-#include "motion/floor_grid.hpp"
+#include "core/vec3d.hpp"
 #include "motion/limbs.hpp"
 #include "motion/posed_body.hpp"
+#include "sinew/motion.h"
 
 namespace sinew::motion {
+
+struct FloorGrid {
+  const float* heights = nullptr;  // [rows x columns]; null: level
+  uint32_t columns = 0, rows = 0;
+  double first[2] = {}, step = 1;  // along the two axes that are not up
+
+  // SINEW_OK, SINEW_ERROR_ARGUMENT, SINEW_ERROR_COUNT or SINEW_ERROR_NOT_FINITE. floor null: level.
+  sinew_status take(const sinew_floor* floor);
+  // Over the level floor, under a point.
+  double height(Vec3d up, Vec3d p) const;
+};
 
 // What a vertex of the target belongs to.
 enum class BodyPart : uint8_t { kOther, kUpperArm, kForearm, kHand, kLeg, kFoot };

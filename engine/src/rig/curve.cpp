@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Bands of the ways through a body, their regions as a tree, joints along its branches.
-#include "rig/curve.hpp"
-
 #include "core/sort.hpp"
 #include "core/union_find.hpp"
 #include "core/vector_math.hpp"
+#include "rig/folded_tree.hpp"
 
 namespace sinew::rigging {
 namespace {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Folded joints to a tree: who is whose parent by the votes of the points between them, and where bones end.
+// Folded joints to a tree: who is whose parent by the votes of the points between them, and where bones end. Without votes,
+// the skeleton that a mesh's shape has by itself: its middle line, for meshes that no model knows.
 #ifndef SINEW_RIG_FOLDED_TREE_HPP
 #define SINEW_RIG_FOLDED_TREE_HPP
 
 #include "rig/clusters.hpp"
 #include "votes/body_kind.hpp"
+#include "votes/interior.hpp"
 
 namespace sinew::rigging {
 
@@ -45,6 +47,16 @@ struct FoldedTree {
 // Returns SINEW_OK or SINEW_ERROR_WORKSPACE.
 sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t count, BodyKind kind, Arena& arena,
                        FoldedTree* tree);
+
+// The solid cells fall into bands by their way from the body's middle, and bands into regions that hang together (level
+// sets of the distance: Verroust and Lazarus 2000). A region hangs on the one through which it is reached. Branches that are short
+// go; joints stand where branches begin, meet and bend, and where a bone would be too long; leaves become bone ends.
+// All joints are of class other, and no vote speaks for them: their confidence is 0.
+//   folded  the mesh is its own mirror image: only what lies at x >= 0 is looked at, what touches the plane lies on it
+//   tree    out   at least one node, the root
+//   arena         scratch, all of it released
+// Returns SINEW_OK or SINEW_ERROR_WORKSPACE.
+sinew_status grow_curve(const Interior& interior, bool folded, Arena& arena, FoldedTree* tree);
 
 }  // namespace sinew::rigging
 #endif

@@ -10,7 +10,7 @@
 #include "grid/caller_units.hpp"
 #include "kernels/select.hpp"
 #include "model/task.hpp"
-#include "rig/curve.hpp"
+#include "rig/folded_tree.hpp"
 #include "rig/rig_joint.hpp"
 #include "rig/tree.hpp"
 #include "sinew/published.h"

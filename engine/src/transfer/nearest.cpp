@@ -2,7 +2,7 @@
 // Builds the tree along the Morton order of the triangles' middles and walks it from near boxes to far ones.
 #include "transfer/nearest.hpp"
 
-#include "core/triangle_point.hpp"
+#include "core/triangle.hpp"
 
 namespace sinew::transferring {
 bool SurfaceTree::allocate(Arena& arena, const Counts& counts) {

@@ -3,7 +3,7 @@
 #ifndef SINEW_TRANSFER_PLAN_HPP
 #define SINEW_TRANSFER_PLAN_HPP
 
-#include "bind/plan.hpp"
+#include "bind/bind.hpp"
 #include "sinew/transfer.h"
 
 namespace sinew::transferring {

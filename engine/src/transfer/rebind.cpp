@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "bind/bind.hpp"
-#include "weights/given.hpp"
+#include "weights/users_say.hpp"
 
 namespace sinew::transferring {
 

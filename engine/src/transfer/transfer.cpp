@@ -7,7 +7,7 @@
 #include "transfer/published.hpp"
 #include "transfer/rebind.hpp"
 #include "transfer/report.hpp"
-#include "weights/given.hpp"
+#include "weights/users_say.hpp"
 
 namespace sinew::transferring {
 namespace {

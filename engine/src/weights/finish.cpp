@@ -5,10 +5,8 @@
 #include <string.h>
 
 #include "weights/confidence.hpp"
-#include "weights/given.hpp"
-#include "weights/hints.hpp"
 #include "weights/influences.hpp"
-#include "weights/style.hpp"
+#include "weights/users_say.hpp"
 
 namespace sinew {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Decodes the caller's rows and takes their mean on welded vertices (stage 9).
-#include "weights/given.hpp"
-
 #include <string.h>
+
+#include "weights/users_say.hpp"
 
 namespace sinew {
 namespace {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Spreads the differences at hinted vertices by sparse systems (solve/), eight joints at a time.
-#include "weights/hints.hpp"
-
 #include <string.h>
 
 #include "solve/factor.hpp"
 #include "solve/iterative.hpp"
 #include "solve/laplacian.hpp"
+#include "weights/users_say.hpp"
 
 namespace sinew {
 namespace {

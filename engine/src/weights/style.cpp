@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Rigid or soft parts and the softness of blending, on rows before hints and symmetry.
-#include "weights/style.hpp"
-
 #include <string.h>
 
 #include "core/fixed.hpp"
+#include "weights/users_say.hpp"
 
 namespace sinew {
 namespace {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The size query is a function of the plan: it calls nobody back and does not ask the processor.
-#include "bind/plan.hpp"
-
 #include <gtest/gtest.h>
 
 #include "bind/bind.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A segment through a triangle, beside it and short of it.
-#include "core/segment_triangle.hpp"
-
 #include <gtest/gtest.h>
+
+#include "core/triangle.hpp"
 
 namespace sinew {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The nearest point of a triangle: nothing else of it is nearer, in all seven regions and for flat triangles.
-#include "core/triangle_point.hpp"
-
 #include <gtest/gtest.h>
 
 #include <random>
+
+#include "core/triangle.hpp"
 
 namespace sinew {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Heights of an uneven floor between the points of its grid, and beyond them.
-#include "motion/floor_grid.hpp"
-
 #include <gtest/gtest.h>
+
+#include "motion/clip_scene.hpp"
 
 namespace {
 

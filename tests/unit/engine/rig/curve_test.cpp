@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The middle line of shapes whose line is known: a rod, a cross, a figure of two arms.
-#include "rig/curve.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "mesh_scene.hpp"
+#include "rig/folded_tree.hpp"
 
 namespace sinew::rigging {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/segment_triangle.hpp"
+#include "core/triangle.hpp"
 #include "transfer_scene.hpp"
 
 namespace {

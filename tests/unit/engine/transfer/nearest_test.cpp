@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "arena_block.hpp"
-#include "core/triangle_point.hpp"
+#include "core/triangle.hpp"
 #include "mesh_scene.hpp"
 
 namespace sinew::transferring {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The caller's rows in every format, and what becomes of them where vertices are welded.
-#include "weights/given.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "hand_rows.hpp"
+#include "weights/users_say.hpp"
 
 namespace sinew {
 namespace {

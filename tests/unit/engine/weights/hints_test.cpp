@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What hints change and what they leave alone, on a capsule and a sleeve around it.
-#include "weights/hints.hpp"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
 #include "hand_rows.hpp"
 #include "heat_scene.hpp"
+#include "weights/users_say.hpp"
 
 namespace sinew {
 namespace {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Rigid and soft parts and softened logits on rows made by hand.
-#include "weights/style.hpp"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
 #include "kernels/softmax.hpp"
+#include "weights/users_say.hpp"
 
 namespace sinew {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The point of a triangle that is nearest to a position, in doubles of one order of operations.
-#ifndef SINEW_CORE_TRIANGLE_POINT_HPP
-#define SINEW_CORE_TRIANGLE_POINT_HPP
+// Triangles, in doubles of one order of operations: the point that is nearest to a position, and what goes through.
+#ifndef SINEW_CORE_TRIANGLE_HPP
+#define SINEW_CORE_TRIANGLE_HPP
 
 #include "core/vec3d.hpp"
 
@@ -32,6 +32,16 @@ inline void nearest_on_triangle(Vec3d p, Vec3d a, Vec3d b, Vec3d c, double* shar
   const double sum = va + vb + vc;
   if (!(sum > 0 || sum < 0)) return set(1, 0, 0);
   set(1 - vb / sum - vc / sum, vb / sum, vc / sum);
+}
+
+// Whether the segment goes through the triangle (a, b, c). One that lies in its plane does not; one that begins in it may.
+inline bool goes_through(Vec3d from, Vec3d to, Vec3d a, Vec3d b, Vec3d c) {
+  const Vec3d normal = cross(b - a, c - a);
+  const double start = dot(normal, from - a), end = dot(normal, to - a);
+  if ((start < 0) == (end < 0)) return false;
+  const Vec3d at = from + (start / (start - end)) * (to - from);
+  return dot(cross(b - a, at - a), normal) >= 0 && dot(cross(c - b, at - b), normal) >= 0 &&
+         dot(cross(a - c, at - c), normal) >= 0;
 }
 
 }  // namespace sinew

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-// One file bound, apart from the command line: read, bind, write, told in numbers.
-#ifndef SINEW_CLI_BIND_ONE_HPP
-#define SINEW_CLI_BIND_ONE_HPP
+// Files bound, apart from the command line: one read, bound, written and told in numbers; or every mesh of a folder.
+#ifndef SINEW_CLI_BIND_FILES_HPP
+#define SINEW_CLI_BIND_FILES_HPP
 
 #include <string>
 #include <vector>
 
 #include "bind_summary.hpp"
-#include "profile_options.hpp"
+#include "option_groups.hpp"
 #include "sinew_character/jobs/bind_job.hpp"
 #include "sinew_character/pose/character_transform.hpp"
 #include "sinew_formats/character.hpp"
-#include "style_options.hpp"
 
 namespace sinew::cli {
 
@@ -49,6 +48,21 @@ struct BoundFile {
 // Reads, binds, writes `settings.output` and the pictures. Throws Error; nothing is written then. With `progress` one
 // line on stderr counts to 100 %. Calls at the same time are allowed when their outputs differ.
 BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool progress);
+
+struct FolderSettings {
+  BindSettings
+      each;  // of every file; mesh and output are the file's own, an OBJ without a skeleton takes the rig beside
+  std::string folder, output_folder;
+  std::string extension = ".glb";  // of what is written
+  std::string report;              // page; empty: none
+  unsigned jobs = 1;               // files at the same time
+  bool json = false;               // JSON Lines instead of text
+};
+
+// Writes output_folder/RELATIVE/NAME.glb for folder/RELATIVE/NAME.*, and tells of every file in the order of their
+// names. A file that fails is told on stderr and does not stop the others; then throws Error at the end. Throws Error
+// before any work when outputs would replace inputs or each other.
+void bind_folder(const FolderSettings& settings, const Binder& binder);
 
 }  // namespace sinew::cli
 #endif

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
-// What sinew rig lets a user say about the skeleton: edits, and one of their own.
-#ifndef SINEW_CLI_RIG_SKELETON_HPP
-#define SINEW_CLI_RIG_SKELETON_HPP
+// What sinew rig lets a user say about the method and the skeleton: its edits, and one of their own.
+#ifndef SINEW_CLI_RIG_OPTIONS_HPP
+#define SINEW_CLI_RIG_OPTIONS_HPP
 
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "sinew_character/jobs/rig_job.hpp"
 #include "sinew_character/predict/edit_skeleton.hpp"
 #include "sinew_character/predict/own_skeleton.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace CLI {
 class App;
@@ -16,6 +21,18 @@ class Option;
 }  // namespace CLI
 
 namespace sinew::cli {
+
+// --method and --class of sinew rig.
+struct MethodOptions {
+  RigMethod method = RigMethod::kAuto;
+  uint32_t category = SINEW_CATEGORY_ANY;
+  bool slots() const { return method == RigMethod::kSlots; }
+  // From the mesh alone, without a model.
+  bool extracts() const { return method == RigMethod::kShape || method == RigMethod::kRegions; }
+};
+void add_method_options(CLI::App* sub, MethodOptions* options);
+// Throws UsageError for options that the method does not take. Called before any work.
+void check_method(const CLI::App& sub, const MethodOptions& options);
 
 // --move, --add, --remove, --parent, --rename: each any number of times.
 class EditOptions {
