@@ -82,6 +82,7 @@ AnimateOptions animate_options(const AnimateSettings& s) {
   options.reference.head = s.head ? 1 : 0;
   options.reference.torso = s.torso ? 1 : 0;
   options.reference.source_points = s.source_points ? 1 : 0;
+  options.reference.as_drawn = s.deform.as_drawn ? 1 : 0;
   return options;
 }
 
@@ -165,7 +166,9 @@ void check_settings(const AnimateSettings& s, bool of_folder) {
 // Reads, moves and writes one character.
 Animated animate_one(const AnimateSettings& s, const std::atomic<bool>& stop) {
   const bool as_bvh = has_extension(s.output, ".bvh");
-  const std::optional<sinew_deform_options> deform = deform_options(s.deform);
+  DeformSettings corrections = s.deform;
+  corrections.as_drawn = corrections.as_drawn && corrections.method == "xpbd";  // or the motion's alone
+  const std::optional<sinew_deform_options> deform = deform_options(corrections);
   Animated animated = read_animated(s);
   add_motions(s, stop, &animated);
   if (as_bvh && animated.motion.clips.size() != 1)
@@ -341,6 +344,10 @@ void add_corrections(CLI::App* sub, AnimateSettings* s) {
                      &s->deform);
   shared_option(sub, "--shapes", s->shapes, "A clip")->check(CLI::Range(1u, 256u))->capture_default_str();
   add_solver_options(sub, &s->deform);
+  add_drawn_correction(
+      sub, &s->deform,
+      "; with --method reference-points: one sum over all triangles of the source's body, the limb's own "
+      "too, for legs, head and torso as well, and nothing is pushed out");
 }
 
 }  // namespace
@@ -372,6 +379,11 @@ void add_animate(CLI::App& app) {
     for (const CLI::Option* option : of_reference)
       if (option->count() > 0 && s->method != AnimateMethod::kReferencePoints)
         throw UsageError(option->get_name() + " goes with --method reference-points");
+    for (const CLI::Option* option : of_reference)
+      if (option->count() > 0 && s->deform.as_drawn)
+        throw UsageError("--as-drawn says how reference points count: leave " + option->get_name() + " out");
+    if (s->deform.as_drawn && s->method != AnimateMethod::kReferencePoints && s->deform.method != "xpbd")
+      throw UsageError("--as-drawn goes with --method reference-points or --deform xpbd");
     run_animate(*s);
   });
 }

@@ -116,6 +116,7 @@ void add_bake(CLI::App& app) {
   sub->get_option("--deform")->default_str("volume");
   shared_flag(sub, "--json", s->json);
   add_solver_options(sub, &s->deform);
+  add_drawn_correction(sub, &s->deform);
   sub->footer(
       "Examples:\n  sinew bake hero.glb -o hero.baked.glb\n"
       "  sinew bake walking.glb --animation walk --shapes 4 -o walking.baked.glb");

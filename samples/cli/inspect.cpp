@@ -30,7 +30,9 @@ struct InspectCommandSettings {
 };
 
 std::string feature_set_text(uint32_t set) {
-  return std::to_string(set & ~kFeatureFlags) + ((set & kSpectralFlag) != 0 ? " with spectral signatures" : "");
+  return std::to_string(set & ~kFeatureFlags) +
+         ((set & kAttributesFlag) != 0 ? ", the published attributes alone" : "") +
+         ((set & kSpectralFlag) != 0 ? ", with spectral signatures" : "");
 }
 
 std::string grid_text(uint32_t cells) {
@@ -95,11 +97,13 @@ void inspect_checkpoint(const InspectCommandSettings& s) {
 }
 
 void inspect_model(const InspectCommandSettings& s) {
-  const std::unique_ptr<LoadedModel> loaded = load_model(s.path);
+  const std::unique_ptr<LoadedModel> loaded =
+      load_model(s.path, s.path == "bundled" ? ModelUse::kBind : ModelUse::kAny);
   const sinew_model& model = loaded->model;
   if (s.json) {
     return print_json({{"file", s.path},
                        {"kind", "model"},
+                       {"task", model_task(model)},
                        {"format", model.format_version},
                        {"bytes", model.size_bytes},
                        {"parameters", model.parameter_count},
@@ -112,10 +116,12 @@ void inspect_model(const InspectCommandSettings& s) {
   }
   std::printf("%s: int16 model, all checks passed\n", s.path == "bundled" ? "bundled model" : s.path.c_str());
   std::printf(
-      "format        %u\nbytes         %zu\nparameters    %u\nlayers        %u\ncandidates    %u\ngrid          %s\n"
+      "task          %s\nformat        %u\nbytes         %zu\nparameters    %u\nlayers        %u\ncandidates    "
+      "%u\ngrid          %s\n"
       "feature set   %s\nchecksum      %08x\n",
-      model.format_version, model.size_bytes, model.parameter_count, model.layer_count, model.candidate_count,
-      grid_text(model.grid_size).c_str(), feature_set_text(model.feature_set).c_str(), model.checksum);
+      model_task(model).c_str(), model.format_version, model.size_bytes, model.parameter_count, model.layer_count,
+      model.candidate_count, grid_text(model.grid_size).c_str(), feature_set_text(model.feature_set).c_str(),
+      model.checksum);
 }
 
 bool is_gltf(const std::string& path) {

@@ -64,8 +64,12 @@ std::optional<sinew_deform_options> deform_options(const DeformSettings& setting
   const bool xpbd = options.method == SINEW_DEFORM_XPBD;
   if (settings.body_contact && settings.method != "volume" && !xpbd)
     throw UsageError("--body-contact needs --deform volume or xpbd");
-  if (!xpbd && (settings.no_smoothing || settings.stiffness != 0 || settings.tet_weights != SINEW_TET_WEIGHTS_SKIN))
-    throw UsageError("--no-smoothing, --stiffness and --tet-weights need --deform xpbd");
+  if (!xpbd && (settings.no_smoothing || settings.stiffness != 0 || settings.tet_weights != SINEW_TET_WEIGHTS_SKIN ||
+                settings.as_drawn))
+    throw UsageError("--no-smoothing, --stiffness, --tet-weights and --as-drawn need --deform xpbd");
+  options.as_drawn = settings.as_drawn ? 1 : 0;
+  if (options.as_drawn != 0 && (settings.body_contact || settings.tet_weights != SINEW_TET_WEIGHTS_SKIN))
+    throw UsageError("--as-drawn has contact and weights of its own: leave --body-contact and --tet-weights out");
   if (settings.no_smoothing) options.without = SINEW_WITHOUT_SMOOTHING;
   options.energy = static_cast<uint32_t>(std::lround(1000 * settings.stiffness));
   options.tet_weights = settings.tet_weights;
@@ -97,6 +101,14 @@ void add_solver_options(CLI::App* sub, DeformSettings* settings) {
       ->default_str("0.2");
   shared_word_option(sub, "--tet-weights", settings->tet_weights, kTetWeights, "");
   shared_flag(sub, "--no-smoothing", settings->no_smoothing);
+}
+
+void add_drawn_correction(CLI::App* sub, DeformSettings* settings, const std::string& more) {
+  shared_flag(
+      sub, "--as-drawn", settings->as_drawn,
+      "With --deform xpbd: a Laplacian smooths bends and none is inflated to its volume, tetrahedra have weights by "
+      "distance, all contact is the solver's" +
+          more);
 }
 
 void add_picture_options(CLI::App* sub, PictureOptions* options) {

@@ -38,7 +38,7 @@ struct DeformSettings {
   bool body_contact = false;
   double stiffness = 0;  // 0: the method's own
   uint32_t tet_weights = SINEW_TET_WEIGHTS_SKIN;
-  bool no_smoothing = false;
+  bool no_smoothing = false, as_drawn = false;
 };
 
 // The engine's options for volume, xpbd and delta-mush; nullopt for plain skinning. UsageError for the others without one
@@ -50,6 +50,8 @@ void add_deform_options(CLI::App* sub, const std::vector<std::string>& methods, 
                         DeformSettings* settings);
 // Adds --cells, --rounds, --body-contact and those of xpbd alone under a heading of their own.
 void add_solver_options(CLI::App* sub, DeformSettings* settings);
+// Adds --as-drawn; `more` is what else it asks of the command.
+void add_drawn_correction(CLI::App* sub, DeformSettings* settings, const std::string& more = "");
 
 constexpr const char* kClassMeaning =
     "What kind of body it is, where it is taken for another: which limbs are arms, legs, wings";

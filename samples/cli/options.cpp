@@ -26,6 +26,7 @@ namespace {
 constexpr OptionWord kWords[] = {
     {"--actor", "NAME|N", "Of a file of several people: the root's name or number"},
     {"--animation", "NAME", "One of the file's own animations, by name or number"},
+    {"--as-drawn", "", "The method as published, without what is ours"},
     {"--body-contact", "", "Keep arms and thighs out of the body, for volume and xpbd"},
     {"--cache", "DIR", "Folder for computed features"},
     {"--calibrate", "DIR", "Characters that the ranges of integers are measured on"},

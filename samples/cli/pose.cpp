@@ -172,6 +172,7 @@ void add_pose(CLI::App& app) {
       ->check(CLI::IsMember({"y", "z"}))
       ->capture_default_str();
   add_solver_options(sub, &s->deform);
+  add_drawn_correction(sub, &s->deform);
   sub->footer(
       "Examples:\n  sinew pose hero.glb --random 7 -o pose.png\n"
       "  sinew pose hero.obj --joint upper_arm.L=0,0,-60 --joint head=0,30,0 -o pose.obj\n"

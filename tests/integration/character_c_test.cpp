@@ -401,7 +401,16 @@ TEST_F(CharacterC, PublishedMethodsAsTheCommand) {
        " --deform xpbd --cells 16 --stiffness 0.003 --tet-weights distance --no-smoothing -o command.obj");
   sinew_character* posed = nullptr;
   good_call(sinew_character_pose(caped.get(), &pose, &posed), caped);
-  EXPECT_TRUE(written(Handle(posed), "ours.obj") == slurp(in("command.obj")));
+  const std::string ours = written(Handle(posed), "ours.obj");
+  EXPECT_TRUE(ours == slurp(in("command.obj")));
+  good("pose " + kCaped + joints + " --deform xpbd --cells 16 --as-drawn -o drawn.obj");
+  deform.stiffness = 0;
+  deform.tet_weights = 0;
+  deform.without = 0;
+  deform.deform_as_drawn = 1;
+  good_call(sinew_character_pose(caped.get(), &pose, &posed), caped);
+  EXPECT_TRUE(written(Handle(posed), "ours.obj") == slurp(in("drawn.obj")));
+  EXPECT_NE(slurp(in("drawn.obj")), ours);
 }
 
 // What only one method takes is refused by the others, in place of being left out.
@@ -433,7 +442,8 @@ TEST_F(CharacterC, RefusesWhatAnotherMethodTakes) {
   deform.method = SINEW_POSE_VOLUME;
   deform.stiffness = 0.2;
   pose.deform = &deform;
-  refused(sinew_character_pose(caped.get(), &pose, &posed), "stiffness, tet_weights and SINEW_WITHOUT_SMOOTHING: ");
+  refused(sinew_character_pose(caped.get(), &pose, &posed),
+          "stiffness, tet_weights, deform_as_drawn and SINEW_WITHOUT_SMOOTHING: ");
   deform.without = SINEW_WITHOUT_TOES;
   refused(sinew_character_pose(caped.get(), &pose, &posed), "without: ");
   deform = SINEW_INIT(sinew_character_deformation);

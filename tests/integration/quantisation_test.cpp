@@ -11,15 +11,19 @@
 #include <vector>
 
 #include "features/features.hpp"
+#include "network/networks.hpp"
 #include "open_bundled_model.hpp"
 #include "sinew_character/bind/bind.hpp"
 #include "sinew_character/models/models.hpp"
 #include "sinew_data_sets/synthesize.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_quant/model_writer.hpp"
 #include "sinew_quant/quantize.hpp"
 #include "sinew_trainer/engine_network.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/network.hpp"
+#include "sinew_trainer/rig_difference.hpp"
+#include "temp_folder.hpp"
 
 namespace sinew {
 namespace {
@@ -174,6 +178,61 @@ TEST(Quantisation, SignalToNoiseOfTrainedClassicWeights) {
     }
     EXPECT_LT(noise.decibels(), last) << "fewer bits must show";
     last = noise.decibels();
+  }
+}
+
+QuantizeOptions of_bits(int bits) {
+  QuantizeOptions options;
+  options.weight_bits = bits;
+  options.activation_bits = std::min(bits, 14);
+  return options;
+}
+
+// One synthetic character of each plan, as files.
+struct CalibrationFolder : TempFolder {
+  CalibrationFolder() {
+    for (const BodyPlan plan : kBodyPlans) {
+      SynthesizeOptions options;
+      options.plan = plan;
+      options.seed = 501;
+      options.resolution = 28;
+      const Character character = synthesize(options);
+      write_obj(file(character.name + ".obj"), character);
+      write_rig(file(character.name + ".rig.txt"), character);
+    }
+  }
+  std::string path() const { return file(""); }
+};
+
+// The shipped networks of skeletons, likewise: how far votes and joints move beside float, shares of the longest side.
+TEST(Quantisation, SkeletonsAtFewerBits) {
+  const CalibrationFolder folder;
+  FloatNetwork votes = make_rig_network({64, 4, false}, 1);
+  read_model_weights(kData + "/sinew_rig.sinew", &votes);
+  const FloatNetwork slots = read_checkpoint(kData + "/sinew_slots.ckpt").network;
+  const Calibration ranges = calibrate_rig(votes, folder.path(), 0);
+  const SlotNetworks parts = calibrate_slots(slots, folder.path(), 0);
+  double last_votes = 0, last_slots = 0;
+  std::printf("| bits | votes | same class | slots | same slots |\n|---|---|---|---|---|\n");
+  for (const int bits : {16, 12, 8}) {
+    const auto rig = model_from_bytes(quantize(votes, ranges, of_bits(bits)).bytes, "votes", ModelUse::kRig);
+    const auto joints =
+        model_from_bytes(with_second_network(quantize(parts.joints, parts.joint_ranges, of_bits(bits)).bytes,
+                                             quantize(parts.connections, parts.connection_ranges, of_bits(bits)).bytes),
+                         "slots", ModelUse::kSlotJoints);
+    const VoteDifference v = compare_votes(votes, rig->model, kData, 0);
+    const SlotDifference s = compare_slots(slots, joints->model, kData, 0);
+    std::printf("| %d | %.5f | %.4f | %.5f | %.4f |\n", bits, v.mean, v.same_class, s.mean, s.same_presence);
+    if (bits == 16) {
+      EXPECT_LT(v.mean, 1e-3);
+      EXPECT_GT(v.same_class, 0.995);
+      EXPECT_LT(s.mean, 1e-3);
+      EXPECT_GT(s.same_presence, 0.99);
+    }
+    EXPECT_GT(v.mean, last_votes) << "fewer bits must show";
+    EXPECT_GT(s.mean, last_slots) << "fewer bits must show";
+    last_votes = v.mean;
+    last_slots = s.mean;
   }
 }
 

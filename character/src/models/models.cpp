@@ -17,8 +17,12 @@ using namespace rigging;
 namespace {
 
 sinew_status open_for(ModelUse use, const void* bytes, size_t size, sinew_model* model) {
-  if (use == ModelUse::kBind) return sinew_model_open(bytes, size, model);
-  const sinew_status status = sinew_rig_model_open(bytes, size, model);
+  const bool any = use == ModelUse::kAny;
+  sinew_status status = SINEW_ERROR_MODEL_TASK;
+  if (any || use == ModelUse::kBind) status = sinew_model_open(bytes, size, model);
+  if (use == ModelUse::kBind || (any && status != SINEW_ERROR_MODEL_TASK)) return status;
+  status = sinew_rig_model_open(bytes, size, model);
+  if (any) return status;
   // Bodies, hands and slots have models of their own.
   const uint32_t wanted = use == ModelUse::kHands        ? kHandsFeatureSet
                           : use == ModelUse::kSlotJoints ? kSlotsFeatureSet
@@ -54,6 +58,14 @@ namespace {
 bool is_bundled(const std::string& path) { return path.empty() || path == "bundled"; }
 
 }  // namespace
+
+std::string model_task(const sinew_model& model) {
+  return model.candidate_count > 0               ? "skin weights"
+         : model.feature_set == kHandsFeatureSet ? "hands"
+         : model.feature_set == kSlotsFeatureSet ? "skeletons in slots"
+         : model.feature_set == kFrontFeatureSet ? "fronts"
+                                                 : "skeletons";
+}
 
 std::string model_label(const std::string& path) {
   return is_bundled(path) ? "bundled model" : std::filesystem::path(path).filename().string();

@@ -114,7 +114,7 @@ MapRig map_rig_of(const Character& character) {
     }
   }
   if (!any) return rig;
-  rig.areas = joint_surfaces(character).shares;
+  rig.surfaces = joint_surfaces(character);
   rig.ends.assign(rig.joints.size(), 1);
   for (size_t j = 0; j < rig.joints.size(); ++j) {
     if (weight[j] > kSomeWeight) rig.ends[j] = 0;
@@ -177,8 +177,8 @@ MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const Ma
   if (options.method == SINEW_MAP_BRANCHES) {
     settings.branches_first = options.branches_first;
     settings.branches_cost = options.branches_cost;
-    if (!target.areas.empty()) settings.target_areas = target.areas.data();
-    if (!source.areas.empty()) settings.source_areas = source.areas.data();
+    if (!target.surfaces.shares.empty()) settings.target_areas = target.surfaces.shares.data();
+    if (!source.surfaces.shares.empty()) settings.source_areas = source.surfaces.shares.data();
     if (!source.animated.empty()) settings.source_animated = source.animated.data();
   }
   const auto check = [&](sinew_status status) {

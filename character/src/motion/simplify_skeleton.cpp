@@ -94,9 +94,11 @@ std::vector<uint32_t> merged(const MapRig& rig, const MapSkeletonOptions& option
   const MapRigView view(rig, {}, options);
   SimplifySettings settings;
   settings.level = low ? SINEW_SIMPLIFY_LOW : SINEW_SIMPLIFY_HIGH;
+  if (!rig.surfaces.centroids.empty()) settings.centroids = rig.surfaces.centroids.data();
   Workspace workspace;
   std::vector<uint32_t> into;
-  const sinew_status status = simplify(view.skeleton, nullptr, keep.data(), settings, &workspace, &into);
+  const float* shares = rig.surfaces.shares.empty() ? nullptr : rig.surfaces.shares.data();
+  const sinew_status status = simplify(view.skeleton, shares, keep.data(), settings, &workspace, &into);
   if (status != SINEW_OK) throw Error(rig.name + ": cannot be simplified for a map, " + sinew_status_text(status));
   return into;
 }
@@ -115,6 +117,14 @@ Reduced reduced(const MapRig& rig, const std::vector<uint32_t>& into) {
     if (into[j] != j) continue;
     out.joint.push_back(j);
     if (!rig.ends.empty()) out.rig.ends.push_back(rig.ends[j]);
+  }
+  // A joint that stays has the surface and the motion of those that became part of it.
+  if (!rig.surfaces.shares.empty()) out.rig.surfaces.shares.assign(out.joint.size(), 0);
+  if (!rig.animated.empty()) out.rig.animated.assign(out.joint.size(), 0);
+  for (uint32_t j = 0; j < into.size(); ++j) {
+    const size_t stays = static_cast<size_t>(out.number[into[j]]);
+    if (!rig.surfaces.shares.empty()) out.rig.surfaces.shares[stays] += rig.surfaces.shares[j];
+    if (!rig.animated.empty()) out.rig.animated[stays] |= rig.animated[j];
   }
   return out;
 }

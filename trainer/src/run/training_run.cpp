@@ -262,16 +262,18 @@ double TrainingRun::progress() const {
 // Why the run is over before its time, or nothing. By the log, which a resumed run has too.
 std::string TrainingRun::settled() const {
   if (config_.patience == 0 && !(config_.stop_below > 0)) return "";  // asked before every step
-  const size_t score = 2 + task_.loss_names().size() + 2;             // behind step, seconds, the losses, norm and rate
-  const std::vector<size_t> columns = val_.empty() ? std::vector<size_t>{2} : std::vector<size_t>{score, score + 1};
-  const Course course = course_of(checkpoint_.state.log_csv, columns);
-  const std::string what = val_.empty() ? task_.loss_names()[0] : task_.score_name();
+  const std::vector<size_t> loss = {2};                               // behind step and seconds
+  const size_t score = loss[0] + task_.loss_names().size() + 2;       // behind the losses, norm and rate
+  const double now = course_of(checkpoint_.state.log_csv, loss).last;
   char text[160];
-  if (config_.stop_below > 0 && course.last < config_.stop_below) {
-    std::snprintf(text, sizeof text, "%s %.4g is below %.4g (stop_below)", what.c_str(), course.last,
+  if (config_.stop_below > 0 && now < config_.stop_below) {
+    std::snprintf(text, sizeof text, "%s %.4g is below %.4g (stop_below)", task_.loss_names()[0].c_str(), now,
                   config_.stop_below);
     return text;
   }
+  const std::vector<size_t> columns = val_.empty() ? loss : std::vector<size_t>{score, score + 1};
+  const Course course = course_of(checkpoint_.state.log_csv, columns);
+  const std::string what = val_.empty() ? task_.loss_names()[0] : task_.score_name();
   if (config_.patience == 0 || course.since_best < config_.patience) return "";
   std::snprintf(text, sizeof text, "%s no longer falls (patience %u)", what.c_str(), config_.patience);
   return text;

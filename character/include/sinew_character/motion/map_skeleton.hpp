@@ -10,6 +10,7 @@
 #include "sinew/published.h"
 #include "sinew/sinew.h"
 #include "sinew_character/bind/engine_views.hpp"
+#include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
@@ -21,8 +22,7 @@ struct MapRig {
   std::string name;           // the file, for messages
   std::vector<Joint> joints;  // at least one
   std::vector<uint8_t> ends;  // [J] 1: only says where a bone ends; empty = not known
-  // For SINEW_MAP_BRANCHES.
-  std::vector<float> areas;       // [J] share of the surface that moves with the joint; empty = no mesh is bound
+  JointSurfaces surfaces;     // for SINEW_MAP_BRANCHES and levels, as the next; empty = no mesh is bound
   std::vector<uint8_t> animated;  // [J] 1: a clip moves it; empty = not known
 };
 
