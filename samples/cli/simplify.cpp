@@ -25,13 +25,14 @@ struct SimplifyCommandSettings {
   std::string rig, mesh, level = "high", output;
   std::vector<std::string> keep;
   ProfileSettings profile;
-  bool json = false;
+  bool as_drawn = false, json = false;
 };
 
 SimplifyOptions parse_level(const SimplifyCommandSettings& s) {
   SimplifyOptions options;
   options.keep = s.keep;
   options.low = s.level == "low";
+  options.as_drawn = s.as_drawn;
   if (s.level == "high" || s.level == "low") return options;
   const bool digits =
       !s.level.empty() && s.level.size() < 6 && s.level.find_first_not_of("0123456789") == std::string::npos;
@@ -130,6 +131,8 @@ void add_simplify(CLI::App& app) {
   sub->add_option("--keep", s->keep, "A joint that stays; may be repeated")
       ->type_name("JOINT")
       ->allow_extra_args(false);
+  shared_flag(sub, "--as-drawn", s->as_drawn,
+              "Its conditions take any joint, whatever its name or the animations say, and limbs go");
   sub->add_option("--mesh", s->mesh, "The mesh that a .rig.txt alone has weights for")->type_name("MESH");
   shared_flag(sub, "--json", s->json, "One line: which joint became part of which");
   add_profile_options(sub, &s->profile);

@@ -415,7 +415,7 @@ namespace Sinew
         [StructLayout(LayoutKind.Sequential)]
         public struct sinew_simplify_options
         {
-            public uint struct_size, level, joint_count, reserved;
+            public uint struct_size, level, joint_count, as_drawn;
             public IntPtr centroids;
         }
 
@@ -663,6 +663,7 @@ namespace Sinew
         {
             public uint struct_size, low, joint_count, keep_count;
             public IntPtr keep;
+            public uint as_drawn, reserved;
         }
 
         [StructLayout(LayoutKind.Sequential)]

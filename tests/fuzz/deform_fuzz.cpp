@@ -36,6 +36,7 @@ struct Call : MeshInput, SkeletonInput, Hindrance {
       options.without |= in.below(2) * SINEW_WITHOUT_CONTACTS;
       options.without |= in.below(2) * SINEW_WITHOUT_SMOOTHING;
       options.body_contact = in.below(2);
+      if (options.method == SINEW_DEFORM_XPBD) options.as_drawn = in.below(2);
     }
     read_hindrance(in, extras & 0x7F);  // nothing to cancel
     read_joints(in, shape, count);

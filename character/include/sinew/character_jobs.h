@@ -592,6 +592,9 @@ typedef struct sinew_character_simplify_options {
   uint32_t keep_count;
   /* [keep_count] Joints that stay; or null. */
   const char* const* keep;
+  /* 1: the published conditions alone, whatever joints are; see sinew/simplify.h. */
+  uint32_t as_drawn;
+  uint32_t reserved;
 } sinew_character_simplify_options;
 
 /* Removes joints; weights and the file's own animations follow. The body stays at both levels; at the high one vertices move by less than

@@ -17,7 +17,9 @@ void simplify(const sinew_character_simplify_options& options, sinew_character* 
   if (character->character.joints.empty())
     throw Error(file_of(*character) + ": expected a skeleton, found a mesh without one");
   SimplifyOptions job;
+  check_at_most("as_drawn", options.as_drawn, 1);
   job.low = options.low != 0;
+  job.as_drawn = options.as_drawn != 0;
   job.joints = options.joint_count;
   for (uint32_t k = 0; k < options.keep_count; ++k) job.keep.push_back(text_or_empty(options.keep[k]));
   std::vector<const Motion*> motions;

@@ -51,6 +51,7 @@ std::vector<uint32_t> joints_to_merge(const SimplifyOptions& options, const Char
   SimplifySettings settings;
   settings.level = options.low ? SINEW_SIMPLIFY_LOW : SINEW_SIMPLIFY_HIGH;
   settings.joint_count = options.joints;
+  settings.as_drawn = options.as_drawn ? 1 : 0;
   if (!surfaces.centroids.empty()) settings.centroids = surfaces.centroids.data();
   Workspace workspace;
   std::vector<uint32_t> into;

@@ -25,9 +25,11 @@ typedef enum sinew_simplify_level {
 typedef struct sinew_simplify_options {
   uint32_t struct_size; /* sizeof(sinew_simplify_options) */
   uint32_t level;       /* sinew_simplify_level */
-  uint32_t
-      joint_count;   /* 0: as the level says; else so many stay, as far as roots and `keep` let; the body goes last */
-  uint32_t reserved; /* 0 */
+  /* 0: as the level says; else so many stay, as far as roots and `keep` let; the body goes last. */
+  uint32_t joint_count;
+  /* 1: as published: `branch`, and at the low level `area` and `length`, take any joint, and the cheapest bone goes first
+   * whatever its joint is. Takes limbs off. */
+  uint32_t as_drawn;
   const float* centroids; /* [J x 3] middle of the surface that moves with each joint; null = the joint's position */
 } sinew_simplify_options;
 

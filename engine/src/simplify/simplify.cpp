@@ -87,8 +87,8 @@ class Shrinking {
       }
       if (best == kNone) return;
       int32_t twin = kNone;
-      for (int32_t i = 0; i < n_ && plan.wanted == 0; ++i) {
-        if (i == best || !is_twin(best, i) || !may_go(plan, i)) continue;
+      for (int32_t i = 0; i < n_ && plan.wanted == 0 && !plan.as_drawn; ++i) {
+        if (i == best || !is_twin(best, i) || !may_go(plan, i, 1 + kLikeCost)) continue;
         if (twin == kNone || cost_[i] < cost_[twin]) twin = i;
       }
       if (twin != kNone && (parent_[twin] == best || parent_[best] == twin)) twin = kNone;  // no mirror image
@@ -115,21 +115,25 @@ class Shrinking {
   }
   // As published: the degree of a node of the edge is at least 3; the joint's surface; its length. (In a tree no two nodes
   // have more than one edge.) Ours: the body stays, details go at the low level, and by its degree alone no limb does.
-  bool may_go(const SimplifyPlan& plan, int32_t i) const {
+  //   slack  of limits, more than 1 for a joint whose mirror image goes
+  bool may_go(const SimplifyPlan& plan, int32_t i, double slack = 1) const {
     if (into_[i] != i || parent_[i] < 0 || (plan.keep != nullptr && plan.keep[i] != 0)) return false;
     if (plan.wanted > 0) return left_ > plan.wanted;
+    const bool branches = bones_[i] >= kBranching || bones_[parent_[i]] >= kBranching;
+    if (plan.as_drawn) return branches || (plan.low && is_small(plan, i, slack));
     if (rank_[i] == kRankBody) return false;
     const bool detail = rank_[i] == kRankDetail || (rank_[i] == kRankFinger && plan.low);
     if (detail && (plan.low || end_[i] != 0)) return true;
-    const bool branches = bones_[i] >= kBranching || bones_[parent_[i]] >= kBranching;
-    if (branches && (detail || is_small_leaf(plan, i))) return true;
-    if (!plan.low) return false;
-    if (plan.areas != nullptr && area_[i] < plan.least_area * whole_) return true;
-    return length_[i] < plan.least_length;
+    if (branches && (detail || is_small_leaf(plan, i, slack))) return true;
+    return plan.low && is_small(plan, i, slack);
   }
-  bool is_small_leaf(const SimplifyPlan& plan, int32_t i) const {
-    return first_[i] == kNone && length_[i] < plan.crowd_length &&
-           (plan.areas == nullptr || area_[i] < plan.crowd_area * whole_);
+  bool is_small(const SimplifyPlan& plan, int32_t i, double slack) const {
+    return (plan.areas != nullptr && area_[i] < slack * plan.least_area * whole_) ||
+           length_[i] < slack * plan.least_length;
+  }
+  bool is_small_leaf(const SimplifyPlan& plan, int32_t i, double slack) const {
+    return first_[i] == kNone && length_[i] < slack * plan.crowd_length &&
+           (plan.areas == nullptr || area_[i] < slack * plan.crowd_area * whole_);
   }
   void measure(int32_t i) {
     edges_[i] = EdgesAtNode();
@@ -200,11 +204,10 @@ class Shrinking {
 
 sinew_status plan_simplify(uint32_t joint_count, const sinew_simplify_options* options, SimplifyPlan* plan) {
   sinew_simplify_options o = SINEW_INIT(sinew_simplify_options);
-  constexpr uint32_t kFirstOptions = offsetof(sinew_simplify_options, reserved) + sizeof(uint32_t);
+  constexpr uint32_t kFirstOptions = offsetof(sinew_simplify_options, as_drawn) + sizeof(uint32_t);
   const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstOptions, sizeof o, &o);
   if (status != SINEW_OK) return status;
-  if (o.reserved != 0) return SINEW_ERROR_VERSION;
-  if (o.level > SINEW_SIMPLIFY_LOW) return SINEW_ERROR_ARGUMENT;
+  if (o.level > SINEW_SIMPLIFY_LOW || o.as_drawn > 1) return SINEW_ERROR_ARGUMENT;
   if (joint_count == 0 || joint_count > SINEW_MAX_JOINTS) return SINEW_ERROR_COUNT;
   const bool low = o.level == SINEW_SIMPLIFY_LOW;
   *plan = SimplifyPlan();
@@ -212,6 +215,7 @@ sinew_status plan_simplify(uint32_t joint_count, const sinew_simplify_options* o
   plan->wanted = o.joint_count;
   plan->centroids = o.centroids;
   plan->low = low;
+  plan->as_drawn = o.as_drawn != 0;
   plan->least_area = 0.006;
   plan->least_length = 0.04;
   plan->crowd_area = low ? 0.02 : 0.001;
@@ -237,6 +241,7 @@ sinew_status run_simplify(const SimplifyPlan& plan, Arena& arena, uint32_t* into
   }
   if (status == SINEW_OK) status = find_joint_ranks(skeleton, plan.areas, arena, tree.ranks(), tree.ends());
   if (status != SINEW_OK || arena.measuring()) return status;
+  for (uint32_t j = 0; plan.as_drawn && j < plan.joint_count; ++j) tree.ranks()[j] = 0;  // names say nothing
   tree.run(plan);
   tree.write(into);
   return SINEW_OK;

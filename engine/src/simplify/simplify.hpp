@@ -16,6 +16,7 @@ struct SimplifyPlan {
   uint32_t joint_count = 0;
   uint32_t wanted = 0;                      // joints, 0 = as the limits say
   bool low = false;                         // the level
+  bool as_drawn = false;                    // the conditions alone, whatever joints are
   double least_area = 0, least_length = 0;  // of joints that stay
   double crowd_area = 0, crowd_length = 0;  // of leaves that stay beside others
 };

@@ -100,7 +100,7 @@ export const LAYOUTS = {
   referenceOptions: layout(48,
     "struct_size@0:u32 area_power@4:u32 own_limb@8:u32 legs@12:u32 falloff@16:f32 least_cosine@20:f32 progress@24:u32 " +
     "progress_user@28:u32 head@32:u32 torso@36:u32 source_points@40:u32 as_drawn@44:u32"),
-  simplifyOptions: layout(20, "struct_size@0:u32 level@4:u32 joint_count@8:u32 reserved@12:u32 centroids@16:u32"),
+  simplifyOptions: layout(20, "struct_size@0:u32 level@4:u32 joint_count@8:u32 as_drawn@12:u32 centroids@16:u32"),
   file: layout(12, "name@0:u32 bytes@4:u32 size_bytes@8:u32"),
   characterProfileOptions: layout(32,
     "struct_size@0:u32 keep_axes@4:u32 profile@8:u32 license@12:u32 title@16:u32 authors@20:u32 author_count@24:u32 " +
@@ -175,7 +175,8 @@ export const LAYOUTS = {
   characterTransferResult: layout(64,
     "struct_size@0:u32 mapped_joints@4:u32 fitted@8:u32 bound@12:u32 bound_by@16:u32 part_count@20:u32 carried@24:f64 " +
     "style@32:f64 mismatch@40:f64 seconds@48:f64 mapped_by@56:u32 parts@60:u32"),
-  characterSimplifyOptions: layout(20, "struct_size@0:u32 low@4:u32 joint_count@8:u32 keep_count@12:u32 keep@16:u32"),
+  characterSimplifyOptions: layout(28,
+    "struct_size@0:u32 low@4:u32 joint_count@8:u32 keep_count@12:u32 keep@16:u32 as_drawn@20:u32 reserved@24:u32"),
   characterLodOptions: layout(24, "struct_size@0:u32 level_count@4:u32 ratio@8:f64 fewer_joints@16:u32 reserved@20:u32"),
   characterLodLevel: layout(32, "rest_error@0:f64 posed_error@8:f64 mean_error@16:f64 triangle_count@24:u32 reserved@28:u32"),
   characterBakeOptions: layout(56,

@@ -13,6 +13,7 @@ namespace sinew {
 
 struct SimplifyOptions {
   bool low = false;                   // level of detail, see sinew/simplify.h
+  bool as_drawn = false;              // the published conditions alone
   uint32_t joints = 0;                // 0: as the level says; else so many are left
   std::vector<std::string> keep;      // joints that stay, by name
   std::vector<uint32_t> keep_joints;  // and by number

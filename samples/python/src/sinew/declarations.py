@@ -325,7 +325,7 @@ class sinew_reference_options(Structure):
 
 
 class sinew_simplify_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("level", c_uint32), ("joint_count", c_uint32), ("reserved", c_uint32), ("centroids", c_void_p)]
+    _fields_ = [("struct_size", c_uint32), ("level", c_uint32), ("joint_count", c_uint32), ("as_drawn", c_uint32), ("centroids", c_void_p)]
 
 
 class sinew_file(Structure):
@@ -489,7 +489,7 @@ class sinew_character_transfer_result(Structure):
 
 class sinew_character_simplify_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("low", c_uint32), ("joint_count", c_uint32), ("keep_count", c_uint32),
-        ("keep", POINTER(c_char_p))]
+        ("keep", POINTER(c_char_p)), ("as_drawn", c_uint32), ("reserved", c_uint32)]
 
 
 class sinew_character_lod_options(Structure):

@@ -420,7 +420,7 @@ OPTIONS: Dict[Any, Rows] = {
         ("heat", "flag", "heat", None), ("pairs", "structs", "pairs", (declarations.sinew_vertex_pair, ('pair_count',))),
         ("locked", "array", "locked", ('uint8', ('V',), True, False)), ("map_file", "text", "map", None)],
     declarations.sinew_character_simplify_options: [("low", "flag", "low", None), ("joint_count", "number", "joint_count", False),
-        ("keep", "texts", "keep", ('keep_count',))],
+        ("keep", "texts", "keep", ('keep_count',)), ("as_drawn", "flag", "as_drawn", None)],
     declarations.sinew_character_lod_options: [("levels", "number", "level_count", False), ("ratio", "number", "ratio", False),
         ("fewer_joints", "flag", "fewer_joints", None)],
     declarations.sinew_character_bake_options: [("poses", "number", "poses", False), ("shapes", "number", "shapes", False),

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <vector>
 
 #include "posed_tube.hpp"
 
@@ -68,6 +70,43 @@ TEST(Published, SmoothingIsOfBendsAndGrowsWithThem) {
     for (size_t i = 0; i < 15 * BentTube::kAround; ++i) ASSERT_EQ(with[i], without[i]) << i;
     EXPECT_LT(volume_error(tube, with), volume_error(tube, without) + 0.01) << degrees;
   }
+}
+
+// As published: a vertex of the bend goes to the mean of its neighbours, from where the solver left it.
+TEST(Published, AsDrawnALaplacianSmoothsTheBend) {
+  const BentTube tube(2, 0.3);
+  const std::vector<float> palette = tube.turned({0, 0, 1}, 60);
+  sinew_deform_options options = shipped();
+  options.as_drawn = 1;
+  const std::vector<float> with = pose(tube, options, palette).positions;
+  options.without = SINEW_WITHOUT_SMOOTHING;
+  const std::vector<float> without = pose(tube, options, palette).positions;
+  const sinew_mesh mesh = tube.mesh();
+  size_t moved = 0;
+  for (uint32_t v = 0; v < mesh.vertex_count; ++v) {
+    if (std::equal(&with[3 * v], &with[3 * v] + 3, &without[3 * v])) continue;
+    ++moved;
+    std::set<uint32_t> neighbours;
+    for (uint32_t f = 0; f < mesh.face_count; ++f) {
+      const uint32_t begin = mesh.face_offsets[f], end = mesh.face_offsets[f + 1];
+      for (uint32_t c = begin; c < end; ++c) {
+        if (mesh.face_vertices[c] != v) continue;
+        neighbours.insert(mesh.face_vertices[c + 1 < end ? c + 1 : begin]);
+        neighbours.insert(mesh.face_vertices[c > begin ? c - 1 : end - 1]);
+      }
+    }
+    for (size_t axis = 0; axis < 3; ++axis) {
+      double mean = 0;
+      for (const uint32_t n : neighbours)
+        mean += double{without[3 * n + axis]} / static_cast<double>(neighbours.size());
+      EXPECT_NEAR(with[3 * v + axis], mean, 1e-5) << v;
+    }
+  }
+  EXPECT_GT(moved, 10u);
+  EXPECT_EQ(pose(tube, options, tube.turned({0, 0, 1}, 0)).positions, tube.positions);
+  sinew::Deformer deformer;
+  options.method = SINEW_DEFORM_VOLUME;
+  EXPECT_EQ(deformer.create(tube.mesh(), tube.skeleton(), tube.skin(), options), SINEW_ERROR_ARGUMENT);
 }
 
 TEST(Published, StifferSpringsStretchLess) {

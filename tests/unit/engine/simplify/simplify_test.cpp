@@ -251,6 +251,45 @@ TEST(Simplify, BothSidesStayAlike) {
   }
 }
 
+// One bone a little below the limit of length, its mirror image a little above.
+TEST(Simplify, AMirrorImageGoesThoughItIsALittleLonger) {
+  Tree t;
+  t.add(0, 0, 0, -1);
+  t.add(0, 1, 0, 0);
+  for (const float side : {0.0396f, -0.0397f}) {
+    const uint32_t arm = t.add(side < 0 ? -0.5f : 0.5f, 1, 0, 1);
+    t.add((side < 0 ? -0.5f : 0.5f) + 1.4142f * side, 1, 0, static_cast<int32_t>(arm));
+  }
+  const std::vector<uint32_t> into = t.simplify(SINEW_SIMPLIFY_LOW);
+  EXPECT_EQ(into[3] == 3, into[5] == 5);
+}
+
+// As published: whatever a joint is called, so that arms go at the chest where three bones meet.
+TEST(Simplify, AsDrawnNamesSayNothing) {
+  const Tree t = man();
+  Tree unnamed = t;
+  unnamed.names.clear();
+  sinew_simplify_options options = SINEW_INIT(sinew_simplify_options);
+  options.as_drawn = 1;
+  std::vector<uint32_t> into, same;
+  ASSERT_EQ(t.run(options, &into), SINEW_OK);
+  ASSERT_EQ(unnamed.run(options, &same), SINEW_OK);
+  EXPECT_EQ(into, same);
+  size_t body = 0;
+  for (size_t j = 0; j < into.size(); ++j) {
+    body += into[j] == j && is_body(t.names[j]) ? 1 : 0;
+    if (into[j] != j) continue;
+    size_t bones = t.parents[j] >= 0 ? 1 : 0;  // of what is left: no joint has three
+    for (size_t k = 0; k < into.size(); ++k)
+      if (into[k] == k && t.parents[k] >= 0 && into[static_cast<size_t>(t.parents[k])] == j) ++bones;
+    EXPECT_LT(bones, 3u) << t.names[j];
+  }
+  EXPECT_LT(body, 12u) << "limbs go";
+  options.level = SINEW_SIMPLIFY_LOW;
+  ASSERT_EQ(t.run(options, &same), SINEW_OK);
+  EXPECT_LE(left(same), left(into));
+}
+
 TEST(Simplify, LargeAndOddTrees) {
   Tree star, chain, points;
   for (int32_t i = 0; i < 4096; ++i) {
@@ -287,7 +326,7 @@ TEST(Simplify, WrongCallsAreRefused) {
   EXPECT_EQ(with([](Tree& t, Options&) { t.parents[3] = 11; }), SINEW_ERROR_INDEX);
   EXPECT_EQ(with([](Tree& t, Options&) { t.parents[0] = 5; }), SINEW_ERROR_HIERARCHY);
   EXPECT_EQ(with([](Tree&, Options& o) { o.level = 2; }), SINEW_ERROR_ARGUMENT);
-  EXPECT_EQ(with([](Tree&, Options& o) { o.reserved = 1; }), SINEW_ERROR_VERSION);
+  EXPECT_EQ(with([](Tree&, Options& o) { o.as_drawn = 2; }), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(with([](Tree&, Options& o) { o.struct_size = 4; }), SINEW_ERROR_ARGUMENT);
   size_t bytes = 1;
   EXPECT_EQ(sinew_simplify_workspace_size(0, &bytes), SINEW_ERROR_COUNT);
