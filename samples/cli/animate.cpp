@@ -232,8 +232,7 @@ void run_animate_folder(AnimateSettings s, const std::atomic<bool>& stop) {
     }
     progress.step();
   }
-  if (failed > 0)
-    throw Error(std::to_string(failed) + " of " + std::to_string(files.size()) + " characters failed, see above");
+  check_failed(failed, files.size(), "characters");
   if (!s.json) std::printf("wrote %zu files to %s\n", files.size(), printable(output).c_str());
 }
 

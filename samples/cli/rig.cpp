@@ -247,8 +247,7 @@ void run_rig_folder(const RigCommandSettings& s) {
     }
     progress.step();
   }
-  if (failed > 0)
-    throw Error(std::to_string(failed) + " of " + std::to_string(files.size()) + " meshes failed, see above");
+  check_failed(failed, files.size(), "meshes");
   if (!s.json) std::printf("wrote %zu files to %s\n", files.size(), printable(s.output).c_str());
   if (wanting > 0)
     throw GateError(std::to_string(wanting) + " of " + std::to_string(files.size()) +

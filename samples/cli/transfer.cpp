@@ -20,7 +20,6 @@
 #include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/print.hpp"
 #include "support.hpp"
 #include "transfer_target.hpp"
 
@@ -285,8 +284,7 @@ void run_transfer(const TransferCommandSettings& s) {
       std::fprintf(stderr, "sinew: error: %s\n", printable(error.what()).c_str());
     }
   }
-  if (failed > 0)
-    throw Error(std::to_string(failed) + " of " + std::to_string(s.targets.size()) + " targets failed, see above");
+  check_failed(failed, s.targets.size(), "targets");
 }
 
 void add_transfer_inputs(CLI::App* sub, TransferCommandSettings* s) {
