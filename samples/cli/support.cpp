@@ -19,6 +19,11 @@ namespace fs = std::filesystem;
 
 namespace sinew::cli {
 
+void refuse_given(const GivenOptions& options, const std::string& why) {
+  for (const auto& [option, given] : options)
+    if (given) throw UsageError(option + why);
+}
+
 void check_output(const std::string& path, const std::vector<std::string>& extensions, bool stream_allowed) {
   if (path == "-") {
     if (stream_allowed) return;

@@ -10,6 +10,7 @@
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sinew_character/jobs/character_file.hpp"
@@ -30,6 +31,10 @@ class GateError : public Error {
  public:
   using Error::Error;
 };
+
+// Options, and whether each is given. Throws UsageError for the first that is: "--png" and then `why`.
+using GivenOptions = std::vector<std::pair<const char*, bool>>;
+void refuse_given(const GivenOptions& options, const std::string& why);
 
 // Throws UsageError unless `path` is "-" (when allowed) or ends with one of `extensions`; Error when its folder is
 // missing or it is a folder itself. Called before any work.
