@@ -141,11 +141,9 @@ bool is_loop(const AnimateSettings& s) { return is_picture(s.character) && has_e
 void check_settings(const AnimateSettings& s, bool of_folder) {
   const bool picture = is_picture(s.character);
   if (s.motions.empty() && !picture) throw UsageError("--motion is required");
-  for (const auto& [given, option] : {std::pair{!s.picture.body.empty(), "--class"}, std::pair{s.picture.cut, "--cut"},
-                                      std::pair{s.depth, "--depth"}})
-    if (given && !picture)
-      throw UsageError(std::string(option) + " is for pictures (" + picture_files() + "), and " + s.character +
-                       " is none");
+  if (!picture)
+    refuse_given({{"--class", !s.picture.body.empty()}, {"--cut", s.picture.cut}, {"--depth", s.depth}},
+                 " is for pictures (" + picture_files() + "), and " + s.character + " is none");
   if (is_loop(s)) {
     if (!s.sprites.loop.empty() || !s.profile.profile.empty() || !s.profile.controls.empty())
       throw UsageError(s.output +
@@ -207,10 +205,9 @@ Animated animate_one(const AnimateSettings& s, const std::atomic<bool>& stop) {
 }
 
 void run_animate_folder(AnimateSettings s, const std::atomic<bool>& stop) {
-  for (const auto& [given, option] :
-       {std::pair{!s.sheet.empty(), "--sheet"}, std::pair{!s.sprites.loop.empty(), "--loop"},
-        std::pair{!s.profile.controls.empty(), "--controls"}})
-    if (given) throw UsageError(std::string(option) + " is for one character, and " + s.character + " is a folder");
+  refuse_given(
+      {{"--sheet", !s.sheet.empty()}, {"--loop", !s.sprites.loop.empty()}, {"--controls", !s.profile.controls.empty()}},
+      " is for one character, and " + s.character + " is a folder");
   const std::string output = s.output;
   const std::vector<FolderFile> files = folder_files(s.character, output, "." + s.format, true);
   const auto settings_of = [&s](const FolderFile& file) {
@@ -235,8 +232,7 @@ void run_animate_folder(AnimateSettings s, const std::atomic<bool>& stop) {
     }
     progress.step();
   }
-  if (failed > 0)
-    throw Error(std::to_string(failed) + " of " + std::to_string(files.size()) + " characters failed, see above");
+  check_failed(failed, files.size(), "characters");
   if (!s.json) std::printf("wrote %zu files to %s\n", files.size(), printable(output).c_str());
 }
 

@@ -74,26 +74,21 @@ LoadedBinder load_binder(const BindCommandSettings& s) {
 }
 
 void refuse_folder_options(const BindCommandSettings& s) {
-  const std::pair<const char*, bool> options[] = {
-      {"--jobs", s.jobs > 0}, {"--report", !s.report.empty()}, {"--format", !s.format.empty()}};
-  for (const auto& [name, given] : options) {
-    if (given) throw UsageError(std::string(name) + " is for a folder of meshes, and " + s.one.mesh + " is none");
-  }
+  refuse_given({{"--jobs", s.jobs > 0}, {"--report", !s.report.empty()}, {"--format", !s.format.empty()}},
+               " is for a folder of meshes, and " + s.one.mesh + " is none");
 }
 
 void check_folder(const BindCommandSettings& s) {
-  const std::pair<const char*, bool> options[] = {{"--png", !s.one.png.empty()},
-                                                  {"--png-confidence", !s.one.png_confidence.empty()},
-                                                  {"--hints", !s.one.hints.empty()},
-                                                  {"--lock", !s.one.lock.empty()},
-                                                  {"--answer", !s.one.answers.empty()},
-                                                  {"--ask", s.one.ask},
-                                                  {"--save-style", !s.one.save_style.empty()},
-                                                  {"--controls", !s.one.profile.controls.empty()},
-                                                  {"--changes without --json", s.one.compare && !s.json}};
-  for (const auto& [name, given] : options) {
-    if (given) throw UsageError(std::string(name) + " is for one mesh, and " + s.one.mesh + " is a folder");
-  }
+  refuse_given({{"--png", !s.one.png.empty()},
+                {"--png-confidence", !s.one.png_confidence.empty()},
+                {"--hints", !s.one.hints.empty()},
+                {"--lock", !s.one.lock.empty()},
+                {"--answer", !s.one.answers.empty()},
+                {"--ask", s.one.ask},
+                {"--save-style", !s.one.save_style.empty()},
+                {"--controls", !s.one.profile.controls.empty()},
+                {"--changes without --json", s.one.compare && !s.json}},
+               " is for one mesh, and " + s.one.mesh + " is a folder");
   if (s.one.output.empty()) throw UsageError(s.one.mesh + " is a folder: say with -o OUTDIR where its files go");
   std::error_code ignored;
   const bool is_file = has_use(s.one.output, kWritesSkin) || std::filesystem::is_regular_file(s.one.output, ignored);

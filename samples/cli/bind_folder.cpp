@@ -40,9 +40,7 @@ std::vector<Task> make_tasks(const FolderSettings& s) {
   std::vector<Task> tasks;
   for (const FolderFile& file : folder_files(s.folder, s.output_folder, s.extension)) {
     Task task{file, s.each.skeleton};
-    std::error_code ignored;
-    if (task.skeleton.empty() && has_extension(task.mesh, ".obj") && fs::exists(rig_path_beside(task.mesh), ignored))
-      task.skeleton = rig_path_beside(task.mesh);
+    if (task.skeleton.empty() && has_rig_beside(task.mesh)) task.skeleton = rig_path_beside(task.mesh);
     tasks.push_back(std::move(task));
   }
   return tasks;
@@ -160,7 +158,7 @@ void bind_folder(const FolderSettings& s, const Binder& binder) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::fprintf(s.json ? stderr : stdout, "%zu files: %zu bound, %zu failed, %.1f s\n", rows.size(),
                rows.size() - failed, failed, seconds);
-  if (failed > 0) throw Error(print("%zu of %zu files failed, see above", failed, rows.size()));
+  check_failed(failed, rows.size(), "files");
 }
 
 }  // namespace sinew::cli

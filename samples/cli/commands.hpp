@@ -4,9 +4,11 @@
 #ifndef SINEW_CLI_COMMANDS_HPP
 #define SINEW_CLI_COMMANDS_HPP
 
+#include <array>
 #include <exception>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CLI {
@@ -32,6 +34,14 @@ struct Program {
 
 // Exit status: 0 done, 1 the job failed, 2 wrong usage, 3 done, but --gate found it wanting.
 int run_program(const Program& program, int argc, char** argv);
+
+// The commands of sinew-lab; those of sinew are in main.cpp.
+inline constexpr std::array<std::string_view, 5> kLabCommands = {"train", "crossval", "quantize", "dataset", "eval"};
+inline bool is_lab_command(std::string_view word) {
+  for (const std::string_view command : kLabCommands)
+    if (word == command) return true;
+  return false;
+}
 
 void add_bind(CLI::App& app);
 void add_eval(CLI::App& app);

@@ -105,8 +105,7 @@ void convert_folder(const DatasetConvertCommandSettings& s) {
     }
     progress.step();
   }
-  if (failed > 0)
-    throw Error(std::to_string(failed) + " of " + std::to_string(found.size()) + " characters failed, see above");
+  check_failed(failed, found.size(), "characters");
 }
 
 void convert(const DatasetConvertCommandSettings& s) {
@@ -218,7 +217,7 @@ void make_targets(const DatasetTargetCommandSettings& s) {
       progress.step();
     }
   }
-  if (failed > 0) throw Error(print("%zu of %zu characters failed; the first: ", failed, found.size()) + first);
+  check_failed(failed, found.size(), "characters", first);
 }
 
 }  // namespace

@@ -10,13 +10,12 @@
 #include "eval_studies.hpp"
 #include "progress.hpp"
 #include "sinew/published.h"
-#include "sinew_character/bind/bind_character.hpp"
+#include "sinew_character/predict/own_skeleton.hpp"
 #include "sinew_character/predict/predict_skeleton.hpp"
 #include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/checkpoint.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/print.hpp"
 #include "sinew_trainer/rig_difference.hpp"
 #include "sinew_trainer/rig_score.hpp"
 #include "support.hpp"
@@ -207,9 +206,7 @@ void evaluate_rigs(const RigEvaluation& evaluation) {
   const std::string figures = with_version("eval", "study", "rig", rig_scores_json(scores));
   if (!evaluation.output.empty()) write_text_file(evaluation.output, figures);
   if (evaluation.json) std::printf("%s", figures.c_str());
-  if (!scores.failures.empty())
-    throw Error(print("%zu of %zu characters failed; the first: ", scores.failures.size(), found.size()) +
-                scores.failures.begin()->first + ": " + scores.failures.begin()->second);
+  check_failed(scores.failures, found.size());
 }
 
 }  // namespace sinew::cli

@@ -18,7 +18,6 @@
 #include "sinew_character/predict/predict_details.hpp"
 #include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/print.hpp"
 #include "sinew_trainer/hand_score.hpp"
 #include "sinew_trainer/rig_damage.hpp"
 #include "support.hpp"
@@ -58,7 +57,7 @@ void evaluate_hands(const HandsEvaluation& evaluation) {
   const std::string figures = with_version("eval", "study", "hands", hand_scores_json(rows));
   if (!evaluation.output.empty()) write_text_file(evaluation.output, figures);
   if (evaluation.json) std::printf("%s", figures.c_str());
-  if (failed > 0) throw Error(print("%zu of %zu characters failed; the first: ", failed, found.size()) + first);
+  check_failed(failed, found.size(), "characters", first);
 }
 
 std::vector<JudgedConfidence> judge_folder(const ConfidenceStudy& study) {

@@ -13,7 +13,6 @@
 #include "progress.hpp"
 #include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/print.hpp"
 #include "sinew_trainer/confidence.hpp"
 #include "support.hpp"
 
@@ -146,10 +145,7 @@ class Evaluation {
     }
     if (!s_.output.empty()) write_text_file(s_.output, figures_json());
     if (s_.json) std::printf("%s", figures_json().c_str());
-    if (!figures_.failures.empty()) {
-      throw Error(print("%zu of %zu characters failed; the first: ", figures_.failures.size(), found_.size()) +
-                  figures_.failures.begin()->first + ": " + figures_.failures.begin()->second);
-    }
+    check_failed(figures_.failures, found_.size());
   }
 
   void print_beaten() const {

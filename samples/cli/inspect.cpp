@@ -133,14 +133,13 @@ bool is_gltf(const std::string& path) {
 Character read_what_is_there(const std::string& path) {
   const bool is_rig = has_extension(path, ".rig.txt");
   std::error_code ignored;
-  const bool has_rig = has_extension(path, ".obj") && std::filesystem::exists(rig_path_beside(path), ignored);
   if (is_rig && !std::filesystem::exists(path.substr(0, path.size() - 8) + ".obj", ignored)) {
     Character character;
     read_skeleton(path, false, &character);
     character.name = stem_of(path);
     return character;
   }
-  return is_rig || has_rig ? read_character(path) : read_mesh(path);
+  return is_rig || has_rig_beside(path) ? read_character(path) : read_mesh(path);
 }
 
 void inspect_gltf(const InspectCommandSettings& s) {

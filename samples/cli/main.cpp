@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The sinew command: what users do with their own characters. sinew_lab.cpp has what trains and measures.
-#include <algorithm>
-#include <array>
-#include <string_view>
+#include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "support.hpp"
@@ -12,8 +11,7 @@ namespace {
 
 // A command of sinew-lab says where it is.
 std::vector<std::string> read_words(const CLI::App&, std::vector<std::string> words) {
-  constexpr std::array<std::string_view, 5> kLab = {"train", "crossval", "quantize", "dataset", "eval"};
-  if (!words.empty() && std::find(kLab.begin(), kLab.end(), words[0]) != kLab.end())
+  if (!words.empty() && is_lab_command(words[0]))
     throw UsageError(words[0] + " is a command of sinew-lab, which trains and measures: sinew-lab " + words[0] +
                      " ...");
   return words;

@@ -157,10 +157,9 @@ MapCommandSettings settled(MapCommandSettings s) {
     throw UsageError("give the other skeleton with --from FILE, or the names of a standard rig with --to NAME");
   if (!s.preset.empty()) s.source = "template:" + s.preset;
   if (s.source_up.empty()) s.source_up = s.source.rfind("template:", 0) == 0 ? "y" : s.up;
-  for (const auto& [option, changed] :
-       {std::pair("--cost", s.cost != SINEW_BRANCHES_MEAN), std::pair("--first", s.first != SINEW_BRANCHES_BOTH)})
-    if (changed && s.method != SINEW_MAP_BRANCHES)
-      throw UsageError(std::string(option) + " is for --method branches; found --method " + kMapMethod[s.method]);
+  if (s.method != SINEW_MAP_BRANCHES)
+    refuse_given({{"--cost", s.cost != SINEW_BRANCHES_MEAN}, {"--first", s.first != SINEW_BRANCHES_BOTH}},
+                 " is for --method branches; found --method " + kMapMethod[s.method]);
   if (s.output != "-") check_output(s.output, {".txt", ".map", ".json"});
   if (!s.png.empty()) check_output(s.png, {".png"});
   return s;

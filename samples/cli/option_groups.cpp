@@ -195,8 +195,8 @@ void add_sprite_options(CLI::App* sub, SpriteSettings* settings) {
 void check_sprite_options(const SpriteSettings& settings, const std::string& path) {
   if (!settings.loop.empty()) check_output(settings.loop, {".png", ".apng"});
   if (is_picture(path)) return;
-  if (settings.count > 0) throw UsageError("--sprites is for pictures, and " + path + " is none");
-  if (!settings.loop.empty()) throw UsageError("--loop is for pictures, and " + path + " is none");
+  refuse_given({{"--sprites", settings.count > 0}, {"--loop", !settings.loop.empty()}},
+               " is for pictures, and " + path + " is none");
 }
 
 std::vector<NamedBytes> sprite_files(const SpriteSettings& settings, const std::string& output,

@@ -224,9 +224,9 @@ void write_rigged(const RigCommandSettings& s, const std::string& output, Rigged
 
 void run_rig_folder(const RigCommandSettings& s) {
   if (s.output.empty()) throw UsageError(s.mesh + " is a folder: say with -o OUTDIR where its files go");
-  if (!s.png.empty()) throw UsageError("--png is for one mesh, and " + s.mesh + " is a folder");
-  if (!s.prediction.empty()) throw UsageError("--prediction is for one mesh, and " + s.mesh + " is a folder");
-  if (!s.profile.controls.empty()) throw UsageError("--controls is for one mesh, and " + s.mesh + " is a folder");
+  refuse_given(
+      {{"--png", !s.png.empty()}, {"--prediction", !s.prediction.empty()}, {"--controls", !s.profile.controls.empty()}},
+      " is for one mesh, and " + s.mesh + " is a folder");
   check_skeleton_source(s.skeleton);
   const std::vector<FolderFile> files = folder_files(s.mesh, s.output, "." + s.format, true);
   const Models models = load_models(s);
@@ -247,8 +247,7 @@ void run_rig_folder(const RigCommandSettings& s) {
     }
     progress.step();
   }
-  if (failed > 0)
-    throw Error(std::to_string(failed) + " of " + std::to_string(files.size()) + " meshes failed, see above");
+  check_failed(failed, files.size(), "meshes");
   if (!s.json) std::printf("wrote %zu files to %s\n", files.size(), printable(s.output).c_str());
   if (wanting > 0)
     throw GateError(std::to_string(wanting) + " of " + std::to_string(files.size()) +
@@ -268,11 +267,11 @@ void run_rig(RigCommandSettings s) {
   if (s.front != SINEW_FRONT_AUTO && front[1] == s.up[0])
     throw UsageError("--front " + front + " is up by --up " + s.up + ": give an axis across it");
   if (is_picture(s.mesh))
-    for (const auto& [given, option] :
-         {std::pair{s.up != "auto", "--up"}, std::pair{s.front != SINEW_FRONT_AUTO, "--front"},
-          std::pair{!s.prediction.empty(), "--prediction"},
-          std::pair{!is_identity(s.transform), "--turn, --height or --floor"}})
-      if (given) throw UsageError(std::string(option) + " is for meshes, and " + s.mesh + " is a picture");
+    refuse_given({{"--up", s.up != "auto"},
+                  {"--front", s.front != SINEW_FRONT_AUTO},
+                  {"--prediction", !s.prediction.empty()},
+                  {"--turn, --height or --floor", !is_identity(s.transform)}},
+                 " is for meshes, and " + s.mesh + " is a picture");
   if (!s.prediction.empty() && !is_identity(s.transform))
     throw UsageError("--prediction stands where the mesh does: leave --turn, --height and --floor out");
   if (!s.prediction.empty() && !s.model.empty())

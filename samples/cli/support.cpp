@@ -19,6 +19,11 @@ namespace fs = std::filesystem;
 
 namespace sinew::cli {
 
+void refuse_given(const GivenOptions& options, const std::string& why) {
+  for (const auto& [option, given] : options)
+    if (given) throw UsageError(option + why);
+}
+
 void check_output(const std::string& path, const std::vector<std::string>& extensions, bool stream_allowed) {
   if (path == "-") {
     if (stream_allowed) return;
@@ -60,11 +65,7 @@ Character read_mesh_and_skeleton(const std::string& mesh, const std::string& ske
     read_skeleton(skeleton, with_skin, &character);
   } else if (character.joints.empty()) {
     std::string hint;
-    if (has_extension(mesh, ".obj")) {
-      const std::string beside = rig_path_beside(mesh);
-      std::error_code ignored;
-      if (fs::exists(beside, ignored)) hint = " (" + beside + " lies beside it)";
-    }
+    if (has_rig_beside(mesh)) hint = " (" + rig_path_beside(mesh) + " lies beside it)";
     throw Error(mesh + ": has no skeleton; give one with --skeleton FILE" + hint);
   }
   return character;
@@ -159,15 +160,31 @@ std::vector<FoundCharacter> expand(const std::vector<std::string>& inputs) {
 }
 
 Character read_any(const std::string& path) {
-  std::error_code ignored;
-  if (has_extension(path, ".obj") && !fs::exists(rig_path_beside(path), ignored)) return read_mesh(path);
+  if (has_extension(path, ".obj") && !has_rig_beside(path)) return read_mesh(path);
   return path == "-" ? read_mesh(path) : read_character(path);
+}
+
+bool has_rig_beside(const std::string& mesh) {
+  std::error_code ignored;
+  return has_extension(mesh, ".obj") && fs::exists(rig_path_beside(mesh), ignored);
 }
 
 void make_folder(const std::string& path) {
   std::error_code failed;
   fs::create_directories(path, failed);
   if (failed || !fs::is_directory(path)) throw Error(path + ": cannot make this folder: " + failed.message());
+}
+
+void check_failed(size_t failed, size_t count, const std::string& things, const std::string& first) {
+  if (failed == 0) return;
+  throw Error(std::to_string(failed) + " of " + std::to_string(count) + " " + things + " failed" +
+              (first.empty() ? ", see above" : "; the first: " + first));
+}
+
+void check_failed(const std::map<std::string, std::string>& failures, size_t count) {
+  if (failures.empty()) return;
+  const auto& [name, error] = *failures.begin();
+  check_failed(failures.size(), count, "characters", name + ": " + error);
 }
 
 std::string joined(const std::vector<std::string>& names) {

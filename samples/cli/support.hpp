@@ -6,9 +6,11 @@
 
 #include <atomic>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sinew_character/jobs/character_file.hpp"
@@ -29,6 +31,10 @@ class GateError : public Error {
  public:
   using Error::Error;
 };
+
+// Options, and whether each is given. Throws UsageError for the first that is: "--png" and then `why`.
+using GivenOptions = std::vector<std::pair<const char*, bool>>;
+void refuse_given(const GivenOptions& options, const std::string& why);
 
 // Throws UsageError unless `path` is "-" (when allowed) or ends with one of `extensions`; Error when its folder is
 // missing or it is a folder itself. Called before any work.
@@ -61,8 +67,15 @@ Character read_found(const FoundCharacter& found);
 std::vector<FoundCharacter> expand(const std::vector<std::string>& inputs);
 // A bare mesh is a character without joints.
 Character read_any(const std::string& path);
+// NAME.obj with NAME.rig.txt.
+bool has_rig_beside(const std::string& mesh);
 // With those above it.
 void make_folder(const std::string& path);
+
+// Throws Error where any failed: "2 of 9 characters failed, see above", or "; the first: " with what was wrong with it.
+void check_failed(size_t failed, size_t count, const std::string& things, const std::string& first = "");
+// The same of characters, with the errors by their names.
+void check_failed(const std::map<std::string, std::string>& failures, size_t count);
 
 // "a, b, c".
 std::string joined(const std::vector<std::string>& names);

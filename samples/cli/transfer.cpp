@@ -20,7 +20,6 @@
 #include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/print.hpp"
 #include "support.hpp"
 #include "transfer_target.hpp"
 
@@ -205,10 +204,11 @@ std::vector<std::string> outputs_of(const TransferCommandSettings& s) {
     return {output};
   }
   if (s.output.empty()) throw UsageError("several targets: say with -o OUTDIR where their files go");
-  for (const auto& [name, given] :
-       {std::pair("--png", !s.png.empty()), std::pair("--lock", !s.lock.empty()),
-        std::pair("--png-confidence", !s.png_confidence.empty()), std::pair("--pair", !s.pairs.empty())})
-    if (given) throw UsageError(std::string(name) + " is for one target, and there are several");
+  refuse_given({{"--png", !s.png.empty()},
+                {"--lock", !s.lock.empty()},
+                {"--png-confidence", !s.png_confidence.empty()},
+                {"--pair", !s.pairs.empty()}},
+               " is for one target, and there are several");
   std::error_code ignored;
   if (!std::filesystem::is_directory(s.output, ignored))
     throw Error("-o " + s.output + ": there are several targets, expected a folder for their files; create it first");
@@ -285,8 +285,7 @@ void run_transfer(const TransferCommandSettings& s) {
       std::fprintf(stderr, "sinew: error: %s\n", printable(error.what()).c_str());
     }
   }
-  if (failed > 0)
-    throw Error(std::to_string(failed) + " of " + std::to_string(s.targets.size()) + " targets failed, see above");
+  check_failed(failed, s.targets.size(), "targets");
 }
 
 void add_transfer_inputs(CLI::App* sub, TransferCommandSettings* s) {

@@ -2,7 +2,6 @@
 // Reads targets and their skeletons.
 #include "transfer_target.hpp"
 
-#include <filesystem>
 #include <utility>
 
 #include "sinew_formats/file_kinds.hpp"
@@ -10,14 +9,6 @@
 #include "support.hpp"
 
 namespace sinew::cli {
-namespace {
-
-bool has_rig_beside(const std::string& path) {
-  std::error_code ignored;
-  return has_extension(path, ".obj") && std::filesystem::exists(rig_path_beside(path), ignored);
-}
-
-}  // namespace
 
 TransferTarget TargetReader::read(const std::string& path) {
   if (has_extension(path, ".txt"))

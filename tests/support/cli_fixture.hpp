@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "../../samples/cli/commands.hpp"
 #include "sinew_formats/io.hpp"
 
 namespace fs = std::filesystem;
@@ -26,9 +27,7 @@ namespace sinew {
 // sinew, or sinew-lab for what is one of its commands; "lab --help" is sinew-lab --help.
 inline std::string program_of(const std::string& arguments) {
   const std::string command = arguments.substr(0, arguments.find(' '));
-  for (const char* of_lab : {"train", "crossval", "quantize", "dataset", "eval", "lab"})
-    if (command == of_lab) return "sinew-lab";
-  return "sinew";
+  return cli::is_lab_command(command) || command == "lab" ? "sinew-lab" : "sinew";
 }
 inline const std::string kData = std::string(SINEW_SOURCE_DIR) + "/samples/data";
 inline const std::string kSnake = kData + "/snake__long.obj", kSnakeRig = kData + "/snake__long.rig.txt";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A rig as mapping sees it: positions in doubles, children, an order in which every subtree is one run.
+// A rig as mapping sees it: positions in doubles, children, an order in which every subtree is one run. Whether two are of the
+// same rig: a motion of the character's own leaves nothing to find.
 #ifndef SINEW_MAPPING_HIERARCHY_HPP
 #define SINEW_MAPPING_HIERARCHY_HPP
 
@@ -64,6 +65,16 @@ template <class Body>
 void each_kid(const Hierarchy& rig, int32_t joint, const Body& body) {
   for (int32_t k = rig.kid_offsets[joint]; k < rig.kid_offsets[joint + 1]; ++k) body(rig.kids[k]);
 }
+
+// Whether joints have joints of their names in the other rig, below the one of their parent's name: all but leaves and what holds the
+// whole rig, and at least half of either rig. Then sources [target n] are those joints, -1 for what has none. targets [source n] is
+// scratch.
+bool is_same_rig(const sinew_skeleton& target, const sinew_skeleton& source, const Hierarchy& own,
+                 const Hierarchy& other, int32_t* sources, int32_t* targets);
+
+// The same of rigs under other names: every joint has as many children, which lie from it as the other's do, up to 30 % of a bone, both
+// rigs in one size and turned alike; and no name says another side, nor one of ten another part. Then sources [target n] is whole. targets as above.
+bool is_same_shape(const Hierarchy& own, const Hierarchy& other, int32_t* sources, int32_t* targets);
 
 }  // namespace sinew::mapping
 #endif

@@ -7,8 +7,8 @@
 #include "core/build.hpp"
 #include "core/read_skeleton.hpp"
 #include "core/struct_size.hpp"
+#include "mapping/hierarchy.hpp"
 #include "mapping/matcher.hpp"
-#include "mapping/same_rig.hpp"
 #include "sinew/published.h"
 
 namespace sinew::mapping {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Joint by joint, by its whole name, or by its position.
-#include "mapping/same_rig.hpp"
-
 #include "core/read_skeleton.hpp"
+#include "mapping/hierarchy.hpp"
 
 namespace sinew::mapping {
 namespace {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A rig's own motion is known by names and hierarchy, or by hierarchy and positions.
-#include "mapping/same_rig.hpp"
-
 #include <string>
 
+#include "mapping/hierarchy.hpp"
 #include "small_rig.hpp"
 
 namespace sinew::mapping {
