@@ -97,13 +97,16 @@ void inspect_checkpoint(const InspectCommandSettings& s) {
 }
 
 void inspect_model(const InspectCommandSettings& s) {
-  const std::unique_ptr<LoadedModel> loaded =
-      load_model(s.path, s.path == "bundled" ? ModelUse::kBind : ModelUse::kAny);
+  constexpr const char* kTasks[] = {"skin weights", "skeletons", "hands", "skeletons in slots",
+                                    "fronts"};  // by ModelUse
+  ModelUse use = ModelUse::kBind;
+  const std::unique_ptr<LoadedModel> loaded = load_any_model(s.path, &use);
+  const char* const task = kTasks[static_cast<size_t>(use)];
   const sinew_model& model = loaded->model;
   if (s.json) {
     return print_json({{"file", s.path},
                        {"kind", "model"},
-                       {"task", model_task(model)},
+                       {"task", task},
                        {"format", model.format_version},
                        {"bytes", model.size_bytes},
                        {"parameters", model.parameter_count},
@@ -116,12 +119,10 @@ void inspect_model(const InspectCommandSettings& s) {
   }
   std::printf("%s: int16 model, all checks passed\n", s.path == "bundled" ? "bundled model" : s.path.c_str());
   std::printf(
-      "task          %s\nformat        %u\nbytes         %zu\nparameters    %u\nlayers        %u\ncandidates    "
-      "%u\ngrid          %s\n"
-      "feature set   %s\nchecksum      %08x\n",
-      model_task(model).c_str(), model.format_version, model.size_bytes, model.parameter_count, model.layer_count,
-      model.candidate_count, grid_text(model.grid_size).c_str(), feature_set_text(model.feature_set).c_str(),
-      model.checksum);
+      "task          %s\nformat        %u\nbytes         %zu\nparameters    %u\nlayers        %u\n"
+      "candidates    %u\ngrid          %s\nfeature set   %s\nchecksum      %08x\n",
+      task, model.format_version, model.size_bytes, model.parameter_count, model.layer_count, model.candidate_count,
+      grid_text(model.grid_size).c_str(), feature_set_text(model.feature_set).c_str(), model.checksum);
 }
 
 bool is_gltf(const std::string& path) {

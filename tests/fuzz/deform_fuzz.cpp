@@ -6,6 +6,7 @@
 #include "bind_checks.hpp"
 #include "fuzz.hpp"
 #include "mesh_input.hpp"
+#include "sinew/published.h"
 
 namespace {
 

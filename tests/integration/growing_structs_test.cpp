@@ -155,7 +155,6 @@ SINEW_KEEPS(sinew_transfer_outputs, used_bytes);
 SINEW_KEEPS(sinew_simplify_options, struct_size);
 SINEW_KEEPS(sinew_simplify_options, level);
 SINEW_KEEPS(sinew_simplify_options, joint_count);
-SINEW_KEEPS(sinew_simplify_options, reserved);
 
 namespace {
 

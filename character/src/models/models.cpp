@@ -17,12 +17,8 @@ using namespace rigging;
 namespace {
 
 sinew_status open_for(ModelUse use, const void* bytes, size_t size, sinew_model* model) {
-  const bool any = use == ModelUse::kAny;
-  sinew_status status = SINEW_ERROR_MODEL_TASK;
-  if (any || use == ModelUse::kBind) status = sinew_model_open(bytes, size, model);
-  if (use == ModelUse::kBind || (any && status != SINEW_ERROR_MODEL_TASK)) return status;
-  status = sinew_rig_model_open(bytes, size, model);
-  if (any) return status;
+  if (use == ModelUse::kBind) return sinew_model_open(bytes, size, model);
+  const sinew_status status = sinew_rig_model_open(bytes, size, model);
   // Bodies, hands and slots have models of their own.
   const uint32_t wanted = use == ModelUse::kHands        ? kHandsFeatureSet
                           : use == ModelUse::kSlotJoints ? kSlotsFeatureSet
@@ -59,14 +55,6 @@ bool is_bundled(const std::string& path) { return path.empty() || path == "bundl
 
 }  // namespace
 
-std::string model_task(const sinew_model& model) {
-  return model.candidate_count > 0               ? "skin weights"
-         : model.feature_set == kHandsFeatureSet ? "hands"
-         : model.feature_set == kSlotsFeatureSet ? "skeletons in slots"
-         : model.feature_set == kFrontFeatureSet ? "fronts"
-                                                 : "skeletons";
-}
-
 std::string model_label(const std::string& path) {
   return is_bundled(path) ? "bundled model" : std::filesystem::path(path).filename().string();
 }
@@ -98,6 +86,17 @@ std::unique_ptr<LoadedModel> load_model(const std::string& path, ModelUse use) {
   if (status != SINEW_OK) throw Error(std::string("the bundled model: ") + sinew_status_text(status));
   pack_weights(loaded.get());
   return loaded;
+}
+
+std::unique_ptr<LoadedModel> load_any_model(const std::string& path, ModelUse* use) {
+  *use = ModelUse::kBind;
+  if (is_bundled(path)) return load_model(path);
+  const std::vector<uint8_t> bytes = read_file(path);
+  for (const ModelUse one : {ModelUse::kRig, ModelUse::kHands, ModelUse::kSlotJoints, ModelUse::kFront}) {
+    sinew_model ignored{};
+    if (open_for(one, bytes.data(), bytes.size(), &ignored) == SINEW_OK) *use = one;
+  }
+  return model_from_bytes(bytes, path, *use);
 }
 
 }  // namespace sinew

@@ -10,7 +10,7 @@
 
 // The struct of the first release, 0.1.
 static constexpr uint32_t kFirstDeformOutputs = offsetof(sinew_deform_outputs, inverted_tetrahedra) + sizeof(uint32_t);
-static_assert(sizeof(sinew_deform_options) == 10 * sizeof(uint32_t) + 2 * sizeof(void*),
+static_assert(sizeof(sinew_deform_options) == 12 * sizeof(uint32_t) + 2 * sizeof(void*),
               "a hole in sinew_deform_options");
 static_assert(sizeof(sinew_deform_outputs) == 4 * sizeof(uint32_t) + sizeof(void*), "a hole in sinew_deform_outputs");
 

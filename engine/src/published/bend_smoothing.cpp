@@ -111,26 +111,12 @@ void inflate(const PosedJoints& posed, SmoothedVertex* vertices, BendVolume* vol
 
 }  // namespace
 
-void smooth_bends_as_drawn(const PosedJoints& posed, SmoothedVertex* vertices, Vec3d* positions) {
-  const DeformRest& rest = *posed.rest;
-  for (uint32_t u = 0; u < rest.welded_count; ++u) vertices[u] = begin_vertex(posed, u, positions[rest.first[u]]);
-  for (uint32_t u = 0; u < rest.welded_count; ++u) {
-    const uint32_t begin = rest.row_offsets[u], end = rest.row_offsets[u + 1];
-    Vec3d sum = {0, 0, 0};
-    for (uint32_t r = begin; r < end; ++r) sum = sum + vertices[rest.col_indices[r]].position;
-    vertices[u].next = begin == end ? vertices[u].position : (1.0 / (end - begin)) * sum;
-  }
-  for (uint32_t v = 0; v < rest.vertex_count; ++v) {
-    const SmoothedVertex& own = vertices[rest.welded[v]];
-    if (own.share > 0) positions[v] = own.next;
-  }
-}
-
 void smooth_bends(const PosedJoints& posed, const uint8_t* moved, SmoothedVertex* vertices, BendVolume* volumes,
                   Vec3d* positions) {
   const DeformRest& rest = *posed.rest;
   for (uint32_t u = 0; u < rest.welded_count; ++u) vertices[u] = begin_vertex(posed, u, positions[rest.first[u]]);
-  for (int step = 0; step < kSteps; ++step) {
+  const bool as_drawn = rest.options.as_drawn != 0;
+  for (int step = 0; step < (as_drawn ? 1 : kSteps); ++step) {
     for (uint32_t u = 0; u < rest.welded_count; ++u) {
       SmoothedVertex& own = vertices[u];
       const uint32_t begin = rest.row_offsets[u], end = rest.row_offsets[u + 1];
@@ -142,13 +128,14 @@ void smooth_bends(const PosedJoints& posed, const uint8_t* moved, SmoothedVertex
         sum = sum + (vertices[other].position - own.position);
         sum_at_rest = sum_at_rest + (rest.position(rest.first[other]) - rest.position(rest.first[u]));
       }
-      const double part = (step % 2 == 0 ? own.share : -kInflates * own.share) / (end - begin);
-      own.next = own.position + part * (sum - rotate(own.rotation, sum_at_rest));
+      const double share = as_drawn ? 1 : step % 2 == 0 ? own.share : -kInflates * own.share;
+      const Vec3d back = as_drawn ? Vec3d{0, 0, 0} : rotate(own.rotation, sum_at_rest);
+      own.next = own.position + (share / (end - begin)) * (sum - back);
     }
     for (uint32_t u = 0; u < rest.welded_count; ++u) vertices[u].position = vertices[u].next;
   }
-  grow_bends(rest, moved, vertices);
-  for (int step = 0; step < kInflations; ++step) inflate(posed, vertices, volumes);
+  if (!as_drawn) grow_bends(rest, moved, vertices);
+  for (int step = 0; step < kInflations && !as_drawn; ++step) inflate(posed, vertices, volumes);
   for (uint32_t v = 0; v < rest.vertex_count; ++v) {
     const SmoothedVertex& own = vertices[rest.welded[v]];
     if (own.share > 0) positions[v] = own.position;

@@ -36,6 +36,18 @@ struct Least {
   }
 };
 
+// References that a vertex is compared at, and its distances to them.
+struct Compared {
+  double keys[SINEW_MAX_TRANSFER_PAIRS];
+  uint32_t numbers[SINEW_MAX_TRANSFER_PAIRS];
+  uint32_t count = 0;
+
+  void append(double key, uint32_t number) {
+    keys[count] = key;
+    numbers[count++] = number;
+  }
+};
+
 // Both meshes' distances, a column a reference point.
 struct Columns {
   const References& references;
@@ -66,8 +78,7 @@ struct Columns {
     }
   }
 
-  template <uint32_t kMost>
-  bool lies_beside(const Least<kMost>& compared, uint32_t source_vertex) const {
+  bool lies_beside(const Compared& compared, uint32_t source_vertex) const {
     for (uint32_t k = 0; k < compared.count; ++k) {
       const uint32_t corner = references.points[compared.numbers[k]].source.corners[0];
       if (source_part[corner] == source_part[source_vertex]) return true;
@@ -76,9 +87,8 @@ struct Columns {
   }
 
   // The source's vertices with the least squared difference of distances; of the compared references' parts alone, if asked.
-  template <uint32_t kMost>
-  Least<kNearest> most_alike(const Least<kMost>& compared, bool of_their_parts) const {
-    double weights[kMost];
+  Least<kNearest> most_alike(const Compared& compared, bool of_their_parts) const {
+    double weights[SINEW_MAX_TRANSFER_PAIRS];
     for (uint32_t k = 0; k < compared.count; ++k) {
       const double d = compared.keys[k] + kNearDistance;
       weights[k] = as_drawn ? 1 : 1 / (d * d);
@@ -104,31 +114,35 @@ struct Columns {
   double distance(uint32_t vertex, uint32_t reference) const {
     return target[size_t{reference} * target_count + vertex];
   }
-
-  Least<kNearest> most_alike_of_all(uint32_t vertex) const {
-    Least<SINEW_MAX_TRANSFER_PAIRS> compared;
-    for (uint32_t i = 0; i < references.count; ++i) compared.add(distance(vertex, i), i);
-    return most_alike(compared, false);
+  bool is_own(uint32_t vertex, uint32_t reference) const {
+    return target_part[references.points[reference].target.corners[0]] == target_part[vertex];
   }
 
-  Least<kNearest> most_alike_of_near(uint32_t vertex) const {
-    // How far parts are from each other is what ties make of it: a vertex is compared at references of its own part, with vertices
-    // of the parts where those lie on the source. A part without such references is compared at all.
-    Least<kCompared> compared, own;
-    for (uint32_t i = 0; i < references.count; ++i) {
-      const double d = distance(vertex, i);
-      compared.add(d, i);
-      if (target_part[references.points[i].target.corners[0]] == target_part[vertex]) own.add(d, i);
+  // How far parts are from each other is what ties make of it: a vertex is compared at references of its own part, with vertices
+  // of the parts where those lie on the source. A part without such references is compared at all.
+  Least<kNearest> most_alike(uint32_t vertex) const {
+    uint32_t own_count = 0;
+    for (uint32_t i = 0; i < references.count; ++i) own_count += is_own(vertex, i) ? 1 : 0;
+    const bool has_own = own_count >= kFewest;
+    Compared compared;
+    if (as_drawn) {
+      for (uint32_t i = 0; i < references.count; ++i)
+        if (!has_own || is_own(vertex, i)) compared.append(distance(vertex, i), i);
+    } else {
+      Least<kCompared> nearest;
+      for (uint32_t i = 0; i < references.count; ++i)
+        if (!has_own || is_own(vertex, i)) nearest.add(distance(vertex, i), i);
+      for (uint32_t k = 0; k < nearest.count && k < most_compared; ++k)
+        compared.append(nearest.keys[k], nearest.numbers[k]);
     }
-    const bool has_own = own.count >= kFewest;
-    if (has_own) compared = own;
-    if (compared.count > most_compared) compared.count = most_compared;
-    const Least<kNearest> best = most_alike(compared, has_own);
-    return best.count > 0 ? best : most_alike(compared, false);
+    Least<kNearest> best;
+    for (const bool of_their_parts : {has_own, false})
+      if (best.count == 0) best = most_alike(compared, of_their_parts);
+    return best;
   }
 
   void find(uint32_t vertex, uint32_t* vertices, double* shares) const {
-    const Least<kNearest> best = as_drawn ? most_alike_of_all(vertex) : most_alike_of_near(vertex);
+    const Least<kNearest> best = most_alike(vertex);
     double sum = 0;
     const double farthest = best.keys[best.count - 1];
     for (uint32_t i = 0; i < best.count; ++i) {

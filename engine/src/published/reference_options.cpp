@@ -24,11 +24,12 @@ sinew_status read_reference_options(const sinew_reference_options* options, Refe
   *out = ReferenceOptions();
   out->as_drawn = o.as_drawn != 0;
   if (o.area_power != 0) out->area_power = o.area_power == SINEW_NO_AREA ? 0 : o.area_power;
-  out->own_limb = out->as_drawn || o.own_limb != 0;
-  out->legs = out->as_drawn || o.legs != 0;
-  out->head = out->as_drawn || o.head != 0;
-  out->torso = out->as_drawn || o.torso != 0;
-  out->source_points = out->as_drawn || o.source_points != 0;
+  if (out->as_drawn) o.own_limb = o.legs = o.head = o.torso = o.source_points = 1;
+  out->own_limb = o.own_limb != 0;
+  out->legs = o.legs != 0;
+  out->head = o.head != 0;
+  out->torso = o.torso != 0;
+  out->source_points = o.source_points != 0;
   if (falloff > 0) out->falloff = falloff;
   if (falloff < 0 || out->as_drawn) out->falloff = 0;
   if (least > 0) out->least_cosine = least;

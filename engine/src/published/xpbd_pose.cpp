@@ -50,11 +50,11 @@ class PublishedPose {
     const bool smooths = (rest_.options.without & SINEW_WITHOUT_SMOOTHING) == 0;
     if (as_drawn()) {
       collide();
-      if (smooths) smooth_bends_as_drawn(posed_, smoothed, positions_);
-      return SINEW_OK;
+    } else if (rest_.has_contact()) {
+      keep_apart();  // while the surface is where the lattice has it
     }
-    if (rest_.has_contact()) keep_apart();  // while the surface is where the lattice has it
     if (smooths) smooth_bends(posed_, moved_, smoothed, volumes, positions_);
+    if (as_drawn()) return SINEW_OK;
     for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
       if (is_rigid(v)) continue;
       positions_[v] = positions_[v] - outside_by(spaces_[v], positions_[v]) * spaces_[v].normal;

@@ -28,7 +28,7 @@ static_assert(sizeof(sinew_retarget_options) == 5 * 4);
 static_assert(sizeof(sinew_motion_body) == 4 * 8 && sizeof(sinew_motion_clip) == 4 * 6 &&
               sizeof(sinew_contact_options) == 4 * 5 && sizeof(sinew_floor) == 4 * 7 &&
               sizeof(sinew_retarget_stream_options) == 4 * 8);
-static_assert(sizeof(sinew_skin) == 4 * 4 && sizeof(sinew_deform_options) == 4 * 12 &&
+static_assert(sizeof(sinew_skin) == 4 * 4 && sizeof(sinew_deform_options) == 4 * 14 &&
               sizeof(sinew_deformer) == 4 * 14 && sizeof(sinew_deform_outputs) == 4 * 5);
 static_assert(sizeof(sinew_bound_character) == 4 * 7 && sizeof(sinew_transfer_part) == 4 * 8);
 static_assert(offsetof(sinew_transfer_options, progress_user) == 4 * 15 &&

@@ -89,7 +89,7 @@ TEST(PublishedMapping, TwoDinosaursFindEveryJoint) {
 // surface.
 TEST(PublishedMapping, SamplesFindTheirLike) {
   const MapRig robed = read_map_rig(kSamples + "biped__robed.obj"), robot = read_map_rig(kSamples + "biped__robot.obj");
-  EXPECT_EQ(robed.areas.size(), robed.joints.size());
+  EXPECT_EQ(robed.surfaces.shares.size(), robed.joints.size());
   for (const auto& [target, source] : {std::pair(&robed, &robot), std::pair(&robot, &robed)}) {
     const MappedSkeleton map = map_skeleton(*target, *source, by_branches());
     size_t limbs = 0;

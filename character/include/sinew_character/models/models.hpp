@@ -13,20 +13,21 @@
 
 namespace sinew {
 
+// What a model is opened for.
+enum class ModelUse { kBind, kRig, kHands, kSlotJoints, kFront };
+
 // A checked model and the bytes it stands on.
 struct LoadedModel {
   std::vector<uint64_t> storage;  // 8-byte aligned copy of a file; empty for the bundled model
   sinew::Workspace packed;        // its weights for the processor's kernels
   sinew_model model{};
 };
-// What a model is opened for; kAny: to look at it.
-enum class ModelUse { kBind, kRig, kHands, kSlotJoints, kFront, kAny };
 // `path` empty or "bundled": the model built into the program. Throws Error.
 std::unique_ptr<LoadedModel> load_model(const std::string& path, ModelUse use = ModelUse::kBind);
+// A model of any task, to look at it; `use` says which it is opened for.
+std::unique_ptr<LoadedModel> load_any_model(const std::string& path, ModelUse* use);
 // The same of ModelUse::kFront; null where that is bundled and the program was built without one: votes tell the front then.
 std::unique_ptr<LoadedModel> load_front_model(const std::string& path = "");
-// What a model does: "skin weights", "skeletons", "hands", "skeletons in slots", "fronts".
-std::string model_task(const sinew_model& model);
 std::string model_label(const std::string& path);  // "bundled model" or the file's name
 std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes, const std::string& what,
                                               ModelUse use = ModelUse::kBind);

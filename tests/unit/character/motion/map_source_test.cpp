@@ -70,7 +70,7 @@ TEST(MapSource, LeavesWithoutWeightAreEndsInAMotionToo) {
   const MapRig skeleton = map_rig_of(read_gltf(path)), source = read_map_source({path}, {});
   ASSERT_GE(source.ends.size(), skeleton.ends.size());
   EXPECT_TRUE(std::equal(skeleton.ends.begin(), skeleton.ends.end(), source.ends.begin()));
-  EXPECT_EQ(source.areas.size(), source.joints.size());
+  EXPECT_EQ(source.surfaces.shares.size(), source.joints.size());
   EXPECT_NE(std::count(source.animated.begin(), source.animated.end(), 1), 0);
 }
 

@@ -88,13 +88,10 @@ TEST(Published, AsDrawnALaplacianSmoothsTheBend) {
     ++moved;
     std::set<uint32_t> neighbours;
     for (uint32_t f = 0; f < mesh.face_count; ++f) {
-      const uint32_t begin = mesh.face_offsets[f], end = mesh.face_offsets[f + 1];
-      for (uint32_t c = begin; c < end; ++c) {
-        if (mesh.face_vertices[c] != v) continue;
-        neighbours.insert(mesh.face_vertices[c + 1 < end ? c + 1 : begin]);
-        neighbours.insert(mesh.face_vertices[c > begin ? c - 1 : end - 1]);
-      }
+      const std::set<uint32_t> corners = {tube.corners[3 * f], tube.corners[3 * f + 1], tube.corners[3 * f + 2]};
+      if (corners.count(v) > 0) neighbours.insert(corners.begin(), corners.end());
     }
+    neighbours.erase(v);
     for (size_t axis = 0; axis < 3; ++axis) {
       double mean = 0;
       for (const uint32_t n : neighbours)
