@@ -40,8 +40,7 @@ enum {
    * contact by extended position-based dynamics, and smoothing of the bends in proportion to their angle */
   SINEW_DEFORM_XPBD = 1,
   /* sinew_transfer_options: vertices that have like biharmonic distances to reference points; needs no alike shape, and
-   * less fits. With as_drawn a vertex's distances to all reference points of its part of the mesh count alike and are not
-   * scaled; else those to the nearest ones, scaled to the other body, by nearness (ours) */
+   * less fits. */
   SINEW_TRANSFER_BIHARMONIC = 2
 };
 

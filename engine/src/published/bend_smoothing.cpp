@@ -128,7 +128,7 @@ void smooth_bends(const PosedJoints& posed, const uint8_t* moved, SmoothedVertex
         sum = sum + (vertices[other].position - own.position);
         sum_at_rest = sum_at_rest + (rest.position(rest.first[other]) - rest.position(rest.first[u]));
       }
-      const double share = as_drawn ? 1 : step % 2 == 0 ? own.share : -kInflates * own.share;
+      const double share = step % 2 == 0 ? own.share : -kInflates * own.share;
       const Vec3d back = as_drawn ? Vec3d{0, 0, 0} : rotate(own.rotation, sum_at_rest);
       own.next = own.position + (share / (end - begin)) * (sum - back);
     }

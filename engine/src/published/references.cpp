@@ -269,8 +269,7 @@ uint32_t References::most(const TransferPlan& plan) {
   constexpr uint32_t kFound = 1200, kNumbers = 1u << 24;
   if (plan.pair_count > 0) return plan.pair_count;
   const uint32_t larger = plan.source.vertices > plan.target.vertices ? plan.source.vertices : plan.target.vertices;
-  const uint32_t wanted = plan.as_drawn ? SINEW_MAX_TRANSFER_PAIRS : kFound;  // as drawn each of them is compared
-  return kNumbers / larger < wanted ? kNumbers / larger : wanted;
+  return kNumbers / larger < kFound ? kNumbers / larger : kFound;
 }
 
 sinew_status References::find(const TransferPlan& plan, const Pair& pair, const Rows& source_rows,

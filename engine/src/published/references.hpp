@@ -25,7 +25,7 @@ struct References {
   Reference* points = nullptr;  // [most]
   uint32_t count = 0;
 
-  // As many as the caller gives; else at most 1200, as drawn SINEW_MAX_TRANSFER_PAIRS, and so few that distances of the larger mesh take no more than 128 MiB.
+  // As many as the caller gives; else at most 1200, and so few that distances of the larger mesh take no more than 128 MiB.
   static uint32_t most(const TransferPlan& plan);
   bool allocate(Arena& arena, const TransferPlan& plan) {
     points = arena.alloc<Reference>(most(plan));
