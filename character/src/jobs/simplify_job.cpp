@@ -107,7 +107,8 @@ SimplifiedCharacter simplify_character(const SimplifyOptions& options, const std
                                        Character* character) {
   Character left = *character;
   SimplifyOptions own = options;
-  if (!options.low && options.joints == 0 && !options.as_drawn) own.keep_joints = joints_that_move(options, motions, *character);
+  if (!options.low && options.joints == 0 && !options.as_drawn)
+    own.keep_joints = joints_that_move(options, motions, *character);
   SimplifiedCharacter out;
   out.simplified = simplify_skeleton(own, &left);
   out.motion = motion_of(left.joints);

@@ -19,10 +19,10 @@ namespace sinew {
 
 // A skeleton as mapping takes it.
 struct MapRig {
-  std::string name;           // the file, for messages
-  std::vector<Joint> joints;  // at least one
-  std::vector<uint8_t> ends;  // [J] 1: only says where a bone ends; empty = not known
-  JointSurfaces surfaces;     // for SINEW_MAP_BRANCHES and levels, as the next; empty = no mesh is bound
+  std::string name;               // the file, for messages
+  std::vector<Joint> joints;      // at least one
+  std::vector<uint8_t> ends;      // [J] 1: only says where a bone ends; empty = not known
+  JointSurfaces surfaces;         // for SINEW_MAP_BRANCHES and levels, as the next; empty = no mesh is bound
   std::vector<uint8_t> animated;  // [J] 1: a clip moves it; empty = not known
 };
 
