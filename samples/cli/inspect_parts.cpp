@@ -10,6 +10,7 @@
 
 #include "sinew_character/check/mesh_check.hpp"
 #include "sinew_formats/base/box.hpp"
+#include "sinew_formats/base/joint_tree.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
@@ -33,17 +34,11 @@ std::map<size_t, size_t> face_sizes(const Character& character) {
 }
 
 void print_joints(const Character& character) {
-  std::vector<std::vector<size_t>> children(character.joints.size());
+  const JointTree tree(character.joints);
   const std::vector<double> share = joint_shares(character);
   std::vector<std::pair<size_t, int>> stack;
-  for (size_t j = character.joints.size(); j-- > 0;) {
-    const int parent = character.joints[j].parent;
-    if (parent < 0) {
-      stack.emplace_back(j, 0);
-    } else {
-      children[static_cast<size_t>(parent)].push_back(j);
-    }
-  }
+  for (size_t j = character.joints.size(); j-- > 0;)
+    if (character.joints[j].parent < 0) stack.emplace_back(j, 0);
   while (!stack.empty()) {
     const auto [j, depth] = stack.back();
     stack.pop_back();
@@ -53,7 +48,8 @@ void print_joints(const Character& character) {
                 static_cast<double>(joint.position.z));
     if (!character.influences.empty()) std::printf("  %.1f vertices", share[j]);
     std::printf("\n");
-    for (size_t child : children[j]) stack.emplace_back(child, depth + 1);
+    for (auto child = tree.children[j].rbegin(); child != tree.children[j].rend(); ++child)
+      stack.emplace_back(joint_index(*child), depth + 1);
   }
 }
 

@@ -592,7 +592,7 @@ typedef struct sinew_character_simplify_options {
   uint32_t keep_count;
   /* [keep_count] Joints that stay; or null. */
   const char* const* keep;
-  /* 1: the published conditions alone, whatever joints are; see sinew/simplify.h. */
+  /* 1: only the published conditions say which joints go; see sinew/simplify.h. */
   uint32_t as_drawn;
   uint32_t reserved;
 } sinew_character_simplify_options;

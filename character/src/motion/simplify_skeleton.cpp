@@ -85,8 +85,6 @@ Simplified simplify_skeleton(const SimplifyOptions& options, Character* characte
   return simplified;
 }
 
-// Both skeletons simplified, mapped, and the map brought back to the joints that they had.
-
 namespace {
 
 // What each joint of a rig is part of at a level.
@@ -185,6 +183,7 @@ void reduce(const std::vector<uint32_t>& target_into, const std::vector<uint32_t
 
 }  // namespace
 
+// The map of both simplified skeletons, brought back to the joints that they had.
 MappedSkeleton map_at_level(const MapRig& target, const MapRig& source, const MapSkeletonOptions& options, bool low) {
   std::vector<uint8_t> keep[2] = {std::vector<uint8_t>(target.joints.size(), 0),
                                   std::vector<uint8_t>(source.joints.size(), 0)};

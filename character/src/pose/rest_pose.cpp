@@ -15,6 +15,7 @@
 #include "sinew_character/predict/fit_skeleton.hpp"
 #include "sinew_character/predict/own_skeleton.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
+#include "sinew_formats/base/joint_tree.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -25,8 +26,6 @@ constexpr double kArmsOfA = 45 * kDegree;   // below the shoulders' line
 constexpr double kMostLean = 10 * kDegree;  // of a trunk that stays as it is
 constexpr double kLean = 50 * kDegree;      // a trunk that leans more is no biped's
 constexpr double kFootAlong = 0.1;          // a foot's share along the floor below which it has no direction
-
-size_t number_of(int j) { return static_cast<size_t>(j); }
 
 std::optional<Point3> direction_of(const Point3& p) {
   const double size = length(p);
@@ -69,7 +68,7 @@ struct Body {
     limbs = find_limbs(s, widest, 0);
   }
 
-  Point3 joint(int j) const { return point(skeleton.joints[number_of(j)].position); }
+  Point3 joint(int j) const { return point(skeleton.joints[joint_index(j)].position); }
   // 1 left, -1 right, of arms and legs; 0 of others.
   int side_of(const Limb& limb) const {
     if (limb.kind != LimbKind::kArm && limb.kind != LimbKind::kLeg) return limb.side;
@@ -80,7 +79,7 @@ struct Body {
   std::optional<Point3> bone(const Limb& limb, size_t k) const {
     return k + 1 < limb.joints.size() ? direction_of(joint(limb.joints[k + 1]) - joint(limb.joints[k])) : std::nullopt;
   }
-  uint8_t class_of(int j) const { return skeleton.classes[number_of(j)]; }
+  uint8_t class_of(int j) const { return skeleton.classes[joint_index(j)]; }
   // A direction of another body's axes in these.
   Point3 from_axes_of(const Body& other, const Point3& p) const {
     return dot(p, other.left) * left + dot(p, other.up) * up + dot(p, other.front) * front;
@@ -109,7 +108,7 @@ struct Body {
   }
   bool is_first_of_class(const JointVerdicts& verdicts, size_t j) const {
     const int parent = skeleton.joints[j].parent;
-    return parent < 0 || verdicts.classes[number_of(parent)] != verdicts.classes[j];
+    return parent < 0 || verdicts.classes[joint_index(parent)] != verdicts.classes[j];
   }
   static void add(const std::optional<SideMeans>& one, std::optional<SideMeans>* sum) {
     if (one && *sum)
@@ -135,7 +134,7 @@ void straighten(const Body& body, RestPose::Kind kind, BoneGoals* goals) {
     const double lower = kind == RestPose::Kind::kA ? kArmsOfA : 0;
     const Point3 arm = std::cos(lower) * out - std::sin(lower) * body.up;
     for (size_t k = 0; k < limb.joints.size(); ++k) {
-      BoneGoal& goal = (*goals)[number_of(limb.joints[k])];
+      BoneGoal& goal = (*goals)[joint_index(limb.joints[k])];
       goal.bone = body.bone(limb, k);
       switch (body.class_of(limb.joints[k])) {
         case SINEW_CLASS_UPPER_ARM:
@@ -163,7 +162,7 @@ std::optional<Point3> trunk_line(const Body& body, int* from) {
     if (limb.kind != LimbKind::kTrunk) continue;
     size_t last = 0;
     for (size_t k = 0; k < limb.joints.size(); ++k)
-      if (body.class_of(limb.joints[k]) <= SINEW_CLASS_NECK && body.skeleton.ends[number_of(limb.joints[k])] == 0)
+      if (body.class_of(limb.joints[k]) <= SINEW_CLASS_NECK && body.skeleton.ends[joint_index(limb.joints[k])] == 0)
         last = k;
     *from = limb.joints[0];
     return last == 0 ? std::nullopt : direction_of(body.joint(limb.joints[last]) - body.joint(limb.joints[0]));
@@ -180,7 +179,7 @@ void put_upright(const Body& body, const RestPose& pose, BoneGoals* goals) {
     throw Error("the pose " + pose.name +
                 " is for characters that stand upright, and this trunk does not; give a file that "
                 "stands as it shall, or none for the pose that it has");
-  if (lean > kMostLean) (*goals)[number_of(from)] = {line, body.up};
+  if (lean > kMostLean) (*goals)[joint_index(from)] = {line, body.up};
 }
 
 // Limbs of a kind and side, the front ones first.
@@ -216,7 +215,7 @@ size_t stand_like(const Body& body, const Body& like, BoneGoals* goals) {
     ++matched;
     for (size_t k = 0; k + 1 < limb.joints.size(); ++k) {
       const std::optional<Point3> wanted = like.bone(other, like_bone(body, limb, k, like, other));
-      if (wanted) (*goals)[number_of(limb.joints[k])] = {body.bone(limb, k), body.from_axes_of(like, *wanted)};
+      if (wanted) (*goals)[joint_index(limb.joints[k])] = {body.bone(limb, k), body.from_axes_of(like, *wanted)};
     }
   }
   return matched;
@@ -237,10 +236,10 @@ std::vector<Affine> follow(const Body& body, const BoneGoals& goals) {
   for (size_t left = joints.size(); left > 0;) {
     for (size_t j = 0; j < joints.size(); ++j) {
       const int parent = joints[j].parent;
-      if (done[j] != 0 || (parent >= 0 && done[number_of(parent)] == 0)) continue;
+      if (done[j] != 0 || (parent >= 0 && done[joint_index(parent)] == 0)) continue;
       done[j] = 1;
       --left;
-      const Rotation before = parent < 0 ? kNoRotation : turns[number_of(parent)];
+      const Rotation before = parent < 0 ? kNoRotation : turns[joint_index(parent)];
       const BoneGoal& goal = goals[j];
       Rotation turn = kNoRotation;
       if (goal.bone) {
@@ -250,7 +249,7 @@ std::vector<Affine> follow(const Body& body, const BoneGoals& goals) {
       }
       turns[j] = multiply(turn, before);
       const Point3 rest = point(joints[j].position);
-      const Point3 posed = parent < 0 ? rest : transform_point(palette[number_of(parent)], rest[0], rest[1], rest[2]);
+      const Point3 posed = parent < 0 ? rest : transform_point(palette[joint_index(parent)], rest[0], rest[1], rest[2]);
       const Point3 moved = posed - turned(turns[j], rest);
       const Rotation& r = turns[j];
       palette[j] = {r[0], r[1], r[2], moved[0], r[3], r[4], r[5], moved[1], r[6], r[7], r[8], moved[2]};

@@ -7,6 +7,7 @@
 
 #include "sinew/sinew.h"
 #include "sinew_character/rig/joint_mirror.hpp"
+#include "sinew_formats/base/joint_tree.hpp"
 
 namespace sinew {
 namespace {
@@ -45,10 +46,10 @@ class LimbFinder {
     }
     for (size_t j = 0; j < count(); ++j) {
       int above = s.joints[j].parent;
-      while (above >= 0 && !is_core(above)) above = s.joints[at(above)].parent;
+      while (above >= 0 && !is_core(above)) above = s.joints[joint_index(above)].parent;
       core_parents_[j] = above;
       if (is_core(static_cast<int>(j)))
-        for (above = core_parents_[j]; above >= 0; above = core_parent_of(above)) ++below_[at(above)];
+        for (above = core_parents_[j]; above >= 0; above = core_parent_of(above)) ++below_[joint_index(above)];
     }
   }
 
@@ -64,23 +65,22 @@ class LimbFinder {
   }
 
  private:
-  static size_t at(int j) { return static_cast<size_t>(j); }
   size_t count() const { return s_.joints.size(); }
-  bool is_core(int j) const { return s_.classes[at(j)] != kClassDetail; }
-  bool is_end(int j) const { return s_.ends[at(j)] != 0; }
-  uint8_t class_of(int j) const { return s_.classes[at(j)]; }
+  bool is_core(int j) const { return s_.classes[joint_index(j)] != kClassDetail; }
+  bool is_end(int j) const { return s_.ends[joint_index(j)] != 0; }
+  uint8_t class_of(int j) const { return s_.classes[joint_index(j)]; }
   int core_parent_of(int j) const {
-    int above = s_.joints[at(j)].parent;
-    while (above >= 0 && !is_core(above)) above = s_.joints[at(above)].parent;
+    int above = s_.joints[joint_index(j)].parent;
+    while (above >= 0 && !is_core(above)) above = s_.joints[joint_index(above)].parent;
     return above;
   }
   int depth(int j) const {
     int steps = 0;
-    for (int above = core_parents_[at(j)]; above >= 0; above = core_parents_[at(above)]) ++steps;
+    for (int above = core_parents_[joint_index(j)]; above >= 0; above = core_parents_[joint_index(above)]) ++steps;
     return steps;
   }
   bool hangs_on(int j, int above) const {
-    for (; j >= 0; j = core_parents_[at(j)])
+    for (; j >= 0; j = core_parents_[joint_index(j)])
       if (j == above) return true;
     return false;
   }
@@ -129,7 +129,7 @@ class LimbFinder {
     }
     Limb trunk;
     trunk.kind = LimbKind::kTrunk;
-    for (int j = head; j >= 0; j = core_parents_[at(j)]) {
+    for (int j = head; j >= 0; j = core_parents_[joint_index(j)]) {
       if (j == out_.pelvis) break;
       if (class_of(j) == SINEW_CLASS_PELVIS) break;
       trunk.joints.push_back(j);
@@ -150,7 +150,7 @@ class LimbFinder {
   }
 
   void take(const Limb& limb) {
-    for (const int j : limb.joints) used_[at(j)] = true;
+    for (const int j : limb.joints) used_[joint_index(j)] = true;
     out_.limbs.push_back(limb);
   }
 
@@ -177,9 +177,9 @@ class LimbFinder {
   int next(int j, LimbKind kind) const {
     int best = -1;
     for (const int child : core_children(j)) {
-      if (used_[at(child)] || is_end(child) || kind_of(class_of(child)) != kind) continue;
+      if (used_[joint_index(child)] || is_end(child) || kind_of(class_of(child)) != kind) continue;
       if ((kind == LimbKind::kArm || kind == LimbKind::kLeg) && class_of(child) < class_of(j)) continue;
-      if (best < 0 || below_[at(child)] > below_[at(best)]) best = child;
+      if (best < 0 || below_[joint_index(child)] > below_[joint_index(best)]) best = child;
     }
     return best;
   }
@@ -208,7 +208,8 @@ class LimbFinder {
     limb->side = 0;
     if (limb->kind == LimbKind::kTrunk) return;
     double sum = 0;
-    for (const int j : limb->joints) sum += static_cast<double>(component(s_.joints[at(j)].position, across_)) - plane_;
+    for (const int j : limb->joints)
+      sum += static_cast<double>(component(s_.joints[joint_index(j)].position, across_)) - plane_;
     sum /= static_cast<double>(limb->joints.size());
     const bool paired = limb->kind == LimbKind::kArm || limb->kind == LimbKind::kLeg || limb->kind == LimbKind::kEar;
     if (std::fabs(sum) < kBeside * extent_ && !paired) return;

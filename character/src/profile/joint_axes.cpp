@@ -15,8 +15,6 @@
 namespace sinew {
 namespace {
 
-size_t index_of(int j) { return static_cast<size_t>(j); }
-
 std::optional<AxesPart> part_of(uint8_t joint_class) {
   switch (joint_class) {
     case SINEW_CLASS_PELVIS:
@@ -152,7 +150,8 @@ class Bones {
       if (own == SINEW_CLASS_FOOT || own == SINEW_CLASS_TOE) return std::nullopt;
     }
     const int parent = joints_[j].parent;
-    return parent < 0 ? std::nullopt : unit_of(point(joints_[j].position) - point(joints_[index_of(parent)].position));
+    return parent < 0 ? std::nullopt
+                      : unit_of(point(joints_[j].position) - point(joints_[joint_index(parent)].position));
   }
 
  private:
@@ -202,9 +201,9 @@ class Bones {
       const uint8_t one = verdicts_.classes[j];
       if (one < SINEW_CLASS_INDEX || one > SINEW_CLASS_PINKY || verdicts_.is_end(j)) continue;
       int up = joints_[j].parent;  // the first of a finger, perhaps behind a bone of the palm
-      while (up >= 0 && index_of(up) != hand && verdicts_.classes[index_of(up)] != one)
-        up = joints_[index_of(up)].parent;
-      if (up < 0 || index_of(up) != hand) continue;
+      while (up >= 0 && joint_index(up) != hand && verdicts_.classes[joint_index(up)] != one)
+        up = joints_[joint_index(up)].parent;
+      if (up < 0 || joint_index(up) != hand) continue;
       sum = sum + point(joints_[j].position);
       ++count;
     }
@@ -230,7 +229,7 @@ std::vector<Rotation> joint_axes(const std::vector<Joint>& joints, const AxesTab
   for (const size_t j : joint_tree(skeleton).parents_first) {
     const int parent = joints[j].parent;
     const uint8_t own = verdicts.classes[j];
-    if (parent >= 0) axes[j] = axes[index_of(parent)], directions[j] = directions[index_of(parent)];
+    if (parent >= 0) axes[j] = axes[joint_index(parent)], directions[j] = directions[joint_index(parent)];
     if ((parent >= 0 && verdicts.is_end(j)) || own == SINEW_CLASS_EYE || own == SINEW_CLASS_JAW ||
         own == SINEW_CLASS_PROP)
       continue;

@@ -13,7 +13,7 @@
 
 namespace sinew {
 
-// What a model is opened for.
+// The task that a model is opened for.
 enum class ModelUse { kBind, kRig, kHands, kSlotJoints, kFront };
 
 // A checked model and the bytes it stands on.
