@@ -15,8 +15,8 @@
 extern "C" {
 #endif
 
-/* Vertices of the larger mesh that SINEW_TRANSFER_BIHARMONIC takes. It uses at most SINEW_MAX_TRANSFER_PAIRS reference
- * points. */
+/* Vertices of the larger mesh that SINEW_TRANSFER_BIHARMONIC takes. It uses at most 1,200 reference points,
+ * as drawn and of a caller SINEW_MAX_TRANSFER_PAIRS. */
 #define SINEW_MAX_BIHARMONIC_VERTICES 65536u
 
 /* Values of the `method` of options beside those of the call's own enum, which skips them. Numbers are never reused. */

@@ -48,7 +48,8 @@ typedef struct sinew_transfer_options {
   uint32_t garment;          /* 1: the target is worn by the source: both lie in one space, have one skeleton and one up
                               * axis. Near the body its weights are carried over, far from it the dressed whole is bound.
                               * Not for SINEW_TRANSFER_BIHARMONIC */
-  uint32_t as_drawn;         /* 1: SINEW_TRANSFER_BIHARMONIC compares distances as published, which fits less */
+  uint32_t as_drawn;         /* 1: SINEW_TRANSFER_BIHARMONIC as published: distances to all reference points, not scaled,
+                              * count alike. Fits only where both bodies have the same proportions */
   uint32_t weights_in_place; /* as in sinew_bind_options */
   uint32_t kernel;           /* sinew_kernel; another than AUTO is for tests and measurements */
   uint32_t thread_count;     /* 1..64 pieces that work is cut into; 0 = 1 */

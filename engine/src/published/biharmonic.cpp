@@ -10,7 +10,7 @@ namespace {
 constexpr uint32_t kNearest = DistanceMatch::kNearest;
 constexpr uint32_t kFewest = 4;         // references
 constexpr uint32_t kCompared = 8;       // references of a vertex, those that are nearest to it: of a caller's few pairs
-constexpr uint32_t kComparedFound = 5;  // and of those that were found
+constexpr uint32_t kComparedFound = 5;  // and of those that were found; as drawn all
 constexpr uint32_t kNeighbours = 6;     // references around one, for its scale
 constexpr double kMostDistanceScale = 2;  // of one reference's distances
 constexpr double kNearDistance = 0.02;    // added to distances before they are inverted
@@ -33,6 +33,18 @@ struct Least {
     }
     keys[at] = key;
     numbers[at] = number;
+  }
+};
+
+// References that a vertex is compared at, and its distances to them.
+struct Compared {
+  double keys[SINEW_MAX_TRANSFER_PAIRS];
+  uint32_t numbers[SINEW_MAX_TRANSFER_PAIRS];
+  uint32_t count = 0;
+
+  void append(double key, uint32_t number) {
+    keys[count] = key;
+    numbers[count++] = number;
   }
 };
 
@@ -66,7 +78,7 @@ struct Columns {
     }
   }
 
-  bool lies_beside(const Least<kCompared>& compared, uint32_t source_vertex) const {
+  bool lies_beside(const Compared& compared, uint32_t source_vertex) const {
     for (uint32_t k = 0; k < compared.count; ++k) {
       const uint32_t corner = references.points[compared.numbers[k]].source.corners[0];
       if (source_part[corner] == source_part[source_vertex]) return true;
@@ -75,8 +87,8 @@ struct Columns {
   }
 
   // The source's vertices with the least squared difference of distances; of the compared references' parts alone, if asked.
-  Least<kNearest> most_alike(const Least<kCompared>& compared, bool of_their_parts) const {
-    double weights[kCompared];
+  Least<kNearest> most_alike(const Compared& compared, bool of_their_parts) const {
+    double weights[SINEW_MAX_TRANSFER_PAIRS];
     for (uint32_t k = 0; k < compared.count; ++k) {
       const double d = compared.keys[k] + kNearDistance;
       weights[k] = as_drawn ? 1 : 1 / (d * d);
@@ -99,20 +111,36 @@ struct Columns {
     return best;
   }
 
-  void find(uint32_t vertex, uint32_t* vertices, double* shares) const {
-    // How far parts are from each other is what ties make of it: a vertex is compared at references of its own part, with vertices
-    // of the parts where those lie on the source. A part without such references is compared at all.
-    Least<kCompared> compared, own;
-    for (uint32_t i = 0; i < references.count; ++i) {
-      const double d = target[size_t{i} * target_count + vertex];
-      compared.add(d, i);
-      if (target_part[references.points[i].target.corners[0]] == target_part[vertex]) own.add(d, i);
+  double distance(uint32_t vertex, uint32_t reference) const {
+    return target[size_t{reference} * target_count + vertex];
+  }
+  bool is_own(uint32_t vertex, uint32_t reference) const {
+    return target_part[references.points[reference].target.corners[0]] == target_part[vertex];
+  }
+
+  // How far parts are from each other is what ties make of it: a vertex is compared at references of its own part, with vertices
+  // of the parts where those lie on the source. A part without such references is compared at all.
+  Least<kNearest> most_alike(uint32_t vertex) const {
+    uint32_t own_count = 0;
+    for (uint32_t i = 0; i < references.count; ++i) own_count += is_own(vertex, i) ? 1 : 0;
+    const bool has_own = own_count >= kFewest;
+    Compared compared;
+    if (as_drawn) {
+      for (uint32_t i = 0; i < references.count; ++i)
+        if (!has_own || is_own(vertex, i)) compared.append(distance(vertex, i), i);
+    } else {
+      Least<kCompared> nearest;
+      for (uint32_t i = 0; i < references.count; ++i)
+        if (!has_own || is_own(vertex, i)) nearest.add(distance(vertex, i), i);
+      for (uint32_t k = 0; k < nearest.count && k < most_compared; ++k)
+        compared.append(nearest.keys[k], nearest.numbers[k]);
     }
-    const bool has_own = own.count >= kFewest;
-    if (has_own) compared = own;
-    if (compared.count > most_compared) compared.count = most_compared;
-    Least<kNearest> best = most_alike(compared, has_own);
-    if (best.count == 0) best = most_alike(compared, false);
+    const Least<kNearest> best = most_alike(compared, has_own);
+    return best.count > 0 ? best : most_alike(compared, false);
+  }
+
+  void find(uint32_t vertex, uint32_t* vertices, double* shares) const {
+    const Least<kNearest> best = most_alike(vertex);
     double sum = 0;
     const double farthest = best.keys[best.count - 1];
     for (uint32_t i = 0; i < best.count; ++i) {
@@ -186,7 +214,7 @@ sinew_status match_by_distances(const TransferPlan& plan, const Pair& pair, cons
                            of_use,
                            plan.as_drawn,
                            plan.pair_count > 0 ? kCompared : kComparedFound};
-  columns.scale();
+  if (!plan.as_drawn) columns.scale();
   constexpr uint32_t kVertexPiece = 64;
   plan.target.threads.ranges(pair.target.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
     for (uint32_t v = begin; v < end; ++v)

@@ -268,6 +268,7 @@ class Choice {
 uint32_t References::most(const TransferPlan& plan) {
   constexpr uint32_t kFound = 1200, kNumbers = 1u << 24;
   if (plan.pair_count > 0) return plan.pair_count;
+  if (plan.as_drawn) return SINEW_MAX_TRANSFER_PAIRS;  // every vertex is compared at all of them
   const uint32_t larger = plan.source.vertices > plan.target.vertices ? plan.source.vertices : plan.target.vertices;
   return kNumbers / larger < kFound ? kNumbers / larger : kFound;
 }
