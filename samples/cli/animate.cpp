@@ -55,7 +55,9 @@ std::vector<MotionChoice> parse_choices(const std::vector<std::string>& texts) {
 Animated read_animated(const AnimateSettings& s) {
   const std::string& path = s.character;
   if (is_picture(path)) {
-    PictureCharacter made = rig_picture(path, picture_job(s.picture));
+    RigJobOptions job;
+    if (s.deform.as_drawn) job.method = RigMethod::kRegions;
+    PictureCharacter made = rig_picture(path, picture_job(s.picture), job);
     Animated out;
     static_cast<AnimatedCharacter&>(out) = animated_character(made.rigged.character, path);
     out.rigged = true;
@@ -74,7 +76,9 @@ AnimateOptions animate_options(const AnimateSettings& s) {
   AnimateOptions options = s;
   options.up = maybe_axis(s.up_name);
   options.motion_up = maybe_axis(s.motion_up_name);
-  options.force = s.force || s.motions.empty();  // of a picture, whose clip nobody asked for: a warning will do
+  options.map_as_drawn = s.deform.as_drawn && is_picture(s.character);
+  // Of a picture, whose clip nobody asked for, and for comparison a warning will do.
+  options.force = s.force || s.motions.empty() || options.map_as_drawn;
   options.reference.area_power = s.area_power == 0 ? SINEW_NO_AREA : s.area_power;
   options.reference.falloff = s.falloff == 0 ? SINEW_NO_FALLOFF : static_cast<float>(s.falloff);
   options.reference.own_limb = s.own_limb ? 1 : 0;
@@ -269,7 +273,8 @@ void add_animate_inputs(CLI::App* sub, AnimateSettings* s) {
       "copy: every joint rotates as its source does, rest poses aligned; contacts: then feet stay where they "
       "stand, arms stay out of the body, and where the motion has a body of the same mesh, hands keep in touch "
       "with it; stream: the same without a look ahead, each frame of those before it alone, as a capture or a game has "
-      "it; reference-points: the published method, by points of both bodies, for comparison; auto: contacts");
+      "it; reference-points: the published method, by points of both bodies, and node-offsets: the published "
+      "alignment of joints, which stretches bones, both for comparison; auto: contacts");
   sub->add_option("--sheet", s->sheet, "Also draw frames of every clip side by side")->type_name("FILE");
   shared_option(sub, "--up", s->up_name, "For the character")
       ->check(CLI::IsMember({"auto", "x", "y", "z"}))
@@ -343,7 +348,8 @@ void add_corrections(CLI::App* sub, AnimateSettings* s) {
   add_drawn_correction(
       sub, &s->deform,
       "; with --method reference-points: one sum over all triangles of the source's body, the limb's own "
-      "too, for legs, head and torso as well, and nothing is pushed out");
+      "too, for legs, head and torso as well, and nothing is pushed out; with a picture: a skeleton of its regions and "
+      "a map by branches, without a model");
 }
 
 }  // namespace
@@ -378,8 +384,9 @@ void add_animate(CLI::App& app) {
     for (const CLI::Option* option : of_reference)
       if (option->count() > 0 && s->deform.as_drawn)
         throw UsageError("--as-drawn says how reference points count: leave " + option->get_name() + " out");
-    if (s->deform.as_drawn && s->method != AnimateMethod::kReferencePoints && s->deform.method != "xpbd")
-      throw UsageError("--as-drawn goes with --method reference-points or --deform xpbd");
+    if (s->deform.as_drawn && s->method != AnimateMethod::kReferencePoints && s->deform.method != "xpbd" &&
+        !is_picture(s->character))
+      throw UsageError("--as-drawn goes with a picture, --method reference-points or --deform xpbd");
     run_animate(*s);
   });
 }

@@ -19,7 +19,7 @@ inline const Words kBranchesFirst = {"both", "target", "source"};
 inline const Words kBranchesCost = {"mean", "sum"};
 inline const Words kCharacterRigMethod = {"auto", "votes", "shape", "regions", "slots"};
 inline const Words kCharacterDetail = {"body", "hands", "full"};
-inline const Words kAnimateMethod = {"auto", "copy", "contacts", "reference-points", "stream"};
+inline const Words kAnimateMethod = {"auto", "copy", "contacts", "reference-points", "stream", "node-offsets"};
 
 }  // namespace sinew::cli
 #endif

@@ -18,7 +18,7 @@ namespace Sinew
     public enum TetWeights { Skin = 0, Distance = 1 }
     public enum MapMethod { Auto = 0, Sinew = 1, Branches = 2 }
     public enum MapReason { Found = 0, Pinned = 1, NoCounterpart = 2, FewerJoints = 3, End = 4, Outside = 5, Taken = 6, BesideLimits = 7 }
-    public enum RetargetMethod { Auto = 0, Copy = 1 }
+    public enum RetargetMethod { Auto = 0, Copy = 1, NodeOffsets = 2 }
     public enum SpotKind { None = 0, Stands = 1, Touches = 2, Inside = 3 }
     public enum JointClass { Pelvis = 0, Spine = 1, Neck = 2, Head = 3, Clavicle = 4, UpperArm = 5, Forearm = 6, Hand = 7, Hip = 8,
         Thigh = 9, Calf = 10, Foot = 11, Toe = 12, Tail = 13, Wing = 14, Ear = 15, Hair = 16, Other = 17, Thumb = 19, Index = 20,
@@ -40,7 +40,7 @@ namespace Sinew
     public enum CharacterRigMethod { Auto = 0, Votes = 1, Shape = 2, Regions = 3, Slots = 4 }
     public enum CharacterDetail { Body = 0, Hands = 1, Full = 2 }
     public enum EditKind { Move = 0, Add = 1, Remove = 2, Parent = 3, Rename = 4, At = 5 }
-    public enum AnimateMethod { Auto = 0, Copy = 1, Contacts = 2, ReferencePoints = 3, Stream = 4 }
+    public enum AnimateMethod { Auto = 0, Copy = 1, Contacts = 2, ReferencePoints = 3, Stream = 4, NodeOffsets = 5 }
     public enum PoseDeform { Linear = 0, DualQuaternion = 1, Volume = 2, Xpbd = 3, DeltaMush = 4 }
     public enum BodyClass { Found = 0, Biped = 1, Quadruped = 2, Bird = 3, Fish = 4, Snake = 5, ManyLegged = 6, Other = 7 }
     public enum PictureView { Front = 0, FacesRight = 1, FacesLeft = 2 }

@@ -50,6 +50,17 @@ TEST_F(CliPicture, ClassesAndViewsAreTold) {
   EXPECT_EQ(given["picture"]["class"], "fish");
 }
 
+// Outline, triangulation, regions, branches, motion: no model is asked for the skeleton, and names say nothing.
+TEST_F(CliPicture, TheDrawnRouteIsOneCommand) {
+  const Outcome told = good("animate " + kCat + " --as-drawn -o cat.glb");
+  EXPECT_NE(told.out.find("joints move by branches"), std::string::npos) << told.out;
+  const Character cat = read_character(in("cat.glb"));
+  for (const Joint& joint : cat.joints) EXPECT_EQ(joint.name.find("Left"), std::string::npos) << joint.name;
+  ASSERT_EQ(cat.joints.size(), read_motion(in("cat.glb")).joints.size());
+  EXPECT_NE(bad(2, "animate " + kCaped + " --motion builtin:walk --as-drawn -o a.glb").error.find("--as-drawn goes with a picture"),
+            std::string::npos);
+}
+
 // No bone changes its length as it is seen, and none leaves the plane.
 TEST_F(CliPicture, MotionStaysInThePlane) {
   const Outcome told = good("animate " + kChild + " --units pixels -o child.glb --sheet child.png");

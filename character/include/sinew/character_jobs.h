@@ -370,7 +370,8 @@ typedef enum sinew_animate_method {
   SINEW_ANIMATE_COPY = 1, /* every joint rotates as its source does */
   SINEW_ANIMATE_CONTACTS = 2,
   SINEW_ANIMATE_REFERENCE_POINTS = 3, /* the published method, for comparison */
-  SINEW_ANIMATE_STREAM = 4            /* every frame of those before it alone, see sinew/motion_stream.h */
+  SINEW_ANIMATE_STREAM = 4,           /* every frame of those before it alone, see sinew/motion_stream.h */
+  SINEW_ANIMATE_NODE_OFFSETS = 5      /* the published alignment of nodes, for comparison */
 } sinew_animate_method;
 
 typedef enum sinew_pose_deform {

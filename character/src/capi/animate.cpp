@@ -14,7 +14,7 @@ namespace {
 
 AnimateOptions job_of(const sinew_character_animate_options& options, const sinew_motion_source& source,
                       const sinew_character& character) {
-  check_at_most("method", options.method, SINEW_ANIMATE_STREAM);
+  check_at_most("method", options.method, SINEW_ANIMATE_NODE_OFFSETS);
   check_at_most("target_up", options.target_up, SINEW_UP_Z);
   check_at_most("motion_up", source.up, SINEW_UP_Z);
   check_without(options.without, SINEW_WITHOUT_RANGE);

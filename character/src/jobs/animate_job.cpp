@@ -41,9 +41,10 @@ std::vector<Clip> chosen_clips(const AnimateOptions& s, const std::string& file,
 // By the method; the motion's own body, if it has one, says what touches what.
 void set_method(const AnimateOptions& s, const std::string& file, const std::optional<Character>& source,
                 AnimatedCharacter* out, Retargeter* retargeter) {
-  if (s.method == AnimateMethod::kCopy && !s.report) return;
+  const bool as_copied = s.method == AnimateMethod::kCopy || s.method == AnimateMethod::kNodeOffsets;
+  if (as_copied && !s.report) return;
   const size_t shared = retargeter->take_bodies(out->character, source ? &*source : nullptr);
-  if (s.method == AnimateMethod::kCopy) return;
+  if (as_copied) return;
   if (s.method == AnimateMethod::kReferencePoints) {
     const Retargeter::PointsOf points =
         retargeter->follow_reference_points(s.reference, out->character, source ? &*source : nullptr);
@@ -69,7 +70,15 @@ void set_method(const AnimateOptions& s, const std::string& file, const std::opt
 
 // The caller's map, a file's, or a found one.
 MotionMap map_of(const AnimateOptions& s, const MapRig& target, const MapRig& from) {
-  if (s.sources.empty()) return map_motion(target, from, s.up, s.motion_up, s.map, s.pins);
+  if (s.sources.empty()) {
+    MapSkeletonOptions options;
+    options.target_up = s.up;
+    options.source_up = s.motion_up;
+    options.pins = s.pins;
+    if (s.map_as_drawn) options.method = SINEW_MAP_BRANCHES;
+    if (s.map_as_drawn) options.branches_cost = SINEW_BRANCHES_SUM;
+    return map_motion(target, from, options, s.map);
+  }
   MotionMap map;
   map.sources = s.sources;
   map.reasons.assign(s.sources.size(), SINEW_MAP_PINNED);
@@ -126,7 +135,9 @@ void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsO
   const MotionMap& map = out->map;
   refuse_misfit(s, choice, map, target, &out->motion.notes);
   RetargetSettings settings;
-  settings.method = s.method == AnimateMethod::kCopy ? SINEW_RETARGET_COPY : SINEW_RETARGET_AUTO;
+  settings.method = s.method == AnimateMethod::kCopy          ? SINEW_RETARGET_COPY
+                    : s.method == AnimateMethod::kNodeOffsets ? SINEW_RETARGET_NODE_OFFSETS
+                                                              : SINEW_RETARGET_AUTO;
   settings.in_place = s.in_place ? 1 : 0;
   settings.translations = s.translations ? 1 : 0;
   Retargeter retargeter(source, out->character.joints, map.sources, motion_classes(target, from, s.up, map.sources),

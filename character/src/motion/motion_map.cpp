@@ -14,8 +14,8 @@
 
 namespace sinew {
 
-MotionMap map_motion(const MapRig& target, const MapRig& source, MaybeAxis target_up, MaybeAxis source_up,
-                     const std::string& map_file, const std::vector<sinew_map_pin>& pins) {
+MotionMap map_motion(const MapRig& target, const MapRig& source, const MapSkeletonOptions& options,
+                     const std::string& map_file) {
   MotionMap map;
   if (!map_file.empty()) {
     map.sources.assign(target.joints.size(), -1);
@@ -24,10 +24,6 @@ MotionMap map_motion(const MapRig& target, const MapRig& source, MaybeAxis targe
     map.reasons.assign(target.joints.size(), SINEW_MAP_PINNED);
     map.how = map_file;
   } else {
-    MapSkeletonOptions options;
-    options.target_up = target_up;
-    options.source_up = source_up;
-    options.pins = pins;
     const MappedSkeleton found = map_skeleton(target, source, options);
     map.sources.assign(found.sources.begin(), found.sources.end());
     map.reasons = found.reasons;

@@ -71,10 +71,10 @@ PictureCharacter rig_picture(const std::string& path, const PictureJobOptions& o
   return out;
 }
 
-PictureCharacter rig_picture(const std::string& path, const PictureJobOptions& options) {
+PictureCharacter rig_picture(const std::string& path, const PictureJobOptions& options, const RigJobOptions& job) {
   const std::unique_ptr<LoadedModel> rig = load_model("", ModelUse::kRig), bind = load_model("");
   const RigModels models = {&rig->model, &bind->model, nullptr, nullptr};
-  return rig_picture(path, options, {}, models);
+  return rig_picture(path, options, job, models);
 }
 
 }  // namespace sinew

@@ -20,7 +20,11 @@ typedef enum sinew_retarget_method {
    * whatever the rest poses are. Joints without a source follow their parents. Feet and hands that hang elsewhere than on
    * their limbs, for inverse kinematics, go with them where the source's hang on theirs. Translations of the hips, and of joints that
    * move against their parents but are no bone of trunk, arms or legs, are scaled by the ratio of the legs. Contacts come after it: sinew_retarget_contacts() */
-  SINEW_RETARGET_COPY = 1
+  SINEW_RETARGET_COPY = 1,
+  /* The published node alignment, for comparison: at rest, every mapped joint has an offset, a rotation and a scaled
+   * translation, from its source; the frame of the moving source times that offset is the joint's frame. Bones keep no length,
+   * and the floor is the source's */
+  SINEW_RETARGET_NODE_OFFSETS = 2
 } sinew_retarget_method;
 
 /* What a plan is asked to do: inputs only. Start from SINEW_INIT(sinew_retarget_options), which asks for every default. Later

@@ -12,7 +12,8 @@ enum VertexAttribute : uint32_t {
   kAttributePosition = 0,   // 3: twice the position, shares of the mesh's longest side
   kAttributeNormal = 3,     // 3
   kAttributeLaplacian = 6,  // 3: from the vertex to the mean of its neighbours, share of the mean length of its edges
-  kVertexAttributes = 9
+  kAttributeCurvature = 9,  // 2: mean and Gaussian, of mesh/shape.hpp
+  kVertexAttributes = 11
 };
 // Channels of a slot.
 enum PairAttribute : uint32_t {

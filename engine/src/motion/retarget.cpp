@@ -122,6 +122,32 @@ void pose_target(sinew_retarget* plan, double ground) {
   carry_ends(plan);
 }
 
+// As published: joints go with their sources' frames, at the offset that they have at rest, the source's lengths scaled.
+void offset_target(sinew_retarget* plan) {
+  const MotionRig& rig = plan->target;
+  Vec3d before = {0, 0, 0}, after = {0, 0, 0};  // sums over the anchors
+  for (uint32_t i = 0; i < plan->anchor_count; ++i) before = before + rig.positions[plan->anchors[i]];
+  for (uint32_t i = 0; i < rig.count; ++i) {
+    const uint32_t t = rig.order[i];
+    const int32_t parent = rig.parents[t], source = plan->map[t];
+    if (source >= 0) {
+      const Vec3d offset = rig.positions[t] - plan->scale * rotate(plan->rotation, plan->source.positions[source]);
+      plan->target_rotations[t] = plan->source_rotations[source];
+      plan->target_positions[t] =
+          plan->scale * plan->source_positions[source] + rotate(plan->target_rotations[t], offset);
+    } else {
+      const Vec3d away = rig.positions[t] - (parent < 0 ? Vec3d{0, 0, 0} : rig.positions[parent]);
+      plan->target_rotations[t] = parent < 0 ? kNoRotation : plan->target_rotations[parent];
+      plan->target_positions[t] =
+          parent < 0 ? away : plan->target_positions[parent] + rotate(plan->target_rotations[t], away);
+    }
+  }
+  if (!plan->in_place) return;
+  for (uint32_t i = 0; i < plan->anchor_count; ++i) after = after + plan->target_positions[plan->anchors[i]];
+  const Vec3d back = without_height((1.0 / plan->anchor_count) * (before - after), plan->up);
+  for (uint32_t t = 0; t < rig.count; ++t) plan->target_positions[t] = plan->target_positions[t] + back;
+}
+
 }  // namespace
 
 sinew_status pose_source(sinew_retarget* plan, const float* rotations, const float* translations) {
@@ -231,7 +257,11 @@ sinew_status retarget_frame(sinew_retarget* plan, const float* rotations, const 
   if (!is_finite(height)) return SINEW_ERROR_NOT_FINITE;
   const sinew_status status = pose_source(plan, rotations, translations);
   if (status != SINEW_OK) return status;
-  pose_target(plan, height);
+  if (plan->node_offsets) {
+    offset_target(plan);
+  } else {
+    pose_target(plan, height);
+  }
   store_target(*plan, out_rotations, out_translations);
   return SINEW_OK;
 }

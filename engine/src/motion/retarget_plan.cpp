@@ -272,10 +272,11 @@ sinew_status read_retarget_options(const sinew_retarget_options* options, Retarg
   const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstOptionsSize, sizeof o, &o);
   if (status != SINEW_OK) return status;
   const double scale = static_cast<double>(o.scale);
-  if (o.method > SINEW_RETARGET_COPY || o.in_place > 1 || o.translations > 1 || !is_finite(scale) || scale < 0) {
+  if (o.method > SINEW_RETARGET_NODE_OFFSETS || o.in_place > 1 || o.translations > 1 || !is_finite(scale) || scale < 0) {
     return SINEW_ERROR_ARGUMENT;
   }
   *out = RetargetOptions();
+  out->node_offsets = o.method == SINEW_RETARGET_NODE_OFFSETS;
   out->in_place = o.in_place != 0;
   out->translations = o.translations != 0;
   out->scale = scale;
@@ -339,6 +340,7 @@ sinew_status create_plan(const sinew_skeleton& source, const sinew_skeleton& tar
     any = any || map[t] >= 0;
   }
   if (!any) return SINEW_ERROR_NO_JOINT;
+  made.node_offsets = options.node_offsets;
   made.in_place = options.in_place;
   made.translations = options.translations;
   RetargetOptions with_up = options;

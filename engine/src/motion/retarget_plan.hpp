@@ -28,6 +28,7 @@ struct sinew_retarget {
   double source_lowest = 0;  // of all its joints
   double leg_length = 0;     // of the source; without legs its extent
   double target_floor = 0;   // height of the floor joints at rest
+  bool node_offsets = false;
   bool in_place = false;
   bool translations = false;
   bool same_rig = false;  // mapped joints lie as their sources do: nothing is left to be mended
@@ -42,7 +43,7 @@ namespace sinew::motion {
 
 // The options of the interface, checked.
 struct RetargetOptions {
-  bool in_place = false, translations = false;
+  bool node_offsets = false, in_place = false, translations = false;
   double scale = 0;
   uint32_t source_up = SINEW_UP_AUTO, target_up = SINEW_UP_AUTO;  // create_plan() takes them from the skeletons
 };

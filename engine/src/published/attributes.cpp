@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Positions, normals, Laplacians and distances to joints as rows.
+// Positions, normals, Laplacians, curvatures and distances to joints as rows.
 #include "features/attributes.hpp"
 
 #include <string.h>
@@ -19,6 +19,8 @@ void write_vertex(const Mesh& mesh, uint32_t v, int16_t* row) {
   row[kAttributeNormal] = features::q13(round_shift(n.x, kToQ13));
   row[kAttributeNormal + 1] = features::q13(round_shift(n.y, kToQ13));
   row[kAttributeNormal + 2] = features::q13(round_shift(n.z, kToQ13));
+  row[kAttributeCurvature] = features::q13(mesh.mean_curvature[v]);
+  row[kAttributeCurvature + 1] = features::q13(mesh.gauss_curvature[v]);
   Vec3l sum = {0, 0, 0};
   int64_t lengths = 0;
   for (uint32_t i = mesh.row_offsets[v]; i < mesh.row_offsets[v + 1]; ++i) {

@@ -115,7 +115,7 @@ export interface RigOptions {
   onProgress?: Progress;
 }
 export interface RetargetOptions {
-  method?: "auto" | "copy" | "contacts" | "reference-points" | "stream";
+  method?: "auto" | "copy" | "contacts" | "reference-points" | "stream" | "node-offsets";
   /** false: knees and elbows may leave their natural range */
   range?: boolean;
   /** stays above where it stands at rest */

@@ -49,7 +49,7 @@ struct TrainConfig : RunConfig {
   std::string architecture = "field";
   FieldOptions field;
   // What a vertex and its candidates are described by: "own", all features, heat weights among them; "published" (classic
-  // only), positions, normals, Laplacian, distances to joints and, with `spectral`, signatures.
+  // only), positions, normals, Laplacian, curvatures, distances to joints and, with `spectral`, signatures.
   std::string attributes = "own";
   uint32_t block_layers = 1;  // of classic: linear layers with ReLU in each of its multi-layer perceptrons
   bool spectral = false;      // heat-kernel and wave-kernel signatures as vertex features as well

@@ -18,7 +18,7 @@
 
 namespace sinew {
 
-enum class AnimateMethod { kAuto, kCopy, kContacts, kReferencePoints, kStream };  // kAuto: contacts
+enum class AnimateMethod { kAuto, kCopy, kContacts, kReferencePoints, kStream, kNodeOffsets };  // kAuto: contacts
 
 struct AnimateOptions {
   std::string character;  // its file, for messages
@@ -26,6 +26,7 @@ struct AnimateOptions {
   std::string map;                  // a map's file, or empty
   std::vector<int> sources;         // [J] joint of the motion or -1, in place of a map; or empty
   std::vector<sinew_map_pin> pins;  // that a found map keeps
+  bool map_as_drawn = false;        // a map is found as published: branches by the least sum of costs
   AnimateMethod method = AnimateMethod::kAuto;
   std::string limits;  // of joint_limits(), or empty
   bool in_place = false, range = true, report = false;

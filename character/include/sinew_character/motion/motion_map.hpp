@@ -42,9 +42,8 @@ struct MotionMap {
 
 // From a file where `map_file` is not empty: what has no line there has no source. Else by map_skeleton(). The rigs' names are
 // their files, for messages. Throws Error with the line for a joint that does not exist, and where no joint is mapped.
-//   pins                  that map_skeleton() keeps, without a file
-MotionMap map_motion(const MapRig& target, const MapRig& source, MaybeAxis target_up, MaybeAxis source_up,
-                     const std::string& map_file, const std::vector<sinew_map_pin>& pins = {});
+MotionMap map_motion(const MapRig& target, const MapRig& source, const MapSkeletonOptions& options,
+                     const std::string& map_file);
 
 // sinew_joint_class [target]: by the joints' own names, else by those of their sources; where both say nothing of arms and
 // legs, by what a human body has there.

@@ -43,8 +43,9 @@ void rig_picture(const RigJobOptions& job, const RigModels& models, PictureChara
 // Both.
 PictureCharacter rig_picture(const std::string& path, const PictureJobOptions& options, const RigJobOptions& job,
                              const RigModels& models);
-// By the bundled models and every default.
-PictureCharacter rig_picture(const std::string& path, const PictureJobOptions& options = {});
+// By the bundled models.
+PictureCharacter rig_picture(const std::string& path, const PictureJobOptions& options = {},
+                             const RigJobOptions& job = {});
 
 }  // namespace sinew
 #endif

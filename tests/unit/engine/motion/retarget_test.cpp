@@ -83,6 +83,24 @@ TEST(Retarget, BonesOfTheBodyKeepTheirLengthsUnlessAsked) {
   }
 }
 
+// As published: between bodies of one build it is the motion itself; between others a joint lies at the offset that it has at rest.
+TEST(Retarget, NodeOffsetsTurnWithTheirSources) {
+  const MotionScene source = body(0), target = body(40), half = body(0, 0.5);
+  RetargetSettings settings;
+  settings.method = SINEW_RETARGET_NODE_OFFSETS;
+  for (uint32_t seed = 0; seed < 10; ++seed) {
+    const Pose pose = random_pose(source, seed, 1.0, {0.5, 0, 1});
+    const WorldPose wanted = world_pose(source, pose);
+    EXPECT_LT(farthest(world_pose(source, play(source, source, one_to_one(17), pose, settings)), wanted), 1e-6 * kHeight);
+    const WorldPose small = world_pose(half, play(source, half, one_to_one(17), pose, settings));
+    const WorldPose lower = world_pose(target, play(source, target, one_to_one(17), pose, settings));
+    for (uint32_t j = 0; j < 17; ++j) {
+      EXPECT_LT(distance(small.positions[j], 0.5 * wanted.positions[j]), 1e-6 * kHeight);
+      EXPECT_NEAR(distance(lower.positions[j], wanted.positions[j]), distance(target.at(j), source.at(j)), 1e-5) << j;
+    }
+  }
+}
+
 // Arms that hang 40 degrees at rest point to where those of a T pose do.
 TEST(Retarget, ArmsOfAnAPosePointToWhereThoseOfATPoseDo) {
   const MotionScene source = body(0), target = body(40);
