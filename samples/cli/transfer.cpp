@@ -319,7 +319,8 @@ void add_transfer_rest(CLI::App* sub, TransferCommandSettings* s) {
                   "With --method biharmonic: vertex V of the source is vertex W of the target. Give at least four")
       ->type_name("V=W")
       ->allow_extra_args(false);
-  shared_flag(sub, "--as-drawn", s->as_drawn, "With --method biharmonic: distances to all reference points, in their own scale, count alike");
+  shared_flag(sub, "--as-drawn", s->as_drawn,
+              "With --method biharmonic: distances to all reference points, in their own scale, count alike");
   section(sub, "Models");
   shared_option(sub, "--model", s->model, "It binds")->default_str("bundled");
   sub->add_flag("--heat", s->heat, "Bind by heat alone, without a model");

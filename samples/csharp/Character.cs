@@ -333,15 +333,15 @@ namespace Sinew
 
         // ---- jobs
 
-        /// <summary>Leaves joints out. Returns the joint, of those before, that each is part of now.</summary>
-        public uint[] Simplify(bool low = false, int jointCount = 0, params string[] keep)
+        /// <summary>Leaves joints out; asDrawn: by the published conditions alone. Returns the joint, of those before, that each is part of now.</summary>
+        public uint[] Simplify(bool low = false, int jointCount = 0, bool asDrawn = false, params string[] keep)
         {
             var into = new uint[Arrays().joint_count];
             using (var pins = new Pins())
                 Check(Native.sinew_character_simplify(Handle, pins.Of(new Native.sinew_character_simplify_options
                 {
                     struct_size = Size<Native.sinew_character_simplify_options>(), low = low ? 1u : 0, joint_count = (uint)jointCount,
-                    keep_count = (uint)keep.Length, keep = pins.Of(keep)
+                    keep_count = (uint)keep.Length, keep = pins.Of(keep), as_drawn = asDrawn ? 1u : 0
                 }), pins.Of(into)), handle_, "simplify");
             return into;
         }

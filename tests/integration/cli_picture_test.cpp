@@ -2,11 +2,15 @@
 // The sinew command on pictures: a character, its mask, motion in the picture's plane, and what is refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <string>
 
 #include "cli_fixture.hpp"
+#include "sinew_character/picture/sprites.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew {
@@ -50,6 +54,32 @@ TEST_F(CliPicture, ClassesAndViewsAreTold) {
   EXPECT_EQ(given["picture"]["class"], "fish");
 }
 
+// What a camera adds: light and shade on the body, a wall with a grain, out-of-focus blots on it, noise of the sensor.
+TEST_F(CliPicture, PhotographsAreRead) {
+  good("pose " + kData + "/biped__robed.obj --joint head=0,10,0 -o seen.png");
+  Pixels photograph = read_picture(in("seen.png")).pixels;
+  std::mt19937 random(7);
+  for (uint32_t y = 0; y < photograph.height; ++y)
+    for (uint32_t x = 0; x < photograph.width; ++x) {
+      const float blots =
+          6 * std::sin(0.013f * static_cast<float>(x) + 0.6f) * std::cos(0.017f * static_cast<float>(y));
+      for (uint32_t c = 0; c < 3; ++c) {
+        uint8_t& value = photograph.rgba[4 * (size_t{y} * photograph.width + x) + c];
+        const float noise = static_cast<float>(random() % 1000) / 1000 + static_cast<float>(random() % 1000) / 1000 - 1;
+        value = static_cast<uint8_t>(std::clamp(static_cast<float>(value) + blots + 5 * noise, 0.0f, 255.0f));
+      }
+    }
+  const std::vector<uint8_t> bytes = encode_png(photograph);
+  put(in("photograph.png"), std::string(bytes.begin(), bytes.end()));
+  const auto said = nlohmann::json::parse(good("rig photograph.png --units pixels --json -o photograph.glb").out);
+  EXPECT_EQ(said["picture"]["class"], "biped");
+  good("rig seen.png --units pixels -o seen.glb");
+  const Box noisy = box_of(read_character(in("photograph.glb")).vertices);
+  const Box clean = box_of(read_character(in("seen.glb")).vertices);
+  EXPECT_NEAR(noisy.high.x - noisy.low.x, clean.high.x - clean.low.x, 12) << "the figure without the wall";
+  EXPECT_NEAR(noisy.high.y - noisy.low.y, clean.high.y - clean.low.y, 12);
+}
+
 // Outline, triangulation, regions, branches, motion: no model is asked for the skeleton, and names say nothing.
 TEST_F(CliPicture, TheDrawnRouteIsOneCommand) {
   const Outcome told = good("animate " + kCat + " --as-drawn -o cat.glb");
@@ -57,7 +87,8 @@ TEST_F(CliPicture, TheDrawnRouteIsOneCommand) {
   const Character cat = read_character(in("cat.glb"));
   for (const Joint& joint : cat.joints) EXPECT_EQ(joint.name.find("Left"), std::string::npos) << joint.name;
   ASSERT_EQ(cat.joints.size(), read_motion(in("cat.glb")).joints.size());
-  EXPECT_NE(bad(2, "animate " + kCaped + " --motion builtin:walk --as-drawn -o a.glb").error.find("--as-drawn goes with a picture"),
+  EXPECT_NE(bad(2, "animate " + kCaped + " --motion builtin:walk --as-drawn -o a.glb")
+                .error.find("--as-drawn goes with a picture"),
             std::string::npos);
 }
 

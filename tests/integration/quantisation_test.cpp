@@ -13,6 +13,7 @@
 #include "features/features.hpp"
 #include "network/networks.hpp"
 #include "open_bundled_model.hpp"
+#include "shared_data.hpp"
 #include "sinew_character/bind/bind.hpp"
 #include "sinew_character/models/models.hpp"
 #include "sinew_data_sets/synthesize.hpp"
@@ -233,6 +234,27 @@ TEST(Quantisation, SkeletonsAtFewerBits) {
     EXPECT_GT(s.mean, last_slots) << "fewer bits must show";
     last_votes = v.mean;
     last_slots = s.mean;
+  }
+}
+
+// Hands: no sample of the repository has fingers.
+TEST(QuantisationShared, HandsAtFewerBits) {
+  if (shared_folder().empty())
+    GTEST_SKIP() << "NOT CHECKED: there is no shared data; set SINEW_SHARED_DIR to quantise hands at fewer bits";
+  const std::string characters = (shared_folder() / "data" / "characters" / "val").string();
+  FloatNetwork network = make_rig_network({48, 3, true}, 1);
+  read_model_weights(kData + "/sinew_hands.sinew", &network);
+  const Calibration ranges = calibrate_rig(network, characters, 20);
+  double last = 0;
+  std::printf("| bits | hands | same class |\n|---|---|---|\n");
+  for (const int bits : {16, 12, 8}) {
+    const auto model = model_from_bytes(quantize(network, ranges, of_bits(bits)).bytes, "hands", ModelUse::kHands);
+    const VoteDifference v = compare_votes(network, model->model, characters, 20);
+    std::printf("| %d | %.5f | %.4f |\n", bits, v.mean, v.same_class);
+    EXPECT_LT(v.mean, bits == 16 ? 1e-3 : 1.0);
+    EXPECT_GT(v.same_class, bits == 16 ? 0.995 : 0.9);
+    EXPECT_GT(v.mean, last) << "fewer bits must show";
+    last = v.mean;
   }
 }
 

@@ -101,7 +101,8 @@ AnimatedCharacter moved(const PictureCharacter& picture, const Character& charac
     return body;
   };
   const bool free = options.map.empty() && options.sources.empty() && options.pins.empty();
-  if (!free || options.map_as_drawn || !picture.rigged.skeleton.usable || !has_found_skeleton(picture, character)) return with(options);
+  if (!free || options.map_as_drawn || !picture.rigged.skeleton.usable || !has_found_skeleton(picture, character))
+    return with(options);
   AnimateOptions tried = options;
   tried.force = true;
   AnimatedCharacter best = with(tried);

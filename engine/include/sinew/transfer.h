@@ -41,14 +41,14 @@ typedef struct sinew_vertex_pair {
 /* What a transfer is asked to do: inputs only. Start from SINEW_INIT(sinew_transfer_options), which asks for every default.
  * Later versions add members at the end, and 0 asks for what this version does; see struct_size in sinew/types.h. */
 typedef struct sinew_transfer_options {
-  uint32_t struct_size;      /* sizeof(sinew_transfer_options) */
-  uint32_t method;           /* sinew_transfer_method */
-  uint32_t influence_count;  /* 1..12 influences a vertex keeps; 0 = 4 */
-  uint32_t weight_format;    /* sinew_weight_format of the outputs */
-  uint32_t garment;          /* 1: the target is worn by the source: both lie in one space, have one skeleton and one up
+  uint32_t struct_size;     /* sizeof(sinew_transfer_options) */
+  uint32_t method;          /* sinew_transfer_method */
+  uint32_t influence_count; /* 1..12 influences a vertex keeps; 0 = 4 */
+  uint32_t weight_format;   /* sinew_weight_format of the outputs */
+  uint32_t garment;         /* 1: the target is worn by the source: both lie in one space, have one skeleton and one up
                               * axis. Near the body its weights are carried over, far from it the dressed whole is bound.
                               * Not for SINEW_TRANSFER_BIHARMONIC */
-  uint32_t as_drawn;         /* 1: SINEW_TRANSFER_BIHARMONIC as published: distances to all reference points, not scaled,
+  uint32_t as_drawn;        /* 1: SINEW_TRANSFER_BIHARMONIC as published: distances to all reference points, not scaled,
                               * count alike. Fits only where both bodies have the same proportions */
   uint32_t weights_in_place; /* as in sinew_bind_options */
   uint32_t kernel;           /* sinew_kernel; another than AUTO is for tests and measurements */

@@ -272,7 +272,8 @@ sinew_status read_retarget_options(const sinew_retarget_options* options, Retarg
   const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstOptionsSize, sizeof o, &o);
   if (status != SINEW_OK) return status;
   const double scale = static_cast<double>(o.scale);
-  if (o.method > SINEW_RETARGET_NODE_OFFSETS || o.in_place > 1 || o.translations > 1 || !is_finite(scale) || scale < 0) {
+  if (o.method > SINEW_RETARGET_NODE_OFFSETS || o.in_place > 1 || o.translations > 1 || !is_finite(scale) ||
+      scale < 0) {
     return SINEW_ERROR_ARGUMENT;
   }
   *out = RetargetOptions();

@@ -312,8 +312,9 @@ class OpenCharacter(Jobs):
 
     # ---- jobs
 
-    def simplify(self, *, low: bool = False, joint_count: int = 0, keep: Sequence[str] = ()) -> np.ndarray:
+    def simplify(self, *, low: bool = False, joint_count: int = 0, as_drawn: bool = False, keep: Sequence[str] = ()) -> np.ndarray:
         """Leaves joints out: bone ends, helpers, faces, twists; with `low` fingers and small parts too; or all but so many. Weights and motion follow.
+        `as_drawn`: by the published conditions alone, which take limbs off.
 
         Returns [j before] the joint, of those before, that each is part of now.
         """

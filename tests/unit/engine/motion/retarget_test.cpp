@@ -91,7 +91,8 @@ TEST(Retarget, NodeOffsetsTurnWithTheirSources) {
   for (uint32_t seed = 0; seed < 10; ++seed) {
     const Pose pose = random_pose(source, seed, 1.0, {0.5, 0, 1});
     const WorldPose wanted = world_pose(source, pose);
-    EXPECT_LT(farthest(world_pose(source, play(source, source, one_to_one(17), pose, settings)), wanted), 1e-6 * kHeight);
+    EXPECT_LT(farthest(world_pose(source, play(source, source, one_to_one(17), pose, settings)), wanted),
+              1e-6 * kHeight);
     const WorldPose small = world_pose(half, play(source, half, one_to_one(17), pose, settings));
     const WorldPose lower = world_pose(target, play(source, target, one_to_one(17), pose, settings));
     for (uint32_t j = 0; j < 17; ++j) {
