@@ -2,12 +2,16 @@
 // The sinew command on skeletons: targets of characters, and predictions against them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "cli_fixture.hpp"
+#include "sinew_formats/base/affine.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/motion.hpp"
 
 namespace sinew {
 namespace {
@@ -23,6 +27,43 @@ class CliRig : public Cli {
     }
   }
 };
+
+// What has z up keeps its numbers in an OBJ, and stands in every format that has y up, its motion too.
+TEST_F(CliRig, WhatHasZUpStandsInFormatsWithYUp) {
+  Character lying = read_mesh(kData + "/biped__robed.obj");
+  const float height = box_of(lying.vertices).high.y - box_of(lying.vertices).low.y;
+  for (Vec3& v : lying.vertices) v = {v.x, -v.z, v.y};
+  lying.corner_normals.clear();
+  write_obj(in("z.obj"), lying);
+  const auto size = [&](const char* file) {
+    const Box box = box_of(read_mesh(in(file)).vertices);
+    return box.high.y - box.low.y;
+  };
+  for (const char* file : {"z.glb", "z.gltf", "z.fbx"}) {
+    good(std::string("rig z.obj --up z -o ") + file);
+    EXPECT_NEAR(size(file), height, 1e-3f * height) << file;
+  }
+  good("rig z.obj --up z --no-bind -o same.rig.txt");
+  Character same;
+  read_skeleton(in("same.rig.txt"), false, &same);
+  EXPECT_GT(same.joints[0].position.z, 0.4f * height) << "hips, in the mesh's own axes";
+  good("animate z.obj --up z --motion builtin:walk -o walk.glb");
+  const Motion walk = read_motion(in("walk.glb"));
+  const Character walking = read_character(in("walk.glb"));
+  EXPECT_NEAR(size("walk.glb"), height, 1e-3f * height);
+  double least = 1e9, most = -1e9;  // of the hips, over time
+  for (const MotionFrame& frame : walk.clips[0].frames) {
+    const std::vector<Affine> palette = motion_palette(walk, frame, walking.joints.size());
+    size_t hips = 0;
+    while (walking.joints[hips].name != "Hips") ++hips;
+    const Vec3& p = walking.joints[hips].position;
+    const double y = transform_point(palette[hips], double{p.x}, double{p.y}, double{p.z})[1];
+    least = std::min(least, y);
+    most = std::max(most, y);
+  }
+  EXPECT_GT(least, 0.4 * double{height} + double{box_of(walking.vertices).low.y});
+  EXPECT_LT(most - least, 0.2 * double{height}) << "it walks along the floor";
+}
 
 TEST_F(CliRig, TargetsOfAFolderAreWhatEvalComparesWith) {
   make_set();

@@ -190,6 +190,7 @@ CharacterBind BindJob::bind(const std::vector<sinew_answer>& answers, uint32_t q
 
 void BindJob::apply(CharacterBind* bound) {
   Character bare = *character_;
+  if (job_.up_axis == Axis::kZ) bare.up = Axis::kZ;
   bare.influences = std::move(bound->influences);
   bare.confidence = bound->confidence;
   if (job_.cut || !job_.to_pose.empty()) bound->doubled_vertices = cut_seams(bound->seams, &bare);

@@ -211,6 +211,7 @@ RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool 
       by_names ? label_skeleton(rigged.skeleton.joints)
                : LabelledSkeleton{rigged.skeleton.joints, rigged.skeleton.classes, rigged.skeleton.ends};
   Character& character = rigged.character;
+  character.up = rigged.skeleton.up_axis;
   if (job.detail != SkeletonDetail::kBody) found = add_details(job, *models.hands, &rigged);
   if (!job.skeleton.empty()) put_own(job, models, found, &rigged);
   edit_skeleton(job.edits, job.mirror != SINEW_MIRROR_NEVER, &rigged.skeleton);

@@ -13,6 +13,9 @@
 
 namespace sinew {
 
+// An axis of the world. A mesh has y or z up; callers' other codes for it are converted in the C API, the command and the page.
+enum class Axis : uint8_t { kX, kY, kZ };
+
 struct Vec3 {
   float x = 0, y = 0, z = 0;
 };
@@ -54,6 +57,7 @@ struct GltfSource;  // the parsed input document and the map back to its vertice
 // weights where there are any), and `gltf` keeps the map to the file's own.
 struct Character {
   std::string name;                          // file stem
+  Axis up = Axis::kY;                        // kZ: what is written in a format with y up hangs on a node that turns it
   std::vector<Vec3> vertices;                // [V]
   std::vector<uint32_t> face_offsets = {0};  // [F + 1] CSR into face_vertices; polygons kept as they are
   std::vector<uint32_t> face_vertices;       // [corners]

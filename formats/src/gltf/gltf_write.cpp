@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <set>
 
 #include "fbx/fbx_write.hpp"
@@ -219,6 +220,25 @@ void add_extras(const std::string& extras, Json* document) {
   for (const auto& [key, value] : added.items()) all[key] = value;
 }
 
+// A glTF has y up: the roots of every scene hang on a node that turns z to it.
+void raise_z(GltfJoints* joints, Json* document) {
+  constexpr double kHalf = 0.70710678118654752440;
+  std::map<size_t, size_t> raised;  // roots that several scenes show
+  for (Json& scene : (*document)["scenes"]) {
+    std::set<size_t> tops;
+    Json children = Json::array();
+    for (const Json& root : scene.value("nodes", Json::array())) {
+      const auto [entry, fresh] = raised.emplace(root.get<size_t>(), (*document)["nodes"].size());
+      if (fresh) children.push_back(root);
+      tops.insert(entry->second);
+    }
+    if (!children.empty())
+      (*document)["nodes"].push_back({{"name", "z_up"}, {"rotation", {-kHalf, 0, 0, kHalf}}, {"children", children}});
+    if (!tops.empty()) scene["nodes"] = tops;
+  }
+  for (Affine& world : joints->worlds) world = multiply({1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0}, world);
+}
+
 // The document with the character's skin, motion and shapes; pictures are not yet in it.
 //   form  or null
 //   notes  gets what the form says; with a form
@@ -251,6 +271,7 @@ GltfSource skinned_document(const std::string& path, const Character& character,
   if (morphs != nullptr && !morphs->shapes.empty())
     add_gltf_morphs(path, character, *morphs, joints, options.motion != nullptr ? options.motion->clips.size() : 0,
                     &source);
+  if (character.up == Axis::kZ && form == nullptr) raise_z(&joints, &source.document);  // forms stand by themselves
   if (form != nullptr) {
     *notes = put_into_form(path, *form, joints, &source);
     if (form->vrm != nullptr) add_vrm(path, *form->vrm, joints.nodes, &source);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Axes of the world, and the box around points along them.
+// The box around points, and what is asked of axes.
 #ifndef SINEW_FORMATS_BASE_BOX_HPP
 #define SINEW_FORMATS_BASE_BOX_HPP
 
@@ -12,9 +12,6 @@
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
-
-// An axis of the world. A mesh has y or z up; callers' other codes for it are converted in the C API, the command and the page.
-enum class Axis : uint8_t { kX, kY, kZ };
 
 // An axis that may not be known.
 using MaybeAxis = std::optional<Axis>;
