@@ -54,6 +54,7 @@ set(sinew_character_sources
   predict/match_limbs
   predict/predict_details
   predict/predict_skeleton
+  predict/scenery
   predict/skeleton_fit
   predict/skeleton_template
   predict/turn

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -63,6 +65,48 @@ TEST_F(CliRig, WhatHasZUpStandsInFormatsWithYUp) {
   }
   EXPECT_GT(least, 0.4 * double{height} + double{box_of(walking.vertices).low.y});
   EXPECT_LT(most - least, 0.2 * double{height}) << "it walks along the floor";
+}
+
+// A slab under the feet, many times as large as the body, and a wall behind it.
+TEST_F(CliRig, GroundAndBackdropAreNoPartOfTheBody) {
+  const Character body = read_mesh(kData + "/quadruped__tailed.obj");
+  const Box box = box_of(body.vertices);
+  const float size = box.high.y - box.low.y;
+  const auto with_box = [&](const char* file, const Vec3& low, const Vec3& high) {
+    Character whole = body;
+    whole.corner_normals.clear();
+    whole.corner_uvs.clear();
+    Box added;
+    added.low = low;
+    added.high = high;
+    const uint32_t first = static_cast<uint32_t>(whole.vertices.size());
+    for (const Vec3& corner : added.corners()) whole.vertices.push_back(corner);
+    for (const auto& face : std::vector<std::array<uint32_t, 4>>{
+             {0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+      for (const uint32_t corner : face) whole.face_vertices.push_back(first + corner);
+      whole.face_offsets.push_back(static_cast<uint32_t>(whole.face_vertices.size()));
+    }
+    whole.face_groups.clear();
+    whole.face_materials.clear();
+    whole.face_objects.clear();
+    write_obj(in(file), whole);
+  };
+  with_box("slab.obj", {-9 * size, box.low.y - size, -9 * size}, {9 * size, box.low.y, 9 * size});
+  with_box("wall.obj", {-9 * size, box.low.y, box.low.z - size}, {9 * size, 9 * size, box.low.z});
+  for (const char* file : {"slab.obj", "wall.obj"}) {
+    const Outcome told = good(std::string("rig ") + file + " -o rigged.glb");
+    EXPECT_NE(told.out.find("taken for ground or a backdrop, a guess: 8 of"), std::string::npos) << told.out;
+    const Character made = read_character(in("rigged.glb"));
+    for (const Joint& joint : made.joints) {
+      EXPECT_GT(joint.position.y, box.low.y - 0.1f * size) << file << ' ' << joint.name;
+      EXPECT_LT(joint.position.y, box.high.y + 0.1f * size) << file << ' ' << joint.name;
+    }
+    for (size_t v = 0; v < made.vertices.size(); ++v) {
+      if (std::abs(made.vertices[v].x) < 8 * size) continue;
+      ASSERT_EQ(made.influences[v].size(), 1u) << file;
+      EXPECT_LT(made.joints[made.influences[v][0].joint].parent, 0) << file;
+    }
+  }
 }
 
 TEST_F(CliRig, TargetsOfAFolderAreWhatEvalComparesWith) {

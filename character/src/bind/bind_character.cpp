@@ -5,37 +5,11 @@
 #include <algorithm>
 
 #include "sinew_character/bind/engine_views.hpp"
+#include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
 namespace {
-
-// Vertices of some meshes alone, as a Character of its own.
-struct Part {
-  Character character;
-  std::vector<size_t> vertices;  // [part's vertices] -> the whole's
-};
-
-Part part_of(const Character& whole, const std::vector<bool>& kept) {
-  Part part;
-  part.character.name = whole.name;
-  part.character.joints = whole.joints;
-  std::vector<uint32_t> number(whole.vertices.size(), UINT32_MAX);
-  for (size_t v = 0; v < whole.vertices.size(); ++v) {
-    if (kept[whole.vertex_meshes[v]]) continue;
-    number[v] = static_cast<uint32_t>(part.vertices.size());
-    part.vertices.push_back(v);
-    part.character.vertices.push_back(whole.vertices[v]);
-    if (!whole.influences.empty()) part.character.influences.push_back(whole.influences[v]);
-  }
-  for (size_t f = 0; f < whole.face_count(); ++f) {
-    const size_t first = whole.face_offsets[f], last = whole.face_offsets[f + 1];
-    if (first == last || number[whole.face_vertices[first]] == UINT32_MAX) continue;
-    for (size_t c = first; c < last; ++c) part.character.face_vertices.push_back(number[whole.face_vertices[c]]);
-    part.character.face_offsets.push_back(static_cast<uint32_t>(part.character.face_vertices.size()));
-  }
-  return part;
-}
 
 std::vector<uint8_t> only(const std::vector<uint8_t>& values, const std::vector<size_t>& vertices) {
   std::vector<uint8_t> out;
@@ -58,7 +32,16 @@ int report_share(void* user, uint32_t done_permille) {
 class CharacterBinder {
  public:
   CharacterBinder(const Character& character, const JointChoice& choice, const CharacterBindOptions& options)
-      : whole_(character), choice_(choice), options_(options), kept_(kept_meshes(character, options.bind_props)) {}
+      : whole_(character),
+        choice_(choice),
+        options_(options),
+        kept_(kept_meshes(character, options.bind_props)),
+        left_out_(options.scenery) {
+    if (!std::count(kept_.begin(), kept_.end(), true)) return;
+    left_out_.resize(whole_.vertices.size());
+    for (size_t v = 0; v < left_out_.size(); ++v)
+      if (kept_[mesh_of(v)]) left_out_[v] = 1;
+  }
 
   CharacterBind run() {
     out_.kept_meshes = static_cast<size_t>(std::count(kept_.begin(), kept_.end(), true));
@@ -68,12 +51,12 @@ class CharacterBinder {
       out_.vertex_questions.assign(whole_.vertices.size(), SINEW_NO_QUESTION);
       out_.vertex_parts.assign(whole_.vertices.size(), 0);
     }
-    if (out_.kept_meshes == 0) {
+    if (left_out_.empty()) {
       std::vector<size_t> all(whole_.vertices.size());
       for (size_t v = 0; v < all.size(); ++v) all[v] = v;
       bind_sets(whole_, all);
     } else {
-      const Part part = part_of(whole_, kept_);
+      const MeshPart part = part_without(whole_, left_out_);
       if (part.vertices.empty())
         throw Error(
             whole_.name + ": all " + std::to_string(kept_.size()) +
@@ -219,24 +202,28 @@ class CharacterBinder {
     for (size_t v = 0; v < keep.size(); ++v) {
       const bool given = (!options_.bind.locked.empty() && options_.bind.locked[v] != 0) ||
                          (!options_.bind.hints.empty() && options_.bind.hints[v] != 0);
-      keep[v] = given || (!kept_.empty() && kept_[mesh_of(v)]) ? 1 : 0;
+      keep[v] = given || (!left_out_.empty() && left_out_[v] != 0) ? 1 : 0;
     }
     out_.separated_vertices = keep_apart(whole_, out_.seams, keep, &out_.influences);
   }
 
-  // Kept meshes: rigid with their joint, so that pictures and poses show them where they are.
+  // Kept meshes: rigid with their joint, so that pictures and poses show them where they are. Scenery goes with the root.
   void follow_carriers() {
+    const auto is_root = [](const Joint& joint) { return joint.parent < 0; };
+    const auto root = std::find_if(whole_.joints.begin(), whole_.joints.end(), is_root) - whole_.joints.begin();
     for (size_t v = 0; v < whole_.vertices.size(); ++v) {
-      const size_t mesh = whole_.vertex_meshes[v];
-      if (!kept_[mesh] || whole_.meshes[mesh].carrier < 0) continue;
-      out_.influences[v] = {{static_cast<uint32_t>(whole_.meshes[mesh].carrier), 1.0f}};
+      if (left_out_[v] == 0) continue;
+      const bool kept = !kept_.empty() && kept_[mesh_of(v)];
+      const int carrier = kept ? whole_.meshes[mesh_of(v)].carrier : static_cast<int>(root);
+      if (carrier >= 0) out_.influences[v] = {{static_cast<uint32_t>(carrier), 1.0f}};
     }
   }
 
   const Character& whole_;
   const JointChoice& choice_;
   const CharacterBindOptions& options_;
-  const std::vector<bool> kept_;  // [meshes]
+  const std::vector<bool> kept_;   // [meshes]
+  std::vector<uint8_t> left_out_;  // [V] 1: of a kept mesh or of the scenery; empty: none is
   CharacterBind out_;
   uint32_t parts_ = 1;  // numbers of parts given so far
 };

@@ -18,6 +18,8 @@
 #include "sinew_character/predict/lone_hand.hpp"
 #include "sinew_character/predict/own_skeleton.hpp"
 #include "sinew_character/predict/predict_details.hpp"
+#include "sinew_character/predict/scenery.hpp"
+#include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/error.hpp"
 
@@ -66,6 +68,23 @@ bool put_lone_hand(const RigModels& models, const SkeletonOptions& options, Char
   return true;
 }
 
+// How much surer votes are of what is left than of the whole where the rest is scenery.
+constexpr float kSceneryGain = 0.15f;
+
+// The ground, the backdrop or the pedestal of a body is no part of it.
+void leave_scenery_out(const SkeletonOptions& options, Character* character, PredictedSkeleton* skeleton) {
+  std::vector<uint8_t> scenery = find_scenery(*character, skeleton->up_axis);
+  if (!skeleton->usable || scenery.empty()) return;
+  PredictedSkeleton body = predict_skeleton(part_without(*character, scenery).character, options);
+  body.seconds += skeleton->seconds;
+  if (!body.usable || *body.usable < *skeleton->usable + kSceneryGain) return;
+  const auto vertices = std::count(scenery.begin(), scenery.end(), uint8_t{1});
+  character->notes.push_back("taken for ground or a backdrop, a guess: " + std::to_string(vertices) + " of " +
+                             std::to_string(scenery.size()) + " vertices; they have no joints and go with the root");
+  *skeleton = std::move(body);
+  skeleton->scenery = std::move(scenery);
+}
+
 // What the skeleton has besides a body: fingers, and a face.
 LabelledSkeleton add_details(const RigJobOptions& job, const sinew_model& hands, RiggedCharacter* rigged) {
   SkeletonOptions options;
@@ -112,8 +131,8 @@ void bind_rigged(const RigJobOptions& job, const RigModels& models, RiggedCharac
   options.parallel_for = ThreadPool::parallel_for;
   options.parallel_user = &pool;
   Character& character = rigged->character;
-  CharacterBind result =
-      rigged->fitted ? bind_to_own(options, character) : bind_to_prediction(rigged->skeleton, options, &character);
+  CharacterBind result = rigged->fitted ? bind_to_own(options, character, rigged->skeleton.scenery)
+                                        : bind_to_prediction(rigged->skeleton, options, &character);
   character.influences = std::move(result.influences);
   rigged->bind_seconds = result.seconds;
   rigged->seams = std::move(result.seams);
@@ -168,6 +187,7 @@ PredictedSkeleton predict_for_job(const RigJobOptions& job, const RigModels& mod
   options.toes = job.toes;
   options.ends = job.ends;
   PredictedSkeleton skeleton = predict_skeleton(*character, options);
+  leave_scenery_out(options, character, &skeleton);
   if (models.hands != nullptr && may_be_lone_hand(job, skeleton) &&
       put_lone_hand(models, options, character, &skeleton))
     return skeleton;

@@ -83,8 +83,9 @@ FittedSkeleton fit_own_skeleton(const std::vector<Joint>& own, const std::string
   return fitted;
 }
 
-CharacterBind bind_to_own(BindOptions options, const Character& character) {
+CharacterBind bind_to_own(BindOptions options, const Character& character, const std::vector<uint8_t>& scenery) {
   CharacterBindOptions bind;
+  bind.scenery = scenery;
   bind.bind = std::move(options);
   bind.bind_props = true;
   return bind_character(character, choose_joints(character, JointsFrom::kNames), bind);
@@ -97,6 +98,7 @@ CharacterBind bind_to_prediction(const PredictedSkeleton& skeleton, const BindOp
   bind.bind = options;
   bind.keep_tips = true;
   bind.bind_props = true;
+  bind.scenery = skeleton.scenery;
   return bind_character(*character, choose_predicted(skeleton, *character), bind);
 }
 

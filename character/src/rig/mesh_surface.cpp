@@ -99,4 +99,25 @@ JointSurfaces joint_surfaces(const Character& c) {
   return surfaces;
 }
 
+MeshPart part_without(const Character& whole, const std::vector<uint8_t>& left_out) {
+  MeshPart part;
+  part.character.name = whole.name;
+  part.character.joints = whole.joints;
+  std::vector<uint32_t> number(whole.vertices.size(), UINT32_MAX);
+  for (size_t v = 0; v < whole.vertices.size(); ++v) {
+    if (left_out[v] != 0) continue;
+    number[v] = static_cast<uint32_t>(part.vertices.size());
+    part.vertices.push_back(v);
+    part.character.vertices.push_back(whole.vertices[v]);
+    if (!whole.influences.empty()) part.character.influences.push_back(whole.influences[v]);
+  }
+  for (size_t f = 0; f < whole.face_count(); ++f) {
+    const size_t first = whole.face_offsets[f], last = whole.face_offsets[f + 1];
+    if (first == last || number[whole.face_vertices[first]] == UINT32_MAX) continue;
+    for (size_t c = first; c < last; ++c) part.character.face_vertices.push_back(number[whole.face_vertices[c]]);
+    part.character.face_offsets.push_back(static_cast<uint32_t>(part.character.face_vertices.size()));
+  }
+  return part;
+}
+
 }  // namespace sinew

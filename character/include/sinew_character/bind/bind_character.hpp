@@ -43,6 +43,7 @@ struct CharacterBindOptions {
   bool keep_tips = false;   // tips keep the weight that they get
   bool bind_props = false;  // meshes without a skin are bound even if they hang on joints, or others have skins
   bool keep_apart = true;   // no weight across seams
+  std::vector<uint8_t> scenery = {};  // [V] or empty: 1 for what is no part of the body and goes with the root
 };
 
 // Which joints of a character may get weight. What the user says, `joint_flags` [J] SINEW_JOINT_* or empty, has the last word:

@@ -28,7 +28,8 @@ FittedSkeleton fit_own_skeleton(const std::vector<Joint>& own, const std::string
 
 // Binds a mesh to the skeleton that it was given: a user's own, whose names say which joints deform, or a predicted one,
 // which becomes the character's and whose joints all do but for bone ends.
-CharacterBind bind_to_own(BindOptions options, const Character& character);
+//   scenery  PredictedSkeleton::scenery
+CharacterBind bind_to_own(BindOptions options, const Character& character, const std::vector<uint8_t>& scenery);
 CharacterBind bind_to_prediction(const PredictedSkeleton& skeleton, const BindOptions& options, Character* character);
 // The joints of a predicted skeleton that may get weight in a mesh, whatever joints that has.
 JointChoice choose_predicted(const PredictedSkeleton& skeleton, const Character& mesh);

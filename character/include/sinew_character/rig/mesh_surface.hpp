@@ -39,6 +39,15 @@ std::vector<std::vector<uint32_t>> welded_rings(const Character& character, cons
 // other, so that walks go on across seams.
 std::vector<std::vector<uint32_t>> neighbours_of(const Character& character);
 
+// What is left of a mesh: vertices, faces, joints and weights.
+struct MeshPart {
+  Character character;
+  std::vector<size_t> vertices;  // [part's V] -> the whole's
+};
+// Without the vertices of some faces.
+//   left_out  [V] 1 for those
+MeshPart part_without(const Character& whole, const std::vector<uint8_t>& left_out);
+
 // The surface that moves with each joint: how much of it, and where its middle is.
 struct JointSurfaces {
   std::vector<float> shares;     // [J] of the whole

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What a body stands on or before in its own file: ground, backdrop, pedestal, perch.
+#ifndef SINEW_CHARACTER_SCENERY_HPP
+#define SINEW_CHARACTER_SCENERY_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+// Connected parts that may be scenery: each lies below all that is left and is at least half as large as that across up, or lies beside
+// it and is nine tenths as large; and it has less than half of the vertices. Whether what is left is a body, the votes know.
+// Returns [V] 1 for their vertices; empty where there are none.
+std::vector<uint8_t> find_scenery(const Character& mesh, Axis up);
+
+}  // namespace sinew
+#endif
