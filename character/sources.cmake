@@ -52,6 +52,7 @@ set(sinew_character_sources
   predict/lone_hand
   predict/marker_edits
   predict/match_limbs
+  predict/part_skeleton
   predict/predict_details
   predict/predict_skeleton
   predict/scenery

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -65,6 +66,46 @@ TEST_F(CliRig, WhatHasZUpStandsInFormatsWithYUp) {
   }
   EXPECT_GT(least, 0.4 * double{height} + double{box_of(walking.vertices).low.y});
   EXPECT_LT(most - least, 0.2 * double{height}) << "it walks along the floor";
+}
+
+// A dog of boxes that only touch: votes know little of it.
+TEST_F(CliRig, ABodyOfSolidPartsHasAJointForEachThatMoves) {
+  Character dog;
+  dog.name = "boxes";
+  const auto add_box = [&](const Vec3& middle, const Vec3& half) {
+    Box box;
+    box.low = {middle.x - half.x, middle.y - half.y, middle.z - half.z};
+    box.high = {middle.x + half.x, middle.y + half.y, middle.z + half.z};
+    const uint32_t first = static_cast<uint32_t>(dog.vertices.size());
+    for (const Vec3& corner : box.corners()) dog.vertices.push_back(corner);
+    for (const auto& face : std::vector<std::array<uint32_t, 4>>{
+             {0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+      for (const uint32_t corner : face) dog.face_vertices.push_back(first + corner);
+      dog.face_offsets.push_back(static_cast<uint32_t>(dog.face_vertices.size()));
+    }
+  };
+  add_box({0, 0.6f, 0}, {0.2f, 0.2f, 0.5f});
+  for (const float x : {-0.15f, 0.15f})
+    for (const float z : {-0.4f, 0.4f}) add_box({x, 0.2f, z}, {0.05f, 0.2f, 0.05f});
+  add_box({0, 0.9f, 0.6f}, {0.15f, 0.15f, 0.2f});
+  add_box({0, 0.7f, -0.65f}, {0.05f, 0.05f, 0.15f});
+  write_obj(in("boxes.obj"), dog);
+  const Outcome told = good("rig boxes.obj --up y --front +z -o boxes.glb");
+  ASSERT_NE(told.out.find("taken for a body of solid parts, a guess: 7 joints"), std::string::npos) << told.out;
+  const Character made = read_character(in("boxes.glb"));
+  std::map<std::string, Vec3> at;
+  for (const Joint& joint : made.joints) at[joint.name] = joint.position;
+  for (const char* name : {"Hips", "Head", "Tail", "LeftArm", "RightArm", "LeftUpLeg", "RightUpLeg"})
+    EXPECT_EQ(at.count(name), 1u) << name;
+  EXPECT_NEAR(at["LeftArm"].x, 0.15f, 1e-3f);
+  EXPECT_NEAR(at["LeftArm"].y, 0.4f, 1e-3f) << "where both boxes touch";
+  EXPECT_NEAR(at["LeftArm"].z, 0.4f, 1e-3f);
+  EXPECT_NEAR(at["Tail"].z, -0.5f, 1e-3f);
+  for (size_t v = 0; v < made.vertices.size(); ++v) {
+    ASSERT_EQ(made.influences[v].size(), 1u) << "solid";
+    if (made.vertices[v].z > -0.55f) continue;
+    EXPECT_EQ(made.joints[made.influences[v][0].joint].name, "Tail");
+  }
 }
 
 // A slab under the feet, many times as large as the body, and a wall behind it.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The table of the published methods in engine/README.md: every claim in it is run by a test of this program, whose other files have
-// them by method.
+// them by method, or says that it has a figure alone.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -52,13 +52,13 @@ TEST(PublishedMethods, EveryClaimOfTheTableIsTestedAndEveryMethodIsInIt) {
   }
   suites.erase("PublishedMethods");
   EXPECT_GE(suites.size(), 6u);
-  constexpr size_t kMethod = 0, kClaim = 1, kMeasured = 2, kCommand = 4, kTest = 5, kCells = 6;
+  constexpr size_t kClaim = 0, kDrawn = 1, kOurs = 2, kCommand = 4, kTest = 5, kCells = 6;
   for (const std::vector<std::string>& row : table_rows()) {
-    ASSERT_EQ(row.size(), kCells) << row[kMethod];
-    for (const size_t cell : {kClaim, kMeasured, kCommand})
-      EXPECT_NE(row[cell].find_first_not_of(' '), std::string::npos) << row[kMethod] << row[kClaim] << " says nothing";
+    ASSERT_EQ(row.size(), kCells) << row[kClaim];
+    const auto says = [](const std::string& cell) { return cell.find_first_not_of(' ') != std::string::npos; };
+    EXPECT_TRUE(says(row[kClaim]) && says(row[kCommand]) && (says(row[kDrawn]) || says(row[kOurs]))) << row[kClaim];
     const std::set<std::string> named = names_in(row[kTest], "Published");
-    EXPECT_FALSE(named.empty()) << row[kMethod] << row[kClaim] << "has no test";
+    EXPECT_TRUE(!named.empty() || row[kTest] == " figure alone ") << row[kClaim] << "has no test";
     for (const std::string& test : named) {
       EXPECT_EQ(tests.count(test), 1u) << test << " is no test of this program";
       suites.erase(test.substr(0, test.find('.')));

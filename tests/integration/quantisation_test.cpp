@@ -158,7 +158,7 @@ TEST(Quantisation, BundledModelIsWithinThreeThousandthsOfItsWeights) {
 // weights, of the network as published for weights.
 TEST(Quantisation, SignalToNoiseOfTrainedClassicWeights) {
   constexpr uint32_t kPublished = kSpectralFlag | kAttributesFlag;
-  FloatNetwork network = make_classic(8, 64, 1, kPublished);
+  FloatNetwork network = make_classic(8, 64, 1, kPublished, 2);
   read_model_weights(kData + "/sinew_classic.sinew", &network);
   const Calibration calibration = calibrate(network, calibration_characters(network));
   double last = 1000;

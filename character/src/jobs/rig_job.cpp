@@ -17,6 +17,7 @@
 #include "sinew_character/pose/rest_pose.hpp"
 #include "sinew_character/predict/lone_hand.hpp"
 #include "sinew_character/predict/own_skeleton.hpp"
+#include "sinew_character/predict/part_skeleton.hpp"
 #include "sinew_character/predict/predict_details.hpp"
 #include "sinew_character/predict/scenery.hpp"
 #include "sinew_character/rig/mesh_surface.hpp"
@@ -85,6 +86,34 @@ void leave_scenery_out(const SkeletonOptions& options, Character* character, Pre
   skeleton->scenery = std::move(scenery);
 }
 
+// Below this votes give way to the parts of a body that is made of them: of 34 such characters of train the median IoU with the artist's joints
+// rises from 26 to 37 %; of those that votes know better it falls.
+constexpr float kUnsureUsable = 0.25f;
+
+// A skeleton of the mesh's solid parts. False where it is not made of such, or votes know it well.
+bool take_parts(const RigJobOptions& job, Character* character, PredictedSkeleton* skeleton) {
+  if (job.method != RigMethod::kAuto || !skeleton->usable || *skeleton->usable >= kUnsureUsable) return false;
+  if (!skeleton->scenery.empty()) return false;
+  const bool front_sure = job.front != SINEW_FRONT_AUTO || skeleton->front_confidence >= kCoinToss;
+  std::optional<PartSkeleton> parts = part_skeleton(*character, skeleton->up_axis, skeleton->front, front_sure);
+  if (!parts) return false;
+  PredictedSkeleton made = skeleton_from_joints(parts->joints);
+  made.front = parts->front;
+  made.up_axis = skeleton->up_axis;
+  made.up_confidence = skeleton->up_confidence;
+  made.front_confidence = parts->front_seen ? kCoinToss : skeleton->front_confidence;
+  made.seconds = skeleton->seconds;
+  made.workspace_bytes = skeleton->workspace_bytes;
+  made.rigid_joints = std::move(parts->joint_of);
+  *skeleton = std::move(made);
+  const auto moving = std::count(skeleton->ends.begin(), skeleton->ends.end(), uint8_t{0});
+  character->notes.push_back(
+      "taken for a body of solid parts, a guess: " + std::to_string(moving) +
+      " joints where parts touch, named by where they are; --method votes looks for another one");
+  say_direction(job, *skeleton, &character->notes);
+  return true;
+}
+
 // What the skeleton has besides a body: fingers, and a face.
 LabelledSkeleton add_details(const RigJobOptions& job, const sinew_model& hands, RiggedCharacter* rigged) {
   SkeletonOptions options;
@@ -115,13 +144,23 @@ void put_own(const RigJobOptions& job, const RigModels& models, const LabelledSk
                                       " have no like in this mesh; look at them before using them");
 }
 
+// Parts move as wholes. False where the skeleton is another one than that of the parts.
+bool bind_parts(const RigJobOptions& job, RiggedCharacter* rigged) {
+  const std::vector<uint32_t>& joints = rigged->skeleton.rigid_joints;
+  if (joints.empty() || rigged->fitted || !job.edits.empty()) return false;
+  rigged->character.influences.clear();
+  for (const uint32_t joint : joints) rigged->character.influences.push_back({{joint, 1.0f}});
+  return true;
+}
+
 void bind_rigged(const RigJobOptions& job, const RigModels& models, RiggedCharacter* rigged) {
+  if (bind_parts(job, rigged)) return;
   BindOptions options;
   options.method = SINEW_METHOD_MODEL;
   options.model = models.bind;
   options.influence_count = job.influence_count;
   options.up_axis = rigged->skeleton.up_axis;
-  options.rigid_parts = job.rigid_parts;
+  options.rigid_parts = rigged->skeleton.rigid_joints.empty() ? job.rigid_parts : uint32_t{SINEW_RIGID_PARTS_ALWAYS};
   options.surface_vertices = job.surface_vertices;
   options.softness_percent = job.softness_percent;
   options.thread_count = job.thread_count;
@@ -188,6 +227,7 @@ PredictedSkeleton predict_for_job(const RigJobOptions& job, const RigModels& mod
   options.ends = job.ends;
   PredictedSkeleton skeleton = predict_skeleton(*character, options);
   leave_scenery_out(options, character, &skeleton);
+  if (take_parts(job, character, &skeleton)) return skeleton;
   if (models.hands != nullptr && may_be_lone_hand(job, skeleton) &&
       put_lone_hand(models, options, character, &skeleton))
     return skeleton;

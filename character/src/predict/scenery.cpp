@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
 
 #include "sinew_character/rig/mesh_surface.hpp"
@@ -13,13 +12,13 @@
 namespace sinew {
 namespace {
 
-constexpr double kOverlap = 0.1;    // of what is left along the axis: feet sink in, grass stands around them
-constexpr double kLeastBelow = 0.5;   // of what is left, as areas across the axis: a pedestal
-constexpr double kLeastBehind = 0.9;  // a backdrop; shields and tools are smaller
-constexpr size_t kMostParts = 8;      // of a scenery, beside what lies within them
+constexpr double kOverlap = 0.1;        // of what is left along the axis: feet sink in, grass stands around them
+constexpr double kLeastBelow = 0.5;     // of what is left, as areas across the axis: a pedestal
+constexpr double kLeastBehind = 0.9;    // a backdrop; shields and tools are smaller
+constexpr size_t kMostParts = 8;        // of a scenery, beside what lies within them
 constexpr size_t kFewestVertices = 60;  // of a body
 
-struct Part {
+struct SceneryPart {
   Box box;
   size_t vertices = 0;
   bool taken = false;
@@ -38,7 +37,7 @@ Box joined(Box a, const Box& b) {
 }
 
 // How large the part is across an axis along which it lies beyond all of `rest`, in shares of that; 0 where it is not, or is too small.
-double share_beyond(const Part& part, const Box& rest, Axis up) {
+double share_beyond(const SceneryPart& part, const Box& rest, Axis up) {
   const auto own = spans_of(part.box), others = spans_of(rest);
   double most = 0;
   for (size_t a = 0; a < 3; ++a) {
@@ -59,7 +58,7 @@ double share_beyond(const Part& part, const Box& rest, Axis up) {
 // The box of every part but one, of those that are left.
 class BoxesOfOthers {
  public:
-  explicit BoxesOfOthers(const std::vector<Part>& parts) : before_(parts.size()), after_(parts.size()) {
+  explicit BoxesOfOthers(const std::vector<SceneryPart>& parts) : before_(parts.size()), after_(parts.size()) {
     for (size_t i = 1; i < parts.size(); ++i) before_[i] = with(before_[i - 1], parts[i - 1]);
     for (size_t i = parts.size(); i-- > 1;) after_[i - 1] = with(after_[i], parts[i]);
   }
@@ -69,7 +68,7 @@ class BoxesOfOthers {
   }
 
  private:
-  static std::optional<Box> with(const std::optional<Box>& box, const Part& part) {
+  static std::optional<Box> with(const std::optional<Box>& box, const SceneryPart& part) {
     if (part.taken) return box;
     return box ? joined(*box, part.box) : part.box;
   }
@@ -79,20 +78,12 @@ class BoxesOfOthers {
 }  // namespace
 
 std::vector<uint8_t> find_scenery(const Character& mesh, Axis up) {
-  const std::vector<uint32_t> first = first_at_position(mesh);
-  VertexGroups groups(mesh.vertices.size());
-  for (size_t f = 0; f < mesh.face_count(); ++f)
-    for (uint32_t c = mesh.face_offsets[f] + 1; c < mesh.face_offsets[f + 1]; ++c)
-      groups.join(first[mesh.face_vertices[c - 1]], first[mesh.face_vertices[c]]);
-  std::map<uint32_t, size_t> numbers;
-  std::vector<Part> parts;
-  std::vector<size_t> part_of(mesh.vertices.size());
+  const MeshParts found = connected_parts(mesh);
+  std::vector<SceneryPart> parts(found.count);
   for (size_t v = 0; v < mesh.vertices.size(); ++v) {
-    const auto [entry, fresh] = numbers.emplace(groups.of(first[v]), parts.size());
-    if (fresh) parts.push_back({{mesh.vertices[v], mesh.vertices[v]}});
-    part_of[v] = entry->second;
-    parts[entry->second].box.add(mesh.vertices[v]);
-    ++parts[entry->second].vertices;
+    SceneryPart& part = parts[found.part[v]];
+    if (part.vertices++ == 0) part.box = {mesh.vertices[v], mesh.vertices[v]};
+    part.box.add(mesh.vertices[v]);
   }
   size_t left = mesh.vertices.size();
   bool any = false;
@@ -102,7 +93,8 @@ std::vector<uint8_t> find_scenery(const Character& mesh, Axis up) {
     double share = 0;
     for (size_t i = 0; i < parts.size(); ++i) {
       const std::optional<Box> rest = others.without(i);
-      if (parts[i].taken || !rest || 2 * parts[i].vertices >= left || left - parts[i].vertices < kFewestVertices) continue;
+      if (parts[i].taken || !rest || 2 * parts[i].vertices >= left || left - parts[i].vertices < kFewestVertices)
+        continue;
       const double own = share_beyond(parts[i], *rest, up);
       if (own <= share) continue;
       best = i;
@@ -114,7 +106,7 @@ std::vector<uint8_t> find_scenery(const Character& mesh, Axis up) {
   }
   if (!any) return {};
   std::vector<uint8_t> scenery(mesh.vertices.size());
-  for (size_t v = 0; v < scenery.size(); ++v) scenery[v] = parts[part_of[v]].taken ? 1 : 0;
+  for (size_t v = 0; v < scenery.size(); ++v) scenery[v] = parts[found.part[v]].taken ? 1 : 0;
   return scenery;
 }
 

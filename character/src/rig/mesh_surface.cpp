@@ -99,6 +99,21 @@ JointSurfaces joint_surfaces(const Character& c) {
   return surfaces;
 }
 
+MeshParts connected_parts(const Character& character) {
+  const std::vector<uint32_t> first = first_at_position(character);
+  VertexGroups groups(character.vertices.size());
+  for (size_t f = 0; f < character.face_count(); ++f)
+    for (uint32_t c = character.face_offsets[f] + 1; c < character.face_offsets[f + 1]; ++c)
+      groups.join(first[character.face_vertices[c - 1]], first[character.face_vertices[c]]);
+  MeshParts parts;
+  parts.part.resize(character.vertices.size());
+  for (uint32_t v = 0; v < parts.part.size(); ++v) {  // a group's least vertex comes first
+    const uint32_t group = groups.of(first[v]);
+    parts.part[v] = group == v ? static_cast<uint32_t>(parts.count++) : parts.part[group];
+  }
+  return parts;
+}
+
 MeshPart part_without(const Character& whole, const std::vector<uint8_t>& left_out) {
   MeshPart part;
   part.character.name = whole.name;

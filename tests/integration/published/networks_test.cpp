@@ -8,7 +8,7 @@
 
 #include "expect_error.hpp"
 #include "features/attributes.hpp"
-#include "features/channels.hpp"
+#include "features/channel_values.hpp"
 #include "network/slot_network.hpp"
 #include "sinew/published.h"
 #include "sinew_character/bind/bind.hpp"
@@ -48,8 +48,8 @@ TEST(PublishedNetworks, AttributesArePositionsNormalsLaplaciansAndDistances) {
     }
     EXPECT_NEAR(normal, 1, 0.01) << v;
     const int16_t* const all = &own.inputs[0].rows[size_t{v} * own.inputs[0].channels];
-    EXPECT_EQ(row[kAttributeCurvature], all[kV_mean_curvature]);
-    EXPECT_EQ(row[kAttributeCurvature + 1], all[kV_gauss_curvature]);
+    EXPECT_EQ(row[kAttributeCurvature], all[features::kV_mean_curvature]);
+    EXPECT_EQ(row[kAttributeCurvature + 1], all[features::kV_gauss_curvature]);
     for (uint32_t k = 1; k < plain.candidates; ++k) {
       const int16_t* const pair = &plain.inputs[1].rows[(size_t{v} * plain.candidates + k) * kPairAttributes];
       if (plain.candidate[size_t{v} * plain.candidates + k] == 0xFFFF) continue;

@@ -41,9 +41,10 @@ struct PredictedSkeleton {
   std::array<float, 3> front = {0, 0, 1};
   Axis up_axis = Axis::kY;
   float front_confidence = 0, up_confidence = 0;
-  float plane = 0, spread = 0;   // see sinew_rig_outputs
-  std::optional<float> usable;   // of votes: usable_probability()
-  std::vector<uint8_t> scenery;  // [V of the mesh] 1 for what the body stands on or before; empty: all is body
+  float plane = 0, spread = 0;         // see sinew_rig_outputs
+  std::optional<float> usable;         // of votes: usable_probability()
+  std::vector<uint32_t> rigid_joints;  // [V of the mesh] the joint that moves each solid part; empty: bodies that bend
+  std::vector<uint8_t> scenery;        // [V of the mesh] 1 for what the body stands on or before; empty: all is body
   size_t workspace_bytes = 0;
   double seconds = 0;  // in sinew_rig()
 };

@@ -39,6 +39,13 @@ std::vector<std::vector<uint32_t>> welded_rings(const Character& character, cons
 // other, so that walks go on across seams.
 std::vector<std::vector<uint32_t>> neighbours_of(const Character& character);
 
+// Pieces of a surface that hang together over first_at_position().
+struct MeshParts {
+  std::vector<uint32_t> part;  // [V] by their first vertices
+  size_t count = 0;
+};
+MeshParts connected_parts(const Character& character);
+
 // What is left of a mesh: vertices, faces, joints and weights.
 struct MeshPart {
   Character character;
