@@ -11,7 +11,7 @@ namespace {
 
 TEST(RigTrainConfig, ShippedFilesAreValid) {
   for (const char* name : {"votes", "votes_more", "votes_left_out", "votes_grown", "votes_grown_more", "hands",
-                           "hands_more", "slots", "slots_more", "front"}) {
+                           "hands_more", "slots", "slots_first", "slots_more", "front"}) {
     const std::string path = std::string(SINEW_SOURCE_DIR) + "/trainer/configs/" + name + ".json";
     const RigTrainConfig config = parse_rig_config(read_text_file(path), path);
     const std::string first = std::string(name).substr(0, std::string(name).find('_'));
