@@ -327,7 +327,7 @@ std::vector<CLI::Option*> add_reference_options(CLI::App* sub, AnimateSettings* 
           ->type_name("N")
           ->capture_default_str(),
       sub->add_option("--falloff", s->falloff,
-                      "Influence falls by exp(-(distance / so many heights of the body)^2); 0: not at all, as drawn")
+                      "Influence falls by exp(-(distance / so many heights of the body)^2); 0: not at all")
           ->check(CLI::Range(0.0, 100.0))
           ->type_name("X")
           ->capture_default_str(),

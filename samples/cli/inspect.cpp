@@ -31,7 +31,9 @@ struct InspectCommandSettings {
 
 std::string feature_set_text(uint32_t set) {
   return std::to_string(set & ~kFeatureFlags) +
-         ((set & kAttributesFlag) != 0 ? ", the published attributes alone" : "") +
+         ((set & kAttributesFlag) != 0
+              ? ", the published attributes alone: positions, normals, curvatures, Laplacian, distances to joints"
+              : "") +
          ((set & kSpectralFlag) != 0 ? ", with spectral signatures" : "");
 }
 

@@ -35,7 +35,7 @@ struct MapCommandSettings {
                                       actor;
   uint32_t method = SINEW_MAP_AUTO, cost = SINEW_BRANCHES_MEAN, first = SINEW_BRANCHES_BOTH;
   std::vector<std::string> pins;
-  bool no_names = false, json = false;
+  bool no_names = false, as_drawn = false, json = false;
 };
 
 // A template that does not exist is wrong usage.
@@ -157,6 +157,12 @@ MapCommandSettings settled(MapCommandSettings s) {
     throw UsageError("give the other skeleton with --from FILE, or the names of a standard rig with --to NAME");
   if (!s.preset.empty()) s.source = "template:" + s.preset;
   if (s.source_up.empty()) s.source_up = s.source.rfind("template:", 0) == 0 ? "y" : s.up;
+  if (s.as_drawn) {
+    if (s.method == SINEW_MAP_SINEW) throw UsageError("--as-drawn is --method branches: leave --method sinew out");
+    s.method = SINEW_MAP_BRANCHES;
+    s.cost = SINEW_BRANCHES_SUM;
+    s.no_names = true;
+  }
   if (s.method != SINEW_MAP_BRANCHES)
     refuse_given({{"--cost", s.cost != SINEW_BRANCHES_MEAN}, {"--first", s.first != SINEW_BRANCHES_BOTH}},
                  " is for --method branches; found --method " + kMapMethod[s.method]);
@@ -237,6 +243,7 @@ void add_map_inputs(CLI::App* sub, MapCommandSettings* s) {
          "Map what both skeletons keep at a level of sinew simplify. low: made at the high level, then reduced")
       ->type_name("high|low")
       ->check(CLI::IsMember({"high", "low"}));
+  shared_flag(sub, "--as-drawn", s->as_drawn, "As published: --method branches --cost sum --no-names");
   word_option(sub, "--cost", s->cost, kBranchesCost,
               "--method branches: two branches cost the mean or the sum of their joints' costs");
   word_option(sub, "--first", s->first, kBranchesFirst,

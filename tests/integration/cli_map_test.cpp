@@ -137,6 +137,13 @@ TEST_F(CliMap, WrongUsageIsOneLine) {
   EXPECT_FALSE(fs::exists(in("keep.map")));
 }
 
+TEST_F(CliMap, AsDrawnIsTheSumOfCostsWithoutNames) {
+  good("map " + kRobedRig + " --from " + kRobotRig + " --as-drawn -o drawn.txt");
+  good("map " + kRobedRig + " --from " + kRobotRig + " --method branches --cost sum --no-names -o sum.txt");
+  EXPECT_EQ(slurp(in("drawn.txt")), slurp(in("sum.txt")));
+  bad(2, "map " + kRobedRig + " --from " + kRobotRig + " --as-drawn --method sinew -o drawn.txt");
+}
+
 TEST_F(CliMap, APictureOfBoth) {
   good("map " + kRobedRig + " --from " + kRobotRig + " --up z --png map.png -o map.txt");
   const std::string png = slurp(in("map.png"));

@@ -63,14 +63,15 @@ double volume(const PartBox& box, double thin) {
 
 struct SolidPart {
   PartBox box;
-  int parent = -1;  // part that it hangs on
+  int parent = -1;   // part that it hangs on
   size_t group = 0;  // part that it goes with, itself for one that moves
   int joint = -1;
 };
 
 class PartTree {
  public:
-  PartTree(const Character& mesh, Axis up, const std::array<float, 3>& front) : mesh_(mesh), of_(connected_parts(mesh)) {
+  PartTree(const Character& mesh, Axis up, const std::array<float, 3>& front)
+      : mesh_(mesh), of_(connected_parts(mesh)) {
     set_axes(up, front);
     parts_.resize(of_.count);
     for (size_t v = 0; v < mesh.vertices.size(); ++v) {
@@ -144,9 +145,7 @@ class PartTree {
     const Point3 p = {double{v.x}, double{v.y}, double{v.z}};
     return {dot(axes_[0], p), dot(axes_[1], p), dot(axes_[2], p)};
   }
-  Vec3 world(const Point3& p) const {
-    return sinew::to_vec3(p[0] * axes_[0] + p[1] * axes_[1] + p[2] * axes_[2]);
-  }
+  Vec3 world(const Point3& p) const { return sinew::to_vec3(p[0] * axes_[0] + p[1] * axes_[1] + p[2] * axes_[2]); }
   bool touch(size_t a, size_t b) const { return gap(parts_[a].box, parts_[b].box) <= kTouch * size_; }
   bool is_small(size_t p) const { return parts_[p].box.longest() < kSmall * size_; }
 
@@ -219,7 +218,8 @@ class PartTree {
       }
       for (const size_t q : order_) {  // two that are one: a neck inside a head
         if (q == p) break;
-        if (q == trunk_ || parts_[q].group != q || parts_[static_cast<size_t>(parts_[q].parent)].group != above) continue;
+        if (q == trunk_ || parts_[q].group != q || parts_[static_cast<size_t>(parts_[q].parent)].group != above)
+          continue;
         if (is_within(part.box, parts_[q].box)) part.group = q;
       }
     }
@@ -326,7 +326,8 @@ class PartTree {
     }
     const std::string base = name;
     const auto taken = [&](const Joint& joint) { return joint.name == name; };
-    for (int number = 2; std::any_of(joints->begin(), joints->end(), taken); ++number) name = base + std::to_string(number);
+    for (int number = 2; std::any_of(joints->begin(), joints->end(), taken); ++number)
+      name = base + std::to_string(number);
     Point3 at = common(part.box, parts_[above].box).middle();
     for (size_t a = 0; a < 3; ++a) at[a] = std::clamp(at[a], part.box.low[a], part.box.high[a]);
     part.joint = static_cast<int>(joints->size());
