@@ -150,6 +150,7 @@ BindJob::BindJob(const BindJobOptions& job, const Binder& binder, Character* cha
   apply_joint_flags(job.joint_flags, &chosen_);
   options_.keep_tips = job.keep_tips;
   options_.bind_props = job.bind_props;
+  options_.scenery = job.scenery;
   BindOptions& options = options_.bind;
   options.method = binder.model == nullptr ? binder.method : uint32_t{SINEW_METHOD_MODEL};
   options.model = binder.model;

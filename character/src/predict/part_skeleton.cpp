@@ -21,6 +21,7 @@ constexpr double kOnGround = 0.06;
 constexpr double kWithin = 0.7;  // of a part's box inside another's: it goes with that
 constexpr double kLying = 1.3;   // a trunk that is so many times as long as high
 constexpr size_t kFewestMoving = 4;
+constexpr size_t kMostParts = 300;  // more are a soup, or feathers
 
 // Along left, up and front.
 struct PartBox {
@@ -83,7 +84,7 @@ class PartTree {
   }
 
   bool build() {
-    if (parts_.size() <= kFewestMoving || !(size_ > 0)) return false;
+    if (parts_.size() <= kFewestMoving || parts_.size() > kMostParts || !(size_ > 0)) return false;
     find_trunk();
     if (!hang()) return false;
     merge();

@@ -12,11 +12,11 @@
 namespace sinew {
 namespace {
 
-constexpr double kOverlap = 0.1;        // of what is left along the axis: feet sink in, grass stands around them
-constexpr double kLeastBelow = 0.5;     // of what is left, as areas across the axis: a pedestal
-constexpr double kLeastBehind = 0.9;    // a backdrop; shields and tools are smaller
-constexpr size_t kMostParts = 8;        // of a scenery, beside what lies within them
-constexpr size_t kFewestVertices = 60;  // of a body
+constexpr double kOverlap = 0.1;         // of what is left along the axis: feet sink in, grass stands around them
+constexpr double kLeastBelow = 0.5;      // of what is left, as areas across the axis: a pedestal
+constexpr double kLeastBehind = 0.9;     // a backdrop; shields and tools are smaller
+constexpr size_t kMostSceneryParts = 8;  // of a scenery, beside what lies within them
+constexpr size_t kFewestVertices = 60;   // of a body
 
 struct SceneryPart {
   Box box;
@@ -87,7 +87,7 @@ std::vector<uint8_t> find_scenery(const Character& mesh, Axis up) {
   }
   size_t left = mesh.vertices.size();
   bool any = false;
-  for (size_t round = 0; round < kMostParts; ++round) {
+  for (size_t round = 0; round < kMostSceneryParts; ++round) {
     const BoxesOfOthers others(parts);
     size_t best = parts.size();
     double share = 0;

@@ -46,6 +46,10 @@ BindJob job_for(Session& s, const Wish& wish) {
   job.rigid_parts = wish.rigid_parts;
   job.keep_tips = rig.predicted;
   job.bind_props = rig.predicted || is_of_rigid_parts(s.character);
+  if (rig.predicted && rig.skeleton) {
+    job.scenery = rig.skeleton->scenery;
+    if (!rig.skeleton->rigid_joints.empty()) job.rigid_parts = SINEW_RIGID_PARTS_ALWAYS;
+  }
   if (!s.character.influences.empty()) {  // rows to keep
     job.locked = s.locked;
     job.hinted = s.hints;
@@ -125,7 +129,7 @@ Json bind_shown(Session& s, const Wish& wish, const std::vector<sinew_answer>& a
   swap_rows(s, &rows);
   s.vertex_questions = std::move(result.vertex_questions);
   s.to_pose = wish.to_pose;
-  s.up_axis = wish.up_axis;
+  s.up_axis = s.character.up = wish.up_axis;
   s.seams = result.seams;
   strike(s);
   std::vector<double> sums(s.character.joints.size(), 0);

@@ -43,6 +43,7 @@ struct BindJobOptions {
   std::vector<size_t>
       restored_joints;  // joints that may get weight though the choice left them out; `joint_flags` come after it
   std::vector<uint8_t> joint_flags;  // [J] SINEW_JOINT_* of the user, or empty
+  std::vector<uint8_t> scenery;      // PredictedSkeleton::scenery
   std::vector<uint8_t> locked;       // [V] non-zero: keeps its weights; or empty
   std::vector<uint8_t> hinted;       // [V] the same, and they steer their surroundings; or empty
   const BindHints* hints = nullptr;
