@@ -84,11 +84,11 @@ TEST_F(CliRig, ABodyOfSolidPartsHasAJointForEachThatMoves) {
       dog.face_offsets.push_back(static_cast<uint32_t>(dog.face_vertices.size()));
     }
   };
-  add_box({0, 0.6f, 0}, {0.2f, 0.2f, 0.5f});
-  for (const float x : {-0.15f, 0.15f})
-    for (const float z : {-0.4f, 0.4f}) add_box({x, 0.2f, z}, {0.05f, 0.2f, 0.05f});
-  add_box({0, 0.9f, 0.6f}, {0.15f, 0.15f, 0.2f});
-  add_box({0, 0.7f, -0.65f}, {0.05f, 0.05f, 0.15f});
+  add_box({0, 0.5f, 0}, {0.3f, 0.3f, 0.45f});
+  for (const float x : {-0.24f, 0.24f})
+    for (const float z : {-0.35f, 0.35f}) add_box({x, 0.1f, z}, {0.05f, 0.1f, 0.05f});
+  add_box({0, 0.5f, 0.6f}, {0.1f, 0.1f, 0.15f});
+  add_box({0, 0.55f, -0.6f}, {0.06f, 0.06f, 0.15f});
   write_obj(in("boxes.obj"), dog);
   const Outcome told = good("rig boxes.obj --up y --front +z -o boxes.glb");
   ASSERT_NE(told.out.find("taken for a body of solid parts, a guess: 7 joints"), std::string::npos) << told.out;
@@ -97,13 +97,13 @@ TEST_F(CliRig, ABodyOfSolidPartsHasAJointForEachThatMoves) {
   for (const Joint& joint : made.joints) at[joint.name] = joint.position;
   for (const char* name : {"Hips", "Head", "Tail", "LeftArm", "RightArm", "LeftUpLeg", "RightUpLeg"})
     EXPECT_EQ(at.count(name), 1u) << name;
-  EXPECT_NEAR(at["LeftArm"].x, 0.15f, 1e-3f);
-  EXPECT_NEAR(at["LeftArm"].y, 0.4f, 1e-3f) << "where both boxes touch";
-  EXPECT_NEAR(at["LeftArm"].z, 0.4f, 1e-3f);
-  EXPECT_NEAR(at["Tail"].z, -0.5f, 1e-3f);
+  EXPECT_NEAR(at["LeftArm"].x, 0.24f, 1e-3f);
+  EXPECT_NEAR(at["LeftArm"].y, 0.2f, 1e-3f) << "where both boxes touch";
+  EXPECT_NEAR(at["LeftArm"].z, 0.35f, 1e-3f);
+  EXPECT_NEAR(at["Tail"].z, -0.45f, 1e-3f);
   for (size_t v = 0; v < made.vertices.size(); ++v) {
     ASSERT_EQ(made.influences[v].size(), 1u) << "solid";
-    if (made.vertices[v].z > -0.55f) continue;
+    if (made.vertices[v].z > -0.46f) continue;
     EXPECT_EQ(made.joints[made.influences[v][0].joint].name, "Tail");
   }
 }
