@@ -86,8 +86,8 @@ void leave_scenery_out(const SkeletonOptions& options, Character* character, Pre
   skeleton->scenery = std::move(scenery);
 }
 
-// Below this votes give way to the parts of a body that is made of them: of 34 such characters of train the median IoU with the artist's joints
-// rises from 26 to 37 %; of those that votes know better it falls.
+// Below this votes give way to the parts of a body that is made of them: of 14 such characters of train the distance to the artist's joints
+// falls from 8.8 to 7.4 % of the size, and IoU rises from 29 to 44 %.
 constexpr float kUnsureUsable = 0.25f;
 
 // A skeleton of the mesh's solid parts. False where it is not made of such, or votes know it well.

@@ -117,7 +117,7 @@ class PartTree {
     for (const Limb& limb : limbs_)
       if (limb.is_leg) ++legs[limb.names[0].rfind("Left", 0) == 0 ? 0 : 1];
     for (size_t p = 0; p < parts_.size(); ++p) moving += p != trunk_ && parts_[p].group == p ? 1 : 0;
-    if (moving < kFewestMoving || legs[0] == 0 || legs[0] != legs[1]) return std::nullopt;
+    if (moving < kFewestMoving || legs[0] < 2 || legs[0] != legs[1] || !is_lying()) return std::nullopt;
     out.joints.push_back({"Hips", world(hips()), -1, true});
     parts_[trunk_].joint = 0;
     for (const Limb& limb : limbs_) add_limb(limb.part, limb.names, 0, &out.joints);

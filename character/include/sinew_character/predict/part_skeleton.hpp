@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The skeleton of a body of solid parts: box people, block animals, robots.
+// The skeleton of a body of solid parts: block animals.
 #ifndef SINEW_CHARACTER_PART_SKELETON_HPP
 #define SINEW_CHARACTER_PART_SKELETON_HPP
 
@@ -24,7 +24,7 @@ struct PartSkeleton {
 // it; every other part has a joint where it touches its parent. Names are by position: legs reach the ground, a tail is behind.
 //   front       unit vector, horizontal
 //   front_sure  false: small parts, eyes and a nose, say where the front is
-// Returns nothing for a body of fewer than four parts that move, or without as many legs on both sides.
+// Returns nothing for a trunk that stands, or that has not two or more legs on both sides: votes know people and robots of parts better.
 std::optional<PartSkeleton> part_skeleton(const Character& mesh, Axis up, const std::array<float, 3>& front,
                                           bool front_sure);
 
