@@ -68,27 +68,33 @@ TEST_F(CliRig, WhatHasZUpStandsInFormatsWithYUp) {
   EXPECT_LT(most - least, 0.2 * double{height}) << "it walks along the floor";
 }
 
+// A box of six faces that hang together with nothing else.
+void add_box(const Vec3& low, const Vec3& high, Character* mesh) {
+  Box box;
+  box.low = low;
+  box.high = high;
+  const uint32_t first = static_cast<uint32_t>(mesh->vertices.size());
+  for (const Vec3& corner : box.corners()) mesh->vertices.push_back(corner);
+  for (const auto& face : std::vector<std::array<uint32_t, 4>>{
+           {0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+    for (const uint32_t corner : face) mesh->face_vertices.push_back(first + corner);
+    mesh->face_offsets.push_back(static_cast<uint32_t>(mesh->face_vertices.size()));
+  }
+}
+
 // A dog of boxes that only touch: votes know little of it.
 TEST_F(CliRig, ABodyOfSolidPartsHasAJointForEachThatMoves) {
   Character dog;
   dog.name = "boxes";
-  const auto add_box = [&](const Vec3& middle, const Vec3& half) {
-    Box box;
-    box.low = {middle.x - half.x, middle.y - half.y, middle.z - half.z};
-    box.high = {middle.x + half.x, middle.y + half.y, middle.z + half.z};
-    const uint32_t first = static_cast<uint32_t>(dog.vertices.size());
-    for (const Vec3& corner : box.corners()) dog.vertices.push_back(corner);
-    for (const auto& face : std::vector<std::array<uint32_t, 4>>{
-             {0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
-      for (const uint32_t corner : face) dog.face_vertices.push_back(first + corner);
-      dog.face_offsets.push_back(static_cast<uint32_t>(dog.face_vertices.size()));
-    }
+  const auto add = [&](const Vec3& middle, const Vec3& half) {
+    add_box({middle.x - half.x, middle.y - half.y, middle.z - half.z},
+            {middle.x + half.x, middle.y + half.y, middle.z + half.z}, &dog);
   };
-  add_box({0, 0.5f, 0}, {0.3f, 0.3f, 0.45f});
+  add({0, 0.5f, 0}, {0.3f, 0.3f, 0.45f});
   for (const float x : {-0.24f, 0.24f})
-    for (const float z : {-0.35f, 0.35f}) add_box({x, 0.1f, z}, {0.05f, 0.1f, 0.05f});
-  add_box({0, 0.5f, 0.6f}, {0.1f, 0.1f, 0.15f});
-  add_box({0, 0.55f, -0.6f}, {0.06f, 0.06f, 0.15f});
+    for (const float z : {-0.35f, 0.35f}) add({x, 0.1f, z}, {0.05f, 0.1f, 0.05f});
+  add({0, 0.5f, 0.6f}, {0.1f, 0.1f, 0.15f});
+  add({0, 0.55f, -0.6f}, {0.06f, 0.06f, 0.15f});
   write_obj(in("boxes.obj"), dog);
   const Outcome told = good("rig boxes.obj --up y --front +z -o boxes.glb");
   ASSERT_NE(told.out.find("taken for a body of solid parts, a guess: 7 joints"), std::string::npos) << told.out;
@@ -117,16 +123,7 @@ TEST_F(CliRig, GroundAndBackdropAreNoPartOfTheBody) {
     Character whole = body;
     whole.corner_normals.clear();
     whole.corner_uvs.clear();
-    Box added;
-    added.low = low;
-    added.high = high;
-    const uint32_t first = static_cast<uint32_t>(whole.vertices.size());
-    for (const Vec3& corner : added.corners()) whole.vertices.push_back(corner);
-    for (const auto& face : std::vector<std::array<uint32_t, 4>>{
-             {0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
-      for (const uint32_t corner : face) whole.face_vertices.push_back(first + corner);
-      whole.face_offsets.push_back(static_cast<uint32_t>(whole.face_vertices.size()));
-    }
+    add_box(low, high, &whole);
     whole.face_groups.clear();
     whole.face_materials.clear();
     whole.face_objects.clear();

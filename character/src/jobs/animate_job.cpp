@@ -75,8 +75,10 @@ MotionMap map_of(const AnimateOptions& s, const MapRig& target, const MapRig& fr
     options.target_up = s.up;
     options.source_up = s.motion_up;
     options.pins = s.pins;
-    if (s.map_as_drawn) options.method = SINEW_MAP_BRANCHES;
-    if (s.map_as_drawn) options.branches_cost = SINEW_BRANCHES_SUM;
+    if (s.map_as_drawn) {
+      options.method = SINEW_MAP_BRANCHES;
+      options.branches_cost = SINEW_BRANCHES_SUM;
+    }
     return map_motion(target, from, options, s.map);
   }
   MotionMap map;

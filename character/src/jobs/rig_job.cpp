@@ -74,8 +74,9 @@ constexpr float kSceneryGain = 0.15f;
 
 // The ground, the backdrop or the pedestal of a body is no part of it.
 void leave_scenery_out(const SkeletonOptions& options, Character* character, PredictedSkeleton* skeleton) {
+  if (!skeleton->usable || *skeleton->usable + kSceneryGain > 1) return;
   std::vector<uint8_t> scenery = find_scenery(*character, skeleton->up_axis);
-  if (!skeleton->usable || scenery.empty()) return;
+  if (scenery.empty()) return;
   PredictedSkeleton body = predict_skeleton(part_without(*character, scenery).character, options);
   body.seconds += skeleton->seconds;
   if (!body.usable || *body.usable < *skeleton->usable + kSceneryGain) return;

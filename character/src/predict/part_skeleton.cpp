@@ -111,13 +111,14 @@ class PartTree {
   std::optional<PartSkeleton> skeleton(const std::array<float, 3>& front) {
     PartSkeleton out;
     out.front = front;
+    if (trunk().side(kFront) <= kLying * trunk().side(kUp)) return std::nullopt;
     name_limbs();
     std::array<size_t, 2> legs = {};  // left, right
     size_t moving = 0;
     for (const Limb& limb : limbs_)
       if (limb.is_leg) ++legs[limb.names[0].rfind("Left", 0) == 0 ? 0 : 1];
     for (size_t p = 0; p < parts_.size(); ++p) moving += p != trunk_ && parts_[p].group == p ? 1 : 0;
-    if (moving < kFewestMoving || legs[0] < 2 || legs[0] != legs[1] || !is_lying()) return std::nullopt;
+    if (moving < kFewestMoving || legs[0] < 2 || legs[0] != legs[1]) return std::nullopt;
     out.joints.push_back({"Hips", world(hips()), -1, true});
     parts_[trunk_].joint = 0;
     for (const Limb& limb : limbs_) add_limb(limb.part, limb.names, 0, &out.joints);
@@ -197,15 +198,13 @@ class PartTree {
       if (inner.low[a] > outer.high[a] || inner.high[a] < outer.low[a]) return false;
     return volume(common(inner, outer), thin) >= kWithin * volume(inner, thin);
   }
-  // Belts, blankets and armour lie around a trunk; saddles, humps, and a block animal's ears over one that lies. A person's head stands on
-  // one that stands.
+  // Belts and blankets lie around a trunk; saddles, humps, and a block animal's ears over it.
   bool lies_around(const PartBox& box) const {
     const Point3 middle = box.middle();
     for (const size_t a : {kLeft, kFront})
       if (middle[a] < trunk().low[a] || middle[a] > trunk().high[a]) return false;
-    return middle[kUp] >= trunk().low[kUp] && (middle[kUp] <= trunk().high[kUp] || is_lying());
+    return middle[kUp] >= trunk().low[kUp];
   }
-  bool is_lying() const { return trunk().side(kFront) > kLying * trunk().side(kUp); }
 
   void merge() {
     for (const size_t p : order_) {
@@ -269,12 +268,8 @@ class PartTree {
       if (lowest(p) <= whole_.low[kUp] + kOnGround * size_ && middle[kUp] < own[kUp]) {
         legs.push_back(p);
       } else if (left || right) {
-        const std::string side = left ? "Left" : "Right";
-        if (is_lying())
-          limbs_.push_back({p, {side + "Wing"}});
-        else
-          limbs_.push_back({p, {side + "Arm", side + "ForeArm", side + "Hand"}});
-      } else if (is_lying() ? middle[kFront] > own[kFront] : middle[kUp] > own[kUp]) {
+        limbs_.push_back({p, {left ? "LeftWing" : "RightWing"}});
+      } else if (middle[kFront] > own[kFront]) {
         heads.push_back(p);
       } else {
         limbs_.push_back({p, {middle[kFront] < own[kFront] ? "Tail" : "Bone"}});
@@ -301,7 +296,7 @@ class PartTree {
     }
   }
 
-  // Between the hind legs of a trunk that lies, above the legs of one that stands.
+  // Between the hind legs.
   Point3 hips() const {
     Point3 at = trunk().middle();
     double sum = 0, count = 0;
@@ -311,7 +306,6 @@ class PartTree {
       count += 1;
     }
     if (count > 0) at[kFront] = std::clamp(sum / count, trunk().low[kFront], trunk().high[kFront]);
-    if (!is_lying()) at[kUp] = trunk().low[kUp] + 0.2 * trunk().side(kUp);
     return at;
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a body stands on or before in its own file: ground, backdrop, pedestal, perch.
+// Finds the ground, backdrop or pedestal that a file has beside its body.
 #ifndef SINEW_CHARACTER_SCENERY_HPP
 #define SINEW_CHARACTER_SCENERY_HPP
 

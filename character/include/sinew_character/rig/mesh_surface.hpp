@@ -46,7 +46,7 @@ struct MeshParts {
 };
 MeshParts connected_parts(const Character& character);
 
-// What is left of a mesh: vertices, faces, joints and weights.
+// Some vertices of a mesh with their faces, joints and weights, as a Character of its own.
 struct MeshPart {
   Character character;
   std::vector<size_t> vertices;  // [part's V] -> the whole's
