@@ -24,7 +24,6 @@ struct VoteScene {
   std::vector<uint16_t> start_spreads, end_spreads, start_classes, end_classes;
   bool folded = true;
   std::vector<sinew::Vec3i> inside;  // a position in the body for each point, or none
-  std::vector<int32_t> inside_radii;
 
   // A row of probabilities: `share` for one class, the rest for all of them alike.
   static void add_row(std::vector<uint16_t>* rows, uint32_t classes, uint32_t joint_class, double share) {
@@ -55,7 +54,6 @@ struct VoteScene {
     v.mean = grid_point(0, 0.5, 0.01);
     if (inside.size() == starts.size()) {
       v.inside = inside.data();
-      v.inside_radius = inside_radii.data();
     }
     return v;
   }
@@ -164,11 +162,11 @@ struct FoundRig {
     sinew::rigging::Rig rig;
     sinew::Arena measuring;
     rig.allocate(measuring);
-    status = find_rig(votes, options, measuring, &rig);
+    status = find_rig(votes, options, nullptr, measuring, &rig);
     Block block(measuring.high_water() - missing);
     rig.allocate(block.arena);
     const size_t used = block.arena.used();
-    status = find_rig(votes, options, block.arena, &rig);
+    status = find_rig(votes, options, nullptr, block.arena, &rig);
     if (status != SINEW_OK) return;
     scratch_kept = block.arena.used() != used;
     joints.assign(rig.joints, rig.joints + rig.count);

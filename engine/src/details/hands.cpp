@@ -95,7 +95,6 @@ struct HandVoter {
     }
     Votes votes;
     if (!arena.measuring()) votes = store.votes(false);
-    votes.inside = nullptr;  // air between fingers is no wider than they are
     votes.points = kHandSets * kSetPoints;
     VotePool pool;
     if (!pool.build(votes, false, arena)) return SINEW_ERROR_WORKSPACE;

@@ -3,7 +3,9 @@
 #include "rig/folded_tree.hpp"
 
 #include "core/vector_math.hpp"
+#include "rig/body_ways.hpp"
 #include "rig/class_prior.hpp"
+#include "rig/coverage.hpp"
 #include "rig/limbs.hpp"
 
 namespace sinew::rigging {
@@ -14,7 +16,6 @@ constexpr uint32_t kOneQ15 = 32768;            // Q15
 constexpr int64_t kOwnReach = 4 * kVoteWidth;  // from a vote to the joint that it is for
 constexpr uint32_t kClassFloor = 983;          // Q15, 0.03: what a class counts that a vote says nothing of
 constexpr int64_t kLogPerUnit = 3298;          // Q26: log2(e) / kVoteWidth
-constexpr int64_t kCostPerUnit = 59093;        // Q32: 10 log2(e) / kSide
 constexpr int32_t kNever = INT32_MAX / 2;
 constexpr int64_t kAstray = 12 << 16, kSecond = 4 << 16;  // bits, Q16
 constexpr int32_t kFromBeside = 283650;                   // Q16: 3 log2(e)
@@ -23,20 +24,12 @@ constexpr int32_t kMiddle = side_share(300), kPairMiddle = side_share(200);
 constexpr int32_t kEndSnap = side_share(400);      // an end of a joint on the plane
 constexpr int32_t kEndDistance = side_share(120);  // from an end to any joint
 constexpr uint32_t kEndSeeds = 12;
-// What a bone through the air costs, in bits, Q16, for all of it; points on it that are looked at, of bones longer than the second; how much more than
-// its radius a point in the body reaches.
-constexpr int64_t kThroughAir = 10 << 16;
-constexpr int32_t kAirSamples = 7, kAirLength = side_share(600), kAirMargin = side_share(150);
-
-// Around a point in the body, folded.
-struct Ball {
-  Vec3i at;
-  int64_t reach_2;  // squared
-};
-
+constexpr int32_t kHandReach = side_share(600);  // no arm goes on farther behind a hand
+constexpr int64_t kOneSided = 8;                 // times as many votes from one side as from the other,
+constexpr int64_t kChanceVotes = 16384;          // and Q15 votes more than come about by chance
 class FoldedTreeBuilder {
  public:
-  FoldedTreeBuilder(const VotePool& pool, Cloud cloud, uint8_t* starts, uint8_t* ends, int32_t* between, Ball* balls,
+  FoldedTreeBuilder(const VotePool& pool, Cloud cloud, uint8_t* starts, uint8_t* ends, int32_t* between,
                     FoldedTree* tree)
       : pool_(pool),
         votes_(*pool.votes),
@@ -44,16 +37,21 @@ class FoldedTreeBuilder {
         starts_(starts),
         ends_(ends),
         between_(between),
-        balls_(balls),
         tree_(*tree) {}
 
-  void run(BodyKind kind) {
+  // Who owns which votes, and on which sides joints are.
+  void read_votes() {
     const uint32_t n = votes_.points;
-    fold_body();
     for (uint32_t p = 0; p < n; ++p) {
       starts_[p] = owner(votes_.start[p], votes_.start_class + size_t{p} * kJointClasses);
       ends_[p] = owner(votes_.end[p], votes_.end_class + size_t{p} * kEndClasses);
     }
+    find_sides();
+  }
+
+  //   ways  [joints x joints] as find_body_ways() finds them, null without a body
+  void run(BodyKind kind, const int32_t* ways) {
+    ways_ = ways;
     grow();
     LimbVotes votes = {}, limbs;
     count_limbs(votes);
@@ -68,11 +66,23 @@ class FoldedTreeBuilder {
   }
 
  private:
-  SINEW_RARE void fold_body() {
-    if (votes_.inside == nullptr) return;
+  // A joint beside the plane whose votes come from one side of the body is on that side only: a raised arm, a tail that swings.
+  SINEW_RARE void find_sides() {
+    if (!tree_.mirrored || votes_.inside == nullptr) return;
+    int64_t sides[kMaxFoldedJoints][2] = {};
+    const auto count = [&](uint8_t joint, uint32_t p, Vec3i vote, uint32_t spread) {
+      if (joint == kNoFoldedJoint) return;
+      const bool left = (votes_.inside[p].x >= 0) == (vote.x >= 0);
+      sides[joint][left ? 0 : 1] += trust_in(spread);
+    };
     for (uint32_t p = 0; p < votes_.points; ++p) {
-      const int64_t reach = int64_t{votes_.inside_radius[p]} * 5 / 4 + kAirMargin;
-      balls_[p] = {folded_position(votes_.inside[p], tree_.mirrored), square(reach)};
+      count(starts_[p], p, votes_.start[p], votes_.start_spread[p]);
+      count(ends_[p], p, votes_.end[p], votes_.end_spread[p]);
+    }
+    for (uint32_t j = 0; j < tree_.count; ++j) {
+      const int64_t left = sides[j][0], right = sides[j][1];
+      const auto outweighs = [](int64_t one, int64_t other) { return one > kOneSided * (other + kChanceVotes); };
+      tree_.nodes[j].only = outweighs(left, right) ? 1 : outweighs(right, left) ? -1 : 0;
     }
   }
 
@@ -166,22 +176,7 @@ class FoldedTreeBuilder {
     }
   }
 
-  // Of the points on the way between two joints those in no ball of the body, of kAirSamples.
-  SINEW_RARE int32_t samples_in_air(Vec3i a, Vec3i b) const {
-    if (votes_.inside == nullptr || square_distance(a, b) < square(int64_t{kAirLength})) return 0;
-    int32_t air = 0;
-    for (int32_t k = 1; k <= kAirSamples; ++k) {
-      const Vec3i at = a + Vec3i{(b.x - a.x) / (kAirSamples + 1) * k, (b.y - a.y) / (kAirSamples + 1) * k,
-                                 (b.z - a.z) / (kAirSamples + 1) * k};
-      bool in_body = false;
-      for (uint32_t p = 0; p < votes_.points && !in_body; ++p)
-        in_body = square_distance(balls_[p].at, at) < balls_[p].reach_2;
-      air += in_body ? 0 : 1;
-    }
-    return air;
-  }
-
-  // In bits, Q16: -log2(chance by the votes + 0.01), 10 log2(e) a side of distance, -0.7 log2(chance of the classes).
+  // In bits, Q16: -log2(chance by the votes + 0.01), the way through the body, -0.7 log2(chance of the classes).
   SINEW_RARE void find_costs() {
     const uint32_t n = tree_.count;
     // Twenty times what the votes add up to, so that what the other way counts, 0.15, is whole: below 2^38.
@@ -190,21 +185,20 @@ class FoldedTreeBuilder {
       total[j] = int64_t{votes_.points} * kOneQ15 * 20 / 500;
       for (uint32_t k = 0; k < n; ++k) total[j] += int64_t{20} * between_[k * n + j] + int64_t{3} * between_[j * n + k];
     }
-    const auto cost = [&](uint32_t from, uint32_t to, int64_t votes, int32_t air) {
+    const auto cost = [&](uint32_t from, uint32_t to, int64_t votes) {
       const FoldedNode &a = tree_.nodes[from], &b = tree_.nodes[to];
       const int64_t surprise =
           log2_q16(static_cast<uint64_t>(100 * total[to])) - log2_q16(static_cast<uint64_t>(100 * votes + total[to]));
-      const int64_t distance = (static_cast<int64_t>(length(b.at - a.at)) * kCostPerUnit) >> 16;
+      const int64_t way = ways_ != nullptr ? ways_[from * n + to] : straight_cost(a.at, b.at);
       const int64_t classes = int64_t{kParentSurprise[a.joint_class][b.joint_class]} * 56 / 5;
-      return static_cast<int32_t>(surprise + distance + classes + kThroughAir * air / kAirSamples);
+      return static_cast<int32_t>(surprise + way + classes);
     };
     // Both ways at once: each needs the other's votes.
     for (uint32_t i = 0; i < n; ++i) {
       for (uint32_t j = 0; j < i; ++j) {
         const int64_t there = between_[i * n + j], back = between_[j * n + i];
-        const int32_t air = samples_in_air(tree_.nodes[i].at, tree_.nodes[j].at);
-        between_[i * n + j] = cost(i, j, 20 * there + 3 * back, air);
-        between_[j * n + i] = cost(j, i, 20 * back + 3 * there, air);
+        between_[i * n + j] = cost(i, j, 20 * there + 3 * back);
+        between_[j * n + i] = cost(j, i, 20 * back + 3 * there);
       }
     }
   }
@@ -228,19 +222,28 @@ class FoldedTreeBuilder {
     find_parents(kNever);
   }
 
-  int64_t limb_cost(uint32_t from, uint32_t to, const bool* continued) const {
+  // Where a joint is: 1 at +x, 2 at -x, 3 on both sides or on the plane.
+  uint8_t sides_of(uint32_t node) const {
+    const int8_t only = tree_.only(node);
+    return only > 0 ? 1 : only < 0 ? 2 : 3;
+  }
+
+  //   continued  of each joint the sides on which a limb goes on from it
+  int64_t limb_cost(uint32_t from, uint32_t to, const uint8_t* continued) const {
     const FoldedNode &a = tree_.nodes[from], &b = tree_.nodes[to];
     const bool beyond = limb_of(b.joint_class) == LimbClass::kArm && a.joint_class == kClassHand &&
-                        square_distance(a.at, b.at) > square(int64_t{kAirLength});
+                        square_distance(a.at, b.at) > square(int64_t{kHandReach});
     const bool astray = lies_across(a, b) || leaves_limb(a.joint_class, b.joint_class) || beyond;
-    const bool second = continued[from] && continues_limb(a.joint_class, b.joint_class);
-    return (astray ? kAstray : 0) + (second ? kSecond : 0);
+    const bool second = (continued[from] & sides_of(to)) != 0 && continues_limb(a.joint_class, b.joint_class);
+    const bool apart = (sides_of(from) & sides_of(to)) == 0;  // nothing on one side hangs on what is on the other
+    return (astray ? kAstray : 0) + (second ? kSecond : 0) + (apart ? kNever : 0);
   }
 
   // Prim's algorithm; from_beside is what a way from beside the plane to it costs more.
   SINEW_RARE void find_parents(int32_t from_beside) {
     const uint32_t n = tree_.count;
-    bool inside[kMaxFoldedJoints] = {}, continued[kMaxFoldedJoints] = {};
+    bool inside[kMaxFoldedJoints] = {};
+    uint8_t continued[kMaxFoldedJoints] = {};
     int64_t best[kMaxFoldedJoints];
     for (int64_t& b : best) b = INT64_MAX;
     const auto offer = [&](uint32_t i, uint32_t j) {
@@ -257,8 +260,9 @@ class FoldedTreeBuilder {
       inside[last] = true;
       const int16_t above = tree_.nodes[last].parent;
       const bool goes_on = above >= 0 && continues_limb(tree_.nodes[above].joint_class, tree_.nodes[last].joint_class);
-      const bool second = goes_on && !continued[above];  // from now on
-      if (goes_on) continued[above] = true;
+      const uint8_t sides = goes_on ? sides_of(last) : uint8_t{0};
+      const bool second = goes_on && (continued[above] & sides) != sides;  // from now on
+      if (goes_on) continued[above] = static_cast<uint8_t>(continued[above] | sides);
       uint32_t next = n;
       for (uint32_t j = 0; j < n; ++j) {
         if (inside[j]) continue;
@@ -326,7 +330,7 @@ class FoldedTreeBuilder {
   uint8_t* const starts_;   // [N] joint of the start vote, or kNoFoldedJoint
   uint8_t* const ends_;     // [N]
   int32_t* const between_;  // [joints x joints] from, to: votes in Q15, then costs
-  Ball* const balls_;       // [N] of the body, where the votes say which points are inside
+  const int32_t* ways_ = nullptr;
   FoldedTree& tree_;
   int64_t points_[kMaxFoldedJoints] = {};  // that start at the joint
   int64_t tips_[kMaxFoldedJoints] = {};    // Q15: their chances of a tip, summed
@@ -334,17 +338,21 @@ class FoldedTreeBuilder {
 
 }  // namespace
 
-sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t count, BodyKind kind, Arena& arena,
-                       FoldedTree* tree) {
+sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t count, BodyKind kind,
+                       Interior* interior, Arena& arena, FoldedTree* tree) {
   const ArenaScope scope(arena);
   Cloud cloud;
   const bool fits = cloud.allocate(arena, pool.count);
   uint8_t* const starts = arena.alloc<uint8_t>(pool.count / 2);
   uint8_t* const ends = arena.alloc<uint8_t>(pool.count / 2);
   int32_t* const between = arena.alloc<int32_t>(size_t{kMaxFoldedJoints} * kMaxFoldedJoints);
-  Ball* const balls = arena.alloc<Ball>(pool.count / 2);
+  int32_t* const ways =
+      interior != nullptr ? arena.alloc<int32_t>(size_t{kMaxFoldedJoints} * kMaxFoldedJoints) : nullptr;
   if (!fits || !arena.ok()) return SINEW_ERROR_WORKSPACE;
-  if (arena.measuring()) return SINEW_OK;
+  if (arena.measuring())
+    return interior == nullptr || (find_body_ways(tree, arena, interior, ways) && cover_body(arena, interior, tree))
+               ? SINEW_OK
+               : SINEW_ERROR_WORKSPACE;
   *tree = {};
   tree->mirrored = pool.mirrored;
   tree->count = count;
@@ -352,7 +360,11 @@ sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t
     tree->nodes[j].at = joints[j].at;
     tree->nodes[j].joint_class = joints[j].joint_class;
   }
-  FoldedTreeBuilder(pool, cloud, starts, ends, between, balls, tree).run(kind);
+  FoldedTreeBuilder builder(pool, cloud, starts, ends, between, tree);
+  builder.read_votes();
+  if (interior != nullptr && !find_body_ways(tree, arena, interior, ways)) return SINEW_ERROR_WORKSPACE;
+  builder.run(kind, ways);
+  if (interior != nullptr && !cover_body(arena, interior, tree)) return SINEW_ERROR_WORKSPACE;
   return SINEW_OK;
 }
 

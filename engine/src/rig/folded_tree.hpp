@@ -15,6 +15,8 @@ struct FoldedNode {
   int16_t parent = -1;
   uint8_t joint_class = kClassPelvis;
   int8_t side = 0;  // 1 left, -1 right, 0: its position says
+  int8_t only =
+      0;  // of a joint beside the plane of a mirrored tree: 1 has no image at -x, -1 is the image alone, 0 is both
   bool has_end = false;
   uint16_t confidence = 0;         // Q15: mean trust in the votes for the joint, 0 where there are none
   uint16_t parent_confidence = 0;  // Q15: exp(-cost of the connection); the root's is 1
@@ -22,7 +24,7 @@ struct FoldedNode {
   Vec3i end = {0, 0, 0};           // of the bone, where no joint is
 };
 
-// A node with x > 0 of a mirrored tree stands for two. No node on the plane has a parent beside it, so what stands for
+// A node with x > 0 of a mirrored tree stands for two, or for one where the body has it on one side only. No node on the plane has a parent beside it, so what stands for
 // two has a mirror image to stand on.
 struct FoldedTree {
   bool mirrored = false;
@@ -31,22 +33,21 @@ struct FoldedTree {
   FoldedNode nodes[kMaxFoldedJoints];
 
   bool beside(uint32_t node) const { return mirrored && nodes[node].at.x > 0; }
+  int8_t only(uint32_t node) const { return beside(node) ? nodes[node].only : int8_t{0}; }
 };
 
 // Every point belongs to the joint of its start vote and, where its end is not a tip, votes for a connection from there
 // to the joint of its end vote. The root is the heaviest pelvis on the plane, else the joint nearest to the points'
 // mean; where no joint is on the plane it is put there. Prim's algorithm takes one more joint at a time at the least
-// cost: surprise in the votes, distance, surprise in the two classes. Whether the way between two joints lies inside
-// the mesh does not matter: as a term of the cost it changed 13 of 158 trees, and the share of right edges by 0.1 %,
-// for the worse. A limb is a chain of its own: joints of paired classes that lie on two sides never hang together, nor an arm or a leg on a tail or an ear, nor an ear on them; what goes on
+// cost: surprise in the votes, the way through the body (rig/body_ways.hpp), surprise in the two classes. A limb is a chain of its own: joints of paired classes that lie on two sides never hang together, nor an arm or a leg on a tail or an ear, nor an ear on them; what goes on
 // from a joint of a limb that has its next already costs more (rig/limbs.hpp). Ends are modes of the end votes that are tips.
 //   joints  in   [count], count >= 1, as from find_folded_joints()
 //   kind         of body: its limbs are arms or legs by where they are (rig/limbs.hpp), and the tree is grown by that
 //   tree    out  nodes have the joints' numbers
 //   arena        scratch, all of it released
 // Returns SINEW_OK or SINEW_ERROR_WORKSPACE.
-sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t count, BodyKind kind, Arena& arena,
-                       FoldedTree* tree);
+sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t count, BodyKind kind,
+                       Interior* interior, Arena& arena, FoldedTree* tree);
 
 // The solid cells fall into bands by their way from the body's middle, and bands into regions that hang together (level
 // sets of the distance: Verroust and Lazarus 2000). A region hangs on the one through which it is reached. Branches that are short

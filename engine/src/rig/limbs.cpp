@@ -226,7 +226,9 @@ class ArmForks {
   bool is_second(uint32_t j) const {
     for (uint32_t k = 0; k < tree_.count && goes_on_[j]; ++k) {
       const FoldedNode &one = tree_.nodes[j], &other = tree_.nodes[k];
-      if (goes_on_[k] && other.parent == one.parent && other.parent_confidence > one.parent_confidence) return true;
+      const bool raised = tree_.only(j) != 0 && tree_.only(k) == -tree_.only(j);  // the other arm
+      if (goes_on_[k] && !raised && other.parent == one.parent && other.parent_confidence > one.parent_confidence)
+        return true;
     }
     return false;
   }

@@ -91,13 +91,15 @@ sinew_status choose_facing(const RigPlan& plan, const Kernels& kernels, Arena& a
 }
 
 sinew_status vote(const RigPlan& plan, const Kernels& kernels, Arena& arena, bool front_known, MirrorFrame* frame,
-                  Mesh* mesh, VoteStore* store, bool* sheet) {
+                  Mesh* mesh, Rig* rig) {
   const ArenaScope scope(arena);
+  VoteStore store;
+  (void)store.allocate(arena, kRigSets);
   PointVoter voter;
   voter.other = plan.other;
   if (!voter.allocate(arena)) return SINEW_ERROR_WORKSPACE;
   const Progress progress = arena.measuring() ? Progress() : plan.progress;  // the size query is silent
-  bool turned = front_known;
+  bool turned = front_known, sheet = false;
   sinew_status status = front_known && !arena.measuring()
                             ? (build_interior(*mesh, arena, &voter.interior) ? SINEW_OK : SINEW_ERROR_WORKSPACE)
                             : choose_facing(plan, kernels, arena, &voter, frame, mesh, &turned);
@@ -109,10 +111,16 @@ sinew_status vote(const RigPlan& plan, const Kernels& kernels, Arena& arena, boo
     if (i > 0 || turned) status = voter.run(plan.model, plan.network, kernels, *mesh, i, part, arena);
     if (status != SINEW_OK) return status;
     if (arena.measuring()) continue;
-    if (i == 0) *sheet = is_sheet(voter.set.points, kSetPoints);
-    store->add(voter.set, voter.outputs, frame->folded, plan.tree.kind);
+    if (i == 0) sheet = is_sheet(voter.set.points, kSetPoints);
+    store.add(voter.set, voter.outputs, frame->folded, plan.tree.kind);
   }
-  return SINEW_OK;
+  if (!progress.report(kVotesEnd)) return SINEW_ERROR_CANCELLED;
+  Votes votes;
+  votes.points = kRigSets * kSetPoints;
+  if (!arena.measuring()) votes = store.votes(frame->folded);
+  status = find_rig(votes, plan.tree, &voter.interior, arena, rig);
+  if (sheet && rig->spread < kSheetSpread) rig->spread = kSheetSpread;
+  return status;
 }
 
 // By other means than votes: both networks of slots; without a network the mesh's own middle line, or the regions that its surface falls into.
@@ -219,14 +227,11 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
 sinew_status run_rig(const RigPlan& plan, const sinew_mesh& mesh_input, const Kernels& kernels, Arena& arena,
                      sinew_rig_outputs* outputs) {
   Mesh mesh;
-  VoteStore store;
   Rig rig;
   MirrorFrame frame;
   UprightMesh upright;
-  bool sheet = false;
   const bool votes_wanted = plan.method == SINEW_RIG_VOTES;
   (void)mesh.allocate(arena, plan.counts);
-  if (votes_wanted) (void)store.allocate(arena, kRigSets);
   if (!rig.allocate(arena)) return SINEW_ERROR_WORKSPACE;
   sinew_status status = stand_upright(plan.front, mesh_input, plan.counts, kernels, arena, &mesh, &upright);
   if (status != SINEW_OK) return status;
@@ -244,17 +249,7 @@ sinew_status run_rig(const RigPlan& plan, const sinew_mesh& mesh_input, const Ke
     if (!plan.progress.report(kMeshEnds)) return SINEW_ERROR_CANCELLED;
   }
   if (votes_wanted) {
-    status = vote(plan, kernels, arena, upright.known, &frame, &mesh, &store, &sheet);
-    if (status != SINEW_OK) return status;
-    Votes votes;
-    if (!arena.measuring()) {
-      if (!plan.progress.report(kVotesEnd)) return SINEW_ERROR_CANCELLED;
-      votes = store.votes(frame.folded);
-    } else {
-      votes.points = kRigSets * kSetPoints;
-    }
-    status = find_rig(votes, plan.tree, arena, &rig);
-    if (sheet && rig.spread < kSheetSpread) rig.spread = kSheetSpread;
+    status = vote(plan, kernels, arena, upright.known, &frame, &mesh, &rig);
   } else {
     status = follow_shape(plan, kernels, frame, mesh, arena, &rig);
   }

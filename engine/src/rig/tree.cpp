@@ -25,12 +25,15 @@ class Unfolder {
         const uint32_t child = order_[i];
         if (tree_.nodes[child].parent != static_cast<int16_t>(node)) continue;
         const bool splits = tree_.beside(child) && !tree_.beside(node);
-        if (splits) stack[depth++] = 2 * child + 1;
-        stack[depth++] = 2 * child + (splits ? 0 : side);
+        const int8_t only = tree_.only(child);
+        if ((splits || side == 1) && only <= 0) stack[depth++] = 2 * child + 1;
+        if ((splits || side == 0) && only >= 0) stack[depth++] = 2 * child;
       }
     }
     for (uint32_t i = 0; i < 4 * tree_.count && tree_.mirrored; ++i) {
-      if (joints_[i] >= 0) rig_.joints[joints_[i]].partner = joints_[i ^ 1] >= 0 ? joints_[i ^ 1] : joints_[i];
+      if (joints_[i] < 0) continue;
+      const bool alone = tree_.only(i / 4) != 0;
+      rig_.joints[joints_[i]].partner = joints_[i ^ 1] >= 0 ? joints_[i ^ 1] : alone ? int16_t{-1} : joints_[i];
     }
   }
 
@@ -92,7 +95,8 @@ bool Rig::allocate(Arena& arena) {
   return arena.ok();
 }
 
-SINEW_RARE sinew_status find_rig(const Votes& votes, const RigOptions& options, Arena& arena, Rig* rig) {
+SINEW_RARE sinew_status find_rig(const Votes& votes, const RigOptions& options, Interior* interior, Arena& arena,
+                                 Rig* rig) {
   const ArenaScope scope(arena);
   VotePool pool;
   const bool fits = pool.build(votes, votes.folded && options.fold, arena);
@@ -106,7 +110,7 @@ SINEW_RARE sinew_status find_rig(const Votes& votes, const RigOptions& options, 
     joints[0] = {votes.mean, kClassPelvis, 0};
     count = 1;
   }
-  status = grow_tree(pool, joints, count, options.kind, arena, tree);
+  status = grow_tree(pool, joints, count, options.kind, interior, arena, tree);
   if (status != SINEW_OK || arena.measuring()) return status;
   unfold_tree(options, tree, rig);
   rig->spread = mean_spread(votes);

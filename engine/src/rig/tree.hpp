@@ -7,6 +7,7 @@
 #include "rig/folded_tree.hpp"
 #include "rig/rig_joint.hpp"
 #include "sinew/sinew.h"
+#include "votes/interior.hpp"
 #include "votes/votes.hpp"
 
 namespace sinew::rigging {
@@ -32,11 +33,12 @@ struct Rig {
 // at +x first. Partners differ in the sign of x and nothing else, their parents are partners or one joint. Where no
 // votes gather, the one joint is a pelvis at the points' mean.
 //   votes    in   at most kMaxRigPoints points, positions below 2^24 in size, probabilities at most 2^15
+//   interior      of the mesh in the mirror frame, or null (folded_tree.hpp); its distances are overwritten
 //   rig      out  allocated
 //   arena         scratch, all of it released
 // Returns SINEW_OK or SINEW_ERROR_WORKSPACE. Exact in integers: the same joints on every platform and for the points in
 // any order.
-sinew_status find_rig(const Votes& votes, const RigOptions& options, Arena& arena, Rig* rig);
+sinew_status find_rig(const Votes& votes, const RigOptions& options, Interior* interior, Arena& arena, Rig* rig);
 
 // The last stage of find_rig(), for a tree from elsewhere: the caller's options, then both sides.
 void unfold_tree(const RigOptions& options, FoldedTree* tree, Rig* rig);

@@ -117,19 +117,25 @@ struct Queue {
 };
 
 // Ends with the last solid cell: outside, where it costs most to walk, ways are known near the body only, and not the least.
-void find_distances(const Steps& steps, uint32_t start, Queue* queue, Interior* interior) {
+//   owner  null, or as divide_body() says
+void find_distances(const Steps& steps, const WayStart* starts, uint32_t count, Queue* queue, Interior* interior,
+                    uint8_t* owner) {
   const VoxelGrid& grid = interior->grid;
   uint16_t* const distance = interior->distance;
   uint32_t solid = 0;
   for (uint32_t c = 0; c < grid.cell_count; ++c) {
     distance[c] = kNoDistance;
+    if (owner != nullptr) owner[c] = kNoOwner;
     solid += interior->depth[c] != 0 ? 1 : 0;
   }
   for (uint32_t& head : queue->head) head = kNoIndex;
-  if (start == kNoIndex) return;
-  distance[start] = 0;
-  queue->push(start, 0);
-  for (uint32_t at = 0; solid > 0; ++at) {  // every cell but the border's can be reached
+  for (uint32_t i = 0; i < count; ++i) {
+    if (distance[starts[i].cell] == 0) continue;
+    distance[starts[i].cell] = 0;
+    if (owner != nullptr) owner[starts[i].cell] = starts[i].owner;
+    queue->push(starts[i].cell, 0);
+  }
+  for (uint32_t at = 0; solid > 0 && count > 0; ++at) {  // every cell but the border's can be reached
     const uint32_t bucket = at % kBuckets;
     for (uint32_t cell = queue->head[bucket]; cell != kNoIndex; cell = queue->head[bucket]) {
       queue->remove(cell, bucket);
@@ -143,6 +149,7 @@ void find_distances(const Steps& steps, uint32_t start, Queue* queue, Interior* 
         if (cost >= distance[other]) continue;
         if (distance[other] != kNoDistance) queue->remove(other, distance[other] % kBuckets);
         distance[other] = static_cast<uint16_t>(cost);
+        if (owner != nullptr) owner[other] = owner[cell];
         queue->push(other, cost % kBuckets);
       }
     }
@@ -186,7 +193,18 @@ bool build_interior(const Mesh& mesh, Arena& arena, Interior* interior) {
   voxelise(mesh, counts, queue.next, &interior->grid);
   const Steps steps(interior->grid);
   find_depths(steps, interior);
-  find_distances(steps, middle_cell(*interior), &queue, interior);
+  const WayStart middle = {middle_cell(*interior), 0};
+  find_distances(steps, &middle, middle.cell == kNoIndex ? 0 : 1, &queue, interior, nullptr);
+  return true;
+}
+
+bool divide_body(const WayStart* starts, uint32_t count, Arena& arena, Interior* interior, uint8_t* owner) {
+  const ArenaScope scope(arena);
+  Queue queue;
+  queue.next = arena.alloc<uint32_t>(Interior::max_cells());
+  queue.back = arena.alloc<uint32_t>(Interior::max_cells());
+  if (!arena.ok()) return false;
+  if (!arena.measuring()) find_distances(Steps(interior->grid), starts, count, &queue, interior, owner);
   return true;
 }
 

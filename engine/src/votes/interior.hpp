@@ -35,8 +35,39 @@ struct Interior {
   static size_t max_cells();
 };
 
+// Where ways through a body begin: at a solid cell, or in the air where none is near.
+struct WayStart {
+  uint32_t cell = 0;
+  uint8_t owner = 0;
+};
+constexpr uint8_t kNoOwner = 0xFF;
+
+// The body divided among starts: of every solid cell the distance to the nearest start through the body, which takes the place of
+// that from the middle, and whose that start is. Of two starts in one cell the first counts.
+//   owner  out  [cells] kNoOwner where no way was needed
+// Scratch is taken from the arena and released. Returns arena.ok().
+bool divide_body(const WayStart* starts, uint32_t count, Arena& arena, Interior* interior, uint8_t* owner);
+
+// Calls visit(a, b, distance) for neighbouring cells that two owners have, with the way from start to start over them.
+template <class Visit>
+void each_border(const Interior& interior, const uint8_t* owner, Visit&& visit);
+
 // Fills an interior, allocated beforehand. Scratch is taken from the arena and released. Returns arena.ok().
 bool build_interior(const Mesh& mesh, Arena& arena, Interior* interior);
+
+template <class Visit>
+void each_border(const Interior& interior, const uint8_t* owner, Visit&& visit) {
+  const VoxelGrid& grid = interior.grid;
+  const int32_t steps[3] = {1, grid.size[0], grid.size[0] * grid.size[1]};
+  for (uint32_t c = 0; c < grid.cell_count; ++c) {
+    if (owner[c] == kNoOwner || interior.depth[c] == 0) continue;
+    for (const int32_t step : steps) {
+      const uint32_t other = c + static_cast<uint32_t>(step);
+      if (owner[other] == kNoOwner || owner[other] == owner[c] || interior.depth[other] == 0) continue;
+      visit(owner[c], owner[other], uint32_t{interior.distance[c]} + interior.distance[other] + kDistanceUnits);
+    }
+  }
+}
 
 }  // namespace sinew::rigging
 #endif

@@ -36,7 +36,6 @@ bool VoteStore::allocate(Arena& arena, uint32_t sets) {
   start_ = arena.alloc<Vec3i>(points);
   end_ = arena.alloc<Vec3i>(points);
   inside_ = arena.alloc<Vec3i>(points);
-  inside_radius_ = arena.alloc<int32_t>(points);
   start_spread_ = arena.alloc<uint16_t>(points);
   end_spread_ = arena.alloc<uint16_t>(points);
   start_class_ = arena.alloc<uint16_t>(points * kJointClasses);
@@ -65,7 +64,6 @@ void VoteStore::add(const PointSet& set, const int16_t* rows, bool folded, BodyK
     steer_classes(kind, end_class_ + size_t{points_} * kEndClasses);
     const Vec3i p = set.points[i].position;
     inside_[points_] = set.medial[i];
-    inside_radius_[points_] = static_cast<int32_t>(length(p - set.medial[i]));
     sum_ = {sum_.x + (folded ? 0 : p.x), sum_.y + p.y, sum_.z + p.z};
   }
 }
@@ -81,7 +79,6 @@ Votes VoteStore::votes(bool folded) const {
   votes.start_class = start_class_;
   votes.end_class = end_class_;
   votes.inside = inside_;
-  votes.inside_radius = inside_radius_;
   votes.mean = round_div(sum_, points_);
   return votes;
 }

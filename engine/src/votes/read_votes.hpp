@@ -25,7 +25,6 @@ class VoteStore {
   Vec3l sum_ = {0, 0, 0};
   Vec3i *start_ = nullptr, *end_ = nullptr;
   Vec3i* inside_ = nullptr;
-  int32_t* inside_radius_ = nullptr;
   uint16_t *start_spread_ = nullptr, *end_spread_ = nullptr, *start_class_ = nullptr, *end_class_ = nullptr;
 };
 

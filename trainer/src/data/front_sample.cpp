@@ -17,6 +17,8 @@ constexpr double kLeastSideways = 0.7;  // share of the way from right to left t
 constexpr uint32_t kLeastSided = 2;     // joints of each side
 constexpr double kLeastAlong = 0.75;    // share of the way from pelvis and tail to the head that is along the floor
 constexpr double kLeastTrunk = 0.15;    // of the longest side
+constexpr double kAlongAxis = 0.6;      // share of tilted meshes that face along an axis
+constexpr uint32_t kTilted = 2;         // samples of a copy
 
 // Of a body that lies along the floor, a quadruped's or a fish's, the head is in front of pelvis and tail.
 std::array<double, 2> front_by_head(const RigSource& source, const RigSource::PosedMesh& posed_mesh) {
@@ -66,14 +68,14 @@ std::array<double, 2> front_of(const RigSource& source) {
 
 int32_t rounded(double x) { return static_cast<int32_t>(std::lround(x)); }
 
-// Another axis is up: lying, in any direction, or one in five upside down.
+// What a mesh looks like when its other axis is taken for up: it lies, most often on its back or its face, as bodies that face along
+// an axis do.
 void tilt(Random* random, std::vector<SurfacePoint>* points) {
-  const double angle = random->uniform(0, 6.283185307179586), c = std::cos(angle), s = std::sin(angle);
-  const bool upside_down = random->uniform() < 0.2;
-  const auto tilted = [&](Vec3i v) {
-    const Vec3i t = {rounded(c * v.x + s * v.z), v.y, rounded(c * v.z - s * v.x)};
-    return upside_down ? Vec3i{t.x, -t.y, -t.z} : Vec3i{t.x, -t.z, t.y};
-  };
+  constexpr double kHalfTurn = 3.141592653589793;
+  const double angle = random->uniform() < kAlongAxis ? kHalfTurn * random->below(2) + 0.1 * random->normal()
+                                                      : random->uniform(0, 2 * kHalfTurn);
+  const double c = std::cos(angle), s = std::sin(angle);
+  const auto tilted = [&](Vec3i v) -> Vec3i { return {rounded(c * v.x + s * v.z), -rounded(c * v.z - s * v.x), v.y}; };
   for (SurfacePoint& p : *points) {
     p.position = tilted(p.position);
     p.normal = tilted(p.normal);
@@ -129,9 +131,11 @@ std::vector<FrontSample> FrontSource::make(uint64_t seed, const RigVariant& vari
   std::vector<FrontSample> samples;
   for (uint32_t i = 0; i < upright; ++i)
     samples.push_back(sample(points_of(posed_mesh, random.next()), (first + i * turn) % kFrontFrames, true));
-  std::vector<SurfacePoint> points = points_of(posed_mesh, random.next());
-  tilt(&random, &points);
-  samples.push_back(sample(points, random.below(kFrontFrames), false));
+  for (uint32_t i = 0; i < kTilted; ++i) {
+    std::vector<SurfacePoint> points = points_of(posed_mesh, random.next());
+    tilt(&random, &points);
+    samples.push_back(sample(points, random.below(kFrontFrames), false));
+  }
   return samples;
 }
 

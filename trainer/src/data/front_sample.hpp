@@ -16,7 +16,7 @@ struct FrontSample : NetworkSample {
   std::vector<float> positions;  // [N x 2] from the mean, shares of the longest side
   std::vector<float> normals;    // [N x 2]
   std::array<float, 2> front{};  // unit vector
-  bool upright = true;           // false: the mesh lies or stands on its head, and `front` says nothing
+  bool upright = true;           // false: the mesh lies, and `front` says nothing
 };
 
 class FrontSource {
@@ -24,7 +24,7 @@ class FrontSource {
   // Throws Error as RigSource does, and for a skeleton whose names do not tell left from right, or not where the front is.
   explicit FrontSource(const Character& character);
 
-  // Of one copy (RigSource): `upright` samples, frames in turn, and one that is not upright, each of points of its own.
+  // Of one copy (RigSource): `upright` samples, frames in turn, and two that are not upright, each of points of its own.
   std::vector<FrontSample> make(uint64_t seed, const RigVariant& variant, uint32_t upright = 2) const;
   // As it is, upright, in the first frame.
   FrontSample original(uint64_t seed) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "data/eigen_points.hpp"
 
@@ -141,6 +142,16 @@ bool walks_on_arms(const PoseBody& body) {
   return low < 0.15 * top;
 }
 
+// Of a chain of one class, how many of its joints lie between the trunk and this one.
+size_t steps_in_class(const PoseBody& body, size_t bone) {
+  size_t steps = 0;
+  const JointClass c = body.target.joints[bone].joint_class;
+  for (int p = body.target.joints[bone].parent; p >= 0 && body.target.joints[static_cast<size_t>(p)].joint_class == c;
+       p = body.target.joints[static_cast<size_t>(p)].parent)
+    ++steps;
+  return steps;
+}
+
 // About x: less than 0 brings what hangs down forward, more than 0 bends a knee. Of a chain of one class the first joint.
 void move_legs(const PoseBody& body, Random* random, RigPose* pose) {
   const bool four = walks_on_arms(body);
@@ -150,9 +161,7 @@ void move_legs(const PoseBody& body, Random* random, RigPose* pose) {
     const JointClass c = body.target.joints[i].joint_class;
     const bool upper = c == kClassThigh || (four && c == kClassUpperArm);
     const bool lower = c == kClassCalf || (four && c == kClassForearm);
-    const int parent = body.target.joints[i].parent;
-    if ((!upper && !lower) || body.direction(i).y() > -1e-6) continue;
-    if (parent >= 0 && body.target.joints[static_cast<size_t>(parent)].joint_class == c) continue;
+    if ((!upper && !lower) || body.direction(i).y() > -1e-6 || steps_in_class(body, i) > 0) continue;
     const double side = body.joints[i][0] > 0 && !pose->symmetric ? 1 : -1;
     double angle = 0;
     switch (legs) {
@@ -168,6 +177,71 @@ void move_legs(const PoseBody& body, Random* random, RigPose* pose) {
     }
     pose->turn[i] = Vector3d(angle, 0.3 * pose->turn[i].y(), 0.3 * pose->turn[i].z());
     if (pose->symmetric) mirror_partner(body, i, pose);
+  }
+}
+
+// An animal on four legs sits or lies. Its limbs point where they would in the world, whatever the trunk does.
+void rest_on_floor(const PoseBody& body, Random* random, RigPose* pose) {
+  const bool sits = random->uniform() < 0.5;
+  const double rise = sits ? random->uniform(0.5, 1.0) : 0;
+  const Vector3d thigh(0, sits ? 0.0 : -0.35, 1), calf(0, sits ? -0.7 : -0.25, -1), foot(0, -0.15, 1);
+  const Vector3d upper_arm(0, -1, sits ? 0.0 : -0.8), forearm(0, sits ? -1.0 : -0.1, sits ? 0.1 : 1.0);
+  const auto loose = [&](Vector3d d) -> Vector3d {
+    return d + Vector3d(0.12 * random->normal(), 0.15 * random->normal(), 0.15 * random->normal());
+  };
+  const Vector3d aims[] = {loose(upper_arm), loose(forearm), loose(thigh), loose(calf), loose(foot)};
+  constexpr JointClass kAimed[] = {kClassUpperArm, kClassForearm, kClassThigh, kClassCalf, kClassFoot};
+  for (size_t i = 0; i < body.bones(); ++i) {
+    const JointClass c = body.target.joints[i].joint_class;
+    if (c == kClassPelvis || (c == kClassSpine && body.target.joints[i].parent < 0)) pose->turn[i] = {-rise, 0, 0};
+    if (c == kClassNeck && steps_in_class(body, i) == 0) pose->turn[i].x() += random->uniform(0, 0.8) * rise;
+    for (size_t k = 0; k < std::size(aims); ++k) {
+      if (c != kAimed[k] || steps_in_class(body, i) > 0 || body.direction(i).norm() < 1e-9) continue;
+      const double out = body.joints[i][0] > 0 ? 0.15 : -0.15;
+      pose->aim[i] = pose->symmetric ? Vector3d(out, aims[k].y(), aims[k].z()) : loose(aims[k]) + Vector3d(out, 0, 0);
+    }
+  }
+}
+
+// A person's hands on the hips, in the pockets, or arms crossed on the chest: forearms grow together with the trunk.
+void hold_hands(const PoseBody& body, Random* random, RigPose* pose) {
+  constexpr double kUpper[3][3] = {{0.8, -1, -0.2}, {0.25, -1, -0.15}, {0.15, -1, 0.25}};
+  constexpr double kLower[3][3] = {{-0.75, -0.8, 0.35}, {-0.15, -1, 0.3}, {-1, 0.15, 0.45}};
+  const uint32_t hold = random->below(3);
+  for (size_t i = 0; i < body.bones(); ++i) {
+    const JointClass c = body.target.joints[i].joint_class;
+    if ((c != kClassUpperArm && c != kClassForearm) || body.direction(i).norm() < 1e-9) continue;
+    const double* const aim = c == kClassUpperArm ? kUpper[hold] : kLower[hold];
+    const double side = body.joints[i][0] > 0 ? 1 : -1, slack = pose->symmetric ? 0 : 0.12;
+    pose->aim[i] = {side * aim[0] + slack * random->normal(), aim[1] + slack * random->normal(),
+                    aim[2] + slack * random->normal()};
+  }
+}
+
+// Wings lie along the body, joint by joint to and fro as a bird's, or all of them backward.
+void fold_wings(const PoseBody& body, Random* random, RigPose* pose) {
+  const bool folds = random->uniform() < 0.6;
+  const double down = random->uniform(0, 0.5);
+  for (size_t i = 0; i < body.bones(); ++i) {
+    if (body.target.joints[i].joint_class != kClassWing || body.direction(i).norm() < 1e-9) continue;
+    if (std::abs(body.joints[i][0]) < 0.01) continue;
+    const double side = body.joints[i][0] > 0 ? 1 : -1, back = folds && steps_in_class(body, i) % 2 == 1 ? 1 : -1;
+    pose->aim[i] = {0.12 * side, -down + 0.2 * random->normal(), back};
+    if (pose->symmetric && mirror_partner(body, i, pose))
+      pose->aim[i] = pose->aim[static_cast<size_t>(body.partner[i])].cwiseProduct(Vector3d(-1, 1, 1));
+  }
+}
+
+// A tail, or a body that is one chain without limbs, winds in one direction.
+void curl(const PoseBody& body, Random* random, RigPose* pose) {
+  bool limbs = false;
+  for (const TargetJoint& joint : body.target.joints) limbs = limbs || is_paired_class(joint.joint_class);
+  const bool flat = !pose->symmetric && random->uniform() < 0.6;
+  const double step = random->uniform(-0.7, 0.7);
+  for (size_t i = 0; i < body.bones(); ++i) {
+    const JointClass c = body.target.joints[i].joint_class;
+    if (c != kClassTail && (limbs || c != kClassSpine)) continue;
+    pose->turn[i] = Vector3d(flat ? 0.2 * step : step, flat ? step : 0, 0);
   }
 }
 
@@ -205,6 +279,10 @@ RigPose wide_pose(const PoseBody& body, double strength, Random* random) {
   if (random->uniform() < 0.4) lower_arms(body, random, &pose);
   if (random->uniform() < 0.4) move_legs(body, random, &pose);
   if (random->uniform() < 0.2) make_toy(body, random, &pose);
+  const bool four = walks_on_arms(body);
+  if (random->uniform() < (four ? 0.25 : 0.12)) (four ? rest_on_floor : hold_hands)(body, random, &pose);
+  if (random->uniform() < 0.35) fold_wings(body, random, &pose);
+  if (random->uniform() < 0.25) curl(body, random, &pose);
   return pose;
 }
 

@@ -7,48 +7,27 @@
 #include <cstring>
 #include <vector>
 
-#include "mesh_scene.hpp"
+#include "block_body.hpp"
 #include "rig/folded_tree.hpp"
 
 namespace sinew::rigging {
 namespace {
 
-// A block along the axes, from low to high.
-void add_block(sinew_test::MeshScene* scene, Vec3i low, Vec3i high) {
-  const uint32_t first = scene->vertex_count();
-  for (uint32_t i = 0; i < 8; ++i)
-    scene->add_vertex((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z);
-  const uint32_t faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  for (const auto& f : faces) scene->add_face({first + f[0], first + f[1], first + f[2], first + f[3]});
-}
-
-struct Block3 {
-  Vec3i low, high;
-};
+using sinew_test::Block3;
 
 struct GrownCurve {
   sinew_status status = SINEW_OK;
   FoldedTree tree;
   bool scratch_kept = false;
 
-  // In the grid the middle of all blocks is at x = z = 0 and their floor at y = 0; their longest side is kSide.
   explicit GrownCurve(const std::vector<Block3>& blocks, bool folded = false, size_t missing = 0) {
-    sinew_test::MeshScene scene;
-    for (const Block3& block : blocks) add_block(&scene, block.low, block.high);
-    scene.add_joint(0, 0, 0, -1);
-    const sinew_test::MeshRun run(scene);
-    EXPECT_EQ(run.status, SINEW_OK);
-    Interior interior;
-    Arena measuring, growing;
-    (void)interior.allocate(measuring);
-    EXPECT_TRUE(build_interior(run.mesh, measuring, &interior));
-    EXPECT_EQ(grow_curve(interior, folded, growing, &tree), SINEW_OK);
-    Workspace memory(measuring.high_water()), scratch(growing.high_water());
+    const sinew_test::BlockBody body(blocks);
+    Arena growing;
+    EXPECT_EQ(grow_curve(body.interior, folded, growing, &tree), SINEW_OK);
+    Workspace scratch(growing.high_water());
     std::memset(scratch.data(), 0xA5, growing.high_water());
-    Arena arena(memory.data(), measuring.high_water()), rest(scratch.data(), growing.high_water() - missing);
-    EXPECT_TRUE(interior.allocate(arena));
-    EXPECT_TRUE(build_interior(run.mesh, arena, &interior));
-    status = grow_curve(interior, folded, rest, &tree);
+    Arena rest(scratch.data(), growing.high_water() - missing);
+    status = grow_curve(body.interior, folded, rest, &tree);
     scratch_kept = rest.used() != 0;
   }
   std::vector<Vec3i> ends() const {

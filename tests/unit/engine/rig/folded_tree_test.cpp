@@ -40,11 +40,11 @@ struct GrownTree {
     VotePool pool;
     Arena measuring;
     EXPECT_TRUE(pool.build(votes, scene.folded, measuring));
-    EXPECT_EQ(grow_tree(pool, joints.data(), count, kind, measuring, &tree), SINEW_OK);
+    EXPECT_EQ(grow_tree(pool, joints.data(), count, kind, nullptr, measuring, &tree), SINEW_OK);
     Block block(measuring.high_water() - missing);
     EXPECT_TRUE(pool.build(votes, scene.folded, block.arena));
     const size_t used = block.arena.used();
-    status = grow_tree(pool, joints.data(), count, kind, block.arena, &tree);
+    status = grow_tree(pool, joints.data(), count, kind, nullptr, block.arena, &tree);
     scratch_kept = block.arena.used() != used;
   }
   const FoldedNode& node(size_t j) const { return tree.nodes[j]; }

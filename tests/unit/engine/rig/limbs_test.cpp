@@ -186,27 +186,30 @@ TEST(Limbs, WhatForksFromAnArmAboveTheHeadIsAnEar) {
   EXPECT_EQ(below.count_of(kClassHand), 4u);
 }
 
-TEST(Limbs, NoBoneGoesThroughTheAirWhereAnotherGoesThroughTheBody) {
-  std::vector<KnownJoint> joints = toy(.75);
-  joints.pop_back();
-  joints[6].joint_class = kClassHand;
+// One arm hangs down, the other is raised: in a mirrored tree both are there once.
+TEST(Limbs, WhatIsOnOneSideOnlyHasNoImage) {
+  const std::vector<KnownJoint> joints = {{0, .4, 0, kClassPelvis, -1},   {0, .6, 0, kClassSpine, 0},
+                                          {.1, .6, 0, kClassUpperArm, 1}, {.25, .45, 0, kClassForearm, 2},
+                                          {.3, .3, 0, kClassHand, 3},     {.25, .75, 0, kClassForearm, 2},
+                                          {.3, .9, 0, kClassHand, 5}};
   VoteScene scene = votes_for(joints, 60, 0.003, 1);
-  for (uint32_t i = 0; i < 1500; ++i) {  // votes say that ears are hands of the forearms
-    const double side = i % 2 == 0 ? 1 : -1;
-    scene.add(grid_point(side * .2, .42, 0), kClassForearm, grid_point(side * .2, .75, 0), kClassHand);
-  }
-  EXPECT_EQ(FoundRig(scene).count_of(kClassEar), 0u);
-  // Balls along all bones that are there.
+  EXPECT_EQ(FoundRig(scene).count_of(kClassHand), 4u) << "where nobody knows the sides of points";
   for (size_t p = 0; p < scene.starts.size(); ++p) {
-    const KnownJoint& end = joints[1 + p % 6];
-    const KnownJoint& start = joints[static_cast<size_t>(end.parent)];
-    const double t = static_cast<double>(p / 6 % 9) / 8;
-    scene.inside.push_back(grid_point(start.x + t * (end.x - start.x), start.y + t * (end.y - start.y), 0));
-    scene.inside_radii.push_back(units(.03));
+    const double y = .5 * (scene.starts[p].y + scene.ends[p].y) / kSide;
+    const bool arm = scene.ends[p].x > units(.2) || scene.ends[p].x < units(-.2);
+    const double side = !arm ? (p % 2 == 0 ? 1 : -1) : y > .6 ? -1 : 1;
+    scene.starts[p].x = std::abs(scene.starts[p].x);  // folded, as a network's are
+    scene.ends[p].x = std::abs(scene.ends[p].x);
+    scene.inside.push_back(grid_point(.2 * side, y, 0));
   }
   const FoundRig found(scene);
-  EXPECT_EQ(found.count_of(kClassEar), 2u) << "of the head, then";
   EXPECT_EQ(found.count_of(kClassHand), 2u);
+  EXPECT_EQ(found.count_of(kClassForearm), 2u);
+  for (const RigJoint& joint : found.joints) {
+    if (joint.joint_class != kClassHand) continue;
+    EXPECT_EQ(joint.position.x > 0, joint.position.y < units(.6)) << "the left one hangs";
+    EXPECT_EQ(joint.partner, -1);
+  }
 }
 
 TEST(Limbs, WhichClassesAreWhichLimb) {

@@ -68,21 +68,77 @@ TEST(RigPose, SymmetricOnesAreTheirOwnMirrorImage) {
   }
 }
 
-TEST(RigPose, ArmsThatStandOutHangDown) {
-  const PoseBody person = body(false), animal = body(true);
-  int lowered = 0;
-  for (uint64_t seed = 0; seed < 200; ++seed) {
-    Random random(seed), other(seed);
+TEST(RigPose, ArmsThatStandOutHangDownOrAreHeld) {
+  const PoseBody person = body(false);
+  int lowered = 0, held = 0;
+  for (uint64_t seed = 0; seed < 400; ++seed) {
+    Random random(seed);
     const RigPose pose = wide_pose(person, 1, &random);
+    const bool holds = pose.aim[4].norm() > 0;  // a forearm
+    held += holds ? 1 : 0;
     for (size_t i = 0; i < person.bones(); ++i) {
-      const bool aims = pose.aim[i].norm() > 0;
-      EXPECT_TRUE(!aims || person.target.joints[i].joint_class == kClassUpperArm);
-      EXPECT_TRUE(!aims || (pose.aim[i].y() == -1 && pose.aim[i].x() * person.joints[i][0] >= 0)) << seed;
-      lowered += aims ? 1 : 0;
+      if (pose.aim[i].norm() == 0) continue;
+      const JointClass c = person.target.joints[i].joint_class;
+      EXPECT_TRUE(c == kClassUpperArm || (holds && c == kClassForearm));
+      if (holds) continue;
+      EXPECT_TRUE(pose.aim[i].y() == -1 && pose.aim[i].x() * person.joints[i][0] >= 0) << seed;
+      ++lowered;
     }
-    for (const Vector3d& aim : wide_pose(animal, 1, &other).aim) EXPECT_EQ(aim.norm(), 0) << "its arms hang already";
+    if (!holds) continue;
+    EXPECT_GT(pose.aim[3].x(), -0.5) << "upper arms stay on their side";
+    EXPECT_LT(pose.aim[4].x(), 0.3) << "forearms come back to the body";
   }
-  EXPECT_NEAR(lowered, 160, 40);
+  EXPECT_NEAR(lowered, 280, 60);
+  EXPECT_NEAR(held, 48, 20);
+}
+
+TEST(RigPose, AnimalsSitAndLie) {
+  const PoseBody animal = body(true);
+  int sitting = 0, lying = 0;
+  for (uint64_t seed = 0; seed < 400; ++seed) {
+    Random random(seed);
+    const RigPose pose = wide_pose(animal, 1, &random);
+    if (pose.aim[7].norm() == 0) continue;  // a calf
+    EXPECT_LT(pose.aim[7].z(), 0) << "knees are in front";
+    EXPECT_GT(pose.aim[6].z(), 0);
+    (pose.turn[0].x() < -0.4 ? sitting : lying) += 1;
+  }
+  EXPECT_NEAR(sitting, 50, 20);
+  EXPECT_NEAR(lying, 50, 20);
+}
+
+// Two wings of two joints on a spine, a tail of three.
+TEST(RigPose, WingsFoldAndTailsCurl) {
+  PoseBody b;
+  const auto add = [&](JointClass c, int parent, const Vector3d& p) {
+    TargetJoint joint;
+    joint.joint_class = c;
+    joint.parent = parent;
+    b.target.joints.push_back(joint);
+    b.joints.push_back({p.x(), p.y(), p.z()});
+  };
+  add(kClassPelvis, -1, {0, 0.5, 0});
+  add(kClassWing, 0, {0.1, 0.6, 0});
+  add(kClassWing, 1, {0.3, 0.6, 0});
+  add(kClassWing, 2, {0.5, 0.6, 0});
+  add(kClassTail, 0, {0, 0.5, -0.1});
+  add(kClassTail, 4, {0, 0.5, -0.2});
+  b.kids = {{1, 4}, {2}, {3}, {}, {5}, {}};
+  b.partner = {0, -1, -1, -1, 4, 5};
+  int folded = 0, curled = 0;
+  for (uint64_t seed = 0; seed < 400; ++seed) {
+    Random random(seed);
+    const RigPose pose = wide_pose(b, 1, &random);
+    if (pose.aim[1].norm() > 0) {
+      ++folded;
+      EXPECT_LT(pose.aim[1].z(), 0) << "the first bone goes backward";
+      EXPECT_GT(pose.aim[1].x(), 0) << "outside the body";
+    }
+    const bool winds = pose.turn[4].norm() > 0 && pose.turn[4] == pose.turn[5];
+    curled += winds ? 1 : 0;
+  }
+  EXPECT_NEAR(folded, 140, 40);
+  EXPECT_NEAR(curled, 100, 40);
 }
 
 TEST(RigPose, LegsWalkAndSit) {
