@@ -10,11 +10,11 @@ namespace {
 constexpr uint32_t kMostChains = 4;
 constexpr uint32_t kMaxStarts = 4096;
 constexpr uint32_t kMaxPath = 512;
-constexpr uint32_t kReach = 22;                        // tenths of a bone's radius that it explains,
-constexpr uint32_t kMargin = 3 * kDistanceUnits;       // and so much more
+constexpr uint32_t kReach = 22;                         // tenths of a bone's radius that it explains,
+constexpr uint32_t kMargin = 3 * kDistanceUnits;        // and so much more
 constexpr uint32_t kLeastLength = 12 * kDistanceUnits;  // of what stands out, beyond that
-constexpr int64_t kSlender = 3;                        // times as long as deep
-constexpr uint32_t kStep = 8 * kDistanceUnits;  // from joint to joint
+constexpr int64_t kSlender = 3;                         // times as long as deep
+constexpr uint32_t kStep = 8 * kDistanceUnits;          // from joint to joint
 constexpr int32_t kPlane = side_share(200);
 
 class Coverage {
@@ -67,11 +67,14 @@ class Coverage {
     const int64_t steps = static_cast<int64_t>(length(b - a)) * 2 / grid_.cell_size + 1;
     for (int64_t i = 0; i <= steps; ++i) {
       const Vec3i way = b - a;
-      const uint32_t c = grid_.cell_of(a + round_div(Vec3l{way.x * i, way.y * i, way.z * i}, steps));
+      const Vec3i at = a + round_div(Vec3l{way.x * i, way.y * i, way.z * i}, steps);
+      const uint32_t c = interior_.solid_near(at);
       if (interior_.depth[c] == 0 || count_ == kMaxStarts) continue;
       if (count_ > 0 && starts_[count_ - 1].cell == c) continue;
       starts_[count_++] = {c, static_cast<uint8_t>(owner)};
-      radius_[owner] += interior_.depth[c];
+      // In a hollow body the surface is as far as the wall.
+      const int64_t off = static_cast<int64_t>(length(grid_.centre(c) - at)) * kDepthUnits / grid_.cell_size;
+      radius_[owner] += interior_.depth[c] + static_cast<uint32_t>(off < kDepthUnits ? 0 : off);
       ++cells_[owner];
     }
   }

@@ -175,6 +175,31 @@ uint32_t Interior::march(Vec3i p, Vec3i direction, uint32_t most) const {
   return last;
 }
 
+uint32_t Interior::solid_near(Vec3i p) const {
+  constexpr int32_t kReach = 6;
+  const int32_t at[3] = {grid.coordinate(0, p.x), grid.coordinate(1, p.y), grid.coordinate(2, p.z)};
+  uint32_t best = grid.index(at[0], at[1], at[2]);
+  if (depth[best] != 0) return best;
+  int32_t least = INT32_MAX;
+  int32_t from[3], to[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    from[axis] = at[axis] - kReach < 1 ? 1 : at[axis] - kReach;
+    to[axis] = at[axis] + kReach > grid.size[axis] - 2 ? grid.size[axis] - 2 : at[axis] + kReach;
+  }
+  for (int32_t z = from[2]; z <= to[2]; ++z) {
+    for (int32_t y = from[1]; y <= to[1]; ++y) {
+      for (int32_t x = from[0]; x <= to[0]; ++x) {
+        const uint32_t c = grid.index(x, y, z);
+        const int32_t dx = x - at[0], dy = y - at[1], dz = z - at[2], square = dx * dx + dy * dy + dz * dz;
+        if (depth[c] == 0 || square >= least) continue;
+        least = square;
+        best = c;
+      }
+    }
+  }
+  return best;
+}
+
 bool Interior::allocate(Arena& arena) {
   depth = arena.alloc<uint16_t>(max_cells());
   distance = arena.alloc<uint16_t>(max_cells());

@@ -31,6 +31,9 @@ struct Interior {
   // outside, in half cells; at most `most`.
   uint32_t march(Vec3i p, Vec3i direction, uint32_t most) const;
 
+  // The cell of a point, or the nearest solid one within six cells: the first of the least distance. Where there is none, the point's.
+  uint32_t solid_near(Vec3i p) const;
+
   bool allocate(Arena& arena);
   static size_t max_cells();
 };

@@ -52,7 +52,9 @@ std::vector<int32_t> ways_of(BlockBody* body, const FoldedTree& tree) {
 }
 
 // Two legs under a beam: their feet are near each other through the air and far through the body.
-const std::vector<Block3> kGate = {{{-20, 60, -5}, {20, 70, 5}}, {{-20, 0, -5}, {-10, 65, 5}}, {{10, 0, -5}, {20, 65, 5}},
+const std::vector<Block3> kGate = {{{-20, 60, -5}, {20, 70, 5}},
+                                   {{-20, 0, -5}, {-10, 65, 5}},
+                                   {{10, 0, -5}, {20, 65, 5}},
                                    {{-5, 65, -5}, {5, 100, 5}}};
 
 TEST(BodyWays, LeadThroughTheBodyFromNeighbourToNeighbour) {
