@@ -29,6 +29,8 @@ struct RigTrainConfig : RunConfig {
   double wide = 0, grown = 0, walls = 0, specks = 0, pictures = 0;
   // Synthetic characters of each body plan (trainer/data_sets/src/synth), as families of their own.
   uint32_t synthetic = 20;
+  // Votes of bodies: so many things that are no body, each in several samples, as a family "thing" (src/data/thing_sample.hpp).
+  uint32_t things = 0;
   // Slots: what the error of joints counts, 0 to 1; that of connections counts the rest.
   double balance = 0.7;
   // Slots: "published", plain mean absolute errors; or "balanced" (src/run/rig_loss.hpp).

@@ -15,6 +15,7 @@
 #include "data/hand_sample.hpp"
 #include "data/rig_sample.hpp"
 #include "data/slot_sample.hpp"
+#include "data/thing_sample.hpp"
 #include "run/rig_tasks.hpp"
 #include "run/settings.hpp"
 #include "run/training_run.hpp"
@@ -35,6 +36,7 @@ void visit_rig_settings(Config& c, Visitor&& visit) {
   visit("variants", c.variants);
   visit("least_variants", c.least_variants);
   visit("synthetic", c.synthetic);
+  visit("things", c.things);
   visit("wide", c.wide);
   visit("grown", c.grown);
   visit("walls", c.walls);
@@ -122,11 +124,23 @@ Samples samples_of(const Character& character, const RigTrainConfig& config, uin
   });
 }
 
+// What is no body, one sample for each `variant` and one more.
+Samples thing_samples_of(const RigTrainConfig& config, uint32_t variants, uint64_t seed) {
+  Samples samples;
+  for (uint32_t v = 0; v <= variants; ++v) {
+    const uint64_t own = mix_seeds(seed, v);
+    const RigVariant variant = draw_variant(config, own, 1.0);
+    samples.push_back(std::make_unique<RigSample>(make_thing_sample(own, variant.cells)));
+  }
+  return samples;
+}
+
 struct Request {
   std::string path, name;  // of a file, or
   BodyPlan plan = BodyPlan::kBiped;
   uint64_t seed = 0;
-  std::string family() const { return path.empty() ? body_plan_name(plan) : family_of(name); }
+  bool thing = false;
+  std::string family() const { return thing ? "thing" : path.empty() ? body_plan_name(plan) : family_of(name); }
 };
 
 // How many of each; a family that is drawn seldom per character needs fewer.
@@ -151,6 +165,11 @@ std::vector<Samples> make_samples(const std::vector<Request>& requests, const Ri
   parallel_for(requests.size(), threads, [&](size_t i, unsigned) {
     const Request& r = requests[i];
     try {
+      if (r.thing) {
+        made[i] = thing_samples_of(config, variants[i], mix_seeds(config.seed, i));
+        ++done;
+        return;
+      }
       Character character;
       if (r.path.empty()) {
         SynthesizeOptions options;
@@ -230,6 +249,9 @@ RigTrainConfig parse_rig_config(const std::string& json, const std::string& sour
         std::pair("specks", config.specks), std::pair("pictures", config.pictures)})
     require(share >= 0 && share <= 1, name, "0 to 1");
   require(config.synthetic <= 1000, "synthetic", "0 to 1000");
+  require(config.things <= 1000, "things", "0 to 1000");
+  require(config.things == 0 || (config.architecture == "votes" && config.part == "body"), "things",
+          "0 but for votes of bodies");
   return config;
 }
 
@@ -259,6 +281,11 @@ void train_rig(const RigTrainConfig& config, const TrainOptions& options) {
       // A plan that is younger than most configurations: those that do not name it train what they did.
       const bool asked = plan != BodyPlan::kMascot || config.family_shares.count(body_plan_name(plan)) != 0;
       if (asked) add_synthetic(plan);
+    }
+    for (uint32_t i = 0; i < config.things; ++i) {
+      requests.push_back({});
+      requests.back().seed = i;
+      requests.back().thing = true;
     }
     const bool quiet = checked.quiet || (checked.ranks != nullptr && checked.ranks->rank() > 0);
     const std::vector<Samples> characters =

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Training samples of what is no body: machines, vehicles, furniture, letters, lone limbs, made of turned solids.
+#ifndef SINEW_TRAINER_DATA_THING_SAMPLE_HPP
+#define SINEW_TRAINER_DATA_THING_SAMPLE_HPP
+
+#include "data/rig_sample.hpp"
+
+namespace sinew {
+
+// A surface of closed solids, y up, the floor at y = 0. The same seed gives the same surface.
+SourcedSurface make_thing(uint64_t seed);
+
+// Points of such a surface, whose bones are anywhere: all that a network can learn of them is that it does not know, and says so by
+// its spreads. Classes are other, which no class is learned from. In the family "thing".
+//   cells  0, or grown together to a shell of so many (grown_shell.hpp)
+RigSample make_thing_sample(uint64_t seed, uint32_t cells);
+
+}  // namespace sinew
+#endif
