@@ -59,6 +59,7 @@ set(sinew_character_sources
   predict/skeleton_fit
   predict/skeleton_template
   predict/turn
+  predict/vehicle_skeleton
   pose/bend_volume
   pose/deform
   pose/character_transform

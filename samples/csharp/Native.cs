@@ -26,7 +26,7 @@ namespace Sinew
     public enum Mirror { Auto = 0, Always = 1, Never = 2 }
     public enum Front { Auto = 0, PlusZ = 1, MinusZ = 2, PlusX = 3, MinusX = 4, PlusY = 5, MinusY = 6 }
     public enum RigMethod { Votes = 0, Shape = 1, Regions = 2, Slots = 3 }
-    public enum Category { Any = 0, Biped = 1, Quadruped = 2, Bird = 3, Fish = 4, Snake = 5, ManyLegged = 6 }
+    public enum Category { Any = 0, Biped = 1, Quadruped = 2, Bird = 3, Fish = 4, Snake = 5, ManyLegged = 6, Vehicle = 7 }
     public enum JointRole { Deforms = 0, Root = 1, Control = 2, Slot = 3, End = 4, Twist = 5, Face = 6, Finger = 7, Helper = 8 }
     public enum Follows { Unknown = 0, Some = 1, None = 2 }
     public enum Naming { Sinew = 0, Mixamo = 1, Vrm = 2, Unreal = 3, Rigify = 4, Makehuman = 5 }

@@ -28,7 +28,7 @@ SkeletonEdit edit_of(const sinew_skeleton_edit& edit) {
 
 RigJobOptions job_of(const sinew_character_rig_options& options) {
   check_at_most("method", options.method, SINEW_CHARACTER_RIG_SLOTS);
-  check_at_most("category", options.category, SINEW_CATEGORY_MANY_LEGGED);
+  check_at_most("category", options.category, SINEW_CATEGORY_VEHICLE);
   if (options.category != 0 &&
       (options.method == SINEW_CHARACTER_RIG_SHAPE || options.method == SINEW_CHARACTER_RIG_REGIONS))
     throw Failure(SINEW_ERROR_ARGUMENT, "category: steers what a model says, and this method has none");

@@ -3,6 +3,7 @@
 #include "sinew_character/jobs/rig_job.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -20,6 +21,7 @@
 #include "sinew_character/predict/part_skeleton.hpp"
 #include "sinew_character/predict/predict_details.hpp"
 #include "sinew_character/predict/scenery.hpp"
+#include "sinew_character/predict/vehicle_skeleton.hpp"
 #include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/error.hpp"
@@ -91,6 +93,35 @@ void leave_scenery_out(const SkeletonOptions& options, Character* character, Pre
 // falls from 8.8 to 7.4 % of the size, and IoU rises from 29 to 44 %.
 constexpr float kUnsureUsable = 0.25f;
 
+PredictedSkeleton skeleton_of_parts(PartSkeleton parts, Axis up) {
+  PredictedSkeleton made = skeleton_from_joints(parts.joints);
+  made.front = parts.front;
+  made.up_axis = up;
+  made.rigid_joints = std::move(parts.joint_of);
+  return made;
+}
+
+// Machines on wheels: no model says anything of them.
+PredictedSkeleton vehicle_for_job(const RigJobOptions& job, Character* character) {
+  if (job.method != RigMethod::kAuto) throw Error("a vehicle's joints are found by its parts: leave the method out");
+  constexpr std::array<float, 3> kFronts[] = {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+  std::optional<std::array<float, 3>> front;
+  if (job.front != SINEW_FRONT_AUTO) front = kFronts[job.front - SINEW_FRONT_PLUS_Z];
+  PredictedSkeleton made =
+      skeleton_of_parts(vehicle_skeleton(*character, job.up.value_or(Axis::kY), front), job.up.value_or(Axis::kY));
+  made.up_confidence = job.up ? 1 : kCoinToss;
+  made.front_confidence = front ? 1 : kCoinToss;
+  const size_t moving = made.joints.size() - 1;
+  character->notes.push_back(moving == 0
+                                 ? "warning: no wheel, turret or door is a part of its own here, so the vehicle has "
+                                   "one joint; cut it into parts "
+                                   "where it moves"
+                                 : "a vehicle of " + std::to_string(moving) +
+                                       " moving parts; what they are is a guess by their shapes and where they are" +
+                                       (front ? "" : ", and so is the front; say it with --front, as in --front +z"));
+  return made;
+}
+
 // A skeleton of the mesh's solid parts. False where it is not made of such, or votes know it well.
 bool take_parts(const RigJobOptions& job, Character* character, PredictedSkeleton* skeleton) {
   if (job.method != RigMethod::kAuto || !skeleton->usable || *skeleton->usable >= kUnsureUsable) return false;
@@ -98,14 +129,12 @@ bool take_parts(const RigJobOptions& job, Character* character, PredictedSkeleto
   const bool front_sure = job.front != SINEW_FRONT_AUTO || skeleton->front_confidence >= kCoinToss;
   std::optional<PartSkeleton> parts = part_skeleton(*character, skeleton->up_axis, skeleton->front, front_sure);
   if (!parts) return false;
-  PredictedSkeleton made = skeleton_from_joints(parts->joints);
-  made.front = parts->front;
-  made.up_axis = skeleton->up_axis;
+  const bool front_seen = parts->front_seen;
+  PredictedSkeleton made = skeleton_of_parts(std::move(*parts), skeleton->up_axis);
   made.up_confidence = skeleton->up_confidence;
-  made.front_confidence = parts->front_seen ? kCoinToss : skeleton->front_confidence;
+  made.front_confidence = front_seen ? kCoinToss : skeleton->front_confidence;
   made.seconds = skeleton->seconds;
   made.workspace_bytes = skeleton->workspace_bytes;
-  made.rigid_joints = std::move(parts->joint_of);
   *skeleton = std::move(made);
   const auto moving = std::count(skeleton->ends.begin(), skeleton->ends.end(), uint8_t{0});
   character->notes.push_back(
@@ -210,6 +239,7 @@ bool may_be_lone_hand(const RigJobOptions& job, const PredictedSkeleton& skeleto
 }
 
 PredictedSkeleton predict_for_job(const RigJobOptions& job, const RigModels& models, Character* character) {
+  if (job.category == SINEW_CATEGORY_VEHICLE) return vehicle_for_job(job, character);
   SkeletonOptions options;
   options.method = engine_method(job.method);
   if (options.method == SINEW_RIG_VOTES || options.method == SINEW_RIG_SLOTS) options.model = models.rig;

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "predict/part_box.hpp"
 #include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/base/point.hpp"
 
@@ -23,45 +24,6 @@ constexpr double kLying = 1.3;   // a trunk that is so many times as long as hig
 constexpr size_t kFewestMoving = 4;
 constexpr size_t kMostParts = 300;  // more are a soup, or feathers
 
-// Along left, up and front.
-struct PartBox {
-  Point3 low = {1e300, 1e300, 1e300}, high = {-1e300, -1e300, -1e300};
-  void add(const Point3& p) {
-    for (size_t a = 0; a < 3; ++a) {
-      low[a] = std::min(low[a], p[a]);
-      high[a] = std::max(high[a], p[a]);
-    }
-  }
-  Point3 middle() const { return 0.5 * (low + high); }
-  double side(size_t a) const { return high[a] - low[a]; }
-  double longest() const { return std::max({side(0), side(1), side(2)}); }
-};
-constexpr size_t kLeft = 0, kUp = 1, kFront = 2;
-
-double gap(const PartBox& a, const PartBox& b) {
-  double sum = 0;
-  for (size_t k = 0; k < 3; ++k) {
-    const double d = std::max({0.0, a.low[k] - b.high[k], b.low[k] - a.high[k]});
-    sum += d * d;
-  }
-  return std::sqrt(sum);
-}
-
-// What both have in common; of boxes that are apart, what lies between them.
-PartBox common(const PartBox& a, const PartBox& b) {
-  PartBox out;
-  for (size_t k = 0; k < 3; ++k) {
-    const double from = std::max(a.low[k], b.low[k]), to = std::min(a.high[k], b.high[k]);
-    out.low[k] = std::min(from, to);
-    out.high[k] = std::max(from, to);
-  }
-  return out;
-}
-
-double volume(const PartBox& box, double thin) {
-  return (box.side(0) + thin) * (box.side(1) + thin) * (box.side(2) + thin);
-}
-
 struct SolidPart {
   PartBox box;
   int parent = -1;   // part that it hangs on
@@ -72,11 +34,10 @@ struct SolidPart {
 class PartTree {
  public:
   PartTree(const Character& mesh, Axis up, const std::array<float, 3>& front)
-      : mesh_(mesh), of_(connected_parts(mesh)) {
-    set_axes(up, front);
+      : mesh_(mesh), of_(connected_parts(mesh)), axes_(up, front) {
     parts_.resize(of_.count);
     for (size_t v = 0; v < mesh.vertices.size(); ++v) {
-      const Point3 p = local(mesh.vertices[v]);
+      const Point3 p = axes_.local(mesh.vertices[v]);
       parts_[of_.part[v]].box.add(p);
       whole_.add(p);
     }
@@ -104,7 +65,7 @@ class PartTree {
     const Point3 mean = (1 / count) * sum;
     const size_t a = std::abs(mean[kLeft]) > std::abs(mean[kFront]) ? kLeft : kFront;
     if (std::abs(mean[a]) < 0.2 * trunk().side(a)) return std::nullopt;
-    const Point3 axis = (mean[a] < 0 ? -1.0 : 1.0) * axes_[a];
+    const Point3 axis = (mean[a] < 0 ? -1.0 : 1.0) * axes_.of[a];
     return std::array<float, 3>{static_cast<float>(axis[0]), static_cast<float>(axis[1]), static_cast<float>(axis[2])};
   }
 
@@ -137,17 +98,7 @@ class PartTree {
 
   const PartBox& trunk() const { return parts_[trunk_].box; }
 
-  void set_axes(Axis up, const std::array<float, 3>& front) {
-    axes_[kUp] = {};
-    axes_[kUp][axis_index(up)] = 1;
-    axes_[kFront] = {double{front[0]}, double{front[1]}, double{front[2]}};
-    axes_[kLeft] = cross(axes_[kUp], axes_[kFront]);
-  }
-  Point3 local(const Vec3& v) const {
-    const Point3 p = {double{v.x}, double{v.y}, double{v.z}};
-    return {dot(axes_[0], p), dot(axes_[1], p), dot(axes_[2], p)};
-  }
-  Vec3 world(const Point3& p) const { return sinew::to_vec3(p[0] * axes_[0] + p[1] * axes_[1] + p[2] * axes_[2]); }
+  Vec3 world(const Point3& p) const { return axes_.world(p); }
   bool touch(size_t a, size_t b) const { return gap(parts_[a].box, parts_[b].box) <= kTouch * size_; }
   bool is_small(size_t p) const { return parts_[p].box.longest() < kSmall * size_; }
 
@@ -337,7 +288,7 @@ class PartTree {
 
   const Character& mesh_;
   const MeshParts of_;
-  std::array<Point3, 3> axes_;
+  const BodyAxes axes_;
   std::vector<SolidPart> parts_;
   std::vector<size_t> order_;  // parts, what they hang on first
   PartBox whole_;

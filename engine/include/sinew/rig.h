@@ -72,7 +72,8 @@ typedef enum sinew_rig_method {
  * SINEW_RIG_VOTES: it says what limbs are. BIPED: the lowest pair are legs, others arms. QUADRUPED: the rearmost pair are legs,
  * others arms. BIRD: arms are wings. FISH: all limbs are wings, for fins. SNAKE: it has no limbs. MANY_LEGGED: all are legs.
  * SINEW_RIG_SLOTS: it says which slots there are. ANY: all. BIPED: trunk, arms, legs. QUADRUPED: these, tail, ears. BIRD: trunk,
- * legs, wings, tail. FISH: trunk, tail, wings. SNAKE: trunk, tail. MANY_LEGGED: trunk, arms, legs, tail. */
+ * legs, wings, tail. FISH: trunk, tail, wings. SNAKE: trunk, tail. MANY_LEGGED: trunk, arms, legs, tail.
+ * VEHICLE is no body: sinew_rig() refuses it, sinew_character_rig() finds wheels, a turret and doors by the mesh's parts. */
 typedef enum sinew_category {
   SINEW_CATEGORY_ANY = 0,
   SINEW_CATEGORY_BIPED = 1,
@@ -80,7 +81,8 @@ typedef enum sinew_category {
   SINEW_CATEGORY_BIRD = 3,
   SINEW_CATEGORY_FISH = 4,
   SINEW_CATEGORY_SNAKE = 5,
-  SINEW_CATEGORY_MANY_LEGGED = 6
+  SINEW_CATEGORY_MANY_LEGGED = 6,
+  SINEW_CATEGORY_VEHICLE = 7
 } sinew_category;
 
 /* What a call is asked to do: inputs only. Start from SINEW_INIT(sinew_rig_options), which asks for every default.

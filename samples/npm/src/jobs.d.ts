@@ -86,7 +86,7 @@ export interface RigOptions {
   /** auto: found */
   front?: "auto" | "plus-z" | "minus-z" | "plus-x" | "minus-x" | "plus-y" | "minus-y";
   /** what kind of body it is; any: as the model says */
-  category?: "any" | "biped" | "quadruped" | "bird" | "fish" | "snake" | "many-legged";
+  category?: "any" | "biped" | "quadruped" | "bird" | "fish" | "snake" | "many-legged" | "vehicle";
   /** 1..16; 0 = as the model says */
   spine?: number;
   /** false: feet have no toe joints */

@@ -267,7 +267,7 @@ export const WORDS = {
   mirror: ["auto", "always", "never"],
   front: ["auto", "plus-z", "minus-z", "plus-x", "minus-x", "plus-y", "minus-y"],
   rigMethod: ["votes", "shape", "regions", "slots"],
-  category: ["any", "biped", "quadruped", "bird", "fish", "snake", "many-legged"],
+  category: ["any", "biped", "quadruped", "bird", "fish", "snake", "many-legged", "vehicle"],
   jointRole: ["deforms", "root", "control", "slot", "end", "twist", "face", "finger", "helper"],
   follows: ["unknown", "some", "none"],
   naming: ["sinew", "mixamo", "vrm", "unreal", "rigify", "makehuman"],

@@ -61,8 +61,7 @@ class Workshop {
       const Vector3d middle = a + (b - a) * (rings == 1 ? 0.5 : k / (rings - 1.0));
       for (uint32_t i = 0; i < sides; ++i) {
         const double angle = kTurn * (i + 0.5) / sides;
-        surface_.vertices.push_back(
-            arr(middle + radii[k] * (std::cos(angle) * u + flat * std::sin(angle) * v)));
+        surface_.vertices.push_back(arr(middle + radii[k] * (std::cos(angle) * u + flat * std::sin(angle) * v)));
       }
     }
     surface_.vertices.push_back(arr(a));
@@ -102,16 +101,18 @@ class Workshop {
     for (uint32_t i = 0; i < solids; ++i) {
       const Vector3d middle = middles[random_.below(static_cast<uint32_t>(middles.size()))] + within(0.35, 0.35, 0.35);
       const Vector3d half = 0.5 * random_.uniform(0.1, 0.7) * axis();
-      const double wide = random_.uniform(0.03, 0.25), narrow = random_.uniform() < 0.6 ? wide : random_.uniform(0, 1) * wide;
+      const double wide = random_.uniform(0.03, 0.25),
+                   narrow = random_.uniform() < 0.6 ? wide : random_.uniform(0, 1) * wide;
       const uint32_t sides = random_.uniform() < 0.5 ? 4 : 8 + random_.below(9);
-      const std::vector<double> radii =
-          random_.uniform() < 0.2 ? std::vector<double>{0.3 * wide, 0.8 * wide, wide, 0.8 * wide, 0.3 * wide}
-                                  : std::vector<double>{wide, narrow};
+      const std::vector<double> radii = random_.uniform() < 0.2
+                                            ? std::vector<double>{0.3 * wide, 0.8 * wide, wide, 0.8 * wide, 0.3 * wide}
+                                            : std::vector<double>{wide, narrow};
       const double flat = random_.uniform(0.4, 1);
       middles.push_back(middle);
       add_turned(middle - half, middle + half, radii, sides, flat);
       const Vector3d image(-1, 1, 1);
-      if (mirrored) add_turned((middle - half).cwiseProduct(image), (middle + half).cwiseProduct(image), radii, sides, flat);
+      if (mirrored)
+        add_turned((middle - half).cwiseProduct(image), (middle + half).cwiseProduct(image), radii, sides, flat);
     }
   }
 
@@ -122,9 +123,11 @@ class Workshop {
     add_box({0, wheel + height, 0}, {width, height, 0.5});
     const double back = random_.uniform(-0.3, 0.3);
     if (random_.uniform() < 0.7)
-      add_box({0, wheel + 2 * height + 0.1, back}, {0.85 * width, random_.uniform(0.06, 0.15), random_.uniform(0.1, 0.3)});
+      add_box({0, wheel + 2 * height + 0.1, back},
+              {0.85 * width, random_.uniform(0.06, 0.15), random_.uniform(0.1, 0.3)});
     if (random_.uniform() < 0.3)
-      add_turned({0, wheel + 2 * height + 0.05, 0}, {0, wheel + 2 * height + 0.05, random_.uniform(0.4, 0.8)}, {0.03, 0.03}, 8);
+      add_turned({0, wheel + 2 * height + 0.05, 0}, {0, wheel + 2 * height + 0.05, random_.uniform(0.4, 0.8)},
+                 {0.03, 0.03}, 8);
     const uint32_t pairs = 2 + random_.below(3);
     for (uint32_t i = 0; i < pairs; ++i) {
       const double z = -0.38 + 0.76 * i / (pairs - 1.0);
@@ -135,13 +138,15 @@ class Workshop {
 
   // A table, a chair, a shelf.
   void make_furniture() {
-    const double width = random_.uniform(0.2, 0.5), depth = random_.uniform(0.2, 0.5), height = random_.uniform(0.2, 0.6);
+    const double width = random_.uniform(0.2, 0.5), depth = random_.uniform(0.2, 0.5),
+                 height = random_.uniform(0.2, 0.6);
     const double leg = random_.uniform(0.015, 0.05), top = random_.uniform(0.015, 0.06);
     const uint32_t sides = random_.uniform() < 0.5 ? 4 : 10;
     add_box({0, height, 0}, {width, top, depth});
     for (const double x : {1.0, -1.0})
       for (const double z : {1.0, -1.0})
-        add_turned({x * (width - leg), 0, z * (depth - leg)}, {x * (width - leg), height, z * (depth - leg)}, {leg, leg}, sides);
+        add_turned({x * (width - leg), 0, z * (depth - leg)}, {x * (width - leg), height, z * (depth - leg)},
+                   {leg, leg}, sides);
     if (random_.uniform() < 0.5) add_box({0, height + 0.3, -depth + top}, {width, 0.3, top});
     if (random_.uniform() < 0.3) add_box({0, 0.5 * height, 0}, {width - leg, top, depth - leg});
   }
@@ -153,9 +158,7 @@ class Workshop {
     for (uint32_t i = 0; i < signs; ++i) {
       const uint32_t strokes = 1 + random_.below(4);
       for (uint32_t k = 0; k < strokes; ++k) {
-        const auto corner = [&](double at) -> Vector3d {
-          return {1.2 * i + 0.5 * random_.below(3) * 0.8, at, 0};
-        };
+        const auto corner = [&](double at) -> Vector3d { return {1.2 * i + 0.5 * random_.below(3) * 0.8, at, 0}; };
         const Vector3d a = corner(0.5 * random_.below(3)), b = corner(0.5 * random_.below(3));
         if ((b - a).norm() < 0.2) continue;
         add_turned(a, b, {stroke, stroke}, 4, depth);
@@ -184,7 +187,8 @@ class Workshop {
     const uint32_t fingers = random_.below(6);
     for (uint32_t i = 0; i < fingers; ++i) {
       const Vector3d root = palm + radius * (i - 2.0) / 2 * across;
-      add_turned(root, root + random_.uniform(0.06, 0.14) * (way + 0.15 * normals(&random_)), {0.25 * radius, 0.2 * radius}, 6);
+      add_turned(root, root + random_.uniform(0.06, 0.14) * (way + 0.15 * normals(&random_)),
+                 {0.25 * radius, 0.2 * radius}, 6);
     }
   }
 

@@ -35,17 +35,20 @@ TEST(ThingSample, SurfacesAreClosedAndStandOnTheFloor) {
 
 TEST(ThingSample, TargetsAreAnywhereAndNoClassIsLearned) {
   for (const uint32_t cells : {0u, 64u}) {
-    const RigSample one = make_thing_sample(4, cells), same = make_thing_sample(4, cells), other = make_thing_sample(5, cells);
+    const RigSample one = make_thing_sample(4, cells), same = make_thing_sample(4, cells),
+                    other = make_thing_sample(5, cells);
     EXPECT_EQ(one.start, same.start);
     EXPECT_EQ(one.inputs[0].rows, same.inputs[0].rows);
     EXPECT_NE(one.inputs[0].rows, other.inputs[0].rows);
     EXPECT_EQ(one.family, "thing");
     double mean[3] = {};
-    for (size_t i = 0; i < one.start.size(); ++i) mean[i % 3] += static_cast<double>(one.start[i]) * 3 / static_cast<double>(one.start.size());
+    for (size_t i = 0; i < one.start.size(); ++i)
+      mean[i % 3] += static_cast<double>(one.start[i]) * 3 / static_cast<double>(one.start.size());
     EXPECT_NEAR(mean[0], 0, 0.06);
     EXPECT_NEAR(mean[1], 0.5, 0.06);
     EXPECT_NEAR(mean[2], 0, 0.06);
-    EXPECT_TRUE(std::all_of(one.start_class.begin(), one.start_class.end(), [](uint8_t c) { return c == rigging::kClassOther; }));
+    EXPECT_TRUE(std::all_of(one.start_class.begin(), one.start_class.end(),
+                            [](uint8_t c) { return c == rigging::kClassOther; }));
   }
 }
 
