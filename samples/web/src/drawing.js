@@ -40,7 +40,7 @@ function changeDrawing(name, change) {
   });
 }
 
-export const changeKind = () => changeDrawing("kind", { class: bodyWords[Number($("kind").value)] });
+export const changeKind = () => changeDrawing("kind", { class: bodyWords[Number($("kind").value)] ?? "other" });
 
 /** @param {{ of: number, point: number }} handle @param {number[]} pixel @param {boolean} ended */
 function dragOutline({ of, point }, pixel, ended) {

@@ -67,12 +67,20 @@ TEST(LimbDoubts, ASureSkeletonHasNone) {
 TEST(LimbDoubts, ALimbThatGuessesIsNamed) {
   PredictedSkeleton skeleton = person();
   for (const size_t j : {3u, 4u, 5u}) skeleton.confidence[j] = 0.05f;
-  skeleton.spread = 0.08f;
   const std::vector<LimbDoubt> limbs = doubtful_limbs(skeleton);
   ASSERT_EQ(limbs.size(), 1u);
   EXPECT_EQ(limbs[0].name, "LeftArm");
   EXPECT_EQ(limbs[0].joints, (std::vector<int>{3, 4, 5}));
   EXPECT_EQ(doubts_text(limbs).rfind("warning: doubtful: LeftArm", 0), 0u);
+}
+
+TEST(LimbDoubts, ALimbThatHardlyHangsOnAnythingIsDoubtedMore) {
+  PredictedSkeleton skeleton = person();
+  for (const size_t j : {3u, 4u, 5u, 6u, 7u, 8u}) skeleton.confidence[j] = 0.15f;
+  skeleton.parent_confidence[7] = 0.001f;
+  const std::vector<LimbDoubt> limbs = doubtful_limbs(skeleton);
+  ASSERT_EQ(limbs.size(), 1u);
+  EXPECT_EQ(limbs[0].name, "RightArm");
 }
 
 }  // namespace
