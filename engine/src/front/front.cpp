@@ -15,7 +15,10 @@ constexpr uint32_t kFrontSets = 2;        // of points, whose answers are added 
 constexpr int64_t kHeadingOne = 1 << 28;  // of a Heading
 // What the file's own +z counts beside the network's answer, whose length is about 1 where it is sure; Q15.
 constexpr int64_t kKnownFront = 11469, kUsualFront = 3277;
-constexpr int32_t kUsualUp = 3584;  // the same of y, logit in Q10: most meshes have it up (trainer/configs/RESULTS.md)
+// Logit in Q10 for y up: the logarithm of ten, because at least ten times as many files have it up as z.
+constexpr int32_t kUsualUp = 2358;
+constexpr int64_t kSheetUp = 3072;                 // logit in Q10 that a sheet stands,
+constexpr int32_t kSheetDepth = kSide * 6 / 100;  // which is no deeper than that
 // Logit of an answer of length 1, Q10: what decides, and what is told of a mesh without a mirror plane. Fitted on makers that a network
 // trained without (trainer/configs/RESULTS.md).
 constexpr int64_t kSureness = 2816, kLeaningSureness = 1549;
@@ -180,6 +183,19 @@ sinew_status ask_front(const sinew_model& model, const NetworkOptions& options, 
   return SINEW_OK;
 }
 
+// A sheet, a puppet or a picture, stands: less than 0 where it is thin along z, so that y is up, more than 0 where it is thin along y,
+// 0 where it is no sheet.
+static int32_t standing_sheet(const Mesh& mesh) {
+  Vec3i low = mesh.positions[0], high = low;
+  for (uint32_t i = 1; i < mesh.welded_count; ++i) {
+    const Vec3i p = mesh.positions[i];
+    low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y, p.z < low.z ? p.z : low.z};
+    high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y, p.z > high.z ? p.z : high.z};
+  }
+  const bool thin_y = high.y - low.y < kSheetDepth, thin_z = high.z - low.z < kSheetDepth;
+  return thin_y == thin_z ? 0 : thin_z ? -1 : 1;
+}
+
 sinew_status find_front(const FrontQuestion& question, const Kernels& kernels, const Mesh& mesh, Arena& arena,
                         Front* front) {
   const ArenaScope scope(arena);
@@ -203,7 +219,9 @@ sinew_status find_front(const FrontQuestion& question, const Kernels& kernels, c
   *front = Front();
   front->turn.up_axis = question.up_axis;
   if (question.find_up) {
-    const int64_t by = int64_t{answers[1].upright} - answers[0].upright - kUsualUp;
+    const int32_t sheet = arena.measuring() ? 0 : standing_sheet(mesh);
+    const int64_t by =
+        sheet != 0 ? sheet * kSheetUp : int64_t{answers[1].upright} - answers[0].upright - kUsualUp;
     grid_up = by > 0 ? 1 : 0;
     front->turn.up_axis = grid_up;
     front->up_confidence = likelihood(abs64(by));
