@@ -82,6 +82,54 @@ void add_box(const Vec3& low, const Vec3& high, Character* mesh) {
   }
 }
 
+// A puppet cut from cardboard stands, whichever axis is up in its file.
+TEST_F(CliRig, ASheetStands) {
+  Character puppet;
+  puppet.name = "puppet";
+  add_box({-.2f, .4f, 0}, {.2f, 1, .02f}, &puppet);
+  add_box({-.15f, 1, 0}, {.15f, 1.3f, .02f}, &puppet);
+  for (const float side : {-1.0f, 1.0f}) {
+    add_box({side * .3f - .1f, .8f, 0}, {side * .3f + .1f, .95f, .02f}, &puppet);
+    add_box({side * .1f - .05f, 0, 0}, {side * .1f + .05f, .4f, .02f}, &puppet);
+  }
+  write_obj(in("puppet.obj"), puppet);
+  for (Vec3& v : puppet.vertices) v = {v.x, -v.z, v.y};
+  write_obj(in("lying.obj"), puppet);
+  for (const auto& [file, up] : {std::pair("puppet", "y"), std::pair("lying", "z")}) {
+    const auto made = nlohmann::json::parse(
+        good(std::string("rig ") + file + ".obj --method shape --no-bind --json -o made.rig.txt").out);
+    EXPECT_EQ(made["up"], up);
+  }
+}
+
+TEST_F(CliRig, AVehicleHasJointsForItsWheels) {
+  Character cart;
+  cart.name = "cart";
+  add_box({-.5f, .3f, -1}, {.5f, .8f, 1}, &cart);
+  for (const float x : {-.6f, .6f}) {
+    for (const float z : {-.7f, .7f}) {
+      const auto first = static_cast<uint32_t>(cart.vertices.size());
+      for (const float side : {-.08f, .08f})
+        for (int i = 0; i < 12; ++i)
+          cart.vertices.push_back({x + side, .3f + .3f * std::sin(.5236f * static_cast<float>(i)),
+                                   z + .3f * std::cos(.5236f * static_cast<float>(i))});
+      for (uint32_t i = 0; i < 12; ++i) {
+        const uint32_t next = (i + 1) % 12;
+        for (const uint32_t corner : {i, next, 12 + next, 12 + i}) cart.face_vertices.push_back(first + corner);
+        cart.face_offsets.push_back(static_cast<uint32_t>(cart.face_vertices.size()));
+      }
+    }
+  }
+  write_obj(in("cart.obj"), cart);
+  const Outcome told = good("rig cart.obj --class vehicle -o cart.glb");
+  EXPECT_NE(told.out.find("a vehicle of 4 moving parts"), std::string::npos) << told.out;
+  const Character made = read_character(in("cart.glb"));
+  ASSERT_EQ(made.joints.size(), 5u);
+  for (const auto& row : made.influences) EXPECT_EQ(row.size(), 1u) << "parts move as wholes";
+  EXPECT_NE(bad(1, "rig cart.obj --class vehicle --method votes -o other.glb").error.find("leave the method out"),
+            std::string::npos);
+}
+
 // A dog of boxes that only touch: votes know little of it.
 TEST_F(CliRig, ABodyOfSolidPartsHasAJointForEachThatMoves) {
   Character dog;

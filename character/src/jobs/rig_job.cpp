@@ -23,6 +23,7 @@
 #include "sinew_character/predict/scenery.hpp"
 #include "sinew_character/predict/vehicle_skeleton.hpp"
 #include "sinew_character/rig/mesh_surface.hpp"
+#include "sinew_formats/base/box.hpp"
 #include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/error.hpp"
 
@@ -119,6 +120,25 @@ PredictedSkeleton vehicle_for_job(const RigJobOptions& job, Character* character
                                  : "a vehicle of " + std::to_string(moving) +
                                        " moving parts; what they are is a guess by their shapes and where they are" +
                                        (front ? "" : ", and so is the front; say it with --front, as in --front +z"));
+  return made;
+}
+
+// One joint for what is no body.
+PredictedSkeleton root_alone(const Character& mesh, const PredictedSkeleton& votes) {
+  const Box box = box_of(mesh.vertices);
+  Vec3 at = {0.5f * (box.low.x + box.high.x), 0.5f * (box.low.y + box.high.y), 0.5f * (box.low.z + box.high.z)};
+  (votes.up_axis == Axis::kZ ? at.z : at.y) = votes.up_axis == Axis::kZ ? box.low.z : box.low.y;
+  PartSkeleton root;
+  root.joints.push_back({"Root", at, -1, true});
+  root.joint_of.assign(mesh.vertices.size(), 0);
+  root.front = votes.front;
+  PredictedSkeleton made = skeleton_of_parts(std::move(root), votes.up_axis);
+  made.up_confidence = votes.up_confidence;
+  made.front_confidence = votes.front_confidence;
+  made.spread = votes.spread;
+  made.usable = votes.usable;
+  made.seconds = votes.seconds;
+  made.workspace_bytes = votes.workspace_bytes;
   return made;
 }
 
@@ -265,7 +285,13 @@ PredictedSkeleton predict_for_job(const RigJobOptions& job, const RigModels& mod
   const float spread = skeleton.spread;
   const std::optional<float> usable = skeleton.usable;
   const bool told = job.category != SINEW_CATEGORY_ANY && !job.category_guessed;
-  if (job.method == RigMethod::kAuto && !told && spread > kUnknownSpread) {
+  if (job.method == RigMethod::kAuto && !told && spread > kNoBodySpread) {
+    skeleton = root_alone(*character, skeleton);
+    character->notes.push_back(
+        "warning: this mesh is taken for no body, a guess, so it has one joint; --class vehicle finds wheels and "
+        "doors, --method "
+        "shape lays joints along the middle line, --method votes gives the model's guess");
+  } else if (job.method == RigMethod::kAuto && !told && spread > kUnknownSpread) {
     options.method = SINEW_RIG_SHAPE;
     options.category = SINEW_CATEGORY_ANY;
     skeleton = predict_skeleton(*character, options);

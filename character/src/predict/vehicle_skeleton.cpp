@@ -15,7 +15,8 @@ namespace {
 
 // Of a wheel: how much higher than long it may be, how far inside its radius its corners may lie and how far outside, its width in
 // diameters, its diameter in lengths of the vehicle, and where its middle is at most, in heights.
-constexpr double kRound = 0.1, kInside = 0.9, kOutside = 1.08, kWidest = 1.3, kLeastWheel = 0.05, kMostWheel = 0.7, kHighest = 0.6;
+constexpr double kRound = 0.1, kInside = 0.9, kOutside = 1.08, kWidest = 1.3, kLeastWheel = 0.05, kMostWheel = 0.7,
+                 kHighest = 0.6;
 constexpr size_t kSectors = 8;
 // Of a gun: so many times as long as thick. Of a turret: its bottom lies so high in the vehicle.
 constexpr double kSlenderGun = 4, kTurretBottom = 0.35;
@@ -86,15 +87,12 @@ class Vehicle {
     out_.joints.push_back({unique, axes_.world(at), static_cast<int>(parent), true});
     return static_cast<uint32_t>(out_.joints.size() - 1);
   }
-  std::string side_of(const Point3& at) const {
-    return at[kLeft] > whole_.middle()[kLeft] ? "Left" : "Right";
-  }
+  std::string side_of(const Point3& at) const { return at[kLeft] > whole_.middle()[kLeft] ? "Left" : "Right"; }
 
   // From front to back.
   void add_wheels() {
-    std::stable_sort(wheels_.begin(), wheels_.end(), [&](size_t a, size_t b) {
-      return boxes_[a].middle()[kFront] > boxes_[b].middle()[kFront];
-    });
+    std::stable_sort(wheels_.begin(), wheels_.end(),
+                     [&](size_t a, size_t b) { return boxes_[a].middle()[kFront] > boxes_[b].middle()[kFront]; });
     for (const size_t wheel : wheels_) {
       const Point3 at = boxes_[wheel].middle();
       const double across = 0.1 * whole_.side(kLeft), off = at[kLeft] - whole_.middle()[kLeft];
@@ -120,7 +118,8 @@ class Vehicle {
       if (joint_[gun] != 0 || box.side(kFront) < kSlenderGun * thick || box.low[kUp] < high(kTurretBottom)) continue;
       size_t turret = gun;
       for (size_t p = 0; p < of_.count; ++p) {
-        const bool carries = p != gun && joint_[p] == 0 && gap(boxes_[p], box) <= 0 && boxes_[p].low[kUp] >= high(kTurretBottom) &&
+        const bool carries = p != gun && joint_[p] == 0 && gap(boxes_[p], box) <= 0 &&
+                             boxes_[p].low[kUp] >= high(kTurretBottom) &&
                              volume(boxes_[p], 0) < 0.5 * volume(whole_, 0);
         if (carries && (turret == gun || volume(boxes_[p], 0) > volume(boxes_[turret], 0))) turret = p;
       }
@@ -131,8 +130,8 @@ class Vehicle {
       Point3 hinge = common(box, boxes_[turret]).middle();
       joint_[gun] = add("Gun", hinge, joint_[turret]);
       for (size_t p = 0; p < of_.count; ++p) {  // hatches and lamps
-        const bool on = joint_[p] == 0 && boxes_[p].low[kUp] >= boxes_[turret].low[kUp] && gap(boxes_[p], boxes_[turret]) <= 0 &&
-                        volume(boxes_[p], 0) < volume(boxes_[turret], 0);
+        const bool on = joint_[p] == 0 && boxes_[p].low[kUp] >= boxes_[turret].low[kUp] &&
+                        gap(boxes_[p], boxes_[turret]) <= 0 && volume(boxes_[p], 0) < volume(boxes_[turret], 0);
         if (on) joint_[p] = joint_[turret];
       }
       return;
@@ -145,24 +144,25 @@ class Vehicle {
     for (size_t p = 0; p < of_.count; ++p) {
       const PartBox& box = boxes_[p];
       const double edge = 0.15 * whole_.side(kLeft);
-      const bool at_side = box.high[kLeft] > whole_.high[kLeft] - edge ? box.low[kLeft] > whole_.middle()[kLeft]
-                                                                        : box.low[kLeft] < whole_.low[kLeft] + edge &&
-                                                                              box.high[kLeft] < whole_.middle()[kLeft];
+      const bool at_side = box.high[kLeft] > whole_.high[kLeft] - edge
+                               ? box.low[kLeft] > whole_.middle()[kLeft]
+                               : box.low[kLeft] < whole_.low[kLeft] + edge && box.high[kLeft] < whole_.middle()[kLeft];
       if (joint_[p] != 0 || !at_side || box.side(kLeft) > kDoorThick * whole_.side(kLeft)) continue;
       if (box.side(kUp) < kDoorLow * whole_.side(kUp)) continue;
-      if (box.side(kFront) < kDoorShort * whole_.side(kFront) || box.side(kFront) > kDoorLong * whole_.side(kFront)) continue;
+      if (box.side(kFront) < kDoorShort * whole_.side(kFront) || box.side(kFront) > kDoorLong * whole_.side(kFront))
+        continue;
       doors.push_back(p);
     }
-    std::stable_sort(doors.begin(), doors.end(), [&](size_t a, size_t b) {
-      return boxes_[a].middle()[kFront] > boxes_[b].middle()[kFront];
-    });
+    std::stable_sort(doors.begin(), doors.end(),
+                     [&](size_t a, size_t b) { return boxes_[a].middle()[kFront] > boxes_[b].middle()[kFront]; });
     for (const size_t door : doors) {
       Point3 hinge = boxes_[door].middle();
       hinge[kFront] = boxes_[door].high[kFront];
       joint_[door] = add(side_of(hinge) + "Door", hinge, 0);
       for (size_t p = 0; p < of_.count; ++p) {  // its window and handle
         const double shared = volume(common(boxes_[p], boxes_[door]), 0);
-        if (joint_[p] == 0 && gap(boxes_[p], boxes_[door]) <= 0 && shared > 0.5 * volume(boxes_[p], 0)) joint_[p] = joint_[door];
+        if (joint_[p] == 0 && gap(boxes_[p], boxes_[door]) <= 0 && shared > 0.5 * volume(boxes_[p], 0))
+          joint_[p] = joint_[door];
       }
     }
   }

@@ -17,7 +17,7 @@ constexpr int64_t kHeadingOne = 1 << 28;  // of a Heading
 constexpr int64_t kKnownFront = 11469, kUsualFront = 3277;
 // Logit in Q10 for y up: the logarithm of ten, because at least ten times as many files have it up as z.
 constexpr int32_t kUsualUp = 2358;
-constexpr int64_t kSheetUp = 3072;                 // logit in Q10 that a sheet stands,
+constexpr int64_t kSheetUp = 3072;                // logit in Q10 that a sheet stands,
 constexpr int32_t kSheetDepth = kSide * 6 / 100;  // which is no deeper than that
 // Logit of an answer of length 1, Q10: what decides, and what is told of a mesh without a mirror plane. Fitted on makers that a network
 // trained without (trainer/configs/RESULTS.md).
@@ -220,8 +220,7 @@ sinew_status find_front(const FrontQuestion& question, const Kernels& kernels, c
   front->turn.up_axis = question.up_axis;
   if (question.find_up) {
     const int32_t sheet = arena.measuring() ? 0 : standing_sheet(mesh);
-    const int64_t by =
-        sheet != 0 ? sheet * kSheetUp : int64_t{answers[1].upright} - answers[0].upright - kUsualUp;
+    const int64_t by = sheet != 0 ? sheet * kSheetUp : int64_t{answers[1].upright} - answers[0].upright - kUsualUp;
     grid_up = by > 0 ? 1 : 0;
     front->turn.up_axis = grid_up;
     front->up_confidence = likelihood(abs64(by));

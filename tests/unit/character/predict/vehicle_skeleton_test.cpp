@@ -20,7 +20,8 @@ class Machine {
   uint32_t add_box(Vec3 low, Vec3 high) {
     const auto first = static_cast<uint32_t>(mesh.vertices.size());
     for (uint32_t i = 0; i < 8; ++i)
-      mesh.vertices.push_back({(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z});
+      mesh.vertices.push_back(
+          {(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z});
     const uint32_t quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
     for (const auto& q : quads) {
       add_face(first + q[0], first + q[1], first + q[2]);
