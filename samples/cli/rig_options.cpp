@@ -22,9 +22,7 @@ void add_method_options(CLI::App* sub, MethodOptions* options) {
       "model; auto: votes, or shape where the votes know nothing; for comparison, as published: slots, joints "
       "in fixed slots and a matrix of connections, and regions, boxes around pieces of "
       "the surface, whose contacts are collapsed to a tree");
-  word_option(sub, "--class", options->category, kCategory,
-              std::string(kClassMeaning) + "; vehicle: wheels, a turret and doors, by a machine's parts")
-      ->type_name("KIND");
+  word_option(sub, "--class", options->category, kCategory, kClassMeaning)->type_name("KIND");
 }
 
 void check_method(const CLI::App& sub, const MethodOptions& options) {

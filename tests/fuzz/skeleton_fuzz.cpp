@@ -137,7 +137,7 @@ void check_skeleton(const Call& call, const Skeleton& s) {
     demand(std::memchr(name, 0, SINEW_JOINT_NAME_BYTES) != nullptr && name[0] != 0, "a name that ends");
     demand(names.insert(name).second, std::string("a name once: ") + name);
     const int32_t partner = s.partners[j];
-    demand((partner >= 0) == (s.outputs.mirrored != 0), "partners where there is a mirror");
+    demand(partner < 0 || s.outputs.mirrored != 0, "partners where there is a mirror");
     if (partner < 0) continue;
     demand(partner < static_cast<int32_t>(count), "a partner that exists");
     const size_t p = static_cast<size_t>(partner);

@@ -28,7 +28,6 @@ struct RigSample : NetworkSample {
   std::vector<float> weight;                    // [N] how much the loss cares
   std::vector<float> class_weight;              // [N] the same for classes; empty: as weight
   std::vector<uint8_t> start_class, end_class;  // [N] JointClass; of ends also kClassTip
-  bool no_body = false;                         // its bones are nowhere: spreads alone are learned from it
 };
 
 // Makes a set of points of a mesh that is in its mirror frame, with the interior behind them, and hands it to `use`.

@@ -235,7 +235,6 @@ RigSample make_thing_sample(uint64_t seed, uint32_t cells) {
       }
     }
   });
-  s.no_body = true;
   s.weight.assign(kSetPoints, 1.0f);
   s.start_class.assign(kSetPoints, kClassOther);
   s.end_class.assign(kSetPoints, kClassOther);

@@ -10,8 +10,8 @@ namespace sinew {
 // A surface of closed solids, y up, the floor at y = 0. The same seed gives the same surface.
 SourcedSurface make_thing(uint64_t seed);
 
-// Points of such a surface, whose bones are anywhere. A network learns from them that it does not know, and says so by its spreads:
-// neither where bones are (RigSample::no_body) nor their classes, which are other. In the family "thing".
+// Points of such a surface, whose bones are anywhere: all that a network can learn of them is that it does not know, and it says so by
+// its spreads. Classes are other, which no class is learned from. In the family "thing".
 //   cells  0, or grown together to a shell of so many (grown_shell.hpp)
 RigSample make_thing_sample(uint64_t seed, uint32_t cells);
 

@@ -85,7 +85,6 @@ RigLoss rig_loss(const RigSample& sample, const std::vector<float>& outputs, std
                               at(kRigEnd), at(kRigEndSpread));
     loss.start += w * start.loss;
     loss.end += w * end.loss;
-    for (uint32_t k = 0; k < 3 && d != nullptr && sample.no_body; ++k) d[kRigStart + k] = d[kRigEnd + k] = 0;
     loss.start_distance += w * start.distance;
     loss.end_distance += w * end.distance;
     if (sample.start_class[i] != kClassOther)

@@ -7,14 +7,14 @@
 #include <cmath>
 #include <cstring>
 
-#include "block_body.hpp"
+#include "block_interior.hpp"
 #include "rig/coverage.hpp"
 
 namespace sinew::rigging {
 namespace {
 
 using sinew_test::Block3;
-using sinew_test::BlockBody;
+using sinew_test::BlockInterior;
 
 Vec3i hundredths(int32_t x, int32_t y, int32_t z) {
   constexpr int32_t kHundredth = kSide / 100;
@@ -39,7 +39,7 @@ FoldedTree tree_of(const std::vector<PlacedJoint>& joints, bool mirrored) {
   return tree;
 }
 
-std::vector<int32_t> ways_of(BlockBody* body, const FoldedTree& tree) {
+std::vector<int32_t> ways_of(BlockInterior* body, const FoldedTree& tree) {
   std::vector<int32_t> costs(size_t{tree.count} * tree.count);
   Arena measuring;
   EXPECT_TRUE(find_body_ways(nullptr, measuring, &body->interior, nullptr));
@@ -58,7 +58,7 @@ const std::vector<Block3> kGate = {{{-20, 60, -5}, {20, 70, 5}},
                                    {{-5, 65, -5}, {5, 100, 5}}};
 
 TEST(BodyWays, LeadThroughTheBodyFromNeighbourToNeighbour) {
-  BlockBody body(kGate);
+  BlockInterior body(kGate);
   const FoldedTree tree = tree_of({{hundredths(0, 65, 0), -1, kClassPelvis},
                                    {hundredths(15, 35, 0), 0, kClassCalf},
                                    {hundredths(15, 5, 0), 1, kClassFoot},
@@ -79,7 +79,7 @@ TEST(BodyWays, LeadThroughTheBodyFromNeighbourToNeighbour) {
 }
 
 TEST(BodyWays, OfAMirroredTreeBothSidesCount) {
-  BlockBody body(kGate);
+  BlockInterior body(kGate);
   const FoldedTree tree = tree_of({{hundredths(0, 65, 0), -1, kClassPelvis},
                                    {hundredths(15, 35, 0), 0, kClassCalf},
                                    {hundredths(15, 5, 0), 1, kClassFoot}},
@@ -91,7 +91,7 @@ TEST(BodyWays, OfAMirroredTreeBothSidesCount) {
 }
 
 FoldedTree covered(const std::vector<Block3>& blocks, FoldedTree tree) {
-  BlockBody body(blocks);
+  BlockInterior body(blocks);
   Arena measuring;
   EXPECT_TRUE(cover_body(measuring, &body.interior, nullptr));
   Workspace memory(measuring.high_water());

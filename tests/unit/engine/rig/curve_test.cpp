@@ -7,7 +7,7 @@
 #include <cstring>
 #include <vector>
 
-#include "block_body.hpp"
+#include "block_interior.hpp"
 #include "rig/folded_tree.hpp"
 
 namespace sinew::rigging {
@@ -21,7 +21,7 @@ struct GrownCurve {
   bool scratch_kept = false;
 
   explicit GrownCurve(const std::vector<Block3>& blocks, bool folded = false, size_t missing = 0) {
-    const sinew_test::BlockBody body(blocks);
+    const sinew_test::BlockInterior body(blocks);
     Arena growing;
     EXPECT_EQ(grow_curve(body.interior, folded, growing, &tree), SINEW_OK);
     Workspace scratch(growing.high_water());

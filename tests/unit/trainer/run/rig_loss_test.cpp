@@ -57,21 +57,6 @@ TEST(RigLoss, GradientIsThatOfFiniteDifferences) {
   }
 }
 
-TEST(RigLoss, WhatIsNoBodyTeachesSpreadsAlone) {
-  RigSample s = two_points();
-  std::vector<float> outputs = some_outputs(), of_body, gradient;
-  (void)rig_loss(s, outputs, &of_body);
-  s.no_body = true;
-  (void)rig_loss(s, outputs, &gradient);
-  for (uint32_t k = 0; k < 3; ++k) {
-    EXPECT_NE(of_body[kRigStart + k], 0);
-    EXPECT_EQ(gradient[kRigStart + k], 0);
-    EXPECT_EQ(gradient[kRigEnd + k], 0);
-  }
-  EXPECT_EQ(gradient[kRigStartSpread], of_body[kRigStartSpread]);
-  EXPECT_NE(gradient[kRigEndSpread], 0);
-}
-
 TEST(RigLoss, APointWithoutWeightTeachesItsClassAlone) {
   const RigSample s = two_points();
   std::vector<float> gradient;
