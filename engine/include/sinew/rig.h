@@ -118,7 +118,7 @@ typedef struct sinew_rig_outputs {
   int32_t* parents;            /* [J] -1 for the root */
   uint8_t* flags;              /* [J] for sinew_skeleton: SINEW_JOINT_NEVER for bone ends, else 0; null = not wanted */
   uint8_t* joint_classes;      /* [J] sinew_joint_class; a bone end's is its joint's; null = not wanted */
-  int32_t* partners;           /* [J] the joint's mirror image, itself on the plane, -1 where nothing is mirrored; null
+  int32_t* partners;           /* [J] the joint's mirror image, itself on the plane, -1 where it has none; null
                                    * = not wanted */
   uint16_t* confidence;        /* [J] how sure the joint's position is, 0..32768; null = not wanted */
   uint16_t* parent_confidence; /* [J] how sure its parent is, 0..32768; null = not wanted */

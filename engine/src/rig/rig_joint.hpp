@@ -14,7 +14,7 @@ constexpr uint32_t kMaxRigJoints = 4 * kMaxFoldedJoints;  // both sides, and eve
 struct RigJoint {
   Vec3i position;              // grid units in the mirror frame
   int16_t parent;              // -1 for the root
-  int16_t partner;             // its mirror image, itself on the plane, -1 where nothing is mirrored
+  int16_t partner;             // its mirror image, itself on the plane, -1 where it has none
   uint8_t joint_class;         // JointClass; a bone end's is its joint's
   uint8_t tip;                 // 1 for a bone end
   uint16_t confidence;         // Q15: how sure the votes are of the joint's position
