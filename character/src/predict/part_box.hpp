@@ -36,7 +36,7 @@ inline double gap(const PartBox& a, const PartBox& b) {
   return std::sqrt(sum);
 }
 
-// What both have in common; of boxes that are apart, what lies between them.
+// The box that both share. Where they are apart, it is the box between them.
 inline PartBox common(const PartBox& a, const PartBox& b) {
   PartBox out;
   for (size_t k = 0; k < 3; ++k) {

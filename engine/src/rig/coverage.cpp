@@ -43,10 +43,10 @@ class Coverage {
     for (uint32_t c = 0; c < grid_.cell_count; ++c) {
       if (interior_.depth[c] == 0 || owner_[c] == kNoOwner || interior_.distance[c] == kNoDistance) continue;
       if ((*dismissed >> owner_[c] & 1) != 0) continue;
-      const uint32_t explained = kReach * radius_[owner_[c]] / 10 + kMargin;
-      if (interior_.distance[c] < explained + kLeastLength) continue;
-      if (interior_.distance[c] - explained <= most) continue;
-      most = interior_.distance[c] - explained;
+      const uint32_t explains = reach_of(owner_[c]);
+      if (interior_.distance[c] < explains + kLeastLength) continue;
+      if (interior_.distance[c] - explains <= most) continue;
+      most = interior_.distance[c] - explains;
       tip = c;
     }
     if (tip == kNoIndex) return false;
@@ -79,21 +79,11 @@ class Coverage {
     }
   }
 
-  template <class Visit>
-  void each_neighbour(uint32_t cell, Visit&& visit) const {
-    for (int32_t z = -1; z <= 1; ++z) {
-      for (int32_t y = -1; y <= 1; ++y) {
-        for (int32_t x = -1; x <= 1; ++x)
-          visit(cell + static_cast<uint32_t>((z * grid_.size[1] + y) * grid_.size[0] + x));
-      }
-    }
-  }
-
   // To where the body is deepest, as far from the bones as before.
   uint32_t centre_of(uint32_t cell) const {
     for (uint32_t i = 0; i < 16; ++i) {
       uint32_t best = cell;
-      each_neighbour(cell, [&](uint32_t other) {
+      grid_.each_neighbour(cell, [&](uint32_t other) {
         const int32_t off = int32_t{interior_.distance[other]} - int32_t{interior_.distance[cell]};
         if (off < -4 || off > 4 || owner_[other] != owner_[cell]) return;
         if (interior_.depth[other] > interior_.depth[best]) best = other;
@@ -113,7 +103,7 @@ class Coverage {
       path[count++] = cell;
       if (interior_.distance[cell] <= surface) break;
       uint32_t next = cell;
-      each_neighbour(cell, [&](uint32_t other) {
+      grid_.each_neighbour(cell, [&](uint32_t other) {
         if (interior_.distance[other] < interior_.distance[next] && interior_.depth[other] != 0) next = other;
       });
       if (next == cell) return false;
@@ -171,13 +161,16 @@ class Coverage {
     at.x = -at.x;
     return grid_.cell_of(at);
   }
-  // Whether cells there stand out as well.
+  // How far a joint's bones explain the body, fifths of a cell.
+  uint32_t reach_of(uint8_t owner) const { return kReach * radius_[owner] / 10 + kMargin; }
+  // Whether a cell or one beside it stands out as well.
   bool stands_out(uint32_t cell, uint8_t owner) const {
     bool found = false;
-    each_neighbour(cell, [&](uint32_t other) {
-      found = found || (interior_.depth[other] != 0 && owner_[other] == owner &&
-                        interior_.distance[other] >= kReach * radius_[owner] / 10 + kMargin);
-    });
+    const auto ask = [&](uint32_t c) {
+      found = found || (interior_.depth[c] != 0 && owner_[c] == owner && interior_.distance[c] >= reach_of(owner));
+    };
+    ask(cell);
+    grid_.each_neighbour(cell, ask);
     return found;
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What of a body no bone explains: limbs, tails, trunks and horns that no vote was for.
+// Chains of joints for the parts of a body that no bone explains: limbs, tails, trunks and horns without votes.
 #ifndef SINEW_RIG_COVERAGE_HPP
 #define SINEW_RIG_COVERAGE_HPP
 

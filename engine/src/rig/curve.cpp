@@ -64,23 +64,12 @@ class Curve {
     if (regions_[a].begin != regions_[b].begin) return regions_[a].begin < regions_[b].begin;
     return a < b;
   }
-  template <class Visit>
-  void each_neighbour(uint32_t cell, Visit&& visit) const {  // of a cell that is not in the border
-    for (int32_t z = -1; z <= 1; ++z) {
-      for (int32_t y = -1; y <= 1; ++y) {
-        for (int32_t x = -1; x <= 1; ++x) {
-          if (x != 0 || y != 0 || z != 0)
-            visit(cell + static_cast<uint32_t>((z * grid_.size[1] + y) * grid_.size[0] + x));
-        }
-      }
-    }
-  }
 
   SINEW_RARE void join_cells() {
     for (uint32_t c = 0; c < grid_.cell_count; ++c) {
       label_[c] = used(c) ? c : kNoIndex;
       if (label_[c] == kNoIndex) continue;
-      each_neighbour(c, [&](uint32_t other) {
+      grid_.each_neighbour(c, [&](uint32_t other) {
         if (other > c || label_[other] == kNoIndex || band(other) != band(c)) return;
         join_sets(label_, other, c);
       });
@@ -125,7 +114,7 @@ class Curve {
     region.parent = order_[0];
     for (uint32_t cell = region.first; interior_.distance[cell] != 0;) {
       uint32_t next = cell;
-      each_neighbour(cell, [&](uint32_t other) {
+      grid_.each_neighbour(cell, [&](uint32_t other) {
         if (grid_.states[other] != kCellBorder && interior_.distance[other] < interior_.distance[next]) next = other;
       });
       if (next == cell) return;

@@ -43,7 +43,8 @@ struct FoldedTree {
 // from a joint of a limb that has its next already costs more (rig/limbs.hpp). Ends are modes of the end votes that are tips.
 //   joints  in   [count], count >= 1, as from find_folded_joints()
 //   kind         of body: its limbs are arms or legs by where they are (rig/limbs.hpp), and the tree is grown by that
-//   tree    out  nodes have the joints' numbers
+//   interior     of the mesh, or null: ways are straight then, and nothing is covered. Its distances are overwritten
+//   tree    out  nodes have the joints' numbers; chains of coverage.hpp come after them
 //   arena        scratch, all of it released
 // Returns SINEW_OK or SINEW_ERROR_WORKSPACE.
 sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t count, BodyKind kind,

@@ -38,15 +38,15 @@ struct Interior {
   static size_t max_cells();
 };
 
-// Where ways through a body begin: at a solid cell, or in the air where none is near.
+// A cell that distances through a body are measured from. It is solid, or lies in the air where no solid cell is near.
 struct WayStart {
   uint32_t cell = 0;
   uint8_t owner = 0;
 };
 constexpr uint8_t kNoOwner = 0xFF;
 
-// The body divided among starts: of every solid cell the distance to the nearest start through the body, which takes the place of
-// that from the middle, and whose that start is. Of two starts in one cell the first counts.
+// Divides the body among starts. Every solid cell gets its distance through the body to the nearest start, which replaces the
+// distance from the middle, and the owner of that start. Of two starts in one cell the first counts.
 //   owner  out  [cells] kNoOwner where no way was needed
 // Scratch is taken from the arena and released. Returns arena.ok().
 bool divide_body(const WayStart* starts, uint32_t count, Arena& arena, Interior* interior, uint8_t* owner);

@@ -39,6 +39,17 @@ struct VoxelGrid {
   uint32_t index(int32_t x, int32_t y, int32_t z) const {
     return static_cast<uint32_t>((z * size[1] + y) * size[0] + x);
   }
+  // Calls visit(cell) for the 26 neighbours of a cell that is not in the border, in the order of cells.
+  template <class Visit>
+  void each_neighbour(uint32_t cell, Visit&& visit) const {
+    for (int32_t z = -1; z <= 1; ++z) {
+      for (int32_t y = -1; y <= 1; ++y) {
+        for (int32_t x = -1; x <= 1; ++x) {
+          if (x != 0 || y != 0 || z != 0) visit(cell + static_cast<uint32_t>((z * size[1] + y) * size[0] + x));
+        }
+      }
+    }
+  }
   uint32_t cell_of(Vec3i p) const { return index(coordinate(0, p.x), coordinate(1, p.y), coordinate(2, p.z)); }
   Vec3i centre(uint32_t cell) const {
     const int32_t x = static_cast<int32_t>(cell) % size[0], yz = static_cast<int32_t>(cell) / size[0];

@@ -24,7 +24,7 @@ class FrontSource {
   // Throws Error as RigSource does, and for a skeleton whose names do not tell left from right, or not where the front is.
   explicit FrontSource(const Character& character);
 
-  // Of one copy (RigSource): `upright` samples, frames in turn, and two that are not upright, each of points of its own.
+  // Samples of one copy (RigSource): `upright` upright ones, whose frames take turns, and two that lie. Each has its own points.
   std::vector<FrontSample> make(uint64_t seed, const RigVariant& variant, uint32_t upright = 2) const;
   // As it is, upright, in the first frame.
   FrontSample original(uint64_t seed) const;

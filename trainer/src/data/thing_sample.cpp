@@ -48,7 +48,7 @@ class Workshop {
   }
 
  private:
-  // A closed solid from a to b: a ring of `sides` corners for every radius. Four sides are a box.
+  // A closed solid from a to b: a ring of `sides` corners for every radius, of which there are two or more. Four sides are a box.
   //   flat  how much thinner it is in one direction across
   void add_turned(const Vector3d& a, const Vector3d& b, const std::vector<double>& radii, uint32_t sides,
                   double flat = 1) {
@@ -58,7 +58,7 @@ class Workshop {
     const auto first = static_cast<uint32_t>(surface_.vertices.size());
     const auto rings = static_cast<uint32_t>(radii.size());
     for (uint32_t k = 0; k < rings; ++k) {
-      const Vector3d middle = a + (b - a) * (rings == 1 ? 0.5 : k / (rings - 1.0));
+      const Vector3d middle = a + (b - a) * (k / (rings - 1.0));
       for (uint32_t i = 0; i < sides; ++i) {
         const double angle = kTurn * (i + 0.5) / sides;
         surface_.vertices.push_back(arr(middle + radii[k] * (std::cos(angle) * u + flat * std::sin(angle) * v)));

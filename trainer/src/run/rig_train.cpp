@@ -284,7 +284,6 @@ void train_rig(const RigTrainConfig& config, const TrainOptions& options) {
     }
     for (uint32_t i = 0; i < config.things; ++i) {
       requests.push_back({});
-      requests.back().seed = i;
       requests.back().thing = true;
     }
     const bool quiet = checked.quiet || (checked.ranks != nullptr && checked.ranks->rank() > 0);
