@@ -109,8 +109,9 @@ TEST(RigFront, IsFoundAtAnyAngleAndWithZUp) {
   plain.expect_sound();
   EXPECT_GT(plain.outputs.front[2], 0.99f);
   EXPECT_GT(plain.outputs.front_confidence, 0.7f);
-  for (const Orientation& orientation : {Orientation{30, false}, Orientation{45, false}, Orientation{90, false},
-                                         Orientation{180, false}, Orientation{0, true}, Orientation{250, true}}) {
+  for (const Orientation& orientation :
+       {Orientation{30, false}, Orientation{45, false}, Orientation{90, false}, Orientation{180, false},
+        Orientation{137.318, false}, Orientation{0, true}, Orientation{250, true}}) {
     const RiggedScene other(orientation.of(scene), options);
     expect_same_joints(plain, other, orientation, 0.005 * side_of(scene));
     EXPECT_EQ(other.outputs.up, orientation.z_up ? SINEW_UP_Z : SINEW_UP_Y);
@@ -118,6 +119,19 @@ TEST(RigFront, IsFoundAtAnyAngleAndWithZUp) {
     orientation.to(plain.outputs.front, front);
     for (int axis = 0; axis < 3; ++axis)
       EXPECT_NEAR(other.outputs.front[axis], front[axis], 0.01) << orientation.degrees;
+  }
+}
+
+// Angles that are found to a part of a step of the grid only: no joint comes or goes, and none moves.
+TEST(RigFront, AnyTurnHasTheSameSkeleton) {
+  sinew_rig_options options = SINEW_INIT(sinew_rig_options);
+  options.front_model = bundled_front_model();
+  for (const char* const file : {"biped__robot.obj", "bird__winged.obj"}) {
+    const MeshScene scene = from_file(file);
+    const RiggedScene plain(scene, options);
+    for (const double degrees : {12.3456, -77.7777, 101.0101, 163.9})
+      expect_same_joints(plain, RiggedScene(Orientation{degrees, false}.of(scene), options), {degrees, false},
+                         0.005 * side_of(scene));
   }
 }
 

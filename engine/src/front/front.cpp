@@ -24,9 +24,8 @@ constexpr int32_t kSheetDepth = kSide * 6 / 100;  // which is no deeper than tha
 constexpr int64_t kSureness = 2816, kLeaningSureness = 1549;
 // Below it the answer is left to the votes.
 constexpr float kClear = 0.7f;
-constexpr int64_t kAxisSnap =
-    kHeadingOne / 38;  // sine of 1.5 degrees: files stand along their axes, and what is off by less is off by accident
-constexpr int64_t kKnownSnap = kHeadingOne / 3;  // of 20 degrees, where the file's axes are known
+constexpr int64_t kAxisSnap = kHeadingOne / 573;  // sine of 0.1 degrees, which is how far off a plane is found
+constexpr int64_t kKnownSnap = kHeadingOne / 3;   // of 20 degrees, where the file's axes are known
 
 struct FrontMemory {
   int16_t *features, *outputs;
@@ -98,36 +97,6 @@ Heading snapped(Heading h) {
   return h;
 }
 
-// Rounded to tenths of a degree: what is found is off by less mostly, and a mesh that was turned by such an angle comes to the very
-// same positions, so that all that follows is the same.
-void set_turn(Heading front, Turn* turn) {
-  constexpr int64_t kHalfTurn = 1800;
-  const int64_t ways[3] = {front.z, front.z, front.z};
-  int32_t angles[3];  // shares of half a turn, Q30
-  angles_q30(abs64(front.x), ways, angles);
-  int64_t steps = round_shift(angles[0] * kHalfTurn, 30);
-  const bool back = steps > kHalfTurn / 2;
-  if (back) steps = kHalfTurn - steps;
-  // Cosines and sines of 1, 2, 4 .. tenths.
-  constexpr double kSteps[11][2] = {
-      {0.9999984769132877, 0.0017453283658983088}, {0.9999939076577904, 0.003490651415223732},
-      {0.9999756307053947, 0.0069812602979615525}, {0.9999025240093042, 0.013962180339145272},
-      {0.9996101150403544, 0.02792163872356888},   {0.998440764181981, 0.0558215049931638},
-      {0.9937679191605964, 0.11146893220632548},   {0.9751493543055633, 0.2215484976194673},
-      {0.9018325264051138, 0.4320857488019823},    {0.6266038113644605, 0.7793379649314741},
-      {-0.2147353271670632, 0.9766722783341679}};
-  double c = 1, s = 0;
-  for (uint32_t k = 0; k < 11; ++k) {
-    if ((steps >> k & 1) == 0) continue;
-    const double next = c * kSteps[k][0] - s * kSteps[k][1];
-    s = s * kSteps[k][0] + c * kSteps[k][1];
-    c = next;
-  }
-  if (steps == kHalfTurn / 2) c = 0;
-  turn->sine = to_float(front.x < 0 ? -s : s);
-  turn->cosine = to_float(back ? -c : c);
-}
-
 sinew_status place_front(const FrontQuestion& question, const Mesh& mesh, uint32_t grid_up, FrontAnswer answer,
                          Arena& arena, Front* front) {
   answer.z += question.axes_known ? kKnownFront : kUsualFront;
@@ -146,7 +115,8 @@ sinew_status place_front(const FrontQuestion& question, const Mesh& mesh, uint32
   } else {
     found = snapped(nearest_step(surface_axis(mesh, grid_up).along, wanted));
   }
-  set_turn(found, &front->turn);
+  front->turn.sine = to_float(static_cast<double>(found.x) / kHeadingOne);
+  front->turn.cosine = to_float(static_cast<double>(found.z) / kHeadingOne);
   const int64_t reach = round_shift(answer.x * found.x + answer.z * found.z, 28);
   front->confidence = front_likelihood(reach, mirrored);
   front->clear = front_likelihood(reach, true) >= kClear;

@@ -9,8 +9,8 @@ namespace sinew::rigging {
 namespace {
 
 constexpr uint32_t kSeedPoints = 1500;
-constexpr uint32_t kSteps = 25;
-constexpr int32_t kStill = side_share(1);
+constexpr uint32_t kSteps = 200;
+constexpr int32_t kStill = side_share(1) / 10;  // where a climb ends must not depend on where it began
 
 // exp(-d^2 / (2 h^2)) in Q15 at the middle of each of 256 pieces of d^2 / (9 h^2).
 struct KernelTable {
@@ -42,20 +42,17 @@ class Climb {
         reach_2_(static_cast<uint64_t>(square(reach_))),
         pieces_((uint64_t{1} << 48) / reach_2_) {}
 
-  // From a position to its mode; false if `caught` says that the way leads to a mode that is known.
-  template <class Caught>
-  bool run(Caught caught, Mode* mode) const {
+  // From a position to its mode.
+  void run(Mode* mode) const {
     for (uint32_t step = 0; step < kSteps; ++step) {
       const Pull pull = pull_at(mode->at);
       mode->density = pull.mass;
-      if (pull.mass == 0) return true;
+      if (pull.mass == 0) return;
       const Vec3i shift = round_div(pull.offset, pull.mass);
       mode->at = mode->at + shift;
       if (mirrored_ && mode->at.x < 0) mode->at.x = -mode->at.x;
-      if (extent({shift.x, 0, 0}) + extent({0, shift.y, 0}) + extent({0, 0, shift.z}) < kStill) return true;
-      if (caught(mode->at)) return false;
+      if (extent({shift.x, 0, 0}) + extent({0, shift.y, 0}) + extent({0, 0, shift.z}) < kStill) return;
     }
-    return true;
   }
 
  private:
@@ -145,8 +142,7 @@ uint32_t find_modes(const Cloud& cloud, int32_t bandwidth, bool mirrored, uint32
   for (uint32_t i = 0; i < left; ++i) order[i] &= kMaxVotes - 1;
 
   const Climb climb(cloud, bandwidth, mirrored);
-  const int64_t covered = square(bandwidth * 4 / 5), caught = square(bandwidth / 1000000),
-                same = square(bandwidth * 3 / 5);
+  const int64_t covered = square(bandwidth * 4 / 5), same = square(bandwidth * 3 / 5);
   uint32_t count = 0;
   for (uint32_t seed = 0; seed < most && left > 0; ++seed) {
     const Vec3i start = cloud.at[order[0]];
@@ -156,13 +152,7 @@ uint32_t find_modes(const Cloud& cloud, int32_t bandwidth, bool mirrored, uint32
     }
     left = kept;
     modes[count] = {start, 0};
-    const auto known = [&](Vec3i at) {
-      for (uint32_t m = 0; m < count; ++m) {
-        if (square_distance(at, modes[m].at) < caught) return true;
-      }
-      return false;
-    };
-    count += climb.run(known, modes + count) ? 1 : 0;
+    climb.run(modes + count++);
   }
   for (uint32_t m = 1; m < count; ++m) sort_in(modes, m);
   uint32_t kept = 0;

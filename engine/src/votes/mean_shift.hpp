@@ -40,7 +40,7 @@ struct Mode {
 
 // Climbs the density of a cloud from at most `most` <= kMaxModes seeds: the heaviest point, then the heaviest further
 // than 0.8 bandwidths from all seeds, among the 1,500 heaviest. The kernel is a Gaussian that ends at three bandwidths;
-// 25 steps, or until one is below 1e-4 of the side. A seed that comes to where another has ended is given up.
+// 200 steps, or until one is below 1e-5 of the side.
 //   cloud      in   order is overwritten
 //   bandwidth  in   up to 31,457 grid units (0.03 of the side)
 //   mirrored   in   the mirror images at -x count as well; no x of the cloud is negative, nor of the modes

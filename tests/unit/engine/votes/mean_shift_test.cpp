@@ -99,6 +99,20 @@ TEST(MeanShift, FindsBlobsByFallingDensityWhereTheDensityIsFlat) {
   }
 }
 
+// Along a ridge a climb is slow, and where it ends must not be where it tires.
+TEST(MeanShift, ARidgeHasOneModeWhereverAClimbBegins) {
+  std::vector<Point> points;
+  for (int32_t i = 0; i < 400; ++i)
+    points.push_back({{0, i * (kSide / 4) / 400, 0}, static_cast<uint32_t>(8000 - 20 * std::abs(i - 210))});
+  const Vec3i at = modes_of(points)[0].at;
+  for (const int32_t first : {20, 390}) {
+    points[static_cast<size_t>(first)].weight = 9000;
+    const Mode mode = modes_of(points, false, 1)[0];
+    points[static_cast<size_t>(first)].weight = 8000;
+    EXPECT_LT(std::abs(mode.at.y - at.y), kSide / 300) << first;
+  }
+}
+
 TEST(MeanShift, TheHeaviestPointIsTheFirstSeed) {
   const std::vector<Point> points = {{{0, 0, 0}, 400}, {{0, kSide / 2, 0}, 500}, {{0, kSide, 0}, 450}};
   const std::vector<Mode> modes = modes_of(points, false, 1);
