@@ -6,6 +6,7 @@ set(sinew_picture_sources
   picture/mesh/delaunay
   picture/mesh/picture_mesh
   picture/mesh/plane_mesh
+  picture/mesh/mesh_drawing
   picture/outline/background
   picture/outline/figure_parts
   picture/outline/figure
@@ -127,6 +128,7 @@ set(sinew_character_sources
 set(sinew_job_sources
   predict/own_skeleton
   picture/picture_job
+  picture/sheet_skeleton
   capi/animate
   capi/arrays
   capi/bake

@@ -82,7 +82,7 @@ void add_box(const Vec3& low, const Vec3& high, Character* mesh) {
   }
 }
 
-// A puppet cut from cardboard stands, whichever axis is up in its file.
+// A puppet cut from cardboard stands, whichever axis is up in its file, and has the joints of its outline.
 TEST_F(CliRig, ASheetStands) {
   Character puppet;
   puppet.name = "puppet";
@@ -96,9 +96,19 @@ TEST_F(CliRig, ASheetStands) {
   for (Vec3& v : puppet.vertices) v = {v.x, -v.z, v.y};
   write_obj(in("lying.obj"), puppet);
   for (const auto& [file, up] : {std::pair("puppet", "y"), std::pair("lying", "z")}) {
-    const auto made = nlohmann::json::parse(
-        good(std::string("rig ") + file + ".obj --method shape --no-bind --json -o made.rig.txt").out);
+    const auto made =
+        nlohmann::json::parse(good(std::string("rig ") + file + ".obj --no-bind --json -o made.rig.txt").out);
     EXPECT_EQ(made["up"], up);
+    EXPECT_EQ(made["front"][up == std::string("y") ? 2 : 1], up == std::string("y") ? 1 : -1);
+    std::map<std::string, std::array<double, 3>> joints;
+    for (const auto& joint : made["joints"]) joints[joint["name"]] = joint["position"];
+    const size_t height = up == std::string("y") ? 1 : 2;
+    for (const char* const wanted : {"Head", "LeftArm", "RightArm", "LeftUpLeg", "RightUpLeg"})
+      ASSERT_EQ(joints.count(wanted), 1u) << wanted << " " << file;
+    EXPECT_GT(joints["LeftArm"][0], joints["RightArm"][0]);
+    EXPECT_GT(joints["Head"][height], joints["LeftUpLeg"][height]);
+    for (const auto& [name, p] : joints)
+      EXPECT_LT(std::abs(p[3 - height]), 0.03) << name << " lies in the sheet: " << file;
   }
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "picture/sheet_skeleton.hpp"
 #include "predict/fit_details.hpp"
 #include "sinew/published.h"
 #include "sinew_character/check/check.hpp"
@@ -277,37 +278,34 @@ PredictedSkeleton predict_for_job(const RigJobOptions& job, const RigModels& mod
   options.toes = job.toes;
   options.ends = job.ends;
   PredictedSkeleton skeleton = predict_skeleton(*character, options);
+  if (job.method == RigMethod::kAuto) {
+    std::optional<PredictedSkeleton> sheet = sheet_skeleton(job, models, skeleton, character);
+    if (sheet) {
+      say_direction(job, *sheet, &character->notes);
+      return *std::move(sheet);
+    }
+  }
   leave_scenery_out(options, character, &skeleton);
   if (take_parts(job, character, &skeleton)) return skeleton;
   if (models.hands != nullptr && may_be_lone_hand(job, skeleton) &&
       put_lone_hand(models, options, character, &skeleton))
     return skeleton;
-  const float spread = skeleton.spread;
-  const std::optional<float> usable = skeleton.usable;
   const bool told = job.category != SINEW_CATEGORY_ANY && !job.category_guessed;
-  if (job.method == RigMethod::kAuto && !told && spread > kNoBodySpread) {
+  if (job.method == RigMethod::kAuto && !told && skeleton.spread > kNoBodySpread) {
     skeleton = root_alone(*character, skeleton);
     character->notes.push_back(
         "warning: this mesh is taken for no body, a guess, so it has one joint; --class vehicle finds wheels and "
         "doors, --method "
         "shape lays joints along the middle line, --method votes gives the model's guess");
-  } else if (job.method == RigMethod::kAuto && !told && spread > kUnknownSpread) {
-    options.method = SINEW_RIG_SHAPE;
-    options.category = SINEW_CATEGORY_ANY;
-    skeleton = predict_skeleton(*character, options);
-    skeleton.spread = spread;
-    skeleton.usable = usable;
-    character->notes.push_back(
-        "warning: this mesh resembles nothing that the model knows, so the joints follow its middle line and have no "
-        "names; --method votes gives the model's guess");
-  } else if (job.method == RigMethod::kSlots && spread > kDoubtfulSlots) {
+  } else if (job.method == RigMethod::kSlots && skeleton.spread > kDoubtfulSlots) {
     character->notes.push_back(
         "warning: this mesh resembles little that the model knows; look at the joints before using them, or try "
         "--method shape");
-  } else if (usable && *usable < kDoubtfulUsable) {
+  } else if (skeleton.usable && *skeleton.usable < kDoubtfulUsable) {
     character->notes.push_back(
         "warning: this mesh resembles little that the model knows: the skeleton can be used with a probability of " +
-        std::to_string(std::lround(100 * *usable)) + " %; look at the joints before using them, or try --method shape");
+        std::to_string(std::lround(100 * *skeleton.usable)) +
+        " %; look at the joints before using them, or try --method shape");
   } else if (options.method == SINEW_RIG_VOTES && weak_parents(skeleton) > kMostGuessed) {
     character->notes.push_back("warning: most joints guess what they hang on; look at the hierarchy before using it");
   }

@@ -54,10 +54,8 @@ struct PredictedSkeleton {
 float usable_probability(float spread, bool mirrored);
 // Below it the user is told.
 constexpr float kDoubtfulUsable = 0.4f;
-// PredictedSkeleton::spread, the votes' own idea of how far off they are, says when they know nothing.
-// Above it votes are as far off as the mesh's middle line (SINEW_RIG_SHAPE), which claims less; above the second the mesh is no body
-// (trainer/configs/RESULTS.md).
-constexpr float kUnknownSpread = 0.09f, kNoBodySpread = 0.25f;
+// PredictedSkeleton::spread is the votes' own idea of how far off they are. Above this the mesh is no body (trainer/configs/RESULTS.md).
+constexpr float kNoBodySpread = 0.25f;
 
 // Below it a front or an up axis that was found is a coin toss, and the user is told so.
 constexpr float kCoinToss = 0.7f;

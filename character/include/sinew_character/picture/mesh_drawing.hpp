@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// What `sinew rig PICTURE` would make of a mesh's outline, in the mesh's own units.
+#ifndef SINEW_CHARACTER_PICTURE_MESH_DRAWING_HPP
+#define SINEW_CHARACTER_PICTURE_MESH_DRAWING_HPP
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sinew_character/picture/figure.hpp"
+#include "sinew_formats/base/point.hpp"
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+// Triangles drawn as a picture shows them: x right, y up, z to who looks.
+class MeshDrawing {
+ public:
+  //   vertices   [V] with an extent along x or y
+  //   triangles  numbers of vertices
+  //   pixels     along the longest side, at least 32
+  MeshDrawing(const std::vector<Point3>& vertices, const std::vector<std::array<uint32_t, 3>>& triangles,
+             uint32_t pixels);
+
+  Figure figure() const;
+  // picture_mesh() of the figure, in the axes and units of the vertices. Throws Error where too few pixels are covered.
+  Character round_mesh() const;
+  // The corner that is drawn nearest to a point of the round mesh: of what is seen, or, behind the plane (z < 0), of what is seen from
+  // the other side.
+  uint32_t corner_at(const Vec3& p) const;
+
+ private:
+  void fill(const std::array<Point3, 3>& corners, const std::array<uint32_t, 3>& numbers);
+  void put(size_t pixel, double depth, uint32_t corner);
+  double x_of(double x) const;
+  double y_of(double y) const;
+
+  double scale_ = 1, left_ = 0, top_ = 0;
+  uint32_t width_ = 0, height_ = 0;
+  std::vector<double> near_, far_;                  // [height x width]
+  std::vector<uint32_t> near_corner_, far_corner_;  // [height x width] vertex
+};
+
+}  // namespace sinew
+#endif
