@@ -58,8 +58,8 @@ void Anatomy::find_sides() {
   const auto limit = [&](int32_t i) { return frame.mate[i] >= 0 ? near : 3 * near; };
   int32_t* const right = limb_head;
   for (int32_t i = 0; i < r.n; ++i) {
-    left[i] = x[i] > limit(i) ? 1 : 0;
-    right[i] = x[i] < -limit(i) ? 1 : 0;
+    left[i] = r.apart[i] == 0 && x[i] > limit(i) ? 1 : 0;
+    right[i] = r.apart[i] == 0 && x[i] < -limit(i) ? 1 : 0;
   }
   for (int32_t k = r.n - 1; k >= 0; --k) {
     const int32_t i = r.order[k], p = r.parent[i];
@@ -70,7 +70,7 @@ void Anatomy::find_sides() {
   const auto one_sided = [&](int32_t i) { return (left[i] > 0) != (right[i] > 0); };
   for (int32_t i = 0; i < r.n; ++i) {
     side[i] = 0;
-    if (!mirrored) continue;  // one chain, however it bends
+    if (!mirrored || r.apart[i] != 0) continue;  // one chain, however it bends
     if (frame.posed) {
       side[i] = frame.side[i];
     } else if (absolute(x[i]) > limit(i)) {

@@ -35,7 +35,7 @@ void Anatomy::find_lying() {
   bool any = false;
   double rear = 0, front = 0, low = 0, high = 0;
   for (int32_t i = 0; i < rig->n; ++i) {
-    if (side[i] != 0) continue;
+    if (side[i] != 0 || rig->apart[i] != 0) continue;
     const double a = ahead(at(i)), h = height[i];
     rear = any ? lesser(rear, a) : a;
     front = any ? greater(front, a) : a;

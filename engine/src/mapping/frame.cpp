@@ -88,11 +88,12 @@ struct NormalFinder {
 
 struct MirrorScore {
   const Hierarchy& rig;
-  double* along;   // [n] P.normal
-  int32_t* line;   // [n] joints by depth, then along the normal
-  int32_t* first;  // [n + 1] where a depth begins in `line`
-  int32_t* trial;  // [n]
-  int32_t* mate;   // [n] of the best plane
+  double* along;     // [n] P.normal
+  int32_t* line;     // [body] joints of the body by depth, then along the normal
+  int32_t* first;    // [n + 1] where a depth begins in `line`
+  int32_t* trial;    // [n]
+  int32_t* mate;     // [n] of the best plane
+  int32_t body = 0;  // joints of it
   double plane = 0;
 
   bool allocate(Arena& arena, uint32_t joints) {
@@ -105,26 +106,28 @@ struct MirrorScore {
   }
   void prepare() {
     for (int32_t d = 0; d <= rig.n + 1; ++d) first[d] = 0;
-    for (int32_t i = 0; i < rig.n; ++i) ++first[rig.depth[i] + 1];
+    for (int32_t i = 0; i < rig.n; ++i) first[rig.depth[i] + 1] += rig.apart[i] == 0 ? 1 : 0;
     for (int32_t d = 0; d <= rig.n; ++d) first[d + 1] += first[d];
   }
   // Best of four planes across `normal`; leaves its mates.
   double score(const Point& normal) {
+    double sum = 0;
+    body = 0;
     for (int32_t i = 0; i < rig.n; ++i) {
       along[i] = dot(rig.at[i], normal);
-      line[i] = i;
+      if (rig.apart[i] != 0) continue;
+      line[body++] = i;
+      sum += along[i];
     }
-    heap_sort(line, static_cast<size_t>(rig.n),
+    heap_sort(line, static_cast<size_t>(body),
               [&](int32_t a, int32_t b) { return along[a] != along[b] ? along[a] < along[b] : a < b; });
-    double sum = 0;
-    for (int32_t i = 0; i < rig.n; ++i) sum += along[i];
-    const double low = along[line[0]], high = along[line[rig.n - 1]];
-    const double median = 0.5 * (along[line[(rig.n - 1) / 2]] + along[line[rig.n / 2]]);
-    heap_sort(line, static_cast<size_t>(rig.n), [&](int32_t a, int32_t b) {
+    const double low = along[line[0]], high = along[line[body - 1]];
+    const double median = 0.5 * (along[line[(body - 1) / 2]] + along[line[body / 2]]);
+    heap_sort(line, static_cast<size_t>(body), [&](int32_t a, int32_t b) {
       if (rig.depth[a] != rig.depth[b]) return rig.depth[a] < rig.depth[b];
       return along[a] != along[b] ? along[a] < along[b] : a < b;
     });
-    const double planes[4] = {along[rig.first_root()], sum / rig.n, median, 0.5 * (low + high)};
+    const double planes[4] = {along[rig.first_of_body()], sum / body, median, 0.5 * (low + high)};
     double best = -1e30;
     for (const double o : planes) {
       const double own = score_plane(normal, o);
@@ -142,6 +145,7 @@ struct MirrorScore {
     double sum = 0;
     for (int32_t i = 0; i < rig.n; ++i) {
       trial[i] = -1;
+      if (rig.apart[i] != 0) continue;
       const double off = along[i] - o;
       if (!(absolute(off) > kOff * rig.size)) continue;
       const Point image = rig.at[i] - (2 * off) * normal;
@@ -192,8 +196,9 @@ struct UpFinder {
     for (int32_t i = 0; i < rig.n; ++i) {
       height[i] = dot(rig.at[i], up);
       descent[i] = -1;
-      lowest = i == 0 ? height[i] : lesser(lowest, height[i]);
-      highest = i == 0 ? height[i] : greater(highest, height[i]);
+      if (rig.apart[i] != 0) continue;
+      lowest = pairs + singles == 0 ? height[i] : lesser(lowest, height[i]);
+      highest = pairs + singles == 0 ? height[i] : greater(highest, height[i]);
       if (mate[i] >= 0) {
         low = pairs++ == 0 ? height[i] : lesser(low, height[i]);
       } else {

@@ -5,7 +5,28 @@
 namespace sinew::mapping {
 namespace {
 
+constexpr int kMostFarBones = 64;   // that are looked at
+constexpr int32_t kApartShare = 8;  // at most one joint of so many is no part of the body
+
 bool is_finite(double a) { return a - a == 0; }
+
+struct Box {
+  Point low = {1e300, 1e300, 1e300}, high = {-1e300, -1e300, -1e300};
+
+  void add(const Point& p) {
+    low = {lesser(low.x, p.x), lesser(low.y, p.y), lesser(low.z, p.z)};
+    high = {greater(high.x, p.x), greater(high.y, p.y), greater(high.z, p.z)};
+  }
+  double diagonal() const { return distance(low, high); }
+};
+
+double gap(const Box& a, const Box& b) {
+  const auto off = [](double low, double high, double other_low, double other_high) {
+    return greater(0, greater(other_low - high, low - other_high));
+  };
+  return length(Point{off(a.low.x, a.high.x, b.low.x, b.high.x), off(a.low.y, a.high.y, b.low.y, b.high.y),
+                      off(a.low.z, a.high.z, b.low.z, b.high.z)});
+}
 
 }  // namespace
 
@@ -21,6 +42,7 @@ bool Hierarchy::allocate(Arena& arena, uint32_t joints) {
   count = arena.alloc<int32_t>(joints);
   reach = arena.alloc<double>(joints);
   end = arena.alloc<uint8_t>(joints);
+  apart = arena.alloc<uint8_t>(joints);
   names = arena.alloc<JointName>(joints);
   return arena.ok();
 }
@@ -29,19 +51,13 @@ sinew_status Hierarchy::build(const sinew_skeleton& rig, bool with_names) {
   n = static_cast<int32_t>(rig.joint_count);
   has_names = with_names;
   has_ends = rig.ends != nullptr;  // or names tell of some, see below
-  Point low, high;
   for (int32_t i = 0; i < n; ++i) {
     const float* const p = rig.positions + size_t{3} * static_cast<size_t>(i);
     at[i] = {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
     if (!is_finite(at[i].x) || !is_finite(at[i].y) || !is_finite(at[i].z)) return SINEW_ERROR_NOT_FINITE;
-    if (i == 0) low = high = at[0];
-    low = {lesser(low.x, at[i].x), lesser(low.y, at[i].y), lesser(low.z, at[i].z)};
-    high = {greater(high.x, at[i].x), greater(high.y, at[i].y), greater(high.z, at[i].z)};
     parent[i] = rig.parents[i];
     if (parent[i] < -1 || parent[i] >= n) return SINEW_ERROR_INDEX;
   }
-  size = distance(low, high);
-  if (!(size > 0)) size = 1;
   for (int32_t i = 0; i <= n + 1; ++i) kid_offsets[i] = 0;
   for (int32_t i = 0; i < n; ++i) ++kid_offsets[(parent[i] >= 0 ? parent[i] : n) + 1];
   for (int32_t i = 0; i <= n; ++i) kid_offsets[i + 1] += kid_offsets[i];
@@ -84,8 +100,10 @@ sinew_status Hierarchy::build(const sinew_skeleton& rig, bool with_names) {
     count[p] += count[i];
     reach[p] = greater(reach[p], reach[i] + bone(i, p));
   }
+  find_body();
   for (int32_t i = 0; i < n; ++i) {
-    end[i] = rig.ends != nullptr && rig.ends[i] != 0 && parent[i] >= 0 ? 1 : 0;
+    const bool told = rig.ends != nullptr && rig.ends[i] != 0;
+    end[i] = (told || is_beside_body(i)) && parent[i] >= 0 ? 1 : 0;
     names[i] = JointName();
     if (!with_names) continue;
     names[i] = names::read_joint_name(rig.names[i]);
@@ -97,8 +115,39 @@ sinew_status Hierarchy::build(const sinew_skeleton& rig, bool with_names) {
   return SINEW_OK;
 }
 
+void Hierarchy::find_body() {
+  const auto box_of = [&](bool inside, int32_t from,
+                          int32_t to) {  // of joints whose positions in `order` are [from, to), or are not
+    Box box;
+    for (int32_t k = 0; k < n; ++k)
+      if ((from <= k && k < to) == inside) box.add(at[order[k]]);
+    return box;
+  };
+  for (int32_t i = 0; i < n; ++i) apart[i] = 0;
+  const double whole = box_of(true, 0, n).diagonal();
+  int looked_at = 0;
+  for (int32_t k = 0; k < n && looked_at < kMostFarBones; ++k) {
+    const int32_t i = order[k], last = k + count[i];
+    // A gap that is larger than one side and the bones across it is a third of the whole at least.
+    if (count[i] == n || (parent[i] >= 0 && 3 * bone(i, parent[i]) < whole)) continue;
+    ++looked_at;
+    const Box inner = box_of(true, k, last), outer = box_of(false, k, last);
+    const bool leave_inner = 2 * count[i] <= n;
+    if (kApartShare * (leave_inner ? count[i] : n - count[i]) > n) continue;
+    if (!(gap(inner, outer) > (leave_inner ? outer : inner).diagonal())) continue;
+    for (int32_t m = 0; m < n; ++m)
+      if ((k <= m && m < last) == leave_inner) apart[order[m]] = 1;
+  }
+  Box body;
+  for (int32_t i = 0; i < n; ++i)
+    if (apart[i] == 0) body.add(at[i]);
+  size = body.diagonal();
+  if (!(size > 0)) size = 1;
+}
+
 void Hierarchy::take_leaves_as_ends(bool yes) {
-  for (int32_t i = 0; i < n && !has_ends; ++i) end[i] = yes && kid_count(i) == 0 && parent[i] >= 0 ? 1 : 0;
+  for (int32_t i = 0; i < n && !has_ends; ++i)
+    end[i] = ((yes && kid_count(i) == 0) || is_beside_body(i)) && parent[i] >= 0 ? 1 : 0;
 }
 
 }  // namespace sinew::mapping

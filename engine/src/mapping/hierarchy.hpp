@@ -26,10 +26,11 @@ struct Hierarchy {
   int32_t* count = nullptr;        // [n] joints of the subtree
   double* reach = nullptr;         // [n] longest way down
   uint8_t* end = nullptr;          // [n] only says where a bone ends
-  JointName* names = nullptr;      // [n] what names say
+  uint8_t* apart = nullptr;  // [n] farther from the body than the body is large: a root that stays where a stage begins
+  JointName* names = nullptr;  // [n] what names say
   bool has_names = false;
   bool has_ends = false;  // the caller or names told which are ends
-  double size = 1;        // diagonal of the joints' box
+  double size = 1;        // diagonal of the box of the body's joints
 
   bool allocate(Arena& arena, uint32_t joints);
   // From the caller's rig. SINEW_ERROR_NOT_FINITE, SINEW_ERROR_INDEX, SINEW_ERROR_HIERARCHY.
@@ -47,6 +48,13 @@ struct Hierarchy {
     return false;
   }
   int32_t first_root() const { return kids[kid_offsets[n]]; }
+  int32_t first_of_body() const {
+    int32_t k = 0;
+    while (apart[order[k]] != 0) ++k;
+    return order[k];
+  }
+  // Apart from the body, and no joint that carries it.
+  bool is_beside_body(int32_t joint) const { return apart[joint] != 0 && !holds(joint, first_of_body()); }
   // Whether `above` is `joint` or one of its ancestors.
   bool holds(int32_t above, int32_t joint) const {
     return position[above] <= position[joint] && position[joint] < position[above] + count[above];
@@ -58,6 +66,11 @@ struct Hierarchy {
   }
   double bone(int32_t a, int32_t b) const { return distance(at[a], at[b]); }
   Part part(int32_t joint) const { return names[joint].plain; }
+
+ private:
+  // Fills `apart` and `size`. Of a joint's subtree and of all else the one with fewer joints is apart, where the gap between both is
+  // larger than the other.
+  void find_body();
 };
 
 // Calls body(child) for each child in the order of their numbers.

@@ -46,9 +46,10 @@ int32_t Anatomy::common_attach(const LimbPair& pair) const {
 }
 
 void Anatomy::find_legs() {
-  ground = height[0];
-  double top = height[0];
-  for (int32_t i = 1; i < rig->n; ++i) {
+  ground = height[rig->first_of_body()];
+  double top = ground;
+  for (int32_t i = 0; i < rig->n; ++i) {
+    if (rig->apart[i] != 0) continue;
     ground = lesser(ground, height[i]);
     top = greater(top, height[i]);
   }

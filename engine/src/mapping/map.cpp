@@ -101,7 +101,7 @@ double unlikeness(const Hierarchy& target, const Hierarchy& source, const int32_
   return static_cast<double>(alone) / (all > 0 ? all : 1);
 }
 
-// Puts pins in, and takes out what shares a source with another joint or crosses the way of one.
+// Takes out joints whose names contradict those of their sources, puts pins in, and takes out what shares a source with another joint or crosses the way of one.
 class Cleaner {
  public:
   Cleaner(const Hierarchy& target, const Hierarchy& source, const Pins& pins, int32_t* sources, uint8_t* reasons,
@@ -109,7 +109,10 @@ class Cleaner {
       : a_(target), b_(source), pins_(pins), sources_(sources), reasons_(reasons), owner_(owner) {}
 
   void run(bool one_to_one) {
-    for (int32_t i = 0; i < a_.n; ++i) reasons_[i] = SINEW_MAP_FOUND;
+    for (int32_t i = 0; i < a_.n; ++i) {
+      reasons_[i] = SINEW_MAP_FOUND;
+      if (a_.has_names && sources_[i] >= 0 && contradict(a_.names[i], b_.names[sources_[i]])) sources_[i] = -1;
+    }
     for (int32_t i = 0; i < a_.n && pins_.any; ++i) {
       if (pins_.source_of[i] == Pins::kFree) continue;
       sources_[i] = pins_.source_of[i];
@@ -171,7 +174,8 @@ void explain(const Anatomy& target, const int32_t* sources, uint8_t* reasons) {
   const Hierarchy& rig = *target.rig;
   for (int32_t i = 0; i < rig.n; ++i) {
     if (sources[i] >= 0 || reasons[i] != SINEW_MAP_FOUND) continue;
-    reasons[i] = rig.end[i] != 0             ? SINEW_MAP_END
+    reasons[i] = rig.apart[i] != 0           ? SINEW_MAP_OUTSIDE
+                 : rig.end[i] != 0           ? SINEW_MAP_END
                  : !rig.holds(target.hip, i) ? SINEW_MAP_OUTSIDE
                  : target.limbs.full         ? SINEW_MAP_BESIDE_LIMITS
                                              : SINEW_MAP_NO_COUNTERPART;
@@ -257,8 +261,7 @@ class MapRun {
     }
     if (!match(best_target, best_source, &matcher)) return false;
     if (arena_.measuring() || !target_.rig.has_names) return true;
-    // Where anatomy finds a counterpart for most, as between a person and an animal, it stays.
-    named_ = says_little() && pin_plain_names(target_.rig, source_.rig, own_.sources, &pins_);
+    named_ = pin_plain_names(target_.rig, source_.rig, own_.sources, &pins_);
     return !named_ || match(best_target, best_source, &matcher);
   }
 

@@ -7,8 +7,9 @@ namespace {
 
 constexpr double kPairAlone = 0.9, kSingleAlone = 0.7, kOtherAlone = 0.8;  // leaving out costs this, each side
 constexpr double kPointLimb = 0.3;
-constexpr double kOtherSide = 2;  // a single limb on the other side
-constexpr double kPin = 40;       // more than anything else that is compared
+constexpr double kOtherSide = 2;      // a single limb on the other side
+constexpr double kContradiction = 1;  // of two joints' names
+constexpr double kPin = 40;           // more than anything else that is compared
 
 }  // namespace
 
@@ -66,7 +67,7 @@ double Matcher::name_cost(int32_t i, int32_t j) const {
       cost -= 0.12;
     } else if (!((limb == Part::kUpperArm || limb == Part::kUpLeg) && limb == limb_part(b.plain) &&
                  (is_animal(a.plain) || is_animal(b.plain)))) {
-      cost += 0.12;
+      cost += contradict(a, b) ? kContradiction : 0.12;
     }
   }
   if (a.is_end_of_map() != b.is_end_of_map()) cost += 0.1;
@@ -187,7 +188,7 @@ void Matcher::match_trunk() {
     return top;
   };
   const int32_t ra = top_of(a), rb = top_of(b);
-  if (ra >= 0 && rb >= 0) put(ra, rb, 0.2);
+  if (ra >= 0 && rb >= 0 && a.rig->apart[ra] == b.rig->apart[rb]) put(ra, rb, 0.2);
   // Segments of the two spines between landmarks that both have.
   int32_t from_a = 0, from_b = 0;
   const auto base = [](const Anatomy& rig, int32_t from) { return from > 0 ? rig.spine[from - 1] : rig.hip; };

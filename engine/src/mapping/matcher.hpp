@@ -96,8 +96,11 @@ inline void add_up_lengths(const Point* points, int32_t count, Point from, doubl
   }
 }
 
-// What plain names of two bodies say of each other, where anatomy goes wrong. Whether a map by anatomy goes against so many of the joints of limbs and heads that are named alike, each once in its rig, that its
-// reading of one of the bodies is wrong; of upright ones alone. Then these joints are pinned; pins that the caller gave stay.
+// Whether two plain names say parts that never stand for each other: a jaw and a head, a finger and a shoulder.
+bool contradict(const JointName& a, const JointName& b);
+
+// Whether a map by anatomy goes against joints of limbs and heads that are named alike, each once in its rig: its reading of one of the
+// bodies is wrong there. Of upright bodies alone. Then these joints are pinned; pins that the caller gave stay.
 //   sources  [target n] the map
 bool pin_plain_names(const Hierarchy& target, const Hierarchy& source, const int32_t* sources, Pins* pins);
 

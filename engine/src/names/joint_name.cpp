@@ -22,7 +22,7 @@ uint64_t add_text(uint64_t hash, const Text& text) {
 
 // What a name ends with, but for .001 and _021: a separator and at least two digits behind another number's digits or a word.
 int32_t number_at_end(const char* name) {
-  size_t end = static_cast<size_t>(length_of(name));
+  size_t end = static_cast<size_t>(length_without_id(name, length_of(name)));
   for (size_t digits = 0; digits < end; ++digits) {
     const char c = name[end - 1 - digits];
     if (is_digit(c)) continue;

@@ -5,6 +5,8 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "names/words.hpp"
+
 namespace sinew::names {
 namespace {
 
@@ -71,6 +73,7 @@ Tokens::Tokens(const char* name) {
     source += plain != 0 ? 3 : 1;
   }
   from[kept] = static_cast<int16_t>(length);
+  kept = length_without_id(buffer_, kept);
   memset(buffer_ + kept, 0, 3);
   for (int i = 0; i < kept && count < kMostTokens;) {
     if (!is_kept(buffer_[i])) {
@@ -92,6 +95,21 @@ Tokens::Tokens(const char* name) {
   for (int i = 0; i < kept; ++i) {
     if (is_upper(buffer_[i])) buffer_[i] = static_cast<char>(buffer_[i] - 'A' + 'a');
   }
+}
+
+int length_without_id(const char* name, int length) {
+  constexpr int kId = 3, kGap = 2;
+  const int behind = length - kId;
+  if (behind <= kGap || name[behind - 1] != '_' || name[behind - kGap] != '_') return length;
+  char id[kId];
+  int digits = 0;
+  for (int i = 0; i < kId; ++i) {
+    const char c = name[behind + i];
+    if (!is_letter(c) && !is_digit(c)) return length;
+    digits += is_digit(c) ? 1 : 0;
+    id[i] = is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return digits == kId || find_word({id, kId}) != nullptr ? length : behind - kGap;
 }
 
 uint32_t hash_of(const Text& text, uint32_t seed) {

@@ -22,6 +22,10 @@ inline int length_of(const char* text) {
   return length;
 }
 
+// Bytes before an id that a tool appended to make names unique: Head__k3W. Two underscores, then three letters and digits, no number and no
+// word of the table.
+int length_without_id(const char* name, int length);
+
 // The first of `c` in `text`, or null.
 inline const char* find_letter(const char* text, char c) {
   for (int i = 0; i < kMostTextBytes && text[i] != 0; ++i) {

@@ -161,6 +161,7 @@ constexpr Word kWords[] = {
     {"lower", P::kNone, kLower},
     {"low", P::kNone, kLower},
     {"front", P::kNone, kFront},
+    {"fore", P::kNone, kFront},
     {"hind", P::kNone, kHind},
     {"rear", P::kNone, kHind},
     // Ends of bones.

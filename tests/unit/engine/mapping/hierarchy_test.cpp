@@ -41,6 +41,27 @@ TEST(MapHierarchy, ReachIsTheLongestPathDown) {
   EXPECT_EQ(small.rig.reach[4], 0);
 }
 
+// A root and a target beside the body do not make it larger; a joint or two of a small rig are not left out.
+TEST(MapHierarchy, SizeIsThatOfTheBody) {
+  SmallRig small;
+  const size_t body = small.parents.size();
+  for (int32_t& parent : small.parents) ++parent;
+  small.parents.insert(small.parents.begin(), -1);
+  small.positions.insert(small.positions.begin(), {0, 0, 9});
+  ASSERT_EQ(small.build(), SINEW_OK);
+  const double diagonal = length(Point{4, 2, 0.5});
+  EXPECT_NEAR(small.rig.size, diagonal, 1e-9);
+  EXPECT_EQ(small.rig.apart[0], 1);
+  for (size_t j = 1; j <= body; ++j) EXPECT_EQ(small.rig.apart[j], 0);
+  EXPECT_EQ(small.rig.first_of_body(), 1);
+  EXPECT_EQ(small.rig.end[0], 0) << "it carries the body";
+  SmallRig pair;
+  pair.parents = {-1, 0};
+  pair.positions = {0, 0, 0, 0, 0, 5};
+  ASSERT_EQ(pair.build(), SINEW_OK);
+  EXPECT_EQ(pair.rig.size, 5);
+}
+
 TEST(MapHierarchy, CirclesAndWrongParentsAreRefused) {
   SmallRig circle;
   circle.parents[3] = 4;

@@ -230,6 +230,42 @@ TEST(Map, PlainNamesWinOverOddCopiesOfBones) {
   EXPECT_EQ(call.source_of(a, b, "Head"), "Character1_Head");
 }
 
+// A body under a root that stays where its stage begins: size and middle are the body's, with names and without.
+TEST(Map, ARootFarFromTheBodyIsNoPartOfIt) {
+  const TestRig target = humanoid(2, true), body = humanoid(2, true);
+  TestRig source;
+  source.add("joint_Root", -1, 0.02f, 0.1f, 4.5f);
+  for (size_t i = 0; i < body.names.size(); ++i) {
+    const float* const p = &body.positions[3 * i];
+    source.add(body.names[i], body.parents[i] + 1, p[0], p[1], p[2], body.ends[i] != 0);
+  }
+  for (const bool names : {false, true}) {
+    MapCall call;
+    call.names = names;
+    ASSERT_EQ(call.run(target, source).status, SINEW_OK);
+    for (const std::string& name : target.names) EXPECT_EQ(call.source_of(target, source, name), name) << names;
+    ASSERT_EQ(call.run(source, target).status, SINEW_OK);
+    EXPECT_EQ(call.source_of(source, target, "joint_Root"), "-");
+    EXPECT_EQ(call.reasons[0], SINEW_MAP_OUTSIDE);
+    for (const std::string& name : target.names) EXPECT_EQ(call.source_of(source, target, name), name) << names;
+  }
+}
+
+// A jaw where the other body has its head: names that contradict are no pair.
+TEST(Map, AJawDoesNotMoveAsAHead) {
+  TestRig target = humanoid(2, true), source = humanoid(2, true);
+  target.names[static_cast<size_t>(target.find("Head"))] = "Jaw";
+  source.names[static_cast<size_t>(source.find("LeftHand"))] = "LeftHandThumb1";
+  MapCall call;
+  call.names = true;
+  ASSERT_EQ(call.run(target, source).status, SINEW_OK);
+  EXPECT_EQ(call.source_of(target, source, "Jaw"), "-");
+  EXPECT_EQ(call.source_of(target, source, "RightHand"), "RightHand");
+  source.names[static_cast<size_t>(source.find("RightHand"))] = "RightForeArmTwist";
+  ASSERT_EQ(call.run(target, source).status, SINEW_OK);
+  EXPECT_EQ(call.source_of(target, source, "RightHand"), "-");
+}
+
 TEST(Map, OrderOfJointsDoesNotMatter) {
   const TestRig a = humanoid(3, true), b = humanoid(2, false);
   TestRig turned;

@@ -115,6 +115,19 @@ TEST(JointName, NumbersThatToolsAppendAreNone) {
   EXPECT_EQ(read_joint_name("").own_number, -1);
 }
 
+// Three letters and digits behind two underscores, whatever they would say as words; an end, a number and a word before them count.
+TEST(JointName, IdsThatToolsAppendSayNothing) {
+  for (const char* id : {"__k3W", "__Rdx", "__vyh", "__7L2"}) {
+    const JointName thigh = read_joint_name(("Bip01_L_Thigh" + std::string(id)).c_str());
+    EXPECT_EQ(thigh.plain, Part::kUpLeg) << id;
+    EXPECT_EQ(thigh.side, 1) << id;
+    EXPECT_TRUE(thigh.exact) << id;
+    EXPECT_EQ(read_joint_name(("Tail2" + std::string(id)).c_str()).own_number, 2) << id;
+  }
+  EXPECT_TRUE(read_joint_name("Head__end").is_end());
+  EXPECT_EQ(read_joint_name("Tail__003").own_number, read_joint_name("Tail_003").own_number);
+}
+
 TEST(JointName, SidesAreExchangedInTheirOwnWriting) {
   const std::vector<std::pair<std::string, std::string>> pairs = {{"mixamorig:LeftArm", "mixamorig:RightArm"},
                                                                   {"leftUpperArm", "rightUpperArm"},
