@@ -87,6 +87,7 @@ set(sinew_character_sources
   motion/retarget
   motion/simplify_skeleton
   motion/stance
+  motion/typical_pose
   motion/upright_body
   motion/urdf_limits
   check/bone_distance

@@ -90,6 +90,27 @@ inline Motion with_random_axes(const Motion& motion, uint32_t seed = 1) {
     return normalised({part(), part(), part(), part()});
   });
 }
+// All bones along x at rest, as programs write them whose joints have their bones there.
+inline Motion with_bones_in_one_line(const Motion& motion) {
+  std::vector<Quaternion> turns(motion.joints.size(), kNoRotation4);
+  for (size_t j = motion.joints.size(); j-- > 1;)  // the first child decides
+    turns[static_cast<size_t>(motion.joints[j].parent)] = rotation_between(motion.joints[j].offset, {1, 0, 0});
+  return with_axes(motion, [&](size_t j) { return turns[j]; });
+}
+// Under a root that stays at the origin, the body far from it.
+inline Motion with_far_root(const Motion& motion, const Point3& away) {
+  Motion out = motion;
+  for (MotionJoint& joint : out.joints) ++joint.parent;
+  out.joints.insert(out.joints.begin(), {"joint_Root", -1, {0, 0, 0}});
+  out.joints[1].offset = away;
+  for (Clip& clip : out.clips)
+    for (MotionFrame& frame : clip.frames) {
+      frame.translations[0] = frame.translations[0] + away;
+      frame.rotations.insert(frame.rotations.begin(), kNoRotation4);
+      frame.translations.insert(frame.translations.begin(), Point3{});
+    }
+  return out;
+}
 // At rest as in frame `f`.
 inline Motion with_rest_of_frame(const Motion& motion, size_t f) {
   const WorldPose pose = world_pose(motion, motion.clips[0].frames[f]);

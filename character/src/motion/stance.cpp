@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A stance from a motion: the body's own frame where it stands most upright, limbs stretched along their bones, what is left by its
-// mean rotation; then the clips against it.
+// A stance from a motion: of upright bodies their own frame where they stand most upright, limbs stretched along their bones, what is left by its
+// mean rotation; of others their typical pose; then the clips against it.
 #include "sinew_character/motion/stance.hpp"
 
 #include <algorithm>
 
+#include "motion/typical_pose.hpp"
 #include "motion/upright_body.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
@@ -13,9 +14,10 @@
 namespace sinew {
 namespace {
 
-constexpr double kStanding = 0.1, kOnFloor = 0.2, kTall = 0.3;  // shares of frames
+constexpr double kStanding = 0.1, kOnFloor = 0.2;  // shares of frames
 constexpr double kMirrored =
     0.1;  // of their distance from the middle, how far mirror images of a pose that is one are off
+constexpr size_t kFewestPairs = 4;  // of mirror images, that tell left and right apart
 constexpr double kBendsAhead = 0.939692620785908, kBendsUp = 0.342020143325669;  // cosine and sine of 20 degrees
 // Mean cosine between a foot's upright and the world's while it is low, the least of a foot that stands.
 constexpr double kFlat = 0.6;
@@ -40,25 +42,22 @@ std::vector<Point3> positions_of(const std::vector<Joint>& joints) {
   return positions;
 }
 
-// How far mirror images are off, of the mean distance from their middle, for the best plane between them.
-double asymmetry(const std::vector<std::pair<int, int>>& pairs, const std::vector<Point3>& positions) {
-  const auto at = [&](int joint) { return positions[static_cast<size_t>(joint)]; };
-  Point3 normal{}, middle{};
-  for (const auto& [a, b] : pairs) {
-    const Point3 d = at(a) - at(b);
-    normal = normal + (dot(d, normal) < 0 ? -1.0 : 1.0) * d;
-    middle = middle + at(a) + at(b);
-  }
-  normal = unit(normal);
-  middle = (0.5 / static_cast<double>(pairs.size())) * middle;
-  double off = 0, size = 0, apart = 0;
-  for (const auto& [a, b] : pairs) {
-    const Point3 from = at(a) - middle;
-    off += length(from - 2 * dot(from, normal) * normal - (at(b) - middle));
-    size += length(from) + length(at(b) - middle);
-    apart += length(at(a) - at(b));
-  }
-  return apart > 0.05 * size ? 2 * off / size : 1;
+// The clips against a rest pose whose joints are turned so in the world.
+Motion against(const Motion& motion, const std::vector<Quaternion>& turns) {
+  Motion out = motion;
+  const auto above = [&](size_t j) {
+    const int parent = motion.joints[j].parent;
+    return parent < 0 ? kNoRotation4 : turns[static_cast<size_t>(parent)];
+  };
+  for (size_t j = 0; j < out.joints.size(); ++j)
+    out.joints[j].offset = out.joints[j].parent < 0 ? Point3{} : rotate(above(j), motion.joints[j].offset);
+  for (Clip& clip : out.clips)
+    for (MotionFrame& frame : clip.frames)
+      for (size_t j = 0; j < out.joints.size(); ++j) {
+        frame.rotations[j] = normalised(multiply(above(j), multiply(frame.rotations[j], conjugate(turns[j]))));
+        frame.translations[j] = rotate(above(j), frame.translations[j]);
+      }
+  return out;
 }
 
 class StanceFinder {
@@ -80,7 +79,9 @@ class StanceFinder {
       return goes_upright();
     }
     const std::vector<std::pair<int, int>> pairs = moving_.mirror_pairs();
-    if (pairs.size() < 4 || asymmetry(pairs, positions_of(rig.joints)) < kMirrored) return false;
+    const bool in_line = is_in_one_line(motion_.joints);
+    if (pairs.size() < kFewestPairs || (!in_line && asymmetry(pairs, positions_of(rig.joints)) < kMirrored))
+      return false;
     for (const Axis up : {Axis::kY, Axis::kZ, Axis::kX})
       if ((!up_ || *up_ == up) && find_seen_body(rig, pairs, up) && goes_upright()) return true;
     return false;
@@ -90,14 +91,14 @@ class StanceFinder {
     turns_.assign(motion_.joints.size(), kNoRotation4);
     turn_hips();
     for (const size_t j : moving_.order()) turn_joint(static_cast<int>(j));
-    return against_stance();
+    return against(motion_, turns_);
   }
 
  private:
   // Without names: what a typical pose looks like.
   bool find_seen_body(MapRig rig, const std::vector<std::pair<int, int>>& pairs, Axis up) {
     axes_ = axes_of(up);
-    const std::vector<Point3> positions = moving_.posed(typical_pose(pairs));
+    const std::vector<Point3> positions = moving_.posed(typical_pose(moving_, pairs, axes_.up));
     for (size_t j = 0; j < positions.size(); ++j)
       rig.joints[j].position = {static_cast<float>(positions[j][0]), static_cast<float>(positions[j][1]),
                                 static_cast<float>(positions[j][2])};
@@ -130,58 +131,6 @@ class StanceFinder {
       for (const UprightLimb& limb : body_.legs)
         sum = sum + moving_.position(f, limb.upper) - moving_.position(f, limb.end);
     return sum[2] > std::max(sum[0], sum[1]) ? Axis::kZ : sum[0] > sum[1] ? Axis::kX : Axis::kY;
-  }
-
-  // Of the frames in which the root stands as it mostly does, the tallest.
-  std::vector<size_t> typical_frames(int root) const {
-    constexpr double kSame = 0.9;  // cosine
-    std::vector<Point3> ups;
-    for (size_t f = 0; f < moving_.frame_count(); ++f)
-      ups.push_back(rotate(conjugate(moving_.rotation(f, root)), axes_.up));
-    const auto same = [&](size_t f) {
-      return std::count_if(ups.begin(), ups.end(), [&](const Point3& up) { return dot(up, ups[f]) > kSame; });
-    };
-    size_t most = 0;
-    for (size_t f = 1; f < ups.size(); ++f) most = same(f) > same(most) ? f : most;
-    const double share = kTall * static_cast<double>(same(most)) / static_cast<double>(ups.size());
-    return moving_.best_frames(share, [&](size_t f) {
-      double low = 0, high = 0;
-      for (size_t j = 0; j < motion_.joints.size(); ++j) {
-        const double own = dot(moving_.position(f, static_cast<int>(j)) - moving_.position(f, root), axes_.up);
-        low = std::min(low, own);
-        high = std::max(high, own);
-      }
-      return dot(ups[f], ups[most]) > kSame ? high - low : 0;
-    });
-  }
-
-  // The mean pose of typical frames, seen from the root, upright and its own mirror image.
-  std::vector<Quaternion> typical_pose(const std::vector<std::pair<int, int>>& pairs) {
-    const int root = moving_.trunk_root();
-    const std::vector<size_t> frames = typical_frames(root);
-    const Quaternion raise = rotation_between(moving_.mean_direction(frames, root, axes_.up), axes_.up);
-    std::vector<Quaternion> pose;
-    for (size_t j = 0; j < motion_.joints.size(); ++j)
-      pose.push_back(multiply(raise, moving_.mean_rotation(frames, root, static_cast<int>(j))));
-    std::vector<Point3> positions = moving_.posed(pose);
-    Point3 normal{};
-    for (const auto& [a, b] : pairs) {
-      const Point3 d = positions[static_cast<size_t>(a)] - positions[static_cast<size_t>(b)];
-      normal = normal + (dot(d, normal) < 0 ? -1.0 : 1.0) * d;
-    }
-    normal = unit(across(normal, axes_.up));
-    for (const auto& [a, b] : pairs) {  // parents first
-      const int up_a = moving_.parent(a), up_b = moving_.parent(b);
-      const Point3 x = rotate(pose[static_cast<size_t>(up_a)], moving_.offset(a));
-      const Point3 y = rotate(pose[static_cast<size_t>(up_b)], moving_.offset(b));
-      if (up_a == up_b) continue;
-      const Point3 mean = 0.5 * (x + y - 2 * dot(y, normal) * normal);
-      const Point3 image = mean - 2 * dot(mean, normal) * normal;
-      const Quaternion swing_a = rotation_between(x, mean), swing_b = rotation_between(y, image);
-      pose[static_cast<size_t>(up_a)] = multiply(swing_a, pose[static_cast<size_t>(up_a)]);
-      pose[static_cast<size_t>(up_b)] = multiply(swing_b, pose[static_cast<size_t>(up_b)]);
-    }
-    return pose;
   }
 
   // Knees and toes lie ahead, elbows behind, and bodies go ahead.
@@ -343,23 +292,6 @@ class StanceFinder {
       turn(foot) = rotation_between(up, toes, axes_.up, axes_.front);
   }
 
-  Motion against_stance() const {
-    Motion out = motion_;
-    const auto above = [&](size_t j) {
-      const int parent = motion_.joints[j].parent;
-      return parent < 0 ? kNoRotation4 : turns_[static_cast<size_t>(parent)];
-    };
-    for (size_t j = 0; j < out.joints.size(); ++j)
-      out.joints[j].offset = out.joints[j].parent < 0 ? Point3{} : rotate(above(j), motion_.joints[j].offset);
-    for (Clip& clip : out.clips)
-      for (MotionFrame& frame : clip.frames)
-        for (size_t j = 0; j < out.joints.size(); ++j) {
-          frame.rotations[j] = normalised(multiply(above(j), multiply(frame.rotations[j], conjugate(turns_[j]))));
-          frame.translations[j] = rotate(above(j), frame.translations[j]);
-        }
-    return out;
-  }
-
   const Motion& motion_;
   const MovingJoints moving_;
   const MaybeAxis up_;
@@ -371,6 +303,28 @@ class StanceFinder {
   std::vector<Quaternion> turns_;  // [J] from the old rest pose to the stance, in the world
 };
 
+// Left and right by names, else joints that lie as mirror images do.
+MirrorPairs mirror_pairs_of(const MovingJoints& moving, const JointVerdicts& verdicts) {
+  MirrorPairs pairs;
+  for (const size_t j : moving.order())
+    if (verdicts.sides[j] > 0 && verdicts.partners[j] >= 0)
+      pairs.emplace_back(static_cast<int>(j), verdicts.partners[j]);
+  return pairs.size() < kFewestPairs ? moving.mirror_pairs() : pairs;
+}
+
+// Of bodies on four legs, of birds: their typical pose, where their rest pose is in one line or, by names of sides, no mirror image of itself.
+std::optional<Motion> in_typical_pose(const Motion& motion, MaybeAxis up) {
+  const MovingJoints moving(motion);
+  const std::vector<Joint> rest = rest_joints(motion);
+  const JointVerdicts verdicts = joint_verdicts(rest);
+  const MirrorPairs pairs = mirror_pairs_of(moving, verdicts);
+  if (pairs.size() < kFewestPairs) return std::nullopt;
+  const bool named = verdicts.partners[static_cast<size_t>(pairs[0].first)] == pairs[0].second;
+  if (!is_in_one_line(motion.joints) && !(named && asymmetry(pairs, positions_of(rest)) > kMirrored))
+    return std::nullopt;
+  return against(motion, typical_pose(moving, pairs, axes_of(up.value_or(Axis::kY)).up));
+}
+
 }  // namespace
 
 std::optional<Motion> standing_motion(const Motion& motion, MaybeAxis up) {
@@ -379,8 +333,7 @@ std::optional<Motion> standing_motion(const Motion& motion, MaybeAxis up) {
   const std::optional<UprightBody> body = find_upright_body(rig.joints, limb_classes(rig, {}));
   if (body && is_upright(*body, positions_of(rig.joints))) return std::nullopt;
   StanceFinder finder(motion, up);
-  if (!finder.find_body()) return std::nullopt;
-  return finder.run();
+  return finder.find_body() ? finder.run() : in_typical_pose(motion, up);
 }
 
 }  // namespace sinew

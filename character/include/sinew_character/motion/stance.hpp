@@ -16,8 +16,8 @@
 
 namespace sinew {
 
-// The same motion with another rest pose: that of a body which stands upright, arms to its sides, as its own frames tell it. nullopt
-// where the rest pose is a stance already, or where nobody can tell: no frames, no two legs.
+// The same motion with another rest pose, as its own frames tell it: that of a body which stands upright, arms to its sides; of one on four legs or
+// with wings its typical pose. nullopt where the rest pose is a stance already, or where nobody can tell: no frames, no left and right.
 //   up  of the motion's world
 std::optional<Motion> standing_motion(const Motion& motion, MaybeAxis up = {});
 
