@@ -127,12 +127,17 @@ class Planner {
     return best;
   }
 
-  // A mapped joint just above the one that carries the legs: it has skin of its own and goes where they go.
+  // A mapped joint just above the one that carries the legs: it has skin of its own and goes where they go. Farther above it where other joints hang on it,
+  // such as a tail that nothing moves.
   bool is_pelvis_of(int32_t above, int32_t joint) const {
     if (!plan_.has_legs || above < 0 || !is_mapped(static_cast<uint32_t>(above))) return false;
-    constexpr double kNear = 0.2;  // of a leg
+    constexpr double kNear = 0.2, kNearWithOthers = 0.6;  // of a leg
+    bool others = false;
+    for (uint32_t t = 0; t < target_.count; ++t)
+      others = others || (target_.parents[t] == above && static_cast<int32_t>(t) != joint);
     return length(target_.positions[above] - target_.positions[joint]) <
-           kNear * length(target_.positions[plan_.anchors[0]] - target_.positions[plan_.floor_joints[0]]);
+           (others ? kNearWithOthers : kNear) *
+               length(target_.positions[plan_.anchors[0]] - target_.positions[plan_.floor_joints[0]]);
   }
 
   // The first joint from the root at which mapped joints branch, or the pelvis just above; without branches the topmost mapped

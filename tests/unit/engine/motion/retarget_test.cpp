@@ -200,6 +200,30 @@ TEST(Retarget, HipsGoByTheLengthOfTheLegsAndFeetStayOnTheFloor) {
   EXPECT_NEAR(found.positions[kPelvis].z, 8, 1e-5);
 }
 
+// A tail that nothing moves hangs on a joint above the one that carries the legs, some way behind it: it goes with the body.
+TEST(Retarget, WhatHangsAboveTheLegsGoesWithThem) {
+  const auto with_base = [](bool tail) {
+    MotionScene scene;
+    scene.add({0, 1, -0.35}, -1, SINEW_CLASS_OTHER);
+    const MotionScene person = body(0);
+    for (uint32_t j = 0; j < person.count(); ++j) scene.add(person.at(j), person.parents[j] + 1, person.classes[j]);
+    if (tail) scene.add({0, 1, -0.8}, 0, SINEW_CLASS_OTHER);
+    return scene;
+  };
+  MotionScene source = with_base(false);
+  const MotionScene target = with_base(true);
+  const uint32_t pelvis = kPelvis + 1, tail = target.count() - 1;
+  std::vector<int32_t> map = one_to_one(source.count());
+  map.push_back(-1);
+  for (uint32_t j = 0; j < source.count(); ++j) source.positions[3 * j + 1] -= 1;  // as a BVH at rest
+  Pose pose = rest_pose(source);
+  pose.translations[1] += 1;
+  pose.translations[2] += 2;
+  const WorldPose found = world_pose(target, play(source, target, map, pose));
+  EXPECT_NEAR(found.positions[pelvis].z, target.at(pelvis).z + 2, 1e-5);
+  EXPECT_LT(distance(found.positions[tail] - found.positions[pelvis], target.at(tail) - target.at(pelvis)), 1e-5);
+}
+
 // A BVH's root stands at 0 at rest: the clip says where the floor is.
 TEST(Retarget, TheFloorIsWhereTheFeetOfAClipStand) {
   const MotionScene target = body(0);
