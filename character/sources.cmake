@@ -23,6 +23,7 @@ set(sinew_picture_sources
 set(sinew_draw_sources
   draw/colour
   draw/image
+  draw/pose_frame
   draw/render
   page/pages
   page/html)
