@@ -76,10 +76,12 @@ set(sinew_character_sources
   clips/person
   clips/puppet
   clips/quadruped
+  motion/body_parts
   motion/common_body
   motion/human_limits
   motion/joint_limits
   motion/map_file
+  motion/map_findings
   motion/map_skeleton
   motion/map_source
   motion/motion_file

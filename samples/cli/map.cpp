@@ -115,6 +115,8 @@ Json map_json(const MapCommandSettings& s, const MapRig& target, const MapRig& s
   json["certainty"] = map.certainty;
   json["cover"] = cover.share;
   if (cover.share < kLeastCover) json["missing"] = cover.missing;
+  if (!cover.warnings.empty()) json["warnings"] = cover.warnings;
+  if (!cover.rigid.empty()) json["rigid"] = cover.rigid;
   json["seconds"] = map.seconds;
   json["workspace_bytes"] = map.workspace_bytes;
   for (size_t j = 0; j < target.joints.size(); ++j) {
@@ -145,6 +147,8 @@ void tell(const MapCommandSettings& s, const MapRig& target, const MapRig& sourc
   if (cover.share < kLeastCover)
     std::fprintf(out, "  warning: %s: its motion does not fit, sinew animate would refuse it without --force\n",
                  cover.missing.c_str());
+  for (const std::string& warning : cover.warnings) std::fprintf(out, "  warning: %s\n", printable(warning).c_str());
+  if (!cover.rigid.empty()) std::fprintf(out, "  %s stay rigid\n", printable(cover.rigid).c_str());
   for (size_t j = 0; j < target.joints.size(); ++j)
     if (map.sources[j] < 0 && map.reasons[j] != SINEW_MAP_END)
       std::fprintf(out, "  %s: none, %s\n", printable(target.joints[j].name).c_str(), map_reason_text(map.reasons[j]));

@@ -99,6 +99,16 @@ void refuse_misfit(const AnimateOptions& s, const MotionInput& input, const Moti
   notes->push_back("warning: " + what + "move; it is played as it is");
 }
 
+// What of the body does not move as it should, and what stays as it is.
+void tell_parts(const std::string& file, const MapCover& cover, std::vector<std::string>* notes) {
+  std::string text;
+  for (const std::string& warning : cover.warnings) text += (text.empty() ? "" : "; ") + warning;
+  if (!text.empty())
+    notes->push_back("warning: " + file + ": " + text +
+                     "; look at the result, and say with --map which joints move it");
+  if (!cover.rigid.empty()) notes->push_back(file + ": has nothing like " + cover.rigid + ", so they stay rigid");
+}
+
 }  // namespace
 
 AnimatedCharacter animated_character(Character character, const std::string& path) {
@@ -149,10 +159,7 @@ void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsO
   const size_t mapped = moved_joints(map);
   size_t frames = 0;
   for (const Clip& clip : clips) frames += clip.frames.size();
-  if (3 * mapped < 2 * std::min(source.joints.size(), out->character.joints.size()))
-    out->motion.notes.push_back(print("warning: only %zu joints of ", mapped) + choice.file + " move the character's " +
-                                std::to_string(out->character.joints.size()) +
-                                "; look at the result, and say the others with --map");
+  tell_parts(choice.file, map.cover, &out->motion.notes);
   const std::function<bool()> keep_going = steps(frames);
   for (const Clip& clip : clips) {
     ClipReport report;

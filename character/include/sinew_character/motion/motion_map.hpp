@@ -15,14 +15,16 @@
 
 namespace sinew {
 
-// Below it a motion is not for a character. Of 840 pairs of skeletons it refuses all 60 of people and four-legged animals, and of the
-// others 8 between animals whose legs the map does not find.
+// Below it a motion is not for a character, and what it would make of it is no motion of that body.
 constexpr float kLeastCover = 0.5f;
 
 struct MapCover {
   float share =
-      1;  // 0..1: the least of legs, of arms or the head, of the trunk, and of how alike both go upright; 1 where neither has legs
-  std::string missing;  // what is least, for the user: "no legs"
+      1;  // 0..1: the lesser of the share of legs, arms or wings that move and of how alike both go upright; 1 where neither has limbs
+  std::string missing;  // what is least, for the user: "no legs, arms or wings"
+  std::vector<std::string>
+      warnings;       // parts that do not move as they should: "the left leg does not move", "the head follows the jaw"
+  std::string rigid;  // what stays rigid because the source has nothing like it: "hair and tail"; may be empty
 };
 
 //   sources  [target J] joint of the source or -1
@@ -37,7 +39,7 @@ struct MotionMap {
   std::vector<uint8_t> reasons;  // [target] sinew_map_reason; of a file's map pinned
   std::string how;               // "anatomy and names", for the user
   float certainty = 1;           // of front and sides, see MappedSkeleton
-  MapCover cover;                // of a found map
+  MapCover cover;                // of a file's map `share` is 1
 };
 
 // From a file where `map_file` is not empty: what has no line there has no source. Else by map_skeleton(). The rigs' names are

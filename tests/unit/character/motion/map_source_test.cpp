@@ -8,6 +8,7 @@
 
 #include "expect_error.hpp"
 #include "sinew_character/jobs/animate_job.hpp"
+#include "sinew_character/motion/motion_map.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/morphs.hpp"
 #include "temp_folder.hpp"
@@ -72,6 +73,23 @@ TEST(MapSource, LeavesWithoutWeightAreEndsInAMotionToo) {
   EXPECT_TRUE(std::equal(skeleton.ends.begin(), skeleton.ends.end(), source.ends.begin()));
   EXPECT_EQ(source.surfaces.shares.size(), source.joints.size());
   EXPECT_NE(std::count(source.animated.begin(), source.animated.end(), 1), 0);
+}
+
+// Bones along x under a root that stays where the stage begins, names plain: every joint moves as the one of its name.
+TEST(MapSource, PlainNamesFindTheirPartsUnderAFarRoot) {
+  const Motion walk = walking_person();
+  const Motion written = with_far_root(with_bones_in_one_line(walk), {0.1, 0.3, -4.5});
+  const MapSource source = map_source_of(written, nullptr, {}, {});
+  ASSERT_TRUE(source.standing);
+  const MapRig target = map_rig_of(walk);
+  const MotionMap map = map_motion(target, source.rig, {}, "");
+  EXPECT_EQ(map.cover.warnings, std::vector<std::string>{});
+  for (size_t j = 0; j < target.joints.size(); ++j) {
+    if (target.ends[j] != 0) continue;
+    const std::string& name = target.joints[j].name;
+    ASSERT_GE(map.sources[j], 0) << name;
+    EXPECT_EQ(source.rig.joints[static_cast<size_t>(map.sources[j])].name, name);
+  }
 }
 
 TEST(MapSource, AMotionMadeOnTheTargetKeepsItsRestPose) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sinew_character/clips/builtin_motion.hpp"
 #include "walking_motion.hpp"
 
 namespace sinew {
@@ -53,19 +54,111 @@ TEST(MapCover, APersonFitsAPerson) {
   EXPECT_EQ(cover.missing, "");
 }
 
-TEST(MapCover, HalvesAndOtherBodiesDoNotFit) {
+TEST(MapCover, HalvesFitAndTellWhatDoesNotMove) {
   const MapRig person = map_rig_of(walking_person());
-  const auto expect = [&](const MapRig& target, const MapRig& source, const char* missing) {
-    const MapCover cover = cover_of(target, source);
-    EXPECT_LT(cover.share, kLeastCover);
-    EXPECT_EQ(cover.missing, missing);
-  };
   const MapRig bust = without(person, {"UpLeg"}), legs = without(person, {"Shoulder", "Neck"});
-  expect(person, bust, "no legs");
-  expect(bust, person, "no legs");
-  expect(person, legs, "no arms and no head");
-  EXPECT_GE(cover_of(person, without(person, {"Shoulder"})).share, kLeastCover) << "a head is enough";
-  expect(on_four_legs(walking_person()), person, "one goes upright, the other does not");
+  const MapCover to_person = cover_of(person, bust), to_bust = cover_of(bust, person),
+                 from_legs = cover_of(person, legs);
+  for (const MapCover& cover : {to_person, to_bust, from_legs}) EXPECT_GE(cover.share, kLeastCover) << cover.missing;
+  EXPECT_EQ(to_person.warnings, std::vector<std::string>{"the legs do not move, as the motion has none"});
+  EXPECT_EQ(to_bust.warnings, std::vector<std::string>{});
+  EXPECT_EQ(from_legs.warnings, std::vector<std::string>{"the arms do not move, as the motion has none"});
+}
+
+TEST(MapCover, WhatGoesOnFourLegsIsNoPerson) {
+  const MapCover cover = cover_of(on_four_legs(walking_person()), map_rig_of(walking_person()));
+  EXPECT_LT(cover.share, kLeastCover);
+  EXPECT_EQ(cover.missing, "one goes upright, the other does not");
+}
+
+// By hand, what a map that went wrong would say.
+TEST(MapCover, PartsThatFollowOthersAreTold) {
+  MapRig person = map_rig_of(walking_person());
+  person.animated.assign(person.joints.size(), 1);
+  const auto number = [&](const std::string& name) {
+    for (size_t j = 0; j < person.joints.size(); ++j)
+      if (person.joints[j].name == name) return static_cast<int>(j);
+    ADD_FAILURE() << name;
+    return -1;
+  };
+  const auto warnings = [&](const std::vector<std::pair<std::string, std::string>>& changed) {
+    std::vector<int> sources;
+    for (size_t j = 0; j < person.joints.size(); ++j) sources.push_back(static_cast<int>(j));
+    for (const auto& [to, from] : changed) sources[static_cast<size_t>(number(to))] = from.empty() ? -1 : number(from);
+    return map_cover(person, {}, person, {}, sources).warnings;
+  };
+  EXPECT_EQ(warnings({}), std::vector<std::string>{});
+  EXPECT_EQ(warnings({{"LeftUpLeg", ""}, {"LeftLeg", ""}, {"LeftFoot", ""}}),
+            std::vector<std::string>{"the left leg does not move"});
+  EXPECT_EQ(warnings({{"LeftUpLeg", ""}, {"LeftLeg", ""}}),
+            std::vector<std::string>{"the left leg hardly moves, 1 of its 3 joints"});
+  EXPECT_EQ(warnings({{"Head", "LeftFoot"}, {"Neck", "LeftLeg"}}),
+            std::vector<std::string>{"the head follows the left leg"});
+  EXPECT_EQ(warnings({{"LeftUpLeg", "RightUpLeg"},
+                      {"LeftLeg", "RightLeg"},
+                      {"LeftFoot", "RightFoot"},
+                      {"LeftToeBase", "RightToeBase"}}),
+            std::vector<std::string>{"the left leg follows the right leg"});
+  for (const char* name : {"LeftUpLeg", "LeftLeg", "LeftFoot"}) person.animated[static_cast<size_t>(number(name))] = 0;
+  EXPECT_EQ(warnings({{"LeftUpLeg", ""}, {"LeftLeg", ""}, {"LeftFoot", ""}}),
+            std::vector<std::string>{"the left leg does not move, as the motion has none"});
+}
+
+// A head that carries wings and a tail, and nothing else.
+MapRig bird_of_wings() {
+  MapRig rig;
+  const auto add = [&](const std::string& name, int parent, Vec3 position) {
+    Joint joint;
+    joint.name = name;
+    joint.parent = parent;
+    joint.position = position;
+    rig.joints.push_back(joint);
+    rig.ends.push_back(0);
+    return static_cast<int>(rig.joints.size()) - 1;
+  };
+  const int head = add("head", -1, {0, 1, 0.4f});
+  for (const float side : {-1.0f, 1.0f}) {
+    int above = head;
+    for (int k = 1; k <= 4; ++k)
+      above = add("wing0" + std::to_string(k) + (side > 0 ? ".L" : ".R"), above,
+                  {side * (0.05f + 0.1f * static_cast<float>(k)), 1, 0.05f});
+  }
+  int above = head;
+  for (int k = 1; k <= 4; ++k)
+    above = add("tail0" + std::to_string(k), above, {0, 1, 0.1f - 0.12f * static_cast<float>(k)});
+  return rig;
+}
+
+TEST(MapCover, WingsAloneFitABirdWithLegs) {
+  const MapRig bird = map_rig_of(builtin_motions("builtin:flap")[0]);
+  const MapCover cover = cover_of(bird_of_wings(), bird);
+  EXPECT_GE(cover.share, kLeastCover) << cover.missing;
+  EXPECT_EQ(cover.warnings, std::vector<std::string>{});
+}
+
+TEST(MapCover, WhatStaysRigidIsTold) {
+  const MapRig person = map_rig_of(walking_person());
+  MapRig tailed = person;
+  const auto chain = [&](const std::string& name, int count, float z) {
+    int parent = 0;
+    for (int k = 1; k <= count; ++k) {
+      Joint joint;
+      joint.name = name + std::to_string(k);
+      joint.parent = parent;
+      joint.position = {0, 0.1f, z * static_cast<float>(k)};
+      parent = static_cast<int>(tailed.joints.size());
+      tailed.joints.push_back(joint);
+      tailed.ends.push_back(0);
+    }
+  };
+  chain("Tail", 3, -0.1f);
+  chain("Rope", 4, 0.1f);
+  std::vector<int> sources;
+  for (size_t j = 0; j < tailed.joints.size(); ++j)
+    sources.push_back(j < person.joints.size() ? static_cast<int>(j) : -1);
+  const MapCover cover = map_cover(tailed, {}, person, {}, sources);
+  EXPECT_EQ(cover.warnings, std::vector<std::string>{});
+  EXPECT_EQ(cover.rigid, "tail and 4 other joints");
 }
 
 }  // namespace
