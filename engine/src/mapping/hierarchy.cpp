@@ -116,8 +116,8 @@ sinew_status Hierarchy::build(const sinew_skeleton& rig, bool with_names) {
 }
 
 void Hierarchy::find_body() {
-  const auto box_of = [&](bool inside, int32_t from,
-                          int32_t to) {  // of joints whose positions in `order` are [from, to), or are not
+  // Of joints whose positions in `order` are in [from, to), or of those whose are not.
+  const auto box_of = [&](bool inside, int32_t from, int32_t to) {
     Box box;
     for (int32_t k = 0; k < n; ++k)
       if ((from <= k && k < to) == inside) box.add(at[order[k]]);
@@ -131,12 +131,10 @@ void Hierarchy::find_body() {
     // A gap that is larger than one side and the bones across it is a third of the whole at least.
     if (count[i] == n || (parent[i] >= 0 && 3 * bone(i, parent[i]) < whole)) continue;
     ++looked_at;
-    const Box inner = box_of(true, k, last), outer = box_of(false, k, last);
-    const bool leave_inner = 2 * count[i] <= n;
-    if (kApartShare * (leave_inner ? count[i] : n - count[i]) > n) continue;
-    if (!(gap(inner, outer) > (leave_inner ? outer : inner).diagonal())) continue;
-    for (int32_t m = 0; m < n; ++m)
-      if ((k <= m && m < last) == leave_inner) apart[order[m]] = 1;
+    if (kApartShare * (n - count[i]) > n) continue;
+    const Box inner = box_of(true, k, last);
+    if (!(gap(inner, box_of(false, k, last)) > inner.diagonal())) continue;
+    for (int32_t m = 0; m < n; ++m) apart[order[m]] = m < k || m >= last ? 1 : 0;
   }
   Box body;
   for (int32_t i = 0; i < n; ++i)

@@ -68,8 +68,7 @@ struct Hierarchy {
   Part part(int32_t joint) const { return names[joint].plain; }
 
  private:
-  // Fills `apart` and `size`. Of a joint's subtree and of all else the one with fewer joints is apart, where the gap between both is
-  // larger than the other.
+  // Fills `apart` and `size`. The body is the smallest subtree of nearly all joints from which the rest is farther than it is large.
   void find_body();
 };
 

@@ -109,10 +109,8 @@ class Cleaner {
       : a_(target), b_(source), pins_(pins), sources_(sources), reasons_(reasons), owner_(owner) {}
 
   void run(bool one_to_one) {
-    for (int32_t i = 0; i < a_.n; ++i) {
-      reasons_[i] = SINEW_MAP_FOUND;
-      if (a_.has_names && sources_[i] >= 0 && contradict(a_.names[i], b_.names[sources_[i]])) sources_[i] = -1;
-    }
+    for (int32_t i = 0; i < a_.n; ++i) reasons_[i] = SINEW_MAP_FOUND;
+    drop_contradictions();
     for (int32_t i = 0; i < a_.n && pins_.any; ++i) {
       if (pins_.source_of[i] == Pins::kFree) continue;
       sources_[i] = pins_.source_of[i];
@@ -134,6 +132,16 @@ class Cleaner {
   }
 
  private:
+  // All of them would leave nothing: then names say other things than joints are.
+  void drop_contradictions() {
+    const auto contradicts = [&](int32_t i) {
+      return a_.has_names && sources_[i] >= 0 && contradict(a_.names[i], b_.names[sources_[i]]);
+    };
+    bool some_agree = false;
+    for (int32_t i = 0; i < a_.n; ++i) some_agree = some_agree || (sources_[i] >= 0 && !contradicts(i));
+    for (int32_t i = 0; i < a_.n && some_agree; ++i)
+      if (contradicts(i)) sources_[i] = -1;
+  }
   bool crosses(int32_t above, int32_t below) const {
     const int32_t s = sources_[above], t = sources_[below];
     return s >= 0 && t >= 0 && s != t && b_.holds(t, s);
