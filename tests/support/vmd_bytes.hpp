@@ -18,7 +18,14 @@ struct VmdKey {
   std::array<uint8_t, 4> curve = {20, 20, 107, 107};  // x1 y1 x2 y2 of all four
 };
 
-inline std::string vmd_of(const std::vector<VmdKey>& keys) {
+// From a frame on an IK bone leads, or does not.
+struct VmdSwitch {
+  uint32_t frame;
+  std::string name;  // Shift-JIS
+  bool on;
+};
+
+inline std::string vmd_of(const std::vector<VmdKey>& keys, const std::vector<VmdSwitch>& switches = {}) {
   const auto padded = [](std::string text, size_t size) {
     text.resize(size, '\0');
     return text;
@@ -36,7 +43,11 @@ inline std::string vmd_of(const std::vector<VmdKey>& keys) {
       for (size_t i = 0; i < 4; ++i) curves[16 * c + 4 * i] = static_cast<char>(key.curve[i]);
     bytes += padded(key.name, 15) + raw(key.frame) + raw(key.translation) + raw(key.rotation) + curves;
   }
-  return bytes + std::string(8, '\0');
+  if (switches.empty()) return bytes + std::string(8, '\0');
+  bytes += std::string(16, '\0') + raw(static_cast<uint32_t>(switches.size()));
+  for (const VmdSwitch& one : switches)
+    bytes += raw(one.frame) + '\1' + raw(uint32_t{1}) + padded(one.name, 20) + static_cast<char>(one.on);
+  return bytes;
 }
 
 }  // namespace sinew::test

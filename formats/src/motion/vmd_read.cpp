@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// VMD (MikuMikuDance): keys of bones by their Japanese standard names, with a curve to the key before. Bones as they are keyed: inverse
-// kinematics is left out. The rest pose is ours: a person of MMD's proportions with arms lowered, since the file has none.
+// VMD (MikuMikuDance): keys of bones by their Japanese standard names, with a curve to the key before. Legs follow the IK bones of their feet, as the
+// program has it; other IK is left out. The rest pose is ours: a person of MMD's proportions with arms lowered, since the file has none.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -17,6 +18,8 @@ namespace sinew {
 namespace {
 
 constexpr size_t kHeader = 30, kKey = 111, kNameBytes = 15;
+constexpr size_t kIkNameBytes = 20;                          // in the list of switches
+constexpr size_t kListsBetween[] = {23, 61, 28, 9};          // bytes of a key: faces, camera, light, shadow
 constexpr double kUnit = 0.08, kFps = 30, kArmsDown = 0.66;  // metres; radians of the rest pose's arms
 constexpr const char *kIk = "\x82\x68\x82\x6a", *kLeft = "\x8d\xb6", *kRight = "\x89\x45";  // Shift-JIS
 
@@ -43,6 +46,9 @@ constexpr BoneName kBones[] = {
     {"\x8d\xb6\x82\xd0\x82\xb4", "leftLowerLeg"},                    // 左ひざ
     {"\x8d\xb6\x91\xab\x8e\xf1", "leftFoot"},                        // 左足首
     {"\x8d\xb6\x82\xc2\x82\xdc\x90\xe6", "leftToes"},                // 左つま先
+    {"\x8d\xb6\x91\xab\x82\x68\x82\x6a", "leftFootIk"},              // 左足ＩＫ
+    {"\x8d\xb6\x91\xab\x49\x4b", "leftFootIk"},                      // 左足IK
+    {"\x8d\xb6\x91\xab\x49\x4b\x90\x65", "leftFootIkParent"},        // 左足IK親
     {"\x8d\xb6\x90\x65\x8e\x77\x82\x4f", "leftThumbMetacarpal"},     // 左親指０
     {"\x8d\xb6\x90\x65\x8e\x77\x82\x50", "leftThumbProximal"},       // 左親指１
     {"\x8d\xb6\x90\x65\x8e\x77\x82\x51", "leftThumbDistal"},         // 左親指２
@@ -66,6 +72,8 @@ struct Key {
   Point3 translation{};
   Quaternion rotation = kNoRotation4;
   std::array<std::array<double, 4>, 4> curves{};  // x1 y1 x2 y2, of a Bezier curve from (0, 0) to (1, 1)
+
+  bool moves() const { return length(translation) > 1e-6 || std::abs(rotation[3]) < 1 - 1e-9; }
 };
 
 // The height of the curve where it is `x` along.
@@ -80,6 +88,27 @@ double on_curve(const std::array<double, 4>& c, double x) {
     (bezier(c[0], c[2], middle) < x ? low : high) = middle;
   }
   return bezier(c[1], c[3], low);
+}
+
+// World rotations of a leg's two bones.
+struct LegRotations {
+  Quaternion upper, lower;
+};
+
+// Inverse kinematics of a leg: the knee is a hinge about its x axis and bends forward, then the whole leg swings to the goal by the shortest arc. A
+// goal out of reach is pointed at.
+//   upper, lower  from hip to knee and from knee to ankle at rest
+//   thigh         world rotation of the upper bone as its own keys have it, which says where the knee points
+//   reach         from the hip to where the ankle shall be, in the world
+LegRotations leg_to(const Point3& upper, const Point3& lower, const Quaternion& thigh, const Point3& reach) {
+  // |upper + turned lower|^2 is a constant plus 2 (along cos(bend) + side sin(bend)).
+  const double along = upper[1] * lower[1] + upper[2] * lower[2], side = upper[2] * lower[1] - upper[1] * lower[2];
+  const double wanted = (dot(reach, reach) - dot(upper, upper) - dot(lower, lower)) / 2 - upper[0] * lower[0];
+  const double bend = std::atan2(side, along) + std::acos(std::clamp(wanted / std::hypot(along, side), -1.0, 1.0));
+  const Quaternion knee = axis_rotation(0, bend);
+  const Point3 bent = rotate(thigh, upper + rotate(knee, lower));
+  const Quaternion swung = normalised(multiply(rotation_between(bent, reach), thigh));
+  return {swung, normalised(multiply(swung, knee))};
 }
 
 class VmdReader {
@@ -133,24 +162,45 @@ class VmdReader {
       const size_t at = list + 4 + k * kKey;
       const std::string name = text(at, kNameBytes);
       const std::string joint = joint_of(name);
-      if (!joint.empty())
+      if (!joint.empty()) {
         keys_[joint].push_back(read_key(at + kNameBytes, k));
-      else
-        (name.find(kIk) != std::string::npos || name.find("IK") != std::string::npos ? ik : others).insert(name);
+        last_ = std::max(last_, keys_[joint].back().frame);
+      } else if (name.find(kIk) == std::string::npos && name.find("IK") == std::string::npos) {
+        others.insert(name);
+      } else if (read_key(at + kNameBytes, k).moves()) {
+        ik.insert(name);
+      }
     }
     if (keys_.empty())
       fail("bones with standard names", std::to_string(others.size() + ik.size()) + " bones with others");
     tell(ik.size(), others.size());
+    read_ik_switches(list + 4 + count * kKey);
     for (auto& [joint, keys] : keys_)
       std::stable_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) { return a.frame < b.frame; });
   }
 
   void tell(size_t ik, size_t others) {
-    const bool legs = keys_.count("leftLowerLeg") + keys_.count("leftUpperLeg") > 0;
-    if (ik > 0)
-      motion_.notes.push_back(print("%zu IK bones were left out%s", ik,
-                                    legs ? "" : ", and nothing else moves the legs; bake IK into bones first"));
+    if (ik > 0) motion_.notes.push_back(print("%zu IK bones of other parts than feet were left out", ik));
     if (others > 0) motion_.notes.push_back(print("%zu bones without a standard name were left out", others));
+  }
+
+  // Old files end before this list.
+  void read_ik_switches(size_t at) {
+    const auto has = [&](size_t count) { return at <= bytes_.size() && count <= bytes_.size() - at; };
+    for (const size_t bytes : kListsBetween) {
+      if (!has(4)) return;
+      const size_t count = number<uint32_t>(at);
+      at += 4 + count * bytes;
+    }
+    if (!has(4)) return;
+    const size_t count = number<uint32_t>(at);
+    at += 4;
+    for (size_t k = 0; k < count && has(9); ++k) {
+      const size_t frame = number<uint32_t>(at), names = number<uint32_t>(at + 5);
+      at += 9;
+      for (size_t n = 0; n < names && has(kIkNameBytes + 1); ++n, at += kIkNameBytes + 1)
+        ik_switches_[joint_of(text(at, kIkNameBytes))][frame] = bytes_[at + kIkNameBytes] != 0;
+    }
   }
 
   static std::string joint_of(const std::string& name) {
@@ -174,7 +224,6 @@ class VmdReader {
     key.rotation = normalised({-v[3], -v[4], v[5], v[6]});
     for (size_t c = 0; c < 4; ++c)
       for (size_t i = 0; i < 4; ++i) key.curves[c][i] = std::min(127, int{bytes_[at + 32 + 16 * c + 4 * i]}) / 127.0;
-    last_ = std::max(last_, key.frame);
     return key;
   }
 
@@ -182,7 +231,8 @@ class VmdReader {
     std::vector<std::string> names;
     for (const BoneName& bone : kBones) {
       const std::string name = bone.name, other = other_side_of_person(name);
-      const bool control = name == "root" || name == "center" || name == "groove" || name == "waist";
+      const bool control = name == "root" || name == "center" || name == "groove" || name == "waist" ||
+                           name.find("Ik") != std::string::npos;
       const bool finger = name.find("Proximal") != std::string::npos ||
                           name.find("Intermediate") != std::string::npos || name.find("Distal") != std::string::npos ||
                           name.find("Metacarpal") != std::string::npos;
@@ -203,6 +253,7 @@ class VmdReader {
         joint.offset = rotate(axis_rotation(2, left ? -kArmsDown : kArmsDown), joint.offset);
       motion_.joints.push_back(std::move(joint));
     }
+    rest_ = rest_joints(motion_);
     if (last_ >= kMostRotations / motion_.joints.size())
       fail("at most " + std::to_string(kMostRotations) + " frames times joints",
            "a key at frame " + std::to_string(last_));
@@ -216,12 +267,52 @@ class VmdReader {
   MotionFrame frame_at_key(size_t f) const {
     MotionFrame frame;
     for (const MotionJoint& joint : motion_.joints) {
-      const auto keys = keys_.find(joint.name);
-      const Key key = keys == keys_.end() ? Key() : between_keys(keys->second, f);
+      const Key key = key_at(joint.name, f);
       frame.rotations.push_back(key.rotation);
       frame.translations.push_back(joint.offset + key.translation);
     }
+    for (const std::string side : {"left", "right"})
+      if (has_ik(side, f)) put_foot(side, f, &frame);
     return frame;
+  }
+  Key key_at(const std::string& joint, size_t f) const {
+    const auto keys = keys_.find(joint);
+    return keys == keys_.end() ? Key() : between_keys(keys->second, f);
+  }
+
+  // Where the legs' own bones are keyed and the IK bone stands still, a program has baked the one into the other.
+  bool has_ik(const std::string& side, size_t f) const {
+    const auto move = [&](const char* joint) {
+      const auto keys = keys_.find(side + joint);
+      return keys != keys_.end() &&
+             std::any_of(keys->second.begin(), keys->second.end(), [](const Key& key) { return key.moves(); });
+    };
+    if (keys_.count(side + "FootIk") == 0 || (!move("FootIk") && !move("FootIkParent") && move("LowerLeg")))
+      return false;
+    const auto switches = ik_switches_.find(side + "FootIk");
+    if (switches == ik_switches_.end()) return true;
+    const auto above = switches->second.upper_bound(f);
+    return above == switches->second.begin() || std::prev(above)->second;
+  }
+
+  // The ankle goes to its IK bone, which hangs on a parent on the floor and that on the root, and turns as the bone does.
+  void put_foot(const std::string& side, size_t f, MotionFrame* frame) const {
+    const auto index = [&](const char* joint) {
+      return static_cast<size_t>(joint_named(motion_.joints, side + joint));
+    };
+    const size_t upper = index("UpperLeg"), lower = index("LowerLeg"), foot = index("Foot");
+    const Key bone = key_at(side + "FootIk", f), carrier = key_at(side + "FootIkParent", f);
+    const WorldPose pose = world_pose(motion_, *frame);
+    const Point3 ankle = point(rest_[foot].position), floor = {ankle[0], 0, ankle[2]};
+    const Point3 goal = floor + carrier.translation + rotate(carrier.rotation, ankle - floor + bone.translation);
+    const Point3 reach = pose.positions[0] + rotate(pose.rotations[0], goal) - pose.positions[upper];
+    const LegRotations leg =
+        leg_to(motion_.joints[lower].offset, motion_.joints[foot].offset, pose.rotations[upper], reach);
+    const Quaternion turn = multiply(pose.rotations[0], multiply(carrier.rotation, bone.rotation));
+    const Quaternion above = pose.rotations[static_cast<size_t>(motion_.joints[upper].parent)];
+    frame->rotations[upper] = normalised(multiply(conjugate(above), leg.upper));
+    frame->rotations[lower] = normalised(multiply(conjugate(leg.upper), leg.lower));
+    frame->rotations[foot] = normalised(multiply(conjugate(leg.lower), turn));
   }
 
   static Key between_keys(const std::vector<Key>& keys, size_t f) {
@@ -241,9 +332,11 @@ class VmdReader {
 
   const std::string path_;
   const std::vector<uint8_t>& bytes_;
-  std::map<std::string, std::vector<Key>> keys_;  // by joint, of rising frames
+  std::map<std::string, std::vector<Key>> keys_;               // by joint, of rising frames
+  std::map<std::string, std::map<size_t, bool>> ik_switches_;  // by joint and frame
   size_t last_ = 0;
   Motion motion_;
+  std::vector<Joint> rest_;
 };
 
 }  // namespace

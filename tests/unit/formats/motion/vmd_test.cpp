@@ -18,7 +18,8 @@ using test::VmdKey;
 
 const std::string kCenter = "\x83\x5a\x83\x93\x83\x5e\x81\x5b", kLeftKnee = "\x8d\xb6\x82\xd0\x82\xb4",
                   kRightElbow = "\x89\x45\x82\xd0\x82\xb6", kRightLegIk = "\x89\x45\x91\xab\x82\x68\x82\x6a",
-                  kFinger = "\x8d\xb6\x90\x6c\x8e\x77\x82\x50", kSkirt = "\x83\x58\x83\x4a\x81\x5b\x83\x67";
+                  kLeftLegIk = "\x8d\xb6\x91\xab\x82\x68\x82\x6a", kFinger = "\x8d\xb6\x90\x6c\x8e\x77\x82\x50",
+                  kSkirt = "\x83\x58\x83\x4a\x81\x5b\x83\x67";
 
 Motion read(const std::string& bytes) {
   const TempFolder folder;
@@ -57,9 +58,8 @@ TEST(Vmd, ReadsStandardBones) {
   EXPECT_NEAR(moved[1], -0.16, 1e-6);
   EXPECT_NEAR(moved[2], -0.8, 1e-6);
   EXPECT_NEAR(std::abs(dot(middle.rotations[knee], axis_rotation(0, -0.5))), 1, 1e-6) << "a straight curve";
-  ASSERT_EQ(motion.notes.size(), 2u);
-  EXPECT_EQ(motion.notes[0], "1 IK bones were left out");
-  EXPECT_EQ(motion.notes[1], "1 bones without a standard name were left out");
+  ASSERT_EQ(motion.notes.size(), 1u);
+  EXPECT_EQ(motion.notes[0], "1 bones without a standard name were left out");
   // A person with arms lowered, left at +x, facing +z.
   const std::vector<Joint> rest = rest_joints(motion);
   EXPECT_GT(rest[find_joint(motion, "leftHand")].position.x, 0.4f);
@@ -86,7 +86,74 @@ TEST(Vmd, FingersComeWhereTheyHaveKeys) {
   ASSERT_LT(finger, motion.joints.size());
   EXPECT_EQ(motion.joints[finger].parent, static_cast<int>(find_joint(motion, "leftHand")));
   EXPECT_LT(find_joint(motion, "rightIndexProximal"), motion.joints.size()) << "of both sides";
-  EXPECT_EQ(motion.notes[0], "1 IK bones were left out, and nothing else moves the legs; bake IK into bones first");
+}
+
+struct Leg {
+  Point3 hip, knee, ankle;
+  Quaternion thigh, foot;
+};
+Leg leg_of(const Motion& motion, size_t frame, const std::string& side = "left") {
+  const WorldPose pose = world_pose(motion, motion.clips[0].frames[frame]);
+  const size_t upper = find_joint(motion, side + "UpperLeg"), lower = find_joint(motion, side + "LowerLeg"),
+               foot = find_joint(motion, side + "Foot");
+  return {pose.positions[upper], pose.positions[lower], pose.positions[foot], pose.rotations[upper],
+          pose.rotations[foot]};
+}
+// By how much the knee stands before the line from hip to ankle.
+double knee_before_leg(const Leg& leg) {
+  return dot(across(leg.knee - leg.hip, unit(leg.ankle - leg.hip)), rotate(leg.thigh, {0, 0, 1}));
+}
+
+// A dance as MMD has it: the center goes down, feet are led by their IK bones, legs have hardly any keys.
+TEST(Vmd, FeetGoWhereTheirIkBonesAreAndKneesBendForward) {
+  const std::array<float, 4> turned = {0, std::sin(0.3f), 0, std::cos(0.3f)};
+  const Motion motion = read(vmd_of({{kCenter, 0},
+                                     {kCenter, 10, {0, -3, 0}},
+                                     {kCenter, 20, {0, 0, 0}, {0, 1, 0, 0}},
+                                     {kLeftLegIk, 0},
+                                     {kLeftLegIk, 10, {1, 2, -3}, turned},
+                                     {kLeftLegIk, 20},
+                                     {kRightLegIk, 0},
+                                     {kRightLegIk, 10},
+                                     {kRightLegIk, 20, {20, 0, 0}}}));
+  EXPECT_TRUE(motion.notes.empty());
+  EXPECT_EQ(find_joint(motion, "leftFootIk"), motion.joints.size()) << "no joint of its own";
+  const Point3 left_rest = leg_of(motion, 0).ankle, right_rest = leg_of(motion, 0, "right").ankle;
+  const std::vector<Joint> rest = rest_joints(motion);
+  EXPECT_LT(length(left_rest - point(rest[find_joint(motion, "leftFoot")].position)), 1e-6) << "at rest";
+  const Leg left = leg_of(motion, 10), right = leg_of(motion, 10, "right");
+  EXPECT_LT(length(left.ankle - (left_rest + 0.08 * Point3{1, 2, 3})), 1e-6);
+  EXPECT_NEAR(std::abs(dot(left.foot, axis_rotation(1, -0.6))), 1, 1e-6) << "the foot turns as its IK bone";
+  EXPECT_LT(length(right.ankle - right_rest), 1e-6) << "stays while the center goes down";
+  EXPECT_GT(knee_before_leg(left), 0.1);
+  EXPECT_GT(knee_before_leg(right), 0.1);
+  EXPECT_NEAR(length(left.knee - left.hip), length(leg_of(motion, 0).knee - leg_of(motion, 0).hip), 1e-6);
+  const Leg far = leg_of(motion, 20, "right");
+  EXPECT_GT(dot(unit(far.ankle - far.hip), unit(right_rest + Point3{1.6, 0, 0} - far.hip)), 1 - 1e-6) << "out of reach";
+}
+
+TEST(Vmd, IkThatIsSwitchedOffOrBakedLeavesLegsToTheirKeys) {
+  const std::vector<VmdKey> keys = {{kLeftKnee, 0, {}, {std::sin(0.5f), 0, 0, std::cos(0.5f)}},
+                                    {kLeftLegIk, 0, {0, 5, 0}},
+                                    {kLeftLegIk, 10, {0, 5, 0}}};
+  const auto bend = [](const Motion& motion, size_t frame) {
+    return std::abs(
+        dot(motion.clips[0].frames[frame].rotations[find_joint(motion, "leftLowerLeg")], axis_rotation(0, -1)));
+  };
+  EXPECT_LT(bend(read(vmd_of(keys)), 0), 0.99);
+  const Motion switched = read(vmd_of(keys, {{4, kLeftLegIk, false}, {8, kLeftLegIk, true}}));
+  EXPECT_LT(bend(switched, 3), 0.99);
+  EXPECT_NEAR(bend(switched, 5), 1, 1e-6);
+  EXPECT_LT(bend(switched, 8), 0.99);
+  const Motion baked = read(vmd_of({keys[0], {kLeftLegIk, 0}}));
+  EXPECT_NEAR(bend(baked, 0), 1, 1e-6);
+}
+
+TEST(Vmd, OtherIkIsToldWhereItMoves) {
+  const std::string toe_ik = "\x8d\xb6\x82\xc2\x82\xdc\x90\xe6\x82\x68\x82\x6a";
+  EXPECT_TRUE(read(vmd_of({{kCenter, 0}, {toe_ik, 0}})).notes.empty());
+  EXPECT_EQ(read(vmd_of({{kCenter, 0}, {toe_ik, 0, {0, 1, 0}}})).notes.at(0),
+            "1 IK bones of other parts than feet were left out");
 }
 
 TEST(Vmd, WhatIsWrongIsOneLine) {
