@@ -61,7 +61,7 @@ class MotionWriter {
     for (size_t f = 0; f < clip.frames.size(); ++f)
       times.push_back(static_cast<float>(static_cast<double>(f) * clip.frame_time));
     animation_ = {{"name", free_name(clip.name)}, {"channels", Json::array()}, {"samplers", Json::array()}};
-    all_times_ = one_time_ = -1;
+    all_times_ = end_times_ = -1;
     float size = 0;
     for (const NodeTrack& track : tracks)
       for (const auto& t : track.translations)
@@ -132,21 +132,24 @@ class MotionWriter {
     track->scales.push_back(scale);
   }
 
-  // A channel, unless the node stands so anyway; one key where nothing changes. True where there is one.
+  // A channel, unless the node stands so anyway; the first and the last key where nothing changes, so that the clip keeps its length. True where there
+  // is one.
   template <size_t N>
   bool add_track(size_t node, const char* what, const char* type, const std::vector<std::array<float, N>>& values,
                  const std::array<float, N>& rest, float tolerance, const std::vector<float>& times) {
     const bool constant = is_constant(values, tolerance);
     if (constant && is_constant<N>({values.front(), rest}, tolerance)) return false;
-    const size_t count = constant ? 1 : values.size();
-    int& input = constant ? one_time_ : all_times_;
+    const size_t count = constant ? std::min<size_t>(2, values.size()) : values.size();
+    int& input = constant ? end_times_ : all_times_;
     if (input < 0) {
-      input = add_accessor(&source_, times.data(), count * sizeof(float), "SCALAR", TINYGLTF_COMPONENT_TYPE_FLOAT,
-                           count, false, false);
+      const std::vector<float> ends = {times.front(), times.back()};
+      input = add_accessor(&source_, constant ? ends.data() : times.data(), count * sizeof(float), "SCALAR",
+                           TINYGLTF_COMPONENT_TYPE_FLOAT, count, false, false);
       document_["accessors"][static_cast<size_t>(input)]["min"] = {times.front()};
-      document_["accessors"][static_cast<size_t>(input)]["max"] = {times[count - 1]};
+      document_["accessors"][static_cast<size_t>(input)]["max"] = {times.back()};
     }
-    const int output = add_accessor(&source_, values.data(), count * N * sizeof(float), type,
+    const std::vector<std::array<float, N>> kept(count, values.front());
+    const int output = add_accessor(&source_, constant ? kept.data() : values.data(), count * N * sizeof(float), type,
                                     TINYGLTF_COMPONENT_TYPE_FLOAT, count, false, false);
     animation_["channels"].push_back(
         {{"sampler", animation_["samplers"].size()}, {"target", {{"node", node}, {"path", what}}}});
@@ -185,7 +188,7 @@ class MotionWriter {
   std::vector<Affine> locals_;      // [N]
   std::vector<size_t> order_;       // [N] parents before children
   Json animation_;
-  int all_times_ = -1, one_time_ = -1;  // accessors
+  int all_times_ = -1, end_times_ = -1;  // accessors
 };
 
 }  // namespace

@@ -70,8 +70,13 @@ struct Keys {
   std::vector<float> times;
   std::vector<std::array<float, N>> values;
 
-  bool stands_still() const {
-    return std::all_of(values.begin(), values.end(), [&](const auto& value) { return value == values.front(); });
+  // The first and the last of keys that are all alike: the clip stays as long.
+  void thin_out() {
+    const bool alike =
+        std::all_of(values.begin(), values.end(), [&](const auto& value) { return value == values.front(); });
+    if (!alike || times.size() < 3) return;
+    times = {times.front(), times.back()};
+    values = {values.front(), values.back()};
   }
 };
 
@@ -148,13 +153,14 @@ class AnimationConverter {
   template <size_t N, class Key>
   void add_track(const aiNodeAnim& channel, size_t node, const char* what, const char* type, const Key* from,
                  unsigned count) {
-    const Keys<N> keys = read_keys<N>(channel, what, from, count);
+    Keys<N> keys = read_keys<N>(channel, what, from, count);
     if (keys.times.empty() || !moved_.emplace(node, what).second) return;
-    const size_t left = keys.stands_still() ? 1 : keys.times.size();
+    keys.thin_out();
+    const size_t left = keys.times.size();
     const int input = add_accessor(&source_, keys.times.data(), left * sizeof(float), "SCALAR",
                                    TINYGLTF_COMPONENT_TYPE_FLOAT, left, false, false);
     source_.document["accessors"][static_cast<size_t>(input)]["min"] = {keys.times.front()};
-    source_.document["accessors"][static_cast<size_t>(input)]["max"] = {keys.times[left - 1]};
+    source_.document["accessors"][static_cast<size_t>(input)]["max"] = {keys.times.back()};
     const int output = add_accessor(&source_, keys.values.data(), left * N * sizeof(float), type,
                                     TINYGLTF_COMPONENT_TYPE_FLOAT, left, false, false);
     animation_["channels"].push_back(

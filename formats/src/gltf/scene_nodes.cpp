@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <tuple>
 #include <vector>
 
 #include "files/picture_files.hpp"
@@ -95,8 +96,27 @@ class NodeFinder {
       if (node.mMetaData != nullptr) (void)node.mMetaData->Get("IsNull", null);
       nodes_[n].not_a_joint = null || cameras_lights.count(node.mName.C_Str()) != 0;
       out_.by_name.emplace(node.mName.C_Str(), n);
+      all_by_name_.emplace(node.mName.C_Str(), n);
       for (unsigned c = 0; c < node.mNumChildren; ++c) nodes_.push_back({node.mChildren[c], static_cast<int>(n)});
     }
+  }
+
+  // Assimp says a bone's name alone. Of several nodes with that name it is one that is no mesh, no locator and, of those, the one that stands where the
+  // bone was bound.
+  size_t node_of(const aiBone& bone, const aiMesh& mesh, size_t mesh_node) const {
+    const auto [begin, end] = all_by_name_.equal_range(bone.mName.C_Str());
+    if (begin == end)
+      throw Error(path_ + ": mesh " + in_quotes(mesh.mName.C_Str()) + ": expected a node for its bone " +
+                  in_quotes(bone.mName.C_Str()) + ", found none");
+    const auto rank = [&](size_t n) {
+      const Affine bound = multiply(nodes_[n].world, affine_of(bone.mOffsetMatrix));
+      double apart = 0;
+      for (size_t i = 0; i < bound.size(); ++i)
+        apart = std::max(apart, std::abs(bound[i] - nodes_[mesh_node].world[i]));
+      return std::tuple(nodes_[n].node->mNumMeshes != 0, nodes_[n].not_a_joint, apart);
+    };
+    return std::min_element(begin, end, [&](const auto& a, const auto& b) { return rank(a.second) < rank(b.second); })
+        ->second;
   }
 
   void find_bones() {
@@ -104,12 +124,12 @@ class NodeFinder {
       for (unsigned i = 0; i < nodes_[n].node->mNumMeshes; ++i) {
         const aiMesh& mesh = *scene_.mMeshes[nodes_[n].node->mMeshes[i]];
         for (unsigned b = 0; b < mesh.mNumBones; ++b) {
-          const auto at = out_.by_name.find(mesh.mBones[b]->mName.C_Str());
-          if (at == out_.by_name.end())
-            throw Error(path_ + ": mesh " + in_quotes(mesh.mName.C_Str()) + ": expected a node for its bone " +
-                        in_quotes(mesh.mBones[b]->mName.C_Str()) + ", found none");
-          nodes_[at->second].bone = true;
-          nodes_[at->second].binds.emplace(static_cast<int>(n), affine_of(mesh.mBones[b]->mOffsetMatrix));
+          const aiBone& bone = *mesh.mBones[b];
+          const size_t at = node_of(bone, mesh, n);
+          out_.bone_nodes.emplace(&bone, at);
+          out_.by_name[bone.mName.C_Str()] = at;
+          nodes_[at].bone = true;
+          nodes_[at].binds.emplace(static_cast<int>(n), affine_of(bone.mOffsetMatrix));
         }
       }
     for (size_t n = nodes_.size(); n-- > 0;) {
@@ -157,6 +177,7 @@ class NodeFinder {
   const aiScene& scene_;
   SceneNodes out_;
   std::vector<SceneNode>& nodes_ = out_.nodes;
+  std::multimap<std::string, size_t> all_by_name_;
 };
 
 }  // namespace

@@ -31,7 +31,8 @@ struct SceneNode {
 struct SceneNodes {
   std::vector<SceneNode> nodes;
   std::vector<Affine> locals;             // [nodes]
-  std::map<std::string, size_t> by_name;  // of equal names the first
+  std::map<std::string, size_t> by_name;  // of equal names the bone, else the first
+  std::map<const aiBone*, size_t> bone_nodes;
   std::vector<size_t> joint_nodes;        // joint -> node
   std::map<size_t, size_t> joint_number;  // node -> joint
 };
@@ -46,7 +47,7 @@ bool is_finite(const Affine& transform);
 void add_scene_materials(const std::string& path, const aiScene& scene, GltfSource* source);
 
 // Adds every animation that moves a node of the document; the others are told in its notes. Nodes are found by name and number, 0 is the
-// scene's root, which stays. Keys are those of the file, from the first one on; a track that stands still has one key.
+// scene's root, which stays. Keys are those of the file, from the first one on; a track that stands still has its first and last.
 // Throws Error for numbers that are not finite.
 void add_scene_animations(const std::string& path, const aiScene& scene, const std::map<std::string, size_t>& nodes,
                           GltfSource* source);

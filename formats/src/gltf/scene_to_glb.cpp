@@ -177,7 +177,7 @@ class SceneConverter {
     std::vector<Influences> rows(mesh.mNumBones == 0 ? 0 : mesh.mNumVertices);
     for (unsigned b = 0; b < mesh.mNumBones; ++b) {
       const aiBone& bone = *mesh.mBones[b];
-      const uint16_t joint = static_cast<uint16_t>(found_.joint_number.at(found_.by_name.at(bone.mName.C_Str())));
+      const uint16_t joint = static_cast<uint16_t>(found_.joint_number.at(found_.bone_nodes.at(&bone)));
       for (unsigned w = 0; w < bone.mNumWeights; ++w) {
         const aiVertexWeight& weight = bone.mWeights[w];
         if (weight.mVertexId < mesh.mNumVertices && weight.mWeight > 0 && std::isfinite(weight.mWeight))
@@ -335,13 +335,14 @@ class SceneConverter {
   size_t skipped_faces_ = 0;
 };
 
-bool names_are_unique(const aiNode* root) {
+// Meshes may be called as joints are (find_scene_nodes).
+bool joint_names_are_unique(const aiNode* root) {
   std::set<std::string> seen;
   std::vector<const aiNode*> open = {root};
   while (!open.empty()) {
     const aiNode* node = open.back();
     open.pop_back();
-    if (!seen.insert(node->mName.C_Str()).second) return false;
+    if (node->mNumMeshes == 0 && !seen.insert(node->mName.C_Str()).second) return false;
     open.insert(open.end(), node->mChildren, node->mChildren + node->mNumChildren);
   }
   return true;
@@ -358,7 +359,8 @@ const aiScene* import(const std::string& path, bool names_for_people, Assimp::Im
   const aiScene* scene = importer->ReadFile(path, aiProcess_Triangulate);
   if (scene == nullptr || scene->mRootNode == nullptr)
     throw Error(path + ": expected " + file_kind(path)->name +
-                ", found a file that Assimp does not read: " + one_line(importer->GetErrorString()));
+                ", found a file that Assimp does not read: " + one_line(importer->GetErrorString()) +
+                "; open it in Blender and write what that reads: File > Export > glTF 2.0");
   return scene;
 }
 
@@ -367,8 +369,9 @@ SceneBytes convert_scene(const std::string& path) {
     Assimp::Importer importer;
     importer.SetIOHandler(new SceneFiles);  // the importer deletes it
     const aiScene* scene = import(path, true, &importer);
-    // COLLADA's bones are found by name: where two nodes share one, by identifier.
-    if (has_extension(path, ".dae") && !names_are_unique(scene->mRootNode)) scene = import(path, false, &importer);
+    // COLLADA's bones are found by name: where two joints share one, by identifier.
+    if (has_extension(path, ".dae") && !joint_names_are_unique(scene->mRootNode))
+      scene = import(path, false, &importer);
     SceneBytes out;
     out.glb = SceneConverter(path, *scene).convert(&out.notes);
     return out;

@@ -65,6 +65,22 @@ TEST(GltfFromScene, Fbx) {
   EXPECT_EQ(red["pbrMetallicRoughness"]["baseColorFactor"], nlohmann::json({1, 0, 0, 1}));
 }
 
+// Assimp says bones by their names alone; editors let a mesh be called as a bone is.
+TEST(GltfFromScene, AMeshMayBeCalledAsAJoint) {
+  const TempFolder folder;
+  const auto renamed = [](std::string text, const std::string& what, const std::string& with) {
+    const size_t at = text.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    return text.replace(at, what.size(), with);
+  };
+  for (const char* joint : {"hip", "knee"}) {
+    const std::string fbx = renamed(strip_fbx(), "Model::body", std::string("Model::") + joint);
+    expect_strip(read_mesh(folder.write("strip.fbx", fbx)));
+    const std::string dae = renamed(strip_dae(), "name=\"body\"", std::string("name=\"") + joint + "\"");
+    expect_strip(read_character(folder.write("strip.dae", dae)));
+  }
+}
+
 TEST(GltfFromScene, Collada) {
   const TempFolder folder;
   const std::string path = folder.write("strip.dae", strip_dae());
@@ -217,6 +233,16 @@ TEST(GltfFromScene, MotionsOfFbx) {
   EXPECT_EQ(json_of_glb(written(c))["animations"].size(), 1u);
 }
 
+TEST(GltfFromScene, AClipInWhichNothingMovesKeepsItsLength) {
+  const TempFolder folder;
+  std::string text = moving_fbx();
+  const std::string turn = "a: 0,90\n";
+  ASSERT_NE(text.find(turn), std::string::npos);
+  const Motion motion =
+      read_motion(folder.write("idle.fbx", text.replace(text.find(turn), turn.size(), "a: 0,0\n")), 10);
+  EXPECT_EQ(motion.clips.at(0).frames.size(), 11u);
+}
+
 TEST(GltfFromScene, BrokenMotionsAreOneLine) {
   const TempFolder folder;
   EXPECT_ERROR(read_motion(folder.file("none.dae")), "none.dae", "no such file");
@@ -243,7 +269,7 @@ TEST(GltfFromScene, BrokenFilesAreOneLine) {
   const TempFolder folder;
   EXPECT_ERROR(read_mesh(folder.file("none.fbx")), "none.fbx", "no such file");
   EXPECT_ERROR(read_mesh(folder.write("a.fbx", "")), "a.fbx", "empty");
-  EXPECT_ERROR(read_mesh(folder.write("a.fbx", "rubbish")), "a.fbx", "expected FBX");
+  EXPECT_ERROR(read_mesh(folder.write("a.fbx", "rubbish")), "a.fbx", "expected FBX", "open it in Blender", "glTF 2.0");
   EXPECT_ERROR(read_mesh(folder.write("a.dae", "<COLLADA>")), "a.dae", "expected COLLADA");
   EXPECT_ERROR(read_mesh(folder.write("a.smd", "rubbish")), "a.smd", "expected Valve SMD");
   EXPECT_ERROR(read_mesh(folder.write("a.mesh", "rubbish")), "a.mesh", "expected OGRE");

@@ -289,7 +289,10 @@ TEST(GltfMotion, AMeshWithoutADocumentGetsSkinAndClips) {
   }
   options.motion = &still;
   write_gltf(folder.file("still.glb"), character, options);
-  EXPECT_EQ(read_gltf_motion(folder.file("still.glb")).clips.size(), 1u);
+  EXPECT_EQ(read_gltf_motion(folder.file("still.glb"), 2).clips.at(0).frames.size(), 3u);
+  for (MotionFrame& frame : still.clips[0].frames) frame.rotations[1] = axis_rotation(2, 0.5);  // a held pose
+  write_gltf(folder.file("held.glb"), character, options);
+  EXPECT_EQ(read_gltf_motion(folder.file("held.glb"), 2).clips.at(0).frames.size(), 3u);
   Motion wrong = motion;
   wrong.joints.pop_back();
   options.motion = &wrong;
