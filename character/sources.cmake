@@ -86,6 +86,7 @@ set(sinew_character_sources
   motion/map_source
   motion/motion_file
   motion/motion_map
+  motion/motion_summary
   motion/moving_joints
   motion/retarget
   motion/simplify_skeleton

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "commands.hpp"
@@ -16,6 +17,7 @@
 #include "sinew_formats/checkpoint.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/motion.hpp"
 #include "sinew_formats/print.hpp"
 #include "support.hpp"
 
@@ -145,60 +147,97 @@ Character read_what_is_there(const std::string& path) {
   return is_rig || has_rig_beside(path) ? read_character(path) : read_mesh(path);
 }
 
-void inspect_gltf(const InspectCommandSettings& s) {
-  const GltfSummary summary = summarise_gltf(s.path);
-  const bool has_mesh = std::any_of(summary.meshes.begin(), summary.meshes.end(),
-                                    [](const GltfMeshSummary& mesh) { return mesh.in_scene && mesh.vertices > 0; });
-  Character character;
-  if (has_mesh) character = read_mesh(s.path);
-  const std::string kind = has_mesh ? character_kind(character) : "glTF without a mesh";
-  if (s.json) {
-    Json json = {{"file", s.path}, {"kind", kind}};
-    if (has_mesh) json.update(character_json(character));
-    json["gltf"] = gltf_json(summary);
-    return print_json(json);
+// The parts of a file that is a mesh, a skeleton, a motion or several of these.
+struct Contents {
+  std::optional<GltfSummary> gltf;
+  std::optional<Character> character;
+  std::optional<Motion> motion;
+};
+
+// A file that has no motion, or none that can be read, beside a mesh is a mesh.
+std::optional<Motion> motion_beside_mesh(const std::string& path) {
+  if (!has_use(path, kReadsMotion)) return std::nullopt;
+  try {
+    return read_motion(path);
+  } catch (const OutOfMemory&) {
+    throw;
+  } catch (const Error&) {
+    return std::nullopt;
   }
-  std::printf("%s: %s\n", s.path.c_str(), kind.c_str());
-  print_gltf(summary);
-  if (has_mesh) print_character(character);
 }
 
-void inspect_character(const InspectCommandSettings& s) {
-  const Character character = read_what_is_there(s.path);
-  const std::string kind = character_kind(character);
+Character skeleton_of(const Motion& motion) {
+  Character character;
+  character.name = motion.name;
+  character.joints = rest_joints(motion);
+  return character;
+}
+
+Contents contents_of(const std::string& path) {
+  Contents contents;
+  bool has_mesh = !is_motion_alone(path);
+  if (is_gltf(path)) {
+    contents.gltf = summarise_gltf(path);
+    has_mesh = std::any_of(contents.gltf->meshes.begin(), contents.gltf->meshes.end(),
+                           [](const GltfMeshSummary& mesh) { return mesh.in_scene && mesh.vertices > 0; });
+  }
+  if (is_motion_alone(path)) {
+    contents.motion = read_motion(path);
+  } else {
+    contents.motion = motion_beside_mesh(path);
+  }
+  try {
+    if (has_mesh) contents.character = read_what_is_there(path);
+  } catch (const Error&) {
+    if (!contents.motion) throw;  // a scene without a mesh
+  }
+  if (!contents.character && contents.motion) contents.character = skeleton_of(*contents.motion);
+  return contents;
+}
+
+void inspect_contents(const InspectCommandSettings& s) {
+  const Contents contents = contents_of(s.path);
+  const bool has_mesh = contents.character && !contents.character->vertices.empty();
+  const std::string kind = contents.motion && !has_mesh ? "motion"
+                           : contents.character         ? character_kind(*contents.character)
+                                                        : "glTF without a mesh";
   if (s.json) {
     Json json = {{"file", s.path}, {"kind", kind}};
-    json.update(character_json(character));
+    if (contents.character) json.update(character_json(*contents.character));
+    if (contents.motion) json["motion"] = motion_json(*contents.motion);
+    if (contents.gltf) json["gltf"] = gltf_json(*contents.gltf);
     return print_json(json);
   }
   std::printf("%s: %s\n", s.path.c_str(), kind.c_str());
-  print_character(character);
+  if (contents.gltf) print_gltf(*contents.gltf);
+  if (contents.motion) print_motion(*contents.motion);
+  if (contents.character) print_character(*contents.character);
 }
 
 void run_inspect(const InspectCommandSettings& s) {
   if (s.path == "bundled" || has_extension(s.path, ".sinew")) return inspect_model(s);
-  if (is_gltf(s.path)) return inspect_gltf(s);
-  const bool is_rig = has_use(s.path, kReadsSkeleton) && !has_use(s.path, kReadsMotion);
-  if (is_rig || has_use(s.path, kReadsMesh) || s.path == "-") return inspect_character(s);
+  if (has_use(s.path, kReadsSkeleton) || has_use(s.path, kReadsMesh) || s.path == "-") return inspect_contents(s);
   read_file(s.path);  // a missing file is told as such, not as an unknown kind
   if (is_checkpoint(s.path)) return inspect_checkpoint(s);
-  throw Error(s.path + ": neither a mesh (" + extensions_text(kReadsMesh) +
-              "), a rig (.rig.txt), a checkpoint nor a model (.sinew)" + remedy(s.path));
+  throw Error(s.path + ": neither a mesh (" + extensions_text(kReadsMesh) + "), a motion (" +
+              extensions_text(kReadsMotion) + "), a rig (.rig.txt), a checkpoint nor a model (.sinew)" +
+              remedy(s.path));
 }
 
 }  // namespace
 
 void add_inspect(CLI::App& app) {
-  CLI::App* sub = app.add_subcommand("inspect", "Say what is in a mesh, character, checkpoint or model");
+  CLI::App* sub = app.add_subcommand("inspect", "Say what is in a mesh, character, motion, checkpoint or model");
   auto s = std::make_shared<InspectCommandSettings>();
   sub->add_option("file", s->path,
-                  "A mesh, rig, character, checkpoint or model. " + mesh_files() + ", " + skeleton_files() +
+                  "A mesh, rig, character, motion, checkpoint or model. " + mesh_files() + ", " + skeleton_files() +
                       "; bundled = the model built into the program")
       ->required()
       ->type_name("FILE");
   shared_flag(sub, "--json", s->json);
   sub->footer(
-      "Example:\n  sinew inspect hero.glb\n\n"
+      "Examples:\n  sinew inspect hero.glb\n  sinew inspect walk.npz\n\n"
+      "Of a motion: joints, frames, rate, which way is up, the rest pose, and what had to be guessed.\n"
       "Of a glTF also: meshes and their skins, materials, images, animations, morph targets, extensions, and whether\n"
       "the inverse bind matrices agree with where the nodes stand now.");
   sub->callback([s] { run_inspect(*s); });

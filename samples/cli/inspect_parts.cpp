@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sinew_character/check/mesh_check.hpp"
+#include "sinew_character/motion/motion_summary.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/base/joint_tree.hpp"
 #include "support.hpp"
@@ -162,6 +163,38 @@ void print_skin(const GltfSkinSummary& skin) {
 }
 
 }  // namespace
+
+namespace {
+
+double seconds_of(const Clip& clip) {
+  return clip.frames.empty() ? 0 : static_cast<double>(clip.frames.size() - 1) * clip.frame_time;
+}
+
+std::string up_of(const RestSummary& rest) { return rest.up ? std::string(1, "xyz"[axis_index(*rest.up)]) : ""; }
+
+}  // namespace
+
+void print_motion(const Motion& motion) {
+  const RestSummary rest = rest_summary(motion);
+  std::printf("clips         %zu\n", motion.clips.size());
+  for (const Clip& clip : motion.clips)
+    std::printf("  %s  %zu frames, %.4g a second, %.2f s\n", clip.name.c_str(), clip.frames.size(), 1 / clip.frame_time,
+                seconds_of(clip));
+  std::printf("up            %s\nrest pose     %s\n", rest.up ? up_of(rest).c_str() : "unknown", rest.pose.c_str());
+  for (const std::string& note : motion.notes) std::printf("note          %s\n", note.c_str());
+}
+
+Json motion_json(const Motion& motion) {
+  const RestSummary rest = rest_summary(motion);
+  Json json = {{"clips", Json::array()}, {"up", rest.up ? Json(up_of(rest)) : Json(nullptr)}, {"rest_pose", rest.pose}};
+  for (const Clip& clip : motion.clips)
+    json["clips"].push_back({{"name", clip.name},
+                             {"frames", clip.frames.size()},
+                             {"frames_per_second", 1 / clip.frame_time},
+                             {"seconds", seconds_of(clip)}});
+  json["notes"] = motion.notes;
+  return json;
+}
 
 void print_gltf(const GltfSummary& summary) {
   if (!summary.generator.empty()) std::printf("generator     %s\n", summary.generator.c_str());

@@ -8,12 +8,17 @@
 
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/gltf_summary.hpp"
+#include "sinew_formats/motion.hpp"
 
 namespace sinew::cli {
 
 std::string character_kind(const Character& character);  // character, mesh and skeleton, mesh, skeleton
 void print_character(const Character& character);
 nlohmann::ordered_json character_json(const Character& character);
+
+// Clips, rest pose and up axis; joints stand in the character's part.
+void print_motion(const Motion& motion);
+nlohmann::ordered_json motion_json(const Motion& motion);
 
 void print_gltf(const GltfSummary& summary);
 nlohmann::ordered_json gltf_json(const GltfSummary& summary);

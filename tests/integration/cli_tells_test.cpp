@@ -11,7 +11,12 @@
 
 #include "cli_fixture.hpp"
 #include "glb_round.hpp"
+#include "numpy_bytes.hpp"
+#include "scene_files.hpp"
+#include "sinew_character/clips/builtin_motion.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/motion.hpp"
+#include "vmd_bytes.hpp"
 
 namespace sinew {
 namespace {
@@ -44,6 +49,38 @@ TEST_F(CliTells, WhatIsInAGltf) {
   put(in("bare.glb"), bare.glb());
   EXPECT_TRUE(has(good("inspect bare.glb").out, "glTF without a mesh"));
   EXPECT_EQ(json::parse(good("inspect bare.glb --json").out)["gltf"]["nodes"], 1);
+}
+
+TEST_F(CliTells, WhatIsInAMotion) {
+  const Motion walk = builtin_motions("builtin:walk").front();
+  write_bvh(in("walk.bvh"), walk, walk.clips[0]);
+  const std::string text = good("inspect walk.bvh").out;
+  EXPECT_TRUE(has(text, "walk.bvh: motion\nclips         1\n  walk  " + std::to_string(walk.clips[0].frames.size()) +
+                            " frames, 30 a second"))
+      << text;
+  EXPECT_TRUE(has(text, "\nup            y\nrest pose     stands, arms ")) << text;
+  EXPECT_TRUE(has(text, "\njoints        ")) << text;
+  const json bvh = json::parse(good("inspect walk.bvh --json").out);
+  EXPECT_EQ(bvh["kind"], "motion");
+  EXPECT_EQ(bvh["motion"]["up"], "y");
+  EXPECT_EQ(bvh["motion"]["clips"][0]["frames"], walk.clips[0].frames.size());
+  EXPECT_GE(bvh["joints"].size(), walk.joints.size());
+
+  put(in("dance.vmd"), test::vmd_of({{"\x8d\xb6\x82\xd0\x82\xb4", 10}, {"\x83\x58\x83\x4a\x81\x5b\x83\x67", 0}}));
+  const json vmd = json::parse(good("inspect dance.vmd --json").out);
+  EXPECT_EQ(vmd["motion"]["notes"][0], "1 bones without a standard name were left out");
+  EXPECT_EQ(vmd["motion"]["rest_pose"], "stands, arms lowered to the sides (A pose)");
+  put(in("poses.npz"), test::zip_of({{"poses.npy", test::npy_of("(2, 72)", std::vector<float>(144))}}));
+  EXPECT_TRUE(has(good("inspect poses.npz").out, "note          SMPL")) << "guesses are told";
+#ifdef SINEW_HAS_ASSIMP
+  put(in("moves.dae"), moving_dae());
+  const json dae = json::parse(good("inspect moves.dae --json").out);
+  EXPECT_EQ(dae["kind"], "motion");
+  EXPECT_EQ(dae["motion"]["clips"].size(), 2u);
+  EXPECT_TRUE(dae["motion"]["up"].is_null());
+#endif
+  put(in("cut.vmd"), "Vocaloid");
+  EXPECT_TRUE(has(bad(1, "inspect cut.vmd").error, "cut.vmd: truncated VMD"));
 }
 
 TEST_F(CliTells, WhatIsInOtherFilesAsJson) {
