@@ -39,19 +39,24 @@ set(sinew_formats_sources
   gltf/reduce_triangles
   gltf/gltf_summary
   gltf/gltf_write
+  gltf/iqm_to_glb
   gltf/lod_document
   gltf/tinygltf
   gltf/vrm
   gltf/vrm_zero
   motion/actors
+  motion/amc_read
   motion/bvh_read
   motion/bvh_write
   motion/morphs
   motion/motion
   motion/npy
+  motion/keypoint_layouts
+  motion/keypoints
+  motion/named_skeletons
   motion/numpy_read
   motion/person
-  motion/keypoints
+  motion/posed_joints
   motion/unzip
   motion/vmd_read
   text/mtl

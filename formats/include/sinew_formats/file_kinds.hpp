@@ -32,8 +32,10 @@ enum class FileReader : uint8_t {
   kRig,
   kGltf,
   kScene,  // through Assimp as a glTF document
+  kIqm,    // as a glTF document
   kBvh,
   kVmd,
+  kAmc,
   kNumpy,
   kPicture,
   kNone  // it is written alone

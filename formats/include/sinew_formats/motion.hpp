@@ -42,18 +42,20 @@ struct Motion {
   std::vector<std::string> notes;  // remarks of the reader for the user, a line each
 };
 
-// .bvh, .vmd, .npy, .npz, .vrma, or an animated .gltf, .glb, .vrm, .fbx or .dae. Animations are sampled at `fps` frames a second, 0 = at the
+// .bvh, .vmd, .amc, .npy, .npz, .vrma, or an animated .gltf, .glb, .vrm, .fbx or .dae. Animations are sampled at `fps` frames a second, 0 = at the
 // rate of their own keys, 30 where these have none. `layout` says which joints the places of a NumPy file are (keypoint_layouts()), ""
 // asks for a guess. Throws Error for a file without motion.
 Motion read_motion(const std::string& path, double fps = 0, const std::string& layout = "");
 Motion read_bvh(const std::string& path);
 Motion read_vmd(const std::string& path);
+// With the .asf of its name beside it, or of the beginning of its name, or the only one there.
+Motion read_amc(const std::string& path);
 Motion read_numpy_motion(const std::string& path, const std::string& layout = "");
 // The same for all but BVH. Joints are those that read_gltf() gives, in its order and with its names, then animated nodes above and below them; in a
 // file without a skin all animated nodes. The rest pose is the one that the skin was bound in.
 Motion read_gltf_motion(const std::string& path, double fps = 0);
 
-// "smpl24, humanml3d22, coco17, mediapipe33".
+// "smpl24, humanml3d22, coco17, h36m17, mediapipe33".
 std::string motion_layouts();
 
 // One of several people in a file: the skeleton below a root that has at least 8 joints, 5 of them ends, and at least half of the largest

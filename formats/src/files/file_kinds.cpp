@@ -31,11 +31,13 @@ const std::vector<FileKind>& file_kinds() {
       {".md5mesh", "MD5", kWhole, FileReader::kScene},
       {".ms3d", "MilkShape", kWhole, FileReader::kScene},
       {".smd", "Valve SMD", kWhole, FileReader::kScene},
+      {".iqm", "IQM", kWhole | kOffered, FileReader::kIqm},
       {".bvh", "BVH", kMotionAlone | kWritesMotion, FileReader::kBvh},
       {".vrma", "VRM animation", kMotionAlone, FileReader::kGltf},
       {".npz", "NumPy", kMotionAlone, FileReader::kNumpy},
       {".npy", "NumPy", kMotionAlone, FileReader::kNumpy},
       {".vmd", "VMD", kMotionAlone, FileReader::kVmd},
+      {".amc", "Acclaim", kMotionAlone, FileReader::kAmc},
       {".png", "PNG", kReadsPicture | kOffered, FileReader::kPicture},
       {".jpg", "JPEG", kReadsPicture | kOffered, FileReader::kPicture},
       {".jpeg", "JPEG", kReadsPicture | kOffered, FileReader::kPicture},
@@ -70,6 +72,12 @@ std::string remedy(const std::string& path) {
   if (is_motion_alone(path))
     return "; a " + std::string(file_kind(path)->name) +
            " has a skeleton and motion: take it with --skeleton, or with sinew animate --motion";
+  if (has_extension(path, ".asf")) return "; an Acclaim skeleton is read with its motion: name the .amc beside it";
+  if (has_extension(path, ".pkl"))
+    return "; a pickle may run code when it is opened, so sinew reads none. Save its arrays: python3 -c \"import "
+           "numpy; "
+           "numpy.savez('" +
+           stem_of(path) + ".npz', **numpy.load('" + path + "', allow_pickle=True))\"";
   if (has_use(path, kReadsPicture)) return "; sinew rig and sinew animate make a character of a picture";
   if (has_extension(path, ".max")) return "; in 3ds Max: File > Export > FBX or glTF";
   if (has_extension(path, ".ma") || has_extension(path, ".mb"))

@@ -12,12 +12,13 @@ namespace sinew {
 
 bool is_scene_file(const std::string& path) {
   const FileKind* kind = file_kind(path);
-  return kind != nullptr && kind->reader == FileReader::kScene;
+  return kind != nullptr && (kind->reader == FileReader::kScene || kind->reader == FileReader::kIqm);
 }
 
 GltfSource gltf_from_scene(const std::string& path) {
   std::vector<std::string> notes;
-  GltfSource source = load_gltf(path, scene_to_glb(path, &notes));
+  const bool iqm = file_kind(path)->reader == FileReader::kIqm;
+  GltfSource source = load_gltf(path, iqm ? iqm_to_glb(path, &notes) : scene_to_glb(path, &notes));
   source.notes = std::move(notes);
   source.path.clear();
   return source;

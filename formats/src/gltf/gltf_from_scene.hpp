@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// FBX and COLLADA as a glTF document, through Assimp where the build has it.
+// FBX and COLLADA as a glTF document, through Assimp where the build has it, and IQM.
 #ifndef SINEW_FORMATS_GLTF_GLTF_FROM_SCENE_HPP
 #define SINEW_FORMATS_GLTF_GLTF_FROM_SCENE_HPP
 
@@ -11,7 +11,7 @@
 
 namespace sinew {
 
-bool is_scene_file(const std::string& path);  // .fbx, .dae
+bool is_scene_file(const std::string& path);  // .fbx, .dae, .iqm
 
 // Mesh nodes, joints with their bind matrices, weights, UVs, normals, colours, blend shapes, materials with PNG and JPEG
 // pictures, animations of nodes; in metres, Y up. What is not carried over is in the notes. Joints are the nodes that move vertices, what
@@ -21,6 +21,8 @@ GltfSource gltf_from_scene(const std::string& path);
 // The bytes that gltf_from_scene() loads, a GLB. In a build with SINEW_SCENES_ELSEWHERE the host defines it: WebAssembly has
 // Assimp in a module of its own.
 std::vector<uint8_t> scene_to_glb(const std::string& path, std::vector<std::string>* notes);
+// The same of an IQM, without Assimp.
+std::vector<uint8_t> iqm_to_glb(const std::string& path, std::vector<std::string>* notes);
 
 }  // namespace sinew
 #endif

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "motion/keypoint_layouts.hpp"
 #include "motion/person.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/keypoints_stream.hpp"
@@ -22,15 +23,15 @@ struct HingeOf {
 };
 constexpr HingeOf kHinges[] = {{"UpperLeg", "LowerLeg", "Foot", {0, 0, 1}},
                                {"UpperArm", "LowerArm", "Hand", {0, 0, -1}}};
-// Parts that turn by their sides.
+// Parts whose rotation follows from two directions: the one from `from` to `to`, exactly, and the one from the joint to `along`.
 struct SidedPart {
-  const char *joint, *left, *along;
+  const char *joint, *to, *along;
+  const char* from = nullptr;  // null: the other side of `to`
 };
-constexpr SidedPart kSided[] = {{"hips", "leftUpperLeg", "spine"},
-                                {"hips", "leftUpperLeg", "upperChest"},
-                                {"upperChest", "leftUpperArm", "neck"},
-                                {"upperChest", "leftUpperArm", "head"},
-                                {"head", "leftEar_end", "nose_end"}};
+constexpr SidedPart kSided[] = {{"hips", "leftUpperLeg", "spine"},          {"hips", "leftUpperLeg", "upperChest"},
+                                {"upperChest", "leftUpperArm", "neck"},     {"upperChest", "leftUpperArm", "spine"},
+                                {"upperChest", "leftUpperArm", "head"},     {"head", "leftEar_end", "nose_end"},
+                                {"head", "headTop_end", "nose_end", "head"}};
 
 }  // namespace
 
@@ -43,7 +44,7 @@ class KeypointsSolver {
 
   // Up, sides, floor and lengths of `rows`, which are the motion's clip from then on.
   void learn(const std::vector<std::vector<Point3>>& rows) {
-    for (const std::vector<Point3>& row : rows) keypoints_.push_back(joints_of(row));
+    for (const std::vector<Point3>& row : rows) keypoints_.push_back(columns_.joints_of(row));
     stand_up();
     fit_lengths();
     fit_sides();
@@ -55,7 +56,7 @@ class KeypointsSolver {
 
   // One that may not have been among them.
   MotionFrame frame(const std::vector<Point3>& row) const {
-    std::vector<Point3> at = joints_of(row);
+    std::vector<Point3> at = columns_.joints_of(row);
     for (Point3& point : at) point = rotate(turn_, point);
     if (mirrored_) mirror(&at);
     if (relative_) lower(&at);
@@ -65,35 +66,9 @@ class KeypointsSolver {
   Motion& motion() { return motion_; }
 
  private:
-  // All joints of a layout, both sides, and the columns of each.
-  struct Columns {
-    std::vector<std::string> names;
-    std::vector<std::vector<size_t>> of;
-
-    explicit Columns(const KeypointsLayout& layout) {
-      for (const KeypointsLayout::Joint& joint : layout.joints) {
-        names.emplace_back(joint.name);
-        of.push_back(joint.columns);
-        if (joint.right.empty()) continue;
-        names.push_back(other_side_of_person(joint.name));
-        of.push_back(joint.right);
-      }
-    }
-  };
-
   int index(const std::string& name) const { return joint_named(motion_.joints, name); }
   static Point3 between(const std::vector<Point3>& at, int from, int to) {
     return at[static_cast<size_t>(to)] - at[static_cast<size_t>(from)];
-  }
-
-  std::vector<Point3> joints_of(const std::vector<Point3>& row) const {
-    std::vector<Point3> at;
-    for (const std::vector<size_t>& of : columns_.of) {
-      Point3 sum{};
-      for (const size_t column : of) sum = sum + row[column];
-      at.push_back((1 / static_cast<double>(of.size())) * sum);
-    }
-    return at;
   }
 
   static void mirror(std::vector<Point3>* at) {
@@ -204,7 +179,7 @@ class KeypointsSolver {
   // By whose sides a joint turns, where the layout has them; or null.
   const SidedPart* sided_part(size_t j) const {
     for (const SidedPart& part : kSided)
-      if (motion_.joints[j].name == part.joint && index(part.left) >= 0 && index(part.along) >= 0) return &part;
+      if (motion_.joints[j].name == part.joint && index(part.to) >= 0 && index(part.along) >= 0) return &part;
     return nullptr;
   }
 
@@ -233,9 +208,9 @@ class KeypointsSolver {
   Quaternion rotation_at(size_t j, const Quaternion& above, const std::vector<Point3>& at) const {
     const std::string& name = motion_.joints[j].name;
     if (const SidedPart* part = sided_part(j)) {
-      const int left = index(part->left), right = index(other_side_of_person(part->left)), along = index(part->along);
-      const int own = static_cast<int>(j);
-      return rotation_between(between(rest_, right, left), between(rest_, own, along), between(at, right, left),
+      const int from = index(part->from != nullptr ? part->from : other_side_of_person(part->to)), to = index(part->to);
+      const int own = static_cast<int>(j), along = index(part->along);
+      return rotation_between(between(rest_, from, to), between(rest_, own, along), between(at, from, to),
                               between(at, own, along));
     }
     const Quaternion straight = swung(j, above, at);
@@ -270,64 +245,13 @@ class KeypointsSolver {
     return normalised(multiply(rotation_between(bone, between(at, static_cast<int>(j), child)), above));
   }
 
-  Columns columns_;
+  LayoutColumns columns_;
   Motion motion_;
   std::vector<std::vector<Point3>> keypoints_;  // [frames][J]
   std::vector<Point3> rest_;
   Quaternion turn_ = kNoRotation4;            // to y up
   bool mirrored_ = false, relative_ = false;  // to the hips
 };
-
-const std::vector<KeypointsLayout>& keypoint_layouts() {
-  using Joints = std::vector<KeypointsLayout::Joint>;
-  static const Joints body = {{"hips", {0}},
-                              {"leftUpperLeg", {1}, {2}},
-                              {"leftLowerLeg", {4}, {5}},
-                              {"leftFoot", {7}, {8}},
-                              {"leftToes", {10}, {11}},
-                              {"spine", {3}},
-                              {"chest", {6}},
-                              {"upperChest", {9}},
-                              {"neck", {12}},
-                              {"head", {15}},
-                              {"leftShoulder", {13}, {14}},
-                              {"leftUpperArm", {16}, {17}},
-                              {"leftLowerArm", {18}, {19}},
-                              {"leftHand", {20}, {21}}};
-  static const std::vector<KeypointsLayout> layouts = [] {
-    Joints smpl = body;
-    smpl.push_back({"leftHand_end", {22}, {23}});
-    const Joints coco = {{"hips", {11, 12}},         {"leftUpperLeg", {11}, {12}}, {"leftLowerLeg", {13}, {14}},
-                         {"leftFoot", {15}, {16}},   {"upperChest", {5, 6}},       {"head", {3, 4}},
-                         {"nose_end", {0}},          {"leftEar_end", {3}, {4}},    {"leftUpperArm", {5}, {6}},
-                         {"leftLowerArm", {7}, {8}}, {"leftHand", {9}, {10}}};
-    const Joints mediapipe = {{"hips", {23, 24}},
-                              {"leftUpperLeg", {23}, {24}},
-                              {"leftLowerLeg", {25}, {26}},
-                              {"leftFoot", {27}, {28}},
-                              {"leftToes", {31}, {32}},
-                              {"upperChest", {11, 12}},
-                              {"head", {7, 8}},
-                              {"nose_end", {0}},
-                              {"leftEar_end", {7}, {8}},
-                              {"leftUpperArm", {11}, {12}},
-                              {"leftLowerArm", {13}, {14}},
-                              {"leftHand", {15}, {16}},
-                              {"leftHand_end", {17, 19}, {18, 20}}};
-    return std::vector<KeypointsLayout>{{"smpl24", 24, 30, smpl},
-                                        {"humanml3d22", 22, 20, body},
-                                        {"coco17", 17, 30, coco},
-                                        {"mediapipe33", 33, 30, mediapipe}};
-  }();
-  return layouts;
-}
-
-std::string motion_layouts() {
-  std::string names;
-  for (const KeypointsLayout& layout : keypoint_layouts())
-    names += (names.empty() ? "" : ", ") + std::string(layout.name);
-  return names;
-}
 
 Motion motion_of_keypoints(const KeypointsLayout& layout, const std::vector<std::vector<Point3>>& keypoints) {
   KeypointsSolver solver(layout);

@@ -165,6 +165,8 @@ Motion read_motion(const std::string& path, double fps, const std::string& layou
       return read_bvh(path);
     case FileReader::kVmd:
       return read_vmd(path);
+    case FileReader::kAmc:
+      return read_amc(path);
     case FileReader::kNumpy:
       return read_numpy_motion(path, layout);
     default:

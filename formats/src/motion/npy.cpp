@@ -79,11 +79,7 @@ class NpyReader {
     if (bytes_.size() - data_ < count * kind->bytes)
       throw Error(where_ + ": truncated array, expected " + std::to_string(count) + " numbers, found " +
                   std::to_string((bytes_.size() - data_) / kind->bytes));
-    for (size_t i = 0; i < count; ++i) {
-      const double value = kind->at(bytes_.data() + data_ + kind->bytes * i);
-      if (!std::isfinite(value)) fail("finite numbers", "another at " + std::to_string(i));
-      array.values.push_back(value);
-    }
+    for (size_t i = 0; i < count; ++i) array.values.push_back(kind->at(bytes_.data() + data_ + kind->bytes * i));
     if (value_of(header_, "fortran_order").substr(0, 4) == "True") by_rows(&array);
     return array;
   }
@@ -167,10 +163,12 @@ NpyFile read_npy_file(const std::string& path) {
   for (const auto& [name, content] : unzip(path, bytes)) {
     const std::string key = has_extension(name, ".npy") ? name.substr(0, name.size() - 4) : name;
     std::optional<NpyArray> array = NpyReader(path + ": " + in_quotes(key), content).read();
-    if (array)
+    if (array) {
+      array->name = key;
       file.arrays[key] = std::move(*array);
-    else
+    } else {
       file.left_out += (file.left_out.empty() ? "" : ", ") + in_quotes(key);
+    }
   }
   return file;
 }

@@ -12,16 +12,17 @@
 namespace sinew {
 
 struct NpyArray {
+  std::string name;            // "" of a .npy
   std::vector<size_t> shape;   // empty: one number
-  std::vector<double> values;  // row by row; all finite
+  std::vector<double> values;  // row by row; not all need be finite
 
   size_t rows() const { return shape.empty() ? 1 : shape[0]; }
   size_t width() const { return rows() == 0 ? 0 : values.size() / rows(); }  // numbers of a row
 };
 
-// By name; the one of a .npy is called "". What holds no numbers (text, objects) is left out, `left_out` names it. Throws Error.
+// What holds no numbers (text, objects) is left out, `left_out` names it. Throws Error.
 struct NpyFile {
-  std::map<std::string, NpyArray> arrays;
+  std::map<std::string, NpyArray> arrays;  // by name
   std::string left_out;
 };
 NpyFile read_npy_file(const std::string& path);

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Motions in NumPy files: rotations of SMPL, SMPL-H and SMPL-X, or keypoints of joints alone. No body model is needed.
+// Motions in NumPy files: rotations of SMPL, SMPL-H and SMPL-X, joints with positions and rotations, HumanML3D's features, or keypoints alone. No body
+// model is needed.
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "motion/keypoint_layouts.hpp"
+#include "motion/named_skeletons.hpp"
 #include "motion/npy.hpp"
 #include "motion/person.hpp"
+#include "motion/posed_joints.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/keypoints_stream.hpp"
@@ -14,39 +18,6 @@
 
 namespace sinew {
 namespace {
-
-// Joints of a body model in its order; hands are five fingers of three joints in the order of MANO.
-struct BodyModel {
-  const char* name;
-  std::vector<std::string> joints;
-};
-const std::vector<BodyModel>& body_models() {
-  static const std::vector<BodyModel> models = [] {
-    const std::vector<std::string> body = {
-        "hips",         "leftUpperLeg",  "rightUpperLeg", "spine",      "leftLowerLeg", "rightLowerLeg",
-        "chest",        "leftFoot",      "rightFoot",     "upperChest", "leftToes",     "rightToes",
-        "neck",         "leftShoulder",  "rightShoulder", "head",       "leftUpperArm", "rightUpperArm",
-        "leftLowerArm", "rightLowerArm", "leftHand",      "rightHand"};
-    std::vector<std::string> hands;
-    for (const char* side : {"left", "right"})
-      for (const char* finger : {"Index", "Middle", "Little", "Ring"})
-        for (const char* part : {"Proximal", "Intermediate", "Distal"})
-          hands.push_back(side + std::string(finger) + part);
-    for (const size_t at : {12u, 27u})  // a thumb behind four fingers
-      for (const char* part : {"Distal", "Proximal", "Metacarpal"})
-        hands.insert(hands.begin() + static_cast<std::ptrdiff_t>(at),
-                     (at == 12 ? "leftThumb" : "rightThumb") + std::string(part));
-    const auto join = [](std::vector<std::string> a, const std::vector<std::string>& b) {
-      a.insert(a.end(), b.begin(), b.end());
-      return a;
-    };
-    return std::vector<BodyModel>{{"SMPL, without hands", body},
-                                  {"SMPL", join(body, {"leftHand_end", "rightHand_end"})},
-                                  {"SMPL-H", join(body, hands)},
-                                  {"SMPL-X", join(join(body, {"jaw", "leftEye", "rightEye"}), hands)}};
-  }();
-  return models;
-}
 
 Quaternion of_axis_angle(const double* v) {
   const double angle = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
@@ -61,17 +32,22 @@ Quaternion of_matrix(const double* v) {  // row by row
   return quaternion_of(rotation_part({v[0], v[1], v[2], 0, v[3], v[4], v[5], 0, v[6], v[7], v[8], 0}));
 }
 
+constexpr size_t kFeatures = 263, kFeatureJoints = 22;  // of HumanML3D
+
 class NumpyReader {
  public:
   NumpyReader(const std::string& path, const std::string& layout)
       : path_(path), layout_(layout), file_(read_npy_file(path)) {}
 
   Motion read() {
-    if (layout_.empty() && has_rotations()) {
+    if (layout_.empty() && has_rotations())
       read_rotations();
-    } else {
+    else if (layout_.empty() && posed_rotations() != nullptr)
+      read_posed_joints();
+    else if (const NpyArray* features = features_array())
+      read_features(*features);
+    else
       read_keypoints();
-    }
     motion_.name = stem_of(path_);
     Clip& clip = motion_.clips[0];
     clip.name = motion_.name;
@@ -83,10 +59,22 @@ class NumpyReader {
     throw Error(path_ + ": expected " + expected + ", found " + found);
   }
 
-  const NpyArray* find(std::initializer_list<const char*> names) const {
+  const NpyArray* look_up(std::initializer_list<const char*> names) const {
     for (const char* name : names)
       if (const auto at = file_.arrays.find(name); at != file_.arrays.end()) return &at->second;
     return nullptr;
+  }
+  // An array whose numbers are used. Those of the others may be anything: captures mark what they did not see with NaN.
+  const NpyArray* find(std::initializer_list<const char*> names) const {
+    const NpyArray* const array = look_up(names);
+    if (array != nullptr) check_numbers(*array);
+    return array;
+  }
+  void check_numbers(const NpyArray& array) const {
+    for (size_t i = 0; i < array.values.size(); ++i)
+      if (!std::isfinite(array.values[i]))
+        throw Error(path_ + (array.name.empty() ? "" : ": " + in_quotes(array.name)) +
+                    ": expected finite numbers, found another at " + std::to_string(i));
   }
   std::string arrays_text() const {
     std::string text;
@@ -98,7 +86,7 @@ class NumpyReader {
     }
     return text.empty() ? "no numbers" : text;
   }
-  bool has_rotations() const { return find({"poses", "global_orient", "root_orient"}) != nullptr; }
+  bool has_rotations() const { return look_up({"poses", "smpl_poses", "global_orient", "root_orient"}) != nullptr; }
 
   double frame_time(double fps) {
     const NpyArray* const rate = find({"mocap_framerate", "mocap_frame_rate", "fps", "frame_rate"});
@@ -112,7 +100,7 @@ class NumpyReader {
 
   // [frames x numbers] of one frame's rotations, from one array or several side by side.
   std::vector<const NpyArray*> rotation_arrays() const {
-    if (const NpyArray* poses = find({"poses"})) return {poses};
+    if (const NpyArray* poses = find({"poses", "smpl_poses"})) return {poses};
     const NpyArray* const root = find({"global_orient", "root_orient"});
     const NpyArray* const body = find({"body_pose", "pose_body"});
     if (body == nullptr) fail("'body_pose' beside 'global_orient'", arrays_text());
@@ -139,12 +127,13 @@ class NumpyReader {
     const auto [model, numbers] = model_of(width, arrays);
     if (frames > kMostRotations / model->joints.size())
       fail("at most " + std::to_string(kMostRotations) + " frames times joints", std::to_string(frames) + " frames");
-    const NpyArray* const moves = find({"trans", "transl"});
+    const NpyArray* const moves = find({"trans", "transl", "smpl_trans"});
     if (moves != nullptr && (moves->rows() != frames || moves->width() != 3))
       fail("'trans' of 3 numbers a frame", arrays_text());
+    const double scale = body_scale();
     motion_.joints = person_joints(model->joints);
     Clip clip;
-    clip.frame_time = frame_time(30);
+    clip.frame_time = frame_time(look_up({"smpl_poses"}) != nullptr ? 60 : 30);
     std::vector<double> row;
     for (size_t f = 0; f < frames; ++f) {
       row.clear();
@@ -152,13 +141,25 @@ class NumpyReader {
         const auto begin = array->values.begin() + static_cast<std::ptrdiff_t>(f * array->width());
         row.insert(row.end(), begin, begin + static_cast<std::ptrdiff_t>(array->width()));
       }
-      clip.frames.push_back(frame_of(row, numbers, moves == nullptr ? nullptr : &moves->values[3 * f]));
+      clip.frames.push_back(frame_of(row, numbers));
+      if (moves == nullptr) continue;
+      const double* const v = &moves->values[3 * f];
+      clip.frames.back().translations[0] = (1 / scale) * Point3{v[0], v[1], v[2]};
     }
     motion_.notes.push_back(
         print("%s, %zu numbers a rotation%s; bones have the lengths of a person of ours, no body model's", model->name,
               numbers, numbers == 6 ? " (two columns of the matrix)" : ""));
     motion_.clips.push_back(std::move(clip));
     stand_up();
+  }
+
+  // AIST++ divides its positions by how many units of 'smpl_trans' are a meter.
+  double body_scale() const {
+    const NpyArray* const scaling = find({"smpl_scaling"});
+    if (scaling == nullptr) return 1;
+    if (scaling->values.size() != 1 || !(scaling->values[0] > 0))
+      fail("'smpl_scaling' of one number above 0", arrays_text());
+    return scaling->values[0];
   }
 
   // By how many numbers a frame has: no two models and forms have as many. Keypoints of their own say how many a rotation has.
@@ -171,7 +172,7 @@ class NumpyReader {
          arrays_text());
   }
 
-  MotionFrame frame_of(const std::vector<double>& row, size_t numbers, const double* hips) const {
+  MotionFrame frame_of(const std::vector<double>& row, size_t numbers) const {
     MotionFrame frame;
     for (size_t j = 0; j < motion_.joints.size(); ++j) {
       const double* const v = &row[numbers * j];
@@ -179,7 +180,6 @@ class NumpyReader {
       frame.rotations.push_back(motion_.joints[j].end ? kNoRotation4 : q);
       frame.translations.push_back(motion_.joints[j].offset);
     }
-    if (hips != nullptr) frame.translations[0] = {hips[0], hips[1], hips[2]};
     return frame;
   }
 
@@ -199,8 +199,9 @@ class NumpyReader {
   // The array of keypoints: by its name, else the only one of that shape.
   const NpyArray* keypoints_array() const {
     const auto fits = [](const NpyArray& a) { return a.shape.size() == 3 && (a.shape[2] == 3 || a.shape[2] == 4); };
-    for (const char* name : {"joints", "joints3d", "joints_3d", "positions", "keypoints", "keypoints3d", "motion", ""})
-      if (const NpyArray* array = find({name}); array != nullptr && fits(*array)) return array;
+    for (const char* name :
+         {"posed_joints", "joints", "joints3d", "joints_3d", "positions", "keypoints", "keypoints3d", "motion", ""})
+      if (const NpyArray* array = look_up({name}); array != nullptr && fits(*array)) return array;
     const NpyArray* only = nullptr;
     for (const auto& [name, array] : file_.arrays) {
       if (!fits(array)) continue;
@@ -210,20 +211,65 @@ class NumpyReader {
     return only;
   }
 
-  const KeypointsLayout& layout_of(size_t count) {
-    std::string counts;
+  const KeypointsLayout& layout_of(const std::vector<std::vector<Point3>>& keypoints) {
+    const size_t count = keypoints[0].size();
+    if (layout_.empty()) return guessed_layout(keypoints);
     for (const KeypointsLayout& layout : keypoint_layouts()) {
-      counts += (counts.empty() ? "" : ", ") + std::to_string(layout.count) + " (" + layout.name + ")";
-      if (layout_.empty() ? layout.count != count : layout_ != layout.name) continue;
+      if (layout_ != layout.name) continue;
       if (layout.count != count)
         fail(std::to_string(layout.count) + " joints of " + layout.name, std::to_string(count));
-      if (layout_.empty())
-        motion_.notes.push_back(
-            print("%zu keypoints a frame, so the layout %s was guessed; --layout says another", count, layout.name));
       return layout;
     }
-    if (!layout_.empty()) fail("a layout (" + motion_layouts() + ")", in_quotes(layout_));
+    fail("a layout (" + motion_layouts() + ")", in_quotes(layout_));
+  }
+
+  const KeypointsLayout& guessed_layout(const std::vector<std::vector<Point3>>& keypoints) {
+    const size_t count = keypoints[0].size();
+    std::string misfits;
+    if (const KeypointsLayout* layout = recognize_layout(keypoints, &misfits)) {
+      motion_.notes.push_back(
+          print("%zu keypoints a frame that are a body in the layout %s, so the layout %s was guessed; --layout says "
+                "another",
+                count, layout->name, layout->name));
+      return *layout;
+    }
+    if (!misfits.empty())
+      fail(print("%zu keypoints that are a body in one known layout", count),
+           "that they miss " + misfits +
+               " (bones that change their lengths, unlike sides, proportions); say with --layout "
+               "NAME which it is");
+    std::string counts;
+    for (const KeypointsLayout& layout : keypoint_layouts())
+      counts += (counts.empty() ? "" : ", ") + std::to_string(layout.count) + " (" + layout.name + ")";
     fail("keypoints of " + counts + " joints", std::to_string(count));
+  }
+
+  void check_frames(size_t frames, size_t joints) const {
+    if (frames == 0 || frames > kMostRotations / joints)
+      fail("1 to " + std::to_string(kMostRotations / joints) + " frames", std::to_string(frames));
+  }
+
+  // [frames][joints] of an array [frames, joints, 3 or 4]; the fourth number is left out.
+  std::vector<std::vector<Point3>> rows_of(const NpyArray& array) const {
+    check_numbers(array);
+    const size_t frames = array.shape[0], count = array.shape[1], width = array.shape[2];
+    if (count == 0) fail("keypoints [frames, joints, 3]", arrays_text());
+    check_frames(frames, count);
+    std::vector<std::vector<Point3>> rows(frames);
+    for (size_t f = 0; f < frames; ++f)
+      for (size_t j = 0; j < count; ++j) {
+        const double* const v = &array.values[(f * count + j) * width];
+        rows[f].push_back({v[0], v[1], v[2]});
+        for (const double x : rows[f].back())
+          if (!(std::abs(x) < 1e6)) fail("keypoints within a million of the origin", print("%g in frame %zu", x, f));
+      }
+    return rows;
+  }
+
+  void take(Motion found, double fps) {
+    found.notes.insert(found.notes.begin(), motion_.notes.begin(), motion_.notes.end());
+    motion_ = std::move(found);
+    motion_.clips[0].frame_time = frame_time(fps);
   }
 
   void read_keypoints() {
@@ -231,22 +277,67 @@ class NumpyReader {
     if (array == nullptr)
       fail("'poses' or 'global_orient' and 'body_pose' of a body model, or keypoints [frames, joints, 3]",
            arrays_text());
-    const size_t frames = array->shape[0], count = array->shape[1], width = array->shape[2];
-    const KeypointsLayout& layout = layout_of(count);
-    if (frames == 0 || frames > kMostRotations / count)
-      fail("1 to " + std::to_string(kMostRotations / count) + " frames", std::to_string(frames));
-    std::vector<std::vector<Point3>> keypoints(frames);
-    for (size_t f = 0; f < frames; ++f)
-      for (size_t j = 0; j < count; ++j) {
-        const double* const v = &array->values[(f * count + j) * width];
-        keypoints[f].push_back({v[0], v[1], v[2]});
-        for (const double x : keypoints[f].back())
-          if (!(std::abs(x) < 1e6)) fail("keypoints within a million of the origin", print("%g in frame %zu", x, f));
+    const std::vector<std::vector<Point3>> keypoints = rows_of(*array);
+    const KeypointsLayout& layout = layout_of(keypoints);
+    take(motion_of_keypoints(layout, keypoints), layout.fps);
+  }
+
+  // Rotations in the world beside keypoints, [frames, joints, 3, 3]; or null.
+  const NpyArray* posed_rotations() const {
+    const NpyArray* const rotations = look_up({"global_rot_mats", "global_rotations", "global_rots"});
+    const NpyArray* const positions = keypoints_array();
+    if (rotations == nullptr || positions == nullptr) return nullptr;
+    const std::vector<size_t> shape = {positions->shape[0], positions->shape[1], 3, 3};
+    return rotations->shape == shape ? rotations : nullptr;
+  }
+
+  void read_posed_joints() {
+    const NpyArray& rotations = *posed_rotations();
+    check_numbers(rotations);
+    PosedJoints joints = {rows_of(*keypoints_array()), {}};
+    const double* matrix = rotations.values.data();
+    for (const std::vector<Point3>& row : joints.positions) {
+      std::vector<Quaternion>& own = joints.rotations.emplace_back();
+      for (size_t j = 0; j < row.size(); ++j, matrix += 9) own.push_back(of_matrix(matrix));
+    }
+    take(motion_of_posed_joints(path_, joints), 30);
+    stand_up();
+  }
+
+  // HumanML3D's features, [frames, 263]; or null.
+  const NpyArray* features_array() const {
+    for (const auto& [name, array] : file_.arrays)
+      if (array.shape.size() == 2 && array.shape[1] == kFeatures) return &array;
+    return nullptr;
+  }
+
+  // Of a frame the root's turn about y and its step to the next frame in its own axes (x, z), its height, then the other joints' positions in its axes.
+  // What follows (rotations, velocities, contacts) says the same once more.
+  void read_features(const NpyArray& features) {
+    check_numbers(features);
+    check_frames(features.rows(), kFeatureJoints);
+    std::vector<std::vector<Point3>> rows;
+    double angle = 0;  // of half the turn
+    Point3 root{};
+    for (size_t f = 0; f < features.rows(); ++f) {
+      const double* const v = &features.values[f * kFeatures];
+      if (f > 0) {
+        const double* const before = v - kFeatures;
+        angle += before[0];
+        root = root + rotate(axis_rotation(1, -2 * angle), {before[1], 0, before[2]});
       }
-    Motion found = motion_of_keypoints(layout, keypoints);
-    found.notes.insert(found.notes.begin(), motion_.notes.begin(), motion_.notes.end());
-    motion_ = std::move(found);
-    motion_.clips[0].frame_time = frame_time(layout.fps);
+      const Quaternion turn = axis_rotation(1, -2 * angle);
+      root[1] = v[3];
+      std::vector<Point3>& row = rows.emplace_back(1, root);
+      for (size_t j = 1; j < kFeatureJoints; ++j) {
+        const double* const at = v + 4 + 3 * (j - 1);
+        row.push_back(rotate(turn, {at[0], at[1], at[2]}) + Point3{root[0], 0, root[2]});
+      }
+    }
+    const KeypointsLayout& layout = layout_of(rows);
+    motion_.notes.insert(motion_.notes.begin(),
+                         print("%zu numbers a frame were taken for HumanML3D's features", kFeatures));
+    take(motion_of_keypoints(layout, rows), layout.fps);
   }
 
   const std::string path_, layout_;

@@ -2,6 +2,6 @@
 # Files by extension. Generated from formats/src/files/file_kinds.cpp by scripts/file_kinds.py; a test compares.
 extends Reference
 
-const MESHES = ["obj", "gltf", "glb", "vrm", "fbx", "dae"]
-const SKELETONS = "*.rig.txt,*.gltf,*.glb,*.vrm,*.fbx,*.dae,*.bvh,*.vrma,*.npz,*.npy,*.vmd"
-const MOTIONS = "*.gltf,*.glb,*.vrm,*.fbx,*.dae,*.bvh,*.vrma,*.npz,*.npy,*.vmd"
+const MESHES = ["obj", "gltf", "glb", "vrm", "fbx", "dae", "iqm"]
+const SKELETONS = "*.rig.txt,*.gltf,*.glb,*.vrm,*.fbx,*.dae,*.iqm,*.bvh,*.vrma,*.npz,*.npy,*.vmd,*.amc"
+const MOTIONS = "*.gltf,*.glb,*.vrm,*.fbx,*.dae,*.iqm,*.bvh,*.vrma,*.npz,*.npy,*.vmd,*.amc"

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "expect_error.hpp"
+#include "motion/named_skeletons.hpp"
 #include "motion/npy.hpp"
 #include "numpy_bytes.hpp"
 #include "sinew_formats/base/point.hpp"
@@ -238,7 +239,7 @@ TEST(Keypoints, WhatIsWrongIsOneLine) {
     return "nothing";
   };
   EXPECT_EQ(line([&] { KeypointsStream("h36m", rows); }),
-            "keypoints: no layout is called 'h36m', expected one of smpl24, humanml3d22, coco17, mediapipe33");
+            "keypoints: no layout is called 'h36m', expected one of smpl24, humanml3d22, coco17, h36m17, mediapipe33");
   EXPECT_EQ(line([&] { KeypointsStream("smpl24", {}); }),
             "keypoints: expected frames of the person that moves, a second or two, found none");
   EXPECT_EQ(line([&] { KeypointsStream("coco17", rows); }), "keypoints: expected 17 keypoints as coco17 has, found 24");
@@ -301,6 +302,162 @@ TEST(Numpy, LayoutsOfCamerasHaveMiddles) {
   }
 }
 
+// Human3.6M: z up, millimeters. Both layouts of 17 joints are told apart by what is a body.
+TEST(Numpy, LayoutsOfOneCountAreToldApartByTheBody) {
+  const Motion from = amass();
+  std::vector<float> h36m;
+  for (const MotionFrame& frame : from.clips[0].frames) {
+    const WorldPose pose = world_pose(from, frame);
+    const auto at = [&](const char* joint) { return pose.positions[joint_of(from, joint)]; };
+    const size_t head = joint_of(from, "head");
+    std::vector<Point3> row = {at("hips"),      at("rightUpperLeg"), at("rightLowerLeg"),
+                               at("rightFoot"), at("leftUpperLeg"),  at("leftLowerLeg"),
+                               at("leftFoot"),  at("spine"),         0.5 * (at("leftUpperArm") + at("rightUpperArm"))};
+    for (const Point3& in_head : {Point3{0, 0.03, 0.11}, Point3{0, 0.17, 0}})
+      row.push_back(pose.positions[head] + rotate(pose.rotations[head], in_head));
+    for (const char* joint :
+         {"leftUpperArm", "leftLowerArm", "leftHand", "rightUpperArm", "rightLowerArm", "rightHand"})
+      row.push_back(at(joint));
+    for (const Point3& p : row)
+      for (const double x : {p[0], -p[2], p[1]}) h36m.push_back(static_cast<float>(1000 * x));
+  }
+  const Motion found = read("h.npy", npy_of(shape_of({kFrames, 17, 3}), h36m));
+  EXPECT_TRUE(has_note(found, "the layout h36m17 was guessed"));
+  EXPECT_TRUE(has_note(found, "stands along z"));
+  for (size_t f = 0; f < kFrames; ++f) {
+    const WorldPose a = world_pose(found, found.clips[0].frames[f]), b = world_pose(from, from.clips[0].frames[f]);
+    for (const char* joint : {"leftHand", "rightFoot", "leftLowerLeg", "rightLowerArm", "spine"})
+      EXPECT_LT(length(0.001 * a.positions[joint_of(found, joint)] - b.positions[joint_of(from, joint)]), 0.03)
+          << joint;
+    EXPECT_GT(std::abs(dot(a.rotations[joint_of(found, "head")], b.rotations[joint_of(from, "head")])), std::cos(0.2));
+  }
+  for (size_t i = 0; i < h36m.size(); i += 3) std::swap(h36m[i], h36m[(i * 7 + 30) % h36m.size() / 3 * 3]);
+  EXPECT_ERROR(read("h.npy", npy_of(shape_of({kFrames, 17, 3}), h36m)),
+               "h.npy: expected 17 keypoints that are a body in one known layout", "coco17 by ", "h36m17 by ",
+               "say with --layout NAME which it is");
+  EXPECT_EQ(read("h.npy", npy_of(shape_of({kFrames, 17, 3}), h36m), "h36m17").joints.size(), 18u) << "it was said";
+}
+
+// Captures mark what they did not see.
+TEST(Numpy, OnlyArraysThatAreReadMustBeFinite) {
+  const std::vector<float> unseen(kFrames * 6, NAN);
+  const Motion motion = read("walk.npz", zip_of({{"poses.npy", npy_of(shape_of({kFrames, 72}), bent_body(24))},
+                                                 {"trans.npy", npy_of(shape_of({kFrames, 3}), path())},
+                                                 {"marker_data.npy", npy_of(shape_of({kFrames, 2, 3}), unseen)}}));
+  EXPECT_EQ(motion.clips[0].frames.size(), kFrames);
+  EXPECT_ERROR(
+      read("walk.npz", zip_of({{"poses.npy", npy_of(shape_of({kFrames, 72}), bent_body(24))},
+                               {"trans.npy", npy_of(shape_of({kFrames, 3}), std::vector<float>(kFrames * 3, NAN))}})),
+      "walk.npz: 'trans': expected finite numbers, found another at 0");
+}
+
+TEST(Numpy, ReadsTheNamesOfAist) {
+  std::vector<double> far = path();
+  for (double& x : far) x *= 90;
+  const Motion motion = read("dance.npz", zip_of({{"smpl_poses.npy", npy_of(shape_of({kFrames, 72}), bent_body(24))},
+                                                  {"smpl_trans.npy", npy_of(shape_of({kFrames, 3}), far)},
+                                                  {"smpl_scaling.npy", npy_of("(1,)", std::vector<double>{90})}}));
+  EXPECT_NEAR(motion.clips[0].frames[4].translations[0][0], 0.4, 1e-9);
+  EXPECT_DOUBLE_EQ(motion.clips[0].frame_time, 1.0 / 60);
+}
+
+// Joints of a skeleton that turn, each at its own pace, as a file with positions and rotations in the world.
+std::string posed_file(const std::vector<int>& parents, std::vector<float>* places = nullptr) {
+  std::vector<float> positions, rotations;
+  for (size_t f = 0; f < kFrames; ++f) {
+    std::vector<Point3> at;
+    std::vector<Quaternion> turned;
+    for (size_t j = 0; j < parents.size(); ++j) {
+      const double t = static_cast<double>(f), number = static_cast<double>(j);
+      const Quaternion own = axis_rotation(j % 3, 0.1 * t * std::sin(1 + number));
+      if (parents[j] < 0) {
+        at.push_back({0.1 * t, 1, 0});
+        turned.push_back(own);
+      } else {
+        const size_t parent = static_cast<size_t>(parents[j]);
+        at.push_back(at[parent] + rotate(turned[parent], {0.1 * std::sin(number), 0.2, 0.1 * std::cos(number)}));
+        turned.push_back(multiply(turned[parent], own));
+      }
+      for (const double x : at.back()) positions.push_back(static_cast<float>(x));
+      for (const double x : rotation_of(turned.back())) rotations.push_back(static_cast<float>(x));
+    }
+  }
+  if (places != nullptr) *places = positions;
+  return zip_of({{"posed_joints.npy", npy_of(shape_of({kFrames, parents.size(), 3}), positions)},
+                 {"global_rot_mats.npy", npy_of(shape_of({kFrames, parents.size(), 3, 3}), rotations)}});
+}
+
+TEST(Numpy, JointsWithRotationsAreKnownByWhatCarriesThem) {
+  for (const NamedSkeleton& skeleton : named_skeletons()) {
+    std::vector<float> places;
+    const Motion motion = read("k.npz", posed_file(skeleton.parents, &places));
+    ASSERT_EQ(motion.joints.size(), skeleton.joints.size());
+    EXPECT_TRUE(has_note(motion, skeleton.name));
+    for (size_t j = 0; j < skeleton.joints.size(); ++j) {
+      EXPECT_EQ(motion.joints[j].name, skeleton.joints[j]);
+      EXPECT_EQ(motion.joints[j].parent, skeleton.parents[j]);
+    }
+    for (size_t f = 0; f < kFrames; ++f) {
+      const WorldPose pose = world_pose(motion, motion.clips[0].frames[f]);
+      for (size_t j = 0; j < skeleton.joints.size(); ++j)
+        for (size_t i = 0; i < 3; ++i)
+          EXPECT_NEAR(pose.positions[j][i], double{places[3 * (f * skeleton.joints.size() + j) + i]}, 1e-5);
+    }
+  }
+}
+
+TEST(Numpy, ParentsOfAnUnknownSkeletonAreGuessedAndTold) {
+  const std::vector<int> parents = {-1, 0, 1, 1, 3, 0, 5};
+  const Motion motion = read("k.npz", posed_file(parents));
+  EXPECT_TRUE(has_note(motion, "parents were guessed"));
+  for (size_t j = 0; j < parents.size(); ++j) EXPECT_EQ(motion.joints[j].parent, parents[j]) << j;
+  std::vector<float> places, turns(kFrames * 7 * 9);
+  posed_file(parents, &places);
+  for (size_t i = 0; i < turns.size(); i += 4) turns[i] = 1;  // not those of these joints
+  for (size_t i = 0; i < places.size(); i += 5) places[i] += 0.1f * static_cast<float>(i % 7);
+  EXPECT_ERROR(read("k.npz", zip_of({{"posed_joints.npy", npy_of(shape_of({kFrames, 7, 3}), places)},
+                                     {"global_rot_mats.npy", npy_of(shape_of({kFrames, 7, 3, 3}), turns)}})),
+               "k.npz: expected rotations that carry the joints, found joint ");
+}
+
+// HumanML3D's features of the same body: half the turn about y and the step in the axes of the next frame, height, positions in the frame's axes.
+TEST(Numpy, FeaturesOfHumanMl3dBecomeKeypoints) {
+  const Motion from = read("a.npz", zip_of({{"poses.npy", npy_of(shape_of({kFrames, 66}), bent_body(22))},
+                                            {"trans.npy", npy_of(shape_of({kFrames, 3}), path())}}));
+  std::vector<std::vector<Point3>> at;
+  for (const MotionFrame& frame : from.clips[0].frames) at.push_back(world_pose(from, frame).positions);
+  const auto half_turn = [](size_t f) { return 0.15 * static_cast<double>(f); };
+  std::vector<float> features(kFrames * 263, 0);
+  for (size_t f = 0; f < kFrames; ++f) {
+    const Quaternion own = axis_rotation(1, 2 * half_turn(f));
+    float* const row = &features[263 * f];
+    if (f + 1 < kFrames) {
+      row[0] = static_cast<float>(half_turn(f + 1) - half_turn(f));
+      const Point3 step = rotate(axis_rotation(1, 2 * half_turn(f + 1)), at[f + 1][0] - at[f][0]);
+      row[1] = static_cast<float>(step[0]);
+      row[2] = static_cast<float>(step[2]);
+    }
+    row[3] = static_cast<float>(at[f][0][1]);
+    for (size_t j = 1; j < 22; ++j) {
+      const Point3 p = rotate(own, at[f][j] - Point3{at[f][0][0], 0, at[f][0][2]});
+      for (size_t i = 0; i < 3; ++i) row[4 + 3 * (j - 1) + i] = static_cast<float>(p[i]);
+    }
+  }
+  const Motion found = read("f.npy", npy_of(shape_of({kFrames, 263}), features));
+  EXPECT_TRUE(has_note(found, "HumanML3D's features"));
+  EXPECT_DOUBLE_EQ(found.clips[0].frame_time, 1.0 / 20);
+  for (size_t f = 0; f < kFrames; ++f) {
+    const WorldPose pose = world_pose(found, found.clips[0].frames[f]);
+    for (size_t j = 0; j < found.joints.size(); ++j)
+      EXPECT_LT(
+          length(pose.positions[j] + Point3{at[0][0][0], 0, at[0][0][2]} - at[f][joint_of(from, found.joints[j].name)]),
+          1e-4)
+          << f << " " << found.joints[j].name;
+  }
+  EXPECT_ERROR(read("f.npy", npy_of(shape_of({kFrames, 263}), std::vector<float>(kFrames * 263, 0.5f))), "f.npy",
+               "expected 22 keypoints that are a body");
+}
+
 TEST(Numpy, KeypointsRelativeToTheHipsStandOnTheFloor) {
   Motion from = amass();
   for (MotionFrame& frame : from.clips[0].frames) frame.translations[0] = {};
@@ -334,9 +491,10 @@ TEST(Numpy, WhatIsWrongIsOneLine) {
   fails("a.npy", npy_of("<f4", "2, 3", ""), "expected a 'shape' such as (3, 4)");
   fails("a.npy", npy_of("<f4", "(2, -3)", ""), "expected a 'shape' such as (3, 4)");
   fails("a.npy", npy_of(shape_of({2, 23, 3}), std::vector<float>(138)),
-        "expected keypoints of 24 (smpl24), 22 (humanml3d22), 17 (coco17), 33 (mediapipe33) joints, found 23");
+        "expected keypoints of 24 (smpl24), 22 (humanml3d22), 17 (coco17), 17 (h36m17), 33 (mediapipe33) joints, found "
+        "23");
   fails("a.npy", npy_of(shape_of({2, 24, 3}), std::vector<float>(144)),
-        "expected a layout (smpl24, humanml3d22, coco17, mediapipe33), found 'h36m'", "h36m");
+        "expected a layout (smpl24, humanml3d22, coco17, h36m17, mediapipe33), found 'h36m'", "h36m");
   fails("a.npy", npy_of(shape_of({2, 24, 3}), std::vector<float>(144)), "expected 17 joints of coco17, found 24",
         "coco17");
   fails("a.npy", npy_of(shape_of({0, 24, 3}), std::vector<float>()), "frames, found 0");
