@@ -66,8 +66,9 @@ SINEW_API sinew_status sinew_character_open_files(const sinew_file* files, uint3
 /* Opens a person's keypoints (joint positions without rotations, as cameras record them) as a motion: a skeleton with bones
  * of the median length in these frames, and the frames as its clip. Up axis, mirrored coordinates and positions relative to
  * the hips are detected; sinew_character_notes() lists what was found. One frame is enough, a second or two are better.
- *   layout     "smpl24", "humanml3d22", "coco17", "h36m17" or "mediapipe33"
- *   keypoints  [frame_count x keypoint_count x 3] any unit; keypoint_count is the layout's: 24, 22, 17 or 33
+ *   layout     "smpl24", "humanml3d22", "lafan22", "smplh52", "smplx55", "coco17", "h36m17", "h36m32", "kinect25",
+ *              "openpose25" or "mediapipe33"
+ *   keypoints  [frame_count x keypoint_count x 3] any unit; keypoint_count is the number in the layout's name
  *   character  out; untouched on failure */
 SINEW_API sinew_status sinew_character_open_keypoints(const char* layout, const float* keypoints,
                                                       uint32_t keypoint_count, uint32_t frame_count,

@@ -55,7 +55,7 @@ Motion read_numpy_motion(const std::string& path, const std::string& layout = ""
 // file without a skin all animated nodes. The rest pose is the one that the skin was bound in.
 Motion read_gltf_motion(const std::string& path, double fps = 0);
 
-// "smpl24, humanml3d22, coco17, h36m17, mediapipe33".
+// "smpl24, humanml3d22, ...".
 std::string motion_layouts();
 
 // One of several people in a file: the skeleton below a root that has at least 8 joints, 5 of them ends, and at least half of the largest

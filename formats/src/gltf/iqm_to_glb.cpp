@@ -23,9 +23,25 @@ constexpr double kIqmFps = 30;  // where an animation says 0
 
 // Places of the header's numbers.
 enum Header : size_t {
-  kVersion = 16, kTextCount = 28, kText = 32, kMeshCount = 36, kMeshes = 40, kArrayCount = 44, kVertexCount = 48, kArrays = 52,
-  kTriangleCount = 56, kTriangles = 60, kJointCount = 68, kJoints = 72, kPoseCount = 76, kPoses = 80, kAnimationCount = 84,
-  kAnimations = 88, kFrameCount = 92, kChannelCount = 96, kFrames = 100
+  kVersion = 16,
+  kTextCount = 28,
+  kText = 32,
+  kMeshCount = 36,
+  kMeshes = 40,
+  kArrayCount = 44,
+  kVertexCount = 48,
+  kArrays = 52,
+  kTriangleCount = 56,
+  kTriangles = 60,
+  kJointCount = 68,
+  kJoints = 72,
+  kPoseCount = 76,
+  kPoses = 80,
+  kAnimationCount = 84,
+  kAnimations = 88,
+  kFrameCount = 92,
+  kChannelCount = 96,
+  kFrames = 100
 };
 // What a vertex array holds, and in which kind of number.
 enum ArrayType : uint32_t { kPosition = 0, kTexcoord = 1, kNormal = 2, kBlendIndices = 4, kBlendWeights = 5 };
@@ -75,7 +91,8 @@ class IqmConverter {
   size_t number(size_t place) const { return at<uint32_t>(place); }
   double real(size_t place, const char* what) const {
     const float value = at<float>(place);
-    if (!std::isfinite(value)) fail(std::string("finite numbers of ") + what, "another at byte " + std::to_string(place));
+    if (!std::isfinite(value))
+      fail(std::string("finite numbers of ") + what, "another at byte " + std::to_string(place));
     return static_cast<double>(value);
   }
   void need(size_t place, size_t count, size_t size, const char* what) const {
@@ -104,7 +121,8 @@ class IqmConverter {
     need(number(kAnimations), number(kAnimationCount), kAnimationBytes, "animations");
     need(number(kFrames), number(kFrameCount), 2 * number(kChannelCount), "frames");
     if (number(kFrameCount) > kMostRotations / std::max<size_t>(1, number(kPoseCount)))
-      fail("at most " + std::to_string(kMostRotations) + " frames times joints", std::to_string(number(kFrameCount)) + " frames");
+      fail("at most " + std::to_string(kMostRotations) + " frames times joints",
+           std::to_string(number(kFrameCount)) + " frames");
     if (number(kPoseCount) != 0 && number(kPoseCount) != number(kJointCount))
       fail("poses of all " + std::to_string(number(kJointCount)) + " joints", std::to_string(number(kPoseCount)));
   }
@@ -117,7 +135,8 @@ class IqmConverter {
     for (size_t j = 0; j < number(kJointCount); ++j) {
       const size_t place = number(kJoints) + j * kJointBytes;
       const int32_t parent = at<int32_t>(place + 4);
-      if (parent >= static_cast<int32_t>(j)) fail("parents before joints", "joint " + std::to_string(j) + " above itself");
+      if (parent >= static_cast<int32_t>(j))
+        fail("parents before joints", "joint " + std::to_string(j) + " above itself");
       Channels& rest = rests_.emplace_back();
       for (size_t c = 0; c < rest.size(); ++c) rest[c] = real(place + 8 + 4 * c, "joints");
       const Affine local = affine_of(rest);
@@ -147,13 +166,16 @@ class IqmConverter {
       if (number(place) != type) continue;
       const size_t bytes = format == kUnsignedByte ? 1 : format == kFloat || format == kUnsignedInt ? 4 : 0;
       if (bytes == 0 || stride < width)
-        fail("vertices as bytes, integers or floats", "format " + std::to_string(format) + " of " + std::to_string(stride));
+        fail("vertices as bytes, integers or floats",
+             "format " + std::to_string(format) + " of " + std::to_string(stride));
       need(begin, number(kVertexCount), stride * bytes, "vertices");
       std::vector<float> values;
       for (size_t v = first; v < first + count; ++v)
         for (size_t i = 0; i < width; ++i) {
           const size_t own = begin + (v * stride + i) * bytes;
-          const double value = bytes == 1 ? static_cast<double>(bytes_[own]) : format == kFloat ? real(own, "vertices") : static_cast<double>(number(own));
+          const double value = bytes == 1         ? static_cast<double>(bytes_[own])
+                               : format == kFloat ? real(own, "vertices")
+                                                  : static_cast<double>(number(own));
           values.push_back(static_cast<float>(type == kBlendWeights && bytes == 1 ? value / 255 : value));
         }
       return values;
@@ -178,7 +200,8 @@ class IqmConverter {
         for (const size_t corner : {2, 1, 0}) {  // to the other side's order
           const size_t v = number(number(kTriangles) + t * kTriangleBytes + 4 * corner);
           if (v < first || v >= first + count)
-            fail("triangles within their mesh's vertices", "vertex " + std::to_string(v) + " in triangle " + std::to_string(t));
+            fail("triangles within their mesh's vertices",
+                 "vertex " + std::to_string(v) + " in triangle " + std::to_string(t));
           indices.push_back(static_cast<uint32_t>(v - first));
         }
       primitive["indices"] = add_accessor(&source_, indices.data(), indices.size() * 4, "SCALAR",
@@ -226,7 +249,8 @@ class IqmConverter {
     const std::vector<float> weights = vertex_array(kBlendWeights, 4, first, count);
     std::vector<uint16_t> joints;
     for (const float joint : vertex_array(kBlendIndices, 4, first, count)) {
-      if (!(joint < static_cast<float>(rests_.size()))) fail("blend indices below " + std::to_string(rests_.size()), std::to_string(static_cast<int>(joint)));
+      if (!(joint < static_cast<float>(rests_.size())))
+        fail("blend indices below " + std::to_string(rests_.size()), std::to_string(static_cast<int>(joint)));
       joints.push_back(static_cast<uint16_t>(joint));
     }
     if (rests_.empty() || weights.empty() || joints.empty()) return attributes;
@@ -258,7 +282,8 @@ class IqmConverter {
     const std::string name = text(number(place));
     const size_t first = number(place + 4), count = number(place + 8);
     if (first > number(kFrameCount) || count > number(kFrameCount) - first)
-      fail("animations within the file's " + std::to_string(number(kFrameCount)) + " frames", "animation " + in_quotes(name));
+      fail("animations within the file's " + std::to_string(number(kFrameCount)) + " frames",
+           "animation " + in_quotes(name));
     if (count == 0 || number(kPoseCount) == 0) return;
     double fps = real(place + 12, "animations");
     if (!(fps > 0)) {

@@ -18,7 +18,8 @@
 namespace sinew {
 namespace {
 
-constexpr double kAcclaimFps = 120, kInch = 0.0254;  // frames a second and unit of the CMU captures: the files say neither
+constexpr double kAcclaimFps = 120,
+                 kInch = 0.0254;  // frames a second and unit of the CMU captures: the files say neither
 
 // A bone; the root is the first, without length.
 struct AcclaimBone {
@@ -69,9 +70,7 @@ class AcclaimLines {
   Point3 point(size_t i, const std::string& what) const {
     return {number(i, what), number(i + 1, what), number(i + 2, what)};
   }
-  [[noreturn]] void fail(const std::string& expected, const std::string& found) const {
-    lines_.fail(expected, found);
-  }
+  [[noreturn]] void fail(const std::string& expected, const std::string& found) const { lines_.fail(expected, found); }
 
  private:
   std::string path_;
@@ -103,7 +102,8 @@ class AsfReader {
       else if (section == ":hierarchy" && word != "begin" && word != "end")
         read_children();
     }
-    if (skeleton_.bones.size() < 2) throw Error(path_ + ": expected an Acclaim skeleton with ':bonedata', found no bone");
+    if (skeleton_.bones.size() < 2)
+      throw Error(path_ + ": expected an Acclaim skeleton with ':bonedata', found no bone");
     return std::move(skeleton_);
   }
 
@@ -147,7 +147,8 @@ class AsfReader {
     for (size_t i = 1; i < lines_.count(); ++i) {
       const size_t child = bone_named(lines_.word(i));
       for (int up = static_cast<int>(parent); up >= 0; up = skeleton_.bones[static_cast<size_t>(up)].parent)
-        if (static_cast<size_t>(up) == child) lines_.fail("a tree of bones", lines_.word(i) + ", which is above itself");
+        if (static_cast<size_t>(up) == child)
+          lines_.fail("a tree of bones", lines_.word(i) + ", which is above itself");
       skeleton_.bones[child].parent = static_cast<int>(parent);
     }
   }

@@ -68,7 +68,7 @@ const std::vector<KeypointsLayout>& keypoint_layouts() {
                          {"leftFoot", {15}, {16}},   {"upperChest", {5, 6}},       {"head", {3, 4}},
                          {"nose_end", {0}},          {"leftEar_end", {3}, {4}},    {"leftUpperArm", {5}, {6}},
                          {"leftLowerArm", {7}, {8}}, {"leftHand", {9}, {10}}};
-    // Human3.6M: 8 is between the shoulders, 9 the nose, 10 the top of the head.
+    // Human3.6M: between the shoulders, the nose and the top of the head stand for chest and head.
     const Joints h36m = {{"hips", {0}},
                          {"leftUpperLeg", {4}, {1}},
                          {"leftLowerLeg", {5}, {2}},
@@ -81,6 +81,50 @@ const std::vector<KeypointsLayout>& keypoint_layouts() {
                          {"leftUpperArm", {11}, {14}},
                          {"leftLowerArm", {12}, {15}},
                          {"leftHand", {13}, {16}}};
+    const Joints h36m_whole = {{"hips", {0}},           {"leftUpperLeg", {6}, {1}},   {"leftLowerLeg", {7}, {2}},
+                               {"leftFoot", {8}, {3}},  {"leftToes", {9}, {4}},       {"spine", {12}},
+                               {"upperChest", {13}},    {"head", {13, 15}},           {"nose_end", {14}},
+                               {"headTop_end", {15}},   {"leftUpperArm", {17}, {25}}, {"leftLowerArm", {18}, {26}},
+                               {"leftHand", {19}, {27}}};
+    const Joints kinect = {{"hips", {0}},
+                           {"leftUpperLeg", {12}, {16}},
+                           {"leftLowerLeg", {13}, {17}},
+                           {"leftFoot", {14}, {18}},
+                           {"leftToes", {15}, {19}},
+                           {"spine", {1}},
+                           {"upperChest", {20}},
+                           {"neck", {2}},
+                           {"head", {3}},
+                           {"leftUpperArm", {4}, {8}},
+                           {"leftLowerArm", {5}, {9}},
+                           {"leftHand", {6}, {10}},
+                           {"leftHand_end", {7}, {11}}};
+    const Joints openpose = {{"hips", {8}},
+                             {"leftUpperLeg", {12}, {9}},
+                             {"leftLowerLeg", {13}, {10}},
+                             {"leftFoot", {14}, {11}},
+                             {"leftToes", {19, 20}, {22, 23}},
+                             {"upperChest", {1}},
+                             {"head", {17, 18}},
+                             {"nose_end", {0}},
+                             {"leftEar_end", {18}, {17}},
+                             {"leftUpperArm", {5}, {2}},
+                             {"leftLowerArm", {6}, {3}},
+                             {"leftHand", {7}, {4}}};
+    const Joints lafan = {{"hips", {0}},
+                          {"leftUpperLeg", {1}, {5}},
+                          {"leftLowerLeg", {2}, {6}},
+                          {"leftFoot", {3}, {7}},
+                          {"leftToes", {4}, {8}},
+                          {"spine", {9}},
+                          {"chest", {10}},
+                          {"upperChest", {11}},
+                          {"neck", {12}},
+                          {"head", {13}},
+                          {"leftShoulder", {14}, {18}},
+                          {"leftUpperArm", {15}, {19}},
+                          {"leftLowerArm", {16}, {20}},
+                          {"leftHand", {17}, {21}}};
     const Joints mediapipe = {{"hips", {23, 24}},
                               {"leftUpperLeg", {23}, {24}},
                               {"leftLowerLeg", {25}, {26}},
@@ -94,11 +138,11 @@ const std::vector<KeypointsLayout>& keypoint_layouts() {
                               {"leftLowerArm", {13}, {14}},
                               {"leftHand", {15}, {16}},
                               {"leftHand_end", {17, 19}, {18, 20}}};
-    return std::vector<KeypointsLayout>{{"smpl24", 24, 30, smpl},
-                                        {"humanml3d22", 22, 20, body},
-                                        {"coco17", 17, 30, coco},
-                                        {"h36m17", 17, 50, h36m},
-                                        {"mediapipe33", 33, 30, mediapipe}};
+    return std::vector<KeypointsLayout>{
+        {"smpl24", 24, 30, smpl},         {"humanml3d22", 22, 20, body},     {"lafan22", 22, 30, lafan},
+        {"smplh52", 52, 30, body},        {"smplx55", 55, 30, body},         {"coco17", 17, 30, coco},
+        {"h36m17", 17, 50, h36m},         {"h36m32", 32, 50, h36m_whole},    {"kinect25", 25, 30, kinect},
+        {"openpose25", 25, 30, openpose}, {"mediapipe33", 33, 30, mediapipe}};
   }();
   return layouts;
 }

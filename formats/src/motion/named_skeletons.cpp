@@ -60,8 +60,7 @@ NamedSkeleton g1_skeleton() {
   SkeletonWriter g1("Unitree G1 (34 joints)");
   g1.add("pelvis", "");
   for (const char* side : {"left_", "right_"})
-    g1.add_chain("pelvis", side,
-                 {"hip_pitch", "hip_roll", "hip_yaw", "knee", "ankle_pitch", "ankle_roll", "toe_base"});
+    g1.add_chain("pelvis", side, {"hip_pitch", "hip_roll", "hip_yaw", "knee", "ankle_pitch", "ankle_roll", "toe_base"});
   g1.add_chain("pelvis", "waist_", {"yaw", "roll", "pitch"});
   for (const char* side : {"left_", "right_"})
     g1.add_chain("waist_pitch", side,

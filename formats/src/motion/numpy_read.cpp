@@ -238,10 +238,7 @@ class NumpyReader {
            "that they miss " + misfits +
                " (bones that change their lengths, unlike sides, proportions); say with --layout "
                "NAME which it is");
-    std::string counts;
-    for (const KeypointsLayout& layout : keypoint_layouts())
-      counts += (counts.empty() ? "" : ", ") + std::to_string(layout.count) + " (" + layout.name + ")";
-    fail("keypoints of " + counts + " joints", std::to_string(count));
+    fail("as many keypoints a frame as a known layout's name says (" + motion_layouts() + ")", std::to_string(count));
   }
 
   void check_frames(size_t frames, size_t joints) const {

@@ -13,8 +13,8 @@
 namespace sinew {
 namespace {
 
-constexpr double kCarried = 0.01;     // of the body's size: how far a carried joint may move in its parent's axes
-constexpr double kAsClosely = 1e-4;   // of the body's size: parents that carry a joint as closely as the best one
+constexpr double kCarried = 0.01;    // of the body's size: how far a carried joint may move in its parent's axes
+constexpr double kAsClosely = 1e-4;  // of the body's size: parents that carry a joint as closely as the best one
 constexpr size_t kMostFramesTried = 64, kMostJoints = 512;
 
 class PosedSkeleton {
@@ -72,12 +72,14 @@ class PosedSkeleton {
         return;
       }
     if (count > kMostJoints)
-      throw Error(file_ + ": expected at most " + std::to_string(kMostJoints) + " joints, found " + std::to_string(count));
+      throw Error(file_ + ": expected at most " + std::to_string(kMostJoints) + " joints, found " +
+                  std::to_string(count));
     for (size_t j = 0; j < count; ++j) {
       names_.push_back("joint_" + std::to_string(j));
       parents_.push_back(j == 0 ? -1 : static_cast<int>(parent_of(j)));
     }
-    note_ = print("%zu joints are no known skeleton, so parents were guessed by what carries what, without names", count);
+    note_ =
+        print("%zu joints are no known skeleton, so parents were guessed by what carries what, without names", count);
   }
 
   bool is_carried_by(const std::vector<int>& parents) const {

@@ -47,7 +47,7 @@ export class CharacterFile {
 export class CharacterModule {
   private constructor();
   /** keypoints of a person's joints alone, as cameras tell them, as a motion; for keypointsFrame(). Frames of [n x 3] numbers each */
-  openKeypoints(layout: "smpl24" | "humanml3d22" | "coco17" | "h36m17" | "mediapipe33", frames: ArrayLike<number>[]): CharacterFile;
+  openKeypoints(layout: "smpl24" | "humanml3d22" | "lafan22" | "smplh52" | "smplx55" | "coco17" | "h36m17" | "h36m32" | "kinect25" | "openpose25" | "mediapipe33", frames: ArrayLike<number>[]): CharacterFile;
   open(bytes: ArrayBuffer | ArrayBufferView, name: string, beside?: Record<string, ArrayBuffer | ArrayBufferView>, picture?: jobs.PictureOptions): Promise<CharacterFile>;
 }
 

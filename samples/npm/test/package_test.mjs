@@ -155,7 +155,7 @@ function files() {
   const lines = JSON.parse(run("node", ["files.mjs", join(work, "jobs.json"), mine], folder));
   equal(lines.pop(), {
     joints: 22, rotations: 88, aside: 1, turned: false,
-    errors: ["keypoints: expected 22 keypoints as humanml3d22 has, found 21", "keypoints: no layout is called 'h36m', expected one of smpl24, humanml3d22, coco17, h36m17, mediapipe33",
+    errors: ["keypoints: expected 22 keypoints as humanml3d22 has, found 21", "keypoints: no layout is called 'h36m', expected one of smpl24, humanml3d22, lafan22, smplh52, smplx55, coco17, h36m17, h36m32, kinect25, openpose25, mediapipe33",
       "openKeypoints: expected frames of as many keypoints each, three numbers a keypoint"],
   }, "keypoints alone are a person, and then frames of one");
   jobs.forEach(({ job, files: [first, ...beside], motion, args = [], save }, i) => {

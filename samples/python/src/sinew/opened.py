@@ -24,7 +24,8 @@ from .marshalling import array_at, error_line, filled, result_as, run
 from .results import LodLevel, PictureInfo
 
 Source = Union[str, os.PathLike, bytes]
-KeypointsLayout = Literal["smpl24", "humanml3d22", "coco17", "h36m17", "mediapipe33"]
+KeypointsLayout = Literal["smpl24", "humanml3d22", "lafan22", "smplh52", "smplx55", "coco17",
+                           "h36m17", "h36m32", "kinect25", "openpose25", "mediapipe33"]
 
 
 def open(source: Source, *, name: str = "", beside: Optional[Mapping[str, bytes]] = None) -> "OpenCharacter":  # noqa: A001
@@ -76,7 +77,7 @@ def open_keypoints(layout: KeypointsLayout, keypoints: Any) -> "OpenCharacter":
     clip. keypoints_frame() turns those that come into what RetargetStream.frame() takes, with this skeleton as the source.
 
     layout  which joints the keypoints are
-    keypoints  [frames, 24 (smpl24), 22 (humanml3d22), 17 (coco17, h36m17) or 33 (mediapipe33), 3], any unit; a second or two are best
+    keypoints  [frames, the number in the layout's name, 3], any unit; a second or two are best
     """
     handle = ctypes.c_void_p()
     rows = real(keypoints, (None, None, 3), "keypoints")

@@ -81,8 +81,9 @@ Motion read_pair(const std::string& skeleton, const std::string& frames) {
 }
 void expect_position(const Motion& motion, size_t frame, size_t joint, const Point3& expected) {
   const Point3 found = world_pose(motion, motion.clips[0].frames[frame]).positions[joint];
-  EXPECT_LT(length(found - kAsfUnit * expected), 1e-9) << frame << " " << motion.joints[joint].name << " " << found[0] / kAsfUnit
-                                                   << " " << found[1] / kAsfUnit << " " << found[2] / kAsfUnit;
+  EXPECT_LT(length(found - kAsfUnit * expected), 1e-9)
+      << frame << " " << motion.joints[joint].name << " " << found[0] / kAsfUnit << " " << found[1] / kAsfUnit << " "
+      << found[2] / kAsfUnit;
 }
 
 TEST(Amc, ReadsBonesThatTurnInTheirOwnAxes) {
@@ -103,7 +104,8 @@ TEST(Amc, ReadsBonesThatTurnInTheirOwnAxes) {
   // The root turns by 90 degrees about y: x to -z. The thigh's y axis is -x: it swings -y to z, which the root turns to x.
   expect_position(motion, 1, 2, {0, 15, 7});
   expect_position(motion, 1, 3, {8, 15, 7});
-  EXPECT_NEAR(double{rest_joints(motion)[0].position.y}, 15 * kAsfUnit, 1e-6) << "at rest the lowest joint is on the floor";
+  EXPECT_NEAR(double{rest_joints(motion)[0].position.y}, 15 * kAsfUnit, 1e-6)
+      << "at rest the lowest joint is on the floor";
 }
 
 TEST(Amc, RadiansAndTheOrderOfAnglesAreTheFiles) {

@@ -8,8 +8,10 @@
 #include <limits>
 
 #include "expect_error.hpp"
+#include "motion/keypoint_layouts.hpp"
 #include "motion/named_skeletons.hpp"
 #include "motion/npy.hpp"
+#include "motion/person.hpp"
 #include "numpy_bytes.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/io.hpp"
@@ -239,7 +241,8 @@ TEST(Keypoints, WhatIsWrongIsOneLine) {
     return "nothing";
   };
   EXPECT_EQ(line([&] { KeypointsStream("h36m", rows); }),
-            "keypoints: no layout is called 'h36m', expected one of smpl24, humanml3d22, coco17, h36m17, mediapipe33");
+            "keypoints: no layout is called 'h36m', expected one of smpl24, humanml3d22, lafan22, smplh52, smplx55, "
+            "coco17, h36m17, h36m32, kinect25, openpose25, mediapipe33");
   EXPECT_EQ(line([&] { KeypointsStream("smpl24", {}); }),
             "keypoints: expected frames of the person that moves, a second or two, found none");
   EXPECT_EQ(line([&] { KeypointsStream("coco17", rows); }), "keypoints: expected 17 keypoints as coco17 has, found 24");
@@ -336,6 +339,36 @@ TEST(Numpy, LayoutsOfOneCountAreToldApartByTheBody) {
                "h.npy: expected 17 keypoints that are a body in one known layout", "coco17 by ", "h36m17 by ",
                "say with --layout NAME which it is");
   EXPECT_EQ(read("h.npy", npy_of(shape_of({kFrames, 17, 3}), h36m), "h36m17").joints.size(), 18u) << "it was said";
+}
+
+// A walk's keypoints in each layout are no body in the others of its count.
+TEST(Keypoints, EveryLayoutIsKnownByItsBody) {
+  const Motion from = amass();
+  for (const KeypointsLayout& layout : keypoint_layouts()) {
+    const LayoutColumns columns(layout);
+    std::vector<MotionJoint> person = person_joints(columns.names);
+    std::vector<std::vector<Point3>> rows;
+    for (size_t f = 0; f < kFrames; ++f) {
+      Motion posed = {"", person, {}, {}};
+      MotionFrame frame;
+      for (const MotionJoint& joint : person) {
+        const int source = joint_named(from.joints, joint.name);
+        frame.rotations.push_back(source < 0 ? kNoRotation4
+                                             : from.clips[0].frames[f].rotations[static_cast<size_t>(source)]);
+        frame.translations.push_back(joint.parent < 0 ? from.clips[0].frames[f].translations[0] : joint.offset);
+      }
+      const std::vector<Point3> at = world_pose(posed, frame).positions;
+      std::vector<Point3>& row = rows.emplace_back(layout.count, at[0]);
+      for (const bool alone : {false, true})
+        for (size_t j = 0; j < at.size(); ++j)
+          for (const size_t column : columns.of[j])
+            if ((columns.of[j].size() == 1) == alone) row[column] = at[j];
+    }
+    std::string misfits;
+    const KeypointsLayout* const found = recognize_layout(rows, &misfits);
+    ASSERT_NE(found, nullptr) << layout.name << " " << misfits;
+    EXPECT_STREQ(found->name, layout.name) << misfits;
+  }
 }
 
 // Captures mark what they did not see.
@@ -491,10 +524,12 @@ TEST(Numpy, WhatIsWrongIsOneLine) {
   fails("a.npy", npy_of("<f4", "2, 3", ""), "expected a 'shape' such as (3, 4)");
   fails("a.npy", npy_of("<f4", "(2, -3)", ""), "expected a 'shape' such as (3, 4)");
   fails("a.npy", npy_of(shape_of({2, 23, 3}), std::vector<float>(138)),
-        "expected keypoints of 24 (smpl24), 22 (humanml3d22), 17 (coco17), 17 (h36m17), 33 (mediapipe33) joints, found "
+        "expected keypoints of 24 (smpl24), 22 (humanml3d22), 22 (lafan22), 52 (smplh52), found "
         "23");
   fails("a.npy", npy_of(shape_of({2, 24, 3}), std::vector<float>(144)),
-        "expected a layout (smpl24, humanml3d22, coco17, h36m17, mediapipe33), found 'h36m'", "h36m");
+        "expected a layout (smpl24, humanml3d22, lafan22, smplh52, smplx55, coco17, h36m17, h36m32, kinect25, "
+        "openpose25, mediapipe33), found 'h36m'",
+        "h36m");
   fails("a.npy", npy_of(shape_of({2, 24, 3}), std::vector<float>(144)), "expected 17 joints of coco17, found 24",
         "coco17");
   fails("a.npy", npy_of(shape_of({0, 24, 3}), std::vector<float>()), "frames, found 0");
