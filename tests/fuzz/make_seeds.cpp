@@ -143,7 +143,7 @@ void write_motion_files(const std::string& folder) {
   write(folder + "/numpy/deflated.npz", zip_of(amass, true));
   write(folder + "/numpy/places.npy", npy_of("(2, 17, 3)", positions));
   write(folder + "/vmd/finger.vmd", vmd_of({{"\x8d\xb6\x90\x6c\x8e\x77\x82\x50", 2, {}, {0, 0, 0.6f, 0.8f}}}));
-  write(folder + "/vmd/ik.vmd", vmd_of({{"\x89\x45\x91\xab\x82\x68\x82\x6a", 0}}));  // refused
+  write(folder + "/vmd/ik.vmd", vmd_of({{"\x89\x45\x91\xab\x82\x68\x82\x6a", 0}}));
   write(folder + "/vmd/two.vmd",
         vmd_of({{"\x83\x5a\x83\x93\x83\x5e\x81\x5b", 0},
                 {"\x8d\xb6\x82\xd0\x82\xb4", 3, {1, 2, 3}, {0.6f, 0, 0, 0.8f}, {127, 0, 127, 0}},

@@ -31,7 +31,7 @@ TEST(FileKinds, RowsStandOnceAndBeforeWhatTheyEndWith) {
     EXPECT_NE(kinds[i].uses, 0u);
   }
   EXPECT_EQ(extensions_text(kReadsMesh),
-            ".obj, .gltf, .glb, .vrm, .fbx, .dae, .b3d, .x, .mesh.xml, .mesh, .md5mesh, .ms3d, .smd");
+            ".obj, .gltf, .glb, .vrm, .fbx, .dae, .b3d, .x, .mesh.xml, .mesh, .md5mesh, .ms3d, .smd, .iqm");
   EXPECT_EQ(extensions_text(kWritesMesh, " "), ".obj");
   EXPECT_EQ(extensions_text(kWritesSkin, " "), ".rig.txt .gltf .glb .vrm .fbx .usda .usdz");
   EXPECT_EQ(extensions_text(kWritesWithMesh, " "), ".obj .gltf .glb .vrm .fbx .usda .usdz");
@@ -39,6 +39,13 @@ TEST(FileKinds, RowsStandOnceAndBeforeWhatTheyEndWith) {
 }
 
 // Extensions, stems and neighbours by name alone.
+
+TEST(FileKinds, WhatIsNotReadHasAWayOut) {
+  EXPECT_NE(remedy("a/dance.pkl").find("numpy.savez('dance.npz', **numpy.load('a/dance.pkl', allow_pickle=True))"),
+            std::string::npos);
+  EXPECT_NE(remedy("07.asf").find("name the .amc beside it"), std::string::npos);
+  EXPECT_EQ(remedy("x.unheard"), "");
+}
 
 TEST(FileNames, ExtensionsInAnyCaseBehindAName) {
   EXPECT_TRUE(has_extension("a/b.GLB", ".glb"));
