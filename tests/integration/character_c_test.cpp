@@ -785,7 +785,7 @@ TEST_F(CharacterC, WritesForAProgramAsTheCommand) {
 
 TEST_F(CharacterC, ExtensionsComeFromOneTable) {
   EXPECT_STREQ(sinew_character_extensions(SINEW_READ_MESH),
-               ".obj .gltf .glb .vrm .fbx .dae .b3d .x .mesh.xml .mesh .md5mesh .ms3d .smd");
+               ".obj .gltf .glb .vrm .fbx .dae .b3d .x .mesh.xml .mesh .md5mesh .ms3d .smd .iqm");
   EXPECT_STREQ(
       sinew_character_extensions(SINEW_READ_MOTION),
       ".gltf .glb .vrm .fbx .dae .b3d .x .mesh.xml .mesh .md5mesh .ms3d .smd .iqm .bvh .vrma .npz .npy .vmd .amc");
