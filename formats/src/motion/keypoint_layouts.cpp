@@ -15,9 +15,9 @@ constexpr double kFits = 0.7;     // misfit of a body; wrong layouts of captures
 constexpr double kClearly = 1.4;  // how many times the next layout's misfit must be larger
 constexpr size_t kMostFramesAsked = 256;
 
-// Mean length of a bone over frames, and its standard deviation as a share of that.
+// Mean length of a bone over frames, and its standard deviation.
 struct BoneLength {
-  double mean = 0, variation = 1;
+  double mean = 0, deviation = 0;
 };
 
 BoneLength bone_length(const std::vector<std::vector<Point3>>& frames, size_t from, size_t to) {
@@ -28,9 +28,8 @@ BoneLength bone_length(const std::vector<std::vector<Point3>>& frames, size_t fr
     squares += l * l;
   }
   const double count = static_cast<double>(frames.size());
-  BoneLength bone = {sum / count, 1};
-  if (bone.mean > 0) bone.variation = std::sqrt(std::max(0.0, squares / count - bone.mean * bone.mean)) / bone.mean;
-  return bone;
+  const double mean = sum / count;
+  return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean))};
 }
 
 // 1 for a body whose head is where its feet are, as seen from the hips; 0 for one that stands.
@@ -188,7 +187,7 @@ double layout_misfit(const KeypointsLayout& layout, const std::vector<std::vecto
     bones[j] = bone_length(frames, static_cast<size_t>(joints[j].parent), j);
     whole += bones[j].mean;
     whole_person += length(joints[j].offset);
-    variation += bones[j].variation;
+    variation += bones[j].deviation;
     ++bone_count;
   }
   if (!(whole > 0)) return 10;  // all keypoints in one
@@ -203,8 +202,7 @@ double layout_misfit(const KeypointsLayout& layout, const std::vector<std::vecto
     ++pair_count;
   }
   const double count = static_cast<double>(bone_count);
-  return 2 * variation / count + unlike / static_cast<double>(pair_count) + proportions / count +
-         folded(frames, joints);
+  return variation / whole + unlike / static_cast<double>(pair_count) + proportions / count + folded(frames, joints);
 }
 
 const KeypointsLayout* recognize_layout(const std::vector<std::vector<Point3>>& keypoints, std::string* misfits) {

@@ -365,9 +365,15 @@ TEST(Keypoints, EveryLayoutIsKnownByItsBody) {
             if ((columns.of[j].size() == 1) == alone) row[column] = at[j];
     }
     std::string misfits;
-    const KeypointsLayout* const found = recognize_layout(rows, &misfits);
-    ASSERT_NE(found, nullptr) << layout.name << " " << misfits;
-    EXPECT_STREQ(found->name, layout.name) << misfits;
+    for (const double noise : {0.0, 0.03}) {  // of a camera, m
+      double number = 0;
+      for (std::vector<Point3>& row : rows)
+        for (Point3& p : row)
+          for (double& x : p) x += noise * std::sin(100 * ++number);
+      const KeypointsLayout* const found = recognize_layout(rows, &misfits);
+      ASSERT_NE(found, nullptr) << layout.name << " " << misfits;
+      EXPECT_STREQ(found->name, layout.name) << misfits;
+    }
   }
 }
 
