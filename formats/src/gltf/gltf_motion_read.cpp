@@ -179,6 +179,7 @@ class GltfMotionReader {
     for (const auto& [node, tracks] : animated)
       for (const Track* track : {tracks.translation, tracks.rotation, tracks.scale}) {
         if (track == nullptr || !(track->times.back() > track->times.front())) continue;
+        if (track->times.size() == 2 && track->key(0) == track->key(1)) continue;  // stands still: the ends of the clip
         double shortest = 1e30, longest = 0;
         for (size_t k = 1; k < track->times.size(); ++k) {
           const double gap = static_cast<double>(track->times[k]) - static_cast<double>(track->times[k - 1]);

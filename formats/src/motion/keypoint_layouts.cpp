@@ -212,7 +212,7 @@ const KeypointsLayout* recognize_layout(const std::vector<std::vector<Point3>>& 
   for (const KeypointsLayout& layout : keypoint_layouts()) {
     if (layout.count != keypoints[0].size()) continue;
     const double misfit = layout_misfit(layout, keypoints);
-    *misfits += print("%s%s by %.2f", misfits->empty() ? "" : ", ", layout.name, misfit);
+    *misfits += print("%s%s %.2f", misfits->empty() ? "" : ", ", layout.name, misfit);
     if (best == nullptr || misfit < least) {
       next = best == nullptr ? next : least;
       least = misfit;

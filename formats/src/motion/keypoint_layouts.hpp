@@ -20,7 +20,7 @@ struct LayoutColumns {
   std::vector<Point3> joints_of(const std::vector<Point3>& row) const;
 };
 
-// How unlike a body the keypoints are when they are read in a layout; 0 = bones keep their lengths, both sides are alike, proportions are a person's,
+// How unlike a body the keypoints are when they are read in a layout: 0 where bones keep their lengths, both sides are alike, proportions are a person's,
 // and the head is on the other side of the hips than the feet. Captures of people have 0.1 to 0.5.
 //   keypoints  [frames][layout.count], at least one frame, any unit
 double layout_misfit(const KeypointsLayout& layout, const std::vector<std::vector<Point3>>& keypoints);

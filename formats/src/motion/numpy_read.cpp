@@ -235,9 +235,8 @@ class NumpyReader {
     }
     if (!misfits.empty())
       fail(print("%zu keypoints that are a body in one known layout", count),
-           "that they miss " + misfits +
-               " (bones that change their lengths, unlike sides, proportions); say with --layout "
-               "NAME which it is");
+           "misfits of " + misfits +
+               " (bones that change their lengths, unlike sides, proportions); say with --layout NAME which it is");
     fail("as many keypoints a frame as a known layout's name says (" + motion_layouts() + ")", std::to_string(count));
   }
 

@@ -290,6 +290,7 @@ TEST(GltfMotion, AMeshWithoutADocumentGetsSkinAndClips) {
   options.motion = &still;
   write_gltf(folder.file("still.glb"), character, options);
   EXPECT_EQ(read_gltf_motion(folder.file("still.glb"), 2).clips.at(0).frames.size(), 3u);
+  EXPECT_DOUBLE_EQ(read_gltf_motion(folder.file("still.glb")).clips[0].frame_time, 1.0 / 30) << "no key tells a rate";
   for (MotionFrame& frame : still.clips[0].frames) frame.rotations[1] = axis_rotation(2, 0.5);  // a held pose
   write_gltf(folder.file("held.glb"), character, options);
   EXPECT_EQ(read_gltf_motion(folder.file("held.glb"), 2).clips.at(0).frames.size(), 3u);

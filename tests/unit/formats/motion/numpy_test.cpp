@@ -336,7 +336,7 @@ TEST(Numpy, LayoutsOfOneCountAreToldApartByTheBody) {
   }
   for (size_t i = 0; i < h36m.size(); i += 3) std::swap(h36m[i], h36m[(i * 7 + 30) % h36m.size() / 3 * 3]);
   EXPECT_ERROR(read("h.npy", npy_of(shape_of({kFrames, 17, 3}), h36m)),
-               "h.npy: expected 17 keypoints that are a body in one known layout", "coco17 by ", "h36m17 by ",
+               "h.npy: expected 17 keypoints that are a body in one known layout", "misfits of coco17 ", ", h36m17 ",
                "say with --layout NAME which it is");
   EXPECT_EQ(read("h.npy", npy_of(shape_of({kFrames, 17, 3}), h36m), "h36m17").joints.size(), 18u) << "it was said";
 }
