@@ -85,7 +85,8 @@ TEST(GltfMotion, TakesTheRateOfItsKeys) {
     GlbBuilder builder = two_joint_strip();
     nlohmann::json animation = named("a");
     std::vector<float> values;
-    for (size_t i = 0; i < times.size(); ++i) values.insert(values.end(), {0, 0, 0, 1});
+    for (size_t i = 0; i < times.size(); ++i)  // every key moves the joint
+      values.insert(values.end(), {0, 0, i % 2 == 0 ? 0 : kHalf, i % 2 == 0 ? 1 : kHalf});
     add_channel(&builder, &animation, 1, "rotation", times, values, "LINEAR");
     builder.add("animations", animation);
     return 1 / read_clips(folder, builder).clips[0].frame_time;
