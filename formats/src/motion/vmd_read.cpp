@@ -95,7 +95,7 @@ struct LegRotations {
   Quaternion upper, lower;
 };
 
-// Inverse kinematics of a leg: the knee is a hinge about its x axis and bends forward, then the whole leg swings to the goal by the shortest arc. A
+// Inverse kinematics of a leg: the knee is a hinge about its x axis and bends forward of its rest pose, then the whole leg swings to the goal by the shortest arc. A
 // goal out of reach is pointed at.
 //   upper, lower  from hip to knee and from knee to ankle at rest
 //   thigh         world rotation of the upper bone as its own keys have it, which says where the knee points
@@ -104,7 +104,8 @@ LegRotations leg_to(const Point3& upper, const Point3& lower, const Quaternion& 
   // |upper + turned lower|^2 is a constant plus 2 (along cos(bend) + side sin(bend)).
   const double along = upper[1] * lower[1] + upper[2] * lower[2], side = upper[2] * lower[1] - upper[1] * lower[2];
   const double wanted = (dot(reach, reach) - dot(upper, upper) - dot(lower, lower)) / 2 - upper[0] * lower[0];
-  const double bend = std::atan2(side, along) + std::acos(std::clamp(wanted / std::hypot(along, side), -1.0, 1.0));
+  const double found = std::atan2(side, along) + std::acos(std::clamp(wanted / std::hypot(along, side), -1.0, 1.0));
+  const double bend = std::max(0.0, found);  // never farther back than at rest
   const Quaternion knee = axis_rotation(0, bend);
   const Point3 bent = rotate(thigh, upper + rotate(knee, lower));
   const Quaternion swung = normalised(multiply(rotation_between(bent, reach), thigh));

@@ -128,6 +128,8 @@ TEST(Vmd, FeetGoWhereTheirIkBonesAreAndKneesBendForward) {
   EXPECT_GT(knee_before_leg(left), 0.1);
   EXPECT_GT(knee_before_leg(right), 0.1);
   EXPECT_NEAR(length(left.knee - left.hip), length(leg_of(motion, 0).knee - leg_of(motion, 0).hip), 1e-6);
+  const size_t right_knee = find_joint(motion, "rightLowerLeg");
+  EXPECT_NEAR(std::abs(motion.clips[0].frames[20].rotations[right_knee][3]), 1, 1e-9) << "never bends backward";
   const Leg far = leg_of(motion, 20, "right");
   EXPECT_GT(dot(unit(far.ankle - far.hip), unit(right_rest + Point3{1.6, 0, 0} - far.hip)), 1 - 1e-6) << "out of reach";
 }
