@@ -19,9 +19,9 @@ void add_method_options(CLI::App* sub, MethodOptions* options) {
   shared_word_option(
       sub, "--method", options->method, kCharacterRigMethod,
       "votes: points of the surface vote for bones; shape: joints along the middle line of the mesh, without a "
-      "model; auto: votes, or shape where the votes know nothing; for comparison, as published: slots, joints "
-      "in fixed slots and a matrix of connections, and regions, boxes around pieces of "
-      "the surface, whose contacts are collapsed to a tree");
+      "model; auto: votes, of a flat mesh those for its outline, or the solid parts of a mesh that is made of "
+      "them; for comparison, as published: slots, joints in fixed slots and a matrix of connections, and regions, "
+      "boxes around pieces of the surface, whose contacts are collapsed to a tree");
   word_option(sub, "--class", options->category, kCategory, kClassMeaning)->type_name("KIND");
 }
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "sinew_character/picture/picture_view.hpp"
 #include "sinew_character/picture/mesh_drawing.hpp"
+#include "sinew_character/picture/picture_view.hpp"
 #include "sinew_formats/base/box.hpp"
 
 namespace sinew {
@@ -22,9 +22,7 @@ struct SheetAxes {
   Point3 right, up, near;
   double depth = 0;  // of the sheet's middle
 
-  Point3 to(const Vec3& p) const {
-    return {dot(point(p), right), dot(point(p), up), dot(point(p), near) - depth};
-  }
+  Point3 to(const Vec3& p) const { return {dot(point(p), right), dot(point(p), up), dot(point(p), near) - depth}; }
   Vec3 from(const Vec3& p) const {
     return to_vec3(static_cast<double>(p.x) * right + static_cast<double>(p.y) * up +
                    (static_cast<double>(p.z) + depth) * near);
@@ -51,8 +49,7 @@ std::vector<std::array<uint32_t, 3>> triangles_of(const Character& mesh) {
   std::vector<std::array<uint32_t, 3>> triangles;
   for (size_t f = 0; f + 1 < mesh.face_offsets.size(); ++f)
     for (uint32_t c = mesh.face_offsets[f] + 2; c < mesh.face_offsets[f + 1]; ++c)
-      triangles.push_back(
-          {mesh.face_vertices[mesh.face_offsets[f]], mesh.face_vertices[c - 1], mesh.face_vertices[c]});
+      triangles.push_back({mesh.face_vertices[mesh.face_offsets[f]], mesh.face_vertices[c - 1], mesh.face_vertices[c]});
   return triangles;
 }
 
@@ -72,8 +69,8 @@ std::optional<PredictedSkeleton> sheet_skeleton(const RigJobOptions& job, const 
   std::optional<BodyClass> body;
   if (job.category != SINEW_CATEGORY_ANY) body = body_of_category(job.category);
   character->notes.push_back("this mesh is flat, so its joints are those of its outline, as of a picture");
-  SeenBody seen = see_body(drawing.round_mesh(), body, class_of_outline(drawing.figure().mask), job, bodies,
-                           &character->notes);
+  SeenBody seen =
+      see_body(drawing.round_mesh(), body, class_of_outline(drawing.figure().mask), job, bodies, &character->notes);
   PredictedSkeleton made = std::move(seen.skeleton);
   for (Joint& joint : made.joints) joint.position = axes->from(joint.position);
   const Point3 front = seen.view == PictureView::kFront        ? axes->near

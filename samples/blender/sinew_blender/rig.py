@@ -31,7 +31,7 @@ class SINEW_OT_rig(EngineOperator, bpy.types.Operator):
                                                          ("full", "Full", "With eyes, a jaw and what hands hold, too")])
     toes: bpy.props.BoolProperty(name="Toes", default=True)
     mirror: bpy.props.EnumProperty(name="Mirror", items=[("auto", "As the Mesh", ""), ("always", "Always", ""), ("never", "Never", "")])
-    method: bpy.props.EnumProperty(name="Method", items=[("auto", "Automatic", "The middle line for what the network does not know"), ("votes", "Network", ""),
+    method: bpy.props.EnumProperty(name="Method", items=[("auto", "Automatic", "The network; solid parts, flat figures and lone hands by themselves"), ("votes", "Network", ""),
                                                          ("shape", "Middle Line", "For what no model knows")])
     bind: bpy.props.BoolProperty(name="Bind", description="Bind the meshes to the new armature as well", default=True)
 

@@ -158,7 +158,7 @@ export interface Rig extends Skeleton {
   /** 0..1; below 0.7 what was found is a coin toss */
   frontCertainty: number;
   upCertainty: number;
-  /** below about 0.03 is good, above 0.09 the mesh resembles nothing that the model knows */
+  /** below about 0.03 is good, above 0.09 little is right, above 0.25 the mesh is no body */
   spread: number;
 }
 

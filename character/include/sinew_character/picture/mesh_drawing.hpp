@@ -20,7 +20,7 @@ class MeshDrawing {
   //   triangles  numbers of vertices
   //   pixels     along the longest side, at least 32
   MeshDrawing(const std::vector<Point3>& vertices, const std::vector<std::array<uint32_t, 3>>& triangles,
-             uint32_t pixels);
+              uint32_t pixels);
 
   Figure figure() const;
   // picture_mesh() of the figure, in the axes and units of the vertices. Throws Error where too few pixels are covered.

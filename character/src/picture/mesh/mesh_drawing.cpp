@@ -17,7 +17,7 @@ constexpr double kNoDepth = std::numeric_limits<double>::infinity();
 }  // namespace
 
 MeshDrawing::MeshDrawing(const std::vector<Point3>& vertices, const std::vector<std::array<uint32_t, 3>>& triangles,
-                       uint32_t pixels) {
+                         uint32_t pixels) {
   Point3 low = vertices[0], high = vertices[0];
   for (const Point3& p : vertices)
     for (size_t a = 0; a < 3; ++a) {
@@ -90,7 +90,8 @@ Character MeshDrawing::round_mesh() const {
   Character mesh = picture_mesh(picture, figure(), options);
   for (Vec3& p : mesh.vertices)
     p = to_vec3({left_ + (static_cast<double>(p.x) - kEdgePixels) / scale_,
-                 top_ - (height_ - static_cast<double>(p.y) - kEdgePixels) / scale_, static_cast<double>(p.z) / scale_});
+                 top_ - (height_ - static_cast<double>(p.y) - kEdgePixels) / scale_,
+                 static_cast<double>(p.z) / scale_});
   return mesh;
 }
 
