@@ -42,7 +42,10 @@ set(sinew_formats_sources
   gltf/iqm_to_glb
   gltf/lod_document
   gltf/tinygltf
+  gltf/unused_elements
   gltf/vrm
+  gltf/vrm_one
+  gltf/vrm_springs
   gltf/vrm_zero
   motion/actors
   motion/amc_read

@@ -228,7 +228,8 @@ void add_profile_options(CLI::App* sub, ProfileSettings* settings) {
   sub->add_option("--for", settings->profile, "Write what a program or format wants. " + about)->type_name(names);
   sub->add_flag("--keep-axes", settings->options.keep_axes,
                 "With --for: axes, names and roots of the skeleton stay as they are, as they do without --for");
-  sub->add_option("--author", settings->options.authors, "With --for vrm, vrm0: who made it; may be repeated")
+  sub->add_option("--author", settings->options.authors,
+                  "With --for vrm, vrm0: who made it; may be repeated. [the file's own, else unknown, with a warning]")
       ->type_name("NAME")
       ->allow_extra_args(false);
   sub->add_option("--licence,--license", settings->options.licence,

@@ -770,7 +770,6 @@ TEST_F(CharacterC, WritesForAProgramAsTheCommand) {
     EXPECT_NE(std::string(sinew_character_error(robed.get())).find(word), std::string::npos);
   };
   options.profile = "vrm";
-  refused("author");
   const char* author = "Ann";
   options.authors = &author;
   options.author_count = 1;

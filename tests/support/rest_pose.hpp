@@ -18,7 +18,7 @@
 #include "gltf/gltf_source.hpp"
 #include "sinew_formats/io.hpp"
 
-// [node, primitive] -> positions
+// [node with a mesh, primitive] -> positions
 using RestPose = std::map<std::pair<size_t, size_t>, std::vector<std::array<double, 3>>>;
 
 inline RestPose rest_pose(const sinew::GltfSource& source) {
@@ -26,9 +26,11 @@ inline RestPose rest_pose(const sinew::GltfSource& source) {
   const auto& model = source.model;
   const GltfNodes nodes = gltf_nodes("rest", model);
   RestPose rest;
+  size_t shown = 0;  // which mesh node it is: other nodes may go
   for (size_t n = 0; n < model.nodes.size(); ++n) {
     const auto& node = model.nodes[n];
     if (nodes.in_scene[n] == 0 || node.mesh < 0) continue;
+    ++shown;
     const auto& primitives = model.meshes[static_cast<size_t>(node.mesh)].primitives;
     for (size_t p = 0; p < primitives.size(); ++p) {
       const auto& attributes = primitives[p].attributes;
@@ -52,9 +54,9 @@ inline RestPose rest_pose(const sinew::GltfSource& source) {
           for (double& value : matrices[v]) value = sums[v] > 0 ? value / sums[v] : 0;
       }
       for (size_t v = 0; v < matrices.size(); ++v)
-        rest[{n, p}].push_back(transform_point(matrices[v], static_cast<double>(positions[v * 3]),
-                                               static_cast<double>(positions[v * 3 + 1]),
-                                               static_cast<double>(positions[v * 3 + 2])));
+        rest[{shown, p}].push_back(transform_point(matrices[v], static_cast<double>(positions[v * 3]),
+                                                   static_cast<double>(positions[v * 3 + 1]),
+                                                   static_cast<double>(positions[v * 3 + 2])));
     }
   }
   return rest;
@@ -66,7 +68,7 @@ inline void expect_same_rest(const sinew::Character& character, const std::strin
   if (!character.gltf || character.gltf->bind_pose.moved) return;
   const RestPose before = rest_pose(*character.gltf), after = rest_pose(sinew::load_gltf(path, sinew::read_file(path)));
   for (const auto& [part, positions] : before) {
-    ASSERT_TRUE(after.count(part)) << path << ": node " << part.first;
+    ASSERT_TRUE(after.count(part)) << path << ": mesh node " << part.first;
     ASSERT_EQ(after.at(part).size(), positions.size());
     double size = 1e-9, moved = 0;
     for (size_t v = 0; v < positions.size(); ++v)
@@ -74,7 +76,7 @@ inline void expect_same_rest(const sinew::Character& character, const std::strin
         size = std::max(size, std::fabs(positions[v][c]));
         moved = std::max(moved, std::fabs(positions[v][c] - after.at(part)[v][c]));
       }
-    EXPECT_LT(moved, 1e-4 * size) << path << ": node " << part.first << ", primitive " << part.second;
+    EXPECT_LT(moved, 1e-4 * size) << path << ": mesh node " << part.first << ", primitive " << part.second;
   }
 }
 

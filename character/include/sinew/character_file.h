@@ -118,7 +118,7 @@ typedef struct sinew_character_profile_options {
   const char* license;
   /* Title of a VRM; null = the character's name. */
   const char* title;
-  /* [author_count] Authors of a VRM, which needs at least one; or null. */
+  /* [author_count] Authors of a VRM; null: those of its file, else "unknown", which a note says. */
   const char* const* authors;
   uint32_t author_count;
   /* 1: a glTF has the text of sinew_character_controls() in its extras. */
@@ -127,7 +127,7 @@ typedef struct sinew_character_profile_options {
 
 /* Sets what sinew_character_save() and sinew_character_write() write: joint names and axes, a root, influences, facing, VRM
  * data. The rest pose stays: see to_pose of bind and rig ("t" for most programs, "a" for unreal). Remarks are added to
- * sinew_character_notes() as files are written. An unknown profile and a VRM without an author are SINEW_ERROR_INPUT. */
+ * sinew_character_notes() as files are written. An unknown profile is SINEW_ERROR_INPUT. */
 SINEW_API sinew_status sinew_character_set_profile(sinew_character* character,
                                                    const sinew_character_profile_options* options);
 /* Returns the names of the profiles, a space between two. Static. */

@@ -26,6 +26,7 @@
 #include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/base/thread_pool.hpp"
+#include "sinew_formats/document_form.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -332,8 +333,9 @@ RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool 
   edit_skeleton(job.edits, job.mirror != SINEW_MIRROR_NEVER, &rigged.skeleton);
   if (rigged.skeleton.usable) say_doubts(&rigged);
   if (!character.joints.empty())
-    character.notes.push_back("the file's own skeleton of " + std::to_string(character.joints.size()) +
-                              " joints was left out; sinew bind keeps it");
+    character.notes.push_back(
+        "the file's own skeleton of " + std::to_string(character.joints.size()) + " joints was left out" +
+        (has_vrm_data(character) ? ", with the VRM's bones and springs" : "") + "; sinew bind keeps it");
   character.joints = rigged.fitted && job.edits.empty() ? rigged.fitted->joints : rigged.skeleton.joints;
   character.influences.clear();
   if (job.bind) bind_rigged(job, models, &rigged);

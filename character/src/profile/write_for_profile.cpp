@@ -122,7 +122,6 @@ void check_profile(const Profile& profile, const ProfileOptions& options) {
       throw Error("--author, --licence and --title are for vrm and vrm0");
     return;
   }
-  if (options.authors.empty()) throw Error("a VRM names its author: give --author");
   if (profile.vrm != 1 && licence.count("licenseName") != 0)
     throw Error("licence licenseName: a word of VRM 0.x; 1.0 has no names of licences, say what is allowed");
 }
@@ -155,7 +154,8 @@ std::vector<std::string> write_for_profile(const Profile& profile, const Profile
   if (profile.vrm != 0) {
     if (!has_extension(path, ".vrm") && !has_extension(path, ".glb"))
       throw Error(path + ": a VRM is one file: write a .vrm or a .glb");
-    vrm.title = options.title.empty() ? character.name : options.title;
+    vrm.file_name = character.name;
+    vrm.title = options.title;
     vrm.authors = options.authors;
     vrm.licence = parse_vrm_licence(options.licence);
     vrm.zero = profile.vrm == 1;

@@ -16,8 +16,9 @@ namespace sinew {
 
 // What a VRM says beside its glTF: the extension VRMC_vrm of VRM 1.0, VRM of 0.x.
 struct VrmData {
-  std::string title;
-  std::vector<std::string> authors;            // at least one
+  std::string file_name;                       // the title where nobody says one
+  std::string title;                           // empty: the file's own
+  std::vector<std::string> authors;            // empty: the file's own
   std::map<std::string, std::string> licence;  // members of VRMC_vrm.meta as parse_vrm_licence() gives them
   std::vector<std::string> bones;              // [J] humanoid bone of each joint in the words of 1.0, "" for none
   bool zero = false;                           // VRM 0.x
@@ -30,6 +31,9 @@ std::map<std::string, std::string> parse_vrm_licence(const std::string& text);
 
 // Humanoid bones that a VRM must have, in the words of 1.0: one of 0.x has a chest and a neck as well.
 const std::vector<std::string>& vrm_required_bones(bool zero);
+
+// Whether its file is a VRM of any version.
+bool has_vrm_data(const Character& character);
 
 struct DocumentForm {
   Rotation turn = kNoRotation;  // of the whole character, world space

@@ -76,6 +76,12 @@ int add_accessor(GltfSource* source, const void* values, size_t size_bytes, cons
 void drop_unused_accessors(std::vector<int> candidates, GltfSource* source);
 // Removes one buffer view, not its bytes; false where something refers to it, or an extension may.
 bool drop_unused_view(size_t view, Json* document);
+// Removes an extension of the whole document, and its name from those used.
+void drop_extension(const char* name, Json* document);
+// Takes the skeleton that was read out of a document whose meshes got another one: nodes of joints with what hangs on them unless they hold a mesh, a
+// camera or a light, their animations, and what VRM's extensions and corrections say of joints. Nodes of `joints`, the new ones, and of the source's
+// parts get their new numbers. A document with extensions that may name nodes keeps the nodes.
+void drop_old_skeleton(GltfJoints* joints, GltfSource* source);
 
 // Puts a document into another form: changes its nodes, skins, animations and extras; `joints` are its joints before, and are not changed. Returns remarks.
 std::vector<std::string> put_into_form(const std::string& path, const DocumentForm& form, const GltfJoints& joints,

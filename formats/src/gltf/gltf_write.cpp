@@ -25,127 +25,6 @@ namespace fs = std::filesystem;
 namespace sinew {
 namespace {
 
-// Extensions known to hold no accessor and no buffer view: with any other, numbers must stay as they are.
-bool numbers_may_change(const Json& document) {
-  constexpr std::array<const char*, 6> kKnown = {"KHR_materials_",        "KHR_texture_",     "KHR_lights_punctual",
-                                                 "KHR_mesh_quantization", "EXT_texture_webp", "VRM"};
-  if (!document.contains("extensionsUsed")) return true;
-  for (const Json& used : document["extensionsUsed"]) {
-    const std::string name = used.get<std::string>();
-    if (std::none_of(kKnown.begin(), kKnown.end(), [&](const char* prefix) { return name.rfind(prefix, 0) == 0; }))
-      return false;
-  }
-  return true;
-}
-
-using Visit = std::function<void(Json*)>;
-
-void visit(Json* parent, const char* key, const Visit& each) {
-  if (parent->is_object() && parent->contains(key)) each(&(*parent)[key]);
-}
-
-void visit_all(Json* parent, const char* key, const Visit& each) {
-  if (parent->is_object() && parent->contains(key))
-    for (Json& element : (*parent)[key]) each(&element);
-}
-
-// Every value of the document that is the number of an accessor.
-void visit_accessor_numbers(Json* document, const Visit& each) {
-  visit_all(document, "meshes", [&](Json* mesh) {
-    visit_all(mesh, "primitives", [&](Json* primitive) {
-      visit_all(primitive, "attributes", each);
-      visit(primitive, "indices", each);
-      visit_all(primitive, "targets", [&](Json* target) {
-        for (Json& attribute : *target) each(&attribute);
-      });
-    });
-  });
-  visit_all(document, "skins", [&](Json* skin) { visit(skin, "inverseBindMatrices", each); });
-  visit_all(document, "animations", [&](Json* animation) {
-    visit_all(animation, "samplers", [&](Json* sampler) {
-      visit(sampler, "input", each);
-      visit(sampler, "output", each);
-    });
-  });
-}
-
-void visit_view_numbers_of_accessor(Json* accessor, const Visit& each) {
-  visit(accessor, "bufferView", each);
-  visit(accessor, "sparse", [&](Json* sparse) {
-    visit(sparse, "indices", [&](Json* indices) { visit(indices, "bufferView", each); });
-    visit(sparse, "values", [&](Json* values) { visit(values, "bufferView", each); });
-  });
-}
-
-void visit_view_numbers(Json* document, const Visit& each) {
-  visit_all(document, "accessors", [&](Json* accessor) { visit_view_numbers_of_accessor(accessor, each); });
-  visit_all(document, "images", [&](Json* image) { visit(image, "bufferView", each); });
-}
-
-// False for a file that names accessors or buffer views that it does not have, where the reader had no need
-// of.
-bool numbers_exist(Json* document) {
-  bool exist = true;
-  const auto below = [&](const char* key) {
-    const size_t count = document->contains(key) ? (*document)[key].size() : 0;
-    return [&exist, count](Json* number) { exist = exist && number->get<size_t>() < count; };
-  };
-  visit_accessor_numbers(document, below("accessors"));
-  visit_view_numbers(document, below("bufferViews"));
-  return exist;
-}
-
-// Takes the elements in `gone` out of document[key] and lets `renumber` put the new numbers into all references.
-void remove_elements(Json* document, const char* key, const std::set<size_t>& gone,
-                     const std::function<void(const Visit&)>& renumber) {
-  Json& elements = (*document)[key];
-  std::vector<size_t> new_number(elements.size());
-  Json kept = Json::array();
-  for (size_t i = 0; i < elements.size(); ++i) {
-    new_number[i] = kept.size();
-    if (gone.count(i) == 0) kept.push_back(std::move(elements[i]));
-  }
-  elements = std::move(kept);
-  renumber([&](Json* number) { *number = new_number.at(number->get<size_t>()); });
-}
-
-// Moves the bytes of all buffer views together; views that overlap keep doing so.
-void pack_bytes(GltfSource* source) {
-  Json& views = source->document["bufferViews"];
-  std::vector<std::array<size_t, 2>> spans;  // begin, end
-  for (const Json& view : views) {
-    const size_t begin = view.value("byteOffset", size_t{0}), length = view.at("byteLength").get<size_t>();
-    // A view outside of the buffer, or before it (a negative offset is a huge one here): leave a broken file as it is.
-    if (begin > source->bytes.size() || length > source->bytes.size() - begin) return;
-    spans.push_back({begin, begin + length});
-  }
-  std::sort(spans.begin(), spans.end());
-  std::vector<std::array<size_t, 3>> moves;  // old begin, old end, new begin
-  std::vector<uint8_t> packed;
-  for (const auto& [begin, end] : spans) {
-    if (!moves.empty() && begin < moves.back()[1]) {
-      const size_t known = moves.back()[1];
-      if (end <= known) continue;
-      packed.insert(packed.end(), source->bytes.begin() + static_cast<std::ptrdiff_t>(known),
-                    source->bytes.begin() + static_cast<std::ptrdiff_t>(end));
-      moves.back()[1] = end;
-      continue;
-    }
-    while (packed.size() % 4 != begin % 4) packed.push_back(0);
-    moves.push_back({begin, end, packed.size()});
-    packed.insert(packed.end(), source->bytes.begin() + static_cast<std::ptrdiff_t>(begin),
-                  source->bytes.begin() + static_cast<std::ptrdiff_t>(end));
-  }
-  for (Json& view : views) {
-    const size_t begin = view.value("byteOffset", size_t{0});
-    const auto after =
-        std::upper_bound(moves.begin(), moves.end(), begin, [](size_t at, const auto& move) { return at < move[0]; });
-    const auto& move = *(after - 1);
-    view["byteOffset"] = begin - move[0] + move[2];
-  }
-  source->bytes = std::move(packed);
-}
-
 // The name, seen from the folder of `path`, of a file that a document at `from` names by `uri`.
 std::string moved_uri(const std::string& uri, const std::string& from, const std::string& path) {
   std::error_code first, second;
@@ -247,6 +126,7 @@ GltfSource skinned_document(const std::string& path, const Character& character,
   const bool has_document = character.gltf && character.gltf->vertex_count == character.vertices.size();
   GltfSource source = has_document ? *character.gltf : gltf_from_mesh(path, character);
   GltfJoints joints;
+  bool replaced = false;  // the file's own skeleton
   if (options.keep_skin && has_document && !source.joint_nodes.empty()) {
     joints = own_joints(source);
   } else if (!character.influences.empty() && !character.joints.empty()) {
@@ -254,6 +134,8 @@ GltfSource skinned_document(const std::string& path, const Character& character,
       throw Error(path + ": cannot write, expected influences for " + std::to_string(character.vertices.size()) +
                   " vertices, found " + std::to_string(character.influences.size()));
     joints = write_gltf_skin(path, character, options.unorm8, &source);
+    replaced = has_document && !source.joint_nodes.empty() && joints.nodes != source.joint_nodes;
+    if (replaced) drop_old_skeleton(&joints, &source);
   } else if (!has_document) {
     joints.nodes = add_joint_nodes(path, character.joints, &source.document);
     for (const Joint& joint : character.joints)
@@ -273,9 +155,12 @@ GltfSource skinned_document(const std::string& path, const Character& character,
                     &source);
   if (character.up == Axis::kZ && form == nullptr) raise_z(&joints, &source.document);  // forms stand by themselves
   if (form != nullptr) {
-    *notes = put_into_form(path, *form, joints, &source);
-    if (form->vrm != nullptr) add_vrm(path, *form->vrm, joints.nodes, &source);
+    const auto say = [&](std::vector<std::string> more) { notes->insert(notes->end(), more.begin(), more.end()); };
+    if (form->vrm != nullptr && !form->vrm->zero) say(turn_vrm_zero_into_one(&source.document));
+    say(put_into_form(path, *form, joints, &source));
+    if (form->vrm != nullptr) say(add_vrm(path, *form->vrm, joints.nodes, &source));
   }
+  if (replaced) drop_boneless_vrm(&source.document);
   drop_old_controls(character.joints, form != nullptr, &source.document);
   add_extras(options.extras, &source.document);
   Json& asset = source.document["asset"];
@@ -297,9 +182,9 @@ void write_text_form(const std::string& path, GltfSource* source) {
   write_files(files);
 }
 
-bool is_vrm(const GltfSource& source) {
-  if (!source.document.contains("extensions")) return false;
-  const Json& extensions = source.document["extensions"];
+bool is_vrm(const Json& document) {
+  if (!document.contains("extensions")) return false;
+  const Json& extensions = document["extensions"];
   return extensions.contains("VRM") || extensions.contains("VRMC_vrm");
 }
 
@@ -308,7 +193,7 @@ void write_document(const std::string& path, const Character& character, const G
                     std::vector<std::string>* notes = nullptr) {
   const bool as_text = has_extension(path, ".gltf");
   GltfSource source = skinned_document(path, character, options, morphs, form, notes);
-  if (has_extension(path, ".vrm") && !is_vrm(source))
+  if (has_extension(path, ".vrm") && !is_vrm(source.document))
     throw Error(path + ": cannot write a VRM, " + character.name +
                 " has none of its data (extension VRM or VRMC_vrm); --for vrm makes them, or write a .glb");
   try {
@@ -329,30 +214,7 @@ void write_document(const std::string& path, const Character& character, const G
 
 }  // namespace
 
-void drop_unused_accessors(std::vector<int> candidates, GltfSource* source) {
-  Json& document = source->document;
-  if (!numbers_may_change(document) || !numbers_exist(&document)) return;
-  std::set<size_t> gone(candidates.begin(), candidates.end());
-  visit_accessor_numbers(&document, [&](Json* number) { gone.erase(number->get<size_t>()); });
-  if (gone.empty()) return;
-  std::set<size_t> views;
-  for (const size_t accessor : gone)
-    visit_view_numbers_of_accessor(&document["accessors"].at(accessor),
-                                   [&](Json* number) { views.insert(number->get<size_t>()); });
-  remove_elements(&document, "accessors", gone, [&](const Visit& each) { visit_accessor_numbers(&document, each); });
-  visit_view_numbers(&document, [&](Json* number) { views.erase(number->get<size_t>()); });
-  remove_elements(&document, "bufferViews", views, [&](const Visit& each) { visit_view_numbers(&document, each); });
-  pack_bytes(source);
-}
-
-bool drop_unused_view(size_t view, Json* document) {
-  if (!numbers_may_change(*document) || !numbers_exist(document)) return false;
-  std::set<size_t> views = {view};
-  visit_view_numbers(document, [&](Json* number) { views.erase(number->get<size_t>()); });
-  if (views.empty()) return false;
-  remove_elements(document, "bufferViews", views, [&](const Visit& each) { visit_view_numbers(document, each); });
-  return true;
-}
+bool has_vrm_data(const Character& character) { return character.gltf && is_vrm(character.gltf->document); }
 
 void write_gltf(const std::string& path, const Character& character, const GlbOptions& options) {
   write_document(path, character, options, nullptr);

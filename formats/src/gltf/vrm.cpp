@@ -101,8 +101,12 @@ std::string joined(const std::vector<std::string>& list, const char* between) {
   return out;
 }
 
-Json meta_of(const VrmData& vrm) {
-  Json meta = {{"name", vrm.title}, {"authors", vrm.authors}, {"licenseUrl", "https://vrm.dev/licenses/1.0/"}};
+// The file's own meta, but for what `vrm` says otherwise.
+Json meta_of(const VrmData& vrm, Json meta) {
+  if (!meta.is_object()) meta = Json::object();
+  if (!vrm.title.empty() || !meta.contains("name")) meta["name"] = vrm.title.empty() ? vrm.file_name : vrm.title;
+  if (!vrm.authors.empty()) meta["authors"] = vrm.authors;
+  meta["licenseUrl"] = "https://vrm.dev/licenses/1.0/";
   for (const auto& [key, value] : vrm.licence) {
     if (key == "licenseName")
       throw Error("licence licenseName: a word of VRM 0.x; 1.0 has no names of licences, say what is allowed");
@@ -112,6 +116,16 @@ Json meta_of(const VrmData& vrm) {
       meta[key] = value;
   }
   return meta;
+}
+
+// `vrm` with what the meta of VRMC_vrm says and it does not.
+VrmData with_meta(VrmData vrm, const Json& meta) {
+  if (vrm.title.empty()) vrm.title = meta.value("name", std::string());
+  if (vrm.authors.empty()) vrm.authors = meta.value("authors", std::vector<std::string>());
+  for (const LicenceWord& word : licence_words())
+    if (meta.contains(word.key) && vrm.licence.count(word.key) == 0)
+      vrm.licence[word.key] = meta[word.key].is_string() ? meta[word.key].get<std::string>() : meta[word.key].dump();
+  return vrm;
 }
 
 }  // namespace
@@ -172,31 +186,64 @@ std::map<std::string, std::string> parse_vrm_licence(const std::string& text) {
   return out;
 }
 
-void add_vrm(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes, GltfSource* source) {
-  if (vrm.authors.empty()) throw Error(path + ": cannot write a VRM without an author");
-  Json& document = source->document;
-  Json& extensions = document["extensions"];
-  if (!extensions.is_object()) extensions = Json::object();
-  if (vrm.zero) {
-    Json zero = vrm_zero(path, vrm, joint_nodes, document);
-    for (const char* newer : {"VRMC_vrm", "VRMC_springBone"}) extensions.erase(newer);
-    extensions["VRM"] = std::move(zero);
-  } else {
-    extensions.erase("VRM");
-    Json& own = extensions["VRMC_vrm"];
-    if (!own.is_object()) own = Json::object();
-    own["specVersion"] = "1.0";
-    own["meta"] = meta_of(vrm);
-    Json bones = Json::object();
-    for (const auto& [bone, node] : humanoid_nodes(path, vrm, joint_nodes)) bones[bone] = {{"node", node}};
-    own["humanoid"] = {{"humanBones", std::move(bones)}};
+namespace {
+
+constexpr const char* kNobody = "unknown";
+constexpr const char* kNoAuthor =
+    "warning: nobody is named as the author of this VRM, so it says \"unknown\"; name one by --author";
+
+void add_vrm_one(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes, Json* document,
+                 std::vector<std::string>* notes) {
+  drop_extension("VRM", document);
+  Json& own = (*document)["extensions"]["VRMC_vrm"];
+  if (!own.is_object()) own = Json::object();
+  own["specVersion"] = "1.0";
+  own["meta"] = meta_of(vrm, own.value("meta", Json::object()));
+  if (own["meta"].value("authors", Json::array()).empty()) {
+    own["meta"]["authors"] = {kNobody};
+    notes->emplace_back(kNoAuthor);
   }
-  Json used = Json::array();
-  if (document.contains("extensionsUsed"))
-    for (const Json& name : document["extensionsUsed"])
-      if (name != "VRM" && name != "VRMC_vrm" && (!vrm.zero || name != "VRMC_springBone")) used.push_back(name);
-  used.push_back(vrm.zero ? "VRM" : "VRMC_vrm");
-  document["extensionsUsed"] = used;
+  Json bones = Json::object();
+  for (const auto& [bone, node] : humanoid_nodes(path, vrm, joint_nodes)) bones[bone] = {{"node", node}};
+  own["humanoid"] = {{"humanBones", std::move(bones)}};
+}
+
+void add_vrm_zero(const std::string& path, VrmData vrm, const std::vector<int>& joint_nodes, Json* document,
+                  std::vector<std::string>* notes) {
+  if (const Json::json_pointer newer("/extensions/VRMC_vrm/meta"); document->contains(newer))
+    vrm = with_meta(std::move(vrm), (*document)[newer]);
+  Json zero = vrm_zero(path, vrm, joint_nodes, *document);
+  if (zero["meta"]["author"].get_ref<const std::string&>().empty()) {
+    zero["meta"]["author"] = kNobody;
+    notes->emplace_back(kNoAuthor);
+  }
+  if (document->contains(Json::json_pointer("/extensions/VRMC_springBone")))
+    notes->emplace_back("springs of VRM 1.0 were left out: sinew does not write those of 0.x");
+  for (const char* newer : {"VRMC_vrm", "VRMC_springBone"}) drop_extension(newer, document);
+  (*document)["extensions"]["VRM"] = std::move(zero);
+}
+
+}  // namespace
+
+std::vector<std::string> add_vrm(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes,
+                                 GltfSource* source) {
+  std::vector<std::string> notes;
+  Json& document = source->document;
+  if (vrm.zero)
+    add_vrm_zero(path, vrm, joint_nodes, &document, &notes);
+  else
+    add_vrm_one(path, vrm, joint_nodes, &document, &notes);
+  const char* const name = vrm.zero ? "VRM" : "VRMC_vrm";
+  Json& used = document["extensionsUsed"];
+  if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
+  return notes;
+}
+
+void drop_boneless_vrm(Json* document) {
+  for (const char* name : {"VRM", "VRMC_vrm"})
+    if (const Json::json_pointer at("/extensions/" + std::string(name));
+        document->contains(at) && !(*document)[at].contains("humanoid"))
+      drop_extension(name, document);
 }
 
 }  // namespace sinew

@@ -34,10 +34,24 @@ std::optional<HumanoidNodes> read_humanoid_nodes(const std::string& path, const 
 struct GltfSource;
 
 //   joint_nodes  [J]
-// Of VRM 1.0: expressions, look-at and first person of a document that has VRMC_vrm already stay; humanoid and meta are the new ones. A document
-// with the older extension VRM loses it. Of 0.x the other way round: expressions of VRMC_vrm become blend shape groups. Throws Error where a
-// required bone is missing or named twice.
-void add_vrm(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes, GltfSource* source);
+// Of VRM 1.0: expressions, look-at, first person and meta of a document that has VRMC_vrm already stay, but for what `vrm` says otherwise; humanoid is
+// the new one. A document with the older extension VRM loses it, see turn_vrm_zero_into_one(). Of 0.x the other way round: expressions and meta of
+// VRMC_vrm become those of 0.x, its springs are left out. Returns remarks for the user. Throws Error where a required bone is missing or named twice.
+std::vector<std::string> add_vrm(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes,
+                                 GltfSource* source);
+
+// Replaces an extension VRM of 0.x, if there is one and no newer, by VRMC_vrm and VRMC_springBone, whose chains get nodes at their ends. Vectors are in the axes
+// that joints have in the file, names of bones those of 0.x: put_into_form() and add_vrm() follow. Returns remarks for the user.
+std::vector<std::string> turn_vrm_zero_into_one(nlohmann::json* document);
+// VRMC_springBone, or null where nothing swings.
+nlohmann::json vrm_springs_of_zero(const nlohmann::json& secondary_animation, nlohmann::json* document);
+// 0.x counts z the other way. {"x": 1, "y": 2, "z": 3} is [1, 2, -3].
+nlohmann::json vrm_zero_vector(const nlohmann::json& zero);
+// The name in 1.0 of an expression that 0.x knows; "" for others.
+std::string vrm_preset_of_zero(const std::string& zero);
+
+// Takes VRM's extension out of a document that lost its skeleton and got no new bones.
+void drop_boneless_vrm(nlohmann::json* document);
 
 // The extension VRM of 0.x.
 nlohmann::json vrm_zero(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes,

@@ -20,10 +20,14 @@ std::string word_of(const std::map<std::string, std::string>& said, const char* 
   return strictest;
 }
 
-// What is not said is what the specification has as the strictest.
-Json zero_meta(const VrmData& vrm) {
+std::string joined_authors(const VrmData& vrm) {
   std::string authors;
   for (const std::string& author : vrm.authors) authors += (authors.empty() ? "" : ", ") + author;
+  return authors;
+}
+
+// What is not said is what the specification has as the strictest.
+Json zero_meta(const VrmData& vrm) {
   const Words allow = {{"true", "Allow"}};
   const auto text = [&](const char* key) {
     const auto at = vrm.licence.find(key);
@@ -31,9 +35,9 @@ Json zero_meta(const VrmData& vrm) {
   };
   const std::string url = text("otherLicenseUrl"), name = text("licenseName");
   return {
-      {"title", vrm.title},
+      {"title", vrm.title.empty() ? vrm.file_name : vrm.title},
       {"version", ""},
-      {"author", authors},
+      {"author", joined_authors(vrm)},
       {"contactInformation", ""},
       {"reference", text("copyrightInformation")},
       {"allowedUserName",
@@ -79,25 +83,27 @@ Json first_person(const VrmData& vrm, const std::vector<int>& joint_nodes) {
           {"lookAtVerticalDown", range},      {"lookAtVerticalUp", range}};
 }
 
+// Expressions that both versions know: the words of 1.0 and of 0.x.
+constexpr std::array<std::array<const char*, 2>, 17> kPresets = {{{"neutral", "neutral"},
+                                                                  {"happy", "joy"},
+                                                                  {"angry", "angry"},
+                                                                  {"sad", "sorrow"},
+                                                                  {"relaxed", "fun"},
+                                                                  {"aa", "a"},
+                                                                  {"ih", "i"},
+                                                                  {"ou", "u"},
+                                                                  {"ee", "e"},
+                                                                  {"oh", "o"},
+                                                                  {"blink", "blink"},
+                                                                  {"blinkLeft", "blink_l"},
+                                                                  {"blinkRight", "blink_r"},
+                                                                  {"lookUp", "lookup"},
+                                                                  {"lookDown", "lookdown"},
+                                                                  {"lookLeft", "lookleft"},
+                                                                  {"lookRight", "lookright"}}};
+
 // Expressions of VRMC_vrm as blend shape groups.
 Json blend_shapes(const Json& document) {
-  constexpr std::array<std::array<const char*, 2>, 17> kPresets = {{{"neutral", "neutral"},
-                                                                    {"happy", "joy"},
-                                                                    {"angry", "angry"},
-                                                                    {"sad", "sorrow"},
-                                                                    {"relaxed", "fun"},
-                                                                    {"aa", "a"},
-                                                                    {"ih", "i"},
-                                                                    {"ou", "u"},
-                                                                    {"ee", "e"},
-                                                                    {"oh", "o"},
-                                                                    {"blink", "blink"},
-                                                                    {"blinkLeft", "blink_l"},
-                                                                    {"blinkRight", "blink_r"},
-                                                                    {"lookUp", "lookup"},
-                                                                    {"lookDown", "lookdown"},
-                                                                    {"lookLeft", "lookleft"},
-                                                                    {"lookRight", "lookright"}}};
   Json groups = Json::array();
   const Json::json_pointer at("/extensions/VRMC_vrm/expressions");
   if (!document.contains(at)) return {{"blendShapeGroups", groups}};
@@ -142,15 +148,26 @@ Json material_properties(const Json& document) {
 
 }  // namespace
 
+std::string vrm_preset_of_zero(const std::string& zero) {
+  for (const auto& [newer, older] : kPresets)
+    if (zero == older) return newer;
+  return "";
+}
+
 Json vrm_zero(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes, const Json& document) {
   Json own = Json::object();
   const Json::json_pointer at("/extensions/VRM");
   if (document.contains(at) && document[at].is_object()) own = document[at];
   own["exporterVersion"] = "sinew";
   own["specVersion"] = "0.0";
-  own["meta"] = zero_meta(vrm);
+  const Json old_meta = own.value("meta", Json::object());
+  if (!vrm.title.empty() || !vrm.licence.empty() || old_meta.empty()) own["meta"] = zero_meta(vrm);
+  own["meta"]["author"] = vrm.authors.empty() ? old_meta.value("author", std::string()) : joined_authors(vrm);
+  if (vrm.title.empty() && old_meta.contains("title")) own["meta"]["title"] = old_meta["title"];
   own["humanoid"] = zero_humanoid(path, vrm, joint_nodes);
-  if (!own.contains("firstPerson")) own["firstPerson"] = first_person(vrm, joint_nodes);
+  Json view = first_person(vrm, joint_nodes);
+  if (own.contains("firstPerson")) view.update(own["firstPerson"]);
+  own["firstPerson"] = std::move(view);
   if (!own.contains("blendShapeMaster")) own["blendShapeMaster"] = blend_shapes(document);
   if (!own.contains("secondaryAnimation"))
     own["secondaryAnimation"] = {{"boneGroups", Json::array()}, {"colliderGroups", Json::array()}};

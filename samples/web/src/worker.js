@@ -233,7 +233,7 @@ async function answer({ id, call, ...options }) {
     if (call === "load" && reply.joints?.length === 0) parts.loaded(1).catch(() => {});
     if (call === "bind") parts.loaded().catch(() => {});
   } catch (error) {
-    let line = String(error?.message ?? error).replace(": give --author", ""); // which the page has a field for
+    let line = String(error?.message ?? error);
     if (error instanceof RangeError || error?.status === outOfMemory) line = "out of memory: the file is too large for this browser; try the sinew command";
     if (error instanceof WebAssembly.RuntimeError) line = `the engine stopped (${line}); reload the page`;
     postMessage({ id, error: line });

@@ -232,10 +232,25 @@ TEST(WriteForProfile, AVrmOfTheOlderVersionIsWhole) {
   figure.joints.erase(figure.joints.begin() + 3, figure.joints.end());
   figure.influences.assign(figure.vertices.size(), {{0, 1.0f}});
   EXPECT_ERROR(write_for_profile(profile_named("vrm0"), options, folder.file("no.vrm"), figure), "no.vrm", "head");
-  EXPECT_ERROR(check_profile(profile_named("vrm"), {}), "author");
   EXPECT_ERROR(profile_named("softimage"), "mixamo");
   ProfileOptions older = options;
   EXPECT_ERROR(check_profile(profile_named("vrm"), older), "licenseName");
+}
+
+TEST(WriteForProfile, AVrmWithoutAnAuthorSaysSoAndOneOfTheOlderVersionKeepsItsOwn) {
+  TempFolder folder;
+  const auto authors = [&](const char* name) {
+    return json_of_glb(folder.text_of(name))["extensions"]["VRMC_vrm"]["meta"]["authors"];
+  };
+  const std::vector<std::string> notes =
+      write_for_profile(profile_named("vrm"), {}, folder.file("a.vrm"), walking_figure());
+  EXPECT_EQ(authors("a.vrm"), nlohmann::json::array({"unknown"}));
+  ASSERT_FALSE(notes.empty());
+  EXPECT_NE(notes.back().find("--author"), std::string::npos) << notes.back();
+  write_for_profile(profile_named("vrm0"), options_for("vrm0"), folder.file("older.vrm"), walking_figure());
+  write_for_profile(profile_named("vrm"), {}, folder.file("newer.vrm"), read_character(folder.file("older.vrm")));
+  EXPECT_EQ(authors("newer.vrm"), nlohmann::json::array({"Ann"}));
+  EXPECT_FALSE(json_of_glb(folder.text_of("newer.vrm"))["extensions"].contains("VRM"));
 }
 
 }  // namespace
