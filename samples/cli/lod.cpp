@@ -69,7 +69,7 @@ void run_lod(LodCommandSettings s) {
     glb.keep_skin = !fewer;
     glb.drop_animations = fewer;
     glb.motion = fewer ? &level.motion : nullptr;
-    std::vector<std::string> notes;
+    std::vector<std::string> notes = level.character.notes;
     if (s.one_file)
       glbs.push_back(glb_of(s, level.character, &notes));
     else

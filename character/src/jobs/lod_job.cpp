@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "check/rig_facts.hpp"
@@ -19,6 +20,8 @@ namespace sinew {
 namespace {
 
 constexpr size_t kMostSamples = 2000;
+constexpr double kMissed = 1.25,
+                 kFewTriangles = 8;  // a level with more than so many times the wanted triangles and some is told
 
 using Triangles = std::vector<std::array<uint32_t, 3>>;
 
@@ -123,6 +126,25 @@ Character character_of_bytes(const std::string& name, const std::vector<uint8_t>
   return read_gltf(name);
 }
 
+// Why a level has more triangles than it should.
+std::string missed_text(const Character& whole, size_t left, size_t wanted) {
+  std::vector<uint32_t> piece(whole.vertices.size());
+  std::iota(piece.begin(), piece.end(), 0u);
+  const auto root = [&](uint32_t v) {
+    while (piece[v] != v) v = piece[v] = piece[piece[v]];
+    return v;
+  };
+  for (size_t f = 0; f < whole.face_count(); ++f)
+    for (uint32_t c = whole.face_offsets[f] + 1; c < whole.face_offsets[f + 1]; ++c)
+      piece[root(whole.face_vertices[c])] = root(whole.face_vertices[whole.face_offsets[f]]);
+  size_t pieces = 0;
+  for (uint32_t v = 0; v < piece.size(); ++v) pieces += piece[v] == v ? 1 : 0;
+  return "warning: " + std::to_string(left) + " triangles are left where " + std::to_string(wanted) +
+         " were wanted: the mesh is " + std::to_string(pieces) +
+         " pieces that are not connected, and neither a piece nor a border can lose its last triangles; join vertices "
+         "in the program that made it";
+}
+
 class LodBuilder {
  public:
   LodBuilder(const LodOptions& options, const Character& character)
@@ -150,6 +172,9 @@ class LodBuilder {
       kept = std::move(glb);
     }
     best->motion = motion_of_bytes(whole_.name + ".glb", kept).motion;
+    const double wanted = share * static_cast<double>(triangles_);
+    if (static_cast<double>(best->triangles) > kMissed * wanted + kFewTriangles)
+      best->character.notes.push_back(missed_text(whole_, best->triangles, static_cast<size_t>(wanted)));
     if (options_.joints && number > 1) leave_out_joints(number > 2, &*best);
     return std::move(*best);
   }

@@ -19,7 +19,8 @@ std::vector<uint8_t> glb_of_levels(const std::string& path, const std::vector<st
 
 // One level: a character with fewer triangles.
 // Vertices that stay keep all that they have: position, normal, texture coordinates, weights, shapes. All meshes are taken together, so that parts
-// which touch go on touching; seams of textures and borders stay seams and borders. By meshoptimizer (github.com/zeux/meshoptimizer,
+// which touch go on touching; seams of textures and borders stay seams and borders, unless so much is seam (flat shading, corners that were never
+// joined) that the share is missed. By meshoptimizer (github.com/zeux/meshoptimizer,
 // meshopt_simplify: quadrics of Garland and Heckbert 1997).
 //   positions  [V] of the character's vertices where shapes are measured, at rest or in a pose
 //   share      of the triangles that shall be left, 0..1; more are left where seams or borders want them

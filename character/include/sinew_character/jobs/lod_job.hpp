@@ -29,7 +29,7 @@ struct LodLevel {
 };
 
 // Vertices that are left keep weights, shapes, seams and materials. Each level is reduced at rest and in a bent pose, and the one that is nearer
-// to the input when posed is taken: at most 2,000 vertices are looked at. Throws Error for a character without weights.
+// to the input when posed is taken: at most 2,000 vertices are looked at. A level that misses its share says why in its character's notes. Throws Error for a character without weights.
 std::vector<LodLevel> levels_of_detail(const LodOptions& options, const Character& character);
 
 }  // namespace sinew

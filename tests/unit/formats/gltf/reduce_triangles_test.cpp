@@ -84,6 +84,28 @@ TEST(ReduceTriangles, VerticesThatAreLeftKeepAllAndPartsGoOnTouching) {
   EXPECT_EQ(borders[0], borders[1]) << "no crack";
 }
 
+// Every triangle has corners of its own, with its own normal: flat shading, or a file whose corners were never joined.
+TEST(ReduceTriangles, SplitCornersAreJoinedFirst) {
+  TempFolder folder;
+  Character split = waves();
+  for (const bool flat : {true, false}) {
+    split.corner_normals.clear();
+    for (size_t f = 0; f < split.face_count(); ++f)
+      for (uint32_t c = split.face_offsets[f]; c < split.face_offsets[f + 1]; ++c) {
+        const float tilt = (flat ? 0.6f : 0.05f) * std::sin(static_cast<float>(7 * f));
+        split.corner_normals.push_back({tilt, 0, std::sqrt(1 - tilt * tilt)});
+        split.corner_uvs[c] = {split.corner_uvs[c][0] + 1e-5f * static_cast<float>(f % 7), split.corner_uvs[c][1]};
+      }
+    write_gltf(folder.file("split.glb"), split);
+    const Character whole = read_gltf(folder.file("split.glb"));
+    const std::vector<uint8_t> glb = reduced_glb("split", whole, whole.vertices, 0.2);
+    const Character less = read_gltf(folder.write("less.glb", std::string(glb.begin(), glb.end())));
+    EXPECT_LT(less.face_count(), whole.face_count() * 3 / 10) << flat;
+    for (size_t c = 0; c < less.face_vertices.size(); ++c)
+      EXPECT_NEAR(less.corner_uvs[c][0], less.vertices[less.face_vertices[c]].x, 1e-3);
+  }
+}
+
 #endif
 
 TEST(ReduceTriangles, NeedADocument) {
