@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Assimp's functions that scene_to_glb.cpp, scene_process.hpp and scene_nodes.cpp call, from its shared library (late_library.hpp). Only where
+// Assimp's functions that scene_to_glb.cpp, scene_input.hpp and scene_nodes.cpp call, from its shared library (late_library.hpp). Only where
 // SINEW_LATE_ASSIMP is that library's name (formats/CMakeLists.txt).
 #include <assimp/material.h>
 

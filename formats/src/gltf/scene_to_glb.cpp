@@ -8,13 +8,16 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <new>
 #include <optional>
 #include <set>
 #include <unordered_map>
 
+#include "gltf/collada_lists.hpp"
 #include "gltf/gltf_container.hpp"
 #include "gltf/gltf_from_scene.hpp"
 #include "gltf/gltf_source.hpp"
+#include "gltf/scene_input.hpp"
 #include "gltf/scene_nodes.hpp"
 #include "gltf/scene_process.hpp"
 #include "sinew_formats/base/affine.hpp"
@@ -357,28 +360,26 @@ const aiScene* import(const std::string& path, bool names_for_people, Assimp::Im
   importer->SetPropertyBool(AI_CONFIG_IMPORT_FBX_IGNORE_UP_AXIS_DIRECTION, true);
 #endif
   const aiScene* scene = importer->ReadFile(path, aiProcess_Triangulate);
-  if (scene == nullptr || scene->mRootNode == nullptr)
-    throw Error(path + ": expected " + file_kind(path)->name +
-                ", found a file that Assimp does not read: " + one_line(importer->GetErrorString()) +
-                "; open it in Blender and write what that reads: File > Export > glTF 2.0");
-  return scene;
+  if (scene != nullptr && scene->mRootNode != nullptr) return scene;
+  const std::string reason = importer->GetErrorString();
+  if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+  throw Error(path + ": expected " + file_kind(path)->name + ", found a file that Assimp does not read: " +
+              one_line(reason) + "; open it in Blender and write what that reads: File > Export > glTF 2.0");
 }
 
-SceneBytes convert_scene(const std::string& path) {
+SceneBytes convert_scene(const std::string& path, Assimp::Importer* importer) {
   try {
-    Assimp::Importer importer;
-    importer.SetIOHandler(new SceneFiles);  // the importer deletes it
-    const aiScene* scene = import(path, true, &importer);
+    const aiScene* scene = import(path, true, importer);
     // COLLADA's bones are found by name: where two joints share one, by identifier.
-    if (has_extension(path, ".dae") && !joint_names_are_unique(scene->mRootNode))
-      scene = import(path, false, &importer);
+    if (has_extension(path, ".dae") && !joint_names_are_unique(scene->mRootNode)) scene = import(path, false, importer);
     SceneBytes out;
     out.glb = SceneConverter(path, *scene).convert(&out.notes);
     return out;
-  } catch (const Error& error) {  // a library that is missing knows of no file
-    const std::string text = error.what();
-    if (text.rfind(path, 0) == 0) throw;
-    throw Error(path + ": " + text);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw Error(path + ": expected " + file_kind(path)->name +
+                ", found a file that asks for more memory than one of its size may have; export it again");
   } catch (const std::exception& error) {
     throw Error(path + ": expected a whole scene, found one that does not read: " + one_line(error.what()));
   }
@@ -387,14 +388,21 @@ SceneBytes convert_scene(const std::string& path) {
 }  // namespace
 
 std::vector<uint8_t> scene_to_glb(const std::string& path, std::vector<std::string>* notes) {
-  const size_t bytes = read_file(path).size();
-  if (bytes == 0) throw Error(path + ": expected a scene, found an empty file");
-  const bool well_known = has_extension(path, ".fbx") || has_extension(path, ".dae");
-  SceneBytes scene = well_known
-                         ? convert_scene(path)
-                         : convert_in_child(path, file_kind(path)->name, bytes, [&] { return convert_scene(path); });
-  notes->insert(notes->end(), scene.notes.begin(), scene.notes.end());
-  return std::move(scene.glb);
+  const std::vector<uint8_t> file = read_file(path);
+  if (file.empty()) throw Error(path + ": expected a scene, found an empty file");
+  if (has_extension(path, ".dae")) check_collada_lists(path, file);
+  try {
+    Assimp::Importer importer;  // here: a library that is missing says so, and one that is there is loaded once
+    importer.SetIOHandler(new SceneFiles);  // the importer deletes it
+    SceneBytes scene = convert_in_child(path, file_kind(path)->name, scene_limits(file.size()),
+                                        [&] { return convert_scene(path, &importer); });
+    notes->insert(notes->end(), scene.notes.begin(), scene.notes.end());
+    return std::move(scene.glb);
+  } catch (const Error& error) {  // a library that is missing knows of no file
+    const std::string text = error.what();
+    if (text.rfind(path, 0) == 0) throw;
+    throw Error(path + ": " + text);
+  }
 }
 
 }  // namespace sinew

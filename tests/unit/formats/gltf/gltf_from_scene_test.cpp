@@ -4,10 +4,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
+#include <new>
 #include <sstream>
+#ifdef __linux__
+#include <unistd.h>
+#endif
 
 #include "expect_error.hpp"
 #include "glb_round.hpp"
+#include "gltf/scene_process.hpp"
 #include "scene_files.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "with_asan.hpp"
@@ -290,6 +297,75 @@ TEST(GltfFromScene, BrokenFilesAreOneLine) {
     }
   }
 }
+
+// Assimp's reader never ends in a list of numbers with a character that belongs to none.
+TEST(GltfFromScene, AWrongByteInAListOfColladaIsOneLine) {
+  const TempFolder folder;
+  std::string wrong = strip_dae();
+  const size_t list = wrong.find("<p>");
+  ASSERT_NE(list, std::string::npos);
+  wrong[wrong.find('1', list)] = 'l';
+  const auto line =
+      std::to_string(1 + std::count(wrong.begin(), wrong.begin() + static_cast<std::ptrdiff_t>(list), '\n'));
+  EXPECT_ERROR(read_mesh(folder.write("wrong.dae", wrong)), "wrong.dae:" + line,
+               "expected whole numbers in <p>, found 'l'");
+  std::string remark = strip_dae();  // what is no list may say anything
+  remark.insert(remark.find("<library_geometries"), "<!-- <p>l</p> --><extra><p>a text</p></extra>");
+  expect_strip(read_character(folder.write("remark.dae", remark)));
+}
+
+#ifdef __linux__
+
+TEST(SceneProcess, EndsWithinItsLimits) {
+  const auto fails = [](const SceneLimits& limits, const std::function<SceneBytes()>& convert, const char* wanted) {
+    EXPECT_ERROR(convert_in_child("a.fbx", "FBX", limits, convert), "a.fbx: expected FBX", wanted);
+  };
+  const size_t much = size_t{1} << 30;
+  fails(
+      {much, 1, 600},
+      [] {
+        const volatile bool on = true;
+        while (on) continue;
+        return SceneBytes{};
+      },
+      "without an end, stopped after 1 s");
+  fails(
+      {much, 600, 1},
+      [] {
+        (void)pause();
+        return SceneBytes{};
+      },
+      "without an end, stopped");
+  fails(
+      {much, 600, 600},
+      [] {
+        std::abort();
+        return SceneBytes{};
+      },
+      "does not survive");
+}
+
+#ifndef SINEW_WITH_ASAN  // which has its own idea of memory
+
+TEST(SceneProcess, GetsNoMoreMemoryThanItMayHave) {
+  const SceneLimits limits = {size_t{256} << 20, 600, 600};
+  bool refused = false;
+  const SceneBytes scene = convert_in_child("a.fbx", "FBX", limits, [&] {
+    SceneBytes out;
+    try {
+      std::vector<std::vector<char>> all;
+      for (;;) all.emplace_back(size_t{16} << 20, 'x');
+    } catch (const std::bad_alloc&) {
+      out.notes.push_back("refused");
+    }
+    return out;
+  });
+  for (const std::string& note : scene.notes) refused = refused || note == "refused";
+  EXPECT_TRUE(refused);
+}
+
+#endif
+#endif
 
 #else
 
