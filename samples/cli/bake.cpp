@@ -27,7 +27,7 @@ struct BakeCommandSettings {
   DeformSettings deform{"volume", 0, 0};
   size_t poses = 1500, shapes = 8;
   uint64_t seed = 1;
-  double limit = 60;
+  double limit = 60, error = 0.2;
   bool animated = false, json = false;
 };
 
@@ -77,6 +77,7 @@ void run_bake(const BakeCommandSettings& s) {
   job.shapes = s.shapes;
   job.seed = s.seed;
   job.limit = s.limit;
+  job.error = s.error / 100;
   if (s.animated) job.animation = s.animation;
   const BakedCharacter baked = bake_character(character, own, job, [&stop](size_t steps) {
     auto progress = std::make_shared<Progress>(steps, "poses");
@@ -112,6 +113,11 @@ void add_bake(CLI::App& app) {
   shared_option(sub, "--seed", s->seed)->capture_default_str();
   auto* animation = shared_option(sub, "--animation", s->animation, "It is learnt from");
   shared_option(sub, "--shapes", s->shapes, "A bend")->check(CLI::Range(1u, 64u))->capture_default_str();
+  sub->add_option("--error", s->error,
+                  "Leave out shapes and moves that change a vertex by less, root mean square over the poses")
+      ->check(CLI::Range(0.0, 10.0))
+      ->type_name("PERCENT OF THE SIZE")
+      ->capture_default_str();
   add_deform_options(sub, {"volume", "xpbd", "delta-mush"}, "That is what the shapes learn. ", &s->deform);
   sub->get_option("--deform")->default_str("volume");
   shared_flag(sub, "--json", s->json);

@@ -17,7 +17,7 @@ namespace Sinew
         public string License;
         /// <summary>Title of a VRM; null: the character's name</summary>
         public string Title;
-        /// <summary>Authors of a VRM, which needs at least one</summary>
+        /// <summary>Authors of a VRM; null: those of its file, else "unknown", which a note says</summary>
         public string[] Authors;
         /// <summary>A glTF has the text of controls() in its extras</summary>
         public bool Controls;
@@ -422,7 +422,7 @@ namespace Sinew
     {
         /// <summary>Poses to learn from; 0 = 1500</summary>
         public int Poses;
-        /// <summary>Most morph targets a bend; 0 = 8</summary>
+        /// <summary>Most weights that drive a bend, each of which has one or two morph targets; 0 = 8</summary>
         public int Shapes;
         /// <summary>Of the random poses; 0 = 1</summary>
         public ulong Seed;
@@ -430,6 +430,8 @@ namespace Sinew
         public double Limit;
         /// <summary>Learns from a clip of the character's own; null: random poses</summary>
         public string Clip;
+        /// <summary>What may be left out of a vertex's moves, root mean square over the poses, a share of the size; 0 = 0.002</summary>
+        public double Error;
         /// <summary>Animate makes morph targets of corrections, VOLUME and above; bake takes no other. 0 = none, linear blending or VOLUME,
         /// as the call says</summary>
         public PoseDeform Deform;
@@ -457,7 +459,7 @@ namespace Sinew
                 deform_as_drawn = DeformAsDrawn ? 1u : 0, stiffness = Stiffness };
             return pins.Of(new Native.sinew_character_bake_options {struct_size = Character.Size<Native.sinew_character_bake_options>(),
                 progress = watch.Callback, poses = (uint)Poses, shapes = (uint)Shapes, seed = Seed, limit = Limit, clip = pins.Of(Clip),
-                deform = pins.Of(deform) });
+                error = Error, deform = pins.Of(deform) });
         }
     }
 
@@ -950,7 +952,7 @@ namespace Sinew
     {
         /// <summary>Sets what Save() and Write() write: joint names and axes, a root, influences, facing, VRM data. The rest pose stays:
         /// see to_pose of bind and rig ("t" for most programs, "a" for unreal). Remarks are added to Notes() as files are written. An
-        /// unknown profile and a VRM without an author are an error.</summary>
+        /// unknown profile is an error.</summary>
         public void SetProfile(ProfileSettings settings)
         {
             using (var pins = new Pins())

@@ -690,6 +690,7 @@ namespace Sinew
             public ulong seed;
             public double limit;
             public IntPtr clip;
+            public double error;
         }
 
         [StructLayout(LayoutKind.Sequential)]

@@ -649,7 +649,7 @@ typedef struct sinew_character_bake_options {
   const sinew_character_deformation* deform;
   /* Poses to learn from; 0 = 1500. */
   uint32_t poses;
-  /* Most morph targets a bend; 0 = 8. */
+  /* Most weights that drive a bend, each of which has one or two morph targets; 0 = 8. */
   uint32_t shapes;
   /* Of the random poses; 0 = 1. */
   uint64_t seed;
@@ -657,6 +657,8 @@ typedef struct sinew_character_bake_options {
   double limit;
   /* Learns from a clip of the character's own; null: random poses. */
   const char* clip;
+  /* What may be left out of a vertex's moves, root mean square over the poses, a share of the size; 0 = 0.002. */
+  double error;
 } sinew_character_bake_options;
 
 typedef struct sinew_character_bake_result {

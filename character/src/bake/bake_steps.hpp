@@ -46,12 +46,12 @@ class PoseRotations {
   Eigen::MatrixXd gram_;
 };
 
-// A driver whose weights are at most 1 in these poses; its shapes are not numbered. Fewer than shape_count where less than
-// that tells all.
+// A driver whose weights reach 1 in these poses; its shapes have no numbers yet. Fewer sums than `sum_count` where the others explain no more than
+// `negligible`, a sum of squares, of the moves.
 //   distances  [J] of the bend
 //   moves      [poses x 3 vertices] of its region
 MorphDriver fit_driver(const PoseRotations& rotations, const std::vector<double>& distances,
-                       const Eigen::MatrixXf& moves, size_t shape_count);
+                       const Eigen::MatrixXf& moves, size_t sum_count, double negligible = 0);
 
 }  // namespace sinew
 #endif

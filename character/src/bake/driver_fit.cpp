@@ -15,13 +15,15 @@ using MatrixF = Eigen::MatrixXf;
 using Matrix = Eigen::MatrixXd;
 using Eigen::Index;
 
-constexpr size_t kMostTerms = 28;
+constexpr size_t kMostTerms = 16;
 constexpr double kNearer = 0.85;   // scale of a joint's values, a joint further, before anything is known
 constexpr double kFirstRidge = 4;  // of the sums of squares over the poses
 constexpr double kDriverRidge = 1;
 constexpr double kSharpness = 0.6;  // how much more a joint that explains more may explain in the end
 constexpr double kPairs = 2;        // scale of values of two turns
-constexpr double kRounding = 1e4;   // factors have four decimals: half the bytes in a file, the same weights
+constexpr double kOneSided =
+    0.05;  // a sum that goes no farther than this share of its reach to one side needs no shape there
+constexpr double kRounding = 1e3;  // factors have three decimals: a third of the bytes in a file, the same weights
 
 // [turns.joints()] Scales: 1 for the joint that explains most of the moves, by ridge regression on single turns. Regions differ in what
 // moves them (a skirt's legs both of them, a fingertip all the fingers beside it), so they are asked, not the tree of joints alone.
@@ -104,7 +106,7 @@ MatrixF PoseRotations::values(const std::vector<MorphTerm>& terms, const std::ve
 }
 
 MorphDriver fit_driver(const PoseRotations& rotations, const std::vector<double>& distances, const MatrixF& moves,
-                       size_t shape_count) {
+                       size_t sum_count, double negligible) {
   ScaledTerms chosen = chosen_terms(rotations, scales_of_joints(rotations, distances, moves));
   MorphDriver driver;
   if (chosen.terms.empty()) return driver;
@@ -112,25 +114,29 @@ MorphDriver fit_driver(const PoseRotations& rotations, const std::vector<double>
   Matrix normal = (values.transpose() * values).cast<double>();
   normal.diagonal().array() += kDriverRidge;
   const Eigen::LLT<Matrix> root(normal);
-  // In coordinates where the normal matrix is 1, the best weights are the main axes of the solution.
+  // In coordinates where the normal matrix is 1, the best sums are the main axes of the solution.
   const Matrix solution = root.matrixL().solve((values.transpose() * moves).cast<double>());
   const Eigen::SelfAdjointEigenSolver<Matrix> axes(solution * solution.transpose());  // rising eigenvalues
-  const double most = axes.eigenvalues()[axes.eigenvalues().size() - 1];
-  for (Index i = axes.eigenvalues().size() - 1; i >= 0 && driver.shapes.size() < shape_count; --i) {
-    if (!(axes.eigenvalues()[i] > 1e-9 * most)) break;
+  const Eigen::VectorXd explained = axes.eigenvalues().cwiseMax(0);
+  double left = explained.sum();
+  for (Index i = explained.size() - 1; i >= 0 && chosen.terms[0].factors.size() < sum_count; --i) {
+    if (!(explained[i] > 1e-9 * explained[explained.size() - 1]) || left <= negligible) break;
+    left -= explained[i];
     const Eigen::VectorXd factors = root.matrixU().solve(axes.eigenvectors().col(i));
-    const Eigen::VectorXf weights = values * factors.cast<float>();
-    Index largest = 0;
-    weights.cwiseAbs().maxCoeff(&largest);
-    const double unit = static_cast<double>(weights[largest]);
-    if (!(std::abs(unit) > 0)) break;
+    const Eigen::VectorXf sums = values * factors.cast<float>();
+    const double high = static_cast<double>(sums.maxCoeff()), low = static_cast<double>(sums.minCoeff());
+    const double unit = std::max(high, -low);
+    if (!(unit > 0)) break;
+    const size_t sum = chosen.terms[0].factors.size();
     for (size_t t = 0; t < chosen.terms.size(); ++t) {
       std::array<double, 9> nine{};
       for (size_t k = 0; k < 9; ++k)
         nine[k] = std::round(factors[static_cast<Index>(9 * t + k)] * chosen.scales[t] / unit * kRounding) / kRounding;
       chosen.terms[t].factors.push_back(nine);
     }
-    driver.shapes.push_back(driver.shapes.size());
+    for (const double reach : {high, low})
+      if (std::abs(reach) > kOneSided * unit)
+        driver.weights.push_back({driver.weights.size(), sum, std::round(unit / reach * kRounding) / kRounding});
   }
   driver.terms = std::move(chosen.terms);
   return driver;

@@ -46,6 +46,8 @@ void bake(const sinew_character_bake_options& options, ProgressOfCaller* progres
   if (options.shapes != 0) job.shapes = options.shapes;
   if (options.seed != 0) job.seed = options.seed;
   if (options.limit != 0) job.limit = options.limit;
+  if (!(options.error >= 0 && options.error <= 0.1)) throw Failure(SINEW_ERROR_ARGUMENT, "error: expected 0 to 0.1");
+  if (options.error != 0) job.error = options.error;
   if (options.clip != nullptr) job.animation = options.clip;
   const OwnMotion own = motion_of_handle(character);
   BakedCharacter baked = bake_character(character->character, own, job, steps_of(progress));

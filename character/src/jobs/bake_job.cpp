@@ -61,6 +61,7 @@ BakedCharacter bake_character(const Character& character, const OwnMotion& own, 
   BakeSettings settings;
   settings.deform = job.deform;
   settings.shapes_per_bend = job.shapes;
+  settings.error = job.error;
   const BakeProgress step = steps(2 * poses.learnt.size() + poses.held_out.size());
   BakedCharacter baked;
   baked.morphs = bake_bends(character, poses.learnt, settings, step);

@@ -21,7 +21,7 @@ struct MorphShape {
   std::vector<Vec3> moves;         // [vertices]
 };
 
-// A part of the weights of one bend's shapes: nine values that one turn gives, or two turns together. A turn is a joint's rotation
+// A part of the sums that drive one bend's shapes: nine values that one turn gives, or two turns together. A turn is a joint's rotation
 // against its parent joint, world axes of the rest pose, as in MotionFrame::rotations, here a matrix R with the vector
 // u = (R21 - R12, R02 - R20, R10 - R01) / 2, its axis times the sine of its angle.
 //   one:  value 3 r + c is R(r, c) - I(r, c)
@@ -29,15 +29,25 @@ struct MorphShape {
 // All are 0 at rest, none passes 2 however far the joints turn, and half a turn is no jump.
 struct MorphTerm {
   size_t joint = 0, with = 0;                  // index into Character::joints; the same for one turn
-  std::vector<std::array<double, 9>> factors;  // [shapes of the driver]
+  std::vector<std::array<double, 9>> factors;  // [sums of the driver]
 };
 
-// Shapes of one bend. The weight of a shape is the sum of its factors times the values, over all terms: a polynomial of the pose
+// The weight of a shape: `scale` times a sum of the driver, but no less than 0 and no more than 1, as programs clamp it. The two directions of a sum are two
+// shapes, one with a negative scale.
+struct MorphWeight {
+  size_t shape = 0;  // index into Morphs::shapes
+  size_t sum = 0;
+  double scale = 1;
+};
+
+// Shapes of one bend. A sum is that of its factors times the values, over all terms: a polynomial of the pose
 // space (Lewis, Cordner and Fong 2000, Pose Space Deformation, have radial functions of it).
 struct MorphDriver {
-  size_t joint = 0;            // index into Character::joints
-  std::vector<size_t> shapes;  // index into Morphs::shapes
+  size_t joint = 0;  // index into Character::joints
+  std::vector<MorphWeight> weights;
   std::vector<MorphTerm> terms;
+
+  size_t sum_count() const { return terms.empty() ? 0 : terms[0].factors.size(); }
 };
 
 // Weights of all shapes frame by frame, for one animation of the written document.
@@ -73,7 +83,9 @@ Quaternion joint_rotation(const std::vector<Joint>& joints, const std::vector<Af
 std::vector<Quaternion> joint_rotations(const std::vector<Joint>& joints, const std::vector<Affine>& palette);
 // turns [J]: joint_rotations()
 std::array<double, 9> term_values(const MorphTerm& term, const std::vector<Quaternion>& rotations);
-// [shapes of the driver]
+// [sums of the driver]
+std::vector<double> driver_sums(const MorphDriver& driver, const std::vector<Quaternion>& rotations);
+// 0..1 [weights of the driver]
 std::vector<double> driver_weights(const MorphDriver& driver, const std::vector<Quaternion>& rotations);
 // Weights of all shapes in a pose; a shape without a driver has 0. [shapes]
 std::vector<float> shape_weights(const std::vector<Joint>& joints, const Morphs& morphs,

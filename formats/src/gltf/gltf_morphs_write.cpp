@@ -19,6 +19,8 @@
 namespace sinew {
 namespace {
 
+constexpr double kLeastTurn = 0.05;  // of a normal, three degrees: less is hardly seen
+
 class MorphWriter {
  public:
   MorphWriter(const std::string& path, const Character& character, const Morphs& morphs, const GltfJoints& joints,
@@ -40,6 +42,7 @@ class MorphWriter {
     for (size_t j = 0; j < joints_.nodes.size(); ++j)
       joint_of_node_.at(static_cast<size_t>(joints_.nodes[j])) = static_cast<int>(j);
     for_each_node(source_.parts, [&](size_t first, size_t last) { write_node(first, last); });
+    write_views();
     drop_unused_accessors(animations_.orphans(), &source_);
   }
 
@@ -122,7 +125,7 @@ class MorphWriter {
     const Point3& rest = normals_.rest(vertex);
     double apart = 0;
     for (size_t c = 0; c < 3; ++c) apart = std::max(apart, std::abs(posed[c] - rest[c]));
-    if (apart < 1e-3) return std::nullopt;
+    if (apart < kLeastTurn) return std::nullopt;
     const Point3 own = {static_cast<double>(normal[0]), static_cast<double>(normal[1]), static_cast<double>(normal[2])};
     Point3 world = transform_normal(frame, own[0], own[1], own[2]);
     const double length = std::hypot(world[0], world[1], world[2]);
@@ -167,18 +170,19 @@ class MorphWriter {
     return frames;
   }
 
-  // Bytes of a sparse accessor.
-  size_t add_view(const void* values, size_t size_bytes) {
-    source_.bytes.resize((source_.bytes.size() + 3) / 4 * 4);
-    document_["bufferViews"].push_back(
-        {{"buffer", 0}, {"byteOffset", source_.bytes.size()}, {"byteLength", size_bytes}});
-    const uint8_t* bytes = static_cast<const uint8_t*>(values);
-    source_.bytes.insert(source_.bytes.end(), bytes, bytes + size_bytes);
-    return document_["bufferViews"].size() - 1;
+  // Values behind those of other accessors, in a view that write_views() makes. Returns where.
+  template <class T>
+  static Json add_to(std::vector<uint8_t>* bytes, const std::vector<T>& values) {
+    bytes->resize((bytes->size() + 3) / 4 * 4);
+    const size_t offset = bytes->size();
+    const auto* from = reinterpret_cast<const uint8_t*>(values.data());
+    bytes->insert(bytes->end(), from, from + values.size() * sizeof(T));
+    return {{"byteOffset", offset}};
   }
 
-  // An accessor of vectors that are 0 but for some: sparse where that is smaller.
+  // An accessor of vectors that are 0 but for some: sparse where that is smaller, and one of its length for all that move nothing.
   size_t add_moves(size_t count, const std::map<uint32_t, std::array<float, 3>>& moves, bool with_bounds) {
+    if (const auto still = still_.find(count); moves.empty() && still != still_.end()) return still->second;
     std::array<float, 3> low{}, high{};
     if (moves.size() == count && count != 0) low = high = moves.begin()->second;
     for (const auto& [vertex, move] : moves)
@@ -202,14 +206,11 @@ class MorphWriter {
       }
       Json accessor = {{"componentType", TINYGLTF_COMPONENT_TYPE_FLOAT}, {"count", count}, {"type", "VEC3"}};
       if (!values.empty()) {  // without: all are 0
-        const size_t indices =
-            wide ? add_view(large.data(), large.size() * 4) : add_view(small.data(), small.size() * 2);
+        Json indices = wide ? add_to(&sparse_indices_, large) : add_to(&sparse_indices_, small);
+        indices["componentType"] = wide ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
         accessor["sparse"] = {
-            {"count", values.size()},
-            {"indices",
-             {{"bufferView", indices},
-              {"componentType", wide ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT}}},
-            {"values", {{"bufferView", add_view(values.data(), values.size() * 12)}}}};
+            {"count", values.size()}, {"indices", std::move(indices)}, {"values", add_to(&sparse_values_, values)}};
+        sparse_.push_back(document_["accessors"].size());
       }
       document_["accessors"].push_back(std::move(accessor));
       number = document_["accessors"].size() - 1;
@@ -219,11 +220,29 @@ class MorphWriter {
       number = static_cast<size_t>(add_accessor(&source_, values.data(), values.size() * 12, "VEC3",
                                                 TINYGLTF_COMPONENT_TYPE_FLOAT, count, true, false));
     }
-    if (with_bounds) {
+    if (with_bounds || moves.empty()) {
       document_["accessors"][number]["min"] = low;
       document_["accessors"][number]["max"] = high;
     }
+    if (moves.empty()) still_[count] = number;
     return number;
+  }
+
+  // The views of all sparse accessors.
+  void write_views() {
+    const auto add_view = [&](const std::vector<uint8_t>& bytes) {
+      source_.bytes.resize((source_.bytes.size() + 3) / 4 * 4);
+      document_["bufferViews"].push_back(
+          {{"buffer", 0}, {"byteOffset", source_.bytes.size()}, {"byteLength", bytes.size()}});
+      source_.bytes.insert(source_.bytes.end(), bytes.begin(), bytes.end());
+      return document_["bufferViews"].size() - 1;
+    };
+    if (sparse_.empty()) return;
+    const size_t indices = add_view(sparse_indices_), values = add_view(sparse_values_);
+    for (const size_t accessor : sparse_) {
+      document_["accessors"][accessor]["sparse"]["indices"]["bufferView"] = indices;
+      document_["accessors"][accessor]["sparse"]["values"]["bufferView"] = values;
+    }
   }
 
   // Where the turn of a joint is read off: its node, the rotation that the node has at rest, and the axes of what is above it.
@@ -258,19 +277,22 @@ class MorphWriter {
       turning->push_back(joint);
       return turning->size() - 1;
     };
-    Json bend = {{"joint", character_.joints[driver.joint].name}, {"targets", Json::array()}, {"terms", Json::array()}};
-    std::vector<size_t> own;
-    for (size_t i = 0; i < driver.shapes.size(); ++i) {
-      const auto at = std::find(shapes.begin(), shapes.end(), driver.shapes[i]);
+    Json bend = {{"joint", character_.joints[driver.joint].name}, {"targets", Json::array()}};
+    std::vector<size_t> sums;  // that these shapes have
+    for (const MorphWeight& weight : driver.weights) {
+      const auto at = std::find(shapes.begin(), shapes.end(), weight.shape);
       if (at == shapes.end()) continue;
-      own.push_back(i);
+      const auto sum = std::find(sums.begin(), sums.end(), weight.sum);
       bend["targets"].push_back(before + static_cast<size_t>(at - shapes.begin()));
+      bend["sums"].push_back(sum - sums.begin());
+      bend["scales"].push_back(weight.scale);
+      if (sum == sums.end()) sums.push_back(weight.sum);
     }
-    if (own.empty()) return bend;
     for (const MorphTerm& term : driver.terms) {
+      if (sums.empty()) break;
       Json turns = {number_of(term.joint)}, factors = Json::array();
       if (term.with != term.joint) turns.push_back(number_of(term.with));
-      for (const size_t i : own) factors.push_back(term.factors[i]);
+      for (const size_t sum : sums) factors.push_back(term.factors[sum]);
       bend["terms"].push_back({{"turns", std::move(turns)}, {"factors", std::move(factors)}});
     }
     return bend;
@@ -311,6 +333,9 @@ class MorphWriter {
   std::vector<int> joint_of_node_;  // [N], -1 = no joint
   SurfaceNormals normals_;
   MorphAnimations animations_;
+  std::vector<uint8_t> sparse_indices_, sparse_values_;  // of all shapes: a view each
+  std::vector<size_t> sparse_;                           // accessors that lie in these
+  std::map<size_t, size_t> still_;  // accessors of shapes that move nothing of a primitive, by its number of vertices
 };
 
 }  // namespace

@@ -2,6 +2,8 @@
 // Weights of corrective shapes, and meshes under them.
 #include "sinew_formats/morphs.hpp"
 
+#include <algorithm>
+
 #include "sinew_formats/base/affine.hpp"
 
 namespace sinew {
@@ -32,13 +34,20 @@ std::array<double, 9> term_values(const MorphTerm& term, const std::vector<Quate
   return values;
 }
 
-std::vector<double> driver_weights(const MorphDriver& driver, const std::vector<Quaternion>& rotations) {
-  std::vector<double> weights(driver.shapes.size(), 0.0);
+std::vector<double> driver_sums(const MorphDriver& driver, const std::vector<Quaternion>& rotations) {
+  std::vector<double> sums(driver.sum_count(), 0.0);
   for (const MorphTerm& term : driver.terms) {
     const std::array<double, 9> values = term_values(term, rotations);
-    for (size_t s = 0; s < weights.size(); ++s)
-      for (size_t i = 0; i < 9; ++i) weights[s] += term.factors.at(s)[i] * values[i];
+    for (size_t s = 0; s < sums.size(); ++s)
+      for (size_t i = 0; i < 9; ++i) sums[s] += term.factors.at(s)[i] * values[i];
   }
+  return sums;
+}
+
+std::vector<double> driver_weights(const MorphDriver& driver, const std::vector<Quaternion>& rotations) {
+  const std::vector<double> sums = driver_sums(driver, rotations);
+  std::vector<double> weights;
+  for (const MorphWeight& one : driver.weights) weights.push_back(std::clamp(one.scale * sums.at(one.sum), 0.0, 1.0));
   return weights;
 }
 
@@ -49,7 +58,7 @@ std::vector<float> shape_weights(const std::vector<Joint>& joints, const Morphs&
   const std::vector<Quaternion> rotations = joint_rotations(joints, palette);
   for (const MorphDriver& driver : morphs.drivers) {
     const std::vector<double> values = driver_weights(driver, rotations);
-    for (size_t i = 0; i < values.size(); ++i) weights.at(driver.shapes[i]) = static_cast<float>(values[i]);
+    for (size_t i = 0; i < values.size(); ++i) weights.at(driver.weights[i].shape) = static_cast<float>(values[i]);
   }
   return weights;
 }

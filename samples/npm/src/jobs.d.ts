@@ -16,7 +16,7 @@ export interface ProfileOptions {
   license?: string;
   /** title of a VRM; null = the character's name */
   title?: string;
-  /** authors of a VRM, which needs at least one */
+  /** authors of a VRM; null: those of its file, else "unknown", which a note says */
   authors?: string[];
   /** a glTF has the text of controls() in its extras */
   controls?: boolean;

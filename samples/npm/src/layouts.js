@@ -179,9 +179,9 @@ export const LAYOUTS = {
     "struct_size@0:u32 low@4:u32 joint_count@8:u32 keep_count@12:u32 keep@16:u32 as_drawn@20:u32 reserved@24:u32"),
   characterLodOptions: layout(24, "struct_size@0:u32 level_count@4:u32 ratio@8:f64 fewer_joints@16:u32 reserved@20:u32"),
   characterLodLevel: layout(32, "rest_error@0:f64 posed_error@8:f64 mean_error@16:f64 triangle_count@24:u32 reserved@28:u32"),
-  characterBakeOptions: layout(56,
+  characterBakeOptions: layout(64,
     "struct_size@0:u32 reserved@4:u32 progress@8:u32 progress_user@12:u32 deform@16:u32 poses@20:u32 shapes@24:u32 " +
-    "seed@32:u64 limit@40:f64 clip@48:u32"),
+    "seed@32:u64 limit@40:f64 clip@48:u32 error@56:f64"),
   characterBakeResult: layout(56,
     "struct_size@0:u32 shape_count@4:u32 bend_count@8:u32 moved_vertices@12:u32 learnt_poses@16:u32 held_out_poses@20:u32 " +
     "linear_error@24:f64 baked_error@32:f64 held_out_linear_error@40:f64 held_out_baked_error@48:f64"),

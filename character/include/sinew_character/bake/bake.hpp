@@ -16,7 +16,9 @@ using Palette = std::vector<Affine>;  // a skinning matrix a joint
 
 struct BakeSettings {
   sinew_deform_options deform = SINEW_INIT(sinew_deform_options);
-  size_t shapes_per_bend = 8;
+  size_t shapes_per_bend = 8;  // at most, each in one or two directions
+  double error =
+      2e-3;  // what may be left out of a vertex's moves, root mean square over the poses, as a share of the longest side
   double least_move = 5e-5;  // share of the mesh's longest side; a shape leaves vertices out that it moves by less
 };
 
@@ -31,13 +33,15 @@ using BakeProgress = std::function<bool()>;
 
 // Shapes for every joint with a parent that bends the surface (vertices follow it and others), driven by turns of joints. Drivers
 // are found bend by bend: the weights that tell most of how the vertices move which are nearest to it, by reduced rank regression on
-// turns, single and in pairs. Then each vertex is fitted to the shapes of the bends near it. Least squares over all poses with a small
-// ridge. A bend that moves no vertex enough gets no shape. Memory: 12 bytes a pose and vertex. Throws Error for missing weights,
+// turns, single and in pairs. Both directions of such a weight are a shape each, so that weights lie in 0..1. Then each vertex is fitted to the shapes of
+// the bends near it: least squares over all poses with a small ridge, with as few shapes as leave out no more than `error`. A bend that moves no
+// vertex enough gets no shape. Memory: 12 bytes a pose and vertex. Throws Error for missing weights,
 // no pose, or what the deformer refuses.
 Morphs bake_bends(const Character& character, const std::vector<Palette>& poses, const BakeSettings& settings,
                   const BakeProgress& progress);
 
-// At most `shape_count` shapes for one clip, without drivers: principal components of its corrections. `weights` [poses][shapes].
+// At most `shape_count` shapes, two or more, for one clip, without drivers: its first principal components, and one that is always on and makes their weights lie in
+// 0..1. `weights` [poses][shapes].
 Morphs bake_clip(const Character& character, const std::vector<Palette>& poses, const BakeSettings& settings,
                  size_t shape_count, const BakeProgress& progress, std::vector<std::vector<float>>* weights);
 

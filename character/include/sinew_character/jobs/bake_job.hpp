@@ -18,9 +18,10 @@ namespace sinew {
 struct BakeJobOptions {
   std::string character;  // its file, for messages
   sinew_deform_options deform = SINEW_INIT(sinew_deform_options);
-  size_t poses = 1500, shapes = 8;  // shapes of a bend
+  size_t poses = 1500, shapes = 8;  // shapes of a bend, at most, each in one or two directions
   uint64_t seed = 1;
   double limit = 60;                     // degrees
+  double error = 2e-3;                   // BakeSettings::error
   std::optional<std::string> animation;  // learn from this clip of `own`, by name or number; nullopt: random poses
 };
 

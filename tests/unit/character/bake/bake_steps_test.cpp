@@ -65,11 +65,11 @@ Eigen::MatrixXf moves_by(const PoseRotations& turns, const MorphTerm& term, size
   return moves;
 }
 
-// How much of the moves the first shape's weights leave, where both are of mean square 1.
+// How much of the moves the first sum leaves, where both are of mean square 1.
 double left_over(const MorphDriver& driver, const PoseRotations& turns, const Eigen::MatrixXf& moves) {
   double product = 0, weights = 0, wanted = 0;
   for (size_t p = 0; p < kPoses; ++p) {
-    const double w = driver_weights(driver, turns.poses()[p]).at(0);
+    const double w = driver_sums(driver, turns.poses()[p]).at(0);
     const double m = static_cast<double>(moves(static_cast<Eigen::Index>(p), 0));
     product += w * m, weights += w * w, wanted += m * m;
   }
@@ -82,9 +82,19 @@ TEST(DriverFit, OneTurnNeedsOneShape) {
   EXPECT_EQ(turns.joints(), (std::vector<size_t>{1, 2, 3}));
   const Eigen::MatrixXf moves = moves_by(turns, {2, 2, {}}, 5);
   const MorphDriver driver = fit_driver(turns, {0.5, 0.5, 0, 1}, moves, 8);
-  EXPECT_EQ(driver.shapes.size(), 1u);
+  EXPECT_EQ(driver.sum_count(), 1u);
+  EXPECT_EQ(driver.weights.size(), 2u) << "it turns both ways";
   EXPECT_EQ(driver.terms[0].joint, 2u) << "the one that explains most is first";
   EXPECT_LT(left_over(driver, turns, moves), 0.01);
+}
+
+TEST(DriverFit, WhatIsNegligibleGetsNoSum) {
+  const Character c = chain();
+  const PoseRotations turns(c, random_palettes(c, kPoses, 60, 1));
+  const Eigen::MatrixXf moves = moves_by(turns, {2, 2, {}}, 5);
+  const double all = moves.cast<double>().squaredNorm();
+  EXPECT_EQ(fit_driver(turns, {0.5, 0.5, 0, 1}, moves, 8, 0.2 * all).sum_count(), 1u);
+  EXPECT_TRUE(fit_driver(turns, {0.5, 0.5, 0, 1}, moves, 8, 1.1 * all).weights.empty());
 }
 
 TEST(DriverFit, TwoTurnsTogetherAreFound) {
@@ -99,7 +109,7 @@ TEST(DriverFit, TwoTurnsTogetherAreFound) {
 TEST(DriverFit, NothingThatTurnsDrivesNothing) {
   const Character c = chain();
   const PoseRotations turns(c, std::vector<Palette>(5, Palette(4, kIdentity)));
-  EXPECT_TRUE(fit_driver(turns, {1, 0.5, 0, 1}, Eigen::MatrixXf::Ones(5, 3), 8).shapes.empty());
+  EXPECT_TRUE(fit_driver(turns, {1, 0.5, 0, 1}, Eigen::MatrixXf::Ones(5, 3), 8).weights.empty());
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ TEST(Bake, HalvesTheErrorOfPosesThatItDidNotLearn) {
   const Morphs morphs = bake_bends(c, random_palettes(c, 120, 90, 1), settings, on);
   ASSERT_EQ(morphs.drivers.size(), 1u) << "nothing bends at the shoulder, whose side before it is empty";
   EXPECT_EQ(morphs.drivers[0].joint, 2u);
-  EXPECT_EQ(morphs.shapes.size(), 8u);
+  EXPECT_LE(morphs.drivers[0].sum_count(), 8u);
+  EXPECT_LE(morphs.shapes.size(), 2 * morphs.drivers[0].sum_count());
   EXPECT_EQ(morphs.shapes[0].name, "lower.1");
   const BakeError error = bake_error(c, morphs, random_palettes(c, 10, 90, 2), settings.deform, on);
   EXPECT_GT(error.linear, 0.002);
@@ -52,16 +53,34 @@ TEST(Bake, HalvesTheErrorOfPosesThatItDidNotLearn) {
   for (const float weight : shape_weights(c.joints, morphs, rest)) EXPECT_EQ(weight, 0);
 }
 
-TEST(Bake, WeightsOfLearntPosesAreAtMostOne) {
+TEST(Bake, WeightsOfLearntPosesReachOneAndAreNeverBelowNone) {
   const Character c = arm();
   const std::vector<Palette> poses = random_palettes(c, 60, 90, 1);
   const Morphs morphs = bake_bends(c, poses, {}, on);
   std::vector<float> largest(morphs.shapes.size(), 0.0f);
   for (const Palette& pose : poses) {
     const std::vector<float> weights = shape_weights(c.joints, morphs, pose);
-    for (size_t s = 0; s < weights.size(); ++s) largest[s] = std::fmax(largest[s], std::fabs(weights[s]));
+    for (size_t s = 0; s < weights.size(); ++s) {
+      EXPECT_GE(weights[s], 0);
+      largest[s] = std::fmax(largest[s], weights[s]);
+    }
   }
   for (const float one : largest) EXPECT_NEAR(one, 1, 0.01);
+}
+
+TEST(Bake, ALooserBoundMakesFewerMoves) {
+  const Character c = arm();
+  const std::vector<Palette> poses = random_palettes(c, 60, 90, 1);
+  size_t last = SIZE_MAX;
+  for (const double error : {0.0, 3e-4, 3e-3, 0.3}) {
+    BakeSettings settings;
+    settings.error = error;
+    size_t moves = 0;
+    for (const MorphShape& shape : bake_bends(c, poses, settings, on).shapes) moves += shape.vertices.size();
+    EXPECT_LT(moves, last) << error;
+    last = moves;
+  }
+  EXPECT_EQ(last, 0u);
 }
 
 TEST(Bake, AClipNeedsFewShapes) {
@@ -77,7 +96,8 @@ TEST(Bake, AClipNeedsFewShapes) {
   EXPECT_LE(morphs.shapes.size(), 6u);
   EXPECT_TRUE(morphs.drivers.empty());
   ASSERT_EQ(weights.size(), 30u);
-  for (const float weight : weights[0]) EXPECT_NEAR(weight, 0, 1e-4) << "the first frame is the rest pose";
+  for (const std::vector<float>& frame : weights)
+    for (const float weight : frame) EXPECT_TRUE(weight >= 0 && weight <= 1) << weight;
   const BakeError error = bake_error(c, morphs, frames, settings.deform, on, &weights);
   EXPECT_LT(error.baked, 0.1 * error.linear);
 }

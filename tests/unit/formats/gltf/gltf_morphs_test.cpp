@@ -34,7 +34,7 @@ Morphs knee_shape(uint32_t vertex) {
     one.factors[0][i] = 0.125 * static_cast<double>(i) - 0.5;
     two.factors[0][i] = 0.75 - 0.25 * static_cast<double>(i);
   }
-  morphs.drivers = {{1, {0}, {one, two}}};
+  morphs.drivers = {{1, {{0, 0, 1}}, {one, two}}};
   return morphs;
 }
 
@@ -49,9 +49,10 @@ json written_morphs(const TempFolder& folder, const Character& c, const Morphs& 
 // The accessor's elements that are not 0.
 std::vector<float> sparse_values(const std::string& glb, const json& document, size_t accessor) {
   const json& sparse = document["accessors"][accessor].at("sparse");
-  json dense = {
-      {"accessors", json::array({{{"bufferView", sparse["values"]["bufferView"]}, {"count", sparse["count"]}}})},
-      {"bufferViews", document["bufferViews"]}};
+  json dense = {{"accessors", json::array({{{"bufferView", sparse["values"]["bufferView"]},
+                                            {"byteOffset", sparse["values"]["byteOffset"]},
+                                            {"count", sparse["count"]}}})},
+                {"bufferViews", document["bufferViews"]}};
   return values_of<float>(glb, dense, 0, 3);
 }
 
@@ -78,7 +79,7 @@ TEST(GltfMorphs, MovesLieInTheMeshsOwnSpace) {
 Quaternion quaternion(const json& q) { return {q[0], q[1], q[2], q[3]}; }
 
 // formats/spec/correctives.md, by rotations of nodes. Written without morphs.cpp, whose frames are others.
-double weight_by_the_file(const json& correctives, const std::map<size_t, Quaternion>& rotations) {
+double sum_by_the_file(const json& correctives, const std::map<size_t, Quaternion>& rotations) {
   std::vector<Quaternion> turns;
   for (const json& joint : correctives["joints"]) {
     const Quaternion rest = quaternion(joint["rest"]), axes = quaternion(joint["axes"]);
@@ -101,7 +102,7 @@ double weight_by_the_file(const json& correctives, const std::map<size_t, Quater
 }
 
 // Turns node 1 (the knee) by 0.7 about its own x after its rest rotation, and asks both.
-void expect_the_same_weight(const GlbBuilder& builder) {
+void expect_the_same_sum(const GlbBuilder& builder) {
   const TempFolder folder;
   const Character c = read_gltf(folder.write("in.glb", builder.glb()));
   Morphs morphs = knee_shape(7);
@@ -112,7 +113,9 @@ void expect_the_same_weight(const GlbBuilder& builder) {
   EXPECT_EQ(correctives["joints"][0]["joint"], "knee");
   EXPECT_EQ(correctives["bends"][0]["joint"], "knee");
   EXPECT_EQ(correctives["bends"][0]["targets"], json::array({0}));
-  EXPECT_NEAR(weight_by_the_file(correctives, {}), 0, 1e-9);
+  EXPECT_EQ(correctives["bends"][0]["sums"], json::array({0}));
+  EXPECT_EQ(correctives["bends"][0]["scales"], json::array({1.0}));
+  EXPECT_NEAR(sum_by_the_file(correctives, {}), 0, 1e-9);
   // The same rotations as an animation, whose palette is in world axes.
   GlbBuilder moving = builder;
   std::map<size_t, Quaternion> rotations;
@@ -135,17 +138,17 @@ void expect_the_same_weight(const GlbBuilder& builder) {
   ASSERT_EQ(own.motion.clips.size(), 1u);
   const Character same = read_gltf(path);
   const std::vector<Affine> palette = motion_palette(own.motion, own.motion.clips[0].frames[0], same.joints.size());
-  const float weight = shape_weights(same.joints, morphs, palette)[0];
-  EXPECT_GT(std::abs(weight), 0.02f);
-  EXPECT_NEAR(weight_by_the_file(correctives, rotations), static_cast<double>(weight), 1e-5);
+  const double sum = driver_sums(morphs.drivers[0], joint_rotations(same.joints, palette))[0];
+  EXPECT_GT(std::abs(sum), 0.02);
+  EXPECT_NEAR(sum_by_the_file(correctives, rotations), sum, 1e-5);
 }
 
 TEST(GltfMorphs, DriversReadRotationsOfNodes) {
-  expect_the_same_weight(two_joint_strip());
-  expect_the_same_weight(turned_strip());
+  expect_the_same_sum(two_joint_strip());
+  expect_the_same_sum(turned_strip());
   GlbBuilder mirrored = turned_strip();
   mirrored.document["nodes"][0]["scale"] = {-2, 2, 2};
-  expect_the_same_weight(mirrored);
+  expect_the_same_sum(mirrored);
 }
 
 TEST(GltfMorphs, TargetsAndTheirAnimationsStay) {

@@ -27,7 +27,7 @@ Morphs one_shape() {
   MorphTerm one{1, 1, {{}}}, two{0, 1, {{}}};
   one.factors[0][3] = 0.5;
   two.factors[0][6] = 2;
-  morphs.drivers = {{1, {0}, {one, two}}};
+  morphs.drivers = {{1, {{0, 0, 1}}, {one, two}}};
   return morphs;
 }
 
@@ -44,6 +44,20 @@ TEST(Morphs, NothingAtRestAndSmoothAtHalfATurn) {
   const double half = std::acos(-1.0);
   EXPECT_NEAR(driver_weights(driver, {axis_rotation(2, 0.5), axis_rotation(0, half - 1e-6)})[0],
               driver_weights(driver, {axis_rotation(2, 0.5), axis_rotation(0, half + 1e-6)})[0], 1e-5);
+}
+
+// Blender, gltfpack and others clamp weights to 0..1.
+TEST(Morphs, EachDirectionIsAShapeOfItsOwnAndNoWeightIsBelow0OrAbove1) {
+  MorphDriver driver = one_shape().drivers[0];
+  driver.weights = {{0, 0, 3}, {1, 0, -2}};
+  const std::vector<double> one = driver_weights(driver, {kNoRotation4, axis_rotation(2, 0.3)}),
+                            other = driver_weights(driver, {kNoRotation4, axis_rotation(2, -0.3)}),
+                            far = driver_weights(driver, {kNoRotation4, axis_rotation(2, 1.5)});
+  EXPECT_NEAR(one[0], 1.5 * std::sin(0.3), 1e-9);
+  EXPECT_EQ(one[1], 0);
+  EXPECT_EQ(other[0], 0);
+  EXPECT_NEAR(other[1], std::sin(0.3), 1e-9);
+  EXPECT_EQ(far[0], 1);
 }
 
 TEST(Morphs, ValuesOfOneTurnAreItsMatrixLessNone) {
