@@ -2,6 +2,7 @@
 // Findings as lines, JSON and SARIF.
 #include "sinew_character/check/check_output.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -83,6 +84,28 @@ std::string where_shown(const RigFinding& f) {
   return f.pose.empty() ? "" : "posed: " + f.pose;
 }
 
+namespace {
+
+constexpr size_t kToldEach = 3;  // findings of one kind that have a line each; of more only the worst has one
+
+// "; and 26 more: 'Spine', 'LeftArm', ..." of findings from `begin` to before `end`.
+std::string others_text(const CheckedFile& file, size_t begin, size_t end, const RigFinding& told) {
+  constexpr size_t kNamed = 5;
+  if (end - begin < 2) return "";
+  std::vector<int> joints;
+  for (size_t i = begin; i < end; ++i) {
+    const int joint = file.check.findings[i].joint;
+    if (joint >= 0 && joint != told.joint && std::find(joints.begin(), joints.end(), joint) == joints.end())
+      joints.push_back(joint);
+  }
+  std::string text = print("; and %zu more", end - begin - 1);
+  for (size_t k = 0; k < joints.size() && k < kNamed; ++k)
+    text += (k == 0 ? ": '" : ", '") + file.character.joints[static_cast<size_t>(joints[k])].name + "'";
+  return text + (joints.size() > kNamed ? ", ..." : "");
+}
+
+}  // namespace
+
 std::string check_text(const CheckedFile& file) {
   const RigCheck& check = file.check;
   std::string text = print("%s: %zu vertices, %zu joints, %zu clips: ", file.file.c_str(),
@@ -93,13 +116,22 @@ std::string check_text(const CheckedFile& file) {
   std::vector<char> is_new(check.findings.size(), 0);
   for (const size_t i : file.change.added) is_new[i] = 1;
   if (file.score) text += print("; score %.1f of 100", *file.score);
-  for (size_t i = 0; i < check.findings.size(); ++i) {
-    const RigFinding& f = check.findings[i];
-    const std::string shown = where_shown(f);
-    text += print("\n  %s%-7s %s: ", is_new[i] != 0 ? "new " : "", severity_text(f.severity), f.rule->name) + f.what +
-            (shown.empty() ? "" : " (" + shown + ")");
-    if (i + 1 == check.findings.size() || check.findings[i + 1].rule != f.rule)
-      text += std::string("\n          ") + f.rule->cure;
+  for (size_t i = 0; i < check.findings.size();) {
+    size_t end = i + 1;  // of those that are told by one line
+    while (end < check.findings.size() && check.findings[end].rule == check.findings[i].rule &&
+           check.findings[end].severity == check.findings[i].severity && is_new[end] == is_new[i])
+      ++end;
+    if (end - i <= kToldEach) end = i + 1;
+    const RigFinding& worst =
+        *std::max_element(check.findings.begin() + static_cast<std::ptrdiff_t>(i),
+                          check.findings.begin() + static_cast<std::ptrdiff_t>(end),
+                          [](const RigFinding& a, const RigFinding& b) { return a.value < b.value; });
+    const std::string shown = where_shown(worst);
+    text += print("\n  %s%-7s %s: ", is_new[i] != 0 ? "new " : "", severity_text(worst.severity), worst.rule->name) +
+            worst.what + (shown.empty() ? "" : " (" + shown + ")") + others_text(file, i, end, worst);
+    if (end == check.findings.size() || check.findings[end].rule != worst.rule)
+      text += std::string("\n          ") + worst.rule->cure;
+    i = end;
   }
   for (const size_t i : file.change.removed)
     text += std::string("\n  gone: ") + file.before->findings[i].rule->name + ": " + file.before->findings[i].what;

@@ -14,6 +14,8 @@ namespace {
 
 // Joints in another part of the body than theirs are no eyesore outside, but as wrong: they count at this share of their distance.
 constexpr double kInside = 0.5;
+// A trunk is thick, so that a joint of it is never far from its vertices: out of the body, its distance counts that many times.
+constexpr double kTrunk = 2;
 constexpr double kShortestBone = 1e-4;  // of the size
 
 void apart(const RigFacts& facts, Findings* findings) {
@@ -45,13 +47,16 @@ double distance_to_own(const RigFacts& facts, size_t joint) {
 void outside(const RigFacts& facts, Findings* findings) {
   const double bound = findings->bound("joint-outside");
   for (size_t j = 0; j < facts.moves.size(); ++j) {
-    if (facts.moves[j].empty() || !facts.is_limb(j)) continue;
+    const uint8_t part = facts.verdicts.classes[j];
+    const bool trunk =
+        facts.is_body(j) && (part == SINEW_CLASS_SPINE || part == SINEW_CLASS_PELVIS || part == SINEW_CLASS_NECK);
+    if (facts.moves[j].empty() || !(trunk || facts.is_limb(j))) continue;
     const double distance = distance_to_own(facts, j) / facts.size;
-    if (!(distance > bound)) continue;
+    if (!(distance > bound / (trunk ? kTrunk : 1))) continue;
     const bool inside = directions_with_mesh(facts.character, facts.character.joints[j].position) > kMostHitsOutside;
     RigFinding finding;
     finding.joint = static_cast<int>(j);
-    finding.value = inside ? kInside * distance : distance;
+    finding.value = (inside ? kInside : trunk ? kTrunk : 1) * distance;
     finding.what = findings->quoted(finding.joint) +
                    print(" lies %.2f of the size from all that it moves, ", distance) +
                    (inside ? "in another part of the mesh" : "outside of the mesh");

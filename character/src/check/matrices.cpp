@@ -69,6 +69,39 @@ void scales(const RigFacts& facts, const GltfRest& rest, Findings* findings) {
   }
 }
 
+// "'a', 'b', ...", of five at most.
+std::string quoted_names(const std::vector<std::string>& names) {
+  std::string text;
+  for (size_t i = 0; i < names.size() && i < 5; ++i) text += (i == 0 ? "'" : ", '") + names[i] + "'";
+  return text + (names.size() > 5 ? ", ..." : "");
+}
+
+// What a file has beside its character: a scale above the skeleton, skins that no mesh has, meshes that stay behind.
+void beside(const RigFacts& facts, const GltfRest& rest, Findings* findings) {
+  RigFinding scaled, skins, meshes;
+  scaled.value = std::max(rest.scale, 1 / rest.scale);
+  scaled.what = "node '" + rest.scaled_by + print("' above the skeleton is scaled by %g", rest.scale);
+  findings->add("scaled-skin", std::move(scaled));
+  skins.value = static_cast<double>(rest.unused_skins.size());
+  skins.what = print("%zu skins that no mesh has: ", rest.unused_skins.size()) + quoted_names(rest.unused_skins);
+  findings->add("unused-skin", std::move(skins));
+  std::vector<std::string> names;
+  const Character& c = facts.character;
+  std::vector<uint8_t> stray(c.meshes.size(), 0);
+  for (size_t m = 0; m < c.meshes.size(); ++m) {
+    if (c.meshes[m].skinned || c.meshes[m].carrier >= 0) continue;
+    stray[m] = 1;
+    names.push_back(c.meshes[m].name);
+  }
+  if (names.size() == c.meshes.size()) return;
+  for (uint32_t v = 0; v < c.vertex_meshes.size(); ++v)
+    if (stray[c.vertex_meshes[v]] != 0) meshes.vertices.push_back(v);
+  meshes.value = static_cast<double>(names.size());
+  meshes.what =
+      print("%zu meshes have no skin and hang on no joint, so they stay behind: ", names.size()) + quoted_names(names);
+  findings->add("stray-mesh", std::move(meshes));
+}
+
 // Share of the edges that are more than twice or less than half as long: a pose bends far fewer.
 double changed_edges(const Character& rest, const Character& shown) {
   size_t changed = 0;
@@ -91,6 +124,7 @@ void check_matrices(const RigFacts& facts, Findings* findings) {
   const std::optional<GltfRest> rest = gltf_rest(facts.character);
   if (!rest) return;
   scales(facts, *rest, findings);
+  beside(facts, *rest, findings);
   if (!rest->agrees) {
     RigFinding finding;
     finding.value = 1;

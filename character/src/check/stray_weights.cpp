@@ -57,6 +57,41 @@ void specks(const RigFacts& facts, Findings* findings) {
   findings->add("speck", std::move(finding));
 }
 
+// Vertices of a joint that lie nearer to its twin's bones than to its own.
+std::vector<uint32_t> nearer_to_twin(const RigFacts& facts, const BoneDistance& distance, size_t joint, size_t twin) {
+  std::vector<uint32_t> out;
+  for (const uint32_t v : facts.moves[joint]) {
+    const Vec3& p = facts.character.vertices[v];
+    if (distance(p, twin) < distance(p, joint)) out.push_back(v);
+  }
+  return out;
+}
+
+// Twins of which each moves what is the other's.
+void exchanged(const RigFacts& facts, Findings* findings) {
+  constexpr double kMost = 0.7;  // of the vertices of both
+  const BoneDistance distance(facts.character);
+  for (size_t j = 0; j < facts.moves.size(); ++j) {
+    const int32_t partner = facts.verdicts.partners[j];
+    if (partner <= static_cast<int32_t>(j) || !facts.is_body(j)) continue;
+    const size_t twin = static_cast<size_t>(partner);
+    if (facts.moves[j].size() < kLeastRing || facts.moves[twin].size() < kLeastRing) continue;
+    RigFinding finding;
+    finding.vertices = nearer_to_twin(facts, distance, j, twin);
+    const std::vector<uint32_t> others = nearer_to_twin(facts, distance, twin, j);
+    const auto most = [&](const std::vector<uint32_t>& some, size_t of) {
+      return static_cast<double>(some.size()) > kMost * static_cast<double>(facts.moves[of].size());
+    };
+    if (!most(finding.vertices, j) || !most(others, twin)) continue;
+    finding.vertices.insert(finding.vertices.end(), others.begin(), others.end());
+    finding.joint = static_cast<int>(j);
+    finding.other = partner;
+    finding.value = static_cast<double>(finding.vertices.size());
+    finding.what = findings->quoted(finding.joint) + " and " + findings->quoted(partner) + " have each other's weights";
+    findings->add("left-right", std::move(finding));
+  }
+}
+
 // Pieces of the surface on which a joint has weight. A piece without a vertex that the joint moves most, on a part of the mesh that has
 // such vertices elsewhere, is where a brush or a bind went through a gap.
 class Islands {
@@ -141,6 +176,7 @@ class Islands {
 void check_stray_weights(const RigFacts& facts, Findings* findings) {
   labels(facts, findings);
   specks(facts, findings);
+  exchanged(facts, findings);
   std::vector<std::map<uint32_t, double>> weights(facts.moves.size());
   for (uint32_t v = 0; v < facts.first.size(); ++v) {
     if (facts.first[v] != v) continue;

@@ -69,6 +69,9 @@ struct GltfRest {
   std::vector<Affine> shown;      // [J] skinning matrices from the character's vertices to where the file shows them
   std::vector<uint8_t> mirrored;  // [J] 1: the joint's node is scaled by a negative number
   std::vector<double> uneven;  // [J] largest over smallest scale along the node's axes, 1 for one that is scaled evenly
+  double scale = 1;            // of the nodes above the skeleton: what most differs from 1
+  std::string scaled_by;       // the node that has it
+  std::vector<std::string> unused_skins;  // no mesh of any scene has them; names, or "skin 2"
 };
 
 // Of a character that was read from a glTF (or from what becomes one) and has its joints; nullopt for others. Throws Error for a document

@@ -2,6 +2,7 @@
 // Skinning matrices of the nodes as they stand; their scales.
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "gltf/gltf_model.hpp"
 #include "gltf/gltf_source.hpp"
@@ -18,6 +19,29 @@ double unevenness(const Affine& m) {
     most = std::max(most, scale);
   }
   return least > 0 ? most / least : 1e9;
+}
+
+double scale_of(const Affine& m) { return std::cbrt(std::abs(determinant(m))); }
+
+// A root joint's parent that is no joint, scaled.
+void find_scale(const GltfSource& source, const GltfNodes& nodes, const std::vector<int>& joint_of, GltfRest* rest) {
+  for (const int joint : source.joint_nodes) {
+    const int above = nodes.parents[static_cast<size_t>(joint)];
+    if (above < 0 || joint_of[static_cast<size_t>(above)] >= 0) continue;
+    const double scale = scale_of(nodes.worlds[static_cast<size_t>(above)]);
+    if (!(scale > 0) || std::abs(std::log(scale)) <= std::abs(std::log(rest->scale))) continue;
+    rest->scale = scale;
+    rest->scaled_by = source.model.nodes[static_cast<size_t>(above)].name;
+  }
+}
+
+void find_unused_skins(const tinygltf::Model& model, GltfRest* rest) {
+  std::vector<char> used(model.skins.size(), 0);
+  for (const tinygltf::Node& node : model.nodes)
+    if (node.skin >= 0 && node.mesh >= 0) used[static_cast<size_t>(node.skin)] = 1;
+  for (size_t s = 0; s < used.size(); ++s)
+    if (used[s] == 0)
+      rest->unused_skins.push_back(model.skins[s].name.empty() ? "skin " + std::to_string(s) : model.skins[s].name);
 }
 
 }  // namespace
@@ -39,6 +63,8 @@ std::optional<GltfRest> gltf_rest(const Character& character) {
     rest.mirrored[j] = determinant(nodes.worlds[node]) < 0 ? 1 : 0;
     rest.uneven[j] = unevenness(nodes.worlds[node]);
   }
+  if (!source.path.empty()) find_scale(source, nodes, joint_of, &rest);  // other formats count in units of their own
+  find_unused_skins(source.model, &rest);
   std::vector<char> known(character.joints.size(), 0);
   for (size_t s = 0; rest.agrees && s < source.model.skins.size(); ++s) {
     const std::vector<Affine> palette = skin_palette(where, source.model, nodes, static_cast<int>(s));

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "glb_round.hpp"
 #include "sinew_character/check/check_output.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/memory_files.hpp"
@@ -148,6 +149,74 @@ TEST(Check, AForelegMayHangOnAShoulder) {
   c.joints[arm].name = "upper_arm.L";
   c.joints[forearm].name = "upper_leg.L";
   EXPECT_TRUE(about(check_rig(c, nullptr, {false, {}}), forearm)) << "a leg on an upper arm";
+}
+
+TEST(Check, FindsWeightsThatTwinsHaveExchanged) {
+  Character c = small_biped();
+  for (const auto& [left, right] : {std::pair("thigh.L", "thigh.R"), std::pair("shin.L", "shin.R")}) {
+    const uint32_t a = joint_of(c, left), b = joint_of(c, right);
+    for (auto& row : c.influences)
+      for (Influence& i : row) i.joint = i.joint == a ? b : i.joint == b ? a : i.joint;
+  }
+  const RigCheck check = check_rig(c, nullptr, {false, {}});
+  size_t pairs = 0;
+  for (const RigFinding& f : check.findings)
+    pairs +=
+        f.what.find("have each other's weights") != std::string::npos && f.severity == CheckSeverity::kError ? 1 : 0;
+  EXPECT_EQ(pairs, 2U) << checked_line(check);
+}
+
+TEST(Check, FindsATrunkJointOutOfTheBody) {
+  Character c = small_biped();
+  for (Joint& joint : c.joints)
+    if (joint.name == "chest") joint.position.z += 1;
+  const RigCheck check = check_rig(c, nullptr, {false, {}});
+  ASSERT_NE(finding_of(check, "joint-outside"), nullptr) << checked_line(check);
+  EXPECT_EQ(finding_of(check_rig(small_biped(), nullptr, {false, {}}), "joint-outside"), nullptr);
+}
+
+// A strip whose skeleton hangs under a scale, with a skin that no mesh has and a helper beside it.
+TEST(Check, FindsWhatAFileHasBesideItsCharacter) {
+  const RigCheck sound = check_rig(read(two_joint_strip()), nullptr, {false, {}});
+  for (const char* rule : {"scaled-skin", "unused-skin", "stray-mesh"})
+    EXPECT_EQ(finding_of(sound, rule), nullptr) << rule;
+  GlbBuilder builder = two_joint_strip();
+  builder.document["nodes"][0]["translation"] = {1000, 0, 0};
+  builder.document["nodes"][1]["translation"] = {0, 200, 0};
+  const int armature = builder.add("nodes", {{"name", "Armature"}, {"scale", {0.01, 0.01, 0.01}}, {"children", {0}}});
+  builder.document["scenes"][0]["nodes"] = {2, armature};
+  builder.add("skins", {{"name", "left over"}, {"joints", {1}}});
+  const int triangle = builder.positions({0, 0, 0, 1, 0, 0, 0, 1, 0});
+  const nlohmann::json primitive = {{"attributes", {{"POSITION", triangle}}}};
+  builder.add("meshes", {{"name", "Icosphere"}, {"primitives", nlohmann::json::array({primitive})}});
+  builder.root({{"name", "Icosphere"}, {"mesh", 1}});
+  const RigCheck check = check_rig(read(builder), nullptr, {false, {}});
+  for (const auto& [rule, name] : {std::pair("scaled-skin", "0.01"), std::pair("unused-skin", "left over"),
+                                   std::pair("stray-mesh", "Icosphere")}) {
+    const RigFinding* const finding = finding_of(check, rule);
+    ASSERT_NE(finding, nullptr) << rule;
+    EXPECT_NE(finding->what.find(name), std::string::npos) << finding->what;
+  }
+}
+
+TEST(CheckOutput, ManyFindingsOfOneKindAreOneLine) {
+  CheckedFile file;
+  file.file = "a.glb";
+  file.character = small_biped();
+  for (int i = 0; i < 27; ++i) {
+    RigFinding finding;
+    finding.rule = &check_rule("lost-volume");
+    finding.severity = CheckSeverity::kWarning;
+    finding.joint = i % 8;
+    finding.value = i == 5 ? 1 : 0.9;
+    finding.what = "bend " + std::to_string(i);
+    file.check.findings.push_back(finding);
+  }
+  const std::string text = check_text(file);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2) << text;
+  EXPECT_NE(text.find("bend 5; and 26 more: '"), std::string::npos) << text;
+  file.check.findings.resize(3);
+  EXPECT_EQ(check_text(file).find("more"), std::string::npos);
 }
 
 TEST(Check, RefusesWhatIsNoRig) {
