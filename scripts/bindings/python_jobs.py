@@ -29,7 +29,7 @@ BY_HAND = ("set_profile", "simplify", "lod")
 def results_text(h: Headers) -> str:
     out = ["# SPDX-License-Identifier: MIT", f'"""What jobs give back, and how keywords and results are members of C\'s structs. {GENERATOR}"""',
            "from __future__ import annotations", "", "from dataclasses import dataclass", "from typing import Any, Dict, List, Optional, Tuple", "",
-           "import numpy as np", "", "from . import declarations", "from .character import Question"]
+           "from . import declarations", "from .binding import Array", "from .character import Question"]
     shown = [s for s in result_structs(h) if s.name not in STRUCTS]
     for struct in shown:
         out += _dataclass(struct, h)
@@ -49,7 +49,7 @@ def results_text(h: Headers) -> str:
 
 def jobs_text(h: Headers) -> str:
     out = ["# SPDX-License-Identifier: MIT", f'"""The command\'s jobs as methods of a character. {GENERATOR}"""', "from __future__ import annotations", "",
-           "from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, Tuple", "", "from . import declarations", "from .binder import ProgressFunction",
+           "from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, Tuple, cast", "", "from . import declarations", "from .binder import ProgressFunction",
            "from .marshalling import Correction, ModelFile, Source, Text, run"]
     jobs = [j for j in jobs_of(h) if j.name not in BY_HAND]
     out += [filled("from .results import ", sorted(_class(j.result) for j in jobs if j.result.startswith("sinew_")), ""), "", "if TYPE_CHECKING:",
@@ -122,9 +122,12 @@ def _method(job: Job, h: Headers) -> List[str]:
     keywords.update({n: t for n, t in (("threads", ("int", "1")), ("progress", ("ProgressFunction", "None"))) if n in kinds})
     first = [f"{job.source}: " + ("Source" if job.source_file else '"OpenCharacter"') + " = None" * job.source_optional] * bool(job.source)
     result = {"": "None", "character": '"OpenCharacter"'}.get(job.result) or _class(job.result)
+    call_text = f'run("{job.name}", locals())'
+    if result != "None":
+        call_text = f"return cast({result}, {call_text})"
     head = f"    def {call}("
     signature = filled(head, ["self", *first, "*", *(f"{n}: {t} = {d}" for n, (t, d) in keywords.items())], f") -> {result}:", indent=" " * len(head))
-    return ["", *signature.split("\n"), *_docstring(job.doc, docs, "        "), f'        {"" if result == "None" else "return "}run("{job.name}", locals())']
+    return ["", *signature.split("\n"), *_docstring(job.doc, docs, "        "), f'        {call_text}']
 
 
 def _said(v: Value, h: Headers) -> str:
@@ -145,7 +148,7 @@ def _dataclass(struct: Struct, h: Headers) -> List[str]:
     for v in values_of(struct, h):
         name = _name(base(struct.name), v)
         kind = {"flag": "bool", "word": f"declarations.{camel(short(v.of))}", "number": "float" if v.of in ("float", "double") or v.name.endswith("_q16") else "int",
-                "text": "str", "texts": "List[str]", "array": "np.ndarray", "lines": "List[np.ndarray]", "structs": STRUCTS.get(v.of) or f"List[{_class(v.of)}]",
+                "text": "str", "texts": "List[str]", "array": "Array", "lines": "List[Array]", "structs": STRUCTS.get(v.of) or f"List[{_class(v.of)}]",
                 "numbers": f"Tuple[{'float' if v.of == 'float' else 'int'}, ...]"}[v.kind]
         if name == "first_clip":
             continue

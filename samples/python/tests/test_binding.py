@@ -8,6 +8,8 @@ import sys
 import unittest
 from pathlib import Path
 
+import numpy as np
+
 import sinew
 from sinew import declarations
 
@@ -88,6 +90,25 @@ hero.retarget(sinew.open("walk.bvh"), method="contacts", motion_up="z")
                                    "user.py"], cwd=where, env={**os.environ, "MYPYPATH": str(package.parent)}, capture_output=True, text=True, check=False)
         found = {int(line.split(":")[1]) for line in done.stdout.splitlines() if ": error: " in line}
         self.assertEqual(found, set(range(len(code.splitlines()) + 1, len(lines) + 1)), done.stdout)
+
+
+    def test_package_and_readme_are_strict(self):
+        if shutil.which("mypy") is None:
+            self.skipTest("SKIPPED, no mypy (Debian: mypy)")
+        package = Path(sinew.__file__).resolve().parent
+        example = (ROOT / "samples" / "python" / "README.md").read_text(encoding="utf-8").split("```python\n")[1].split("```")[0]
+        with folder() as where:
+            Path(where, "example.py").write_text(example, encoding="utf-8")
+            done = subprocess.run(["mypy", "--strict", "--no-error-summary", "--cache-dir", f"{where}/cache", str(package), "example.py"],
+                                  cwd=where, env={**os.environ, "MYPYPATH": str(package.parent)}, capture_output=True, text=True, check=False)
+        self.assertEqual(done.stdout + done.stderr, "")
+
+    def test_reprs_say_what_a_thing_is(self):
+        skeleton = sinew.Skeleton([[0, 0, 0], [0, 1, 0]], [-1, 0], ["root", "tip"])
+        self.assertEqual(repr(skeleton), "<sinew.Skeleton: 2 joints, 'root' to 'tip'>")
+        self.assertEqual(repr(sinew.Skin([[0, 1]], [[255, 0]])), "<sinew.Skin: 1 vertices, 2 influences, float32>")
+        character = sinew.Character(np.zeros((3, 3)), [[0, 1, 2]], skeleton, name="hero")
+        self.assertEqual(repr(character), "<sinew.Character 'hero': 3 vertices, 2 joints, no weights, 0 clips>")
 
 
 class Missing(unittest.TestCase):

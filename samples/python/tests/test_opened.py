@@ -235,7 +235,9 @@ class Calls(unittest.TestCase):
                 self.assertEqual(sorted(os.listdir(where)), ["bad.glb", "bare.obj"])
             with self.assertRaisesRegex(ValueError, "closed"):
                 one.bind()
+            self.assertEqual(repr(one), "<sinew.OpenCharacter, closed>")
         with sinew.open(DATA / "biped__robed.obj") as one:
+            self.assertRegex(repr(one), "<sinew.OpenCharacter 'biped__robed': [0-9]+ vertices, [0-9]+ joints, weights, 0 clips>")
             with self.assertRaisesRegex(ValueError, "method: expected one of model, heat"):
                 one.bind(method="magic")
             with self.assertRaisesRegex(ValueError, "no joint 'tail'"):

@@ -9,13 +9,14 @@ from typing import Any, List, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from . import binding
+from .binding import Array
 
 # Corners of the surface cells of meshio; other types are no surface.
 _CELLS = {"triangle": 3, "quad": 4, "polygon": 0}
 _IGNORED_CELLS = ("vertex", "line")
 
 
-def real(value: Any, shape: Tuple[Optional[int], ...], name: str) -> np.ndarray:
+def real(value: Any, shape: Tuple[Optional[int], ...], name: str) -> Array:
     """float32 of a shape in which None is any count, C-contiguous; without a copy where it is that already."""
     try:
         array = np.ascontiguousarray(value, np.float32)
@@ -28,7 +29,7 @@ def real(value: Any, shape: Tuple[Optional[int], ...], name: str) -> np.ndarray:
     return array
 
 
-def whole(value: Any, shape: Tuple[Optional[int], ...], name: str, dtype: Any, low: int, high: int) -> np.ndarray:
+def whole(value: Any, shape: Tuple[Optional[int], ...], name: str, dtype: Any, low: int, high: int) -> Array:
     """Integers from `low` to below `high` as `dtype`, C-contiguous."""
     array = np.asarray(value)
     if array.size == 0:
@@ -43,7 +44,7 @@ def whole(value: Any, shape: Tuple[Optional[int], ...], name: str, dtype: Any, l
     return np.ascontiguousarray(array, dtype)
 
 
-def mask(value: Any, count: int, name: str) -> Optional[np.ndarray]:
+def mask(value: Any, count: int, name: str) -> Optional[Array]:
     """uint8 [count] of a mask, which has booleans or uint8 (0: not in it, as in C), or of indices, which have wider integers; None stays
     None."""
     if value is None:
@@ -76,7 +77,7 @@ class Mesh:
     def __init__(self, positions: Any, faces: Any, name: str = "") -> None:
         self.positions = real(positions, (None, 3), name + "positions")
         offsets, corners = _faces(faces, len(self.positions), name + "faces")
-        self.offsets: Optional[np.ndarray] = offsets
+        self.offsets: Optional[Array] = offsets
         self.corners = corners
         self.face_count = len(corners) // 3 if offsets is None else len(offsets) - 1
         self.struct = binding.sinew_mesh(
@@ -89,7 +90,7 @@ class Mesh:
         """Vertices, faces, corners."""
         return len(self.positions), self.face_count, len(self.corners)
 
-    def triangles(self) -> np.ndarray:
+    def triangles(self) -> Array:
         """[t, 3] uint32: polygons as fans."""
         if self.offsets is None:
             return self.corners.reshape(-1, 3)
@@ -109,7 +110,7 @@ def _text(shape: Sequence[Optional[int]]) -> str:
     return f"({inner},)" if len(shape) == 1 else f"({inner})"
 
 
-def _faces(value: Any, vertex_count: int, name: str) -> Tuple[Optional[np.ndarray], np.ndarray]:
+def _faces(value: Any, vertex_count: int, name: str) -> Tuple[Optional[Array], Array]:
     """CSR offsets (None: all are triangles) and corners, both uint32."""
     blocks = [_one_block(b, vertex_count, n) for b, n in _blocks(value, name)]
     if not blocks:
@@ -140,9 +141,9 @@ def _blocks(value: Any, name: str) -> List[Tuple[Any, str]]:
     return [(data, f"{name}[{kind!r}]") for kind, data in pairs if kind in _CELLS]
 
 
-def _one_block(value: Any, vertex_count: int, name: str) -> Tuple[Optional[np.ndarray], np.ndarray]:
+def _one_block(value: Any, vertex_count: int, name: str) -> Tuple[Optional[Array], Array]:
     """Face sizes (None: triangles) and corners."""
-    array: Union[np.ndarray, Any] = value
+    array: Union[Array, Any] = value
     ragged = isinstance(value, (list, tuple)) and len({len(f) if hasattr(f, "__len__") else -1 for f in value}) > 1
     if not ragged:
         array = np.asarray(value)
@@ -159,5 +160,4 @@ def _one_block(value: Any, vertex_count: int, name: str) -> Tuple[Optional[np.nd
     array = whole(array, (None, None), name, np.uint32, 0, vertex_count)
     if array.shape[1] < 3:
         raise ValueError(f"{name}: expected at least 3 corners a face, found shape {_text(array.shape)}")
-    sizes = None if array.shape[1] == 3 else np.full(len(array), array.shape[1], np.uint32)
-    return sizes, array.reshape(-1)
+    return None if array.shape[1] == 3 else np.full(len(array), array.shape[1], np.uint32), array.reshape(-1)

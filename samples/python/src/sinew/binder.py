@@ -9,6 +9,7 @@ import numpy as np
 
 from . import binding, declarations
 from .arrays import Mesh, chosen, mask
+from .binding import Array
 from .character import Alternative, Question, Skeleton, Skin, skin_of
 from .models import Model, model_for
 
@@ -22,11 +23,11 @@ Joints = Optional[Iterable[Union[str, int]]]
 ProgressFunction = Optional[Callable[[float], Any]]
 
 
-def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: declarations.Method = "model",
+def bind(positions: Any, faces: Any, skeleton: Optional[Skeleton], *, method: declarations.Method = "model",
          model: Union[None, str, Model] = None, influences: int = 4, weight_format: declarations.WeightFormat = "unorm16", up: UpAxis = "y",
          deform: Joints = None, never: Joints = None, symmetric: bool = False, rigid_parts: declarations.RigidParts = "auto",
          softness: float = 1.0, surface_vertices: int = 0, locked: Any = None, hints: Any = None, given: Any = None,
-         questions: int = 0, answers: Sequence[Tuple] = (), threads: int = 1, progress: ProgressFunction = None) -> Skin:
+         questions: int = 0, answers: Sequence[Tuple[Any, ...]] = (), threads: int = 1, progress: ProgressFunction = None) -> Skin:
     """Predicts the skin weights of a mesh. The same bytes on every machine and for any number of threads.
 
     positions     [n, 3] rest pose, any unit
@@ -53,6 +54,8 @@ def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: declarations
     Raises ValueError, which names the argument, for wrong shapes and values, Error for what the engine refuses, Cancelled.
     Nothing that was given is changed. Other Python threads run meanwhile.
     """
+    if skeleton is None:
+        raise ValueError("skeleton: the character has none; rig() makes one")
     mesh = Mesh(positions, faces)
     count = len(mesh.positions)
     options = binding.init(binding.sinew_bind_options)
@@ -96,7 +99,7 @@ def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: declarations
     return Skin(joints, weights, confidence, outputs.symmetric_vertices, listed, *parts)
 
 
-def joint_flags(skeleton: Skeleton, deform: Joints, never: Joints) -> np.ndarray:
+def joint_flags(skeleton: Skeleton, deform: Joints, never: Joints) -> Array:
     """[j] uint8 of sinew_skeleton::flags."""
     flags = np.zeros(len(skeleton), np.uint8)
     if skeleton.ends is not None:
@@ -107,7 +110,7 @@ def joint_flags(skeleton: Skeleton, deform: Joints, never: Joints) -> np.ndarray
     return flags
 
 
-def skeleton_view(skeleton: Skeleton, flags: Optional[np.ndarray], up: int = 0) -> binding.sinew_skeleton:
+def skeleton_view(skeleton: Skeleton, flags: Optional[Array], up: int = 0) -> Any:
     """The engine's view; it borrows the arrays. up: sinew_up."""
     view = binding.init(binding.sinew_skeleton)
     view.joint_count, view.up = len(skeleton), up
@@ -122,8 +125,8 @@ def _within(value: Any, low: int, high: int, name: str) -> int:
     return int(value)
 
 
-def _fill_given(given: Any, locked: Optional[np.ndarray], hints: Optional[np.ndarray], skeleton: Skeleton,
-                joints: np.ndarray, weights: np.ndarray) -> None:
+def _fill_given(given: Any, locked: Optional[Array], hints: Optional[Array], skeleton: Skeleton,
+                joints: Array, weights: Array) -> None:
     """Rows of locked and hinted vertices, rounded as the engine rounds, into the outputs."""
     if locked is None and hints is None:
         return
@@ -143,7 +146,7 @@ def _fill_given(given: Any, locked: Optional[np.ndarray], hints: Optional[np.nda
     weights[kept] = rows.astype(np.float32) / np.float32(65535) if weights.dtype == np.float32 else rows
 
 
-def answers_of(answers: Sequence[Tuple], vertex_count: int, skeleton: Skeleton) -> Any:
+def answers_of(answers: Sequence[Tuple[Any, ...]], vertex_count: int, skeleton: Skeleton) -> Any:
     """sinew_answer of what callers write. Raises ValueError."""
     out = (binding.sinew_answer * len(answers))()
     for i, answer in enumerate(answers):

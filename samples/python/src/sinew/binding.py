@@ -14,13 +14,18 @@ import sys
 import threading
 from ctypes import c_char_p, c_size_t
 from pathlib import Path
-from typing import Any, Callable, List, Optional
+from typing import TYPE_CHECKING, Any, Callable, List, Optional, cast
 
 import numpy as np
 
 from . import declarations
 from .declarations import *  # noqa: F401,F403  what C declares, under its names
 from .declarations import MAX_THREADS, STATUS, VERSION_MAJOR, VERSION_MINOR, WORKSPACE_ALIGNMENT, sinew_parallel_for, sinew_progress
+
+if TYPE_CHECKING:
+    Array = np.ndarray[Any, np.dtype[Any]]
+else:
+    Array = np.ndarray  # which Python 3.8 cannot subscript
 
 _CANCELLED = STATUS["ERROR_CANCELLED"]
 _VERSION = f"{VERSION_MAJOR}.{VERSION_MINOR}."  # structs of one minor version have the same layout
@@ -122,9 +127,9 @@ def init(struct: type) -> Any:
     return struct(struct_size=ctypes.sizeof(struct))
 
 
-def address(array: Optional[np.ndarray]) -> Optional[int]:
+def address(array: Optional[Array]) -> Optional[int]:
     """Where an array's elements lie, for a c_void_p; None stays null. The caller keeps the array."""
-    return None if array is None else array.ctypes.data
+    return None if array is None else int(array.ctypes.data)
 
 
 class Block:
@@ -205,7 +210,7 @@ class Threads:
         if not 1 <= count <= MAX_THREADS:
             raise ValueError(f"threads: expected 1 to {MAX_THREADS}, found {count}")
         self.count = count
-        self.callback = sinew_parallel_for()
+        self.callback: Any = cast(Any, sinew_parallel_for)()  # null
         self._pool: Optional[concurrent.futures.ThreadPoolExecutor] = None
 
     def __enter__(self) -> "Threads":
@@ -219,6 +224,7 @@ class Threads:
             self._pool.shutdown()
 
     def _run(self, _user: Any, count: int, body: Any, body_data: Any) -> None:
+        assert self._pool is not None
         others = [self._pool.submit(body, body_data, i) for i in range(1, count)]
         body(body_data, 0)
         for other in others:

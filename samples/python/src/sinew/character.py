@@ -10,12 +10,13 @@ import numpy as np
 
 from . import binding, declarations
 from .arrays import real, whole
+from .binding import Array
 
 # sinew_joint_class: what a joint is for.
 CLASSES = declarations.JOINT_CLASS
 
 
-@dataclass
+@dataclass(init=False, repr=False)
 class Skeleton:
     """Joints at rest, in the space of the mesh.
 
@@ -28,31 +29,32 @@ class Skeleton:
     Raises ValueError, which names the argument.
     """
 
-    positions: np.ndarray
-    parents: np.ndarray
-    names: Sequence[str] = ()
-    rotations: Optional[np.ndarray] = None
-    classes: Optional[np.ndarray] = None
-    ends: Optional[np.ndarray] = None
+    positions: Array
+    parents: Array
+    names: Sequence[str]
+    rotations: Optional[Array]
+    classes: Optional[Array]
+    ends: Optional[Array]
 
-    def __post_init__(self) -> None:
-        self.positions = real(self.positions, (None, 3), "skeleton.positions")
+    def __init__(self, positions: Any, parents: Any, names: Sequence[str] = (), rotations: Any = None, classes: Any = None, ends: Any = None) -> None:
+        self.positions = real(positions, (None, 3), "skeleton.positions")
         count = len(self.positions)
-        self.parents = whole(self.parents, (count,), "skeleton.parents", np.int32, -1, count)
-        self.names = list(self.names) if len(self.names) else [f"joint_{i}" for i in range(count)]
+        self.parents = whole(parents, (count,), "skeleton.parents", np.int32, -1, count)
+        self.names = list(names) if len(names) else [f"joint_{i}" for i in range(count)]
         if len(self.names) != count:
             raise ValueError(f"skeleton.names: expected {count} names, found {len(self.names)}")
-        if self.rotations is not None:
-            self.rotations = real(self.rotations, (count, 4), "skeleton.rotations")
-        if self.classes is not None:
-            self.classes = whole(self.classes, (count,), "skeleton.classes", np.uint8, 0, len(CLASSES))
+        self.rotations = None if rotations is None else real(rotations, (count, 4), "skeleton.rotations")
+        self.classes = None if classes is None else whole(classes, (count,), "skeleton.classes", np.uint8, 0, len(CLASSES))
+        self.ends = None if ends is None else np.ascontiguousarray(ends, bool)
         if self.ends is not None:
-            self.ends = np.ascontiguousarray(self.ends, bool)
             if self.ends.shape != (count,):
                 raise ValueError(f"skeleton.ends: expected shape ({count},), found {self.ends.shape}")
 
     def __len__(self) -> int:
         return len(self.positions)
+
+    def __repr__(self) -> str:
+        return f"<sinew.Skeleton: {len(self)} joints{f', {self.names[0]!r} to {self.names[-1]!r}' if len(self) else ''}>"
 
     def index(self, joint: Union[str, int], name: str = "joint") -> int:
         """The number of a joint that is named or numbered. Raises ValueError."""
@@ -67,7 +69,7 @@ class Skeleton:
     def order(self) -> List[int]:
         """Joints with parents before their children. Raises ValueError where parents form a cycle."""
         children: List[List[int]] = [[] for _ in self.parents]
-        out = []
+        out: List[int] = []
         for joint, parent in enumerate(self.parents):
             (children[parent] if parent >= 0 else out).append(joint)
         for joint in out:
@@ -76,7 +78,7 @@ class Skeleton:
             raise ValueError("skeleton.parents: joints form a cycle")
         return out
 
-    def rest(self) -> Tuple[np.ndarray, np.ndarray]:
+    def rest(self) -> Tuple[Array, Array]:
         """The rest pose as local rotations [j, 4] and translations [j, 3], float64."""
         world = self.world_rotations()
         rotations, translations = world.copy(), self.positions.astype(np.float64)
@@ -87,14 +89,14 @@ class Skeleton:
         translations[inner] = turn(back, translations[inner] - self.positions[above].astype(np.float64))
         return rotations, translations
 
-    def world_rotations(self) -> np.ndarray:
+    def world_rotations(self) -> Array:
         """[j, 4] float64 unit quaternions."""
         if self.rotations is None:
             return np.tile([0.0, 0.0, 0.0, 1.0], (len(self), 1))
         q = self.rotations.astype(np.float64)
-        return q / np.maximum(np.linalg.norm(q, axis=1, keepdims=True), 1e-30)
+        return np.asarray(q / np.maximum(np.linalg.norm(q, axis=1, keepdims=True), 1e-30))
 
-    def matrices(self, rotations: Any = None, translations: Any = None) -> np.ndarray:
+    def matrices(self, rotations: Any = None, translations: Any = None) -> Array:
         """Pose times inverse bind per joint, what Deformer.pose() takes.
 
         rotations     [j, 4] x y z w local, in the axes of the parent; None: at rest
@@ -144,7 +146,7 @@ class Question:
     alternatives: List[Alternative]
 
 
-@dataclass
+@dataclass(repr=False)
 class Skin:
     """Weights of a mesh.
 
@@ -153,13 +155,13 @@ class Skin:
     confidence  [n] uint8, how sure the strongest joint is, 0..255 = 0..100 %; or None
     """
 
-    joints: np.ndarray
-    weights: np.ndarray
-    confidence: Optional[np.ndarray] = None
+    joints: Array
+    weights: Array
+    confidence: Optional[Array] = None
     symmetric_vertices: int = 0  # with symmetric=True: how many have a mirror image; 0: the mesh has no mirror plane
     questions: List[Question] = field(default_factory=list)
-    vertex_questions: Optional[np.ndarray] = None  # [n] uint32, binding.NO_QUESTION for none
-    vertex_parts: Optional[np.ndarray] = None  # [n] uint32
+    vertex_questions: Optional[Array] = None  # [n] uint32, binding.NO_QUESTION for none
+    vertex_parts: Optional[Array] = None  # [n] uint32
 
     def __post_init__(self) -> None:
         self.joints = whole(self.joints, (None, None), "skin.joints", np.uint16, 0, 65536)
@@ -171,11 +173,14 @@ class Skin:
         if not 1 <= self.joints.shape[1] <= binding.MAX_INFLUENCES:
             raise ValueError(f"skin.joints: expected 1 to {binding.MAX_INFLUENCES} influences, found {self.joints.shape[1]}")
 
+    def __repr__(self) -> str:
+        return f"<sinew.Skin: {len(self.joints)} vertices, {self.joints.shape[1]} influences, {self.weights.dtype}>"
+
     def unit(self) -> float:
         """The weight that is all of a row."""
         return {1: 255.0, 2: 65535.0}.get(self.weights.dtype.itemsize, 1.0)
 
-    def dense(self, joint_count: int) -> np.ndarray:
+    def dense(self, joint_count: int) -> Array:
         """[n, joint_count] float32, rows sum to 1."""
         out = np.zeros((len(self.joints), joint_count), np.float32)
         rows = np.arange(len(self.joints))
@@ -225,7 +230,7 @@ def skin_of(value: Any, vertex_count: int, joint_count: int, name: str) -> Skin:
     return skin
 
 
-@dataclass
+@dataclass(repr=False)
 class Clip:
     """A motion: local poses of a skeleton, in the axes of each joint's parent.
 
@@ -234,8 +239,8 @@ class Clip:
     fps           frames a second
     """
 
-    rotations: np.ndarray
-    translations: np.ndarray
+    rotations: Array
+    translations: Array
     fps: float = 30.0
     name: str = "motion"
 
@@ -245,8 +250,12 @@ class Clip:
         if not (self.fps > 0 and np.isfinite(self.fps)):
             raise ValueError(f"clip.fps: expected frames a second above 0, found {self.fps}")
 
+    def __repr__(self) -> str:
+        frames, joints = self.rotations.shape[:2]
+        return f"<sinew.Clip {self.name!r}: {frames} frames of {joints} joints, {self.fps:g} a second>"
 
-@dataclass
+
+@dataclass(repr=False)
 class Character:
     """A mesh with all that belongs to it; what load() gives and save() writes.
 
@@ -254,7 +263,7 @@ class Character:
     faces      as bind() takes them; load() gives [f, 3] uint32
     """
 
-    positions: np.ndarray
+    positions: Array
     faces: Any
     skeleton: Optional[Skeleton] = None
     skin: Optional[Skin] = None
@@ -263,8 +272,12 @@ class Character:
     document: Any = None  # the OpenCharacter that it came from: save() keeps what is not here
     loaded: Any = field(default=(None, None, ()), repr=False, compare=False)  # skeleton, skin and clips that document has
 
+    def __repr__(self) -> str:
+        return (f"<sinew.Character {self.name!r}: {len(self.positions)} vertices, {0 if self.skeleton is None else len(self.skeleton)} joints, "
+                f"{'no ' if self.skin is None else ''}weights, {len(self.clips)} clips>")
 
-def multiply(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+
+def multiply(a: Array, b: Array) -> Array:
     """Products of quaternions x y z w, [..., 4]."""
     ax, ay, az, aw = np.moveaxis(np.asarray(a), -1, 0)
     bx, by, bz, bw = np.moveaxis(np.asarray(b), -1, 0)
@@ -272,8 +285,8 @@ def multiply(a: np.ndarray, b: np.ndarray) -> np.ndarray:
                      aw * bz + ax * by - ay * bx + az * bw, aw * bw - ax * bx - ay * by - az * bz], -1)
 
 
-def turn(q: np.ndarray, p: np.ndarray) -> np.ndarray:
+def turn(q: Array, p: Array) -> Array:
     """Points [..., 3] turned by unit quaternions [..., 4]."""
     v, w = np.asarray(q)[..., :3], np.asarray(q)[..., 3:]
     cross = 2 * np.cross(v, p)
-    return p + w * cross + np.cross(v, cross)
+    return np.asarray(p + w * cross + np.cross(v, cross))

@@ -505,7 +505,7 @@ class sinew_character_lod_level(Structure):
 class sinew_character_bake_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("progress", sinew_progress), ("progress_user", c_void_p),
         ("deform", POINTER(sinew_character_deformation)), ("poses", c_uint32), ("shapes", c_uint32), ("seed", c_uint64),
-        ("limit", c_double), ("clip", c_char_p)]
+        ("limit", c_double), ("clip", c_char_p), ("error", c_double)]
 
 
 class sinew_character_bake_result(Structure):

@@ -9,6 +9,7 @@ import numpy as np
 
 from . import binding, declarations
 from .arrays import Mesh, chosen, real
+from .binding import Array
 from .binder import skeleton_view
 from .character import Skeleton, Skin, skin_of
 
@@ -55,7 +56,7 @@ class Deformer:
                                                        ctypes.byref(self._deformer))
         binding.check(status, "deformer")
 
-    def pose(self, matrices: Any, out: Optional[np.ndarray] = None) -> np.ndarray:
+    def pose(self, matrices: Any, out: Optional[Array] = None) -> Array:
         """Positions in a pose.
 
         matrices  [j, 3, 4] or [j, 4, 4], pose times inverse bind per joint, see Skeleton.matrices(); rows first

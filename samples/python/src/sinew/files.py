@@ -8,10 +8,11 @@ from typing import Optional, Union
 import numpy as np
 
 from . import opened
+from .binding import Array
 from .character import Character, Clip, skin_of
 
 
-def load(path: Union[str, os.PathLike], fps: Optional[float] = None) -> Character:
+def load(path: Union[str, "os.PathLike[str]"], fps: Optional[float] = None) -> Character:
     """Reads a file of every format that the command reads; see open() for all that can be done with one.
 
     fps  frames a second of the clips; None: as the file has them
@@ -27,14 +28,14 @@ def load(path: Union[str, os.PathLike], fps: Optional[float] = None) -> Characte
     return one
 
 
-def save(path: Union[str, os.PathLike], character: Character) -> None:
+def save(path: Union[str, "os.PathLike[str]"], character: Character) -> None:
     """Writes mesh, skeleton, weights and clips by the extension: .glb, .gltf, .vrm, .fbx, .obj, .rig.txt. A character of load() keeps all else
     of its file; one of arrays alone has its vertices in the order in which faces use them. Raises ValueError and Error; a file that was
     there stays as it was then.
     """
-    if character.skin is not None and character.skeleton is None:
-        raise ValueError("character.skeleton: a skin needs one")
     if character.skin is not None:
+        if character.skeleton is None:
+            raise ValueError("character.skeleton: a skin needs one")
         skin_of(character.skin, len(character.positions), len(character.skeleton), "character.skin")
     if character.document is None:
         with opened.create(character) as one:
@@ -53,10 +54,10 @@ def save(path: Union[str, os.PathLike], character: Character) -> None:
         one.save(path)
 
 
-def _fans(block: np.ndarray) -> np.ndarray:
+def _fans(block: Array) -> Array:
     """Polygons [f, k] as triangles."""
     middle = np.arange(1, block.shape[1] - 1)
-    return np.stack([np.repeat(block[:, :1], len(middle), 1), block[:, middle], block[:, middle + 1]], 2).reshape(-1, 3)
+    return np.asarray(np.stack([np.repeat(block[:, :1], len(middle), 1), block[:, middle], block[:, middle + 1]], 2).reshape(-1, 3))
 
 
 def _resampled(clip: Clip, fps: float) -> Clip:

@@ -2,7 +2,7 @@
 """The command's jobs as methods of a character. Generated from the C headers by scripts/declarations.py; a test compares."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, Tuple, cast
 
 from . import declarations
 from .binder import ProgressFunction
@@ -39,7 +39,7 @@ class Jobs:
         score  the result has a score
         bounds  rules that get other bounds
         """
-        return run("check", locals())
+        return cast(CheckResult, run("check", locals()))
 
     def bind(self, *, method: declarations.Method = "model", influences: int = 0, up: declarations.Up = "auto",
              joints: declarations.JointsFrom = "auto", rigid_parts: declarations.RigidParts = "auto", softness: float = 1,
@@ -70,7 +70,7 @@ class Jobs:
         cut  what has grown together is opened, its vertices doubled; the new ones come last
         model  files or bytes in place of the bundled ones
         """
-        return run("bind", locals())
+        return cast(BindResult, run("bind", locals()))
 
     def rig(self, *, method: declarations.CharacterRigMethod = "auto", detail: declarations.CharacterDetail = "body",
             mirror: declarations.Mirror = "auto", up: declarations.Up = "auto", front: str = "auto",
@@ -100,7 +100,7 @@ class Jobs:
         cut  of the bind: what has grown together is opened, its vertices doubled; the new ones come last
         model, hands_model, front_model  files or bytes in place of the bundled ones
         """
-        return run("rig", locals())
+        return cast(RigResult, run("rig", locals()))
 
     def map(self, source: Source, *, method: declarations.MapMethod = "auto", names: bool = True, ends: bool = True,
             target_up: declarations.Up = "auto", guess_up: bool = False, pins: Any = None, first: declarations.BranchesFirst = "both",
@@ -121,7 +121,7 @@ class Jobs:
         layout  layout of keypoints (.npy, .npz): "smpl24", ...; None: guessed by their count
         actor  of a file of several people, by the root's name or number; None: the first where all are alike
         """
-        return run("map", locals())
+        return cast(MapResult, run("map", locals()))
 
     def retarget(self, motion: Source = None, *, method: declarations.AnimateMethod = "auto", natural_range: bool = True,
                  in_place: bool = False, target_up: declarations.Up = "auto", shapes: int = 0, report: bool = False, force: bool = False,
@@ -175,7 +175,7 @@ class Jobs:
             well; the source's reference points; no falloff, no push-out. own_limb to source_points say nothing then
         model, hands_model, front_model  files or bytes in place of the bundled ones
         """
-        return run("animate", locals())
+        return cast(AnimateResult, run("animate", locals()))
 
     def pose(self, *, angles: Any = None, rotations: Any = None, matrices: Any = None, clip: Text = None, time: float = 0,
              method: declarations.PoseDeform = "linear", cells: int = 0, rounds: int = 0, body_contact: bool = False,
@@ -198,7 +198,7 @@ class Jobs:
         deform_as_drawn  "xpbd" as published, see sinew/deform.h
         stiffness  of "xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2
         """
-        return run("pose", locals())
+        return cast("OpenCharacter", run("pose", locals()))
 
     def transfer(self, source: "OpenCharacter", *, method: declarations.TransferMethod = "auto", influences: int = 0,
                  up: declarations.Up = "auto", source_up: declarations.Up = "auto", garment: bool = False, as_drawn: bool = False,
@@ -217,19 +217,20 @@ class Jobs:
         map_file  a map file; None: found
         model  files or bytes in place of the bundled ones
         """
-        return run("transfer", locals())
+        return cast(TransferResult, run("transfer", locals()))
 
-    def bake(self, *, poses: int = 0, shapes: int = 0, seed: int = 0, limit: float = 0, clip: Text = None,
+    def bake(self, *, poses: int = 0, shapes: int = 0, seed: int = 0, limit: float = 0, clip: Text = None, error: float = 0,
              method: declarations.PoseDeform = "volume", cells: int = 0, rounds: int = 0, body_contact: bool = False,
              tet_weights: declarations.TetWeights = "skin", smoothing: bool = True, deform_as_drawn: bool = False, stiffness: float = 0,
              progress: ProgressFunction = None) -> BakeResult:
         """Adds morph targets that correct bends, with what drives them, which are saved with the character.
 
         poses  poses to learn from; 0 = 1500
-        shapes  most morph targets a bend; 0 = 8
+        shapes  most weights that drive a bend, each of which has one or two morph targets; 0 = 8
         seed  of the random poses; 0 = 1
         limit  largest angle in degrees; 0 = 60
         clip  learns from a clip of the character's own; None: random poses
+        error  what may be left out of a vertex's moves, root mean square over the poses, a share of the size; 0 = 0.002
         method  animate makes morph targets of corrections, VOLUME and above; bake takes no other. 0 = none, linear blending or
             VOLUME, as the call says
         cells  of the deformer; 0 = its own
@@ -240,4 +241,4 @@ class Jobs:
         deform_as_drawn  "xpbd" as published, see sinew/deform.h
         stiffness  of "xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2
         """
-        return run("bake", locals())
+        return cast(BakeResult, run("bake", locals()))

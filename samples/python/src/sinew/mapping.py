@@ -10,6 +10,7 @@ import numpy as np
 
 from . import binding, declarations
 from .arrays import chosen
+from .binding import Array
 from .character import Skeleton
 
 MAP_METHODS, REASONS = declarations.MAP_METHOD, declarations.MAP_REASON
@@ -24,9 +25,9 @@ class JointMap:
     method      "sinew", which is by anatomy, or "branches"
     """
 
-    sources: np.ndarray
-    confidence: np.ndarray
-    reasons: np.ndarray
+    sources: Array
+    confidence: Array
+    reasons: Array
     certainty: float
     method: str
 
@@ -52,7 +53,7 @@ def map(target: Skeleton, source: Skeleton, *, method: declarations.MapMethod = 
     sources = np.zeros(len(target), np.int32)
     confidence, reasons = np.zeros(len(target), np.uint16), np.zeros(len(target), np.uint8)
     outputs = binding.init(binding.sinew_map_outputs)
-    outputs.sources, outputs.confidence, outputs.reasons = (binding.address(a) for a in (sources, confidence, reasons))
+    outputs.sources, outputs.confidence, outputs.reasons = binding.address(sources), binding.address(confidence), binding.address(reasons)
     block = binding.block("sinew_map_workspace_size", "map", len(target), len(source))
     binding.check(binding.library().sinew_map(ctypes.byref(views[0]), ctypes.byref(views[1]), ctypes.byref(options),
                                               block.address, block.size_bytes, ctypes.byref(outputs)), "map")

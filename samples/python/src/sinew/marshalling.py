@@ -5,12 +5,13 @@ from __future__ import annotations
 import ctypes
 import os
 from pathlib import Path
-from typing import Any, Callable, Dict, List, Literal, Mapping, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Literal, Mapping, Sequence, Tuple, Union, cast
 
 import numpy as np
 
 from . import binding, declarations, results
 from .arrays import chosen, mask, real, whole
+from .binding import Array
 from .binder import answers_of, joint_flags, question_of
 
 Text = Union[None, str, int, "os.PathLike[str]"]  # a name, a number of one, a file
@@ -30,7 +31,7 @@ def run(job: str, given: Dict[str, Any]) -> Any:
     view, skeleton = one._view(), one.skeleton
     options, _kept = filled(options_of, given, one)
     if named:
-        setattr(*_home(options, file), os.fsencode(other))
+        setattr(*_home(options, file), os.fsencode(cast(Any, other)))
     models = _Models(**{_model_member(n, given): given[n] for n in ("model", "hands_model", "front_model") if given.get(n) is not None})
     if models.any:
         options.models = ctypes.pointer(models.struct)
@@ -217,7 +218,7 @@ def _value_of(struct: Any, kind: str, member: str, extra: Any, sizes: Mapping[st
     return [result_as(one, sizes, joints) for one in listed]
 
 
-def array_at(address: Any, dtype: Any, shape: Tuple[int, ...]) -> np.ndarray:
+def array_at(address: Any, dtype: Any, shape: Tuple[int, ...]) -> Array:
     """A copy of an array of the library; without one zeros, of signed integers -1."""
     size = int(np.prod(shape)) * np.dtype(dtype).itemsize
     if not size or not address:
@@ -227,7 +228,7 @@ def array_at(address: Any, dtype: Any, shape: Tuple[int, ...]) -> np.ndarray:
 
 def error_line(character: Any) -> str:
     pointer = None if character is None else character.pointer
-    return binding.character_library().sinew_character_error(pointer).decode(errors="replace")
+    return str(binding.character_library().sinew_character_error(pointer).decode(errors="replace"))
 
 
 def _model_member(name: str, given: Mapping[str, Any]) -> str:

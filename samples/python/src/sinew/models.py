@@ -6,7 +6,7 @@ import ctypes
 import os
 import threading
 from pathlib import Path
-from typing import Dict, Literal, Optional, Tuple, Union
+from typing import Any, Dict, Literal, Optional, Tuple, Union
 
 import numpy as np
 
@@ -25,7 +25,7 @@ class Model:
     Raises binding.Error, which names the file, where it is missing or damaged.
     """
 
-    def __init__(self, source: Union[str, os.PathLike, bytes], task: Task = "weights") -> None:
+    def __init__(self, source: Union[str, "os.PathLike[str]", bytes], task: Task = "weights") -> None:
         if isinstance(source, bytes):
             content, self.name = source, f"model of {len(source)} bytes"
         else:
@@ -47,7 +47,7 @@ class Model:
         self._packed = binding.Block(size.value)
         binding.check(library.sinew_model_pack(self.pointer(), self._packed.address, self._packed.size_bytes), self.name)
 
-    def pointer(self):
+    def pointer(self) -> Any:
         return ctypes.byref(self.struct)
 
 
@@ -55,7 +55,7 @@ _kept: Dict[Tuple[str, Task], Model] = {}
 _lock = threading.Lock()
 
 
-def model_for(model: Optional[Union[str, os.PathLike, Model]], task: Task) -> Model:
+def model_for(model: Optional[Union[str, "os.PathLike[str]", Model]], task: Task) -> Model:
     """A Model as it is; a file's, kept for the next call; the bundled one for None."""
     if isinstance(model, Model):
         return model

@@ -11,19 +11,20 @@ from __future__ import annotations
 import ctypes
 import json
 import os
-from typing import Any, Dict, List, Literal, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Literal, Mapping, Optional, Sequence, Tuple, Union, cast
 
 import numpy as np
 
 from . import binding, declarations
 from .arrays import Mesh, chosen, real
+from .binding import Array
 from .binder import skeleton_view
 from .character import Character, Clip, Skeleton, Skin, multiply, skin_of, turn
 from .jobs import Jobs
 from .marshalling import array_at, error_line, filled, result_as, run
 from .results import LodLevel, PictureInfo
 
-Source = Union[str, os.PathLike, bytes]
+Source = Union[str, "os.PathLike[str]", bytes]
 KeypointsLayout = Literal["smpl24", "humanml3d22", "lafan22", "smplh52", "smplx55", "coco17",
                            "h36m17", "h36m32", "kinect25", "openpose25", "mediapipe33"]
 
@@ -48,7 +49,7 @@ def open(source: Source, *, name: str = "", beside: Optional[Mapping[str, bytes]
 
 def open_picture(source: Source, *, name: str = "", beside: Optional[Mapping[str, bytes]] = None,
                  body_class: declarations.BodyClass = "found", figure: int = 0, flat: bool = False, units: Literal["figure", "pixels"] = "figure",
-                 mask_file: Union[None, str, os.PathLike] = None, outline: Optional[Sequence[Any]] = None, cut: bool = False) -> "OpenCharacter":
+                 mask_file: Union[None, str, "os.PathLike[str]"] = None, outline: Optional[Sequence[Any]] = None, cut: bool = False) -> "OpenCharacter":
     """Opens a drawing or a photograph of a character, PNG or JPEG: its figure as a mesh with the picture as texture. rig() gives it a
     skeleton in the picture's plane; retarget() does so where it has none, and plays a clip of its class where no motion is given.
 
@@ -108,7 +109,7 @@ def extensions(*uses: str) -> List[str]:
     known = {name.lower().replace("_", "-"): bit for name, bit in declarations.FILE_USE.items()}
     for use in uses:
         chosen(use, list(known), "uses")
-    return binding.character_library().sinew_character_extensions(sum(known[u] for u in uses)).decode().split()
+    return _words(binding.character_library().sinew_character_extensions(sum(known[u] for u in uses)))
 
 
 class OpenCharacter(Jobs):
@@ -140,6 +141,14 @@ class OpenCharacter(Jobs):
             raise ValueError("this character is closed")
         return self._handle
 
+    def __repr__(self) -> str:
+        if not self._handle:
+            return "<sinew.OpenCharacter, closed>"
+        view, clips = self._view(), ctypes.c_uint32()
+        _check(binding.character_library().sinew_character_clip_count(self.pointer, ctypes.byref(clips)), self)
+        weights = "weights" if view.influence_count else "no weights"
+        return f"<sinew.OpenCharacter {self.name!r}: {view.vertex_count} vertices, {view.joint_count} joints, {weights}, {clips.value} clips>"
+
     def copy(self) -> "OpenCharacter":
         handle = ctypes.c_void_p()
         _check(binding.character_library().sinew_character_copy(self.pointer, ctypes.byref(handle)), self)
@@ -147,7 +156,7 @@ class OpenCharacter(Jobs):
 
     # ---- files
 
-    def save(self, path: Union[str, os.PathLike]) -> None:
+    def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes a file by its extension: .glb, .gltf, .vrm, .fbx, .obj, .rig.txt, .bvh. A glTF keeps all of its input that was not changed.
         A file that was there stays as it was, where this fails."""
         _check(binding.character_library().sinew_character_save(self.pointer, os.fsencode(path)), self)
@@ -169,19 +178,19 @@ class OpenCharacter(Jobs):
         """Which joints controls of an animator move (formats/spec/controls.md): `sinew rig --controls`."""
         text = ctypes.c_char_p()
         _check(binding.character_library().sinew_character_controls(self.pointer, ctypes.byref(text)), self)
-        return json.loads((text.value or b"").decode())
+        return cast(Dict[str, Any], json.loads((text.value or b"").decode()))
 
     @property
     def notes(self) -> List[str]:
         """Remarks of the reader and of the jobs."""
-        return binding.character_library().sinew_character_notes(self.pointer).decode(errors="replace").splitlines()
+        return str(binding.character_library().sinew_character_notes(self.pointer).decode(errors="replace")).splitlines()
 
     @property
     def picture(self) -> PictureInfo:
         """What was found in the picture that it is of. Raises Error where it is of none."""
         info = binding.init(declarations.sinew_character_picture_info)
         _check(binding.character_library().sinew_character_picture(self.pointer, ctypes.byref(info)), self)
-        return result_as(info, {})
+        return cast(PictureInfo, result_as(info, {}))
 
     # ---- arrays
 
@@ -192,10 +201,10 @@ class OpenCharacter(Jobs):
 
     @property
     def name(self) -> str:
-        return self._view().name.decode(errors="replace")
+        return str(self._view().name.decode(errors="replace"))
 
     @property
-    def positions(self) -> np.ndarray:
+    def positions(self) -> Array:
         """[n, 3] float32 in the pose that the weights are meant for; a copy, as all arrays are."""
         view = self._view()
         return array_at(view.positions, np.float32, (view.vertex_count, 3))
@@ -237,7 +246,7 @@ class OpenCharacter(Jobs):
         view = self._view()
         return [view.mesh_names[m].decode(errors="replace") for m in range(view.mesh_count)]
 
-    def joint_classes(self) -> np.ndarray:
+    def joint_classes(self) -> Array:
         """[j] uint8 of CLASSES: what each joint is for."""
         out = np.zeros(self._view().joint_count, np.uint8)
         _check(binding.character_library().sinew_character_joint_classes(self.pointer, out.ctypes.data), self)
@@ -263,7 +272,7 @@ class OpenCharacter(Jobs):
             q, p = _local(*_world(q, p, parents), skeleton.parents)
         return Clip(q[:, :joints], p[:, :joints], fps, name)
 
-    def keypoints_frame(self, keypoints: Any) -> Tuple[np.ndarray, np.ndarray]:
+    def keypoints_frame(self, keypoints: Any) -> Tuple[Array, Array]:
         """Local rotations [j, 4] and translations [j, 3] of its joints in the frame of these keypoints [n, 3], of open_keypoints()."""
         row, count = real(keypoints, (None, 3), "keypoints"), self._view().joint_count
         rotations, translations = np.zeros((count, 4), np.float32), np.zeros((count, 3), np.float32)
@@ -313,7 +322,7 @@ class OpenCharacter(Jobs):
 
     # ---- jobs
 
-    def simplify(self, *, low: bool = False, joint_count: int = 0, as_drawn: bool = False, keep: Sequence[str] = ()) -> np.ndarray:
+    def simplify(self, *, low: bool = False, joint_count: int = 0, as_drawn: bool = False, keep: Sequence[str] = ()) -> Array:
         """Leaves joints out: bone ends, helpers, faces, twists; with `low` fingers and small parts too; or all but so many. Weights and motion follow.
         `as_drawn`: by the published conditions alone, which take limbs off.
 
@@ -348,7 +357,11 @@ def _files_of(source: Any, name: str, beside: Optional[Mapping[str, bytes]]) -> 
 
 def templates() -> List[str]:
     """Names of the skeletons that "template:NAME" knows."""
-    return binding.character_library().sinew_character_templates().decode().split()
+    return _words(binding.character_library().sinew_character_templates())
+
+
+def _words(text: bytes) -> List[str]:
+    return text.decode().split()
 
 
 def _check(status: int, character: Optional[OpenCharacter]) -> None:
@@ -365,7 +378,7 @@ def _skeleton_view(skeleton: Skeleton) -> Any:
     return view
 
 
-def _order(parents: np.ndarray) -> List[int]:
+def _order(parents: Array) -> List[int]:
     order, left = [], list(range(len(parents)))
     done = {-1}
     while left:
@@ -378,7 +391,7 @@ def _order(parents: np.ndarray) -> List[int]:
     return order
 
 
-def _world(q: np.ndarray, p: np.ndarray, parents: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+def _world(q: Array, p: Array, parents: Array) -> Tuple[Array, Array]:
     """Local poses [t, j, ...] in the world."""
     q, p = q.copy(), p.copy()
     for j in _order(parents):
@@ -388,7 +401,7 @@ def _world(q: np.ndarray, p: np.ndarray, parents: np.ndarray) -> Tuple[np.ndarra
     return q, p
 
 
-def _local(q: np.ndarray, p: np.ndarray, parents: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+def _local(q: Array, p: Array, parents: Array) -> Tuple[Array, Array]:
     """Poses of the world against parents; joints behind those of `parents` are left out."""
     count = len(parents)
     out_q, out_p = q[:, :count].copy(), p[:, :count].copy()

@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Dict, List, Optional, Tuple
 
-import numpy as np
-
 from . import declarations
+from .binding import Array
 from .character import Question
 
 
@@ -39,7 +38,7 @@ class Finding:
     seconds: float
     value: float
     bound: float
-    vertices: np.ndarray
+    vertices: Array
     severity: declarations.CheckSeverity
     joint: int
     other: int
@@ -104,7 +103,7 @@ class BindResult:
     workspace_bytes: int
     left_out: Dict[str, str]
     questions: List[Question]
-    vertex_questions: Optional[np.ndarray]
+    vertex_questions: Optional[Array]
     hash: str
     seams: List[Seam]
     doubled_vertices: int
@@ -148,9 +147,9 @@ class RigResult:
     scale: float
     seconds: float
     bind_seconds: float
-    ends: np.ndarray
-    confidence: np.ndarray
-    parent_confidence: np.ndarray
+    ends: Array
+    confidence: Array
+    parent_confidence: Array
     front: Tuple[float, ...]
     up: declarations.Up
     front_certainty: float
@@ -179,9 +178,9 @@ class MapResult:
     certainty: float
     cover: float
     seconds: float
-    sources: np.ndarray
-    confidence: np.ndarray
-    reasons: np.ndarray
+    sources: Array
+    confidence: Array
+    reasons: Array
     text: str
 
 
@@ -239,13 +238,13 @@ class AnimateResult:
     limbs_before: List[LimbQuality]
     limbs_after: List[LimbQuality]
     mapped_by: str
-    sources: np.ndarray
-    reasons: np.ndarray
-    source_ends: np.ndarray
+    sources: Array
+    reasons: Array
+    source_ends: Array
     source_names: str
-    spot_kinds: np.ndarray
-    spot_positions: np.ndarray
-    spot_errors: np.ndarray
+    spot_kinds: Array
+    spot_positions: Array
+    spot_errors: Array
 
 
 @dataclass
@@ -348,7 +347,7 @@ class PictureInfo:
     body_class: declarations.BodyClass
     view: declarations.PictureView
     certainty: float
-    outline: List[np.ndarray]
+    outline: List[Array]
 
 
 # A struct's keywords: name, kind, member, and what the kind needs.
@@ -425,10 +424,11 @@ OPTIONS: Dict[Any, Rows] = {
         ("fewer_joints", "flag", "fewer_joints", None)],
     declarations.sinew_character_bake_options: [("poses", "number", "poses", False), ("shapes", "number", "shapes", False),
         ("seed", "number", "seed", False), ("limit", "number", "limit", False), ("clip", "text", "clip", None),
-        ("method", "word", "deform.method", declarations.POSE_DEFORM), ("cells", "number", "deform.cells", False),
-        ("rounds", "number", "deform.rounds", False), ("body_contact", "flag", "deform.body_contact", None),
-        ("tet_weights", "word", "deform.tet_weights", declarations.TET_WEIGHTS), ("smoothing", "without", "deform.without", 128),
-        ("deform_as_drawn", "flag", "deform.deform_as_drawn", None), ("stiffness", "number", "deform.stiffness", False)],
+        ("error", "number", "error", False), ("method", "word", "deform.method", declarations.POSE_DEFORM),
+        ("cells", "number", "deform.cells", False), ("rounds", "number", "deform.rounds", False),
+        ("body_contact", "flag", "deform.body_contact", None), ("tet_weights", "word", "deform.tet_weights", declarations.TET_WEIGHTS),
+        ("smoothing", "without", "deform.without", 128), ("deform_as_drawn", "flag", "deform.deform_as_drawn", None),
+        ("stiffness", "number", "deform.stiffness", False)],
     declarations.sinew_character_picture_options: [("body_class", "word", "body_class", declarations.BODY_CLASS),
         ("figure", "number", "figure", False), ("flat", "flag", "flat", None), ("units", "flag", "pixels", None),
         ("mask_file", "text", "mask", None), ("outline", "lines", "outline", ('line_offsets', 'line_count', '2')),

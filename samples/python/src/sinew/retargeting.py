@@ -9,6 +9,7 @@ import numpy as np
 
 from . import binding, declarations
 from .arrays import Mesh, chosen, whole
+from .binding import Array
 from .binder import ProgressFunction, skeleton_view
 from .character import Character, Clip, Skeleton
 from .mapping import JointMap, map as map_joints, view_with_names
@@ -17,7 +18,7 @@ RetargetMethod = Literal["auto", "copy", "contacts"]
 RETARGET_METHODS = get_args(RetargetMethod)
 
 
-def joint_classes(skeleton: Skeleton, up: declarations.Up = "y", source: Optional[Skeleton] = None, sources: Any = None) -> np.ndarray:
+def joint_classes(skeleton: Skeleton, up: declarations.Up = "y", source: Optional[Skeleton] = None, sources: Any = None) -> Array:
     """[j] uint8 of CLASSES: the skeleton's own, else what the library says of its names, of those of its joints' sources, of its shape;
     "other" where nothing says anything.
 
@@ -34,7 +35,7 @@ def joint_classes(skeleton: Skeleton, up: declarations.Up = "y", source: Optiona
     return classes
 
 
-def retarget(clip: Clip, source: Skeleton, target: Skeleton, *, joint_map: Union[None, JointMap, np.ndarray] = None,
+def retarget(clip: Clip, source: Skeleton, target: Skeleton, *, joint_map: Union[None, JointMap, Array] = None,
              method: RetargetMethod = "auto", in_place: bool = False, scale: float = 0.0, source_up: declarations.Up = "auto", target_up: declarations.Up = "auto",
              source_body: Optional[Character] = None, target_body: Optional[Character] = None,
              progress: ProgressFunction = None) -> Clip:
@@ -78,7 +79,7 @@ def retarget(clip: Clip, source: Skeleton, target: Skeleton, *, joint_map: Union
             raise binding.Cancelled("retarget: the progress function asked to stop")
         binding.check(library.sinew_retarget_frame(plan, clip.rotations[f].ctypes.data, clip.translations[f].ctypes.data, ground,
                                                    out.rotations[f].ctypes.data, out.translations[f].ctypes.data), "retarget")
-    if contacts:
+    if contacts and target_body is not None:
         half = None if progress is None else (lambda share: progress(0.5 + share / 2))
         _keep_contacts(plan, clip, out, ground, source_body, target_body, half)
     return out
@@ -112,7 +113,7 @@ class RetargetStream:
     keep_range   False: knees and elbows may leave their natural range
     """
 
-    def __init__(self, source: Skeleton, target: Skeleton, *, joint_map: Union[None, JointMap, np.ndarray] = None, in_place: bool = False,
+    def __init__(self, source: Skeleton, target: Skeleton, *, joint_map: Union[None, JointMap, Array] = None, in_place: bool = False,
                  scale: float = 0.0, source_up: declarations.Up = "auto", target_up: declarations.Up = "auto",
                  target_body: Optional[Character] = None, source_body: Optional[Character] = None, fps: float = 30.0, ground: Optional[float] = None, contacts: bool = True,
                  keep_range: bool = True) -> None:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import ctypes
 from dataclasses import dataclass
-from typing import Any, Literal, Tuple, Union, get_args
+from typing import Any, Dict, Literal, Tuple, Union, get_args
 
 import numpy as np
 
 from . import binding, declarations
 from .arrays import Mesh, chosen
+from .binding import Array
 from .binder import ProgressFunction
 from .character import Skeleton
 from .models import Model, model_for
@@ -34,9 +35,9 @@ class Rig:
     """
 
     skeleton: Skeleton
-    confidence: np.ndarray
-    parent_confidence: np.ndarray
-    partners: np.ndarray
+    confidence: Array
+    parent_confidence: Array
+    partners: Array
     mirrored: bool
     facing: int
     plane: float
@@ -81,7 +82,7 @@ def rig(positions: Any, faces: Any, *, method: declarations.RigMethod = "votes",
     options.spine_count = spine
     options.without = (0 if toes else declarations.WITHOUT_TOES) | (0 if ends else declarations.WITHOUT_ENDS)
     room = binding.MAX_RIG_JOINTS
-    arrays = {"positions": np.zeros((room, 3), np.float32), "parents": np.zeros(room, np.int32), "flags": np.zeros(room, np.uint8),
+    arrays: Dict[str, Array] = {"positions": np.zeros((room, 3), np.float32), "parents": np.zeros(room, np.int32), "flags": np.zeros(room, np.uint8),
               "joint_classes": np.zeros(room, np.uint8), "partners": np.zeros(room, np.int32),
               "confidence": np.zeros(room, np.uint16), "parent_confidence": np.zeros(room, np.uint16),
               "names": np.zeros(room, f"S{binding.JOINT_NAME_BYTES}")}
@@ -105,5 +106,5 @@ def rig(positions: Any, faces: Any, *, method: declarations.RigMethod = "votes",
     skeleton = Skeleton(found["positions"].copy(), found["parents"], [n.decode() for n in found["names"]],
                         classes=found["joint_classes"], ends=found["flags"] & binding.JOINT_NEVER != 0)
     sure = [found[name].astype(np.float32) / np.float32(32768) for name in ("confidence", "parent_confidence")]
-    return Rig(skeleton, *sure, found["partners"], bool(outputs.mirrored), outputs.facing, outputs.plane, outputs.spread,
-               tuple(outputs.front), declarations.UP[outputs.up], outputs.front_confidence, outputs.up_confidence)
+    return Rig(skeleton, sure[0], sure[1], found["partners"], bool(outputs.mirrored), outputs.facing, outputs.plane, outputs.spread,
+               (outputs.front[0], outputs.front[1], outputs.front[2]), declarations.UP[outputs.up], outputs.front_confidence, outputs.up_confidence)

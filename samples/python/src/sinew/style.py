@@ -6,21 +6,21 @@ import json
 import math
 import os
 import re
-from typing import Any, Dict, List, Sequence, Tuple, Union
+from typing import Any, Dict, List, Sequence, Set, Tuple, Union
 
 import numpy as np
 
 from .arrays import real
 from .binder import ANSWERS
-from .binding import Error
+from .binding import Array, Error
 from .character import Skeleton, Skin
 
 # The numbers of the specification, "How a rule is used".
 _FARTHEST, _OTHER_JOINT, _MIRRORED, _OF_BODY, _SAME_PLACE = 0.6, 0.2, 0.05, 0.5, 0.15
 
 
-def answers_by_style(path: Union[str, os.PathLike], positions: Any, skeleton: Skeleton, asked: Skin,
-                     never: Sequence[str] = ()) -> List[Tuple]:
+def answers_by_style(path: Union[str, "os.PathLike[str]"], positions: Any, skeleton: Skeleton, asked: Skin,
+                     never: Sequence[str] = ()) -> List[Tuple[Any, ...]]:
     """Answers for bind(), from a file that `sinew bind --save-style` wrote.
 
     positions  [n, 3] of the mesh; the file's own characters had the same axis up, and the mirror is across x
@@ -39,7 +39,7 @@ def answers_by_style(path: Union[str, os.PathLike], positions: Any, skeleton: Sk
         raise Error(f"{name}: cannot read, {error.strerror}") from None
     except (KeyError, IndexError, TypeError, ValueError, AttributeError) as error:
         raise Error(f"{name}: not a style file (expected JSON as sinew bind --save-style writes), {type(error).__name__}: {error}") from None
-    if not asked.questions or not rules:
+    if not asked.questions or not rules or asked.vertex_parts is None:
         return []
     looks = _looks(positions, asked.vertex_parts)
     matches = []
@@ -56,7 +56,7 @@ def answers_by_style(path: Union[str, os.PathLike], positions: Any, skeleton: Sk
         if q in answered or r in used:
             continue
         rule, question = rules[r], asked.questions[q]
-        answer: Tuple = (question.vertex, rule["answer"])
+        answer: Tuple[Any, ...] = (question.vertex, rule["answer"])
         if rule["answer"] == "rigid":
             joint = _joint(positions, skeleton, set(never), rule, mirror, question.joint)
             if joint < 0:
@@ -74,18 +74,18 @@ def _words(name: str) -> List[str]:
     return [w.lower() for w in found if w.lower() not in ("l", "r", "left", "right")]
 
 
-def _places(positions: Any, points: np.ndarray) -> np.ndarray:
+def _places(positions: Any, points: Array) -> Array:
     """From the middle of the mesh's box, in its longest sides."""
     corners = real(positions, (None, 3), "positions")
     low, high = corners.min(0).astype(np.float64), corners.max(0).astype(np.float64)
-    return (points.astype(np.float64) - 0.5 * (low + high)) / max(float((high - low).max()), 1e-20)
+    return np.asarray((points.astype(np.float64) - 0.5 * (low + high)) / max(float((high - low).max()), 1e-20))
 
 
-def _joints(positions: Any, skeleton: Skeleton) -> Dict[str, np.ndarray]:
+def _joints(positions: Any, skeleton: Skeleton) -> Dict[str, Array]:
     return dict(zip(map(str, skeleton.names), _places(positions, skeleton.positions)))
 
 
-def _rules(content: Any, joints: Dict[str, np.ndarray]) -> List[Dict[str, Any]]:
+def _rules(content: Any, joints: Dict[str, Array]) -> List[Dict[str, Any]]:
     """Rules of the sheets whose characters are of this one's kind."""
     out = []
     for sheet in content["characters"]:
@@ -105,7 +105,7 @@ def _rules(content: Any, joints: Dict[str, np.ndarray]) -> List[Dict[str, Any]]:
     return out
 
 
-def _looks(positions: Any, vertex_parts: np.ndarray) -> List[Dict[str, Any]]:
+def _looks(positions: Any, vertex_parts: Array) -> List[Dict[str, Any]]:
     parts = np.asarray(vertex_parts, np.int64)
     places = _places(positions, real(positions, (None, 3), "positions"))
     counts = np.bincount(parts)
@@ -114,7 +114,7 @@ def _looks(positions: Any, vertex_parts: np.ndarray) -> List[Dict[str, Any]]:
     return [{"body": p == counts.argmax(), "size": counts[p] / len(parts), "radius": radii[p], "place": middles[p]} for p in range(len(counts))]
 
 
-def _flipped(place: np.ndarray, mirror: bool) -> np.ndarray:
+def _flipped(place: Array, mirror: bool) -> Array:
     return place * [-1, 1, 1] if mirror else place
 
 
@@ -133,7 +133,7 @@ def _difference(rule: Dict[str, Any], look: Dict[str, Any], mirror: bool) -> flo
     return names + (_OF_BODY if part["body"] else 1) * looks
 
 
-def _joint(positions: Any, skeleton: Skeleton, never: set, rule: Dict[str, Any], mirror: bool, own: int) -> int:
+def _joint(positions: Any, skeleton: Skeleton, never: Set[str], rule: Dict[str, Any], mirror: bool, own: int) -> int:
     """The joint that a rigid rule means, -1 where there is none that stands where the rule's stood."""
     places = _places(positions, skeleton.positions)
     off = [math.dist(_flipped(p, mirror), rule["joint_place"]) for p in places]

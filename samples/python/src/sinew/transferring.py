@@ -10,6 +10,7 @@ import numpy as np
 
 from . import binding, declarations
 from .arrays import Mesh, chosen, mask, whole
+from .binding import Array
 from .binder import UP, UP_AXES, Joints, ProgressFunction, UpAxis, joint_flags, skeleton_view
 from .character import Character, Skeleton, Skin, skin_of
 from .mapping import map as map_joints
@@ -111,7 +112,7 @@ def transfer(source: Character, positions: Any, faces: Any, skeleton: Optional[S
     return Transferred(skin, outputs.carried_q16 / 65536, told)
 
 
-def _joint_map(joint_map: Any, source: Skeleton, target: Skeleton, up: UpAxis, source_up: UpAxis) -> np.ndarray:
+def _joint_map(joint_map: Any, source: Skeleton, target: Skeleton, up: UpAxis, source_up: UpAxis) -> Array:
     """[source j] int32."""
     if joint_map is not None:
         return whole(joint_map, (len(source),), "joint_map", np.int32, -1, len(target))
