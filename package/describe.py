@@ -53,7 +53,9 @@ class Command:
                 if head.startswith("-"):
                     names, _, value = head.partition(" ")
                     choices = re.search(r"\bOne of ((?:[^ |]+\| ?)*[^ |]+)", " ".join(says))
-                    yield names.split(","), value, re.split(r"\| ?", choices.group(1)) if choices else []
+                    words = re.fullmatch(r"[a-z0-9.-]+(?:\|[a-z0-9.-]+)+", value)  # --for mixamo|unreal
+                    listed = choices.group(1) if choices else value if words else ""
+                    yield names.split(","), value, re.split(r"\| ?", listed) if listed else []
 
 
 def ask(program, path):

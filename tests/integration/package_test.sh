@@ -93,6 +93,7 @@ for command in $commands; do
   done
 done
 complete_words sinew-lab dataset "" | grep -x check >/dev/null || fail "the completion does not offer sinew-lab dataset check"
+complete_words sinew rig --for "" | grep -x mixamo >/dev/null || fail "the completion does not offer the values of sinew rig --for"
 complete_words sinew map --method "" | grep -x auto >/dev/null || fail "the completion does not offer the values of sinew map --method"
 
 # Binds far from the sources, and to the same bytes with the installed model.
