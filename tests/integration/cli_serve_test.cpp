@@ -67,7 +67,8 @@ TEST_F(CliServe, IntroducesItselfAndListsItsTools) {
     EXPECT_EQ(tool["inputSchema"]["type"], "object");
     EXPECT_FALSE(tool["inputSchema"]["required"].empty());
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"rig", "bind", "animate", "check", "lod", "pose", "inspect"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"rig", "bind", "animate", "transfer", "map", "check", "lod", "simplify",
+                                             "bake", "pose", "inspect"}));
   EXPECT_EQ(answers.at(3)["result"], Json::object());
   ASSERT_EQ(answers.at(4)["result"]["resources"].size(), 1u);
   EXPECT_EQ(answers.at(4)["result"]["resources"][0]["uri"], "sinew:///snake.obj");
@@ -97,6 +98,24 @@ TEST_F(CliServe, RigsChecksAndDrawsAsTheCommandDoes) {
     drawn = drawn || (part["type"] == "image" && part["data"].get<std::string>().rfind("iVBORw0KGgo", 0) == 0);
   EXPECT_TRUE(drawn) << then.at(3);
   EXPECT_EQ(then.at(4)["result"]["contents"][0]["text"], slurp(in("served/snake.obj")));
+}
+
+TEST_F(CliServe, SimplifiesMapsTransfersAndWritesForProgramsAsTheCommandDoes) {
+  const auto first = ask(call(1, "rig", {{"mesh", "snake.obj"}, {"output", "snake.glb"}, {"for", "blender"}}));
+  EXPECT_EQ(first.at(1)["result"]["isError"], false) << first.at(1);
+  good("rig served/snake.obj --for blender -o alone.glb");
+  EXPECT_EQ(slurp(in("served/snake.glb")), slurp(in("alone.glb")));
+  const auto then =
+      ask(call(2, "simplify", {{"character", "snake.glb"}, {"output", "low.glb"}, {"level", "low"}}) +
+          call(3, "map", {{"target", "snake.glb"}, {"from", "snake.glb"}, {"output", "map.txt"}}) +
+          call(4, "transfer",
+               {{"source", "snake.glb"}, {"target", "snake.obj"}, {"output", "worn.glb"}, {"garment", true}}) +
+          call(5, "bake", {{"character", "snake.glb"}, {"output", "baked.glb"}, {"poses", 20}, {"error", 0.2}}) +
+          call(6, "rig", {{"mesh", "snake.obj"}, {"output", "x.glb"}, {"for", "softimage"}}));
+  for (const int id : {2, 3, 4, 5}) EXPECT_EQ(then.at(id)["result"]["isError"], false) << then.at(id);
+  for (const char* file : {"low.glb", "map.txt", "worn.glb", "baked.glb"})
+    EXPECT_TRUE(fs::exists(in("served/" + std::string(file)))) << file;
+  EXPECT_NE(then.at(6).dump().find("mixamo"), std::string::npos) << then.at(6);
 }
 
 TEST_F(CliServe, PlacesWritesControlsScoresAndMakesLevelsAsTheCommandDoes) {

@@ -6,6 +6,7 @@
 
 #include "options.hpp"
 #include "sinew_character/picture/body_class.hpp"
+#include "sinew_character/profile/profile.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/print.hpp"
 #include "support.hpp"
@@ -45,25 +46,40 @@ Argument controls_argument() {
           "Also say which joints an animator's controls move (formats/spec/controls.md): .controls.json"};
 }
 
+std::vector<Argument> joined(std::vector<Argument> first, std::vector<Argument> second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+// What is written for another program.
+std::vector<Argument> profile_arguments() {
+  std::vector<std::string> names;
+  for (const Profile& one : profiles()) names.emplace_back(one.name);
+  return {
+      {"for", "--for", Value::kText, "Write what this program or format wants: names, axes, rest pose", false, names},
+      {"author", "--author", Value::kText, "For vrm and vrm0: who made it; the file's own unless given"},
+      {"title", "--title", Value::kText, "For vrm and vrm0: the character's name; the file's unless given"}};
+}
+
 std::vector<Argument> with_transform(std::vector<Argument> arguments) {
-  arguments.insert(arguments.end(), {{"turn",
-                                      "--turn",
-                                      Value::kText,
-                                      "Turn the mesh by a quarter before anything else; x brings y to z",
-                                      false,
-                                      {"x", "y", "z", "-x", "-y", "-z"}},
-                                     {"height", "--height", Value::kNumber, "Scale the mesh to be so tall, metres"},
-                                     {"floor", "--floor", Value::kFlag, "Put the lowest vertex at 0"}});
-  return arguments;
+  return joined(std::move(arguments), {{"turn",
+                                        "--turn",
+                                        Value::kText,
+                                        "Turn the mesh by a quarter before anything else; x brings y to z",
+                                        false,
+                                        {"x", "y", "z", "-x", "-y", "-z"}},
+                                       {"height", "--height", Value::kNumber, "Scale the mesh to be so tall, metres"},
+                                       {"floor", "--floor", Value::kFlag, "Put the lowest vertex at 0"}});
 }
 
 Tool rig_tool() {
-  return {
-      "rig", "Make a skeleton",
-      "Makes a skeleton for a bare mesh or a picture of a character and binds it. Answers joints with confidences "
-      "and what is doubtful.",
-      true,
-      with_transform({{"mesh", "", Value::kInput,
+  return {"rig", "Make a skeleton",
+          "Makes a skeleton for a bare mesh or a picture of a character and binds it. Answers joints with confidences "
+          "and what is doubtful.",
+          true,
+          joined(profile_arguments(),
+                 with_transform(
+                     {{"mesh", "", Value::kInput,
                        "Mesh (" + mesh_files() + ") or picture (" + extensions_text(kReadsPicture) + ")", true},
                       output_argument(extensions_text(kWritesSkin)),
                       {"skeleton", "--skeleton", Value::kInput, "Put this file's skeleton into the mesh"},
@@ -73,36 +89,38 @@ Tool rig_tool() {
                       {"to_pose", "--to-pose", Value::kText, "Put into a rest pose", false, {"t", "a"}},
                       {"cut", "--cut", Value::kFlag, "Open what has grown together"},
                       controls_argument(),
-                      {"picture", "--png", Value::kOutput, "Also draw the mesh with its joints: .png"}})};
+                      {"picture", "--png", Value::kOutput, "Also draw the mesh with its joints: .png"}}))};
 }
 
 Tool bind_tool() {
-  return {
-      "bind", "Predict weights", "Predicts the skin weights of a mesh for a skeleton. Answers how sure they are.", true,
-      with_transform({{"mesh", "", Value::kInput, "Mesh (" + mesh_files() + ")", true},
+  return {"bind", "Predict weights", "Predicts the skin weights of a mesh for a skeleton. Answers how sure they are.",
+          true,
+          joined(profile_arguments(),
+                 with_transform(
+                     {{"mesh", "", Value::kInput, "Mesh (" + mesh_files() + ")", true},
                       output_argument(extensions_text(kWritesSkin)),
                       {"skeleton", "--skeleton", Value::kInput, "Skeleton of another file (" + skeleton_files() + ")"},
                       {"influences", "--influences", Value::kNumber, "Most joints a vertex, 4 unless given"},
                       {"symmetric", "--symmetric", Value::kFlag, "Mirror images get mirrored weights"},
                       {"fit", "--fit", Value::kFlag, "Move a skeleton that stands beside the mesh or in other units"},
                       controls_argument(),
-                      {"picture", "--png", Value::kOutput, "Also draw the mesh coloured by weight: .png"}})};
+                      {"picture", "--png", Value::kOutput, "Also draw the mesh coloured by weight: .png"}}))};
 }
 
 Tool animate_tool() {
-  return {"animate",
-          "Play a motion",
-          "Plays motion of any skeleton on a character. Answers which joints move and how sure the map is.",
-          true,
-          {{"character", "", Value::kInput, "Skinned file, bare mesh or picture", true},
-           {"motion", "--motion", Value::kInput, "Motion (" + motion_files() + ")"},
-           {"clip", "--motion", Value::kText, "A clip that ships, in place of a file: builtin:walk"},
-           output_argument(extensions_text(kWritesWhole) + "; one clip alone: " + extensions_text(kWritesMotion)),
-           {"map", "--map", Value::kInput, "Which joint is which: lines TARGET_JOINT SOURCE_JOINT"},
-           {"in_place", "--in-place", Value::kFlag, "Stay where the character stands"},
-           {"force", "--force", Value::kFlag, "Also a motion that does not fit"},
-           controls_argument(),
-           {"sheet", "--sheet", Value::kOutput, "Also draw frames side by side: .png"}}};
+  return {
+      "animate", "Play a motion",
+      "Plays motion of any skeleton on a character. Answers which joints move and how sure the map is.", true,
+      joined(profile_arguments(),
+             {{"character", "", Value::kInput, "Skinned file, bare mesh or picture", true},
+              {"motion", "--motion", Value::kInput, "Motion (" + motion_files() + ")"},
+              {"clip", "--motion", Value::kText, "A clip that ships, in place of a file: builtin:walk"},
+              output_argument(extensions_text(kWritesWhole) + "; one clip alone: " + extensions_text(kWritesMotion)),
+              {"map", "--map", Value::kInput, "Which joint is which: lines TARGET_JOINT SOURCE_JOINT"},
+              {"in_place", "--in-place", Value::kFlag, "Stay where the character stands"},
+              {"force", "--force", Value::kFlag, "Also a motion that does not fit"},
+              controls_argument(),
+              {"sheet", "--sheet", Value::kOutput, "Also draw frames side by side: .png"}})};
 }
 
 Tool check_tool() {
@@ -118,16 +136,69 @@ Tool check_tool() {
 }
 
 Tool lod_tool() {
-  return {"lod",
-          "Make levels of detail",
-          "Copies of a bound character with fewer and fewer triangles. Answers a line of JSON a level, with its error.",
-          true,
+  return {
+      "lod", "Make levels of detail",
+      "Copies of a bound character with fewer and fewer triangles. Answers a line of JSON a level, with its error.",
+      true,
+      joined(
+          profile_arguments(),
           {{"character", "", Value::kInput, "Bound character (" + mesh_files() + ")", true},
            {"output", "-o", Value::kOutputs,
             "NAME.lod1, NAME.lod2, ... of this name, below the served folder: " + extensions_text(kWritesWhole), true},
            {"levels", "--levels", Value::kNumber, "How many, 1 to 8; 3 unless given"},
            {"triangles", "--triangles", Value::kNumber, "Of a level, as a share of the one before; 0.5 unless given"},
-           {"fewer_joints", "--fewer-joints", Value::kFlag, "Level 2 has fewer joints, further ones still fewer"}}};
+           {"fewer_joints", "--fewer-joints", Value::kFlag, "Level 2 has fewer joints, further ones still fewer"}})};
+}
+
+Tool transfer_tool() {
+  return {"transfer", "Carry weights over",
+          "Carries the weights of a finished character to another mesh. Answers how sure they are.", true,
+          joined(profile_arguments(),
+                 {{"source", "", Value::kInput, "Bound character (" + mesh_files() + ")", true},
+                  {"target", "", Value::kInput, "Mesh that gets weights (" + mesh_files() + ")", true},
+                  output_argument(extensions_text(kWritesSkin)),
+                  {"skeleton", "--skeleton", Value::kInput,
+                   "Skeleton of another file for the target (" + skeleton_files() + ")"},
+                  {"map", "--map", Value::kInput, "Which joint is which: lines TARGET_JOINT SOURCE_JOINT, - for none"},
+                  {"garment", "--garment", Value::kFlag, "The source wears the target: same space, same skeleton"},
+                  {"picture", "--png", Value::kOutput, "Also draw the mesh coloured by weight: .png"}})};
+}
+
+Tool map_tool() {
+  return {"map",
+          "Map joints",
+          "Says which joint of a skeleton stands for which of another, and how sure that is. The map that it writes "
+          "can be corrected and given to "
+          "animate or transfer.",
+          true,
+          {{"target", "", Value::kInput, "Skeleton whose joints get a source (" + skeleton_files() + ")", true},
+           {"from", "--from", Value::kInput, "Skeleton or motion where the sources are"},
+           {"to", "--to", Value::kText, "In place of from: the names of a standard rig, as mixamo"},
+           {"output", "-o", Value::kOutput, "File to write, below the served folder: .txt or .map", true},
+           {"map", "--map", Value::kInput, "Pairs that are known: they stay, the rest follows"},
+           {"picture", "--png", Value::kOutput, "Also draw both skeletons with their pairs: .png"}}};
+}
+
+Tool bake_tool() {
+  return {"bake",
+          "Bake corrected bends",
+          "Writes bends that keep their volume as morph targets, for programs that know linear skinning alone. Answers "
+          "the error before and after.",
+          true,
+          {{"character", "", Value::kInput, "Bound character (" + mesh_files() + ")", true},
+           output_argument(extensions_text(kWritesWhole)),
+           {"poses", "--poses", Value::kNumber, "Poses to learn from, 1500 unless given"},
+           {"error", "--error", Value::kNumber, "Percent of the size that may be left out; less makes larger files"},
+           {"animation", "--animation", Value::kText, "Learn from one of the file's own animations"}}};
+}
+
+Tool simplify_tool() {
+  return {"simplify", "Leave out joints",
+          "A bound character with fewer joints; weights and animations follow. Answers which joints are left.", true,
+          joined(profile_arguments(),
+                 {{"character", "", Value::kInput, "Bound character (" + mesh_files() + ")", true},
+                  output_argument(extensions_text(kWritesWhole)),
+                  {"level", "--level", Value::kText, "high, low, or a number of joints; high unless given"}})};
 }
 
 Tool pose_tool() {
@@ -153,8 +224,9 @@ Tool inspect_tool() {
 }
 
 const std::vector<Tool>& tools() {
-  static const std::vector<Tool> all = {rig_tool(), bind_tool(), animate_tool(), check_tool(),
-                                        lod_tool(), pose_tool(), inspect_tool()};
+  static const std::vector<Tool> all = {rig_tool(),  bind_tool(),  animate_tool(), transfer_tool(),
+                                        map_tool(),  check_tool(), lod_tool(),     simplify_tool(),
+                                        bake_tool(), pose_tool(),  inspect_tool()};
   return all;
 }
 
@@ -222,12 +294,12 @@ class CommandLine {
       fail(argument.name, "a text of at most 1,000 characters");
     if (!argument.choices.empty() &&
         std::find(argument.choices.begin(), argument.choices.end(), text) == argument.choices.end())
-      fail(argument.name, "one of " + joined(argument.choices));
+      fail(argument.name, "one of " + listed(argument.choices));
     if (argument.option == "--motion" && text.rfind("builtin:", 0) != 0) fail(argument.name, "builtin:NAME");
     return text;
   }
 
-  static std::string joined(const std::vector<std::string>& words) {
+  static std::string listed(const std::vector<std::string>& words) {
     std::string all;
     for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
     return all;
