@@ -92,7 +92,8 @@ void run_rig(const TrainCommandSettings& s, TrainOptions options, Ranks* ranks) 
     return;
   }
   if (s.cache_only)
-    throw UsageError("--cache-only: samples of --task " + s.task + " are made in the run, there is no cache");
+    throw UsageError("--cache-only: samples of --task " + s.task +
+                     " are made by the run itself, which keeps them in --cache; leave it out");
   check_output(options.output, {".sinewckpt", ".ckpt"});
   options.stop = &stop_on_signals();
   train_rig(config, options);

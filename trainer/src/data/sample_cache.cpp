@@ -16,6 +16,7 @@
 #include <sstream>
 
 #include "core/random.hpp"
+#include "data/cache_file.hpp"
 #include "features/features.hpp"
 #include "sinew_data_sets/dataset.hpp"
 #include "sinew_formats/base/thread_pool.hpp"
@@ -40,19 +41,6 @@ void serialize(Archive& archive, Sample& s) {
 namespace {
 
 constexpr uint64_t kCacheVersion = 5;  // grows whenever the file's layout or, in its last bits, a feature changes
-constexpr char kMagic[8] = {'S', 'N', 'W', 'S', 'M', 'P', 'L', '1'};
-
-uint64_t hash_bytes(const uint8_t* data, size_t size, uint64_t seed) {
-  uint64_t hash = mix_seeds(seed, size);
-  for (size_t i = 0; i + 8 <= size; i += 8) {
-    uint64_t word;
-    std::memcpy(&word, data + i, 8);
-    hash = mix64(hash ^ word) + 0x9E3779B97F4A7C15ull;
-  }
-  uint64_t tail = 0;
-  if (size % 8 != 0) std::memcpy(&tail, data + size - size % 8, size % 8);
-  return mix64(hash ^ tail);
-}
 
 // What a request is made of. The files of a character are read in any case, since they are the key of the cache.
 struct SampleInputs {
@@ -97,35 +85,19 @@ SampleInputs gather(const SampleRequest& request) {
   return out;
 }
 
-// 128 bits of everything that the sample depends on.
-std::string cache_key(const std::vector<uint8_t>& content, const SampleRequest& request, const SampleSource& source) {
+uint64_t settings_of(const SampleRequest& request, const SampleSource& source) {
   uint64_t settings =
       mix_seeds(kCacheVersion, kFeatureSet | source.feature_flags, (uint64_t{kVertexFeatures} << 32) | kPairFeatures);
   settings = mix_seeds(settings, source.candidates, source.grid);
   if (source.vertex_limit != 0) settings = mix_seeds(settings, 0x6C696D6974, source.vertex_limit);
   if (request.variant != 0) settings = mix_seeds(settings, mix_seeds(kAugmentVersion, source.seed), request.variant);
-  return print("%016llx%016llx", static_cast<unsigned long long>(hash_bytes(content.data(), content.size(), settings)),
-               static_cast<unsigned long long>(hash_bytes(content.data(), content.size(), ~settings)));
-}
-
-// Magic, hash of the payload, payload. Nothing is parsed before the hash fits, so a damaged length cannot do harm.
-constexpr size_t kHeader = sizeof kMagic + sizeof(uint64_t);
-
-// Empty when the file is missing or damaged.
-std::vector<uint8_t> read_sound(const std::string& path) {
-  if (!std::filesystem::exists(path)) return {};
-  std::vector<uint8_t> bytes = read_file(path);
-  if (bytes.size() < kHeader || std::memcmp(bytes.data(), kMagic, sizeof kMagic) != 0) return {};
-  uint64_t expected;
-  std::memcpy(&expected, bytes.data() + sizeof kMagic, sizeof expected);
-  if (hash_bytes(bytes.data() + kHeader, bytes.size() - kHeader, kCacheVersion) != expected) return {};
-  return bytes;
+  return settings;
 }
 
 std::optional<Sample> read_cached(const std::string& path) {
-  const std::vector<uint8_t> bytes = read_sound(path);
-  if (bytes.empty()) return std::nullopt;
-  std::istringstream stream(std::string(bytes.begin() + kHeader, bytes.end()), std::ios::binary);
+  const std::optional<std::string> payload = read_cache_file(path, kCacheVersion);
+  if (!payload) return std::nullopt;
+  std::istringstream stream(*payload, std::ios::binary);
   Sample sample;
   cereal::BinaryInputArchive archive(stream);
   archive(sample);
@@ -135,13 +107,7 @@ std::optional<Sample> read_cached(const std::string& path) {
 void write_cached(const std::string& path, Sample& sample) {
   std::ostringstream stream(std::ios::binary);
   cereal::BinaryOutputArchive{stream}(sample);
-  const std::string payload = stream.str();
-  const uint64_t hash = hash_bytes(reinterpret_cast<const uint8_t*>(payload.data()), payload.size(), kCacheVersion);
-  std::vector<uint8_t> bytes(sizeof kMagic + sizeof hash + payload.size());
-  std::memcpy(bytes.data(), kMagic, sizeof kMagic);
-  std::memcpy(bytes.data() + sizeof kMagic, &hash, sizeof hash);
-  std::memcpy(bytes.data() + sizeof kMagic + sizeof hash, payload.data(), payload.size());
-  write_file(path, bytes);
+  write_cache_file(path, kCacheVersion, stream.str());
 }
 
 }  // namespace
@@ -150,7 +116,8 @@ namespace {
 
 std::string cache_path(const SampleInputs& from, const SampleRequest& request, const SampleSource& source) {
   return (std::filesystem::path(source.cache_dir) /
-          (from.stem + "-" + cache_key(from.content, request, source) + ".sample"))
+          (from.stem + "-" + cache_key(from.content.data(), from.content.size(), settings_of(request, source)) +
+           ".sample"))
       .string();
 }
 
@@ -229,7 +196,7 @@ size_t fill_cache(const std::vector<SampleRequest>& requests, const SampleSource
     try {
       SampleInputs from = gather(request);
       const std::string path = cache_path(from, request, source);
-      if (read_sound(path).empty()) {
+      if (!read_cache_file(path, kCacheVersion)) {
         make_cached(std::move(from), request, source, path);
         progress.made();
       }

@@ -6,14 +6,17 @@
 #include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "core/random.hpp"
+#include "data/cache_file.hpp"
 #include "data/front_sample.hpp"
 #include "data/hand_sample.hpp"
 #include "data/rig_sample.hpp"
+#include "data/rig_sample_cache.hpp"
 #include "data/slot_sample.hpp"
 #include "data/thing_sample.hpp"
 #include "run/rig_tasks.hpp"
@@ -21,7 +24,9 @@
 #include "run/training_run.hpp"
 #include "sinew_data_sets/synthesize.hpp"
 #include "sinew_formats/base/thread_pool.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/memory_files.hpp"
 #include "sinew_trainer/ranks.hpp"
 
 namespace sinew {
@@ -50,7 +55,9 @@ void visit_rig_settings(Config& c, Visitor&& visit) {
 
 constexpr uint32_t kLeastCells = 64, kMostCells = 104;  // of a shell: 5,000 to 60,000 faces
 
-using Samples = std::vector<std::unique_ptr<const NetworkSample>>;  // of one character
+constexpr uint64_t kSampleVersion = 1;  // grows whenever a sample of the same request changes
+
+using Samples = RigSamples;
 
 // The first is the character itself, then come the others.
 template <class Make>
@@ -157,31 +164,68 @@ std::vector<uint32_t> count_variants(const std::vector<Request>& requests, const
   return counts;
 }
 
+Samples samples_of(const Request& r, const RigTrainConfig& config, uint32_t variants, uint64_t seed) {
+  if (r.thing) return thing_samples_of(config, variants, seed);
+  Character character;
+  if (r.path.empty()) {
+    SynthesizeOptions options;
+    options.plan = r.plan;
+    options.seed = r.seed;
+    options.resolution = 32;
+    character = synthesize(options);
+  } else {
+    character = read_character(r.path);
+    character.name = r.name;
+  }
+  return samples_of(character, config, variants, seed);
+}
+
+// Where the samples of a request are kept: a name by all that they depend on.
+//   index  of the request, which its seed is made of
+std::string cached_at(const Request& r, const RigTrainConfig& config, uint32_t variants, size_t index,
+                      const std::string& folder) {
+  std::string content;
+  if (!r.path.empty()) {
+    for (const std::string& path : {r.path, rig_path_beside(r.path)}) {
+      if (!is_file(path)) continue;
+      const std::vector<uint8_t> bytes = read_file(path);
+      content.append(bytes.begin(), bytes.end());
+    }
+  }
+  RigTrainConfig relevant;  // what a run does with samples is nothing to them
+  relevant.architecture = config.architecture;
+  relevant.part = config.part;
+  relevant.seed = config.seed;
+  relevant.wide = config.wide;
+  relevant.grown = config.grown;
+  relevant.walls = config.walls;
+  relevant.specks = config.specks;
+  relevant.pictures = config.pictures;
+  content += rig_config_json(relevant) + r.name + body_plan_name(r.plan) + (r.thing ? "thing" : "");
+  const uint64_t settings = mix_seeds(mix_seeds(kSampleVersion, r.seed), index, variants);
+  const std::string stem = r.thing ? "thing" : r.path.empty() ? std::string(body_plan_name(r.plan)) : stem_of(r.path);
+  return (std::filesystem::path(folder) /
+          (stem + "-" + cache_key(reinterpret_cast<const uint8_t*>(content.data()), content.size(), settings) +
+           ".samples"))
+      .string();
+}
+
 // variants  [requests]
 std::vector<Samples> make_samples(const std::vector<Request>& requests, const RigTrainConfig& config,
-                                  const std::vector<uint32_t>& variants, uint32_t threads, bool quiet) {
+                                  const std::vector<uint32_t>& variants, const std::string& cache, uint32_t threads,
+                                  bool quiet) {
   std::vector<Samples> made(requests.size());
   std::atomic<size_t> done{0};
+  std::filesystem::create_directories(cache);
   parallel_for(requests.size(), threads, [&](size_t i, unsigned) {
-    const Request& r = requests[i];
     try {
-      if (r.thing) {
-        made[i] = thing_samples_of(config, variants[i], mix_seeds(config.seed, i));
-        ++done;
-        return;
-      }
-      Character character;
-      if (r.path.empty()) {
-        SynthesizeOptions options;
-        options.plan = r.plan;
-        options.seed = r.seed;
-        options.resolution = 32;
-        character = synthesize(options);
+      const std::string path = cached_at(requests[i], config, variants[i], i, cache);
+      if (std::optional<Samples> kept = read_rig_samples(path)) {
+        made[i] = std::move(*kept);
       } else {
-        character = read_character(r.path);
-        character.name = r.name;
+        made[i] = samples_of(requests[i], config, variants[i], mix_seeds(config.seed, i));
+        write_rig_samples(path, made[i]);
       }
-      made[i] = samples_of(character, config, variants[i], mix_seeds(config.seed, i));
     } catch (const Error& error) {
       if (!quiet && !is_hands(config)) std::fprintf(stderr, "left out: %s\n", error.what());  // most have no hands
     }
@@ -287,12 +331,13 @@ void train_rig(const RigTrainConfig& config, const TrainOptions& options) {
       requests.back().thing = true;
     }
     const bool quiet = checked.quiet || (checked.ranks != nullptr && checked.ranks->rank() > 0);
+    const std::string cache = checked.cache_dir.empty() ? checked.output + ".cache" : checked.cache_dir;
     const std::vector<Samples> characters =
-        make_samples(requests, config, count_variants(requests, config), checked.threads, quiet);
+        make_samples(requests, config, count_variants(requests, config), cache, checked.threads, quiet);
     std::vector<Samples> validation;
     if (!checked.val_dir.empty()) {
       const std::vector<Request> kept = character_requests(checked.val_dir, {});
-      validation = make_samples(kept, config, std::vector<uint32_t>(kept.size(), 0), checked.threads, quiet);
+      validation = make_samples(kept, config, std::vector<uint32_t>(kept.size(), 0), cache, checked.threads, quiet);
     }
     TrainingItems items;
     for (const Samples& samples : characters) {
