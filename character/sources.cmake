@@ -120,9 +120,9 @@ set(sinew_character_sources
   picture/joints_inside
   picture/outline_class
   picture/picture_frames
-  picture/picture_view
-  picture/plane_bones
-  picture/plane_motion
+  jobs/picture_view
+  jobs/plane_bones
+  jobs/plane_motion
   profile/control_text
   profile/controls
   profile/joint_axes
@@ -132,8 +132,6 @@ set(sinew_character_sources
 # Jobs as the command does them, the bundled models, and the C API over both; a page has models of its own.
 set(sinew_job_sources
   predict/own_skeleton
-  picture/picture_job
-  picture/sheet_skeleton
   capi/animate
   capi/arrays
   capi/bake
@@ -156,8 +154,10 @@ set(sinew_job_sources
   jobs/character_file
   jobs/check_job
   jobs/lod_job
+  jobs/picture_job
   jobs/pose_job
   jobs/rig_job
+  jobs/sheet_skeleton
   jobs/simplify_job
   jobs/transfer_job
   models/models)

@@ -9,7 +9,7 @@
 #include "options.hpp"
 #include "sinew/published.h"
 #include "sinew_character/draw/image.hpp"
-#include "sinew_character/picture/picture_job.hpp"
+#include "sinew_character/jobs/picture_job.hpp"
 #include "sinew_character/profile/controls.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"

@@ -13,7 +13,7 @@
 
 #include "sinew/deform.h"
 #include "sinew_character/bind/bind.hpp"
-#include "sinew_character/picture/picture_job.hpp"
+#include "sinew_character/jobs/picture_job.hpp"
 #include "sinew_character/picture/sprites.hpp"
 #include "sinew_character/profile/profile.hpp"
 #include "sinew_formats/io.hpp"

@@ -139,14 +139,14 @@ TEST_F(LoneHands, TheRigJobSaysThatItGuesses) {
   RigJobOptions job;
   job.bind = false;
   job.detail = SkeletonDetail::kHands;  // fingers are there already: nothing is said of lacking ones
-  const RiggedCharacter rigged = rig_character(mesh_of(hand(1)), job, models);
+  const RiggedCharacter rigged = rig_character(mesh_of(hand(-1)), job, models);
   EXPECT_EQ(fingers(rigged.skeleton).size(), 5u);
   ASSERT_EQ(rigged.character.notes.size(), 1u);
   EXPECT_NE(rigged.character.notes[0].find("hand without a body, and its side is a coin toss"), std::string::npos)
       << rigged.character.notes[0];
   job.method = RigMethod::kVotes;
   job.detail = SkeletonDetail::kBody;
-  EXPECT_TRUE(fingers(rig_character(mesh_of(hand(1)), job, models).skeleton).empty());
+  EXPECT_TRUE(fingers(rig_character(mesh_of(hand(-1)), job, models).skeleton).empty());
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include "handle.hpp"
 #include "sinew_character/check/check.hpp"
 #include "sinew_character/jobs/animate_job.hpp"
+#include "sinew_character/jobs/plane_motion.hpp"
 #include "sinew_character/motion/motion_file.hpp"
-#include "sinew_character/picture/plane_motion.hpp"
 
 namespace sinew {
 namespace {

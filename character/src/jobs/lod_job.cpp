@@ -10,6 +10,7 @@
 #include "check/rig_facts.hpp"
 #include "sinew_character/jobs/character_file.hpp"
 #include "sinew_character/jobs/simplify_job.hpp"
+#include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/lod_document.hpp"
@@ -24,15 +25,6 @@ constexpr double kMissed = 1.25,
                  kFewTriangles = 8;  // a level with more than so many times the wanted triangles and some is told
 
 using Triangles = std::vector<std::array<uint32_t, 3>>;
-
-Triangles triangles_of(const Character& character) {
-  Triangles out;
-  for (size_t f = 0; f < character.face_count(); ++f)
-    for (uint32_t c = character.face_offsets[f] + 2; c < character.face_offsets[f + 1]; ++c)
-      out.push_back({character.face_vertices[character.face_offsets[f]], character.face_vertices[c - 1],
-                     character.face_vertices[c]});
-  return out;
-}
 
 std::vector<Vec3> posed(const Character& character, const std::vector<Affine>& palette) {
   return morphed_pose(character, {}, {}, palette);
@@ -153,7 +145,7 @@ class LodBuilder {
     for (const Vec3& p : whole_.vertices) low = std::min(low, p.y), high = std::max(high, p.y);
     height_ = std::max(static_cast<double>(high) - static_cast<double>(low), 1e-9);
     for (const TestPose& pose : poses_) posed_.push_back(posed(whole_, pose.palette));
-    triangles_ = triangles_of(whole_).size();
+    triangles_ = fan_triangles(whole_).size();
   }
 
   LodLevel level(uint32_t number) const {
@@ -181,7 +173,7 @@ class LodBuilder {
 
  private:
   void measure(LodLevel* level) const {
-    const Triangles triangles = triangles_of(level->character);
+    const Triangles triangles = fan_triangles(level->character);
     level->triangles = triangles.size();
     const Distance rest = distance(whole_.vertices, level->character.vertices, triangles);
     level->rest_error = level->posed_error = rest.largest / height_;

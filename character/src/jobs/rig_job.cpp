@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "picture/sheet_skeleton.hpp"
+#include "jobs/sheet_skeleton.hpp"
 #include "predict/fit_details.hpp"
 #include "sinew/published.h"
 #include "sinew_character/check/check.hpp"

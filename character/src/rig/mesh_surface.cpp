@@ -71,6 +71,15 @@ std::vector<double> shares_of_vertices(const Character& c) {
 
 }  // namespace
 
+std::vector<std::array<uint32_t, 3>> fan_triangles(const Character& character) {
+  std::vector<std::array<uint32_t, 3>> out;
+  for (size_t f = 0; f < character.face_count(); ++f)
+    for (uint32_t c = character.face_offsets[f] + 2; c < character.face_offsets[f + 1]; ++c)
+      out.push_back({character.face_vertices[character.face_offsets[f]], character.face_vertices[c - 1],
+                     character.face_vertices[c]});
+  return out;
+}
+
 JointSurfaces joint_surfaces(const Character& c) {
   if (c.influences.empty()) return {};
   const std::vector<double> areas = shares_of_vertices(c);

@@ -8,8 +8,8 @@
 
 #include "rig_json.hpp"
 #include "sinew_character/jobs/bind_job.hpp"
+#include "sinew_character/jobs/plane_motion.hpp"
 #include "sinew_character/jobs/rig_job.hpp"
-#include "sinew_character/picture/plane_motion.hpp"
 #include "sinew_character/pose/character_transform.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"

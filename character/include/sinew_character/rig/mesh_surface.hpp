@@ -4,6 +4,7 @@
 #define SINEW_CHARACTER_RIG_MESH_SURFACE_HPP
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -54,6 +55,9 @@ struct MeshPart {
 // Without the vertices of some faces.
 //   left_out  [V] 1 for those
 MeshPart part_without(const Character& whole, const std::vector<uint8_t>& left_out);
+
+// Faces cut into triangles from their first corners: numbers of vertices.
+std::vector<std::array<uint32_t, 3>> fan_triangles(const Character& character);
 
 // The surface that moves with each joint: how much of it, and where its middle is.
 struct JointSurfaces {

@@ -142,7 +142,8 @@ std::vector<std::map<std::string, Point3>> by_name(const std::string& clip, cons
       if (channel.target_path != "rotation") continue;
       const std::vector<float> values =
           accessor_floats(clip, from.model, animation.samplers[static_cast<size_t>(channel.sampler)].output, 4);
-      const size_t at = values.size() == 4 ? 0 : 4 * f;
+      const size_t at =
+          values.size() < size_t{4} * 20 ? 0 : 4 * f;  // a joint that stands still has its first and last key
       keys[from.model.nodes[static_cast<size_t>(channel.target_node)].name] = {
           static_cast<double>(values.at(at)), static_cast<double>(values.at(at + 1)),
           static_cast<double>(values.at(at + 2)), static_cast<double>(values.at(at + 3))};

@@ -36,8 +36,8 @@ TEST(Ordering, IsAPermutationAndKeepsFillSmall) {
   matrix.ordering = &ordering;
   matrix.rows = run.mesh.welded_count;
   ASSERT_TRUE(factor.analyse(matrix));
-  // Minimum degree: 21 per vertex; by number: 45.
-  EXPECT_LT(factor.column_start[run.mesh.welded_count], 26u * run.mesh.welded_count);
+  // Minimum degree: 21 per vertex; dissection 26, a little more or less by which vertices its medians are of; by number: 45.
+  EXPECT_LT(factor.column_start[run.mesh.welded_count], 27u * run.mesh.welded_count);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sinew/rig.h"
-#include "sinew_character/picture/plane_motion.hpp"
+#include "sinew_character/jobs/plane_motion.hpp"
 
 namespace sinew {
 namespace {

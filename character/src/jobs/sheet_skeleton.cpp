@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // A sheet is drawn, its drawing is rigged, and the joints come back to the sheet.
-#include "picture/sheet_skeleton.hpp"
+#include "jobs/sheet_skeleton.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "sinew_character/jobs/picture_view.hpp"
 #include "sinew_character/picture/mesh_drawing.hpp"
-#include "sinew_character/picture/picture_view.hpp"
+#include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/base/box.hpp"
 
 namespace sinew {
@@ -45,21 +46,13 @@ std::optional<SheetAxes> axes_of(const Character& mesh, const PredictedSkeleton&
   return axes;
 }
 
-std::vector<std::array<uint32_t, 3>> triangles_of(const Character& mesh) {
-  std::vector<std::array<uint32_t, 3>> triangles;
-  for (size_t f = 0; f + 1 < mesh.face_offsets.size(); ++f)
-    for (uint32_t c = mesh.face_offsets[f] + 2; c < mesh.face_offsets[f + 1]; ++c)
-      triangles.push_back({mesh.face_vertices[mesh.face_offsets[f]], mesh.face_vertices[c - 1], mesh.face_vertices[c]});
-  return triangles;
-}
-
 }  // namespace
 
 std::optional<PredictedSkeleton> sheet_skeleton(const RigJobOptions& job, const RigModels& models,
                                                 const PredictedSkeleton& votes, Character* character) {
   const bool front_given = job.front != SINEW_FRONT_AUTO;
   const std::optional<SheetAxes> axes = axes_of(*character, votes, front_given);
-  const std::vector<std::array<uint32_t, 3>> triangles = triangles_of(*character);
+  const std::vector<std::array<uint32_t, 3>> triangles = fan_triangles(*character);
   if (!axes || triangles.empty()) return std::nullopt;
   std::vector<Point3> vertices;
   for (const Vec3& v : character->vertices) vertices.push_back(axes->to(v));

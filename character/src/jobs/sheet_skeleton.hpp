@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The skeleton of a flat mesh that stands: paper figures, puppets cut from cloth. Networks know round bodies alone.
-#ifndef SINEW_CHARACTER_PICTURE_SHEET_SKELETON_HPP
-#define SINEW_CHARACTER_PICTURE_SHEET_SKELETON_HPP
+#ifndef SINEW_CHARACTER_JOBS_SHEET_SKELETON_HPP
+#define SINEW_CHARACTER_JOBS_SHEET_SKELETON_HPP
 
 #include <optional>
 

@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
+#include "sinew_character/jobs/picture_view.hpp"
 #include "sinew_character/picture/figure.hpp"
 #include "sinew_character/picture/picture_mesh.hpp"
-#include "sinew_character/picture/picture_view.hpp"
 
 namespace sinew {
 

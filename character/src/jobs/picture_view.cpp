@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From where a picture shows its character, by the skeletons that votes find.
-#include "sinew_character/picture/picture_view.hpp"
+#include "sinew_character/jobs/picture_view.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A picture becomes a character: outline, mesh, skeleton, weights.
-#include "sinew_character/picture/picture_job.hpp"
+#include "sinew_character/jobs/picture_job.hpp"
 
 #include <memory>
 #include <utility>

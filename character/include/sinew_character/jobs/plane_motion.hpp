@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "sinew_character/jobs/animate_job.hpp"
+#include "sinew_character/jobs/picture_job.hpp"
+#include "sinew_character/jobs/picture_view.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"
-#include "sinew_character/picture/picture_job.hpp"
-#include "sinew_character/picture/picture_view.hpp"
 #include "sinew_character/predict/fit_skeleton.hpp"
 #include "sinew_formats/motion.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pairs of joints by what they are, and a clip played in the picture's plane.
-#include "sinew_character/picture/plane_motion.hpp"
+#include "sinew_character/jobs/plane_motion.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Joints are paired by what they are, whatever they hang on.
-#include "sinew_character/picture/plane_motion.hpp"
+#include "sinew_character/jobs/plane_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "sinew/rig.h"
-#include "sinew_character/picture/picture_view.hpp"
+#include "sinew_character/jobs/picture_view.hpp"
 
 namespace sinew {
 namespace {
