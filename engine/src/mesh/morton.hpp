@@ -37,17 +37,19 @@ inline uint32_t gather_bits(uint64_t key) {
   v = (v | (v >> 32)) & 0x00000000001FFFFFull;
   return static_cast<uint32_t>(v);
 }
-// Mesh coordinates are x, z in [-2^19, 2^19] and y in [0, 2^20]; the shift makes x and z non-negative. A third of the side more
+// Mesh coordinates are x, z in [-2^19, 2^19] and y in [0, 2^20]; the shift makes all of them non-negative. A third of the side more
 // keeps the planes in the middle of a mesh away from the borders of all cells of the order, so that vertices on them keep their places
 // when the mesh is turned and comes back a grid step off.
 constexpr int32_t kMortonShift = kSide / 2 + kSide / 3;
 
 inline uint64_t morton_key(Vec3i p) {
-  return spread_bits(static_cast<uint32_t>(p.x + kMortonShift)) | (spread_bits(static_cast<uint32_t>(p.y)) << 1) |
+  return spread_bits(static_cast<uint32_t>(p.x + kMortonShift)) |
+         (spread_bits(static_cast<uint32_t>(p.y + kMortonShift)) << 1) |
          (spread_bits(static_cast<uint32_t>(p.z + kMortonShift)) << 2);
 }
 inline Vec3i position_of_key(uint64_t key) {
-  return {static_cast<int32_t>(gather_bits(key)) - kMortonShift, static_cast<int32_t>(gather_bits(key >> 1)),
+  return {static_cast<int32_t>(gather_bits(key)) - kMortonShift,
+          static_cast<int32_t>(gather_bits(key >> 1)) - kMortonShift,
           static_cast<int32_t>(gather_bits(key >> 2)) - kMortonShift};
 }
 
