@@ -11,6 +11,7 @@
 #include "predict/mirror_plane.hpp"
 #include "sinew_character/rig/joint_mirror.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
+#include "sinew_formats/base/lower_case.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
 
@@ -51,12 +52,6 @@ Vec3 parse_position(EditKind kind, const std::string& text, std::string_view pos
     position.remove_prefix(comma == std::string_view::npos ? position.size() : comma + 1);
   }
   return {numbers[0], numbers[1], numbers[2]};
-}
-
-std::string lower_case(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
 }
 
 // Letters to insert, delete or replace (Levenshtein).

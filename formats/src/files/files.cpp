@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "sinew_formats/base/lower_case.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
@@ -100,16 +101,10 @@ void write_bytes(const std::string& path, const void* bytes, size_t size) {
   PendingFile(path, bytes, size).replace();
 }
 
-std::string lower(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
 }  // namespace
 
 bool has_extension(const std::string& path, const char* extension) {
-  const std::string text = lower(path), end = extension;
+  const std::string text = lower_case(path), end = extension;
   return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 

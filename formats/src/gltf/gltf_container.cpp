@@ -2,6 +2,7 @@
 // GLB and .gltf taken apart and put together; accessors added to a document.
 #include "gltf/gltf_container.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <filesystem>
@@ -121,6 +122,29 @@ int add_accessor(GltfSource* source, const void* values, size_t size_bytes, cons
   document["accessors"].push_back(std::move(accessor));
   if (!document.contains("buffers")) document["buffers"] = Json::array({Json::object()});
   return static_cast<int>(document["accessors"].size()) - 1;
+}
+
+int add_vectors(GltfSource* source, const std::vector<float>& values, size_t width, bool with_bounds) {
+  constexpr const char* kTypes[] = {"VEC2", "VEC3", "VEC4"};
+  const int accessor = add_accessor(source, values.data(), values.size() * sizeof(float), kTypes[width - 2],
+                                    TINYGLTF_COMPONENT_TYPE_FLOAT, values.size() / width, true, false);
+  if (!with_bounds) return accessor;
+  std::vector<float> low(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(width)), high = low;
+  for (size_t i = 0; i < values.size(); ++i) {
+    low[i % width] = std::min(low[i % width], values[i]);
+    high[i % width] = std::max(high[i % width], values[i]);
+  }
+  source->document["accessors"].back()["min"] = low;
+  source->document["accessors"].back()["max"] = high;
+  return accessor;
+}
+
+int add_key_times(GltfSource* source, const std::vector<float>& times) {
+  const int accessor = add_accessor(source, times.data(), times.size() * sizeof(float), "SCALAR",
+                                    TINYGLTF_COMPONENT_TYPE_FLOAT, times.size(), false, false);
+  source->document["accessors"].back()["min"] = {times.front()};
+  source->document["accessors"].back()["max"] = {times.back()};
+  return accessor;
 }
 
 }  // namespace sinew

@@ -142,11 +142,9 @@ class MotionWriter {
     const size_t count = constant ? std::min<size_t>(2, values.size()) : values.size();
     int& input = constant ? end_times_ : all_times_;
     if (input < 0) {
-      const std::vector<float> ends = {times.front(), times.back()};
-      input = add_accessor(&source_, constant ? ends.data() : times.data(), count * sizeof(float), "SCALAR",
-                           TINYGLTF_COMPONENT_TYPE_FLOAT, count, false, false);
-      document_["accessors"][static_cast<size_t>(input)]["min"] = {times.front()};
-      document_["accessors"][static_cast<size_t>(input)]["max"] = {times.back()};
+      std::vector<float> own = times;
+      if (constant && count == 2) own = {times.front(), times.back()};
+      input = add_key_times(&source_, own);
     }
     const std::vector<std::array<float, N>> kept(count, values.front());
     const int output = add_accessor(&source_, constant ? kept.data() : values.data(), count * N * sizeof(float), type,

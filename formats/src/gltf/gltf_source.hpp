@@ -72,6 +72,10 @@ GltfSource gltf_from_mesh(const std::string& path, const Character& character);
 // Appends bytes as a buffer view and an accessor on it; returns the accessor's number.
 int add_accessor(GltfSource* source, const void* values, size_t size_bytes, const char* type, int component_type,
                  size_t count, bool vertex_attribute, bool normalized);
+// Appends a vertex attribute of floats, `width` of 2 to 4 of them a vertex. With bounds, which positions need, least and greatest of each.
+int add_vectors(GltfSource* source, const std::vector<float>& values, size_t width, bool with_bounds);
+// Appends the times of keys, at least one, rising.
+int add_key_times(GltfSource* source, const std::vector<float>& times);
 // Removes the accessors of `candidates` and their buffer views and bytes where nothing else refers to them.
 void drop_unused_accessors(std::vector<int> candidates, GltfSource* source);
 // Removes one buffer view, not its bytes; false where something refers to it, or an extension may.

@@ -225,27 +225,14 @@ class IqmConverter {
 
   Json attributes_of(size_t first, size_t count) {
     Json attributes;
-    const auto add = [&](const char* name, const std::vector<float>& values, size_t width, const char* type) {
-      if (values.empty()) return;
-      const int accessor = add_accessor(&source_, values.data(), values.size() * 4, type, TINYGLTF_COMPONENT_TYPE_FLOAT,
-                                        values.size() / width, true, false);
-      attributes[name] = accessor;
+    const auto add = [&](const char* name, const std::vector<float>& values, size_t width) {
+      if (!values.empty()) attributes[name] = add_vectors(&source_, values, width, false);
     };
     const std::vector<float> positions = vertex_array(kPosition, 3, first, count);
     if (positions.empty()) fail("positions of vertices", "none");
-    add("POSITION", positions, 3, "VEC3");
-    Json& bounds = document()["accessors"].back();
-    for (size_t i = 0; i < 3; ++i) {
-      float low = positions[i], high = positions[i];
-      for (size_t v = i; v < positions.size(); v += 3) {
-        low = std::min(low, positions[v]);
-        high = std::max(high, positions[v]);
-      }
-      bounds["min"].push_back(low);
-      bounds["max"].push_back(high);
-    }
-    add("NORMAL", vertex_array(kNormal, 3, first, count), 3, "VEC3");
-    add("TEXCOORD_0", vertex_array(kTexcoord, 2, first, count), 2, "VEC2");
+    attributes["POSITION"] = add_vectors(&source_, positions, 3, true);
+    add("NORMAL", vertex_array(kNormal, 3, first, count), 3);
+    add("TEXCOORD_0", vertex_array(kTexcoord, 2, first, count), 2);
     const std::vector<float> weights = vertex_array(kBlendWeights, 4, first, count);
     std::vector<uint16_t> joints;
     for (const float joint : vertex_array(kBlendIndices, 4, first, count)) {
@@ -254,7 +241,7 @@ class IqmConverter {
       joints.push_back(static_cast<uint16_t>(joint));
     }
     if (rests_.empty() || weights.empty() || joints.empty()) return attributes;
-    add("WEIGHTS_0", weights, 4, "VEC4");
+    add("WEIGHTS_0", weights, 4);
     attributes["JOINTS_0"] = add_accessor(&source_, joints.data(), joints.size() * 2, "VEC4",
                                           TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, count, true, false);
     return attributes;
@@ -296,10 +283,7 @@ class IqmConverter {
       times.push_back(static_cast<float>(static_cast<double>(f) / fps));
       poses.push_back(pose_at(first + f));
     }
-    const int input = add_accessor(&source_, times.data(), times.size() * 4, "SCALAR", TINYGLTF_COMPONENT_TYPE_FLOAT,
-                                   times.size(), false, false);
-    document()["accessors"].back()["min"] = {times.front()};
-    document()["accessors"].back()["max"] = {times.back()};
+    const int input = add_key_times(&source_, times);
     Json animation = {{"name", name}, {"channels", Json::array()}, {"samplers", Json::array()}};
     struct Part {
       const char *path, *type;

@@ -52,7 +52,7 @@ void MorphAnimations::add_channel(const MorphClip& clip, size_t node, const std:
   (*animation)["channels"].push_back(
       {{"sampler", (*animation)["samplers"].size()}, {"target", {{"node", node}, {"path", "weights"}}}});
   (*animation)["samplers"].push_back(
-      {{"input", add_times(times)}, {"interpolation", "LINEAR"}, {"output", add_scalars(values)}});
+      {{"input", add_key_times(&source_, times)}, {"interpolation", "LINEAR"}, {"output", add_scalars(values)}});
 }
 
 // An animation that moves targets which the mesh had before: its keys get values for the new ones, and where they are joined
@@ -91,7 +91,7 @@ void MorphAnimations::extend_channel(const MorphClip* clip, const std::vector<si
     }
   }
   Json extended = sampler;
-  if (times.size() != own_times.size()) extended["input"] = add_times(times);
+  if (times.size() != own_times.size()) extended["input"] = add_key_times(&source_, times);
   extended["output"] = add_scalars(values);
   const Json shared = (*channel)["sampler"];
   size_t users = 0;
@@ -106,12 +106,6 @@ void MorphAnimations::extend_channel(const MorphClip* clip, const std::vector<si
   orphans_.push_back(sampler.at("output").get<int>());
 }
 
-int MorphAnimations::add_times(const std::vector<float>& times) {
-  const int input = add_scalars(times);
-  document_["accessors"][static_cast<size_t>(input)]["min"] = {times.front()};
-  document_["accessors"][static_cast<size_t>(input)]["max"] = {times.back()};
-  return input;
-}
 int MorphAnimations::add_scalars(const std::vector<float>& values) {
   return add_accessor(&source_, values.data(), values.size() * sizeof(float), "SCALAR", TINYGLTF_COMPONENT_TYPE_FLOAT,
                       values.size(), false, false);

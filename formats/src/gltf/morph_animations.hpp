@@ -34,7 +34,6 @@ class MorphAnimations {
                    Json* animation);
   void extend_channel(const MorphClip* clip, const std::vector<size_t>& shapes, size_t before, size_t number,
                       Json* animation, Json* channel);
-  int add_times(const std::vector<float>& times);
   int add_scalars(const std::vector<float>& values);
 
   const std::string& path_;

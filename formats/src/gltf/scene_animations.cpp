@@ -157,10 +157,7 @@ class AnimationConverter {
     if (keys.times.empty() || !moved_.emplace(node, what).second) return;
     keys.thin_out();
     const size_t left = keys.times.size();
-    const int input = add_accessor(&source_, keys.times.data(), left * sizeof(float), "SCALAR",
-                                   TINYGLTF_COMPONENT_TYPE_FLOAT, left, false, false);
-    source_.document["accessors"][static_cast<size_t>(input)]["min"] = {keys.times.front()};
-    source_.document["accessors"][static_cast<size_t>(input)]["max"] = {keys.times.back()};
+    const int input = add_key_times(&source_, keys.times);
     const int output = add_accessor(&source_, keys.values.data(), left * N * sizeof(float), type,
                                     TINYGLTF_COMPONENT_TYPE_FLOAT, left, false, false);
     animation_["channels"].push_back(

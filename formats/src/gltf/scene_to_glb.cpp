@@ -236,24 +236,6 @@ class SceneConverter {
     return joined;
   }
 
-  int add_vectors(const std::vector<float>& values, int width, bool with_bounds) {
-    const size_t w = static_cast<size_t>(width);
-    const int accessor = add_accessor(&source_, values.data(), values.size() * 4,
-                                      width == 2   ? "VEC2"
-                                      : width == 3 ? "VEC3"
-                                                   : "VEC4",
-                                      TINYGLTF_COMPONENT_TYPE_FLOAT, values.size() / w, true, false);
-    if (!with_bounds) return accessor;
-    std::vector<float> low(values.begin(), values.begin() + width), high = low;
-    for (size_t i = 0; i < values.size(); ++i) {
-      low[i % w] = std::min(low[i % w], values[i]);
-      high[i % w] = std::max(high[i % w], values[i]);
-    }
-    document()["accessors"].back()["min"] = low;
-    document()["accessors"].back()["max"] = high;
-    return accessor;
-  }
-
   Json primitive_of(unsigned mesh_index) {
     const auto known = primitives_.find(mesh_index);
     if (known != primitives_.end()) return known->second;
@@ -286,10 +268,10 @@ class SceneConverter {
           colours.push_back(std::clamp(number(channel), 0.0f, 1.0f));
       }
     }
-    attributes["POSITION"] = add_vectors(positions, 3, true);
-    if (!normals.empty()) attributes["NORMAL"] = add_vectors(normals, 3, false);
-    if (!uvs.empty()) attributes["TEXCOORD_0"] = add_vectors(uvs, 2, false);
-    if (!colours.empty()) attributes["COLOR_0"] = add_vectors(colours, 4, false);
+    attributes["POSITION"] = add_vectors(&source_, positions, 3, true);
+    if (!normals.empty()) attributes["NORMAL"] = add_vectors(&source_, normals, 3, false);
+    if (!uvs.empty()) attributes["TEXCOORD_0"] = add_vectors(&source_, uvs, 2, false);
+    if (!colours.empty()) attributes["COLOR_0"] = add_vectors(&source_, colours, 4, false);
     add_weights(joined, rows, &attributes);
     primitive = {{"attributes", attributes}};
     primitive["indices"] = add_accessor(&source_, joined.indices.data(), joined.indices.size() * 4, "SCALAR",
@@ -303,7 +285,7 @@ class SceneConverter {
         const aiVector3D d = target.HasPositions() ? target.mVertices[v] - mesh.mVertices[v] : aiVector3D();
         for (const float value : {d.x, d.y, d.z}) differences.push_back(std::isfinite(value) ? value : 0.0f);
       }
-      primitive["targets"].push_back({{"POSITION", add_vectors(differences, 3, true)}});
+      primitive["targets"].push_back({{"POSITION", add_vectors(&source_, differences, 3, true)}});
     }
     return primitive;
   }
@@ -323,7 +305,7 @@ class SceneConverter {
       (*attributes)["JOINTS_" + std::to_string(set)] =
           add_accessor(&source_, joints.data(), joints.size() * 2, "VEC4", TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
                        joints.size() / 4, true, false);
-      (*attributes)["WEIGHTS_" + std::to_string(set)] = add_vectors(weights, 4, false);
+      (*attributes)["WEIGHTS_" + std::to_string(set)] = add_vectors(&source_, weights, 4, false);
     }
   }
 

@@ -6,7 +6,9 @@
 #include <map>
 #include <numbers>
 
+#include "motion/person.hpp"
 #include "sinew_formats/base/affine.hpp"
+#include "sinew_formats/base/lower_case.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
@@ -31,13 +33,6 @@ struct AcclaimBone {
   int parent = -1;
 };
 
-std::string in_small_letters(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return out;
-}
-
 // Turns about the axes that the letters of `order` name, the first letter first.
 Quaternion rotation_in_order(const std::string& order, const Point3& radians) {
   Quaternion out = kNoRotation4;
@@ -52,7 +47,7 @@ Quaternion rotation_in_order(const std::string& order, const Point3& radians) {
 // Lines of a file in which '#' begins a comment, with the errors of both files.
 class AcclaimLines {
  public:
-  AcclaimLines(const std::string& path, std::string_view text) : path_(path), lines_(path, text) {}
+  AcclaimLines(const std::string& path, std::string_view text) : lines_(path, text) {}
 
   // The next line with words; false at the end.
   bool next() {
@@ -73,7 +68,6 @@ class AcclaimLines {
   [[noreturn]] void fail(const std::string& expected, const std::string& found) const { lines_.fail(expected, found); }
 
  private:
-  std::string path_;
   TextLines lines_;
 };
 
@@ -90,7 +84,7 @@ class AsfReader {
     skeleton_.bones.push_back({"root", {}, 0, kNoRotation4, {}, -1});
     std::string section;
     while (lines_.next()) {
-      const std::string word = in_small_letters(lines_.word(0));
+      const std::string word = lower_case(lines_.word(0));
       if (word[0] == ':')
         section = word;
       else if (section == ":units")
@@ -114,14 +108,14 @@ class AsfReader {
       if (!(length > 0)) lines_.fail("a length above 0", lines_.word(1));
       skeleton_.to_metres = kInch / length;
     }
-    if (word == "angle" && in_small_letters(lines_.word(1)).rfind("rad", 0) == 0) skeleton_.to_radians = 1;
+    if (word == "angle" && lower_case(lines_.word(1)).rfind("rad", 0) == 0) skeleton_.to_radians = 1;
   }
 
   void read_root(const std::string& word) {
     AcclaimBone& root = skeleton_.bones[0];
     if (word == "order")
-      for (size_t i = 1; i < lines_.count(); ++i) root.channels.push_back(in_small_letters(lines_.word(i)));
-    if (word == "axis") root_order_ = in_small_letters(lines_.word(1));
+      for (size_t i = 1; i < lines_.count(); ++i) root.channels.push_back(lower_case(lines_.word(i)));
+    if (word == "axis") root_order_ = lower_case(lines_.word(1));
     if (word == "orientation")
       root.axes = rotation_in_order(root_order_, skeleton_.to_radians * lines_.point(1, "an angle"));
   }
@@ -135,10 +129,10 @@ class AsfReader {
     if (word == "direction") bone.direction = unit(lines_.point(1, "a direction"));
     if (word == "length") bone.length = lines_.number(1, "a length");
     if (word == "axis")
-      bone.axes = rotation_in_order(lines_.count() > 4 ? in_small_letters(lines_.word(4)) : "xyz",
+      bone.axes = rotation_in_order(lines_.count() > 4 ? lower_case(lines_.word(4)) : "xyz",
                                     skeleton_.to_radians * lines_.point(1, "an angle"));
     if (word == "dof")
-      for (size_t i = 1; i < lines_.count(); ++i) bone.channels.push_back(in_small_letters(lines_.word(i)));
+      for (size_t i = 1; i < lines_.count(); ++i) bone.channels.push_back(lower_case(lines_.word(i)));
   }
 
   // A parent, then its children.
@@ -192,7 +186,7 @@ class AmcReader {
     add_joints();
     Clip clip = {motion_.name, 1 / kAcclaimFps, {}};
     while (lines_.next()) {
-      const std::string word = in_small_letters(lines_.word(0));
+      const std::string word = lower_case(lines_.word(0));
       if (word == ":radians") to_radians_ = 1;
       if (word == ":degrees") to_radians_ = std::numbers::pi / 180;
       if (word[0] == ':') continue;
@@ -228,9 +222,7 @@ class AmcReader {
       if (has_child[b] == 0)
         motion_.joints.push_back(
             {skeleton_.bones[b].name + "_end", static_cast<int>(b), tip(skeleton_.bones[b]), true});
-    double low = 0;
-    for (const Joint& joint : rest_joints(motion_)) low = std::min(low, double{joint.position.y});
-    motion_.joints[0].offset = {0, -low, 0};
+    motion_.joints[0].offset = {0, -lowest_at_rest(motion_), 0};
   }
 
   MotionFrame begin_frame() {

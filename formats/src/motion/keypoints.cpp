@@ -169,9 +169,7 @@ class KeypointsSolver {
   void take_rest() {
     MotionJoint& hips = motion_.joints[static_cast<size_t>(index("hips"))];
     hips.offset = {};
-    double low = 0;
-    for (const Joint& joint : rest_joints(motion_)) low = std::min(low, double{joint.position.y});
-    hips.offset[1] = -low;
+    hips.offset[1] = -lowest_at_rest(motion_);
     rest_.clear();
     for (const Joint& joint : rest_joints(motion_)) rest_.push_back(point(joint.position));
   }

@@ -110,6 +110,12 @@ std::vector<MotionJoint> person_joints(const std::vector<std::string>& names) {
   return joints;
 }
 
+double lowest_at_rest(const Motion& motion) {
+  double low = 0;
+  for (const Joint& joint : rest_joints(motion)) low = std::min(low, double{joint.position.y});
+  return low;
+}
+
 Quaternion turn_to_y_up(const Point3& up) {
   const auto [axis, sign] = nearest_axis(up);
   Point3 from{};

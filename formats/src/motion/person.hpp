@@ -21,6 +21,9 @@ std::string other_side_of_person(const std::string& name);
 // -1 for none.
 int joint_named(const std::vector<MotionJoint>& joints, const std::string& name);
 
+// Height of the lowest joint at rest, 0 where none lies below the origin.
+double lowest_at_rest(const Motion& motion);
+
 // What makes y up of a world in which `up` is up, by quarter turns: the axis that is nearest to it.
 Quaternion turn_to_y_up(const Point3& up);
 // "y", "-z" of the nearest axis, for the user.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "motion/named_skeletons.hpp"
+#include "motion/person.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/print.hpp"
 #include "text/text_lines.hpp"
@@ -33,7 +34,7 @@ class PosedSkeleton {
       const Point3 offset = parents_[j] < 0 ? Point3{} : carry(static_cast<size_t>(parents_[j]), j).offset;
       motion.joints.push_back({name, parents_[j], offset, end});
     }
-    put_on_floor(&motion);
+    motion.joints[0].offset = {0, -lowest_at_rest(motion), 0};  // the lowest joint is on the floor
     Clip clip;
     for (size_t f = 0; f < joints_.positions.size(); ++f) clip.frames.push_back(frame_at(motion, f));
     motion.clips.push_back(std::move(clip));
@@ -108,13 +109,6 @@ class PosedSkeleton {
       best = p;
     }
     return best;
-  }
-
-  // The root at rest stands so high that the lowest joint is on the floor.
-  static void put_on_floor(Motion* motion) {
-    double low = 0;
-    for (const Joint& joint : rest_joints(*motion)) low = std::min(low, double{joint.position.y});
-    motion->joints[0].offset = {0, -low, 0};
   }
 
   MotionFrame frame_at(const Motion& motion, size_t f) const {

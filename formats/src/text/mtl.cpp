@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "files/picture_files.hpp"
+#include "sinew_formats/base/lower_case.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/memory_files.hpp"
 #include "text/text_lines.hpp"
@@ -18,13 +19,6 @@ namespace fs = std::filesystem;
 
 namespace sinew {
 namespace {
-
-std::string lower(std::string_view word) {
-  std::string out(word);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return out;
-}
 
 // The line from word `first` on, blanks inside kept.
 std::string rest_from(const TextLines& lines, size_t first) {
@@ -40,7 +34,7 @@ std::string picture_name(const TextLines& lines) {
   const auto& words = lines.words();
   size_t at = 1;
   while (at < words.size() && words[at].size() > 1 && words[at][0] == '-') {
-    const std::string option = lower(words[at++]);
+    const std::string option = lower_case(words[at++]);
     const size_t most = option == "-o" || option == "-s" || option == "-t" ? 3 : option == "-mm" ? 2 : 1;
     const bool word_follows = option == "-imfchan" || option == "-type" || option == "-clamp" ||
                               option.rfind("-blend", 0) == 0 || option == "-cc";
@@ -67,7 +61,7 @@ class MtlReader {
 
  private:
   void read_statement(const TextLines& lines) {
-    const std::string keyword = lower(lines.words()[0]);
+    const std::string keyword = lower_case(lines.words()[0]);
     if (keyword == "newmtl") {
       const auto at = numbers_.find(rest_from(lines, 1));
       material_ = at == numbers_.end() ? nullptr : &character_.materials[at->second];  // the OBJ does not use it
