@@ -59,12 +59,9 @@ bool put_lone_hand(const RigModels& models, const SkeletonOptions& options, Char
                    PredictedSkeleton* skeleton) {
   std::optional<LoneHand> hand = find_lone_hand(*character, *models.hands, options);
   if (!hand) return false;
-  hand->skeleton.up_axis = skeleton->up_axis;
-  hand->skeleton.up_confidence = skeleton->up_confidence;
+  take_the_place_of(*skeleton, &hand->skeleton);
   hand->skeleton.front = skeleton->front;
   hand->skeleton.spread = skeleton->spread;
-  hand->skeleton.seconds += skeleton->seconds;
-  hand->skeleton.workspace_bytes = std::max(hand->skeleton.workspace_bytes, skeleton->workspace_bytes);
   *skeleton = std::move(hand->skeleton);
   character->notes.push_back(
       std::string("warning: this mesh is taken for a ") + (hand->right ? "right" : "left") + " hand without a body" +
@@ -135,12 +132,10 @@ PredictedSkeleton root_alone(const Character& mesh, const PredictedSkeleton& vot
   root.joint_of.assign(mesh.vertices.size(), 0);
   root.front = votes.front;
   PredictedSkeleton made = skeleton_of_parts(std::move(root), votes.up_axis);
-  made.up_confidence = votes.up_confidence;
+  take_the_place_of(votes, &made);
   made.front_confidence = votes.front_confidence;
   made.spread = votes.spread;
   made.usable = votes.usable;
-  made.seconds = votes.seconds;
-  made.workspace_bytes = votes.workspace_bytes;
   return made;
 }
 
@@ -153,10 +148,8 @@ bool take_parts(const RigJobOptions& job, Character* character, PredictedSkeleto
   if (!parts) return false;
   const bool front_seen = parts->front_seen;
   PredictedSkeleton made = skeleton_of_parts(std::move(*parts), skeleton->up_axis);
-  made.up_confidence = skeleton->up_confidence;
+  take_the_place_of(*skeleton, &made);
   made.front_confidence = front_seen ? kCoinToss : skeleton->front_confidence;
-  made.seconds = skeleton->seconds;
-  made.workspace_bytes = skeleton->workspace_bytes;
   *skeleton = std::move(made);
   const auto moving = std::count(skeleton->ends.begin(), skeleton->ends.end(), uint8_t{0});
   character->notes.push_back(

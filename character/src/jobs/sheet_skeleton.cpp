@@ -2,8 +2,6 @@
 // A sheet is drawn, its drawing is rigged, and the joints come back to the sheet.
 #include "jobs/sheet_skeleton.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -70,13 +68,10 @@ std::optional<PredictedSkeleton> sheet_skeleton(const RigJobOptions& job, const 
                        : seen.view == PictureView::kFacesRight ? axes->right
                                                                : -1.0 * axes->right;
   made.front = {static_cast<float>(front[0]), static_cast<float>(front[1]), static_cast<float>(front[2])};
-  made.up_axis = votes.up_axis;
-  made.up_confidence = votes.up_confidence;
+  take_the_place_of(votes, &made);
   made.front_confidence = front_given ? 1.0f : 0.5f;
   // The plane's axis counts towards positive x, or y.
   if (axes->right[0] + axes->right[1] + axes->right[2] < 0) made.plane = -made.plane;
-  made.seconds += votes.seconds;
-  made.workspace_bytes = std::max(made.workspace_bytes, votes.workspace_bytes);
   return made;
 }
 

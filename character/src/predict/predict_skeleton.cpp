@@ -71,6 +71,13 @@ PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOpt
   return result;
 }
 
+void take_the_place_of(const PredictedSkeleton& other, PredictedSkeleton* skeleton) {
+  skeleton->up_axis = other.up_axis;
+  skeleton->up_confidence = other.up_confidence;
+  skeleton->seconds += other.seconds;
+  skeleton->workspace_bytes = std::max(skeleton->workspace_bytes, other.workspace_bytes);
+}
+
 float usable_probability(float spread, bool mirrored) {
   constexpr double kSure = 1.68, kPerDoubling = -3.54, kNotMirrored = -0.74;
   const double score =

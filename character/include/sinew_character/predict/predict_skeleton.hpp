@@ -49,6 +49,9 @@ struct PredictedSkeleton {
   double seconds = 0;  // in sinew_rig()
 };
 
+// A skeleton that stands in place of another one stands as that does, and what both cost is told together.
+void take_the_place_of(const PredictedSkeleton& other, PredictedSkeleton* skeleton);
+
 // How likely votes of that spread (PredictedSkeleton::spread) make a skeleton that can be used as it is or mended, 0..1:
 // logistic, fitted on 151 samples of families that the votes were not trained on (trainer/configs/RESULTS.md).
 float usable_probability(float spread, bool mirrored);
