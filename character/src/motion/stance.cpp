@@ -328,7 +328,7 @@ std::optional<Motion> in_typical_pose(const Motion& motion, MaybeAxis up) {
 }  // namespace
 
 std::optional<Motion> standing_motion(const Motion& motion, MaybeAxis up) {
-  if (motion.clips.empty() || motion.joints.empty()) return std::nullopt;
+  if (motion.rest_stands || motion.clips.empty() || motion.joints.empty()) return std::nullopt;
   const MapRig rig = map_rig_of(motion);
   const std::optional<UprightBody> body = find_upright_body(rig.joints, limb_classes(rig, {}));
   if (body && is_upright(*body, positions_of(rig.joints))) return std::nullopt;

@@ -40,6 +40,7 @@ struct Motion {
   std::vector<MotionJoint> joints;
   std::vector<Clip> clips;
   std::vector<std::string> notes;  // remarks of the reader for the user, a line each
+  bool rest_stands = false;        // the rest pose is known to be a stance; else standing_motion() judges it
 };
 
 // .bvh, .vmd, .amc, .npy, .npz, .vrma, or an animated .gltf, .glb, .vrm, .fbx or .dae. Animations are sampled at `fps` frames a second, 0 = at the
