@@ -258,7 +258,8 @@ void add_animate_inputs(CLI::App* sub, AnimateSettings* s) {
   sub->add_option(
          "--motion", s->motions,
          "Motion: all animations of a file or the one behind #, of every file of a folder, or a clip that ships: "
-         "builtin:walk, builtin: lists them; may be repeated. A picture has one of its class unless given. " +
+         "builtin:walk or builtin:walk:lively, builtin: lists them; may be repeated. A picture has one of its class "
+         "unless given. " +
              motion_files())
       ->type_name("FILE[#CLIP]|FOLDER")
       ->allow_extra_args(false);

@@ -4,45 +4,63 @@
 
 #include <algorithm>
 
-#include "clips/puppet.hpp"
+#include "clips/performance.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {
 namespace {
 
+using clips::Block;
+
 const std::string kPrefix = "builtin:";
 
-// To add a clip: a function in the kind's source, its name there and here.
-struct Kind {
-  const char* name;
-  Motion (*make)();
-  std::vector<std::string> clips;
+// What gaits/ says, read once: a kind and its clips for each file, then the variants.
+struct Gaits {
+  std::vector<std::vector<Block>> kinds;
+  std::vector<Block> variants;
 };
-const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> all = {
-      {"person", clips::person_clips, {"walk", "run", "idle", "wave", "jump", "sit", "squat", "reach"}},
-      {"quadruped", clips::quadruped_clips, {"walk", "trot", "idle"}},
-      {"bird", clips::bird_clips, {"flap"}},
-      {"fish", clips::fish_clips, {"swim"}},
-      {"spider", clips::spider_clips, {"crawl"}}};
+const std::string& name_of(const Block& block) { return block.head.names.at(0); }
+
+// A kind "like" another one has that one's clips, and its lines before its own.
+void add_likeness(const std::vector<std::vector<Block>>& kinds, std::vector<Block>* kind) {
+  std::vector<clips::Line>& lines = kind->front().lines;
+  for (const std::vector<Block>& other : kinds) {
+    if (lines.empty() || lines[0].verb != "like" || lines[0].names.at(0) != name_of(other[0])) continue;
+    lines.insert(lines.begin(), other[0].lines.begin(), other[0].lines.end());
+    kind->insert(kind->begin() + 1, other.begin() + 1, other.end());
+    return;
+  }
+}
+
+const Gaits& gaits() {
+  static const Gaits all = [] {
+    Gaits read;
+    for (const TemplateText* one = clips::kGaitTexts; one->name != nullptr; ++one) {
+      std::vector<Block> blocks = clips::read_gaits(one->name + std::string(".txt"), one->text);
+      if (blocks.at(0).head.verb == "variant") {
+        read.variants = std::move(blocks);
+        continue;
+      }
+      add_likeness(read.kinds, &blocks);
+      read.kinds.push_back(std::move(blocks));
+    }
+    return read;
+  }();
   return all;
 }
 
-bool has_clip(const Kind& kind, const std::string& name) {
-  return std::find(kind.clips.begin(), kind.clips.end(), name) != kind.clips.end();
-}
-
 [[noreturn]] void refuse(const std::string& path) {
-  std::string names;
-  for (const Kind& kind : kinds()) {
-    names += names.empty() ? " " : "; ";
-    names += std::string(kind.name) + ": ";
-    for (const std::string& clip : kind.clips) names += (clip == kind.clips[0] ? "" : ", ") + clip;
+  std::string names, variants;
+  for (const std::vector<Block>& kind : gaits().kinds) {
+    names += (names.empty() ? " " : "; ") + name_of(kind[0]) + ": ";
+    for (size_t c = 1; c < kind.size(); ++c) names += (c == 1 ? "" : ", ") + name_of(kind[c]);
   }
+  for (const Block& variant : gaits().variants) variants += (variants.empty() ? "" : ", ") + name_of(variant);
   const std::string found = path.substr(kPrefix.size());
-  throw Error(path + ": expected " + kPrefix + "NAME, " + kPrefix + "KIND/NAME or " + kPrefix + "KIND, with" + names +
-              "; found " + (found.empty() ? "no name" : in_quotes(found)));
+  throw Error(path + ": expected " + kPrefix + "NAME, " + kPrefix + "KIND/NAME or " + kPrefix +
+              "KIND, or one of them with :VARIANT (" + variants + "), with" + names + "; found " +
+              (found.empty() ? "no name" : in_quotes(found)));
 }
 
 }  // namespace
@@ -51,17 +69,25 @@ bool is_builtin_motion(const std::string& path) { return path.rfind(kPrefix, 0) 
 
 std::vector<Motion> builtin_motions(const std::string& path) {
   const std::string asked = path.substr(std::min(path.size(), kPrefix.size()));
-  const size_t slash = asked.find('/');
-  const std::string name = slash == std::string::npos ? asked : asked.substr(slash + 1);
+  const size_t colon = asked.find(':');
+  const std::string of = asked.substr(0, colon);
+  const Block* variant = nullptr;
+  for (const Block& one : gaits().variants)
+    if (colon != std::string::npos && name_of(one) == asked.substr(colon + 1)) variant = &one;
+  if (colon != std::string::npos && variant == nullptr) refuse(path);
+  const size_t slash = of.find('/');
+  const std::string name = slash == std::string::npos ? of : of.substr(slash + 1);
   std::vector<Motion> motions;
-  for (const Kind& kind : kinds()) {
-    const bool whole = asked == kind.name;
-    const bool other = slash != std::string::npos && asked.substr(0, slash) != kind.name;
-    if (!whole && (other || !has_clip(kind, name))) continue;
-    Motion motion = kind.make();
+  for (const std::vector<Block>& kind : gaits().kinds) {
+    const bool whole = of == name_of(kind[0]);
+    if (slash != std::string::npos && of.substr(0, slash) != name_of(kind[0])) continue;
+    clips::Puppet puppet = clips::puppet_of(kind[0]);
+    Motion motion = puppet.motion();
     motion.name = name;
-    if (!whole) motion.clips = {Clip(find_clip(motion, path, name))};
-    motions.push_back(std::move(motion));
+    motion.rest_stands = true;
+    for (size_t c = 1; c < kind.size(); ++c)
+      if (whole || name_of(kind[c]) == name) motion.clips.push_back(clips::perform(&puppet, kind[0], kind[c], variant));
+    if (!motion.clips.empty()) motions.push_back(std::move(motion));
   }
   if (motions.empty()) refuse(path);
   return motions;

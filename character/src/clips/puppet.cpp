@@ -5,43 +5,55 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "sinew_character/predict/skeleton_template.hpp"
+#include "sinew_character/rig/joint_mirror.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew::clips {
+namespace {
 
 double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
+
+// Parents first. What hangs on a spliced joint hangs on its parent then.
+std::vector<Joint> joints_of(const std::string& skeleton, const std::set<std::string>& without,
+                             const std::set<std::string>& spliced) {
+  std::vector<Joint> kept;
+  std::vector<int> places;
+  for (Joint joint : skeleton_template(skeleton)) {
+    const int parent = joint.parent < 0 ? -1 : places[static_cast<size_t>(joint.parent)];
+    const bool gone = without.count(joint.name) != 0 || (joint.parent >= 0 && parent < 0);
+    const bool stays = !gone && spliced.count(joint.name) == 0;
+    places.push_back(gone ? -1 : stays ? static_cast<int>(kept.size()) : parent);
+    joint.parent = parent;
+    if (stays) kept.push_back(std::move(joint));
+  }
+  return kept;
+}
+
+}  // namespace
+
 Quaternion about_x(double degrees) { return axis_rotation(0, radians(degrees)); }
 Quaternion about_y(double degrees) { return axis_rotation(1, radians(degrees)); }
 Quaternion about_z(double degrees) { return axis_rotation(2, radians(degrees)); }
-double wave(double turns) { return std::sin(2 * std::numbers::pi * turns); }
 
-double curve(std::initializer_list<Key> keys, double phase) {
-  const std::vector<Key> k(keys);
-  const size_t count = k.size();
-  size_t above = 0;
-  while (above < count && k[above].phase <= phase) ++above;
-  const auto key = [&](size_t i) {  // counted from the last key of the cycle before
-    const size_t at = i % count;
-    return Key{k[at].phase + std::floor(static_cast<double>(i) / static_cast<double>(count)), k[at].value};
+Puppet::Puppet(const std::string& skeleton, std::string prefix, const std::vector<std::string>& without,
+               const std::vector<std::string>& spliced)
+    : prefix_(std::move(prefix)) {
+  const auto both_sides = [&](const std::vector<std::string>& names) {
+    std::set<std::string> all;
+    for (const std::string& name : names) all.insert({prefix_ + name, other_side_name(prefix_ + name)});
+    return all;
   };
-  const size_t first = above + count - 1;
-  const double t = phase + 1;
-  const auto slope = [&](size_t i) { return (key(i + 1).value - key(i).value) / (key(i + 1).phase - key(i).phase); };
-  const auto tangent = [&](size_t i) {  // the harmonic mean; none at a peak
-    const double a = slope(i - 1), b = slope(i);
-    return a * b > 0 ? 2 * a * b / (a + b) : 0.0;
-  };
-  const Key from = key(first), to = key(first + 1);
-  const double span = to.phase - from.phase, s = (t - from.phase) / span, s2 = s * s, s3 = s2 * s;
-  return (2 * s3 - 3 * s2 + 1) * from.value + (s3 - 2 * s2 + s) * span * tangent(first) + (3 * s2 - 2 * s3) * to.value +
-         (s3 - s2) * span * tangent(first + 1);
-}
-
-Puppet::Puppet(const std::string& skeleton, std::string prefix)
-    : prefix_(std::move(prefix)), motion_(motion_of(skeleton_template(skeleton))), rest_(rest_joints(motion_)) {
+  motion_ = motion_of(joints_of(skeleton, both_sides(without), both_sides(spliced)));
+  for (const Joint& joint : rest_joints(motion_)) rest_.push_back(point(joint.position));
   for (size_t j = 0; j < motion_.joints.size(); ++j) index_[motion_.joints[j].name] = j;
+  for (size_t j = 0; j < motion_.joints.size(); ++j) {
+    const std::string& name = motion_.joints[j].name;
+    twins_.push_back(index_.at(other_side_name(name)));
+    rights_.push_back(side_of_name(name) == Side::kRight);
+  }
   to_rest();
 }
 
@@ -51,14 +63,9 @@ void Puppet::to_rest() {
   for (const MotionJoint& joint : motion_.joints) frame_.translations.push_back(joint.offset);
 }
 
-void Puppet::place(const Point3& shift, const Quaternion& rotation) {
-  frame_.translations[0] = motion_.joints[0].offset + shift;
-  frame_.rotations[0] = rotation;
-}
-
 size_t Puppet::index(const std::string& joint) const {
   const auto found = index_.find(prefix_ + joint);
-  if (found == index_.end()) throw Error("clips: expected a joint of the skeleton, found " + joint);
+  if (found == index_.end()) throw Error("gaits: expected a joint of the skeleton, found " + joint);
   return found->second;
 }
 
@@ -76,33 +83,24 @@ Point3 Puppet::world_position(size_t joint) const {
   return p;
 }
 
-Point3 Puppet::position(const std::string& joint) const { return world_position(index(joint)); }
-Point3 Puppet::rest_position(const std::string& joint) const { return point(rest_[index(joint)].position); }
-
-void Puppet::turn(const std::string& joint, const Quaternion& against_parent) {
-  frame_.rotations[index(joint)] = normalised(against_parent);
+void Puppet::turn_in_world(size_t joint, const Quaternion& rotation) {
+  turn(joint, multiply(conjugate(carried(joint)), rotation));
 }
 
-void Puppet::turn_in_world(const std::string& joint, const Quaternion& rotation) {
-  const size_t j = index(joint);
-  frame_.rotations[j] = normalised(multiply(conjugate(world_rotation(motion_.joints[j].parent)), rotation));
-}
-
-void Puppet::reach(const Limb& limb, const Point3& target, const Point3& bend) {
-  const Point3 hip = position(limb.upper);
-  const Point3 upper = rest_position(limb.lower) - rest_position(limb.upper);
-  const Point3 lower = rest_position(limb.end) - rest_position(limb.lower);
-  const double a = length(upper), b = length(lower), wanted = length(target - hip);
+void Puppet::reach(size_t upper, size_t lower, size_t end, const Point3& target, const Point3& bend) {
+  const Point3 hip = world_position(upper);
+  const Point3 first = rest_[lower] - rest_[upper], second = rest_[end] - rest_[lower];
+  const double a = length(first), b = length(second), wanted = length(target - hip);
   stretch_ = std::max(stretch_, wanted / (a + b));
   const double reach = std::clamp(wanted, 1.001 * std::abs(a - b), 0.9999 * (a + b));
   const Point3 along = unit(target - hip), out = unit(across(bend, along));
   const double before = (a * a + reach * reach - b * b) / (2 * reach);
   const double aside = std::sqrt(std::max(0.0, a * a - before * before));
-  const Point3 middle = hip + before * along + aside * out, end = hip + reach * along;
+  const Point3 middle = hip + before * along + aside * out, tip = hip + reach * along;
   // Across the plane in which it bends: no bone ever lies along that.
-  const Point3 hinge = cross(upper, limb.bend), turned = cross(along, out);
-  turn_in_world(limb.upper, rotation_between(upper, hinge, middle - hip, turned));
-  turn_in_world(limb.lower, rotation_between(lower, hinge, end - middle, turned));
+  const Point3 hinge = cross(first, bend), turned = cross(along, out);
+  turn_in_world(upper, rotation_between(first, hinge, middle - hip, turned));
+  turn_in_world(lower, rotation_between(second, hinge, tip - middle, turned));
 }
 
 double Puppet::take_stretch() {

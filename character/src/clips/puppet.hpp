@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What clips are made with: a puppet of a bundled skeleton, the path of a foot, and the clips of each kind of body.
+// A bundled skeleton that is posed joint by joint, its limbs by where they reach, and the path of a foot over one cycle.
 #ifndef SINEW_CHARACTER_CLIPS_PUPPET_HPP
 #define SINEW_CHARACTER_CLIPS_PUPPET_HPP
 
 #include <functional>
-#include <initializer_list>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,53 +13,38 @@
 
 namespace sinew::clips {
 
-// A bundled skeleton that code poses joint by joint, limbs by where they reach: what the clips that ship are made with.
-
-constexpr double kFps = 30;
-
-double radians(double degrees);
-// About x, y and z, in degrees.
 Quaternion about_x(double degrees);
 Quaternion about_y(double degrees);
 Quaternion about_z(double degrees);
-// Of a turn of 2 pi; `turns` from 0 to 1.
-double wave(double turns);
-
-// A smooth curve through keys that repeats after 1 and never leaves the range of two neighbours (Fritsch, Carlson 1980): equal
-// neighbours are a level.
-struct Key {
-  double phase, value;  // phase rises from 0, below 1
-};
-double curve(std::initializer_list<Key> keys, double phase);
-
-// A bone of a limb, the next one and where they reach, by name.
-struct Limb {
-  std::string upper, lower, end;
-  Point3 bend = {};  // where the middle joint points at rest: forward for knees
-};
 
 class Puppet {
  public:
-  // `skeleton` of skeleton_template(), `prefix` of its names that calls leave out.
-  explicit Puppet(const std::string& skeleton, std::string prefix = "");
+  // `skeleton` of skeleton_template(), `prefix` of its names that calls leave out, `without` these joints and all below them,
+  // `spliced` joints alone: their children hang on their parents.
+  Puppet(const std::string& skeleton, std::string prefix, const std::vector<std::string>& without,
+         const std::vector<std::string>& spliced);
 
   const Motion& motion() const { return motion_; }
   const MotionFrame& frame() const { return frame_; }
+  size_t index(const std::string& joint) const;  // throws Error where there is none
+  bool is_end(size_t joint) const { return motion_.joints[joint].end; }
+  // The joint on the other side, or the joint itself.
+  size_t twin(size_t joint) const { return twins_[joint]; }
+  bool is_right(size_t joint) const { return rights_[joint]; }
 
   void to_rest();
-  // The root's position against that at rest, and its rotation.
-  void place(const Point3& shift, const Quaternion& rotation = kNoRotation4);
-  void turn(const std::string& joint, const Quaternion& against_parent);
-  void turn_in_world(const std::string& joint, const Quaternion& rotation);
-  Point3 position(const std::string& joint) const;
-  Point3 rest_position(const std::string& joint) const;
-  // Bends the limb so that its end is at `target`, the middle joint towards `bend`.
-  void reach(const Limb& limb, const Point3& target, const Point3& bend);
+  void move_root(const Point3& shift) { frame_.translations[0] = motion_.joints[0].offset + shift; }
+  void turn(size_t joint, const Quaternion& against_parent) { frame_.rotations[joint] = normalised(against_parent); }
+  void turn_in_world(size_t joint, const Quaternion& rotation);
+  // Of what the joint's parents turn it by.
+  Quaternion carried(size_t joint) const { return world_rotation(motion_.joints[joint].parent); }
+  Point3 rest_position(size_t joint) const { return rest_[joint]; }
+  // Bends the limb so that its end is at `target`, the middle joint towards `bend`, where it also points at rest.
+  void reach(size_t upper, size_t lower, size_t end, const Point3& target, const Point3& bend);
   // The longest reach since the last call, over the limb's length: above 1 its end fell short.
   double take_stretch();
 
  private:
-  size_t index(const std::string& joint) const;
   Quaternion world_rotation(int joint) const;
   Point3 world_position(size_t joint) const;
 
@@ -68,28 +52,11 @@ class Puppet {
   Motion motion_;
   MotionFrame frame_;
   std::map<std::string, size_t> index_;
-  std::vector<Joint> rest_;
+  std::vector<size_t> twins_;
+  std::vector<bool> rights_;
+  std::vector<Point3> rest_;
   double stretch_ = 0;
 };
-
-// Frames of a cycle: `pose` poses the puppet at a phase from 0 up to 1, which is 0 again but for `travel` of the root. Where a limb
-// falls short, the root is lowered by as much as it takes, which `pose` is told.
-template <class Pose>
-Clip cycle(Puppet* puppet, const std::string& name, size_t frames, const Point3& travel, const Pose& pose) {
-  constexpr double kReach = 0.9985, kLower = 0.004, kLowest = 0.4;
-  for (double drop = 0;; drop += kLower) {
-    Clip clip = {name, 1 / kFps, {}};
-    puppet->take_stretch();
-    for (size_t f = 0; f <= frames; ++f) {
-      puppet->to_rest();
-      pose(static_cast<double>(f % frames) / static_cast<double>(frames), drop);
-      MotionFrame frame = puppet->frame();
-      frame.translations[0] = frame.translations[0] + (static_cast<double>(f) / static_cast<double>(frames)) * travel;
-      clip.frames.push_back(std::move(frame));
-    }
-    if (puppet->take_stretch() <= kReach || drop > kLowest) return clip;
-  }
-}
 
 // Points of a foot at rest, flat on the floor.
 struct FootShape {
@@ -103,22 +70,15 @@ struct FootPose {
 };
 
 struct FootPath {
-  double stance = 0.6;  // share of the cycle
-  double stride = 1;    // what the body travels in one
-  double front = 0;     // where the foot stands, flat, against its position at rest, when the stance begins
-  double lift = 0;      // height that the ankle is carried higher than it leaves and lands
+  double stance = 1;  // share of the cycle
+  double stride = 0;  // what the body travels in one
+  double front = 0;   // where the foot stands, flat, against its position at rest, when the stance begins
+  double lift = 0;    // height that the ankle is carried higher than it leaves and lands
   std::function<double(double phase)> pitch;
 };
 
 // In the frame that travels with the body. While it stands the foot moves back as fast as that travels, so its pivot stays in place.
 FootPose foot_at(const FootPath& path, const FootShape& shape, double phase);
-
-// All clips of one kind of body, made when they are asked for.
-Motion person_clips();     // walk, run, idle, wave, jump, sit, squat, reach
-Motion quadruped_clips();  // walk, trot, idle
-Motion bird_clips();       // flap
-Motion fish_clips();       // swim
-Motion spider_clips();     // crawl
 
 }  // namespace sinew::clips
 #endif

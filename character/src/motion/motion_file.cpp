@@ -117,6 +117,14 @@ std::pair<float, size_t> fit_of(const Motion& motion, const MapRig& rig, MaybeAx
   return {cover.share, found.mapped};
 }
 
+bool has_all_joints_of(const Motion& whole, const Motion& part) {
+  return std::all_of(part.joints.begin(), part.joints.end(), [&](const MotionJoint& joint) {
+    return std::any_of(whole.joints.begin(), whole.joints.end(),
+                       [&](const MotionJoint& other) { return other.name == joint.name; });
+  });
+}
+
+// Of bodies that fit alike the first one, or a plainer form of it: legs of two joints move as such.
 Motion motion_of_request(const MotionRequest& request, const MapRig& rig) {
   if (!is_builtin_motion(request.path)) return read_motion(request.path, request.fps, request.layout);
   if (!request.layout.empty()) check_layout(request.path);
@@ -125,7 +133,7 @@ Motion motion_of_request(const MotionRequest& request, const MapRig& rig) {
   std::pair<float, size_t> best_fit;
   for (size_t m = 0; m < motions.size() && motions.size() > 1; ++m) {
     const std::pair<float, size_t> fit = fit_of(motions[m], rig, request.up);
-    if (m > 0 && fit <= best_fit) continue;
+    if (m > 0 && (fit < best_fit || (fit == best_fit && !has_all_joints_of(motions[best], motions[m])))) continue;
     best = m;
     best_fit = fit;
   }

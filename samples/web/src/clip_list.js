@@ -3,7 +3,7 @@
 import { $ } from "./elements.js";
 
 // Clips that ship: builtin:NAME, which finds the kind of body by itself.
-const shipped = ["walk", "run", "idle", "wave", "jump", "sit", "squat", "reach", "trot", "flap", "swim", "crawl"];
+const shipped = ["walk", "run", "idle", "wave", "jump", "sit", "squat", "reach", "trot", "gallop", "flap", "strut", "flutter", "crawl", "swim", "hover"];
 
 // builtin:person/walk is a walk too.
 const isClip = (file, name) => file === `builtin:${name}` || (file.startsWith("builtin:") && file.endsWith(`/${name}`));

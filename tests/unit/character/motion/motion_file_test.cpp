@@ -22,6 +22,9 @@ TEST(MotionFile, AWalkIsThatOfTheCharactersLimbs) {
   EXPECT_EQ(read_motion_for({"builtin:walk"}, sample("biped__robot")).motion.joints[0].name, "mixamorig:Hips");
   EXPECT_EQ(read_motion_for({"builtin:walk"}, sample("quadruped__tailed")).motion.joints[0].name, "Hips");
   EXPECT_EQ(read_motion_for({"builtin:idle"}, sample("quadruped__tailed")).motion.clips.size(), 1u);
+  EXPECT_EQ(read_motion_for({"builtin:trot"}, sample("quadruped__tailed")).motion.joints.size(),
+            read_motion_for({"builtin:quadruped2/trot"}, sample("quadruped__tailed")).motion.joints.size())
+      << "it has no hocks";
   EXPECT_EQ(read_motion_for({"builtin:person/walk"}, sample("quadruped__tailed")).motion.joints[0].name,
             "mixamorig:Hips")
       << "as it was asked for";
