@@ -3,6 +3,7 @@
 #include "sinew_character/clips/builtin_motion.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "clips/performance.hpp"
 #include "sinew_formats/error.hpp"
@@ -22,14 +23,17 @@ struct Gaits {
 };
 const std::string& name_of(const Block& block) { return block.head.names.at(0); }
 
-// A kind "like" another one has that one's clips, and its lines before its own.
+// A kind that is like another one has that one's lines before its own, and those of its clips that it names, or all.
 void add_likeness(const std::vector<std::vector<Block>>& kinds, std::vector<Block>* kind) {
-  std::vector<clips::Line>& lines = kind->front().lines;
+  if (kind->front().lines.empty() || kind->front().lines[0].verb != "like") return;
+  const std::vector<std::string> names = kind->front().lines[0].names;
   for (const std::vector<Block>& other : kinds) {
-    if (lines.empty() || lines[0].verb != "like" || lines[0].names.at(0) != name_of(other[0])) continue;
+    if (name_of(other[0]) != names.at(0)) continue;
+    std::vector<clips::Line>& lines = kind->front().lines;
     lines.insert(lines.begin(), other[0].lines.begin(), other[0].lines.end());
-    kind->insert(kind->begin() + 1, other.begin() + 1, other.end());
-    return;
+    std::copy_if(other.begin() + 1, other.end(), std::back_inserter(*kind), [&](const Block& clip) {
+      return names.size() == 1 || std::find(names.begin() + 1, names.end(), name_of(clip)) != names.end();
+    });
   }
 }
 

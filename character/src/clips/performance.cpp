@@ -48,7 +48,8 @@ class Performance {
         if (line.verb == "foot") add(line, &feet_);
         if (line.verb == "move") moves_.push_back(&line);
       }
-    for (const auto& [ankle, line] : legs) add_leg(*line);
+    for (const auto& [ankle, line] : legs)
+      if (!puppet_->is_left_out(ankle)) add_leg(*line);
   }
 
   Clip clip(const std::string& name) {
@@ -72,6 +73,7 @@ class Performance {
       std::string name = line.names[n];
       const bool alone = name.back() == '!';
       if (alone) name.pop_back();
+      if (puppet_->is_left_out(name)) continue;
       const size_t joint = puppet_->index(name), twin = puppet_->twin(joint);
       const double late = later * static_cast<double>(n), gain = std::pow(grow, static_cast<double>(n));
       moved->push_back({&line, joint, late, gain, puppet_->is_right(joint) ? -1.0 : 1.0});

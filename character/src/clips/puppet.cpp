@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
 
 #include "sinew_character/predict/skeleton_template.hpp"
 #include "sinew_character/rig/joint_mirror.hpp"
@@ -49,6 +48,8 @@ Puppet::Puppet(const std::string& skeleton, std::string prefix, const std::vecto
   motion_ = motion_of(joints_of(skeleton, both_sides(without), both_sides(spliced)));
   for (const Joint& joint : rest_joints(motion_)) rest_.push_back(point(joint.position));
   for (size_t j = 0; j < motion_.joints.size(); ++j) index_[motion_.joints[j].name] = j;
+  for (const Joint& joint : skeleton_template(skeleton))
+    if (index_.count(joint.name) == 0) left_out_.insert(joint.name);
   for (size_t j = 0; j < motion_.joints.size(); ++j) {
     const std::string& name = motion_.joints[j].name;
     twins_.push_back(index_.at(other_side_name(name)));

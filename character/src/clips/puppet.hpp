@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ class Puppet {
   const Motion& motion() const { return motion_; }
   const MotionFrame& frame() const { return frame_; }
   size_t index(const std::string& joint) const;  // throws Error where there is none
+  bool is_left_out(const std::string& joint) const { return left_out_.count(prefix_ + joint) != 0; }
   bool is_end(size_t joint) const { return motion_.joints[joint].end; }
   // The joint on the other side, or the joint itself.
   size_t twin(size_t joint) const { return twins_[joint]; }
@@ -52,6 +54,7 @@ class Puppet {
   Motion motion_;
   MotionFrame frame_;
   std::map<std::string, size_t> index_;
+  std::set<std::string> left_out_;
   std::vector<size_t> twins_;
   std::vector<bool> rights_;
   std::vector<Point3> rest_;

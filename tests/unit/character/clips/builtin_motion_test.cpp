@@ -138,7 +138,7 @@ TEST(BuiltinMotion, AWalkSwingsItsArmsAgainstItsLegs) {
 }
 
 TEST(BuiltinMotion, WingsFlapAndFishBend) {
-  const Motion flap = only("builtin:flap"), swim = only("builtin:swim");
+  const Motion flap = only("builtin:bird/flap"), swim = only("builtin:swim");
   const size_t wing = joint_of(flap, "Wing4.L_end"), other = joint_of(flap, "Wing4.R_end"),
                tail = joint_of(swim, "Spine6_end");
   double low = 1e9, high = -1e9, left = -1e9, right = 1e9;
@@ -255,7 +255,7 @@ TEST(BuiltinMotion, NamesAreClipsKindsOrBoth) {
 }
 
 TEST(BuiltinMotion, OpensAsASkeletonWhereFilesDo) {
-  EXPECT_EQ(open_character("builtin:flap").character.joints.size(), only("builtin:flap").joints.size());
+  EXPECT_EQ(open_character("builtin:flap").character.joints.size(), only("builtin:bird/flap").joints.size());
   EXPECT_EQ(read_map_rig("builtin:crawl").joints.size(), only("builtin:spider/crawl").joints.size());
 }
 
