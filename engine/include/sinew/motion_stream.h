@@ -15,7 +15,8 @@ typedef struct sinew_retarget_stream_options {
   uint32_t struct_size; /* sizeof(sinew_retarget_stream_options) */
   float fps;            /* frames a second; 0 = 30 */
   float ground;         /* height of a standing ankle, as sinew_retarget_ground() has it */
-  uint32_t has_ground;  /* 0: the source's own at rest, and `ground` is not looked at */
+  uint32_t
+      has_ground; /* 0: the source's own at rest; where that stands on no floor, as low as its feet have rested so far */
   uint32_t
       without; /* bits of sinew_without: SINEW_WITHOUT_CONTACTS, frames as sinew_retarget_frame() has them, in their
                              * range; SINEW_WITHOUT_RANGE, see sinew_retarget_keep_range() */

@@ -8,16 +8,6 @@
 namespace sinew::motion {
 namespace {
 
-double lowest_floor_joint(const sinew_retarget& plan) {
-  double lowest = 0;
-  for (uint32_t i = 0; i < plan.floor_count; ++i) {
-    const uint32_t source = static_cast<uint32_t>(plan.map[plan.floor_joints[i]]);
-    const double height = dot(plan.up, plan.source_positions[source]);
-    if (i == 0 || height < lowest) lowest = height;
-  }
-  return lowest;
-}
-
 Vec3d without_height(Vec3d v, Vec3d up) { return v - dot(v, up) * up; }
 
 // Where the middle of the anchors is to be.
@@ -221,6 +211,21 @@ void store_target(const sinew_retarget& plan, float* rotations, float* translati
   }
 }
 
+double lowest_floor_joint(const sinew_retarget& plan) {
+  double lowest = 0;
+  for (uint32_t i = 0; i < plan.floor_count; ++i) {
+    const uint32_t source = static_cast<uint32_t>(plan.map[plan.floor_joints[i]]);
+    const double height = dot(plan.up, plan.source_positions[source]);
+    if (i == 0 || height < lowest) lowest = height;
+  }
+  return lowest;
+}
+
+bool stands_at_rest(const sinew_retarget& plan) {
+  const double low = plan.source_lowest < 0 ? -plan.source_lowest : plan.source_lowest;
+  return low <= 0.2 * plan.leg_length;
+}
+
 sinew_status source_height(sinew_retarget* plan, const float* rotations, const float* translations, float* height) {
   const sinew_status status = pose_source(plan, rotations, translations);
   if (status == SINEW_OK) *height = static_cast<float>(lowest_floor_joint(*plan));
@@ -240,7 +245,7 @@ sinew_status standing_height(const sinew_retarget& plan, float* heights, size_t 
   const double next = static_cast<double>(heights[below + 1 < count ? below + 1 : below]);
   const double fifth = low + (at - static_cast<double>(below)) * (next - low);
   const auto size = [](double x) { return x < 0 ? -x : x; };
-  const bool stands = size(plan.source_lowest) <= 0.2 * plan.leg_length;
+  const bool stands = stands_at_rest(plan);
   // A clip whose feet never come down to where they are at rest stands on a floor of its own; one that is higher than its legs hangs,
   // or stands on its hands.
   const double over = fifth - plan.source_floor;

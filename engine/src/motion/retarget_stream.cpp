@@ -10,6 +10,10 @@
 namespace sinew::motion {
 namespace {
 
+constexpr double kSlow = 0.006;   // share of the source's height that a resting foot rises in a thirtieth of a second
+constexpr double kHigher = 0.25;  // share of a leg by which another floor must be higher,
+constexpr double kRestsOnHigher = 1.0;  // and the seconds that a foot must rest there
+
 // All memory of a stream, itself included.
 struct StreamMemory {
   sinew_retarget_stream made;
@@ -46,6 +50,29 @@ struct StreamMemory {
     return {positions, nullptr, {joints, weights, 1, SINEW_WEIGHT_UNORM16}, target.joint_count, 0};
   }
 };
+
+// The lowest that a foot has rested is the floor; another one is higher where feet rest there for long, as after a first frame that is
+// no motion. Poses the source.
+sinew_status follow_ground(sinew_retarget_stream* stream, const float* rotations, const float* translations) {
+  GroundMemory& memory = stream->ground_memory;
+  if (memory.is_known) return SINEW_OK;
+  const sinew_status status = pose_source(stream->plan, rotations, translations);
+  if (status != SINEW_OK) return status;
+  const double low = lowest_floor_joint(*stream->plan), fps = stream->inputs.fps;
+  double ground = static_cast<double>(stream->ground);
+  if (!memory.any) memory.goal = ground = low;
+  const double rise = memory.any ? low - memory.before : 0;
+  const bool slow = (rise < 0 ? -rise : rise) * fps / kContactFps < kSlow * stream->scene.source_height;
+  const bool higher = low > memory.goal + kHigher * stream->plan->leg_length;
+  memory.rested = slow && higher ? memory.rested + 1 / fps : 0;
+  if (slow && (low < memory.goal || memory.rested > kRestsOnHigher)) memory.goal = low;
+  ground = memory.goal + fade_at(fps, kFade) * (ground - memory.goal);
+  memory.before = low;
+  memory.any = true;
+  stream->ground = static_cast<float>(ground);
+  stream->inputs.ground = static_cast<double>(stream->ground);
+  return SINEW_OK;
+}
 
 }  // namespace
 
@@ -94,6 +121,7 @@ sinew_status create_stream(const sinew_skeleton& source, const sinew_skeleton& t
   made.inputs.floor = options.floor;
   made.ground = options.has_ground ? options.ground : static_cast<float>(made.plan->source_floor);
   made.inputs.ground = static_cast<double>(made.ground);
+  made.ground_memory.is_known = options.has_ground || stands_at_rest(*made.plan);
   made.range = options.range && !made.plan->same_rig;
   *room.stream = made;
   sinew_retarget_stream& own = *room.stream;
@@ -110,8 +138,9 @@ sinew_status create_stream(const sinew_skeleton& source, const sinew_skeleton& t
 
 sinew_status stream_frame(sinew_retarget_stream* stream, const float* rotations, const float* translations,
                           float* out_rotations, float* out_translations) {
-  const sinew_status status =
-      retarget_frame(stream->plan, rotations, translations, stream->ground, out_rotations, out_translations);
+  sinew_status status = follow_ground(stream, rotations, translations);
+  if (status == SINEW_OK)
+    status = retarget_frame(stream->plan, rotations, translations, stream->ground, out_rotations, out_translations);
   if (status != SINEW_OK) return status;
   ContactScene& scene = stream->scene;
   ClipInputs& in = stream->inputs;
@@ -128,6 +157,7 @@ sinew_status stream_frame(sinew_retarget_stream* stream, const float* rotations,
 }
 
 void restart_stream(sinew_retarget_stream* stream) {
+  stream->ground_memory.any = false;
   FloorMemory fresh;
   for (uint32_t l = 0; l < kMostLimbs; ++l) fresh.hinges[l] = stream->memory.hinges[l];
   stream->memory = fresh;

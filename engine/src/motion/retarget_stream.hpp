@@ -6,6 +6,19 @@
 #include "motion/contacts.hpp"
 #include "sinew/motion_stream.h"
 
+namespace sinew::motion {
+
+// The height of the floor under a source whose rest pose stands on none, from the frames so far.
+struct GroundMemory {
+  bool is_known = true;  // given, or the rest pose's
+  bool any = false;      // a frame came before
+  double goal = 0;       // what the floor moves to
+  double before = 0;     // how high the lowest foot was
+  double rested = 0;     // for how many seconds it has been slow, over the floor
+};
+
+}  // namespace sinew::motion
+
 // The type of the interface: the stream is one block of memory, this is its beginning.
 struct sinew_retarget_stream {
   sinew_retarget* plan = nullptr;
@@ -15,6 +28,7 @@ struct sinew_retarget_stream {
   sinew::motion::HandMemory hands;
   sinew_motion_body body = {}, source = {};
   float ground = 0;
+  sinew::motion::GroundMemory ground_memory;
   bool contacts = false, range = false, has_hands = false;
 };
 

@@ -135,9 +135,11 @@ TEST(RetargetStream, TheBodyIsOnTheFloorFromTheFirstFrameOn) {
   }
 }
 
-// Hips sway over feet that stand; longer shins would slide.
-TEST(RetargetStream, FeetThatStandStayAndThenGo) {
-  const MotionScene source = built({}), target = built({1, 1, 1, 1.3, 1});
+// Hips sway over feet that stand; longer shins would slide. `sunk`: how far the rest pose lies below where the motion plays.
+void sway_over_feet(float sunk) {
+  MotionScene source = built({});
+  for (size_t j = 0; j < source.count(); ++j) source.positions[3 * j + 1] -= sunk;
+  const MotionScene target = built({1, 1, 1, 1.3, 1});
   Live live(source, target, nullptr);
   WorldPose before;
   double slide = 0, jump = 0;
@@ -151,7 +153,8 @@ TEST(RetargetStream, FeetThatStandStayAndThenGo) {
     }
     const WorldPose free = world_pose(source, posed(source, d, {0, 0, 0}));
     const Vec3d back = source.at(kLeftFoot) - free.positions[kLeftFoot];
-    const WorldPose now = world_pose(target, live.next(posed(source, d, {0, back.y + lift, back.z})));
+    const Vec3d root = {0, back.y + lift + static_cast<double>(sunk), back.z};
+    const WorldPose now = world_pose(target, live.next(posed(source, d, root)));
     if (f > 0) {
       const Vec3d way = now.positions[kLeftFoot] - before.positions[kLeftFoot];
       if (f < 40) slide = std::max(slide, std::hypot(way.x, way.z));
@@ -159,8 +162,31 @@ TEST(RetargetStream, FeetThatStandStayAndThenGo) {
     }
     before = now;
   }
-  EXPECT_LT(slide, 1e-5);
-  EXPECT_LT(jump, 0.05) << "and leave the floor without a jump";
+  EXPECT_LT(slide, 1e-5) << sunk;
+  EXPECT_LT(jump, 0.05) << "and leave the floor without a jump, " << sunk;
+}
+
+TEST(RetargetStream, FeetThatStandStayAndThenGo) { sway_over_feet(0); }
+
+// Captures have their hips at the origin at rest, which stand on no floor.
+TEST(RetargetStream, TheFloorIsWhereFeetRestedWhereTheRestPoseStandsOnNone) { sway_over_feet(0.9f); }
+
+// A first frame below the floor, as a rest pose is, does not say where that is for good.
+TEST(RetargetStream, AHigherFloorIsBelievedAfterASecond) {
+  MotionScene source = built({});
+  for (size_t j = 0; j < source.count(); ++j) source.positions[3 * j + 1] -= 0.9f;
+  const MotionScene target = built({});
+  Live live(source, target, nullptr);
+  (void)live.next(rest_pose(source));
+  double low = 0;
+  for (int f = 0; f < 60; ++f) {
+    const WorldPose now = world_pose(target, live.next(posed(source, {}, {0, 0.9, 0})));
+    low = now.positions[kLeftFoot].y - target.at(kLeftFoot).y;
+    if (f == 20) {
+      EXPECT_GT(low, 0.5) << "it may be a jump";
+    }
+  }
+  EXPECT_NEAR(low, 0, 0.01);
 }
 
 // A hand that lies on one belly comes to lie on a thinner or thicker one, as in a whole clip.
