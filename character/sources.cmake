@@ -11,6 +11,7 @@ set(sinew_picture_sources
   picture/outline/figure_parts
   picture/outline/figure
   picture/outline/foreground
+  picture/outline/free_limbs
   picture/outline/inner_lines
   picture/outline/raster
   picture/read/read_jpeg

@@ -124,6 +124,8 @@ void add_picture_options(CLI::App* sub, PictureOptions* options) {
       ->check(CLI::IsMember({"figure", "pixels"}))
       ->capture_default_str();
   sub->add_flag("--flat", options->flat, "A card instead of a body as thick as it is wide");
+  sub->add_flag("--whole", options->whole,
+                "Leave arms that are drawn against the body in one piece with it. They are cut free unless given");
 }
 
 void add_picture_class(CLI::App* sub, PictureOptions* options) {
@@ -141,7 +143,7 @@ void check_picture_options(const CLI::App& sub, const std::string& path) {
         throw UsageError(std::string(option) + " is for one picture, and " + path + " is a folder");
     return;
   }
-  for (const char* option : {"--mask", "--mask-out", "--figure", "--units", "--flat"})
+  for (const char* option : {"--mask", "--mask-out", "--figure", "--units", "--flat", "--whole"})
     if (sub.get_option(option)->count() > 0)
       throw UsageError(std::string(option) + " is for pictures (" + picture_files() + "), and " + path + " is none");
 }
@@ -153,6 +155,7 @@ PictureJobOptions picture_job(const PictureOptions& options) {
   job.figure.cut = options.cut;
   job.mesh.pixels = options.units == "pixels";
   job.mesh.flat = options.flat;
+  job.whole = options.whole;
   if (!options.body.empty()) job.body = body_class_of(options.body);
   if (!options.mask_out.empty()) check_output(options.mask_out, {".png"});
   return job;

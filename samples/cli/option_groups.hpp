@@ -59,7 +59,7 @@ constexpr const char* kClassMeaning =
 struct PictureOptions {
   std::string mask, mask_out, units = "figure", body;
   uint32_t figure = 0;
-  bool flat = false, cut = false;
+  bool flat = false, cut = false, whole = false;
 };
 // Of --cut, which a command may have for meshes as well.
 constexpr const char* kPictureCut =

@@ -2,23 +2,27 @@
 // A picture becomes a character: outline, mesh, skeleton, weights.
 #include "sinew_character/jobs/picture_job.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <utility>
 
 #include "sinew_character/models/models.hpp"
 #include "sinew_character/picture/body_class.hpp"
+#include "sinew_character/picture/free_limbs.hpp"
 #include "sinew_formats/file_kinds.hpp"
 
 namespace sinew {
 
 namespace {
 
+bool by_model(const RigJobOptions& job) { return job.method != RigMethod::kShape && job.method != RigMethod::kRegions; }
+
 // One class for what says which limbs there are and for what knows the bodies of pictures.
 void settle_class(std::optional<BodyClass>* body, RigJobOptions* job) {
-  const bool by_model = job->method != RigMethod::kShape && job->method != RigMethod::kRegions;
   if (job->category != SINEW_CATEGORY_ANY)
     *body = body_of_category(job->category);
-  else if (*body && *body != BodyClass::kOther && by_model)
+  else if (*body && *body != BodyClass::kOther && by_model(*job))
     job->category = category_of(**body);
 }
 
@@ -32,6 +36,41 @@ PictureCharacter figure_in(const std::string& path, const PictureJobOptions& opt
   out.options = options;
   out.body = options.body.value_or(BodyClass::kOther);
   return out;
+}
+
+// Arms of a body that is seen from the front, in pixels of the figure's mask: upper arm, forearm, hand and its end, as far as they are there.
+std::vector<DrawnLimb> arms_in(const PredictedSkeleton& skeleton, const PicturePlane& plane) {
+  const auto is_arm = [&](size_t j) {
+    const uint8_t c = skeleton.classes[j];
+    return c == SINEW_CLASS_UPPER_ARM || c == SINEW_CLASS_FOREARM || c == SINEW_CLASS_HAND;
+  };
+  std::vector<DrawnLimb> arms;
+  std::array<float, 2> trunk = {};
+  float count = 0, head = std::numeric_limits<float>::max();
+  for (size_t j = 0; j < skeleton.joints.size(); ++j) {
+    const uint8_t c = skeleton.classes[j];
+    if (c == SINEW_CLASS_HEAD) head = std::min(head, skeleton.joints[j].position.y);
+    if (skeleton.ends[j] != 0 || (c != SINEW_CLASS_PELVIS && c != SINEW_CLASS_SPINE)) continue;
+    const auto at = plane.to_mask(skeleton.joints[j].position);
+    trunk = {trunk[0] + at[0], trunk[1] + at[1]};
+    ++count;
+  }
+  if (count == 0) return arms;
+  for (size_t j = 0; j < skeleton.joints.size(); ++j) {
+    if (skeleton.classes[j] != SINEW_CLASS_UPPER_ARM || skeleton.ends[j] != 0) continue;
+    if (skeleton.joints[j].parent >= 0 && is_arm(static_cast<size_t>(skeleton.joints[j].parent))) continue;
+    DrawnLimb arm = {skeleton.joints[j].name, {}, {trunk[0] / count, trunk[1] / count}};
+    for (size_t at = j, before = skeleton.joints.size(); at != before;) {
+      arm.points.push_back(plane.to_mask(skeleton.joints[at].position));
+      before = at;
+      for (size_t next = at + 1; next < skeleton.joints.size() && at == before; ++next)
+        if (skeleton.joints[next].parent == static_cast<int>(at) && (is_arm(next) || skeleton.ends[next] != 0))
+          at = next;
+    }
+    // What begins over the head is no arm but hair or ears.
+    if (arm.points.size() > 2 && skeleton.joints[j].position.y < head) arms.push_back(std::move(arm));
+  }
+  return arms;
 }
 
 }  // namespace
@@ -57,7 +96,19 @@ void rig_picture(const RigJobOptions& job, const RigModels& given, PictureCharac
   std::optional<BodyClass> body = picture->options.body;
   settle_class(&body, &facing);
   SeenBody seen = see_body(mesh, body, class_of_outline(picture->figure.mask), facing, bodies, &mesh.notes);
+  Figure figure = picture->figure;
+  const bool frontal = seen.body == BodyClass::kBiped && seen.view == PictureView::kFront && by_model(job);
+  if (frontal && !picture->options.whole &&
+      free_limbs(arms_in(seen.skeleton, picture_plane(figure, mesh)), &figure) > 0) {
+    std::vector<std::string> notes = std::move(mesh.notes);
+    notes.push_back(figure.notes.back());
+    mesh = picture_mesh(*picture->picture, figure, round);
+    mesh.notes = std::move(notes);
+  }
+  const PicturePlane plane = picture_plane(figure, mesh);
   picture->rigged = rig_character(std::move(mesh), std::move(seen.skeleton), false, facing, models);
+  picture->figure = std::move(figure);
+  if (job.to_pose.empty()) close_slits(picture->figure, plane, &picture->rigged.character);
   picture->view = seen.view;
   picture->body = seen.body;
   picture->certainty = seen.certainty;

@@ -19,6 +19,7 @@ struct PictureJobOptions {
   FigureOptions figure;
   PictureMeshOptions mesh;
   std::optional<BodyClass> body;  // nullopt: found
+  bool whole = false;             // limbs that are drawn against the body stay in one outline with it
 };
 
 struct PictureCharacter {

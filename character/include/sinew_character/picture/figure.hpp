@@ -36,6 +36,8 @@ struct Figure {
   uint32_t number = 1;
   FigureSource source = FigureSource::kBackground;
   std::vector<std::string> notes;  // what was guessed, a line each
+  std::vector<std::vector<std::array<float, 2>>>
+      slits;  // lines of free_limbs() that the mask is open along, in its pixels
 };
 
 // By alpha where the picture has some, else what is unlike the colours of its border (README.md). Throws Error, which begins with the picture's name: nothing

@@ -24,6 +24,21 @@ struct PictureMeshOptions {
 // material, unlit, whose texture is the picture's own file; the back shows what is in front of it. Throws Error: a figure of too few pixels.
 Character picture_mesh(const PictureFile& picture, const Figure& figure, const PictureMeshOptions& options = {});
 
+// Where points of the figure's mask (x right, y down) lie in a mesh of picture_mesh(), by the boxes of both, and back.
+struct PicturePlane {
+  float mask_left = 0, mask_bottom = 0, left = 0, bottom = 0, scale = 1;  // of the mesh a pixel of the mask
+  std::array<float, 2> to_mesh(const std::array<float, 2>& p) const {
+    return {left + (p[0] - mask_left) * scale, bottom + (mask_bottom - p[1]) * scale};
+  }
+  std::array<float, 2> to_mask(const Vec3& p) const {
+    return {mask_left + (p.x - left) / scale, mask_bottom - (p.y - bottom) / scale};
+  }
+};
+PicturePlane picture_plane(const Figure& figure, const Character& mesh);
+
+// Moves the mesh's borders on both sides of the figure's slits together, so that the picture has no gap there; they stay two.
+void close_slits(const Figure& figure, const PicturePlane& plane, Character* mesh);
+
 // [V] of a mesh of picture_mesh(): what the picture shows there, sRGB. For drawings of it without textures.
 std::vector<std::array<uint8_t, 3>> picture_colours(const PictureFile& picture, const Character& mesh);
 

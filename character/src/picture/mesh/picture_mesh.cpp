@@ -18,6 +18,8 @@ constexpr size_t kPoints = 1100;  // about 2,000 vertices on both sides
 constexpr float kDepth = 0.9f, kWide = 0.15f;
 constexpr float kLeastHeight = 0.35f;  // pixels: no two sides at one position
 constexpr float kCard = 0.005f;        // of the longest side
+constexpr float kSlit = 2.2f;          // pixels of the mask from a slit's line to its borders
+constexpr float kSlitLeft = 0.05f;     // of that, what stays open, so that nothing welds them
 
 float height_at(const Grid<float>& height, const Point2& p) {
   const auto cell = [](double v, uint32_t n) {
@@ -99,6 +101,40 @@ Character picture_mesh(const PictureFile& picture, const Figure& figure, const P
   out.notes = figure.notes;
   if (options.flat) flatten(&out);
   return out;
+}
+
+PicturePlane picture_plane(const Figure& figure, const Character& mesh) {
+  uint32_t left = figure.mask.width, right = 0, bottom = 0;
+  for (uint32_t y = 0; y < figure.mask.height; ++y)
+    for (uint32_t x = 0; x < figure.mask.width; ++x) {
+      if (!figure.mask.at(x, y)) continue;
+      left = std::min(left, x);
+      right = std::max(right, x + 1);
+      bottom = y + 1;
+    }
+  const Box box = box_of(mesh.vertices);
+  const float wide = static_cast<float>(right) - static_cast<float>(left);
+  return {static_cast<float>(left), static_cast<float>(bottom), box.low.x, box.low.y,
+          (box.high.x - box.low.x) / std::max(wide, 1.0f)};
+}
+
+void close_slits(const Figure& figure, const PicturePlane& plane, Character* mesh) {
+  for (Vec3& v : mesh->vertices) {
+    const std::array<float, 2> at = plane.to_mask(v);
+    std::array<float, 2> nearest = {};
+    float least = picture::kSlit * picture::kSlit;
+    for (const auto& line : figure.slits)
+      for (const auto& p : line) {
+        const float dx = p[0] - at[0], dy = p[1] - at[1];
+        if (dx * dx + dy * dy >= least) continue;
+        least = dx * dx + dy * dy;
+        nearest = p;
+      }
+    if (least == picture::kSlit * picture::kSlit) continue;
+    const auto goal = plane.to_mesh({nearest[0] + picture::kSlitLeft * (at[0] - nearest[0]),
+                                     nearest[1] + picture::kSlitLeft * (at[1] - nearest[1])});
+    v.x = goal[0], v.y = goal[1];
+  }
 }
 
 std::vector<std::array<uint8_t, 3>> picture_colours(const PictureFile& picture, const Character& mesh) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "sinew_formats/error.hpp"
 
@@ -19,6 +20,19 @@ struct Part {
 // Of the least share of the largest one's pixels that makes a figure of its own.
 constexpr size_t kFigureShare = 5;
 constexpr size_t kMostFigures = 12;
+constexpr size_t kCrumb = 40;  // pixels that a slit may split off
+
+// Without crumbs; false: it falls in two.
+bool keep_in_one(Mask* mask) {
+  const Parts parts = parts_of(*mask, true);
+  if (parts.sizes.empty()) return false;
+  const auto main = std::max_element(parts.sizes.begin(), parts.sizes.end()) - parts.sizes.begin();
+  for (size_t p = 0; p < parts.sizes.size(); ++p)
+    if (static_cast<std::ptrdiff_t>(p) != main && parts.sizes[p] > kCrumb) return false;
+  for (size_t i = 0; i < mask->inside.size(); ++i)
+    if (parts.numbers.values[i] != main) mask->inside[i] = 0;
+  return true;
+}
 
 }  // namespace
 
@@ -119,6 +133,23 @@ std::optional<Mask> sheet_of(const Mask& part) {
   const float rim = std::max(3.0f, 0.012f * static_cast<float>(std::max(part.width, part.height)));
   for (size_t i = 0; i < filled.inside.size(); ++i) filled.inside[i] = deep.values[i] > rim * rim ? 1 : 0;
   return filled;
+}
+
+void take_out(const std::vector<uint32_t>& pixels, int64_t radius, Mask* mask) {
+  for (const uint32_t i : pixels) {
+    const int64_t x = i % mask->width, y = i / mask->width;
+    for (int64_t dy = -radius; dy <= radius; ++dy)
+      for (int64_t dx = -radius; dx <= radius; ++dx)
+        if (mask->at(x + dx, y + dy)) mask->inside[static_cast<size_t>((y + dy) * mask->width + x + dx)] = 0;
+  }
+}
+
+bool open_slit(const std::vector<uint32_t>& pixels, Mask* mask) {
+  Mask tried = *mask;
+  take_out(pixels, 1, &tried);
+  if (!keep_in_one(&tried)) return false;
+  *mask = std::move(tried);
+  return true;
 }
 
 void open_holes(const Grid<uint8_t>& likeness, Mask* figure) {

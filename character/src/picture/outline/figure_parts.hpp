@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "picture/outline/foreground.hpp"
 #include "picture/outline/raster.hpp"
@@ -28,6 +29,11 @@ std::optional<Mask> sheet_of(const Mask& part);
 // drawn inside of it (a face has).
 //   likeness  Likeness of every pixel
 void open_holes(const Grid<uint8_t>& likeness, Mask* figure);
+
+// Takes what is within `radius` pixels of those, as a square, out of the mask.
+void take_out(const std::vector<uint32_t>& pixels, int64_t radius, Mask* mask);
+// Opens a slit of three pixels along those pixels. False, and the mask as it was, where the figure would fall in two; crumbs may come off.
+bool open_slit(const std::vector<uint32_t>& pixels, Mask* mask);
 
 // Opens a slit along every line that runs from the figure's border into it: dark, of a stroke's width, without corners, at least 10 % of the
 // longest side and 2.4 times as long as it lies deep, and such that all stays in one piece. A line from border to border (a belt) is left as it is. Says how many, as a guess, in figure's notes.

@@ -18,7 +18,6 @@ constexpr float kBorderInk = 0.3f;  // less ink than that at a depth: the outlin
 // What a slit frees is a limb where it is so many times as long as it lies below the outline anywhere. A neck or a snout is not.
 constexpr float kSlender = 2.4f;
 constexpr int32_t kMostBranches = 4;
-constexpr size_t kCrumb = 40;  // pixels that a slit may split off
 
 // The largest (or least) value of each square of 2 * radius + 1 pixels.
 template <typename Better>
@@ -155,28 +154,6 @@ void end_at_corner(uint32_t width, size_t reach, std::vector<uint32_t>* way) {
   }
 }
 
-// Takes what is within `radius` pixels of the way, as a square, out of the mask.
-void take_out(const std::vector<uint32_t>& way, int64_t radius, Mask* mask) {
-  for (const uint32_t i : way) {
-    const int64_t x = i % mask->width, y = i / mask->width;
-    for (int64_t dy = -radius; dy <= radius; ++dy)
-      for (int64_t dx = -radius; dx <= radius; ++dx)
-        if (mask->at(x + dx, y + dy)) mask->inside[static_cast<size_t>((y + dy) * mask->width + x + dx)] = 0;
-  }
-}
-
-// Without crumbs; false: it falls in two.
-bool keep_in_one(Mask* mask) {
-  const Parts parts = parts_of(*mask, true);
-  if (parts.sizes.empty()) return false;
-  const auto main = std::max_element(parts.sizes.begin(), parts.sizes.end()) - parts.sizes.begin();
-  for (size_t p = 0; p < parts.sizes.size(); ++p)
-    if (static_cast<std::ptrdiff_t>(p) != main && parts.sizes[p] > kCrumb) return false;
-  for (size_t i = 0; i < mask->inside.size(); ++i)
-    if (parts.numbers.values[i] != main) mask->inside[i] = 0;
-  return true;
-}
-
 struct Search {
   const Grid<float>& depth;  // of the figure's pixels below its border
   float border;              // how deep the outline's stroke is
@@ -208,12 +185,12 @@ size_t cut_part(const Search& search, const std::vector<uint32_t>& anchors, InkP
     };
     const auto deep = static_cast<size_t>(std::count_if(longest.begin(), longest.end(), is_deep));
     const bool free_end = search.depth.values[longest.back()] > 2 * search.border;
-    Mask tried = *figure;
     if (slender && free_end && 2 * deep > longest.size()) {
-      take_out(longest, 1, &tried);
+      std::vector<uint32_t> slit = longest;
       const auto outside = [&](uint32_t i) { return search.depth.values[i] <= 0; };
-      take_out(out->to(longest.front(), outside), 1, &tried);
-      if (keep_in_one(&tried)) *figure = std::move(tried), ++cuts;
+      const std::vector<uint32_t> way = out->to(longest.front(), outside);
+      slit.insert(slit.end(), way.begin(), way.end());
+      if (open_slit(slit, figure)) ++cuts;
     }
     take_out(longest, search.reach / 2, inner);  // its pixels are used up
   }
