@@ -58,6 +58,7 @@ set(sinew_character_sources
   predict/part_skeleton
   predict/predict_details
   predict/predict_skeleton
+  predict/fused_base
   predict/scenery
   predict/skeleton_fit
   predict/skeleton_template

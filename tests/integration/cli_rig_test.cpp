@@ -191,7 +191,8 @@ TEST_F(CliRig, GroundAndBackdropAreNoPartOfTheBody) {
   with_box("wall.obj", {-9 * size, box.low.y, box.low.z - size}, {9 * size, 9 * size, box.low.z});
   for (const char* file : {"slab.obj", "wall.obj"}) {
     const Outcome told = good(std::string("rig ") + file + " -o rigged.glb");
-    EXPECT_NE(told.out.find("taken for ground or a backdrop, a guess: 8 of"), std::string::npos) << told.out;
+    EXPECT_NE(told.out.find("taken for ground, a pedestal or a backdrop, a guess: 8 of"), std::string::npos)
+        << told.out;
     const Character made = read_character(in("rigged.glb"));
     for (const Joint& joint : made.joints) {
       EXPECT_GT(joint.position.y, box.low.y - 0.1f * size) << file << ' ' << joint.name;

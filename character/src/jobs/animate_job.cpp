@@ -121,6 +121,10 @@ AnimatedCharacter animated_character(Character character, const std::string& pat
   if (out.character.influences.empty())
     throw Error(path + ": has a skeleton but no skin weights to animate; bind it first with sinew bind");
   out.motion = motion_of(out.character.joints);
+  if (!out.rigged && out.character.gltf != nullptr && found_up(map_rig_of(out.character)) == Axis::kZ)
+    out.motion.notes.push_back("warning: " + path +
+                               ": its body stands along z, and up is y in glTF: it lies in every viewer, and so does "
+                               "what is written; sinew bind FILE --lock all --turn -x -o OUT raises it");
   return out;
 }
 

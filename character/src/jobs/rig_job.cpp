@@ -74,19 +74,24 @@ bool put_lone_hand(const RigModels& models, const SkeletonOptions& options, Char
 // How much surer votes are of what is left than of the whole where the rest is scenery.
 constexpr float kSceneryGain = 0.15f;
 
-// The ground, the backdrop or the pedestal of a body is no part of it.
+// The ground, the backdrop or the pedestal of a body is no part of it. Whether parts are such, votes say; of a base that is one with its
+// figure its shape is proof enough: one of 500 characters of train and val is taken for one, the feet of a chicken of boxes.
 void leave_scenery_out(const SkeletonOptions& options, Character* character, PredictedSkeleton* skeleton) {
   if (!skeleton->usable || *skeleton->usable + kSceneryGain > 1) return;
-  std::vector<uint8_t> scenery = find_scenery(*character, skeleton->up_axis);
-  if (scenery.empty()) return;
-  PredictedSkeleton body = predict_skeleton(part_without(*character, scenery).character, options);
-  body.seconds += skeleton->seconds;
-  if (!body.usable || *body.usable < *skeleton->usable + kSceneryGain) return;
-  const auto vertices = std::count(scenery.begin(), scenery.end(), uint8_t{1});
-  character->notes.push_back("taken for ground or a backdrop, a guess: " + std::to_string(vertices) + " of " +
-                             std::to_string(scenery.size()) + " vertices; they have no joints and go with the root");
-  *skeleton = std::move(body);
-  skeleton->scenery = std::move(scenery);
+  for (const bool fused : {false, true}) {
+    std::vector<uint8_t> scenery = (fused ? find_fused_base : find_scenery)(*character, skeleton->up_axis);
+    if (scenery.empty()) continue;
+    PredictedSkeleton body = predict_skeleton(part_without(*character, scenery).character, options);
+    body.seconds += skeleton->seconds;
+    if (!fused && (!body.usable || *body.usable < *skeleton->usable + kSceneryGain)) continue;
+    const auto vertices = std::count(scenery.begin(), scenery.end(), uint8_t{1});
+    character->notes.push_back("taken for ground, a pedestal or a backdrop, a guess: " + std::to_string(vertices) +
+                               " of " + std::to_string(scenery.size()) +
+                               " vertices; they have no joints and go with the root");
+    *skeleton = std::move(body);
+    skeleton->scenery = std::move(scenery);
+    return;
+  }
 }
 
 // Below this votes give way to the parts of a body that is made of them: of 14 such characters of train the distance to the artist's joints

@@ -60,28 +60,6 @@ std::vector<uint8_t> animated_joints(const Motion& motion) {
   return animated;
 }
 
-// Up where nobody says it: along the legs of a body that has two, else y, as nearly all files have it. What the engine finds without either
-// is wrong for one animal in eight and for most fish (F1 of public maps without names 0.855, of y 0.900).
-Axis found_up(const MapRig& rig, const MapSkeletonOptions& options) {
-  MapRig read = rig;
-  if (!options.names)
-    for (Joint& joint : read.joints) joint.name.clear();
-  if (!options.ends) read.ends.clear();
-  const std::optional<UprightBody> body = find_upright_body(read.joints, limb_classes(read, {}));
-  std::vector<Point3> positions;
-  for (const Joint& joint : rig.joints) positions.push_back(point(joint.position));
-  if (!body || !is_upright(*body, positions)) return Axis::kY;  // a spider laid over a person says nothing
-  Point3 legs{};
-  for (const UprightLimb& leg : body->legs)
-    legs = legs + unit(point(rig.joints[static_cast<size_t>(leg.upper)].position) -
-                       point(rig.joints[static_cast<size_t>(leg.end)].position));
-  const Point3 up = unit(legs);
-  constexpr double kPlain = 0.8;  // cosine
-  for (size_t axis = 0; axis < 3; ++axis)
-    if (up[axis] > kPlain) return static_cast<Axis>(axis);
-  return Axis::kY;
-}
-
 MapRig rig_in_stance(const Motion& motion) { return map_source_of(motion, nullptr, {}, {}).rig; }
 
 // Of a file with a mesh, or with moving nodes alone.
@@ -163,6 +141,28 @@ MapRig read_map_rig(const std::string& path) {
   }
   rig.name = path;
   return rig;
+}
+
+// Up where nobody says it: along the legs of a body that has two, else y, as nearly all files have it. What the engine finds without either
+// is wrong for one animal in eight and for most fish (F1 of public maps without names 0.855, of y 0.900).
+Axis found_up(const MapRig& rig, const MapSkeletonOptions& options) {
+  MapRig read = rig;
+  if (!options.names)
+    for (Joint& joint : read.joints) joint.name.clear();
+  if (!options.ends) read.ends.clear();
+  const std::optional<UprightBody> body = find_upright_body(read.joints, limb_classes(read, {}));
+  std::vector<Point3> positions;
+  for (const Joint& joint : rig.joints) positions.push_back(point(joint.position));
+  if (!body || !is_upright(*body, positions)) return Axis::kY;  // a spider laid over a person says nothing
+  Point3 legs{};
+  for (const UprightLimb& leg : body->legs)
+    legs = legs + unit(point(rig.joints[static_cast<size_t>(leg.upper)].position) -
+                       point(rig.joints[static_cast<size_t>(leg.end)].position));
+  const Point3 up = unit(legs);
+  constexpr double kPlain = 0.8;  // cosine
+  for (size_t axis = 0; axis < 3; ++axis)
+    if (up[axis] > kPlain) return static_cast<Axis>(axis);
+  return Axis::kY;
 }
 
 MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const MapSkeletonOptions& options) {

@@ -137,7 +137,10 @@ MeshPart part_without(const Character& whole, const std::vector<uint8_t>& left_o
   }
   for (size_t f = 0; f < whole.face_count(); ++f) {
     const size_t first = whole.face_offsets[f], last = whole.face_offsets[f + 1];
-    if (first == last || number[whole.face_vertices[first]] == UINT32_MAX) continue;
+    const auto is_out = [&](uint32_t v) { return number[v] == UINT32_MAX; };
+    if (first == last || std::any_of(whole.face_vertices.begin() + static_cast<std::ptrdiff_t>(first),
+                                     whole.face_vertices.begin() + static_cast<std::ptrdiff_t>(last), is_out))
+      continue;
     for (size_t c = first; c < last; ++c) part.character.face_vertices.push_back(number[whole.face_vertices[c]]);
     part.character.face_offsets.push_back(static_cast<uint32_t>(part.character.face_vertices.size()));
   }

@@ -53,6 +53,9 @@ struct MappedSkeleton {
   double seconds = 0;  // in sinew_map()
 };
 
+// Along the legs of a body that has two and stands on them, where they follow an axis; else y.
+Axis found_up(const MapRig& rig, const MapSkeletonOptions& options = {});
+
 // Throws Error with the file's name, and OutOfMemory.
 MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const MapSkeletonOptions& options);
 

@@ -15,5 +15,9 @@ namespace sinew {
 // Returns [V] 1 for their vertices; empty where there are none.
 std::vector<uint8_t> find_scenery(const Character& mesh, Axis up);
 
+// A pedestal that is one surface with what stands on it, as sculptures have: up to a third of the height, sections are even, convex and
+// wide, and right above they are half as large. Returns [V] as find_scenery() does.
+std::vector<uint8_t> find_fused_base(const Character& mesh, Axis up);
+
 }  // namespace sinew
 #endif

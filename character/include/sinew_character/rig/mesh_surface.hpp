@@ -52,7 +52,7 @@ struct MeshPart {
   Character character;
   std::vector<size_t> vertices;  // [part's V] -> the whole's
 };
-// Without the vertices of some faces.
+// Without some vertices, and without the faces that have one of those.
 //   left_out  [V] 1 for those
 MeshPart part_without(const Character& whole, const std::vector<uint8_t>& left_out);
 
