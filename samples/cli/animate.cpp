@@ -144,7 +144,8 @@ bool is_loop(const AnimateSettings& s) { return is_picture(s.character) && has_e
 // What needs no file to be told. Of a folder the one that is written into is made later.
 void check_settings(const AnimateSettings& s, bool of_folder) {
   const bool picture = is_picture(s.character);
-  if (s.motions.empty() && !picture) throw UsageError("--motion is required");
+  if (s.motions.empty() && !picture)
+    throw UsageError("--motion is required" + (has_use(s.character, kReadsMesh) ? "" : remedy(s.character)));
   if (!picture)
     refuse_given({{"--class", !s.picture.body.empty()}, {"--cut", s.picture.cut}, {"--depth", s.depth}},
                  " is for pictures (" + picture_files() + "), and " + s.character + " is none");

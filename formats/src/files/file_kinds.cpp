@@ -79,6 +79,9 @@ std::string remedy(const std::string& path) {
            "numpy.savez('" +
            stem_of(path) + ".npz', **numpy.load('" + path + "', allow_pickle=True))\"";
   if (has_use(path, kReadsPicture)) return "; sinew rig and sinew animate make a character of a picture";
+  for (const char* extension : {".gif", ".svg", ".webp", ".bmp", ".tga", ".tif", ".tiff", ".avif", ".psd"})
+    if (has_extension(path, extension))
+      return "; pictures are read as " + extensions_text(kReadsPicture) + ": save it as one of those";
   if (has_extension(path, ".max")) return "; in 3ds Max: File > Export > FBX or glTF";
   if (has_extension(path, ".ma") || has_extension(path, ".mb"))
     return "; in Maya: File > Export All > FBX export (load the plug-in fbxmaya)";

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -92,6 +93,8 @@ std::string join_continued_lines(const std::string& text) {
 struct ObjExtras {
   std::vector<std::array<float, 3>> colours;  // [V] once a vertex has one; white where it has none
   std::vector<std::string> libraries;         // after mtllib
+  std::string unknown;                        // the first statement that no OBJ has, with its line
+  size_t unknown_count = 0;
 };
 
 // Colours of vertices are written as screens show them (sRGB); glTF wants light (IEC 61966-2-1).
@@ -157,7 +160,12 @@ ObjCounts check_lines(const std::string& name, std::string_view text, ObjExtras*
       read_libraries(words, extras);
     } else if (std::find(std::begin(kOtherStatements), std::end(kOtherStatements), keyword) ==
                std::end(kOtherStatements)) {
-      lines.fail("an OBJ statement (v, vt, vn, f, g, o, ...)", keyword);
+      // A word may be an exporter's own statement; anything else is no OBJ.
+      if (!std::all_of(keyword.begin(), keyword.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; }) ||
+          !std::isalpha(static_cast<unsigned char>(keyword[0])))
+        lines.fail("an OBJ statement (v, vt, vn, f, g, o, ...)", keyword);
+      if (extras->unknown_count++ == 0)
+        extras->unknown = "'" + std::string(keyword) + "' in line " + std::to_string(lines.number());
     }
   }
   const auto check_largest = [&](const LargestIndex& largest, const char* what, size_t count) {
@@ -334,6 +342,10 @@ Character read_obj(const std::string& path) {
     extras.colours.resize(counts.vertices, {1, 1, 1});
     character.vertex_colors = std::move(extras.colours);
   }
+  if (extras.unknown_count > 0)
+    character.notes.push_back(
+        "no OBJ has the statement " + extras.unknown + ", left out" +
+        (extras.unknown_count == 1 ? "" : " as " + std::to_string(extras.unknown_count - 1) + " more lines"));
   read_materials(path, extras.libraries, &character);
   return character;
 }

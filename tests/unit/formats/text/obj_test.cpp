@@ -73,6 +73,15 @@ TEST(Obj, LinesAndPointsAndFreeFormStatementsAreSkipped) {
   EXPECT_EQ(c.face_count(), 1u);
 }
 
+// tex: some exporter's.
+TEST(Obj, StatementsThatNoObjHasAreSkippedAndTold) {
+  const Character c = obj(std::string(kTriangle) + "tex skin.png\nf 1 2 3\ntex other.png\n");
+  EXPECT_EQ(c.face_count(), 1u);
+  ASSERT_EQ(c.notes.size(), 1u);
+  EXPECT_NE(c.notes[0].find("'tex' in line 4"), std::string::npos);
+  EXPECT_NE(c.notes[0].find("1 more line"), std::string::npos);
+}
+
 TEST(Obj, ErrorsNameFileLineExpectedAndFound) {
   const std::string head = kTriangle;
   EXPECT_ERROR(obj(head + "f 1 2 0\n"), "mesh.obj:4:", "expected", "from 1", "found '0'");
@@ -94,7 +103,8 @@ TEST(Obj, ErrorsNameFileLineExpectedAndFound) {
   EXPECT_ERROR(obj("v 0 1,5 0\n"), "mesh.obj:1:", "'1,5'");
   EXPECT_ERROR(obj(head + "vt a\n"), "mesh.obj:4:");
   EXPECT_ERROR(obj(head + "vn 1 0\n"), "mesh.obj:4:");
-  EXPECT_ERROR(obj(head + "hello world\n"), "mesh.obj:4:", "'hello'");
+  EXPECT_ERROR(obj(head + "hello,world\n"), "mesh.obj:4:", "'hello,world'");
+  EXPECT_ERROR(obj(head + "3 1 2\n"), "mesh.obj:4:", "'3'");
   EXPECT_ERROR(obj("# nothing\n"), "mesh.obj", "vertices", "none in 1 lines");
   EXPECT_ERROR(obj(""), "mesh.obj", "empty file");
   EXPECT_ERROR(obj(std::string("\x7f"
