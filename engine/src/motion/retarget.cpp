@@ -10,6 +10,20 @@ namespace {
 
 Vec3d without_height(Vec3d v, Vec3d up) { return v - dot(v, up) * up; }
 
+// How far the whole source is over its floor, a tenth of a leg less: heels are as high while toes are on it.
+double flight_of(const sinew_retarget& plan, double ground) {
+  double low = 0;
+  bool any = false;
+  for (uint32_t t = 0; t < plan.target.count; ++t) {
+    if (plan.map[t] < 0) continue;
+    const double height = dot(plan.up, plan.source_positions[plan.map[t]]);
+    low = any ? lesser(low, height) : height;
+    any = true;
+  }
+  const double flight = low - ground - 0.1 * plan.leg_length;
+  return flight > 0 ? flight : 0;
+}
+
 // Where the middle of the anchors is to be.
 Vec3d wanted_middle(const sinew_retarget& plan, double ground) {
   Vec3d from = {0, 0, 0}, rest = {0, 0, 0};
@@ -20,6 +34,8 @@ Vec3d wanted_middle(const sinew_retarget& plan, double ground) {
   const double share = 1.0 / plan.anchor_count;
   from = share * from;
   Vec3d wanted = plan.scale * (from - ground * plan.up) + plan.target_floor * plan.up;
+  if (plan.flight_scale > plan.scale)
+    wanted = wanted + (plan.flight_scale - plan.scale) * flight_of(plan, ground) * plan.up;
   if (plan.in_place) wanted = without_height(share * rest, plan.up) + dot(wanted, plan.up) * plan.up;
   return wanted;
 }

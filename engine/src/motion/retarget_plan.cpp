@@ -234,6 +234,7 @@ class Planner {
     plan_.leg_length = by_legs ? s / plan_.anchor_count : s;
 
     find_same_rig();
+    find_flight_scale();
     double source_sum = 0, target_sum = 0, source_low = 0, target_low = 0;
     for (uint32_t i = 0; i < plan_.floor_count; ++i) {
       const uint32_t joint = plan_.floor_joints[i];
@@ -250,6 +251,28 @@ class Planner {
       const double height = dot(plan_.up, rotate(plan_.rotation, source_.positions[j]));
       if (j == 0 || height < plan_.source_lowest) plan_.source_lowest = height;
     }
+  }
+
+  // Short legs jump as high as the body, of which there is more to turn over in the air.
+  void find_flight_scale() {
+    constexpr double kMost = 2;
+    plan_.flight_scale = plan_.scale;
+    if (!plan_.has_legs || options_.scale > 0) return;
+    double low[2] = {0, 0}, high[2] = {0, 0};
+    bool any = false;
+    for (uint32_t t = 0; t < target_.count; ++t) {
+      if (!is_mapped(t)) continue;
+      const double heights[2] = {dot(plan_.up, rotate(plan_.rotation, source_position(t))),
+                                 dot(plan_.up, target_.positions[t])};
+      for (int i = 0; i < 2; ++i) {
+        low[i] = any ? lesser(low[i], heights[i]) : heights[i];
+        high[i] = any ? greater(high[i], heights[i]) : heights[i];
+      }
+      any = true;
+    }
+    const double from = high[0] - low[0];
+    const double whole = from > 0 ? (high[1] - low[1]) / from : 0;
+    if (whole > plan_.scale) plan_.flight_scale = lesser(whole, kMost * plan_.scale);
   }
 
   // Within a hundred-thousandth of a leg, as seen from the first anchor.

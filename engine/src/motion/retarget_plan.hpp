@@ -24,6 +24,8 @@ struct sinew_retarget {
   sinew::motion::Quat rotation = sinew::motion::kNoRotation;  // from the source's world to the target's
   sinew::Vec3d up = {0, 1, 0};                                // of the target's world
   double scale = 1;                                           // lengths of the target per length of the source
+  double flight_scale =
+      1;  // the same of heights over the floor while nothing is on it: by the whole bodies where legs are shorter
   double source_floor = 0;   // height of the floor joints' sources at rest, the source's units
   double source_lowest = 0;  // of all its joints
   double leg_length = 0;     // of the source; without legs its extent

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "motion_scene.hpp"
+#include "floor_motions.hpp"
 
 namespace {
 
@@ -198,6 +198,23 @@ TEST(Retarget, HipsGoByTheLengthOfTheLegsAndFeetStayOnTheFloor) {
   scaled.scale = 2;
   found = world_pose(target, play(source, target, one_to_one(17), pose, scaled));
   EXPECT_NEAR(found.positions[kPelvis].z, 8, 1e-5);
+}
+
+// Legs half as long under the same trunk: steps are half as long, but a somersault needs room for the trunk.
+TEST(Retarget, ShortLegsFlyByTheWholeBody) {
+  const MotionScene source = built({}), target = built({1, 1, 0.5, 0.5, 1});
+  const auto rise = [&](float lift, float scale) {
+    Pose pose = rest_pose(source);
+    pose.translations[1] += lift;
+    RetargetSettings settings;
+    settings.scale = scale;
+    const WorldPose found = world_pose(target, play(source, target, one_to_one(source.count()), pose, settings));
+    return found.positions[kLeftFoot].y - target.at(kLeftFoot).y;
+  };
+  EXPECT_NEAR(rise(0.05f, 0), 0.025, 1e-6) << "on tiptoe";
+  EXPECT_GT(rise(1, 0), 0.6);
+  EXPECT_LT(rise(1, 0), 0.8);
+  EXPECT_NEAR(rise(1, 0.5f), 0.5, 0.02) << "a scale that is given counts";
 }
 
 // A tail that nothing moves hangs on a joint above the one that carries the legs, some way behind it: it goes with the body.
