@@ -9,8 +9,9 @@ CHARACTERS   folder of NAME.obj + NAME.rig.txt that are trained on; kinds of bod
 OPENCLIPART  png folder of Debian's openclipart-png (public domain); kinds in trainer/configs/outline_class.tsv
 
 Characters are sampled, posed in the picture plane (every joint turned at random) and seen from where their kind is
-drawn; figures of clip art are turned, sheared and stretched a little. Features and network are those of
-outline_class.cpp, in the same integers. Deterministic for one version of numpy and PIL; about three minutes. Needs numpy and PIL.
+drawn, with large heads and short legs, in dresses, capes and hair, with things in hand, on shadows and grounds, as
+drawings have them (`worn`); figures of clip art are turned, sheared and stretched a little. The network is that of outline_class.cpp, whose integers are made of its weights.
+Deterministic for one version of numpy and PIL; about half an hour. Needs numpy and PIL.
 """
 import argparse
 import glob
@@ -21,21 +22,24 @@ import tempfile
 import zlib
 
 import numpy as np
-from PIL import Image, ImageFilter
+from PIL import Image, ImageDraw, ImageFilter
 
 CLASSES = ["biped", "quadruped", "bird", "fish", "snake", "many-legged"]
-SHARES = [3.0, 1.5, 0.8, 0.6, 0.15, 0.25]  # how often a kind is drawn; most drawings are of people
-CELLS, FINE, HIDDEN, STEPS = 24, 72, 48, 9000
+SHARES = [2.6, 1.5, 0.9, 0.6, 0.3, 0.5]  # how often a kind is drawn; most drawings are of people
+CELLS, FINE, CHANNELS, HIDDEN = 24, 72, (8, 16, 24), 32
+STEPS, BATCH, RATE, DECAY, SMOOTH, DROPPED = 12000, 128, 2e-3, 1e-2, 0.08, 0.1
 PICTURE_SHARE = 0.4  # of the draws
+WORN_SHARE = 0.6  # of the characters
 # Of names, the first that matches; None: left out, as what is no body or of two kinds is.
 KINDS = [
     (r"animalworld__004_Frog|Kangaroo|Koala|Monkey|hackmit__000|Fauna_|sk_kianga|dmobs__001|draconis__00[01]|YellowDragon|sk_bamba|sk_crimson42|scene_transformed", None),
     (r"hand|gun|fruit|dead_tree|scary_tree|q_monsters20__Tree|lower|Flora|robot_(allegro|barrett|kuka|panda|ur|widowx|racecar)|finger_edu|Tank|elysed_ghost|q_monsters20__Ghost|vr_|JoeJeff|firstperson|FP_|Enemy_Small|ExtraSmall|Skull|Gooey|drone|fantasma", None),
+    (r"cdogs|fantasywarrior|kaiopua|petz|sk_reactorous|0ad_horse_old__001", None),
     (r"snake", "snake"),
-    (r"antlion|[Cc]rab|Lobster|lobster|Locust|Scorpion|[Ss]pider|Roach|ant_queen|mantis|kraken", "many-legged"),
-    (r"wyvern|wasp|(monsters20|platformer)__Bee$|butterfly|[Cc]hicken|_owl$|Blackgrouse|Parrot|Eagle|eagle|Tern|Chick|gull|kiwi|phoenix|penguin|yofrankie__001|q_monsters20__Bat|Enemy_Flying", "bird"),
-    (r"[Ff]ish|Whale|Piranha|Betta|Puffer|[Ss]hark|[Rr]ay$|jelly|q_fish", "fish"),
-    (r"robot_(hyq|quadruped)|q_animals|q_farm|animalia|animalworld|krupnov|q_cube__(Animals|cat)|yofrankie__00[2-9]|_Rat$|_rat$|[Ff]ox|_sheep$|horse|nssm__00[26]|_cat$|crystal_deer|giraffe|_bear$|_lion$|sk_gekkoslo", "quadruped"),
+    (r"antlion|[Cc]rab|Lobster|lobster|Locust|Scorpion|[Ss]pider|Roach|ant_queen|mantis|kraken|aspiremint", "many-legged"),
+    (r"wyvern|wasp|(monsters20|platformer)__Bee$|butterfly|[Cc]hicken|_owl$|Blackgrouse|Parrot|Eagle|eagle|Tern|Chick|gull|kiwi|phoenix|penguin|yofrankie__001|q_monsters20__Bat|Enemy_Flying|0ad_(hawk|peacock)|extremetux|sk_(al_dezel|carbofos|tigerndv)|stk_pidgin", "bird"),
+    (r"[Ff]ish|Whale|Piranha|Betta|Puffer|[Ss]hark|[Rr]ay$|jelly|q_fish|0ad_tuna|sk_(dannzjs|dashdu|meleagor)", "fish"),
+    (r"robot_(hyq|quadruped)|q_animals|q_farm|animalia|animalworld|krupnov|q_cube__(Animals|cat)|yofrankie__00[2-9]|_Rat$|_rat$|[Ff]ox|_sheep$|horse|nssm__00[26]|_cat$|crystal_deer|giraffe|_bear$|_lion$|sk_gekkoslo|0ad_(?!biped)|assimp_wuson|exeterdad|fishywet|mistere|sk_(firoh|jose_ranieri|ladymito|mirenatxurra|rougher|shakiller)", "quadruped"),
     (r"", "biped"),
 ]
 PLANS = {"biped": "biped", "toy": "biped", "blob": "biped", "mascot": "biped", "dinosaur": "biped",
@@ -84,14 +88,18 @@ def read_character(path, count):
         order += new
         known |= set(new)
     samples = (corners[t] * share[:, :, None]).sum(1)
-    return samples, strongest[triangles[t, share.argmax(1)]], np.array(places), parents, order
+    head = [j for j, name in enumerate(names) if re.search("head", name, re.I)][:1]  # and what hangs on it
+    for j in order:
+        if head and parents.get(j) in head:
+            head.append(j)
+    return samples, strongest[triangles[t, share.argmax(1)]], np.array(places), parents, order, head
 
 
 def direction(kind, rng):
     """Yaw and elevation in degrees from which a kind of body is drawn."""
     r, side = rng.random(), rng.choice([-90, 90])
     yaw = {"biped": rng.normal(0, 22) if r < 0.75 else side + rng.normal(0, 20),
-           "quadruped": side + rng.normal(0, 18) if r < 0.88 else side * 5 / 9 + rng.normal(0, 10),
+           "quadruped": side + rng.normal(0, 18) if r < 0.75 else side * 5 / 9 + rng.normal(0, 10) if r < 0.9 else rng.normal(0, 15),
            "bird": rng.normal(0, 20) if r < 0.35 else side + rng.normal(0, 25),
            "many-legged": rng.uniform(-180, 180)}.get(kind, side + rng.normal(0, 18))
     up = {"many-legged": rng.uniform(0, 90), "snake": rng.uniform(0, 70)}.get(kind, rng.normal(6, 7))
@@ -100,7 +108,8 @@ def direction(kind, rng):
 
 def drawn(character, kind, rng):
     """[24, 24] how much of a cell the posed body covers, 0..255."""
-    samples, joint, places, parents, order = character
+    joint, parents, order = character[1], character[3], character[4]
+    samples, places = stylized(character, kind, rng)
     yaw, up = np.radians(direction(kind, rng))
     turn = np.array([[np.cos(yaw), 0, np.sin(yaw)], [0, 1, 0], [-np.sin(yaw), 0, np.cos(yaw)]])
     tilt = np.array([[1, 0, 0], [0, np.cos(up), -np.sin(up)], [0, np.sin(up), np.cos(up)]])
@@ -122,11 +131,76 @@ def drawn(character, kind, rng):
     low, high = p.min(0), p.max(0)
     size = max((high - low).max(), 1e-9) * 1.0001
     q = np.clip((p - low + (size - (high - low)) / 2) / size * FINE, 0, FINE - 1).astype(int)
-    dots = np.zeros((FINE + 8, FINE + 8), np.uint8)
-    dots[FINE + 3 - q[:, 1], q[:, 0] + 4] = 255
+    dots = np.zeros((2 * FINE, 2 * FINE), np.uint8)
+    dots[3 * FINE // 2 - 1 - q[:, 1], q[:, 0] + FINE // 2] = 255
     closed = Image.fromarray(dots).filter(ImageFilter.MaxFilter(5)).filter(ImageFilter.MinFilter(5))
-    fine = np.asarray(closed)[4:-4, 4:-4].reshape(CELLS, FINE // CELLS, CELLS, FINE // CELLS)
-    return fine.mean((1, 3)).astype(np.uint8)
+    if rng.random() < WORN_SHARE:
+        closed = worn(closed, kind, rng)
+    return cells_of(np.asarray(closed) > 127)
+
+
+def stylized(character, kind, rng):
+    """A body with a larger head and shorter legs, as many are drawn."""
+    samples, joint, places, parents, order, head = character
+    if kind not in ("biped", "quadruped") or not head or rng.random() < 0.5:
+        return samples, places
+    samples, places = samples.copy(), places.copy()
+    hip = samples[:, 1].min() + 0.5 * np.ptp(samples[:, 1])
+    legs = rng.uniform(0.4, 1)
+    for points in (samples, places):
+        points[:, 1] = np.where(points[:, 1] < hip, hip + legs * (points[:, 1] - hip), points[:, 1])
+    neck, larger = places[head[0]].copy(), rng.uniform(1, 2.3 if kind == "biped" else 1.7)
+    for points, own in ((samples, np.isin(joint, head)), (places, np.isin(np.arange(len(places)), head))):
+        points[own] = neck + larger * (points[own] - neck)
+    return samples, places
+
+
+def worn(image, kind, rng):
+    """The figure with what drawings add to a body: clothes and hair on people; things, shadows and grounds on all."""
+    ys, xs = np.nonzero(np.asarray(image) > 127)
+    top, bottom = ys.min(), ys.max()
+    high, wide, middle = bottom - top + 1, np.ptp(xs) + 1, np.median(xs)
+    pen = ImageDraw.Draw(image)
+
+    def ellipse(x, y, rx, ry):
+        pen.ellipse([x - rx, y - ry, x + rx, y + ry], fill=255)
+
+    def flared(y0, w0, y1, w1, x1):
+        pen.polygon([(middle - w0, y0), (middle + w0, y0), (x1 + w1, y1), (x1 - w1, y1)], fill=255)
+
+    if kind == "biped":
+        feet = np.median(xs[ys > bottom - 0.15 * high])
+        if rng.random() < 0.3:  # a dress, a coat, wide trousers
+            flared(top + rng.uniform(0.4, 0.6) * high, rng.uniform(0.06, 0.14) * high,
+                   top + rng.uniform(0.7, 1.0) * high, rng.uniform(0.12, 0.38) * high, feet)
+        if rng.random() < 0.12:  # a cape
+            flared(top + rng.uniform(0.15, 0.3) * high, rng.uniform(0.08, 0.16) * high,
+                   top + rng.uniform(0.55, 1.0) * high, rng.uniform(0.15, 0.4) * high, middle + rng.normal(0, 0.12) * high)
+        if rng.random() < 0.35:  # hair, a hat
+            crown = np.median(xs[ys < top + 0.1 * high])
+            rx, ry = rng.uniform(0.07, 0.2) * high, rng.uniform(0.06, 0.16) * high
+            ellipse(crown, top + ry * rng.uniform(0, 1.4), rx, ry)
+            if rng.random() < 0.4:
+                ellipse(crown + rng.normal(0, 0.1) * high, top + rng.uniform(0.15, 0.3) * high, rx, rng.uniform(0.1, 0.28) * high)
+    if rng.random() < 0.25:  # a thing in hand, a sign, a bag
+        side = xs.argmin() if rng.random() < 0.5 else xs.argmax()
+        x, y = xs[side], ys[side]
+        angle, length = rng.uniform(0, 2 * np.pi), rng.uniform(0.1, 0.6) * high
+        end = x + length * np.cos(angle), y + length * np.sin(angle)
+        pen.line([x, y, *end], fill=255, width=int(rng.integers(1, 5)))
+        if rng.random() < 0.5:
+            ellipse(*end, rng.uniform(0.03, 0.15) * high, rng.uniform(0.03, 0.15) * high)
+    if rng.random() < 0.15:  # fur, feathers, thick lines
+        image = image.filter(ImageFilter.MaxFilter(int(rng.choice([3, 5]))))
+        pen = ImageDraw.Draw(image)
+    if kind != "fish" and rng.random() < 0.2:  # a shadow, a ground
+        flat = rng.uniform(0.02, 0.08) * high
+        if rng.random() < 0.75:
+            ellipse(middle, bottom, rng.uniform(0.35, 0.75) * max(wide, 0.4 * high), flat)
+        else:
+            half = rng.uniform(0.5, 0.9) * max(wide, 0.4 * high)
+            pen.rectangle([middle - half, bottom - flat, middle + half, bottom + flat], fill=255)
+    return image
 
 
 def cells_of(mask):
@@ -137,43 +211,11 @@ def cells_of(mask):
     square = np.zeros((size, size), np.int64)
     y, x = (size - mask.shape[0]) // 2, (size - mask.shape[1]) // 2
     square[y:y + mask.shape[0], x:x + mask.shape[1]] = mask
-    edges = np.arange(CELLS + 1) * size // CELLS
-    out = np.zeros((CELLS, CELLS), np.uint8)
-    for i in range(CELLS):
-        for j in range(CELLS):
-            part = square[edges[i]:max(edges[i + 1], edges[i] + 1), edges[j]:max(edges[j + 1], edges[j] + 1)]
-            out[i, j] = 255 * part.sum() // part.size
-    return out
-
-
-def features(cells):
-    """[N, 24, 24] to [N, 245], 0..255: as outline_features() of outline_class.cpp."""
-    x = cells.astype(np.int64)
-    n, solid = len(x), x > 64
-    across = x.transpose(0, 2, 1)
-
-    def pairs(a, f):
-        return f(a.reshape(n, CELLS // 2, 2), 2)
-
-    def runs(b):
-        before = np.concatenate([np.zeros((n, CELLS, 1), bool), b[:, :, :-1]], 2)
-        return np.minimum(pairs((b & ~before).sum(2), np.max), 4) * 63
-
-    def ends(b):
-        some = b.any(2)
-        first = np.where(some, b.argmax(2), CELLS // 2)
-        last = np.where(some, CELLS - 1 - b[:, :, ::-1].argmax(2), CELLS // 2)
-        return [pairs(first, np.min) * 10, pairs(last, np.max) * 10]
-
-    total = x.sum((1, 2))
-    wide, high = np.maximum(solid.any(1).sum(1), 1), np.maximum(solid.any(2).sum(1), 1)
-    flipped = x[:, :, ::-1]
-    alike = 255 * np.minimum(x, flipped).sum((1, 2)) // np.maximum(np.maximum(x, flipped).sum((1, 2)), 1)
-    shape = np.stack([wide * 10, high * 10, total // CELLS**2, np.minimum(255, total // (wide * high)), alike], 1)
-    half = x.reshape(n, CELLS // 2, 2, CELLS // 2, 2).sum((2, 4)) // 4
-    cover = [a.reshape(n, CELLS // 2, 2 * CELLS).sum(2) // (2 * CELLS) for a in (x, across)]
-    down = solid.transpose(0, 2, 1)
-    return np.concatenate([runs(solid), runs(down), *cover, *ends(solid), *ends(down), shape, half.reshape(n, -1)], 1)
+    sums = np.pad(square, ((1, 0), (1, 0))).cumsum(0).cumsum(1)
+    low = np.arange(CELLS) * size // CELLS
+    high = np.maximum(np.arange(1, CELLS + 1) * size // CELLS, low + 1)
+    inside = sums[high][:, high] - sums[low][:, high] - sums[high][:, low] + sums[low][:, low]
+    return (255 * inside // np.outer(high - low, high - low)).astype(np.uint8)
 
 
 def of_characters(sinew, folder):
@@ -235,32 +277,84 @@ def shares_of(kinds, families):
     return weight / weight.sum()
 
 
-def trained(x, kinds, weight, seed):
-    """One hidden layer, ReLU; Adam, labels smoothed, noise on inputs, averaged weights. x is standardised."""
+def patches(x):
+    """[N, H, W, C] to [N H W, 9 C]: what a kernel of 3 x 3 sees, zeros around; rows of the kernel, columns, channels."""
+    n, h, w, c = x.shape
+    around = np.pad(x, ((0, 0), (1, 1), (1, 1), (0, 0)))
+    return np.concatenate([around[:, i:i + h, j:j + w] for i in range(3) for j in range(3)], 3).reshape(n * h * w, 9 * c)
+
+
+def forward(w, x, keep=None):
+    """[N, 24, 24] in 0..1 to logits [N, 6], and what the way back needs."""
+    seen, a = [], x[..., None].astype(np.float32)
+    for k in range(len(CHANNELS)):
+        n, h = a.shape[:2]
+        p = patches(a)
+        z = p @ w[2 * k] + w[2 * k + 1]
+        seen.append((a.shape, p, z > 0))
+        a = np.maximum(z, 0).reshape(n, h // 2, 2, h // 2, 2, -1).mean((2, 4))
+    flat = a.reshape(len(x), -1)
+    if keep is not None:
+        flat = flat * keep(flat.shape)
+    z = flat @ w[-4] + w[-3]
+    hidden = np.maximum(z, 0)
+    return hidden @ w[-2] + w[-1], (seen, a.shape, flat, hidden, z > 0)
+
+
+def backward(w, saved, g):
+    seen, shape, flat, hidden, active = saved
+    out = [hidden.T @ g, g.sum(0)]
+    d = (g @ w[-2].T) * active
+    out = [flat.T @ d, d.sum(0), *out]
+    d = (d @ w[-4].T).reshape(shape)
+    for k in reversed(range(len(CHANNELS))):
+        (n, h, _, c), p, positive = seen[k]
+        d = np.repeat(np.repeat(d, 2, 1), 2, 2).reshape(n * h * h, -1) / 4 * positive
+        out = [p.T @ d, d.sum(0), *out]
+        if k == 0:
+            break
+        back = (d @ w[2 * k].T).reshape(n, h, h, 9, c)
+        around = np.zeros((n, h + 2, h + 2, c), np.float32)
+        for i in range(9):
+            around[:, i // 3:i // 3 + h, i % 3:i % 3 + h] += back[:, :, :, i]
+        d = around[:, 1:-1, 1:-1]
+    return out
+
+
+def trained(cells, kinds, weight, seed):
+    """Three layers of 3 x 3 with the mean of four after each, one hidden layer; Adam, labels smoothed, figures mirrored,
+    shifted by a cell and noisy, averaged weights."""
     rng = np.random.default_rng(seed)
-    upto = np.cumsum(weight) / weight.sum()
-    n, count, batch, smooth = x.shape[1], len(CLASSES), 256, 0.08
-    w = [rng.normal(0, 1 / np.sqrt(n), (n, HIDDEN)), np.zeros(HIDDEN),
-         rng.normal(0, 1 / np.sqrt(HIDDEN), (HIDDEN, count)), np.zeros(count)]
+    upto, w, before = np.cumsum(weight) / weight.sum(), [], 1
+    for count in CHANNELS:
+        w += [rng.normal(0, np.sqrt(2 / (9 * before)), (9 * before, count)), np.zeros(count)]
+        before = count
+    flat = before * (CELLS >> len(CHANNELS))**2
+    w += [rng.normal(0, np.sqrt(2 / flat), (flat, HIDDEN)), np.zeros(HIDDEN),
+          rng.normal(0, 1 / np.sqrt(HIDDEN), (HIDDEN, len(CLASSES))), np.zeros(len(CLASSES))]
+    w = [a.astype(np.float32) for a in w]
     mean, square, average = [0 * a for a in w], [0 * a for a in w], [a.copy() for a in w]
     for t in range(1, STEPS + 1):
-        i = np.minimum(np.searchsorted(upto, rng.random(batch)), len(x) - 1)
-        b = x[i] + rng.normal(0, 0.4, (batch, n))
-        h = b @ w[0] + w[1]
-        a = np.maximum(h, 0)
-        o = a @ w[2] + w[3]
-        e = np.exp(o - o.max(1, keepdims=True))
-        wanted = np.full((batch, count), smooth / count)
-        wanted[np.arange(batch), kinds[i]] += 1 - smooth
-        g = (e / e.sum(1, keepdims=True) - wanted) / batch
-        back = (g @ w[2].T) * (h > 0)
-        rate = 3e-3 * (0.5 + 0.5 * np.cos(np.pi * t / STEPS))
-        for k, d in enumerate((b.T @ back, back.sum(0), a.T @ g, g.sum(0))):
+        i = np.minimum(np.searchsorted(upto, rng.random(BATCH)), len(cells) - 1)
+        x = cells[i].astype(np.float32) / 255
+        x = np.where((rng.random(BATCH) < 0.5)[:, None, None], x[:, :, ::-1], x)
+        for k, shift in enumerate(rng.integers(-1, 2, (BATCH, 2))):
+            x[k] = np.roll(x[k], shift, (0, 1))
+        x = x + rng.normal(0, 0.08, x.shape)
+        logits, saved = forward(w, x, lambda shape: (rng.random(shape) > DROPPED) / (1 - DROPPED))
+        e = np.exp(logits - logits.max(1, keepdims=True))
+        wanted = np.full(logits.shape, SMOOTH / len(CLASSES))
+        wanted[np.arange(BATCH), kinds[i]] += 1 - SMOOTH
+        gradients = backward(w, saved, ((e / e.sum(1, keepdims=True) - wanted) / BATCH).astype(np.float32))
+        rate = RATE * (0.5 + 0.5 * np.cos(np.pi * t / STEPS))
+        for k, d in enumerate(gradients):
             mean[k] = 0.9 * mean[k] + 0.1 * d
             square[k] = 0.999 * square[k] + 0.001 * d * d
             step = mean[k] / (1 - 0.9**t) / (np.sqrt(square[k] / (1 - 0.999**t)) + 1e-8)
-            w[k] = w[k] - rate * (step + (3e-3 * w[k] if k in (0, 2) else 0))
+            w[k] = (w[k] - rate * (step + (DECAY * w[k] if w[k].ndim == 2 else 0))).astype(np.float32)
             average[k] = 0.995 * average[k] + 0.005 * w[k]
+        if t % 1000 == 0:
+            print(f"step {t} of {STEPS}", flush=True)
     return average
 
 
@@ -294,25 +388,23 @@ def main():
     picture_weight = shares_of(of_picture, np.zeros(len(of_picture)))
     weight = np.concatenate([weight, picture_weight * PICTURE_SHARE])
     cells, kinds = np.array(cells), np.array(kinds)
-    x = np.concatenate([features(cells), features(cells[:, :, ::-1])]) / 255
-    middle, spread = x[:2 * first].mean(0), x[:2 * first].std(0) + 0.05
-    w = trained((x - middle) / spread, np.concatenate([kinds, kinds]), np.concatenate([weight, weight]), o.seed)
-    print(f"{first} of characters, {len(cells) - first} of pictures")
-    # Inputs stay 0..255; weights Q18 and Q12, biases Q18 and Q20.
-    first_weights = np.round(w[0] / spread[:, None] / 255 * 2**18).astype(int)
-    first_biases = np.round((w[1] - (middle / spread) @ w[0]) * 2**18).astype(int)
+    print(f"{first} of characters, {len(cells) - first} of pictures", flush=True)
+    w = trained(cells, kinds, weight, o.seed)
+    # Cells stay 0..255 and what layers give is Q10: weights of the first layer Q18 for 255 times as much, of the others Q12, biases of both.
+    matrices = [np.round(w[0] / 255 * 2**18), *(np.round(a * 2**12) for a in w[2::2])]
+    biases = [np.round(w[1] * 2**18), *(np.round(a * 2**22) for a in w[3::2])]
     with open(o.out, "w") as f:
         f.write("// SPDX-License-Identifier: MIT\n// Made by scripts/outline_class.py.\n"
                 "#ifndef SINEW_CHARACTER_PICTURE_OUTLINE_CLASS_TABLE_HPP\n"
                 "#define SINEW_CHARACTER_PICTURE_OUTLINE_CLASS_TABLE_HPP\n\n#include <cstdint>\n\n// clang-format off\n"
                 "namespace sinew {\n\n"
-                f"inline constexpr int kOutlineHidden = {HIDDEN};\n"
-                "// [245 x hidden] Q18, [hidden] Q18, [hidden x 6] Q12, [6] Q20.\n")
-        f.write(table_of("kOutlineFirst", first_weights, "int16_t"))
-        f.write(table_of("kOutlineFirstBias", first_biases, "int32_t"))
-        f.write(table_of("kOutlineSecond", np.round(w[2] * 2**12).astype(int), "int16_t"))
-        f.write(table_of("kOutlineSecondBias", np.round(w[3] * 2**20).astype(int), "int32_t"))
+                f"inline constexpr int kOutlineChannels[{len(CHANNELS)}] = {{{', '.join(map(str, CHANNELS))}}}, kOutlineHidden = {HIDDEN};\n"
+                "// Layer by layer [inputs x outputs], Q18 and Q12; inputs of a kernel by its rows, columns, channels.\n")
+        f.write(table_of("kOutlineWeights", np.concatenate([a.reshape(-1) for a in matrices]).astype(int), "int16_t"))
+        f.write("// [outputs] of every layer, Q18 and Q22.\n")
+        f.write(table_of("kOutlineBiases", np.concatenate(biases).astype(int), "int32_t"))
         f.write("\n}  // namespace sinew\n// clang-format on\n#endif\n")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -16,6 +16,8 @@ namespace {
 
 // Near limbs lie before the body and far ones behind it, by this share of the longest side.
 constexpr float kLayer = 0.006f;
+// Below it a class is hardly likelier than the next one, and the user is told both.
+constexpr float kUnsureClass = 0.5f;
 
 std::vector<PictureView> views_of(BodyClass body, bool given) {
   using enum PictureView;
@@ -113,10 +115,16 @@ SeenBody see_body(const Character& mesh, const std::optional<BodyClass>& given, 
   out.certainty = given ? 1.0f : guess.certainty;
   if (!given && seen.size() > 1 && std::isfinite(ratio)) out.certainty *= ratio / (1 + ratio);
   notes->insert(notes->end(), said[best].begin(), said[best].end());
-  if (!given)
-    notes->push_back(print("seen as a %s%s%s, a guess (%.0f %%); --class says what it is",
+  if (!given) {
+    const bool toss = guess.certainty < kUnsureClass;
+    const std::string other = toss ? print(", or else as a %s (%.0f %%)", body_class_word(guess.second).c_str(),
+                                           100 * static_cast<double>(guess.second_certainty))
+                                   : std::string();
+    notes->push_back(print("%sseen as a %s%s%s, a guess (%.0f %%)%s; --class says what it is", toss ? "warning: " : "",
                            body_class_word(out.body).c_str(), by_votes ? " " : "",
-                           by_votes ? picture_view_text(out.view) : "", 100 * static_cast<double>(out.certainty)));
+                           by_votes ? picture_view_text(out.view) : "", 100 * static_cast<double>(out.certainty),
+                           other.c_str()));
+  }
   lay_into_plane(mesh, by_votes ? out.view : PictureView::kFront, &out.skeleton);
   return out;
 }

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "picture/outline_class_table.hpp"
 #include "sinew_character/picture/body_class.hpp"
@@ -27,84 +29,16 @@ std::optional<BodyClass> body_class_of(const std::string& word) {
 
 namespace {
 
-constexpr int kPairs = kOutlineCells / 2;
-constexpr int32_t kSolid = 64;  // a cell that is covered by more is the figure's
-
-OutlineCells turned_cells(const OutlineCells& cells) {
-  OutlineCells out{};
-  for (size_t y = 0; y < kOutlineCells; ++y)
-    for (size_t x = 0; x < kOutlineCells; ++x) out[x][y] = cells[y][x];
-  return out;
-}
-
 OutlineCells mirrored(OutlineCells cells) {
   for (auto& row : cells) std::reverse(row.begin(), row.end());
   return cells;
 }
 
-// Of one row: how many parts it has, its first and its last solid cell (the middle where there is none).
-struct RowShape {
-  int32_t parts = 0, first = kPairs, last = kPairs;
-};
-
-RowShape shape_of(const std::array<int32_t, kOutlineCells>& row) {
-  RowShape out;
-  bool before = false;
-  for (int32_t x = 0; x < kOutlineCells; ++x) {
-    const bool solid = row[static_cast<size_t>(x)] > kSolid;
-    if (solid && !before && out.parts++ == 0) out.first = x;
-    if (solid) out.last = x;
-    before = solid;
-  }
-  return out;
-}
-
-struct LineFeatures {
-  std::array<int32_t, kPairs> parts{}, cover{}, first{}, last{};
-};
-
-LineFeatures lines_of(const OutlineCells& cells) {
-  LineFeatures out;
-  for (size_t p = 0; p < kPairs; ++p) {
-    const RowShape a = shape_of(cells[2 * p]), b = shape_of(cells[2 * p + 1]);
-    out.parts[p] = std::min(std::max(a.parts, b.parts), 4) * 63;
-    out.first[p] = std::min(a.first, b.first) * 10;
-    out.last[p] = std::max(a.last, b.last) * 10;
-    for (size_t x = 0; x < kOutlineCells; ++x) out.cover[p] += cells[2 * p][x] + cells[2 * p + 1][x];
-    out.cover[p] /= 2 * kOutlineCells;
-  }
-  return out;
-}
-
-// How many rows have a solid cell, 1 at least.
-int32_t solid_rows(const OutlineCells& cells) {
-  int32_t rows = 0;
-  for (const auto& row : cells) rows += shape_of(row).parts > 0 ? 1 : 0;
-  return std::max(rows, 1);
-}
-
-std::array<int32_t, 5> shape_features(const OutlineCells& cells) {
-  int64_t total = 0, both = 0, either = 0;
-  for (const auto& row : cells) {
-    for (size_t x = 0; x < kOutlineCells; ++x) {
-      const int32_t a = row[x], b = row[kOutlineCells - 1 - x];
-      total += a;
-      both += std::min(a, b);
-      either += std::max(a, b);
-    }
-  }
-  const int32_t wide = solid_rows(turned_cells(cells)), high = solid_rows(cells);
-  return {wide * 10, high * 10, static_cast<int32_t>(total / (kOutlineCells * kOutlineCells)),
-          static_cast<int32_t>(std::min<int64_t>(255, total / (wide * high))),
-          static_cast<int32_t>(255 * both / std::max<int64_t>(either, 1))};
-}
-
-// Logits, Q10. Sums stay below 245 * 255 * 2^15.
 #if defined(__EMSCRIPTEN__)
 // A page loads all of a module's constants with its first part. What code writes comes with the part that has the code: 20 kB later.
-constexpr uint64_t four_of_first(size_t from) {
+constexpr uint64_t four_of_weights(size_t from) {
   uint64_t out = 0;
-  for (size_t i = 0; i < 4; ++i) out |= uint64_t{static_cast<uint16_t>(kOutlineFirst[from + i])} << (16 * i);
+  for (size_t i = 0; i < 4; ++i) out |= uint64_t{static_cast<uint16_t>(kOutlineWeights[from + i])} << (16 * i);
   return out;
 }
 
@@ -116,33 +50,79 @@ char write_four(int16_t* to) {
 }
 
 template <size_t... kFour>
-[[gnu::noinline]] void write_first(int16_t* to, std::index_sequence<kFour...> /*fours*/) {
-  const char done[] = {write_four<four_of_first(4 * kFour)>(to + 4 * kFour)...};
+[[gnu::noinline]] void write_weights(int16_t* to, std::index_sequence<kFour...> /*fours*/) {
+  const char done[] = {write_four<four_of_weights(4 * kFour)>(to + 4 * kFour)...};
   (void)done;
 }
 
-const int16_t* first_layer() {
-  static int16_t weights[std::size(kOutlineFirst)];
-  static const bool is_written = (write_first(weights, std::make_index_sequence<std::size(weights) / 4>()), true);
+const int16_t* all_weights() {
+  static int16_t weights[std::size(kOutlineWeights)];
+  static const bool is_written = (write_weights(weights, std::make_index_sequence<std::size(weights) / 4>()), true);
   (void)is_written;
   return weights;
 }
 #else
-const int16_t* first_layer() { return kOutlineFirst; }
+const int16_t* all_weights() { return kOutlineWeights; }
 #endif
 
+// [side x side x channels], rows from the top
+struct Layer {
+  size_t side = 0, channels = 0;
+  std::vector<int32_t> values;
+  int32_t at(size_t y, size_t x, size_t c) const { return values[(y * side + x) * channels + c]; }
+};
+
+// A kernel of 3 x 3 with zeros around, what is positive of it in Q10, the mean of each four. Sums stay below 9 * 24 * 2^18 * 2^15.
+Layer convolved(const Layer& in, size_t channels, const int16_t* weights, const int32_t* biases, int32_t shift) {
+  Layer out = {in.side / 2, channels, std::vector<int32_t>(in.side / 2 * (in.side / 2) * channels)};
+  for (size_t y = 0; y < in.side; ++y)
+    for (size_t x = 0; x < in.side; ++x)
+      for (size_t k = 0; k < channels; ++k) {
+        int64_t sum = biases[k];
+        for (size_t i = 0; i < 9; ++i) {
+          const size_t v = y + i / 3, u = x + i % 3;  // one more than the cell's
+          if (v == 0 || u == 0 || v > in.side || u > in.side) continue;
+          for (size_t c = 0; c < in.channels; ++c)
+            sum += int64_t{in.at(v - 1, u - 1, c)} * weights[(i * in.channels + c) * channels + k];
+        }
+        out.values[((y / 2) * out.side + x / 2) * channels + k] +=
+            static_cast<int32_t>(std::max<int64_t>(sum, 0) >> shift);
+      }
+  for (int32_t& value : out.values) value /= 4;
+  return out;
+}
+
+// sums [outputs] of inputs by weights [inputs x outputs], with biases.
+std::vector<int64_t> dense(const std::vector<int32_t>& in, size_t outputs, const int16_t* weights,
+                           const int32_t* biases) {
+  std::vector<int64_t> out(biases, biases + outputs);
+  for (size_t i = 0; i < in.size(); ++i)
+    for (size_t k = 0; k < outputs; ++k) out[k] += int64_t{in[i]} * weights[i * outputs + k];
+  return out;
+}
+
+// Q10
 std::array<int64_t, kOutlineClasses> logits_of(const OutlineCells& cells) {
-  const int16_t* const first = first_layer();
-  const std::array<int32_t, kOutlineFeatures> x = outline_features(cells);
-  std::array<int64_t, kOutlineClasses> out{};
-  for (size_t k = 0; k < kOutlineClasses; ++k) out[k] = kOutlineSecondBias[k];
-  for (size_t h = 0; h < kOutlineHidden; ++h) {
-    int64_t sum = kOutlineFirstBias[h];
-    for (size_t i = 0; i < kOutlineFeatures; ++i) sum += int64_t{x[i]} * first[i * kOutlineHidden + h];
-    const int64_t value = std::max<int64_t>(sum, 0) >> 10;
-    for (size_t k = 0; k < kOutlineClasses; ++k) out[k] += value * kOutlineSecond[h * kOutlineClasses + k];
+  const int16_t* weights = all_weights();
+  const int32_t* biases = kOutlineBiases;
+  Layer layer = {kOutlineCells, 1, {}};
+  for (const auto& row : cells) layer.values.insert(layer.values.end(), row.begin(), row.end());
+  int32_t shift = 8;  // of Q18, then of Q22
+  for (const int channels : kOutlineChannels) {
+    const auto count = static_cast<size_t>(channels);
+    const size_t used = 9 * layer.channels * count;
+    layer = convolved(layer, count, weights, biases, shift);
+    weights += used;
+    biases += count;
+    shift = 12;
   }
-  for (int64_t& logit : out) logit >>= 10;
+  std::vector<int32_t> hidden;
+  for (const int64_t sum : dense(layer.values, kOutlineHidden, weights, biases))
+    hidden.push_back(static_cast<int32_t>(std::max<int64_t>(sum, 0) >> 12));
+  const std::vector<int64_t> sums =
+      dense(hidden, kOutlineClasses, weights + layer.values.size() * kOutlineHidden, biases + kOutlineHidden);
+  std::array<int64_t, kOutlineClasses> out{};
+  std::transform(sums.begin(), sums.end(), out.begin(), [](int64_t sum) { return sum >> 12; });
   return out;
 }
 
@@ -175,26 +155,6 @@ OutlineCells outline_cells(const Mask& mask) {
   return out;
 }
 
-std::array<int32_t, kOutlineFeatures> outline_features(const OutlineCells& cells) {
-  std::array<int32_t, kOutlineFeatures> out{};
-  auto at = out.begin();
-  const auto put = [&at](const auto& values) { at = std::copy(values.begin(), values.end(), at); };
-  const LineFeatures rows = lines_of(cells), columns = lines_of(turned_cells(cells));
-  put(rows.parts);
-  put(columns.parts);
-  put(rows.cover);
-  put(columns.cover);
-  put(rows.first);
-  put(rows.last);
-  put(columns.first);
-  put(columns.last);
-  put(shape_features(cells));
-  for (size_t y = 0; y < kOutlineCells; y += 2)
-    for (size_t x = 0; x < kOutlineCells; x += 2)
-      *at++ = (cells[y][x] + cells[y][x + 1] + cells[y + 1][x] + cells[y + 1][x + 1]) / 4;
-  return out;
-}
-
 BodyGuess class_of_outline(const Mask& mask) {
   const OutlineCells cells = outline_cells(mask);
   if (std::all_of(cells.begin(), cells.end(),
@@ -202,14 +162,15 @@ BodyGuess class_of_outline(const Mask& mask) {
     return {};
   std::array<int64_t, kOutlineClasses> logits = logits_of(cells);
   const std::array<int64_t, kOutlineClasses> other = logits_of(mirrored(cells));
-  size_t best = 0;
-  for (size_t k = 0; k < kOutlineClasses; ++k) {
-    logits[k] += other[k];
-    if (logits[k] > logits[best]) best = k;
-  }
+  std::array<size_t, kOutlineClasses> order{};
+  std::iota(order.begin(), order.end(), size_t{0});
+  for (size_t k = 0; k < kOutlineClasses; ++k) logits[k] += other[k];
+  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return logits[a] > logits[b]; });
+  const auto share = [&](size_t k) { return std::exp(static_cast<double>(logits[k] - logits[order[0]]) / 2048); };
   double sum = 0;
-  for (const int64_t logit : logits) sum += std::exp(static_cast<double>(logit - logits[best]) / 2048);
-  return {static_cast<BodyClass>(best), static_cast<float>(1 / sum)};
+  for (size_t k = 0; k < kOutlineClasses; ++k) sum += share(k);
+  return {static_cast<BodyClass>(order[0]), static_cast<float>(1 / sum), static_cast<BodyClass>(order[1]),
+          static_cast<float>(share(order[1]) / sum)};
 }
 
 }  // namespace sinew

@@ -12,13 +12,13 @@
 namespace sinew {
 namespace {
 
-constexpr uint32_t kCells = 72;          // along the longest side
-constexpr uint32_t kBlur = 2;            // layers between the base's edge and what stands on it
-constexpr double kMostHigh = 0.35;       // of the whole
-constexpr double kLeastWide = 0.2;       // of its height, both ways across
-constexpr double kEven = 0.5;            // of the largest section of a base, the smallest
-constexpr double kDrop = 0.55;           // of that, the largest section right above it
-constexpr double kLeastConvex = 0.92;    // of its convex hull: two feet are not
+constexpr uint32_t kCells = 72;        // along the longest side
+constexpr uint32_t kBlur = 2;          // layers between the base's edge and what stands on it
+constexpr double kMostHigh = 0.35;     // of the whole
+constexpr double kLeastWide = 0.2;     // of its height, both ways across
+constexpr double kEven = 0.5;          // of the largest section of a base, the smallest
+constexpr double kDrop = 0.55;         // of that, the largest section right above it
+constexpr double kLeastConvex = 0.92;  // of its convex hull: two feet are not
 
 struct Section {
   double cells = 0;   // that it has, what it encloses too
@@ -83,7 +83,8 @@ Section section_of(const Layer& surface) {
       low[a] = std::min(low[a], cell[a]);
       high[a] = std::max(high[a], cell[a] + 1);
     }
-    for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}}) corners.push_back({cell[0] + dx, cell[1] + dy});
+    for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}})
+      corners.push_back({cell[0] + dx, cell[1] + dy});
   }
   if (corners.empty()) return out;
   out.wide = static_cast<double>(std::min(high[0] - low[0], high[1] - low[1]));
@@ -113,7 +114,8 @@ std::vector<Layer> surface_layers(const Character& mesh, const Box& box, Axis up
     const auto steps = static_cast<uint32_t>(2 * longest / cell) + 1;
     for (uint32_t i = 0; i <= steps; ++i)
       for (uint32_t j = 0; i + j <= steps; ++j) {
-        const float s = static_cast<float>(i) / static_cast<float>(steps), t = static_cast<float>(j) / static_cast<float>(steps);
+        const float s = static_cast<float>(i) / static_cast<float>(steps),
+                    t = static_cast<float>(j) / static_cast<float>(steps);
         std::array<float, 3> at{};
         for (size_t k = 0; k < 3; ++k) at[k] = p[0][k] + s * (p[1][k] - p[0][k]) + t * (p[2][k] - p[0][k]);
         mark(at);
@@ -142,7 +144,10 @@ std::vector<uint8_t> find_fused_base(const Character& mesh, Axis up) {
                       section.wide >= kLeastWide * static_cast<double>(layers.size());
     if (!slab) return {};
     if (sections[top + kBlur].cells > kDrop * smallest) continue;
-    const float end = (up == Axis::kZ ? box.low.z : up == Axis::kY ? box.low.y : box.low.x) + cell * static_cast<float>(top + kBlur);
+    const float end = (up == Axis::kZ   ? box.low.z
+                       : up == Axis::kY ? box.low.y
+                                        : box.low.x) +
+                      cell * static_cast<float>(top + kBlur);
     std::vector<uint8_t> scenery(mesh.vertices.size());
     for (size_t v = 0; v < scenery.size(); ++v) {
       const Vec3& p = mesh.vertices[v];

@@ -20,6 +20,8 @@ enum class BodyClass { kBiped, kQuadruped, kBird, kFish, kSnake, kManyLegged, kO
 struct BodyGuess {
   BodyClass body = BodyClass::kBiped;
   float certainty = 0;  // 0..1
+  BodyClass second = BodyClass::kQuadruped;
+  float second_certainty = 0;
 };
 
 // biped, quadruped, bird, fish, snake, many-legged, other: in the order of the enum.
@@ -33,18 +35,14 @@ inline BodyClass body_of_category(uint32_t category) { return static_cast<BodyCl
 
 // What kind of body an outline is of, by a small network of its own.
 
-constexpr int kOutlineCells = 24, kOutlineFeatures = 245, kOutlineClasses = 6;
+constexpr int kOutlineCells = 24, kOutlineClasses = 6;
 
 // How much of each cell of the square about the figure it covers, 0..255, rows from the top.
 using OutlineCells = std::array<std::array<int32_t, kOutlineCells>, kOutlineCells>;
 OutlineCells outline_cells(const Mask& mask);
 
-// 0..255: of pairs of rows and of columns how often the figure begins in one, how much it covers, where it begins and ends; width,
-// height, area, fullness, likeness of both halves; cells of twice the size.
-std::array<int32_t, kOutlineFeatures> outline_features(const OutlineCells& cells);
-
-// One hidden layer over outline_features() of the figure and of its mirror image, trained by scripts/outline_class.py on drawn
-// characters and clip art. Integers up to the choice; the certainty is its softmax. Never kOther; an empty mask is a biped
+// Three layers of kernels and a hidden one over the cells of the figure and of its mirror image, trained by scripts/outline_class.py
+// on drawn characters and clip art. Integers up to the choice; certainties are its softmax. Never kOther; an empty mask is a biped
 // with certainty 0.
 BodyGuess class_of_outline(const Mask& mask);
 

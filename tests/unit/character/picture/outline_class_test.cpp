@@ -93,15 +93,16 @@ TEST(OutlineClass, SizeAndPlaceHardlyMatter) {
   EXPECT_GT(dot.certainty, 0.0f);
 }
 
-TEST(OutlineClass, FeaturesAreBytes) {
+TEST(OutlineClass, CellsAreBytesAndTheSecondGuessIsAnother) {
   const OutlineCells full = outline_cells(drawn([](double, double) { return true; }, 48));
   for (const auto& row : full)
     for (const int32_t cell : row) EXPECT_EQ(cell, 255);
-  for (const Shape shape : {person, horse, fish, spider})
-    for (const int32_t value : outline_features(outline_cells(drawn(shape)))) {
-      EXPECT_GE(value, 0);
-      EXPECT_LE(value, 255);
-    }
+  for (const Shape shape : {person, horse, fish, spider}) {
+    const BodyGuess guess = class_of_outline(drawn(shape));
+    EXPECT_NE(guess.body, guess.second);
+    EXPECT_LE(guess.second_certainty, guess.certainty);
+    EXPECT_LE(guess.certainty + guess.second_certainty, 1.0f);
+  }
 }
 
 TEST(OutlineClass, AnEmptyPictureIsNoGuess) {
