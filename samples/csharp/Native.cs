@@ -74,6 +74,7 @@ namespace Sinew
         public const uint MAX_TRANSFER_PAIRS = 128;
         public const uint MAX_BIHARMONIC_VERTICES = 65536;
         public const uint NO_AREA = 4294967295;
+        public const uint MAX_CHAIN_COLLIDERS = 65536;
         public const int ERROR_INPUT = -30;
         public const int ERROR_MEMORY = -31;
         public const uint MAX_LOD_LEVELS = 8;
@@ -92,6 +93,11 @@ namespace Sinew
         public const uint DETAIL_HANDS = 1;
         public const uint DETAIL_FACE = 2;
         public const uint DETAIL_PROPS = 4;
+        public const uint COLLIDER_SPHERE = 1;
+        public const uint COLLIDER_CAPSULE = 2;
+        public const uint COLLIDER_INSIDE_SPHERE = 3;
+        public const uint COLLIDER_INSIDE_CAPSULE = 4;
+        public const uint COLLIDER_PLANE = 5;
         public const uint READ_MESH = 1;
         public const uint READ_SKELETON = 2;
         public const uint READ_MOTION = 4;
@@ -121,6 +127,7 @@ namespace Sinew
         public const int ERROR_VERSION = -18;
         public const int ERROR_MODEL_TASK = -19;
         public const int ERROR_NOT_BUILT = -20;
+        public const int ERROR_CHAIN = -21;
 
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         public delegate int sinew_progress(IntPtr a, uint b);
@@ -417,6 +424,42 @@ namespace Sinew
         {
             public uint struct_size, level, joint_count, as_drawn;
             public IntPtr centroids;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_spring_joint
+        {
+            public uint joint;
+            public float hit_radius, stiffness, gravity_power, gravity_0, gravity_1, gravity_2, drag, limit;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_spring_chain
+        {
+            public uint first_joint, joint_count, first_collider, collider_count;
+            public int center;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_spring_collider
+        {
+            public uint joint, shape;
+            public float offset_0, offset_1, offset_2, tail_0, tail_1, tail_2, radius;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_spring_set
+        {
+            public uint struct_size, joint_count, chain_count, collider_count, chain_collider_count, reserved;
+            public IntPtr joints, chains, colliders, chain_colliders;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_springs_options
+        {
+            public uint struct_size;
+            public float steps, unit, teleport, gap;
+            public uint reserved;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -907,6 +950,21 @@ namespace Sinew
         public static extern int sinew_simplify(IntPtr skeleton, IntPtr areas, IntPtr keep, IntPtr options, IntPtr workspace,
             UIntPtr workspace_bytes, IntPtr into);
 
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_springs_workspace_size(uint skeleton_joints, uint joint_count, uint chain_count, uint collider_count,
+            uint chain_collider_count, out UIntPtr size_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_springs_create(IntPtr skeleton, IntPtr set, IntPtr options, IntPtr memory, UIntPtr memory_bytes,
+            IntPtr springs);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_springs_frame(IntPtr springs, float seconds, IntPtr rotations, IntPtr translations,
+            IntPtr out_rotations);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_springs_restart(IntPtr springs);
+
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern IntPtr sinew_character_error(IntPtr character);
 
@@ -1068,6 +1126,11 @@ namespace Sinew
             new StructSize("sinew_transfer_outputs", Marshal.SizeOf(typeof(sinew_transfer_outputs)), true),
             new StructSize("sinew_reference_options", Marshal.SizeOf(typeof(sinew_reference_options)), true),
             new StructSize("sinew_simplify_options", Marshal.SizeOf(typeof(sinew_simplify_options)), true),
+            new StructSize("sinew_spring_joint", Marshal.SizeOf(typeof(sinew_spring_joint)), false),
+            new StructSize("sinew_spring_chain", Marshal.SizeOf(typeof(sinew_spring_chain)), false),
+            new StructSize("sinew_spring_collider", Marshal.SizeOf(typeof(sinew_spring_collider)), false),
+            new StructSize("sinew_spring_set", Marshal.SizeOf(typeof(sinew_spring_set)), true),
+            new StructSize("sinew_springs_options", Marshal.SizeOf(typeof(sinew_springs_options)), true),
         };
 
         internal static readonly StructSize[] CharacterStructs =

@@ -301,6 +301,7 @@ struct SetLine {
     if (key == "pin") return &pin;
     if (key == "no-toes") return &rig_options.without;  // 1: SINEW_WITHOUT_TOES
     if (key == "motion") return &motion_frames;
+    if (key == "springs") return &spring_frames;
     if (key == "transfer") return &transfer.method;
     if (key == "garment") return &transfer.garment;
     if (key == "as-drawn") return &transfer.as_drawn;
@@ -322,6 +323,7 @@ struct SetLine {
   uint32_t details = 0;  // 1: the skeleton grows by what sinew_rig_details() finds
   sinew_rig_options rig_options = SINEW_INIT(sinew_rig_options);
   uint32_t motion_frames = 0;  // so many frames of a made-up motion retargeted to the character's skeleton
+  uint32_t spring_frames = 0;  // so many frames of a made-up motion behind which chains of the character's swing
   uint32_t by_distance = 0;    // 1: weights by distance in place of heat
   uint32_t deform = 0;         // 1 + the method: a pose of the mesh as it is bound by heat
   sinew_deform_options deform_options = SINEW_INIT(sinew_deform_options);
@@ -724,6 +726,83 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   print(name, "points", poses);
 }
 
+// Chains from every leaf up to where the skeleton forks, with colliders of every shape on its first joints, behind frames of different
+// lengths in which everything turns. A jump restarts them halfway.
+void hash_springs(const char* name, uint32_t frames, const Input& in) {
+  const uint32_t joints = in.skeleton.joint_count;
+  uint32_t state = 11;
+  const auto draw = [&state] {
+    state = state * 1664525u + 1013904223u;
+    return static_cast<float>(static_cast<int32_t>(state >> 8) - (1 << 23)) / static_cast<float>(1 << 23);
+  };
+  std::vector<uint32_t> children(joints, 0);
+  for (const int32_t parent : in.parents)
+    if (parent >= 0) ++children[static_cast<size_t>(parent)];
+  std::vector<sinew_spring_joint> spring_joints;
+  std::vector<sinew_spring_chain> chains;
+  for (uint32_t leaf = 0; leaf < joints; ++leaf) {
+    if (children[leaf] != 0) continue;
+    std::vector<uint32_t> path = {leaf};
+    for (int32_t up = in.parents[leaf]; up >= 0 && children[static_cast<size_t>(up)] == 1;
+         up = in.parents[static_cast<size_t>(up)])
+      path.insert(path.begin(), static_cast<uint32_t>(up));
+    if (path.size() < 2) continue;
+    const int32_t center = chains.size() % 2 == 0 ? -1 : in.parents[path[0]];
+    chains.push_back({static_cast<uint32_t>(spring_joints.size()), static_cast<uint32_t>(path.size()), 0, 5, center});
+    for (const uint32_t joint : path)
+      spring_joints.push_back({joint,
+                               0.02f,
+                               0.5f + 0.4f * draw(),
+                               0.5f + 0.4f * draw(),
+                               {draw(), -1, draw()},
+                               0.4f + 0.3f * draw(),
+                               joint % 2 == 0 ? 40.0f : 0.0f});
+  }
+  if (chains.empty()) return;
+  std::vector<sinew_spring_collider> colliders;
+  for (uint32_t c = 0; c < 5; ++c)
+    colliders.push_back({c % joints,
+                         SINEW_COLLIDER_SPHERE + c,
+                         {draw(), draw(), draw()},
+                         {draw(), draw(), draw()},
+                         c < 2 ? 0.4f : 3.0f});
+  const uint32_t chain_colliders[] = {0, 1, 2, 3, 4};
+  sinew_spring_set set = SINEW_INIT(sinew_spring_set);
+  set.joint_count = static_cast<uint32_t>(spring_joints.size());
+  set.chain_count = static_cast<uint32_t>(chains.size());
+  set.collider_count = 5;
+  set.chain_collider_count = 5;
+  set.joints = spring_joints.data();
+  set.chains = chains.data();
+  set.colliders = colliders.data();
+  set.chain_colliders = chain_colliders;
+  size_t bytes = 0;
+  check(sinew_springs_workspace_size(joints, set.joint_count, set.chain_count, 5, 5, &bytes));
+  Block block(bytes);
+  sinew_springs* springs = nullptr;
+  check(sinew_springs_create(&in.skeleton, &set, nullptr, block.data, bytes, &springs));
+  Hash poses;
+  std::vector<float> rotations(size_t{4} * joints), translations(size_t{3} * joints);
+  std::vector<uint32_t> bits(rotations.size());
+  const float lengths[] = {1.0f / 60, 1.0f / 30, 0.004f, 0.0f, 0.05f, 1.0f / 144};
+  for (uint32_t f = 0; f < frames; ++f) {
+    for (uint32_t j = 0; j < joints; ++j) {
+      const int32_t parent = in.parents[j];
+      for (size_t c = 0; c < 3; ++c) {
+        const float above = parent < 0 ? 0 : in.joints[3 * static_cast<size_t>(parent) + c];
+        translations[3 * j + c] = in.joints[3 * j + c] - above + (parent < 0 ? 0.2f * draw() : 0);
+        if (parent < 0 && f >= frames / 2) translations[3 * j + c] += 1000;
+        rotations[4 * j + c] = 0.2f * draw();
+      }
+      rotations[4 * j + 3] = 1.5f + 0.5f * draw();
+    }
+    check(sinew_springs_frame(springs, lengths[f % 6], rotations.data(), translations.data(), rotations.data()));
+    std::memcpy(bits.data(), rotations.data(), bits.size() * sizeof(uint32_t));
+    poses.add(bits.data(), bits.size());
+  }
+  print(name, "springs", poses);
+}
+
 // Every joint turned by the angle of a 3-4-5 triangle, or a multiple of it, about an axis of its own, on top of its parent: no sine
 // is needed.
 std::vector<float> bent_palette(const Input& in, uint32_t turns) {
@@ -892,6 +971,8 @@ void hash_set(const std::string& path, uint32_t kernel) {
     for (size_t i = 1; i < words.size(); ++i) name += "," + base_name(words[i]);
     if (!line.source.empty()) {
       hash_map(name.c_str(), line, in, read_input(folder + line.source));
+    } else if (line.spring_frames != 0) {
+      hash_springs(name.c_str(), line.spring_frames, in);
     } else if (line.motion_frames != 0) {
       hash_motion(name.c_str(), line, in);
     } else if (!line.target.empty()) {

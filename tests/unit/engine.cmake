@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # One folder of engine/src, one program.
-foreach(room api core names grid mesh skeleton motion reduce voxels rig mapping simplify candidates solve heat spectral features weights deform bind transfer published front votes details)
+foreach(room api core names grid mesh skeleton motion springs reduce voxels rig mapping simplify candidates solve heat spectral features weights deform bind transfer published front votes details)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/engine/${room}/*_test.cpp)
   sinew_test(unit_engine_${room} SOURCES ${sources} LIBS sinew::engine_internals LABELS unit)
 endforeach()

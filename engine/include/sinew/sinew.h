@@ -18,6 +18,7 @@
  *   sinew/motion_clips.h  whole clips of it: natural ranges, what is left to be mended
  *   sinew/motion_stream.h frame by frame as it comes, in one block of memory
  *   sinew/joint_limits.h  holds joints within limits, as robots have them
+ *   sinew/springs.h       chains that swing: hair, tails, ears, skirts
  *   sinew/abi.h           sizes of structs, for bindings
  *   sinew/published.h     methods as others published them, for comparison; this header does not include it
  *
@@ -48,6 +49,7 @@
 #include "sinew/simplify.h"
 #include "sinew/skeleton.h"
 #include "sinew/skin.h"
+#include "sinew/springs.h"
 #include "sinew/transfer.h"
 #include "sinew/types.h"
 

@@ -556,6 +556,31 @@ class RetargetStream {
   sinew_retarget_stream* stream_ = nullptr;
 };
 
+// sinew_springs and its memory.
+class Springs {
+ public:
+  // Size query, memory and sinew_springs_create(); options may be null. Returns what they do; SINEW_ERROR_WORKSPACE where memory is
+  // short. On failure there are no springs, and the functions below return SINEW_ERROR_ARGUMENT.
+  sinew_status make(const sinew_skeleton& skeleton, const sinew_spring_set& set,
+                    const sinew_springs_options* options = nullptr) {
+    springs_ = nullptr;
+    size_t bytes = 0;
+    const sinew_status status = sinew_springs_workspace_size(skeleton.joint_count, set.joint_count, set.chain_count,
+                                                             set.collider_count, set.chain_collider_count, &bytes);
+    if (status != SINEW_OK) return status;
+    if (!memory_.reserve(bytes)) return SINEW_ERROR_WORKSPACE;
+    return sinew_springs_create(&skeleton, &set, options, memory_.data(), memory_.size(), &springs_);
+  }
+  sinew_status frame(float seconds, const float* rotations, const float* translations, float* out_rotations) {
+    return sinew_springs_frame(springs_, seconds, rotations, translations, out_rotations);
+  }
+  sinew_status restart() { return sinew_springs_restart(springs_); }
+
+ private:
+  Workspace memory_;
+  sinew_springs* springs_ = nullptr;
+};
+
 // sinew_deform_options that ask for every default; {} where a function takes deform options.
 struct DeformOptions : sinew_deform_options {
   DeformOptions() : sinew_deform_options(SINEW_INIT(sinew_deform_options)) {}

@@ -89,8 +89,10 @@ typedef enum sinew_status {
   SINEW_ERROR_VERSION = -18,         /* an option is set that this library does not know: update the library, or leave
                                       * it 0 */
   SINEW_ERROR_MODEL_TASK = -19,      /* the model is made for another task than this call: see sinew_model::task */
-  SINEW_ERROR_NOT_BUILT = -20        /* this library was built without what is asked for: with SINEW_SMALL_CODE, or with
+  SINEW_ERROR_NOT_BUILT = -20,       /* this library was built without what is asked for: with SINEW_SMALL_CODE, or with
                                       * SINEW_PUBLISHED_METHODS off (sinew/published.h) */
+  SINEW_ERROR_CHAIN = -21 /* joints of a spring chain do not lie below one another, or two chains turn one joint:
+                                      * order them from the root down, leave one of the chains out */
 } sinew_status;
 
 /* One line of English for a status; never null. */

@@ -139,5 +139,16 @@ sinew_status sinew_retarget_stream_frame(sinew_retarget_stream*, const float*, c
   return SINEW_ERROR_NOT_BUILT;
 }
 sinew_status sinew_retarget_stream_restart(sinew_retarget_stream*) { return SINEW_ERROR_NOT_BUILT; }
+sinew_status sinew_springs_workspace_size(uint32_t, uint32_t, uint32_t, uint32_t, uint32_t, size_t* size_bytes) {
+  return no_size(size_bytes);
+}
+sinew_status sinew_springs_create(const sinew_skeleton*, const sinew_spring_set*, const sinew_springs_options*, void*,
+                                  size_t, sinew_springs**) {
+  return SINEW_ERROR_NOT_BUILT;
+}
+sinew_status sinew_springs_frame(sinew_springs*, float, const float*, const float*, float*) {
+  return SINEW_ERROR_NOT_BUILT;
+}
+sinew_status sinew_springs_restart(sinew_springs*) { return SINEW_ERROR_NOT_BUILT; }
 
 }  // extern "C"

@@ -52,6 +52,8 @@ const char* sinew_status_text(sinew_status status) {
       return "the model is made for another task than this call";
     case SINEW_ERROR_NOT_BUILT:
       return "this library was built without what is asked for";
+    case SINEW_ERROR_CHAIN:
+      return "joints of a spring chain do not lie below one another, or two chains turn the same joint";
     case SINEW_ERROR_KERNEL:
       return "this library or this processor lacks the kernels asked for";
     case SINEW_ERROR_VERSION:

@@ -16,6 +16,7 @@
 #include "sinew/simplify.h"
 #include "sinew/skeleton.h"
 #include "sinew/skin.h"
+#include "sinew/springs.h"
 #include "sinew/transfer.h"
 #include "sinew/types.h"
 
@@ -61,6 +62,11 @@ constexpr StructSize kStructSizes[] = {
     {"sinew_transfer_outputs", sizeof(sinew_transfer_outputs)},
     {"sinew_reference_options", sizeof(sinew_reference_options)},
     {"sinew_simplify_options", sizeof(sinew_simplify_options)},
+    {"sinew_spring_joint", sizeof(sinew_spring_joint)},
+    {"sinew_spring_chain", sizeof(sinew_spring_chain)},
+    {"sinew_spring_collider", sizeof(sinew_spring_collider)},
+    {"sinew_spring_set", sizeof(sinew_spring_set)},
+    {"sinew_springs_options", sizeof(sinew_springs_options)},
 };
 
 bool equal(const char* a, const char* b) {  // the engine needs no C library

@@ -101,6 +101,14 @@ export const LAYOUTS = {
     "struct_size@0:u32 area_power@4:u32 own_limb@8:u32 legs@12:u32 falloff@16:f32 least_cosine@20:f32 progress@24:u32 " +
     "progress_user@28:u32 head@32:u32 torso@36:u32 source_points@40:u32 as_drawn@44:u32"),
   simplifyOptions: layout(20, "struct_size@0:u32 level@4:u32 joint_count@8:u32 as_drawn@12:u32 centroids@16:u32"),
+  springJoint: layout(36,
+    "joint@0:u32 hit_radius@4:f32 stiffness@8:f32 gravity_power@12:f32 gravity@16:f32x3 drag@28:f32 limit@32:f32"),
+  springChain: layout(20, "first_joint@0:u32 joint_count@4:u32 first_collider@8:u32 collider_count@12:u32 center@16:i32"),
+  springCollider: layout(36, "joint@0:u32 shape@4:u32 offset@8:f32x3 tail@20:f32x3 radius@32:f32"),
+  springSet: layout(40,
+    "struct_size@0:u32 joint_count@4:u32 chain_count@8:u32 collider_count@12:u32 chain_collider_count@16:u32 reserved@20:u32 " +
+    "joints@24:u32 chains@28:u32 colliders@32:u32 chain_colliders@36:u32"),
+  springsOptions: layout(24, "struct_size@0:u32 steps@4:f32 unit@8:f32 teleport@12:f32 gap@16:f32 reserved@20:u32"),
   file: layout(12, "name@0:u32 bytes@4:u32 size_bytes@8:u32"),
   characterProfileOptions: layout(32,
     "struct_size@0:u32 keep_axes@4:u32 profile@8:u32 license@12:u32 title@16:u32 authors@20:u32 author_count@24:u32 " +
@@ -221,6 +229,7 @@ export const JOINT_NAME_BYTES = 32;
 export const MAX_TRANSFER_PAIRS = 128;
 export const MAX_BIHARMONIC_VERTICES = 65536;
 export const NO_AREA = 4294967295;
+export const MAX_CHAIN_COLLIDERS = 65536;
 export const ERROR_INPUT = -30;
 export const ERROR_MEMORY = -31;
 export const MAX_LOD_LEVELS = 8;
@@ -239,6 +248,11 @@ export const LIMIT_BALL = 2;
 export const DETAIL_HANDS = 1;
 export const DETAIL_FACE = 2;
 export const DETAIL_PROPS = 4;
+export const COLLIDER_SPHERE = 1;
+export const COLLIDER_CAPSULE = 2;
+export const COLLIDER_INSIDE_SPHERE = 3;
+export const COLLIDER_INSIDE_CAPSULE = 4;
+export const COLLIDER_PLANE = 5;
 export const READ_MESH = 1;
 export const READ_SKELETON = 2;
 export const READ_MOTION = 4;

@@ -30,6 +30,7 @@ JOINT_NAME_BYTES = 32
 MAX_TRANSFER_PAIRS = 128
 MAX_BIHARMONIC_VERTICES = 65536
 NO_AREA = 4294967295
+MAX_CHAIN_COLLIDERS = 65536
 ERROR_INPUT = -30
 ERROR_MEMORY = -31
 MAX_LOD_LEVELS = 8
@@ -48,6 +49,11 @@ LIMIT_BALL = 2
 DETAIL_HANDS = 1
 DETAIL_FACE = 2
 DETAIL_PROPS = 4
+COLLIDER_SPHERE = 1
+COLLIDER_CAPSULE = 2
+COLLIDER_INSIDE_SPHERE = 3
+COLLIDER_INSIDE_CAPSULE = 4
+COLLIDER_PLANE = 5
 READ_MESH = 1
 READ_SKELETON = 2
 READ_MOTION = 4
@@ -62,7 +68,7 @@ STATUS: Dict[str, int] = {"OK": 0, "ERROR_ARGUMENT": -1, "ERROR_WORKSPACE": -2, 
     "ERROR_INDEX": -5, "ERROR_HIERARCHY": -6, "ERROR_NO_JOINT": -7, "ERROR_CANCELLED": -8, "ERROR_MODEL_MAGIC": -9,
     "ERROR_MODEL_VERSION": -10, "ERROR_MODEL_TRUNCATED": -11, "ERROR_MODEL_CHECKSUM": -12, "ERROR_MODEL_LAYOUT": -13,
     "ERROR_MODEL_OVERFLOW": -14, "ERROR_MODEL_ALIGNMENT": -15, "ERROR_RANGE": -16, "ERROR_KERNEL": -17, "ERROR_VERSION": -18,
-    "ERROR_MODEL_TASK": -19, "ERROR_NOT_BUILT": -20}
+    "ERROR_MODEL_TASK": -19, "ERROR_NOT_BUILT": -20, "ERROR_CHAIN": -21}
 Kernel = Literal["auto", "ref", "avx2", "avxvnni", "vnni", "simd128", "neon", "dsp"]
 KERNEL: Tuple[str, ...] = ("auto", "ref", "avx2", "avxvnni", "vnni", "simd128", "neon", "dsp")
 WITHOUT: Dict[str, int] = {"WITHOUT_TOES": 1, "WITHOUT_ENDS": 2, "WITHOUT_BIND": 4, "WITHOUT_NAMES": 8, "WITHOUT_RANGE": 16,
@@ -119,6 +125,8 @@ BranchesCost = Literal["mean", "sum"]
 BRANCHES_COST: Tuple[str, ...] = ("mean", "sum")
 SimplifyLevel = Literal["high", "low"]
 SIMPLIFY_LEVEL: Tuple[str, ...] = ("high", "low")
+COLLIDER_SHAPE: Dict[str, int] = {"COLLIDER_SPHERE": 1, "COLLIDER_CAPSULE": 2, "COLLIDER_INSIDE_SPHERE": 3, "COLLIDER_INSIDE_CAPSULE": 4,
+    "COLLIDER_PLANE": 5}
 FILE_USE: Dict[str, int] = {"READ_MESH": 1, "READ_SKELETON": 2, "READ_MOTION": 4, "READ_WHOLE": 8, "WRITE_CHARACTER": 16,
     "WRITE_MOTION": 32, "WRITE_MESH": 64, "READ_PICTURE": 256}
 CheckSeverity = Literal["note", "warning", "error"]
@@ -328,6 +336,31 @@ class sinew_simplify_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("level", c_uint32), ("joint_count", c_uint32), ("as_drawn", c_uint32), ("centroids", c_void_p)]
 
 
+class sinew_spring_joint(Structure):
+    _fields_ = [("joint", c_uint32), ("hit_radius", c_float), ("stiffness", c_float), ("gravity_power", c_float), ("gravity", c_float * 3),
+        ("drag", c_float), ("limit", c_float)]
+
+
+class sinew_spring_chain(Structure):
+    _fields_ = [("first_joint", c_uint32), ("joint_count", c_uint32), ("first_collider", c_uint32), ("collider_count", c_uint32),
+        ("center", c_int32)]
+
+
+class sinew_spring_collider(Structure):
+    _fields_ = [("joint", c_uint32), ("shape", c_uint32), ("offset", c_float * 3), ("tail", c_float * 3), ("radius", c_float)]
+
+
+class sinew_spring_set(Structure):
+    _fields_ = [("struct_size", c_uint32), ("joint_count", c_uint32), ("chain_count", c_uint32), ("collider_count", c_uint32),
+        ("chain_collider_count", c_uint32), ("reserved", c_uint32), ("joints", POINTER(sinew_spring_joint)),
+        ("chains", POINTER(sinew_spring_chain)), ("colliders", POINTER(sinew_spring_collider)), ("chain_colliders", c_void_p)]
+
+
+class sinew_springs_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("steps", c_float), ("unit", c_float), ("teleport", c_float), ("gap", c_float),
+        ("reserved", c_uint32)]
+
+
 class sinew_file(Structure):
     _fields_ = [("name", c_char_p), ("bytes", c_void_p), ("size_bytes", c_size_t)]
 
@@ -532,7 +565,7 @@ STRUCTS: Tuple[Any, ...] = (sinew_mesh, sinew_model, sinew_answer, sinew_alterna
     sinew_map_options, sinew_map_outputs, sinew_retarget_options, sinew_motion_body, sinew_floor, sinew_contact_options, sinew_motion_clip,
     sinew_limb_quality, sinew_contact_spot, sinew_retarget_stream_options, sinew_rig_options, sinew_rig_outputs, sinew_joint_verdicts,
     sinew_bound_character, sinew_vertex_pair, sinew_transfer_options, sinew_transfer_part, sinew_transfer_outputs, sinew_reference_options,
-    sinew_simplify_options)
+    sinew_simplify_options, sinew_spring_joint, sinew_spring_chain, sinew_spring_collider, sinew_spring_set, sinew_springs_options)
 
 
 CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_profile_options, sinew_character_arrays, sinew_character_clip,
@@ -620,6 +653,11 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
         c_void_p, c_void_p]),
     "sinew_simplify_workspace_size": (c_int, [c_uint32, POINTER(c_size_t)]),
     "sinew_simplify": (c_int, [POINTER(sinew_skeleton), c_void_p, c_void_p, POINTER(sinew_simplify_options), c_void_p, c_size_t, c_void_p]),
+    "sinew_springs_workspace_size": (c_int, [c_uint32, c_uint32, c_uint32, c_uint32, c_uint32, POINTER(c_size_t)]),
+    "sinew_springs_create": (c_int, [POINTER(sinew_skeleton), POINTER(sinew_spring_set), POINTER(sinew_springs_options), c_void_p, c_size_t,
+        POINTER(c_void_p)]),
+    "sinew_springs_frame": (c_int, [c_void_p, c_float, c_void_p, c_void_p, c_void_p]),
+    "sinew_springs_restart": (c_int, [c_void_p]),
 }
 
 

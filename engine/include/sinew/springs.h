@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: MIT
+ * Springs: chains of joints that swing behind a motion, as hair, tails, ears and skirts do, by the reference algorithm of VRM 1.0
+ * (github.com/vrm-c/vrm-specification, VRMC_springBone-1.0: Verlet integration of each bone's end). Same bytes on every platform. */
+#ifndef SINEW_SPRINGS_H
+#define SINEW_SPRINGS_H
+
+#include "sinew/skeleton.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Numbers are never reused. Planes and shapes that hold chains inside are those of VRMC_springBone_extended_collider-1.0. */
+typedef enum sinew_collider_shape {
+  SINEW_COLLIDER_SPHERE = 1,         /* about `offset` */
+  SINEW_COLLIDER_CAPSULE = 2,        /* about the segment from `offset` to `tail` */
+  SINEW_COLLIDER_INSIDE_SPHERE = 3,  /* keeps chains inside it */
+  SINEW_COLLIDER_INSIDE_CAPSULE = 4, /* keeps chains inside it */
+  SINEW_COLLIDER_PLANE = 5           /* through `offset`; chains stay on the side that `tail`, its normal, points to */
+} sinew_collider_shape;
+
+/* A joint of a chain. The joint turns so that the next joint of the chain, its tail, follows the motion late. */
+typedef struct sinew_spring_joint {
+  uint32_t joint;      /* of the skeleton */
+  float hit_radius;    /* of the ball about its tail that colliders push; length, 0 or more */
+  float stiffness;     /* meters a second by which the tail is drawn to where the pose has it; 0 or more */
+  float gravity_power; /* meters a second by which the tail is drawn along `gravity` */
+  float gravity[3];    /* direction in the world, of any length; of length 0: none */
+  float drag;          /* share of its motion that the tail loses each step, 0..1 */
+  float limit;         /* largest angle between the bone and where the pose has it, degrees, 0..180; 0: none */
+} sinew_spring_joint;
+
+/* Joints that hang on one another, from the first one down. The last one is the tail of the one before it and does not turn: its numbers
+ * are not looked at. Joints of the skeleton between two of the chain keep the pose. */
+typedef struct sinew_spring_chain {
+  uint32_t first_joint;    /* of sinew_spring_set::joints */
+  uint32_t joint_count;    /* 2 or more */
+  uint32_t first_collider; /* of sinew_spring_set::chain_colliders */
+  uint32_t collider_count;
+  int32_t
+      center; /* the joint in whose space the chain keeps its velocity, so that it does not feel how that joint moves; -1: the world */
+} sinew_spring_chain;
+
+typedef struct sinew_spring_collider {
+  uint32_t joint;  /* that it moves with */
+  uint32_t shape;  /* sinew_collider_shape */
+  float offset[3]; /* in the joint's axes */
+  float tail[3];   /* in the joint's axes: the other end of a capsule, the normal of a plane */
+  float radius;    /* length, 0 or more; of a plane not looked at */
+} sinew_spring_collider;
+
+/* All chains of a character. Start from SINEW_INIT(sinew_spring_set); borrowed for the time of a call. */
+typedef struct sinew_spring_set {
+  uint32_t struct_size;                   /* sizeof(sinew_spring_set) */
+  uint32_t joint_count;                   /* P, at most SINEW_MAX_JOINTS */
+  uint32_t chain_count;                   /* C, at most P */
+  uint32_t collider_count;                /* S, at most SINEW_MAX_JOINTS */
+  uint32_t chain_collider_count;          /* L, at most SINEW_MAX_CHAIN_COLLIDERS */
+  uint32_t reserved;                      /* 0 */
+  const sinew_spring_joint* joints;       /* [P] */
+  const sinew_spring_chain* chains;       /* [C] */
+  const sinew_spring_collider* colliders; /* [S]; may be null where S is 0 */
+  const uint32_t* chain_colliders; /* [L] numbers of colliders, in the order in which they push; null where L is 0 */
+} sinew_spring_set;
+
+#define SINEW_MAX_CHAIN_COLLIDERS 65536u
+
+/* Start from SINEW_INIT(sinew_springs_options). Later versions add members at the end. */
+typedef struct sinew_springs_options {
+  uint32_t struct_size; /* sizeof(sinew_springs_options) */
+  float
+      steps; /* steps a second, 10..1000; 0 = 60. Drag is a share of a step's motion: another number swings otherwise */
+  float unit; /* the skeleton's units in a meter: 100 for centimeters; 0 = 1 */
+  float
+      teleport; /* a root that moves farther within a frame restarts the chains; 0 = the longest side of the skeleton at rest */
+  float gap;         /* a frame that lasts longer restarts the chains, seconds, at most 10; 0 = 0.5 */
+  uint32_t reserved; /* 0 */
+} sinew_springs_options;
+
+/* Springs with their state; they lie in the caller's memory, hold pointers into it and must not be moved. */
+typedef struct sinew_springs sinew_springs;
+
+/* Bytes sinew_springs_create() needs. A pure function of its arguments: the same on every host with pointers of one size.
+ *   skeleton_joints                       J of the skeleton
+ *   joint_count .. chain_collider_count   of the set
+ *   size_bytes                            out, 0 on failure
+ * Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_COUNT. */
+SINEW_API sinew_status sinew_springs_workspace_size(uint32_t skeleton_joints, uint32_t joint_count,
+                                                    uint32_t chain_count, uint32_t collider_count,
+                                                    uint32_t chain_collider_count, size_t* size_bytes);
+
+/* Makes springs out of chains and colliders.
+ *   skeleton  positions and parents alone are looked at
+ *   set       copied
+ *   options   null = all defaults
+ *   memory    64-byte aligned, size from sinew_springs_workspace_size(); the springs' until the last call with them
+ *   springs   out; untouched on failure
+ * Returns SINEW_OK, or
+ *   SINEW_ERROR_ARGUMENT    a pointer is null, an option is out of its range, a shape is none of the above
+ *   SINEW_ERROR_COUNT       no chain, a chain of one joint, or more of anything than the limits above
+ *   SINEW_ERROR_INDEX       a joint, a collider or a center that does not exist
+ *   SINEW_ERROR_CHAIN       a chain whose joints do not lie below one another, or a joint that two chains turn
+ *   SINEW_ERROR_RANGE       a radius or a stiffness below 0, drag outside 0..1, a limit outside 0..180
+ *   SINEW_ERROR_HIERARCHY   the skeleton's parents form a cycle
+ *   SINEW_ERROR_NOT_FINITE, SINEW_ERROR_WORKSPACE, SINEW_ERROR_VERSION, SINEW_ERROR_NOT_BUILT */
+SINEW_API sinew_status sinew_springs_create(const sinew_skeleton* skeleton, const sinew_spring_set* set,
+                                            const sinew_springs_options* options, void* memory, size_t memory_bytes,
+                                            sinew_springs** springs);
+
+/* The next frame of a motion. The first one shows the pose as it is, and so does one that restarts the chains: after sinew_springs_restart(),
+ * after a gap, after a root's jump. Chains advance in steps of one length between frames, at poses between the last one and this one, and
+ * by a share of a step to the frame's time, which is not kept: the state depends on the motion, not on the number of frames. Within a step
+ * a tail keeps its motion less its drag, is drawn to the pose and along gravity, kept at its bone's length and within its limit, and then
+ * pushed by colliders, which may push it over the limit. Colliders that hang on chains are moved before the chains that touch them.
+ *   seconds        since the frame before, 0 or more; of the first frame not looked at
+ *   rotations      [J x 4] local, as in sinew/motion.h: the pose that chains follow
+ *   translations   [J x 3] local
+ *   out_rotations  [J x 4] the pose with joints of chains turned; may be `rotations`. Translations stay
+ * One thread at a time. Returns SINEW_OK, or with output and state untouched SINEW_ERROR_ARGUMENT or SINEW_ERROR_NOT_FINITE. */
+SINEW_API sinew_status sinew_springs_frame(sinew_springs* springs, float seconds, const float* rotations,
+                                           const float* translations, float* out_rotations);
+
+/* Forgets all motion: the next frame is the first. Returns SINEW_OK or SINEW_ERROR_ARGUMENT. */
+SINEW_API sinew_status sinew_springs_restart(sinew_springs* springs);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
