@@ -37,6 +37,8 @@ set(sinew_formats_sources
   gltf/changed_document
   gltf/pick_vertices
   gltf/reduce_triangles
+  gltf/springs_read
+  gltf/springs_write
   gltf/gltf_summary
   gltf/gltf_write
   gltf/iqm_to_glb

@@ -52,13 +52,16 @@ void write_rig(const std::string& path, const Character& character);
 // vertices, UVs, normals, materials and nodes back, with skin. From OBJ: its objects, corner UVs and normals (vertices
 // split at seams), or smooth normals. Weights unorm16 with exact sums (unorm8 when `unorm8`), sorted, JOINTS_0.. as many
 // sets as needed.
-struct Motion;  // motion.hpp
+struct Motion;   // motion.hpp
+struct Springs;  // springs.hpp
 struct GlbOptions {
   bool unorm8 = false;
   bool keep_skin = false;          // the skin of the input's own document stays as it is, to the byte
   bool drop_animations = false;    // those of the input's own document go
   const Motion* motion = nullptr;  // of the character's joints, in their order: its clips become animations
-  std::string extras{};            // JSON object whose members go into the document's extras; empty: none
+  const Springs* springs =
+      nullptr;           // of the character's joints, in place of those of the input's own document; null: those stay
+  std::string extras{};  // JSON object whose members go into the document's extras; empty: none
 };
 void write_gltf(const std::string& path, const Character& character, const GlbOptions& options = {});
 inline void write_glb(const std::string& path, const Character& character, const GlbOptions& options = {}) {

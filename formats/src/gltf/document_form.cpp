@@ -238,11 +238,12 @@ class FormApplier {
     Json& extensions = document_["extensions"];
     if (extensions.contains("VRMC_springBone") && extensions["VRMC_springBone"].contains("colliders"))
       for (Json& collider : extensions["VRMC_springBone"]["colliders"])
-        if (collider.contains("node") && collider.contains("shape"))
-          for (const char* shape : {"sphere", "capsule", "plane"})
-            for (const char* key : {"offset", "tail", "normal"})
-              if (collider["shape"].contains(shape))
-                turn_offset(collider["node"].get<size_t>(), key, &collider["shape"][shape]);
+        for (const char* at : {"/shape", "/extensions/VRMC_springBone_extended_collider/shape"})
+          if (const Json::json_pointer shapes(at); collider.contains("node") && collider.contains(shapes))
+            for (const char* shape : {"sphere", "capsule", "plane"})
+              for (const char* key : {"offset", "tail", "normal"})
+                if (collider[shapes].contains(shape))
+                  turn_offset(collider["node"].get<size_t>(), key, &collider[shapes][shape]);
     if (!extensions.contains("VRMC_vrm")) return;
     Json& vrm = extensions["VRMC_vrm"];
     const Json::json_pointer head("/humanoid/humanBones/head/node");

@@ -10,6 +10,7 @@
 #include "fbx/fbx_write.hpp"
 #include "gltf/gltf_container.hpp"
 #include "gltf/gltf_source.hpp"
+#include "gltf/springs.hpp"
 #include "gltf/vrm.hpp"
 #include "sinew_formats/document_form.hpp"
 #include "sinew_formats/error.hpp"
@@ -99,6 +100,27 @@ void add_extras(const std::string& extras, Json* document) {
   for (const auto& [key, value] : added.items()) all[key] = value;
 }
 
+constexpr Rotation kZToY = {1, 0, 0, 0, 0, 1, 0, -1, 0};
+
+// Springs of the character's own file for the joints that it still has, by their names; nullopt where none are left.
+std::optional<Springs> springs_left(const std::string& path, const Character& character) {
+  std::optional<Springs> own;
+  try {
+    own = read_springs(path, character);
+  } catch (const Error&) {  // broken ones go with the skeleton
+  }
+  if (!own) return std::nullopt;
+  const std::vector<Joint>& before = character.gltf->joints;
+  std::map<std::string, int> numbers;
+  for (size_t j = 0; j < character.joints.size(); ++j) numbers[character.joints[j].name] = static_cast<int>(j);
+  std::vector<int> number(before.size(), -1);
+  for (size_t j = 0; j < before.size(); ++j)
+    if (const auto found = numbers.find(before[j].name); found != numbers.end()) number[j] = found->second;
+  Springs left = springs_of_fewer(*own, before, number);
+  if (left.chains.empty()) return std::nullopt;
+  return left;
+}
+
 // A glTF has y up: the roots of every scene hang on a node that turns z to it.
 void raise_z(GltfJoints* joints, Json* document) {
   constexpr double kHalf = 0.70710678118654752440;
@@ -126,7 +148,8 @@ GltfSource skinned_document(const std::string& path, const Character& character,
   const bool has_document = character.gltf && character.gltf->vertex_count == character.vertices.size();
   GltfSource source = has_document ? *character.gltf : gltf_from_mesh(path, character);
   GltfJoints joints;
-  bool replaced = false;  // the file's own skeleton
+  bool replaced = false;               // the file's own skeleton
+  std::optional<Springs> own_springs;  // the file's, for what is left of its joints
   if (options.keep_skin && has_document && !source.joint_nodes.empty()) {
     joints = own_joints(source);
   } else if (!character.influences.empty() && !character.joints.empty()) {
@@ -135,7 +158,10 @@ GltfSource skinned_document(const std::string& path, const Character& character,
                   " vertices, found " + std::to_string(character.influences.size()));
     joints = write_gltf_skin(path, character, options.unorm8, &source);
     replaced = has_document && !source.joint_nodes.empty() && joints.nodes != source.joint_nodes;
-    if (replaced) drop_old_skeleton(&joints, &source);
+    if (replaced) {
+      if (options.springs == nullptr) own_springs = springs_left(path, character);
+      drop_old_skeleton(&joints, &source);
+    }
   } else if (!has_document) {
     joints.nodes = add_joint_nodes(path, character.joints, &source.document);
     for (const Joint& joint : character.joints)
@@ -153,10 +179,16 @@ GltfSource skinned_document(const std::string& path, const Character& character,
   if (morphs != nullptr && !morphs->shapes.empty())
     add_gltf_morphs(path, character, *morphs, joints, options.motion != nullptr ? options.motion->clips.size() : 0,
                     &source);
+  const auto say = [&](std::vector<std::string> more) { notes->insert(notes->end(), more.begin(), more.end()); };
+  if (form != nullptr && form->vrm != nullptr && !form->vrm->zero) say(turn_vrm_zero_into_one(&source.document));
+  if (options.springs != nullptr || own_springs) {
+    if (joints.nodes.size() != character.joints.size())
+      throw Error(path + ": cannot write springs, the character has no joints in the document");
+    const Rotation turn = form != nullptr ? form->turn : character.up == Axis::kZ ? kZToY : kNoRotation;
+    write_springs(options.springs != nullptr ? *options.springs : *own_springs, joints, turn, &source.document);
+  }
   if (character.up == Axis::kZ && form == nullptr) raise_z(&joints, &source.document);  // forms stand by themselves
   if (form != nullptr) {
-    const auto say = [&](std::vector<std::string> more) { notes->insert(notes->end(), more.begin(), more.end()); };
-    if (form->vrm != nullptr && !form->vrm->zero) say(turn_vrm_zero_into_one(&source.document));
     say(put_into_form(path, *form, joints, &source));
     if (form->vrm != nullptr) say(add_vrm(path, *form->vrm, joints.nodes, &source));
   }
@@ -193,6 +225,10 @@ void write_document(const std::string& path, const Character& character, const G
                     std::vector<std::string>* notes = nullptr) {
   const bool as_text = has_extension(path, ".gltf");
   GltfSource source = skinned_document(path, character, options, morphs, form, notes);
+  if (options.springs != nullptr && has_extension(path, ".vrm") && is_vrm(source.document) &&
+      !source.document["extensions"].contains("VRMC_vrm"))
+    throw Error(path +
+                ": cannot write springs into a VRM of 0.x, which keeps them elsewhere; --for vrm makes one of 1.0");
   if (has_extension(path, ".vrm") && !is_vrm(source.document))
     throw Error(path + ": cannot write a VRM, " + character.name +
                 " has none of its data (extension VRM or VRMC_vrm); --for vrm makes them, or write a .glb");

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Springs as VRMC_springBone 1.0; planes and shapes that hold from inside as VRMC_springBone_extended_collider 1.0 with the fallbacks that its
+// specification recommends.
+#include <algorithm>
+#include <cmath>
+
+#include "gltf/springs.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr double kFar = 10000;         // below everything: a sphere of no size there pushes nothing
+constexpr double kPlaneRadius = 1000;  // of the sphere that stands for a plane
+constexpr double kSameEnd = 1e-5;      // share of a bone's length within which a node is its end
+
+class SpringWriter {
+ public:
+  SpringWriter(const GltfJoints& joints, const Rotation& turn, Json* document)
+      : joints_(joints), turn_(turn), document_(*document) {
+    for (const Affine& world : joints.worlds) back_.push_back(inverse(world).value_or(kIdentity));
+  }
+
+  Json write(const Springs& springs) {
+    Json out = {{"specVersion", "1.0"}};
+    for (const SpringCollider& collider : springs.colliders) out["colliders"].push_back(collider_json(collider));
+    for (const ColliderGroup& group : springs.groups) {
+      Json one = {{"colliders", group.colliders}};
+      if (!group.name.empty()) one["name"] = group.name;
+      out["colliderGroups"].push_back(std::move(one));
+    }
+    for (const SpringChain& chain : springs.chains) out["springs"].push_back(chain_json(chain));
+    return out;
+  }
+  bool extended() const { return extended_; }
+
+ private:
+  // A direction or a distance from the joint, in its node's axes.
+  Point3 local(size_t joint, const Point3& v) const {
+    Affine m = back_[joint];
+    m[3] = m[7] = m[11] = 0;
+    return transform_point(m, v[0], v[1], v[2]);
+  }
+  int node_of(size_t joint) const { return joints_.nodes[joint]; }
+
+  Json collider_json(const SpringCollider& c) {
+    Json out = {{"node", node_of(c.joint)}};
+    if (!c.name.empty()) out["name"] = c.name;
+    const Point3 offset = local(c.joint, c.offset), tail = local(c.joint, c.tail);
+    const Json sphere = {{"offset", offset}, {"radius", c.radius}},
+               capsule = {{"offset", offset}, {"tail", tail}, {"radius", c.radius}};
+    if (c.shape == ColliderShape::kSphere) {
+      out["shape"]["sphere"] = sphere;
+      return out;
+    }
+    if (c.shape == ColliderShape::kCapsule) {
+      out["shape"]["capsule"] = capsule;
+      return out;
+    }
+    extended_ = true;
+    Json shape;
+    out["shape"]["sphere"] = {{"offset", {0, -kFar, 0}}, {"radius", 0}};
+    if (c.shape == ColliderShape::kPlane) {
+      shape["plane"] = {{"offset", offset}, {"normal", unit(tail)}};
+      out["shape"]["sphere"] = {{"offset", offset - kPlaneRadius * unit(tail)}, {"radius", kPlaneRadius}};
+    } else {
+      const char* const kind = c.shape == ColliderShape::kInsideSphere ? "sphere" : "capsule";
+      shape[kind] = c.shape == ColliderShape::kInsideSphere ? sphere : capsule;
+      shape[kind]["inside"] = true;
+    }
+    out["extensions"]["VRMC_springBone_extended_collider"] = {{"specVersion", "1.0"}, {"shape", shape}};
+    return out;
+  }
+
+  // A child without anything at the end, or a new one.
+  size_t end_node(size_t joint, const Point3& end) {
+    const Point3 at = local(joint, end);
+    const size_t parent = static_cast<size_t>(node_of(joint));
+    Json& nodes = document_["nodes"];
+    for (const Json& child : nodes[parent].value("children", Json::array())) {
+      const Json& one = nodes[child.get<size_t>()];
+      if (one.contains("mesh") || one.contains("matrix") || !one.contains("translation")) continue;
+      if (length(one["translation"].get<Point3>() - at) <= kSameEnd * length(at)) return child.get<size_t>();
+    }
+    const size_t made = nodes.size();
+    nodes.push_back({{"name", nodes[parent].value("name", std::string("joint")) + "_end"}, {"translation", at}});
+    nodes[parent]["children"].push_back(made);
+    return made;
+  }
+
+  Json chain_json(const SpringChain& chain) {
+    Json joints = Json::array();
+    for (const SpringJoint& one : chain.joints) {
+      Json joint = {{"node", node_of(one.joint)}};
+      if (chain.end || &one != &chain.joints.back()) {
+        const Point3& g = one.gravity;
+        const Point3 gravity = {turn_[0] * g[0] + turn_[1] * g[1] + turn_[2] * g[2],
+                                turn_[3] * g[0] + turn_[4] * g[1] + turn_[5] * g[2],
+                                turn_[6] * g[0] + turn_[7] * g[1] + turn_[8] * g[2]};
+        joint["hitRadius"] = one.hit_radius;
+        joint["stiffness"] = one.stiffness;
+        joint["gravityPower"] = one.gravity_power;
+        joint["gravityDir"] = gravity;
+        joint["dragForce"] = one.drag;
+      }
+      joints.push_back(std::move(joint));
+    }
+    if (chain.end) joints.push_back({{"node", end_node(chain.joints.back().joint, *chain.end)}});
+    Json out = {{"joints", std::move(joints)}};
+    if (!chain.name.empty()) out["name"] = chain.name;
+    if (!chain.groups.empty()) out["colliderGroups"] = chain.groups;
+    if (chain.center >= 0) out["center"] = node_of(static_cast<size_t>(chain.center));
+    return out;
+  }
+
+  const GltfJoints& joints_;
+  const Rotation& turn_;
+  Json& document_;
+  std::vector<Affine> back_;  // [J] from the world to the joint
+  bool extended_ = false;
+};
+
+void use_extension(const char* name, Json* document) {
+  Json& used = (*document)["extensionsUsed"];
+  if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
+}
+
+}  // namespace
+
+void write_springs(const Springs& springs, const GltfJoints& joints, const Rotation& turn, Json* document) {
+  for (const char* name : {"VRMC_springBone", "VRMC_springBone_extended_collider"}) drop_extension(name, document);
+  if (springs.chains.empty()) return;
+  SpringWriter writer(joints, turn, document);
+  Json made = writer.write(springs);
+  (*document)["extensions"]["VRMC_springBone"] = std::move(made);
+  use_extension("VRMC_springBone", document);
+  if (writer.extended()) use_extension("VRMC_springBone_extended_collider", document);
+}
+
+}  // namespace sinew
