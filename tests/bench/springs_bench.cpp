@@ -47,7 +47,7 @@ SpringScene scene_of(uint32_t joints, uint32_t colliders) {
 
 void measure(uint32_t joints, uint32_t colliders, double fps, uint32_t frames, int repeats) {
   const SpringScene scene = scene_of(joints, colliders);
-  sinew::Springs springs;
+  sinew::SpringSystem springs;
   check(springs.make(scene.skeleton(), scene.set()), "create");
   size_t bytes = 0;
   check(sinew_springs_workspace_size(scene.count(), static_cast<uint32_t>(scene.joints.size()), 10, colliders,

@@ -557,7 +557,7 @@ class RetargetStream {
 };
 
 // sinew_springs and its memory.
-class Springs {
+class SpringSystem {
  public:
   // Size query, memory and sinew_springs_create(); options may be null. Returns what they do; SINEW_ERROR_WORKSPACE where memory is
   // short. On failure there are no springs, and the functions below return SINEW_ERROR_ARGUMENT.

@@ -33,7 +33,7 @@ struct Player {
     return scene.worlds(rotations, translations);
   }
   SpringScene scene;
-  sinew::Springs springs;
+  sinew::SpringSystem springs;
   std::vector<float> rotations, translations;
 };
 
@@ -132,7 +132,7 @@ TEST(Springs, UnitsScaleTheMotion) {
   for (sinew_spring_joint& joint : centimeters.joints) joint.hit_radius *= 100;
   for (sinew_spring_collider& collider : centimeters.colliders) collider.radius *= 100;
   Player small(meters);
-  sinew::Springs large;
+  sinew::SpringSystem large;
   sinew_springs_options options = SINEW_INIT(sinew_springs_options);
   options.unit = 100;
   ASSERT_EQ(large.make(centimeters.skeleton(), centimeters.set(), &options), SINEW_OK);
@@ -203,7 +203,7 @@ TEST(Springs, RefuseWhatIsWrong) {
   for (const Fault& fault : faults) {
     SpringScene scene = tail();
     fault.make(&scene);
-    sinew::Springs springs;
+    sinew::SpringSystem springs;
     EXPECT_EQ(springs.make(scene.skeleton(), scene.set()), fault.status) << fault.what;
     EXPECT_EQ(springs.restart(), SINEW_ERROR_ARGUMENT) << fault.what;
   }
@@ -212,7 +212,7 @@ TEST(Springs, RefuseWhatIsWrong) {
 TEST(Springs, RefuseOptionsAndFrames) {
   const SpringScene scene = tail();
   sinew_springs_options options = SINEW_INIT(sinew_springs_options);
-  sinew::Springs springs;
+  sinew::SpringSystem springs;
   options.steps = 5;
   EXPECT_EQ(springs.make(scene.skeleton(), scene.set(), &options), SINEW_ERROR_ARGUMENT);
   options = SINEW_INIT(sinew_springs_options);

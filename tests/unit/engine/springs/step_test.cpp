@@ -80,7 +80,7 @@ SpringScene ponytail(const sinew_spring_joint& like) {
 
 TEST(SpringStep, IsThePublishedPseudocode) {
   const SpringScene scene = ponytail(spring_joint(0.8f, 0.3f, 0.3f, 0.02f));
-  sinew::Springs springs;
+  sinew::SpringSystem springs;
   ASSERT_EQ(springs.make(scene.skeleton(), scene.set()), SINEW_OK);
   Pseudocode published(scene);
   std::vector<float> rotations, translations;
@@ -108,7 +108,7 @@ TEST(SpringStep, CollidersKeepTheirDistance) {
     scene.colliders = {{0, shape, {0, 0.6f, -0.5f}, {0, 1, 0}, 0.2f}};
     if (shape == SINEW_COLLIDER_CAPSULE) scene.colliders[0].tail[2] = -0.9f, scene.colliders[0].tail[1] = 0.6f;
     scene.share_colliders();
-    sinew::Springs springs;
+    sinew::SpringSystem springs;
     ASSERT_EQ(springs.make(scene.skeleton(), scene.set()), SINEW_OK);
     std::vector<float> rotations, translations;
     scene.pose({}, {0, 0, 0, 1}, &rotations, &translations);
@@ -137,7 +137,7 @@ TEST(SpringStep, InsideShapesHoldChains) {
   scene.colliders = {{1, SINEW_COLLIDER_INSIDE_SPHERE, {0, 0, 0}, {}, 0.25f},
                      {0, SINEW_COLLIDER_INSIDE_CAPSULE, {0, 0.5f, 0}, {0, 1.2f, 0}, 0.06f}};
   scene.share_colliders();
-  sinew::Springs springs;
+  sinew::SpringSystem springs;
   ASSERT_EQ(springs.make(scene.skeleton(), scene.set()), SINEW_OK);
   std::vector<float> rotations, translations;
   for (int f = 0; f < 120; ++f) {
@@ -153,7 +153,7 @@ TEST(SpringStep, InsideShapesHoldChains) {
 TEST(SpringStep, LimitsHoldAngles) {
   SpringScene scene;
   scene.add_chain({0, 1, 0}, {0.2, 0, 0}, 5, spring_joint(0, 5, 0.1f, 0, 20));
-  sinew::Springs springs;
+  sinew::SpringSystem springs;
   ASSERT_EQ(springs.make(scene.skeleton(), scene.set()), SINEW_OK);
   std::vector<float> rotations, translations;
   scene.pose({}, {0, 0, 0, 1}, &rotations, &translations);
@@ -176,7 +176,7 @@ TEST(SpringStep, AChainWithACenterDoesNotFeelItsMotion) {
     SpringScene scene;
     scene.add_chain({0, 1, 0}, {0, -0.1, 0}, 4, spring_joint(1, 0, 0.4f));
     scene.chains[0].center = center;
-    sinew::Springs springs;
+    sinew::SpringSystem springs;
     ASSERT_EQ(springs.make(scene.skeleton(), scene.set()), SINEW_OK);
     std::vector<float> rotations, translations;
     double swing = 0;
