@@ -95,6 +95,11 @@ set(sinew_character_sources
   motion/typical_pose
   motion/upright_body
   motion/urdf_limits
+  springs/find_springs
+  springs/fit_colliders
+  springs/play_springs
+  springs/spring_presets
+  springs/swing_words
   check/bone_distance
   check/check
   check/check_gate
@@ -160,6 +165,7 @@ set(sinew_job_sources
   jobs/rig_job
   jobs/sheet_skeleton
   jobs/simplify_job
+  jobs/springs_job
   jobs/transfer_job
   models/models)
 foreach(sources sinew_picture_sources sinew_draw_sources sinew_character_sources sinew_job_sources)

@@ -17,6 +17,7 @@
 #include "sinew_character/check/check.hpp"
 #include "sinew_character/draw/image.hpp"
 #include "sinew_character/jobs/plane_motion.hpp"
+#include "sinew_character/jobs/springs_job.hpp"
 #include "sinew_character/motion/motion_file.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
@@ -178,6 +179,7 @@ Animated animate_one(const AnimateSettings& s, const std::atomic<bool>& stop) {
     throw UsageError(s.output + ": a BVH holds one clip, and there are " +
                      std::to_string(animated.motion.clips.size()) +
                      "; say which with --motion FILE#CLIP, or write a .glb");
+  if (s.springs) swing_clips({}, s.character, &animated);
   if (deform && !as_bvh) bake_clips(*deform, s.shapes, counted("corrected poses", stop), &animated);
   if (std::string note = checked_note(animated.character, &animated.motion); !note.empty())
     animated.motion.notes.push_back(std::move(note));
@@ -316,6 +318,7 @@ void add_clip_options(CLI::App* sub, AnimateSettings* s) {
       ->type_name("N");
   sub->add_option("--start", s->from, "First second of the motion")->check(CLI::NonNegativeNumber)->type_name("T");
   sub->add_option("--end", s->to, "Last second of the motion")->check(CLI::NonNegativeNumber)->type_name("T");
+  sub->add_flag("--springs", s->springs, "Hair, tails, ears and skirts swing in it, as sinew springs says");
   sub->add_flag("--range,!--no-range", s->range,
                 "Contacts keep knees and elbows in their natural range, or not. They do unless told");
 }

@@ -58,6 +58,11 @@ Json animate_json(const AnimateSettings& s, const Animated& animated) {
                                                 {"limb", one.report.before[i].leg != 0 ? "leg" : "arm"},
                                                 {"before", limb_json(one.report.before[i])},
                                                 {"after", limb_json(one.report.after[i])}});
+    if (s.springs)
+      json["clips"].back()["springs"] = {{"joints", one.springs.joints},
+                                         {"loops", one.springs.loops},
+                                         {"gap", one.springs.gap},
+                                         {"passes", one.springs.passes}};
     if (s.deform.method.empty()) continue;
     json["clips"].back()["shapes"] = one.shapes;
     json["clips"].back()["error"] = {{"linear", one.error.linear}, {"baked", one.error.baked}};
@@ -79,6 +84,10 @@ void tell_animated(const AnimateSettings& s, const Animated& animated) {
                 printable(one.clip).c_str(), one.frames, 1 / one.frame_time, one.mapped, joints,
                 printable(one.map).c_str());
     if (s.report) tell_report(animated.character, one.report);
+    if (s.springs)
+      std::printf(one.springs.loops ? "  %zu joints swing; the loop closes within %.2f degrees after %zu rounds\n"
+                                    : "  %zu joints swing\n",
+                  one.springs.joints, one.springs.gap, one.springs.passes);
   }
   for (const AnimatedClip& one : animated.animated_clips)
     if (!s.deform.method.empty())

@@ -26,7 +26,7 @@ struct AnimateSettings : AnimateOptions {
   uint32_t area_power = 3;
   double falloff = 0.05;
   bool own_limb = false, legs = false, head = false, torso = false, source_points = false;
-  bool json = false, depth = false;
+  bool json = false, depth = false, springs = false;
 };
 
 struct Animated : AnimatedCharacter {

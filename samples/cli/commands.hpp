@@ -54,6 +54,7 @@ void add_pose(CLI::App& app);
 void add_rig(CLI::App& app);
 void add_simplify(CLI::App& app);
 void add_lod(CLI::App& app);
+void add_springs(CLI::App& app);
 void add_map(CLI::App& app);
 void add_animate(CLI::App& app);
 void add_bake(CLI::App& app);

@@ -35,6 +35,7 @@ const Program& sinew_program() {
        {"lod", add_lod},
        {"map", add_map},
        {"animate", add_animate},
+       {"springs", add_springs},
        {"bake", add_bake},
        {"check", add_check},
        {"serve", add_serve}},

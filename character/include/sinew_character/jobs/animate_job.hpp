@@ -12,6 +12,7 @@
 #include "sinew_character/bake/bake.hpp"
 #include "sinew_character/motion/motion_map.hpp"
 #include "sinew_character/motion/retarget.hpp"
+#include "sinew_character/springs/play_springs.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
@@ -52,6 +53,7 @@ struct AnimatedClip {
   ClipReport report;
   size_t shapes = 0;  // of bake_clips(), and how far the clip is from the corrected poses with them
   BakeError error = {};
+  SpringPlay springs = {};  // of swing_clips()
 };
 
 struct AnimatedCharacter {

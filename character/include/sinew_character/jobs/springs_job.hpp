@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What `sinew springs` does with one character: its own springs or found ones, chosen and changed by name, with colliders.
+#ifndef SINEW_CHARACTER_SPRINGS_JOB_HPP
+#define SINEW_CHARACTER_SPRINGS_JOB_HPP
+
+#include <string>
+#include <vector>
+
+#include "sinew_character/jobs/animate_job.hpp"
+#include "sinew_character/springs/find_springs.hpp"
+
+namespace sinew {
+
+// Names are those of chains; NAME* stands for all that begin with NAME.
+struct SpringsOptions {
+  std::vector<std::string> keep;  // although their certainty is low, or the file has springs of its own
+  std::vector<std::string> drop;
+  std::vector<std::string> presets;  // NAME=KIND
+  std::vector<std::string> values;   // NAME:FIELD=NUMBER, see spring_fields_text()
+  bool replace = false;              // the file's own springs do not count
+};
+// "stiffness, gravity, drag, radius, limit".
+std::string spring_fields_text();
+
+struct SpringsFound {
+  std::vector<FoundChain> chains;  // all that were proposed
+  Springs springs;                 // those that are kept, with colliders
+  std::vector<double>
+      errors;  // [springs.colliders] how far the skin is from a fitted one, as a share of its radius; -1 for the file's own
+  std::vector<std::string> notes;  // remarks for the user
+};
+
+// Springs of the character's file where it has some, with what is found beside them proposed but not kept; else those found.
+//   path  for messages
+// Throws Error for names that no chain has, words that are no kind or field, numbers out of their range, and springs of the file that are broken.
+SpringsFound springs_of(const SpringsOptions& options, const std::string& path, const Character& character);
+
+// Plays springs_of() behind every clip of an animated character, into it: `sinew animate --springs`. Its notes say what swings. Throws Error
+// where nothing does.
+void swing_clips(const SpringsOptions& options, const std::string& path, AnimatedCharacter* out);
+
+}  // namespace sinew
+#endif

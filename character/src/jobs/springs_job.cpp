@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// Chains chosen and changed by name, with the body's colliders.
+#include "sinew_character/jobs/springs_job.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "sinew_character/springs/fit_colliders.hpp"
+#include "sinew_formats/error.hpp"
+#include "text/text_lines.hpp"
+
+namespace sinew {
+namespace {
+
+struct Field {
+  const char* name;
+  double low, high;
+  double SpringJoint::*member;
+};
+constexpr double kLargest = 1e6;
+constexpr std::array<Field, 5> kFields = {{{"stiffness", 0, kLargest, &SpringJoint::stiffness},
+                                           {"gravity", -kLargest, kLargest, &SpringJoint::gravity_power},
+                                           {"drag", 0, 1, &SpringJoint::drag},
+                                           {"radius", 0, kLargest, &SpringJoint::hit_radius},
+                                           {"limit", 0, 180, &SpringJoint::limit}}};
+
+bool fits(const std::string& name, const std::string& pattern) {
+  if (pattern.empty() || pattern.back() != '*') return name == pattern;
+  return name.compare(0, pattern.size() - 1, pattern, 0, pattern.size() - 1) == 0;
+}
+
+std::string names_of(const std::vector<FoundChain>& chains) {
+  constexpr size_t kMost = 12;
+  std::string out;
+  for (size_t i = 0; i < chains.size() && i < kMost; ++i) out += (i == 0 ? "" : ", ") + chains[i].chain.name;
+  return chains.empty() ? "none" : out + (chains.size() > kMost ? ", ..." : "");
+}
+
+template <class Change>
+void change_named(const std::string& path, const std::string& pattern, std::vector<FoundChain>* chains, Change change) {
+  size_t changed = 0;
+  for (FoundChain& found : *chains) {
+    if (!fits(found.chain.name, pattern)) continue;
+    change(&found);
+    ++changed;
+  }
+  if (changed == 0)
+    throw Error(path + ": expected one of its chains, " + names_of(*chains) + ", found " + in_quotes(pattern));
+}
+
+// Chains of the file, without colliders of theirs.
+std::vector<FoundChain> own_chains(const Springs& own, const Character& character) {
+  std::vector<FoundChain> out;
+  for (const SpringChain& chain : own.chains) {
+    FoundChain found;
+    found.chain = chain;
+    found.kind = kind_of_chain(chain, character);
+    found.length = chain_length(chain, character.joints);
+    found.reason = "the file's own";
+    found.own = true;
+    out.push_back(std::move(found));
+  }
+  return out;
+}
+
+void set_preset(const std::string& path, const std::string& text, const Character& character,
+                std::vector<FoundChain>* chains) {
+  const size_t equals = text.rfind('=');
+  const std::string word = equals == std::string::npos ? "" : text.substr(equals + 1);
+  const std::optional<SpringKind> kind = spring_kind_of(word);
+  if (!kind) throw Error("preset " + in_quotes(text) + ": expected CHAIN=KIND with one of " + spring_kinds_text());
+  change_named(path, text.substr(0, equals), chains, [&](FoundChain* found) {
+    found->kind = *kind;
+    preset_chain(*kind, character, &found->chain);
+  });
+}
+
+void set_value(const std::string& path, const std::string& text, std::vector<FoundChain>* chains) {
+  const size_t equals = text.rfind('='), colon = text.rfind(':', equals);
+  const std::string word =
+      colon == std::string::npos || equals == std::string::npos ? "" : text.substr(colon + 1, equals - colon - 1);
+  const auto field = std::find_if(kFields.begin(), kFields.end(), [&](const Field& one) { return word == one.name; });
+  if (field == kFields.end())
+    throw Error("value " + in_quotes(text) + ": expected CHAIN:FIELD=NUMBER with one of " + spring_fields_text());
+  const std::optional<double> value = to_finite_double(text.substr(equals + 1));
+  if (!value || !(*value >= field->low && *value <= field->high))
+    throw Error("value " + in_quotes(text) + ": expected a number from " +
+                std::to_string(static_cast<long>(field->low)) + " to " +
+                std::to_string(static_cast<long>(field->high)) + ", found " + in_quotes(text.substr(equals + 1)));
+  change_named(path, text.substr(0, colon), chains, [&](FoundChain* found) {
+    for (SpringJoint& joint : found->chain.joints) joint.*(field->member) = *value;
+  });
+}
+
+}  // namespace
+
+std::string spring_fields_text() {
+  std::string out;
+  for (const Field& one : kFields) out += (out.empty() ? "" : ", ") + std::string(one.name);
+  return out;
+}
+
+SpringsFound springs_of(const SpringsOptions& options, const std::string& path, const Character& character) {
+  SpringsFound out;
+  std::optional<Springs> own;
+  if (!options.replace) own = read_springs(path, character);
+  std::set<size_t> taken;
+  if (own) {
+    out.notes = own->notes;
+    out.chains = own_chains(*own, character);
+    for (const SpringChain& chain : own->chains)
+      for (const SpringJoint& joint : chain.joints) taken.insert(joint.joint);
+  }
+  for (FoundChain& found : find_springs(character)) {
+    const std::vector<SpringJoint>& joints = found.chain.joints;
+    if (std::any_of(joints.begin(), joints.end(),
+                    [&](const SpringJoint& joint) { return taken.count(joint.joint) != 0; }))
+      continue;
+    if (own) found.kept = false;
+    out.chains.push_back(std::move(found));
+  }
+  for (const std::string& name : options.keep)
+    change_named(path, name, &out.chains, [](FoundChain* found) { found->kept = true; });
+  for (const std::string& name : options.drop)
+    change_named(path, name, &out.chains, [](FoundChain* found) { found->kept = false; });
+  for (const std::string& text : options.presets) set_preset(path, text, character, &out.chains);
+  if (own) {
+    out.springs.colliders = own->colliders;
+    out.springs.groups = own->groups;
+    out.errors.assign(own->colliders.size(), -1);
+  }
+  if (std::any_of(out.chains.begin(), out.chains.end(),
+                  [](const FoundChain& found) { return found.kept && !found.own; }))
+    assign_colliders(character, fit_colliders(character, out.chains), &out.chains, &out.springs, &out.errors);
+  for (const std::string& text : options.values) set_value(path, text, &out.chains);
+  for (const FoundChain& found : out.chains)
+    if (found.kept) out.springs.chains.push_back(found.chain);
+  return out;
+}
+
+void swing_clips(const SpringsOptions& options, const std::string& path, AnimatedCharacter* out) {
+  const SpringsFound found = springs_of(options, path, out->character);
+  if (found.springs.chains.empty())
+    throw Error(path + ": nothing of it swings; sinew springs says what was looked at, and --take what to take");
+  std::map<std::string, size_t> kinds;
+  for (const FoundChain& one : found.chains)
+    if (one.kept) ++kinds[spring_kind_text(one.kind)];
+  std::string text;
+  for (const auto& [kind, count] : kinds)
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + (count == 1 ? " chain of " : " chains of ") + kind;
+  out->motion.notes.push_back(path + ": " + text + " swing, pushed by " +
+                              std::to_string(found.springs.colliders.size()) + " colliders");
+  for (size_t c = 0; c < out->motion.clips.size(); ++c)
+    out->animated_clips[c].springs = play_springs(found.springs, out->motion, &out->motion.clips[c]);
+}
+
+}  // namespace sinew

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Which vertices a joint holds, and distances of them from bones: what chains and colliders are fitted to.
+#ifndef SINEW_SPRINGS_BODY_SKIN_HPP
+#define SINEW_SPRINGS_BODY_SKIN_HPP
+
+#include <vector>
+
+#include "sinew_formats/base/point.hpp"
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+// [J] the vertices whose largest weight is the joint's.
+inline std::vector<std::vector<uint32_t>> held_vertices(const Character& character) {
+  std::vector<std::vector<uint32_t>> held(character.joints.size());
+  for (size_t v = 0; v < character.influences.size(); ++v) {
+    const Influence* most = nullptr;
+    for (const Influence& one : character.influences[v])
+      if (most == nullptr || one.weight > most->weight) most = &one;
+    if (most != nullptr && most->weight > 0) held[most->joint].push_back(static_cast<uint32_t>(v));
+  }
+  return held;
+}
+
+inline Point3 nearest_on_segment(const Point3& p, const Point3& a, const Point3& b) {
+  const Point3 along = b - a;
+  const double square = dot(along, along);
+  const double share = square > 0 ? std::min(1.0, std::max(0.0, dot(p - a, along) / square)) : 0;
+  return a + share * along;
+}
+inline double segment_distance(const Point3& p, const Point3& a, const Point3& b) {
+  return length(p - nearest_on_segment(p, a, b));
+}
+
+// From the lowest to the highest vertex; of joints where there are none.
+inline double height_of(const Character& character) {
+  const auto up_of = [&](const Vec3& p) {
+    return static_cast<double>(character.up == Axis::kZ ? p.z : character.up == Axis::kX ? p.x : p.y);
+  };
+  double low = 0, high = 0;
+  bool first = true;
+  const auto add = [&](const Vec3& p) {
+    low = first ? up_of(p) : std::min(low, up_of(p));
+    high = first ? up_of(p) : std::max(high, up_of(p));
+    first = false;
+  };
+  for (const Vec3& p : character.vertices) add(p);
+  if (first)
+    for (const Joint& joint : character.joints) add(joint.position);
+  return high - low;
+}
+inline Point3 up_of(const Character& character) {
+  return character.up == Axis::kZ ? Point3{0, 0, 1} : character.up == Axis::kX ? Point3{1, 0, 0} : Point3{0, 1, 0};
+}
+
+}  // namespace sinew
+#endif
