@@ -84,7 +84,9 @@ class SpringFinder {
     if (joint_class == SINEW_CLASS_EAR) return {SpringKind::kEar, kSureClass, "its joints' class is ear"};
     if (joint_class == SINEW_CLASS_TAIL && !(word && word->kind != SpringKind::kTail))
       return {SpringKind::kTail, kSureClass, "its joints' class is tail"};
-    if (is_body(joint_class) || !word) return {};
+    // CoatSkirtBack is a skirt, whatever else its back says; a DressLeftToe is a toe.
+    if (!word || (is_body(joint_class) && !is_trunk(joint_class))) return {};
+    if (is_trunk(joint_class) && c_.joints[j].parent < 0) return {};
     return {word->kind, kSureWord, "its joints are called " + word->word};
   }
 
@@ -93,7 +95,7 @@ class SpringFinder {
     for (const int child : children(j)) {
       const size_t k = joint_index(child);
       const uint8_t c = verdicts_.classes[k];  // fins of a tail and things that it holds go with it
-      const bool body = is_body(c) && c != SINEW_CLASS_WING && c != SINEW_CLASS_PROP;
+      const bool body = is_body(c) && c != SINEW_CLASS_WING && c != SINEW_CLASS_PROP && names_[k].certainty == 0;
       if ((body && !verdicts_.is_end(k)) || !ends_freely(k)) return false;
     }
     return true;

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// What hangs on a person is found by names and without, and what is part of it is not.
+#include "sinew_character/springs/find_springs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "expect_error.hpp"
+#include "hairy_person.hpp"
+#include "sinew_formats/io.hpp"
+#include "springs/swing_words.hpp"
+
+namespace sinew {
+namespace {
+
+using sinew_test::HairyPerson;
+
+std::map<std::string, FoundChain> found_in(const Character& character) {
+  std::map<std::string, FoundChain> out;
+  for (FoundChain& one : find_springs(character)) out[one.chain.name] = std::move(one);
+  return out;
+}
+
+TEST(FindSprings, AnUndressedPersonHasNone) { EXPECT_TRUE(find_springs(HairyPerson().character).empty()); }
+
+TEST(FindSprings, NamesTellKinds) {
+  HairyPerson person;
+  const int head = static_cast<int>(person.index("Head")), hips = static_cast<int>(person.index("Hips"));
+  person.chain("J_Sec_Hair1_0", head, {0, 1.75, -0.12}, {0, -0.05, -0.01}, 4);
+  person.chain("BackHair", head, {0, 1.7, -0.13}, {0, -0.15, -0.01}, 5);
+  person.chain("J_Sec_L_CoatSkirtBack1_0", hips, {0.1, 0.98, -0.18}, {0, -0.15, -0.02}, 3);
+  person.chain("Tail", hips, {0, 1, -0.16}, {0, -0.08, -0.1}, 4);
+  person.chain("LeftEar", head, {0.08, 1.78, 0}, {0.01, 0.09, 0}, 2);
+  person.chain("Cape_", static_cast<int>(person.index("Spine1")), {0, 1.48, -0.18}, {0, -0.2, -0.02}, 4);
+  person.chain("髪", head, {0.1, 1.7, 0}, {0.01, -0.08, 0}, 3);
+  const std::map<std::string, FoundChain> found = found_in(person.character);
+  const std::map<std::string, SpringKind> kinds = {{"J_Sec_Hair1_01", SpringKind::kHair},
+                                                   {"BackHair1", SpringKind::kLongHair},
+                                                   {"J_Sec_L_CoatSkirtBack1_01", SpringKind::kSkirt},
+                                                   {"Tail1", SpringKind::kTail},
+                                                   {"LeftEar1", SpringKind::kEar},
+                                                   {"Cape_1", SpringKind::kCape},
+                                                   {"髪1", SpringKind::kHair}};
+  EXPECT_EQ(found.size(), kinds.size());
+  for (const auto& [name, kind] : kinds) {
+    ASSERT_TRUE(found.count(name)) << name;
+    EXPECT_EQ(found.at(name).kind, kind) << name;
+    EXPECT_TRUE(found.at(name).kept) << name;
+    EXPECT_FALSE(found.at(name).reason.empty());
+  }
+  const FoundChain& hair = found.at("J_Sec_Hair1_01");
+  EXPECT_EQ(hair.chain.turning_joints(), 4u);
+  EXPECT_NEAR(hair.length, 4 * 0.051, 0.01);  // the last bone ends where its skin does
+  for (size_t i = 1; i < 4; ++i) EXPECT_LT(hair.chain.joints[i].stiffness, hair.chain.joints[i - 1].stiffness);
+  for (const SpringJoint& joint : hair.chain.joints) {
+    EXPECT_GT(joint.hit_radius, 0.005);
+    EXPECT_LT(joint.hit_radius, 0.016);
+    EXPECT_GT(joint.limit, 0);
+  }
+  EXPECT_EQ(found.at("Tail1").chain.joints[0].gravity_power, 0);
+}
+
+TEST(FindSprings, WhatHasNoNameHangsOffAKnownBody) {
+  HairyPerson person;
+  const int head = static_cast<int>(person.index("Head")), hips = static_cast<int>(person.index("Hips"));
+  person.chain("Bone.0", head, {0, 1.75, -0.12}, {0, -0.06, -0.01}, 4);
+  person.chain("Bone.1", hips, {0, 1, -0.16}, {0, -0.06, -0.1}, 4);
+  person.chain("Sword", static_cast<int>(person.index("RightHand")), {-0.8, 1.45, 0}, {0, 0.2, 0}, 3);
+  person.chain("Bag", static_cast<int>(person.index("Spine1")), {0, 1.45, -0.16}, {0, -0.1, 0}, 3);
+  (void)person.bone("Brow", {0.03, 1.7, 0.1}, head, {0.05, 1.7, 0.1}, 0.005);
+  const std::map<std::string, FoundChain> found = found_in(person.character);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found.at("Bone.01").kind, SpringKind::kHair);
+  EXPECT_EQ(found.at("Bone.11").kind, SpringKind::kTail);
+  for (const auto& [name, chain] : found) {
+    EXPECT_TRUE(chain.kept) << name;
+    EXPECT_LT(chain.certainty, 0.7f) << name;
+    EXPECT_NE(chain.reason.find("no map needs it"), std::string::npos);
+  }
+}
+
+TEST(FindSprings, WhatIsDoubtfulIsProposedAndNotKept) {
+  HairyPerson person;
+  const int head = static_cast<int>(person.index("Head"));
+  person.chain("Left_Ear", head, {0.1, 1.68, 0}, {0.01, 0.05, 0}, 1);  // a person's
+  for (int i = 1; i <= 3; ++i)                                         // a chain that nothing is bound to
+    (void)person.add("Ribbon" + std::to_string(i), {0, 1.7 - 0.1 * i, -0.15},
+                     i == 1 ? head : static_cast<int>(person.character.joints.size()) - 1);
+  const std::map<std::string, FoundChain> found = found_in(person.character);
+  for (const auto& [name, chain] : found) EXPECT_FALSE(chain.kept) << name;
+  EXPECT_TRUE(found.count("Left_Ear1"));
+}
+
+TEST(FindSprings, BranchesBeginChainsOfTheirOwn) {
+  HairyPerson person;
+  const int head = static_cast<int>(person.index("Head"));
+  person.chain("HairA", head, {0, 1.75, -0.12}, {0, -0.06, 0}, 5);
+  person.chain("HairB", static_cast<int>(person.index("HairA2")), {0.05, 1.6, -0.12}, {0.01, -0.06, 0}, 2);
+  const std::map<std::string, FoundChain> found = found_in(person.character);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found.at("HairA1").chain.turning_joints(), 5u);
+  EXPECT_EQ(found.at("HairB1").chain.turning_joints(), 2u);
+}
+
+TEST(FindSprings, RefusesWhatHasNothingToSwing) {
+  Character bare = HairyPerson().character;
+  bare.influences.clear();
+  EXPECT_ERROR((void)find_springs(bare), "person", "sinew bind");
+  bare.joints.clear();
+  EXPECT_ERROR((void)find_springs(bare), "person", "sinew rig");
+}
+
+TEST(SwingWords, AreWholeWords) {
+  EXPECT_EQ(swing_word("J_Sec_R_CoatSkirtFront2_01")->kind, SpringKind::kSkirt);
+  EXPECT_EQ(swing_word("hair_tail.003")->kind, SpringKind::kHair);
+  EXPECT_EQ(swing_word("Bangs")->kind, SpringKind::kHair);
+  EXPECT_EQ(swing_word("左スカート前")->kind, SpringKind::kSkirt);
+  EXPECT_FALSE(swing_word("LeftForeArm"));
+  EXPECT_FALSE(swing_word("landscape"));
+  EXPECT_FALSE(swing_word("detail_ctl"));
+  EXPECT_TRUE(names_stiff_thing("Back_Sword.L"));
+  EXPECT_FALSE(names_stiff_thing("Swordfish"));
+}
+
+}  // namespace
+}  // namespace sinew
