@@ -118,6 +118,7 @@ set(sinew_character_sources
   check/rig_gate
   check/rows
   check/rules
+  check/spring_chains
   check/symmetry
   check/test_poses
   check/weigh_findings
@@ -152,6 +153,7 @@ set(sinew_job_sources
   capi/rig
   capi/save
   capi/simplify
+  capi/springs
   capi/struct_sizes
   capi/transfer
   jobs/animate_job

@@ -138,7 +138,7 @@ void add_springs(CLI::App& app) {
       ->type_name("CHARACTER");
   shared_option(
       sub, "-o,--output", s->output,
-      "The character with its springs (VRMC_springBone): .glb, .gltf, .vrm. Only said what there is unless given");
+      "The character with its springs (VRMC_springBone): .glb, .gltf, .vrm. Prints what it finds unless given");
   sub->add_option("--take", s->options.keep,
                   "A chain that is kept although it is not sure, or beside the file's own; NAME* are all that begin "
                   "so; may be repeated")
@@ -152,9 +152,9 @@ void add_springs(CLI::App& app) {
       ->type_name("NAME=KIND")
       ->allow_extra_args(false);
   sub->add_option("--value", s->options.values,
-                  "One number for a chain's joints, " + spring_fields_text() +
+                  "One number for a chain's joints, NAME:FIELD=X: " + spring_fields_text() +
                       ": meters a second, meters, degrees; limit is for animate --springs alone; may be repeated")
-      ->type_name("NAME:FIELD=X")
+      ->type_name("SETTING")
       ->allow_extra_args(false);
   sub->add_flag("--replace", s->options.replace, "Find springs anew in place of the file's own");
   shared_flag(sub, "--json", s->json, "One line: chains with reasons and numbers, colliders with how well they fit");

@@ -258,6 +258,8 @@ namespace Sinew
         /// <summary>What joints stay within, contacts or not: a .urdf, a file of formats/spec/limits.md, or "human" for what bodies can do;
         /// null: the natural range alone</summary>
         public string Limits;
+        /// <summary>Hair, tails, ears and skirts swing in the clips, by the springs of the character, see springs()</summary>
+        public bool Springs;
         /// <summary>Of the motion; 0 = found</summary>
         public Up MotionUp;
         /// <summary>Layout of keypoints (.npy, .npz): "smpl24", ...; null: guessed by their count</summary>
@@ -329,7 +331,7 @@ namespace Sinew
                 target_up = (uint)TargetUp, shapes = (uint)Shapes, report = Report ? 1u : 0, force = Force ? 1u : 0,
                 translations = Translations ? 1u : 0, depth = Depth ? 1u : 0, pin_count = Character.Count(Pins),
                 pins = pins.Of((object)Pins), map = pins.Of(Map), sources = pins.Of(Sources), limits = pins.Of(Limits),
-                motion = pins.Of(motion), deform = pins.Of(deform), reference = pins.Of(reference) });
+                springs = Springs ? 1u : 0, motion = pins.Of(motion), deform = pins.Of(deform), reference = pins.Of(reference) });
         }
     }
 
@@ -414,6 +416,30 @@ namespace Sinew
                 influence_count = (uint)Influences, target_up = (uint)TargetUp, source_up = (uint)SourceUp, garment = Garment ? 1u : 0,
                 as_drawn = AsDrawn ? 1u : 0, heat = Heat ? 1u : 0, pair_count = Character.Count(Pairs), pairs = pins.Of((object)Pairs),
                 locked = pins.Of(Locked), map = pins.Of(Map) });
+        }
+    }
+
+    /// <summary>sinew_character_springs_options of C; what is not set is its default.</summary>
+    public sealed class SpringsSettings
+    {
+        /// <summary>Finds springs anew in place of the file's own</summary>
+        public bool Replace;
+        /// <summary>Chains that are kept although they are not sure, or beside the file's own</summary>
+        public string[] Take;
+        /// <summary>Chains that are left out</summary>
+        public string[] Drop;
+        /// <summary>NAME=KIND: numbers of another kind, hair, long-hair, skirt, tail, ear, cape, bust or ribbon</summary>
+        public string[] Presets;
+        /// <summary>NAME:FIELD=X: one number of a chain's joints, stiffness, gravity, drag, radius or limit</summary>
+        public string[] Values;
+
+        internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
+        {
+            return pins.Of(new Native.sinew_character_springs_options {
+                struct_size = Character.Size<Native.sinew_character_springs_options>(), replace = Replace ? 1u : 0,
+                take_count = Character.Count(Take), take = pins.Of(Take), drop_count = Character.Count(Drop), drop = pins.Of(Drop),
+                preset_count = Character.Count(Presets), presets = pins.Of(Presets), value_count = Character.Count(Values),
+                values = pins.Of(Values) });
         }
     }
 
@@ -886,6 +912,39 @@ namespace Sinew
         }
     }
 
+    /// <summary>sinew_character_springs_result of C.</summary>
+    public sealed class SpringsResult
+    {
+        /// <summary>Chains that are kept</summary>
+        public int ChainCount;
+        /// <summary>Joints that swing</summary>
+        public int JointCount;
+        /// <summary>Spheres and capsules that push them</summary>
+        public int ColliderCount;
+        /// <summary>Kept</summary>
+        public byte[] Kept;
+        /// <summary>0..1</summary>
+        public float[] Certainties;
+        /// <summary>Names of the proposals, a line each, '\n' between two</summary>
+        public string Names;
+        /// <summary>Kinds of the proposals, a line each, '\n' between two</summary>
+        public string Kinds;
+
+        internal static IntPtr Room(Pins pins)
+        {
+            return pins.Of(new Native.sinew_character_springs_result { struct_size = Character.Size<Native.sinew_character_springs_result>() });
+        }
+
+        internal static SpringsResult Of(IntPtr at, Native.sinew_character_arrays sizes)
+        {
+            var r = Character.Read<Native.sinew_character_springs_result>(at);
+            return new SpringsResult {ChainCount = (int)r.chain_count, JointCount = (int)r.joint_count,
+                ColliderCount = (int)r.collider_count, Kept = Character.Bytes(r.kept, r.proposal_count),
+                Certainties = Character.Floats(r.certainties, r.proposal_count), Names = Character.Text(r.names),
+                Kinds = Character.Text(r.kinds) };
+        }
+    }
+
     /// <summary>sinew_character_bake_result of C.</summary>
     public sealed class BakeResult
     {
@@ -1076,6 +1135,21 @@ namespace Sinew
                 GC.KeepAlive(settings);
                 GC.KeepAlive(source);
                 return CharacterTransferResult.Of(result, Arrays());
+            }
+        }
+
+        /// <summary>Finds what swings on a bound character, hair, tails, ears and skirts, with colliders. They are saved with it
+        /// (VRMC_springBone), and played by Animate().</summary>
+        public SpringsResult Springs(SpringsSettings settings = null)
+        {
+            settings = settings ?? new SpringsSettings();
+            using (var pins = new Pins())
+            {
+                var watch = new Watch(null);
+                IntPtr result = SpringsResult.Room(pins);
+                Check(Native.sinew_character_springs(Handle, settings.Options(pins, watch, Arrays()), result), handle_, "springs", watch);
+                GC.KeepAlive(settings);
+                return SpringsResult.Of(result, Arrays());
             }
         }
 

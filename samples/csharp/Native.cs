@@ -663,6 +663,7 @@ namespace Sinew
             public IntPtr progress, progress_user, models, motion, deform, reference;
             public uint method, without, in_place, target_up, shapes, report, force, translations, depth, pin_count;
             public IntPtr pins, map, sources, limits;
+            public uint springs, reserved;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -722,6 +723,20 @@ namespace Sinew
         {
             public double rest_error, posed_error, mean_error;
             public uint triangle_count, reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_springs_options
+        {
+            public uint struct_size, replace, take_count, drop_count, preset_count, value_count;
+            public IntPtr take, drop, presets, values;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_springs_result
+        {
+            public uint struct_size, chain_count, joint_count, collider_count, proposal_count, reserved;
+            public IntPtr kept, certainties, names, kinds;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -1079,6 +1094,9 @@ namespace Sinew
         public static extern int sinew_character_lod(IntPtr character, IntPtr options, IntPtr levels, IntPtr figures);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_springs(IntPtr character, IntPtr options, IntPtr result);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_bake(IntPtr character, IntPtr options, IntPtr result);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
@@ -1164,6 +1182,8 @@ namespace Sinew
             new StructSize("sinew_character_simplify_options", Marshal.SizeOf(typeof(sinew_character_simplify_options)), true),
             new StructSize("sinew_character_lod_options", Marshal.SizeOf(typeof(sinew_character_lod_options)), true),
             new StructSize("sinew_character_lod_level", Marshal.SizeOf(typeof(sinew_character_lod_level)), false),
+            new StructSize("sinew_character_springs_options", Marshal.SizeOf(typeof(sinew_character_springs_options)), true),
+            new StructSize("sinew_character_springs_result", Marshal.SizeOf(typeof(sinew_character_springs_result)), true),
             new StructSize("sinew_character_bake_options", Marshal.SizeOf(typeof(sinew_character_bake_options)), true),
             new StructSize("sinew_character_bake_result", Marshal.SizeOf(typeof(sinew_character_bake_result)), true),
             new StructSize("sinew_character_picture_options", Marshal.SizeOf(typeof(sinew_character_picture_options)), true),

@@ -498,6 +498,44 @@ TEST_F(CharacterC, SimplifiesAndBakesAsTheCommand) {
   expect_same("baked_ours.glb", "baked.glb");
 }
 
+TEST_F(CharacterC, FindsWhatSwingsAsTheCommand) {
+  good("springs " + kRobed + " --value tail_1:drag=0.5 -o command.glb");
+  good("animate " + kRobed + " --motion builtin:run --springs -o running.glb");
+  const Handle robed = open(kRobed), other = open(kRobed);
+  const char* const values[] = {"tail_1:drag=0.5"};
+  sinew_character_springs_options options = SINEW_INIT(sinew_character_springs_options);
+  options.values = values;
+  options.value_count = 1;
+  sinew_character_springs_result result = SINEW_INIT(sinew_character_springs_result);
+  good_call(sinew_character_springs(robed.get(), &options, &result), robed);
+  EXPECT_EQ(result.chain_count, 1u);
+  EXPECT_EQ(result.joint_count, 3u);
+  EXPECT_GT(result.collider_count, 3u);
+  ASSERT_EQ(result.proposal_count, 1u);
+  EXPECT_EQ(result.kept[0], 1);
+  EXPECT_GT(result.certainties[0], 0.9f);
+  EXPECT_STREQ(result.names, "tail_1");
+  EXPECT_STREQ(result.kinds, "tail");
+  save(robed, "ours.glb");
+  expect_same("ours.glb", "command.glb");
+
+  sinew_character_animate_options animate = SINEW_INIT(sinew_character_animate_options);
+  sinew_motion_source run = SINEW_INIT(sinew_motion_source);
+  run.file = "builtin:run";
+  animate.motion = &run;
+  animate.springs = 1;
+  good_call(sinew_character_animate(other.get(), nullptr, &animate, nullptr), other);
+  save(other, "running_ours.glb");
+  expect_same("running_ours.glb", "running.glb");
+  // With the springs that were found before; a name that no chain has changes nothing.
+  good_call(sinew_character_animate(robed.get(), nullptr, &animate, nullptr), robed);
+  const char* const nobody[] = {"nobody"};
+  options.drop = nobody;
+  options.drop_count = 1;
+  EXPECT_EQ(sinew_character_springs(robed.get(), &options, &result), SINEW_ERROR_INPUT);
+  EXPECT_NE(std::string(sinew_character_error(robed.get())).find("nobody"), std::string::npos);
+}
+
 TEST_F(CharacterC, ArraysInAreArraysOut) {
   const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, joints[] = {0, 0, 0, 0, 1, 0};
   const uint32_t faces[] = {0, 1, 2, 1, 3, 2};

@@ -449,6 +449,9 @@ typedef struct sinew_character_animate_options {
   /* What joints stay within, contacts or not: a .urdf, a file of formats/spec/limits.md, or "human" for what bodies can do; null:
    * the natural range alone. */
   const char* limits;
+  /* 1: hair, tails, ears and skirts swing in the clips, by the springs of the character, see sinew_character_springs(). */
+  uint32_t springs;
+  uint32_t reserved;
 } sinew_character_animate_options;
 
 typedef struct sinew_character_animate_result {
@@ -636,6 +639,54 @@ typedef struct sinew_character_lod_level {
  *   figures  out, as many; or null */
 SINEW_API sinew_status sinew_character_lod(sinew_character* character, const sinew_character_lod_options* options,
                                            sinew_character** levels, sinew_character_lod_level* figures);
+
+/* ---- springs ---- */
+
+/* `sinew springs`: names are those of chains, which are those of their first joints; NAME* stands for all that begin with NAME. */
+typedef struct sinew_character_springs_options {
+  uint32_t struct_size;
+  /* 1: finds springs anew in place of the file's own. */
+  uint32_t replace;
+  uint32_t take_count;
+  uint32_t drop_count;
+  uint32_t preset_count;
+  uint32_t value_count;
+  /* [take_count] Chains that are kept although they are not sure, or beside the file's own; or null. */
+  const char* const* take;
+  /* [drop_count] Chains that are left out; or null. */
+  const char* const* drop;
+  /* [preset_count] NAME=KIND: numbers of another kind, hair, long-hair, skirt, tail, ear, cape, bust or ribbon; or null. */
+  const char* const* presets;
+  /* [value_count] NAME:FIELD=X: one number of a chain's joints, stiffness, gravity, drag, radius or limit; or null. */
+  const char* const* values;
+} sinew_character_springs_options;
+
+typedef struct sinew_character_springs_result {
+  uint32_t struct_size;
+  /* Chains that are kept. */
+  uint32_t chain_count;
+  /* Joints that swing. */
+  uint32_t joint_count;
+  /* Spheres and capsules that push them. */
+  uint32_t collider_count;
+  /* Chains that were proposed, with those that are not kept. */
+  uint32_t proposal_count;
+  uint32_t reserved;
+  /* [proposal_count] 1: kept. */
+  const uint8_t* kept;
+  /* [proposal_count] 0..1 */
+  const float* certainties;
+  /* Names of the proposals, a line each, '\n' between two. */
+  const char* names;
+  /* Kinds of the proposals, a line each, '\n' between two. */
+  const char* kinds;
+} sinew_character_springs_result;
+
+/* Finds what swings on a bound character, hair, tails, ears and skirts, with colliders. They are saved with it (VRMC_springBone), and played by
+ * sinew_character_animate(). */
+SINEW_API sinew_status sinew_character_springs(sinew_character* character,
+                                               const sinew_character_springs_options* options,
+                                               sinew_character_springs_result* result);
 
 /* ---- bake ---- */
 

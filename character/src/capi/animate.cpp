@@ -7,6 +7,7 @@
 #include "sinew_character/check/check.hpp"
 #include "sinew_character/jobs/animate_job.hpp"
 #include "sinew_character/jobs/plane_motion.hpp"
+#include "sinew_character/jobs/springs_job.hpp"
 #include "sinew_character/motion/motion_file.hpp"
 
 namespace sinew {
@@ -155,6 +156,11 @@ void animate(const sinew_character_animate_options& options, ProgressOfCaller* p
     add_picture_motion(*picture, options.depth != 0, job, input, steps, &made);
   else
     add_motion(job, input, steps, &made);
+  check_at_most("springs", options.springs, 1);
+  if (options.springs != 0 && target->springs)
+    swing_clips(*target->springs, &made);
+  else if (options.springs != 0)
+    swing_clips(SpringsOptions(), file_of(*target), &made);
   if (deform) bake_clips(*deform, options.shapes == 0 ? 16 : options.shapes, steps, &made);
   for (MorphClip& clip : made.morphs.clips) clip.animation += target->clips.size();
   if (deform && !target->morphs.shapes.empty())

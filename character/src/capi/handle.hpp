@@ -26,6 +26,7 @@
 #include "sinew_formats/memory_files.hpp"
 #include "sinew_formats/morphs.hpp"
 #include "sinew_formats/motion.hpp"
+#include "sinew_formats/springs.hpp"
 
 namespace sinew {
 
@@ -63,7 +64,7 @@ struct ResultViews {
   std::vector<sinew_limb_quality> before, after;
   std::vector<uint8_t> spot_kinds;
   std::vector<float> spot_positions, spot_errors;
-  std::string joint_names;
+  std::string joint_names, kinds;
   std::vector<sinew_transfer_part> parts;
   std::vector<sinew_character_seam> seams;
   std::vector<sinew_character_doubt> doubtful;
@@ -90,6 +91,7 @@ struct sinew_character {
   std::vector<sinew::Clip> clips;                           // added ones, of the character's joints
   std::shared_ptr<const sinew::KeypointsStream> keypoints;  // that it is of; null: of a file or of arrays
   sinew::Morphs morphs;
+  std::optional<sinew::Springs> springs;  // in place of the file's own
   sinew::CharacterViews views;
   sinew::OutlineViews outline;
   bool viewed = false;

@@ -126,6 +126,7 @@ void changed(sinew_character* character) {
   character->same_skin = false;
   character->viewed = false;
   character->clip_views.clear();
+  character->springs.reset();  // they are of the joints that were there
 }
 
 }  // namespace sinew

@@ -39,6 +39,7 @@ void save(sinew_character* from, const std::string& path) {
   options.keep_skin = from->same_skin;
   options.drop_animations = from->drop_animations;
   options.motion = &motion;
+  options.springs = from->springs ? &*from->springs : nullptr;
   const Character& written = leave_out ? plain : character;
   if (from->profile.empty()) {
     if (from->profile_options.controls) options.extras = controls_extras(controls_text(written));

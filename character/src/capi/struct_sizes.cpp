@@ -43,6 +43,8 @@ constexpr StructSize kStructSizes[] = {
     {"sinew_character_simplify_options", sizeof(sinew_character_simplify_options)},
     {"sinew_character_lod_options", sizeof(sinew_character_lod_options)},
     {"sinew_character_lod_level", sizeof(sinew_character_lod_level)},
+    {"sinew_character_springs_options", sizeof(sinew_character_springs_options)},
+    {"sinew_character_springs_result", sizeof(sinew_character_springs_result)},
     {"sinew_character_bake_options", sizeof(sinew_character_bake_options)},
     {"sinew_character_bake_result", sizeof(sinew_character_bake_result)},
     {"sinew_character_picture_options", sizeof(sinew_character_picture_options)},

@@ -51,6 +51,7 @@ RigCheck check_rig(const Character& character, const Motion* motion, const Check
   check_names(facts, &findings);
   check_symmetry(facts, &findings);
   check_matrices(facts, &findings);
+  check_spring_chains(facts, &findings);
   if (facts.bound && options.poses) check_poses(facts, &findings);
   if (motion != nullptr) check_clips(facts, *motion, &findings);
   weigh_findings(facts, &findings);

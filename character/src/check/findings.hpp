@@ -55,9 +55,10 @@ void check_stray_weights(const RigFacts& facts, Findings* findings);  // weight 
 void check_joints(const RigFacts& facts, Findings* findings);         // outside, without length, without weight
 void check_names(const RigFacts& facts,
                  Findings* findings);  // against the hierarchy, left against right, against positions
-void check_symmetry(const RigFacts& facts, Findings* findings);  // joints and rows against their mirror images
-void check_matrices(const RigFacts& facts, Findings* findings);  // of a glTF's skins
-void check_poses(const RigFacts& facts, Findings* findings);     // test poses
+void check_symmetry(const RigFacts& facts, Findings* findings);       // joints and rows against their mirror images
+void check_matrices(const RigFacts& facts, Findings* findings);       // of a glTF's skins
+void check_spring_chains(const RigFacts& facts, Findings* findings);  // of the file
+void check_poses(const RigFacts& facts, Findings* findings);          // test poses
 void check_clips(const RigFacts& facts, const Motion& motion, Findings* findings);
 void weigh_findings(const RigFacts& facts, Findings* findings);  // which of all that is there are notes
 

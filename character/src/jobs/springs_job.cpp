@@ -153,8 +153,12 @@ void swing_clips(const SpringsOptions& options, const std::string& path, Animate
     text += (text.empty() ? "" : ", ") + std::to_string(count) + (count == 1 ? " chain of " : " chains of ") + kind;
   out->motion.notes.push_back(path + ": " + text + " swing, pushed by " +
                               std::to_string(found.springs.colliders.size()) + " colliders");
+  swing_clips(found.springs, out);
+}
+
+void swing_clips(const Springs& springs, AnimatedCharacter* out) {
   for (size_t c = 0; c < out->motion.clips.size(); ++c)
-    out->animated_clips[c].springs = play_springs(found.springs, out->motion, &out->motion.clips[c]);
+    out->animated_clips[c].springs = play_springs(springs, out->motion, &out->motion.clips[c]);
 }
 
 }  // namespace sinew

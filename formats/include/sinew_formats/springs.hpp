@@ -59,7 +59,8 @@ struct Springs {
 };
 
 // Springs of the character's own file: VRMC_springBone, else secondaryAnimation of VRM 0.x; nullopt where it has neither. Nodes that are no
-// joints end a chain or are left out of it; colliders on them hang on the joint above; notes say what was left out. Throws Error naming the
+// joints end a chain or are left out of it; colliders on them hang on the joint above; notes say what was left out. A character with other joints
+// than its file's has the springs of those that are called alike. Throws Error naming the
 // element for what the specification forbids: indices that name nothing, numbers out of their range, joints that do not lie below one another.
 //   path  for messages
 std::optional<Springs> read_springs(const std::string& path, const Character& character);

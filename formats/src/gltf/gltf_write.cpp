@@ -102,23 +102,13 @@ void add_extras(const std::string& extras, Json* document) {
 
 constexpr Rotation kZToY = {1, 0, 0, 0, 0, 1, 0, -1, 0};
 
-// Springs of the character's own file for the joints that it still has, by their names; nullopt where none are left.
+// Springs of the character's own file for the joints that it still has; broken ones go with the skeleton.
 std::optional<Springs> springs_left(const std::string& path, const Character& character) {
-  std::optional<Springs> own;
   try {
-    own = read_springs(path, character);
-  } catch (const Error&) {  // broken ones go with the skeleton
+    return read_springs(path, character);
+  } catch (const Error&) {
+    return std::nullopt;
   }
-  if (!own) return std::nullopt;
-  const std::vector<Joint>& before = character.gltf->joints;
-  std::map<std::string, int> numbers;
-  for (size_t j = 0; j < character.joints.size(); ++j) numbers[character.joints[j].name] = static_cast<int>(j);
-  std::vector<int> number(before.size(), -1);
-  for (size_t j = 0; j < before.size(); ++j)
-    if (const auto found = numbers.find(before[j].name); found != numbers.end()) number[j] = found->second;
-  Springs left = springs_of_fewer(*own, before, number);
-  if (left.chains.empty()) return std::nullopt;
-  return left;
 }
 
 // A glTF has y up: the roots of every scene hang on a node that turns z to it.

@@ -228,11 +228,7 @@ class SpringReader {
   Springs out_;
 };
 
-}  // namespace
-
-std::optional<Springs> read_springs(const std::string& path, const Character& character) {
-  if (!character.gltf) return std::nullopt;
-  const GltfSource& source = *character.gltf;
+std::optional<Springs> springs_of_file(const std::string& path, const GltfSource& source) {
   const Json::json_pointer newer("/extensions/" + std::string(kSprings)), older("/extensions/VRM/secondaryAnimation");
   try {
     if (source.document.contains(newer))
@@ -249,6 +245,29 @@ std::optional<Springs> read_springs(const std::string& path, const Character& ch
   } catch (const Json::exception& error) {
     throw Error(path + ": extension " + kSprings + " is broken: " + one_line(error.what()));
   }
+}
+
+// Of joints that have the same names in both.
+Springs springs_by_name(const Springs& springs, const std::vector<Joint>& before, const std::vector<Joint>& joints) {
+  std::map<std::string, int> numbers;
+  for (size_t j = 0; j < joints.size(); ++j) numbers[joints[j].name] = static_cast<int>(j);
+  std::vector<int> number;
+  for (const Joint& joint : before) {
+    const auto found = numbers.find(joint.name);
+    number.push_back(found == numbers.end() ? -1 : found->second);
+  }
+  return springs_of_fewer(springs, before, number);
+}
+
+}  // namespace
+
+std::optional<Springs> read_springs(const std::string& path, const Character& character) {
+  if (!character.gltf) return std::nullopt;
+  std::optional<Springs> springs = springs_of_file(path, *character.gltf);
+  if (!springs || same_joints(character.joints, character.gltf->joints)) return springs;
+  Springs left = springs_by_name(*springs, character.gltf->joints, character.joints);
+  if (left.chains.empty()) return std::nullopt;
+  return left;
 }
 
 Springs springs_of_fewer(const Springs& springs, const std::vector<Joint>& before, const std::vector<int>& number) {

@@ -139,6 +139,8 @@ export interface RetargetOptions {
   /** what joints stay within, contacts or not: a .urdf, a file of formats/spec/limits.md, or "human" for what bodies can do; null: the
    * natural range alone */
   limits?: string;
+  /** hair, tails, ears and skirts swing in the clips, by the springs of the character, see springs() */
+  springs?: boolean;
   /** of the motion; auto: found */
   motionUp?: "auto" | "x" | "y" | "z";
   /** layout of keypoints (.npy, .npz): "smpl24", ...; null: guessed by their count */

@@ -165,10 +165,11 @@ export const LAYOUTS = {
   characterDeformation: layout(40,
     "struct_size@0:u32 method@4:u32 cells@8:u32 rounds@12:u32 body_contact@16:u32 tet_weights@20:u32 without@24:u32 " +
     "deform_as_drawn@28:u32 stiffness@32:f64"),
-  characterAnimateOptions: layout(88,
+  characterAnimateOptions: layout(96,
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 motion@20:u32 deform@24:u32 " +
     "reference@28:u32 method@32:u32 without@36:u32 in_place@40:u32 target_up@44:u32 shapes@48:u32 report@52:u32 force@56:u32 " +
-    "translations@60:u32 depth@64:u32 pin_count@68:u32 pins@72:u32 map@76:u32 sources@80:u32 limits@84:u32"),
+    "translations@60:u32 depth@64:u32 pin_count@68:u32 pins@72:u32 map@76:u32 sources@80:u32 limits@84:u32 springs@88:u32 " +
+    "reserved@92:u32"),
   characterAnimateResult: layout(80,
     "struct_size@0:u32 clip_count@4:u32 first_clip@8:u32 mapped@12:u32 rigged@16:u32 shape_count@20:u32 certainty@24:f32 " +
     "limb_count@28:u32 limbs_before@32:u32 limbs_after@36:u32 mapped_by@40:u32 sources@44:u32 reasons@48:u32 " +
@@ -187,6 +188,12 @@ export const LAYOUTS = {
     "struct_size@0:u32 low@4:u32 joint_count@8:u32 keep_count@12:u32 keep@16:u32 as_drawn@20:u32 reserved@24:u32"),
   characterLodOptions: layout(24, "struct_size@0:u32 level_count@4:u32 ratio@8:f64 fewer_joints@16:u32 reserved@20:u32"),
   characterLodLevel: layout(32, "rest_error@0:f64 posed_error@8:f64 mean_error@16:f64 triangle_count@24:u32 reserved@28:u32"),
+  characterSpringsOptions: layout(40,
+    "struct_size@0:u32 replace@4:u32 take_count@8:u32 drop_count@12:u32 preset_count@16:u32 value_count@20:u32 take@24:u32 " +
+    "drop@28:u32 presets@32:u32 values@36:u32"),
+  characterSpringsResult: layout(40,
+    "struct_size@0:u32 chain_count@4:u32 joint_count@8:u32 collider_count@12:u32 proposal_count@16:u32 reserved@20:u32 " +
+    "kept@24:u32 certainties@28:u32 names@32:u32 kinds@36:u32"),
   characterBakeOptions: layout(64,
     "struct_size@0:u32 reserved@4:u32 progress@8:u32 progress_user@12:u32 deform@16:u32 poses@20:u32 shapes@24:u32 " +
     "seed@32:u64 limit@40:f64 clip@48:u32 error@56:f64"),

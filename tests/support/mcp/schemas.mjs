@@ -47,6 +47,8 @@ expectValid('map', rig, '--from', 'robot.glb');
 expectValid('map', rig, '--from', join(data, 'quadruped__tailed.rig.txt'));
 expectValid('transfer', 'robed.glb', robot, '-o', 'other.glb');
 expectValid('simplify', 'robed.glb', '--level', 'low', '-o', 'low.glb');
+expectValid('springs', 'robed.glb', '-o', 'swings.glb');
+expectValid('animate', 'swings.glb', '--motion', 'builtin:run', '--springs', '-o', 'swinging.glb');
 expectValid('bake', 'robed.glb', '-o', 'baked.glb', '--poses', '20', '--shapes', '2');
 expectValid('check', 'robed.glb', 'robot.glb');
 expectValid('lod', 'robed.glb', '--levels', '2');

@@ -38,6 +38,8 @@ SpringsFound springs_of(const SpringsOptions& options, const std::string& path, 
 // Plays springs_of() behind every clip of an animated character, into it: `sinew animate --springs`. Its notes say what swings. Throws Error
 // where nothing does.
 void swing_clips(const SpringsOptions& options, const std::string& path, AnimatedCharacter* out);
+// The same of springs that are there.
+void swing_clips(const Springs& springs, AnimatedCharacter* out);
 
 }  // namespace sinew
 #endif

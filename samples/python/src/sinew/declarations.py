@@ -491,7 +491,7 @@ class sinew_character_animate_options(Structure):
         ("deform", POINTER(sinew_character_deformation)), ("reference", POINTER(sinew_reference_options)), ("method", c_uint32),
         ("without", c_uint32), ("in_place", c_uint32), ("target_up", c_uint32), ("shapes", c_uint32), ("report", c_uint32),
         ("force", c_uint32), ("translations", c_uint32), ("depth", c_uint32), ("pin_count", c_uint32), ("pins", POINTER(sinew_map_pin)),
-        ("map", c_char_p), ("sources", c_void_p), ("limits", c_char_p)]
+        ("map", c_char_p), ("sources", c_void_p), ("limits", c_char_p), ("springs", c_uint32), ("reserved", c_uint32)]
 
 
 class sinew_character_animate_result(Structure):
@@ -535,6 +535,18 @@ class sinew_character_lod_level(Structure):
         ("reserved", c_uint32)]
 
 
+class sinew_character_springs_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("replace", c_uint32), ("take_count", c_uint32), ("drop_count", c_uint32),
+        ("preset_count", c_uint32), ("value_count", c_uint32), ("take", POINTER(c_char_p)), ("drop", POINTER(c_char_p)),
+        ("presets", POINTER(c_char_p)), ("values", POINTER(c_char_p))]
+
+
+class sinew_character_springs_result(Structure):
+    _fields_ = [("struct_size", c_uint32), ("chain_count", c_uint32), ("joint_count", c_uint32), ("collider_count", c_uint32),
+        ("proposal_count", c_uint32), ("reserved", c_uint32), ("kept", c_void_p), ("certainties", c_void_p), ("names", c_char_p),
+        ("kinds", c_char_p)]
+
+
 class sinew_character_bake_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("progress", sinew_progress), ("progress_user", c_void_p),
         ("deform", POINTER(sinew_character_deformation)), ("poses", c_uint32), ("shapes", c_uint32), ("seed", c_uint64),
@@ -574,8 +586,9 @@ CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_profile_option
     sinew_skeleton_edit, sinew_character_rig_options, sinew_character_doubt, sinew_character_rig_result, sinew_motion_source,
     sinew_character_map_options, sinew_character_map_result, sinew_character_deformation, sinew_character_animate_options,
     sinew_character_animate_result, sinew_character_pose_options, sinew_character_transfer_options, sinew_character_transfer_result,
-    sinew_character_simplify_options, sinew_character_lod_options, sinew_character_lod_level, sinew_character_bake_options,
-    sinew_character_bake_result, sinew_character_picture_options, sinew_character_picture_info)
+    sinew_character_simplify_options, sinew_character_lod_options, sinew_character_lod_level, sinew_character_springs_options,
+    sinew_character_springs_result, sinew_character_bake_options, sinew_character_bake_result, sinew_character_picture_options,
+    sinew_character_picture_info)
 
 
 # Result and arguments.
@@ -702,6 +715,7 @@ CHARACTER_FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
         POINTER(sinew_character_transfer_result)]),
     "sinew_character_simplify": (c_int, [c_void_p, POINTER(sinew_character_simplify_options), c_void_p]),
     "sinew_character_lod": (c_int, [c_void_p, POINTER(sinew_character_lod_options), POINTER(c_void_p), POINTER(sinew_character_lod_level)]),
+    "sinew_character_springs": (c_int, [c_void_p, POINTER(sinew_character_springs_options), POINTER(sinew_character_springs_result)]),
     "sinew_character_bake": (c_int, [c_void_p, POINTER(sinew_character_bake_options), POINTER(sinew_character_bake_result)]),
     "sinew_character_open_picture": (c_int, [c_char_p, POINTER(sinew_character_picture_options), POINTER(c_void_p)]),
     "sinew_character_open_picture_files": (c_int, [POINTER(sinew_file), c_uint32, POINTER(sinew_character_picture_options),

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, Tuple, cast
 from . import declarations
 from .binder import ProgressFunction
 from .marshalling import Correction, ModelFile, Source, Text, run
-from .results import AnimateResult, BakeResult, BindResult, CheckResult, MapResult, RigResult, TransferResult
+from .results import AnimateResult, BakeResult, BindResult, CheckResult, MapResult, RigResult, SpringsResult, TransferResult
 
 if TYPE_CHECKING:
     from .opened import OpenCharacter
@@ -126,12 +126,13 @@ class Jobs:
     def retarget(self, motion: Source = None, *, method: declarations.AnimateMethod = "auto", natural_range: bool = True,
                  in_place: bool = False, target_up: declarations.Up = "auto", shapes: int = 0, report: bool = False, force: bool = False,
                  translations: bool = False, depth: bool = False, pins: Sequence[Tuple[int, int]] = (), map_file: Text = None,
-                 joint_map: Any = None, limits: Text = None, motion_up: declarations.Up = "auto", layout: Text = None, actor: Text = None,
-                 clip: Text = None, fps: float = 0, start: float = 0, end: float = 0, correct: Correction = "none", cells: int = 0,
-                 rounds: int = 0, body_contact: bool = False, tet_weights: declarations.TetWeights = "skin", smoothing: bool = True,
-                 deform_as_drawn: bool = False, stiffness: float = 0, area_power: int = 0, own_limb: bool = False, legs: bool = False,
-                 falloff: float = 0, head: bool = False, torso: bool = False, source_points: bool = False, as_drawn: bool = False,
-                 model: ModelFile = None, hands_model: ModelFile = None, front_model: ModelFile = None, threads: int = 1,
+                 joint_map: Any = None, limits: Text = None, springs: bool = False, motion_up: declarations.Up = "auto",
+                 layout: Text = None, actor: Text = None, clip: Text = None, fps: float = 0, start: float = 0, end: float = 0,
+                 correct: Correction = "none", cells: int = 0, rounds: int = 0, body_contact: bool = False,
+                 tet_weights: declarations.TetWeights = "skin", smoothing: bool = True, deform_as_drawn: bool = False, stiffness: float = 0,
+                 area_power: int = 0, own_limb: bool = False, legs: bool = False, falloff: float = 0, head: bool = False,
+                 torso: bool = False, source_points: bool = False, as_drawn: bool = False, model: ModelFile = None,
+                 hands_model: ModelFile = None, front_model: ModelFile = None, threads: int = 1,
                  progress: ProgressFunction = None) -> AnimateResult:
         """Adds clips of another skeleton to a bound character, which are saved with it. A bare mesh is rigged first.
 
@@ -148,6 +149,7 @@ class Jobs:
         joint_map  [j] joint of the motion or -1, in place of a map
         limits  what joints stay within, contacts or not: a .urdf, a file of formats/spec/limits.md, or "human" for what bodies
             can do; None: the natural range alone
+        springs  hair, tails, ears and skirts swing in the clips, by the springs of the character, see springs()
         motion_up  of the motion; "auto": found
         layout  layout of keypoints (.npy, .npz): "smpl24", ...; None: guessed by their count
         actor  of a file of several people, by the root's name or number; None: the first where all are alike
@@ -218,6 +220,19 @@ class Jobs:
         model  files or bytes in place of the bundled ones
         """
         return cast(TransferResult, run("transfer", locals()))
+
+    def springs(self, *, replace: bool = False, take: Sequence[str] = (), drop: Sequence[str] = (), presets: Sequence[str] = (),
+                values: Sequence[str] = ()) -> SpringsResult:
+        """Finds what swings on a bound character, hair, tails, ears and skirts, with colliders. They are saved with it
+        (VRMC_springBone), and played by retarget().
+
+        replace  finds springs anew in place of the file's own
+        take  chains that are kept although they are not sure, or beside the file's own
+        drop  chains that are left out
+        presets  NAME=KIND: numbers of another kind, hair, long-hair, skirt, tail, ear, cape, bust or ribbon
+        values  NAME:FIELD=X: one number of a chain's joints, stiffness, gravity, drag, radius or limit
+        """
+        return cast(SpringsResult, run("springs", locals()))
 
     def bake(self, *, poses: int = 0, shapes: int = 0, seed: int = 0, limit: float = 0, clip: Text = None, error: float = 0,
              method: declarations.PoseDeform = "volume", cells: int = 0, rounds: int = 0, body_contact: bool = False,

@@ -309,6 +309,28 @@ class LodLevel:
 
 
 @dataclass
+class SpringsResult:
+    """sinew_character_springs_result of C.
+
+    chain_count  chains that are kept
+    joint_count  joints that swing
+    collider_count  spheres and capsules that push them
+    kept  kept
+    certainties  0..1
+    names  names of the proposals, a line each, '\n' between two
+    kinds  kinds of the proposals, a line each, '\n' between two
+    """
+
+    chain_count: int
+    joint_count: int
+    collider_count: int
+    kept: Array
+    certainties: Array
+    names: str
+    kinds: str
+
+
+@dataclass
 class BakeResult:
     """sinew_character_bake_result of C.
 
@@ -394,9 +416,9 @@ OPTIONS: Dict[Any, Rows] = {
         ("force", "flag", "force", None), ("translations", "flag", "translations", None), ("depth", "flag", "depth", None),
         ("pins", "structs", "pins", (declarations.sinew_map_pin, ('pin_count',))), ("map_file", "text", "map", None),
         ("joint_map", "array", "sources", ('int32', ('J',), True, False)), ("limits", "text", "limits", None),
-        ("motion_up", "word", "motion.up", declarations.UP), ("layout", "text", "motion.layout", None),
-        ("actor", "text", "motion.actor", None), ("clip", "text", "motion.clip", None), ("fps", "number", "motion.fps", False),
-        ("start", "number", "motion.from", False), ("end", "number", "motion.to", False),
+        ("springs", "flag", "springs", None), ("motion_up", "word", "motion.up", declarations.UP),
+        ("layout", "text", "motion.layout", None), ("actor", "text", "motion.actor", None), ("clip", "text", "motion.clip", None),
+        ("fps", "number", "motion.fps", False), ("start", "number", "motion.from", False), ("end", "number", "motion.to", False),
         ("correct", "word", "deform.method", declarations.POSE_DEFORM), ("cells", "number", "deform.cells", False),
         ("rounds", "number", "deform.rounds", False), ("body_contact", "flag", "deform.body_contact", None),
         ("tet_weights", "word", "deform.tet_weights", declarations.TET_WEIGHTS), ("smoothing", "without", "deform.without", 128),
@@ -422,6 +444,9 @@ OPTIONS: Dict[Any, Rows] = {
         ("keep", "texts", "keep", ('keep_count',)), ("as_drawn", "flag", "as_drawn", None)],
     declarations.sinew_character_lod_options: [("levels", "number", "level_count", False), ("ratio", "number", "ratio", False),
         ("fewer_joints", "flag", "fewer_joints", None)],
+    declarations.sinew_character_springs_options: [("replace", "flag", "replace", None), ("take", "texts", "take", ('take_count',)),
+        ("drop", "texts", "drop", ('drop_count',)), ("presets", "texts", "presets", ('preset_count',)),
+        ("values", "texts", "values", ('value_count',))],
     declarations.sinew_character_bake_options: [("poses", "number", "poses", False), ("shapes", "number", "shapes", False),
         ("seed", "number", "seed", False), ("limit", "number", "limit", False), ("clip", "text", "clip", None),
         ("error", "number", "error", False), ("method", "word", "deform.method", declarations.POSE_DEFORM),
@@ -504,6 +529,11 @@ RESULTS: Dict[Any, Tuple[Any, Rows]] = {
     declarations.sinew_character_lod_level: (LodLevel, [("rest_error", "number", "rest_error", False),
         ("posed_error", "number", "posed_error", False), ("mean_error", "number", "mean_error", False),
         ("triangle_count", "number", "triangle_count", False)]),
+    declarations.sinew_character_springs_result: (SpringsResult, [("chain_count", "number", "chain_count", False),
+        ("joint_count", "number", "joint_count", False), ("collider_count", "number", "collider_count", False),
+        ("kept", "array", "kept", ('uint8', ('proposal_count',), False, False)),
+        ("certainties", "array", "certainties", ('float32', ('proposal_count',), False, False)), ("names", "text", "names", None),
+        ("kinds", "text", "kinds", None)]),
     declarations.sinew_character_bake_result: (BakeResult, [("shape_count", "number", "shape_count", False),
         ("bend_count", "number", "bend_count", False), ("moved_vertices", "number", "moved_vertices", False),
         ("learnt_poses", "number", "learnt_poses", False), ("held_out_poses", "number", "held_out_poses", False),
@@ -528,5 +558,6 @@ JOBS: Dict[str, Tuple[Any, Any, str, bool, str]] = {
     "transfer": (declarations.sinew_character_transfer_options, declarations.sinew_character_transfer_result, "source", True, ""),
     "simplify": (declarations.sinew_character_simplify_options, None, "", False, ""),
     "lod": (declarations.sinew_character_lod_options, None, "", False, ""),
+    "springs": (declarations.sinew_character_springs_options, declarations.sinew_character_springs_result, "", False, ""),
     "bake": (declarations.sinew_character_bake_options, declarations.sinew_character_bake_result, "", False, ""),
 }

@@ -199,6 +199,37 @@ TEST(Check, FindsWhatAFileHasBesideItsCharacter) {
   }
 }
 
+// The strip's knee swings, about a collider of the hip.
+TEST(Check, FindsWhatIsWrongWithSprings) {
+  const auto checked = [](const char* at, const nlohmann::json& value) {
+    GlbBuilder builder = two_joint_strip();
+    const int end = builder.add("nodes", {{"name", "knee_end"}, {"translation", {0, 2, 0}}});
+    builder.document["nodes"][1]["children"] = {end};
+    builder.document["extensionsUsed"] = {"VRMC_springBone"};
+    nlohmann::json& springs = builder.document["extensions"]["VRMC_springBone"];
+    springs = {
+        {"specVersion", "1.0"},
+        {"colliders", {{{"node", 0}, {"shape", {{"sphere", {{"offset", {0, 0, 0}}, {"radius", 1.5}}}}}}}},
+        {"colliderGroups", {{{"colliders", {0}}}}},
+        {"springs", {{{"name", "tail"}, {"colliderGroups", {0}}, {"joints", {{{"node", 1}}, {{"node", end}}}}}}}};
+    springs[nlohmann::json::json_pointer(at)] = value;
+    return check_rig(read(builder), nullptr, {false, {}});
+  };
+  const nlohmann::json same = "tail";
+  for (const char* rule : {"springs-broken", "springs-shared", "springs-inside", "springs-skinless"})
+    EXPECT_EQ(finding_of(checked("/springs/0/name", same), rule), nullptr) << rule;
+  const RigCheck broken = checked("/springs/0/colliderGroups/0", 3);
+  ASSERT_NE(finding_of(broken, "springs-broken"), nullptr);
+  EXPECT_NE(finding_of(broken, "springs-broken")->what.find("springs[0].colliderGroups"), std::string::npos);
+  const RigCheck shared =
+      checked("/springs/1", {{"name", "other"}, {"joints", {{{"node", 0}}, {{"node", 1}}, {{"node", 3}}}}});
+  ASSERT_NE(finding_of(shared, "springs-shared"), nullptr);
+  EXPECT_NE(finding_of(shared, "springs-shared")->what.find("tail and other"), std::string::npos);
+  const RigCheck inside = checked("/colliders/0/shape/sphere/radius", 4.5);
+  ASSERT_NE(finding_of(inside, "springs-inside"), nullptr);
+  EXPECT_NEAR(finding_of(inside, "springs-inside")->value, 0.5 / 4.5, 1e-6);
+}
+
 TEST(CheckOutput, ManyFindingsOfOneKindAreOneLine) {
   CheckedFile file;
   file.file = "a.glb";

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// sinew_character_springs(): the job of `sinew springs`.
+#include "conversions.hpp"
+#include "handle.hpp"
+#include "sinew_character/jobs/springs_job.hpp"
+
+namespace sinew {
+namespace {
+
+std::vector<std::string> texts_of(const char* what, const char* const* given, uint32_t count) {
+  need(given != nullptr || count == 0, what);
+  std::vector<std::string> out;
+  for (uint32_t i = 0; i < count; ++i) {
+    need(given[i] != nullptr, what);
+    out.emplace_back(given[i]);
+  }
+  return out;
+}
+
+void find(const sinew_character_springs_options& options, sinew_character* character,
+          sinew_character_springs_result* result) {
+  check_at_most("replace", options.replace, 1);
+  SpringsOptions job;
+  job.replace = options.replace != 0;
+  job.keep = texts_of("take", options.take, options.take_count);
+  job.drop = texts_of("drop", options.drop, options.drop_count);
+  job.presets = texts_of("presets", options.presets, options.preset_count);
+  job.values = texts_of("values", options.values, options.value_count);
+  SpringsFound found = springs_of(job, file_of(*character), character->character);
+  ResultViews& views = character->results;
+  views = {};
+  sinew_character_springs_result filled = SINEW_INIT(sinew_character_springs_result);
+  filled.proposal_count = count32(found.chains.size());
+  filled.chain_count = count32(found.springs.chains.size());
+  filled.collider_count = count32(found.springs.colliders.size());
+  for (const SpringChain& chain : found.springs.chains) filled.joint_count += count32(chain.turning_joints());
+  for (const FoundChain& one : found.chains) {
+    views.joint_names += (views.ends.empty() ? "" : "\n") + one.chain.name;
+    views.kinds += (views.ends.empty() ? "" : "\n") + std::string(spring_kind_text(one.kind));
+    views.ends.push_back(one.kept ? 1 : 0);
+    views.confidence.push_back(one.certainty);
+  }
+  filled.kept = views.ends.data();
+  filled.certainties = views.confidence.data();
+  filled.names = views.joint_names.c_str();
+  filled.kinds = views.kinds.c_str();
+  for (const std::string& note : found.notes) character->character.notes.push_back(note);
+  character->springs = std::move(found.springs);
+  give(filled, result);
+}
+
+}  // namespace
+}  // namespace sinew
+
+using namespace sinew;
+
+extern "C" sinew_status sinew_character_springs(sinew_character* character,
+                                                const sinew_character_springs_options* given,
+                                                sinew_character_springs_result* result) {
+  return guarded(character, [&] {
+    need(character != nullptr, "character");
+    check_result(result);
+    find(options_of(given), character, result);
+  });
+}
