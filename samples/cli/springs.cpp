@@ -107,7 +107,7 @@ void tell_springs(const SpringsCommandSettings& s, const SpringsFound& found, co
 
 void run_springs(const SpringsCommandSettings& s) {
   settle_profile(s.profile, nullptr);
-  if (!s.output.empty()) check_output(s.output, {".glb", ".gltf", ".vrm"});
+  if (!s.output.empty()) check_output(s.output, kWritesSprings);
   const AnimatedCharacter animated = animated_character(open_character(s.character).character, s.character);
   const SpringsFound found = springs_of(s.options, s.character, animated.character);
   std::vector<std::string> notes = found.notes;
@@ -136,9 +136,9 @@ void add_springs(CLI::App& app) {
                   "Skinned file, or a bare mesh, which gets a skeleton first. " + mesh_files())
       ->required()
       ->type_name("CHARACTER");
-  shared_option(
-      sub, "-o,--output", s->output,
-      "The character with its springs (VRMC_springBone): .glb, .gltf, .vrm. Prints what it finds unless given");
+  shared_option(sub, "-o,--output", s->output,
+                "The character with its springs (VRMC_springBone), " + extensions_text(kWritesSprings) +
+                    ". Prints what it finds unless given");
   sub->add_option("--take", s->options.keep,
                   "A chain that is kept although it is not sure, or beside the file's own; NAME* are all that begin "
                   "so; may be repeated")

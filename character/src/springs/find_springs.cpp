@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "motion/upright_body.hpp"
 #include "sinew_character/motion/map_skeleton.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
 #include "sinew_formats/base/joint_tree.hpp"
@@ -41,9 +42,14 @@ class SpringFinder {
         held_(held_vertices(character)),
         height_(height_of(character)),
         up_(up_of(character)) {
-    named_body_ = std::count(verdicts_.classes.begin(), verdicts_.classes.end(), SINEW_CLASS_THIGH) >= 2;
-    shapes_ = named_body_ ? verdicts_.classes : limb_classes(map_rig_of(character), character.up);
+    knows_legs_ = std::count(verdicts_.classes.begin(), verdicts_.classes.end(), SINEW_CLASS_THIGH) >= 2;
+    shapes_ = knows_legs_ ? verdicts_.classes : limb_classes(map_rig_of(character), character.up);
+    if (!knows_legs_) knows_legs_ = stands_upright();
     used_.assign(character.joints.size(), 0);
+    for (const Joint& joint : character.joints) stiff_.push_back(names_stiff_thing(joint.name) ? 1 : 0);
+    // What most names have is the character's own name: a horn monster's.
+    if (2 * std::count(stiff_.begin(), stiff_.end(), 1) > static_cast<std::ptrdiff_t>(stiff_.size()))
+      stiff_.assign(stiff_.size(), 0);
     names_.resize(character.joints.size());
     for (size_t j = 0; j < names_.size(); ++j) names_[j] = name_kind(j);
   }
@@ -67,18 +73,25 @@ class SpringFinder {
     std::string reason;
   };
 
+  bool stands_upright() const {
+    std::vector<Point3> positions;
+    for (const Joint& joint : c_.joints) positions.push_back(point(joint.position));
+    const std::optional<UprightBody> body = find_upright_body(c_.joints, shapes_);
+    return body && is_upright(*body, positions);
+  }
+
   Point3 at(size_t joint) const { return point(c_.joints[joint].position); }
   const std::vector<int>& children(size_t joint) const { return tree_.children[joint]; }
 
   bool is_stiff(size_t j) const {
     const uint8_t role = verdicts_.roles[j];
     return role == SINEW_ROLE_CONTROL || role == SINEW_ROLE_SLOT || role == SINEW_ROLE_FACE ||
-           role == SINEW_ROLE_FINGER || role == SINEW_ROLE_TWIST || names_stiff_thing(c_.joints[j].name);
+           role == SINEW_ROLE_FINGER || role == SINEW_ROLE_TWIST || stiff_[j] != 0;
   }
 
   NameKind name_kind(size_t j) const {
     const uint8_t joint_class = verdicts_.classes[j], role = verdicts_.roles[j];
-    if (role == SINEW_ROLE_CONTROL || role == SINEW_ROLE_SLOT || names_stiff_thing(c_.joints[j].name)) return {};
+    if (role == SINEW_ROLE_CONTROL || role == SINEW_ROLE_SLOT || stiff_[j] != 0) return {};
     const std::optional<SwingWord> word = swing_word(c_.joints[j].name);
     if (joint_class == SINEW_CLASS_HAIR) return {SpringKind::kHair, kSureClass, "its joints' class is hair"};
     if (joint_class == SINEW_CLASS_EAR) return {SpringKind::kEar, kSureClass, "its joints' class is ear"};
@@ -181,8 +194,8 @@ class SpringFinder {
         kind = beside >= 4 ? SpringKind::kSkirt : beside == 1 ? SpringKind::kTail : SpringKind::kRibbon;
       if (on == SINEW_CLASS_SPINE && beside >= 2) kind = SpringKind::kCape;
     }
-    // A body that is laid over a rig without names may be a spider's: there only a lone tail is sure.
-    const bool sure = kind == SpringKind::kTail || (named_body_ && kind != SpringKind::kRibbon);
+    // A body that is laid over a rig without names and does not stand upright may be a spider's: there only a lone tail is sure.
+    const bool sure = kind == SpringKind::kTail || (knows_legs_ && kind != SpringKind::kRibbon);
     add(joints, kind, sure ? kSureShape : kUnsure,
         std::string("no map needs it, it ends freely and its skin hangs off the ") + joint_class_text(on));
   }
@@ -256,9 +269,10 @@ class SpringFinder {
   const std::vector<std::vector<uint32_t>> held_;
   const double height_;
   const Point3 up_;
-  bool named_body_ = false;      // names tell its legs
+  bool knows_legs_ = false;      // names tell its legs, or it stands on them as a person does
   std::vector<uint8_t> shapes_;  // [J] classes by names, of a rig without names by a body that is laid over it
   std::vector<NameKind> names_;  // [J]
+  std::vector<uint8_t> stiff_;   // [J] 1: its name is that of a thing that does not swing
   std::vector<uint8_t> used_;    // [J] 1: in a chain
   std::vector<FoundChain> out_;
 };

@@ -19,11 +19,12 @@ enum FileUse : uint32_t {
   kReadsWhole = 8,        // mesh, skeleton and weights in one file
   kWritesCharacter = 16,  // mesh, skeleton and weights
   kWritesMotion = 32,
-  kWritesMesh = 64,       // a mesh alone: poses
-  kOffered = 128,         // dialogs of the page and of editors offer to open it, and the WebAssembly modules read it
-  kReadsPicture = 256,    // a drawing or a photograph of a character
-  kWritesSkin = 512,      // skeleton and weights in one file, with or without a mesh
-  kWritesWithMesh = 1024  // a character with its mesh; skeleton and weights may lie beside it
+  kWritesMesh = 64,        // a mesh alone: poses
+  kOffered = 128,          // dialogs of the page and of editors offer to open it, and the WebAssembly modules read it
+  kReadsPicture = 256,     // a drawing or a photograph of a character
+  kWritesSkin = 512,       // skeleton and weights in one file, with or without a mesh
+  kWritesWithMesh = 1024,  // a character with its mesh; skeleton and weights may lie beside it
+  kWritesSprings = 2048    // chains that swing, with the character
 };
 
 // Who reads it.

@@ -8,7 +8,7 @@ namespace {
 constexpr uint32_t kWhole = kReadsMesh | kReadsSkeleton | kReadsMotion | kReadsWhole;
 constexpr uint32_t kMotionAlone = kReadsSkeleton | kReadsMotion | kOffered;
 constexpr uint32_t kWritesAll = kWritesCharacter | kWritesSkin | kWritesWithMesh | kWritesMotion;
-constexpr uint32_t kGltfUses = kWhole | kWritesAll | kOffered;
+constexpr uint32_t kGltfUses = kWhole | kWritesAll | kOffered | kWritesSprings;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ const std::vector<FileKind>& file_kinds() {
       {".gltf", "glTF", kGltfUses, FileReader::kGltf},
       {".glb", "GLB", kGltfUses, FileReader::kGltf},
       {".vrm", "VRM", kGltfUses, FileReader::kGltf},
-      {".fbx", "FBX", kGltfUses, FileReader::kScene},
+      {".fbx", "FBX", kWhole | kWritesAll | kOffered, FileReader::kScene},
       {".usda", "USD", kWritesAll, FileReader::kNone},
       {".usdz", "USD", kWritesAll, FileReader::kNone},
       {".dae", "COLLADA", kWhole | kOffered, FileReader::kScene},
