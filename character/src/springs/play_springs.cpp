@@ -51,17 +51,18 @@ class SpringPlayer {
     if (clip->frames.empty()) return out;
     out.loops = is_loop(*clip);
     if (!out.loops) {
-      for (double t = 0; t < kSettle; t += clip->frame_time) (void)frame(clip->frames[0], {}, clip->frame_time);
-      run(0, {}, clip->frame_time, clip);
+      for (double t = 0; t < kSettle; t += clip->frame_time) (void)frame(clip->frames[0], 0, clip->frame_time);
+      run(0, 0, clip->frame_time, clip);
       return out;
     }
     // A loop's last frame is its first one again.
-    const Point3 travel = root_position(clip->frames.back()) - root_position(clip->frames[0]);
+    for (size_t j = 0; j < joints_.size(); ++j)
+      travel_.push_back(clip->frames.back().translations[j] - clip->frames[0].translations[j]);
     const Clip given = *clip;
-    std::vector<Quaternion> before = frame(given.frames[0], {}, clip->frame_time);
+    std::vector<Quaternion> before = frame(given.frames[0], 0, clip->frame_time);
     for (out.passes = 1;; ++out.passes) {
       *clip = given;
-      run(1, static_cast<double>(out.passes - 1) * travel, clip->frame_time, clip);
+      run(1, static_cast<double>(out.passes - 1), clip->frame_time, clip);
       std::vector<Quaternion> after;
       for (const size_t j : turning_) after.push_back(clip->frames.back().rotations[j]);
       out.gap = 0;
@@ -133,13 +134,13 @@ class SpringPlayer {
     heads_.push_back(made);
   }
 
-  // The rotations of the chains' joints in the next frame.
-  std::vector<Quaternion> frame(const MotionFrame& pose, const Point3& travel, double seconds) {
+  // The rotations of the chains' joints in the next frame, after so many rounds of a loop.
+  std::vector<Quaternion> frame(const MotionFrame& pose, double rounds, double seconds) {
     const size_t count = joints_.size();
     for (size_t j = 0; j < count; ++j) {
       for (size_t c = 0; c < 4; ++c) rotations_[4 * j + c] = static_cast<float>(pose.rotations[j][c]);
-      for (size_t c = 0; c < 3; ++c)
-        translations_[3 * j + c] = static_cast<float>(pose.translations[j][c] + (parents_[j] < 0 ? travel[c] : 0));
+      const Point3 at = travel_.empty() ? pose.translations[j] : pose.translations[j] + rounds * travel_[j];
+      for (size_t c = 0; c < 3; ++c) translations_[3 * j + c] = static_cast<float>(at[c]);
     }
     for (size_t e = 0; e < ends_.size(); ++e) {
       for (size_t c = 0; c < 4; ++c) rotations_[4 * (count + e) + c] = c == 3 ? 1.0f : 0.0f;
@@ -155,9 +156,9 @@ class SpringPlayer {
     return out;
   }
 
-  void run(size_t first, const Point3& travel, double seconds, Clip* clip) {
+  void run(size_t first, double rounds, double seconds, Clip* clip) {
     for (size_t f = first; f < clip->frames.size(); ++f) {
-      const std::vector<Quaternion> turned = frame(clip->frames[f], travel, seconds);
+      const std::vector<Quaternion> turned = frame(clip->frames[f], rounds, seconds);
       for (size_t i = 0; i < turning_.size(); ++i) clip->frames[f].rotations[turning_[i]] = turned[i];
     }
   }
@@ -167,9 +168,8 @@ class SpringPlayer {
         std::find_if(joints_.begin(), joints_.end(), [](const Joint& joint) { return joint.parent < 0; }) -
         joints_.begin());
   }
-  Point3 root_position(const MotionFrame& pose) const { return pose.translations[root()]; }
 
-  // Equal poses at both ends; the root may have moved on along a line.
+  // Equal poses at both ends; roots, and what hangs on them, such as hips below a joint for the floor, may have moved on.
   bool is_loop(const Clip& clip) const {
     if (clip.frames.size() < 3) return false;
     const MotionFrame &a = clip.frames[0], &b = clip.frames.back();
@@ -178,7 +178,10 @@ class SpringPlayer {
       size = std::max(size, length(point(joint.position) - point(joints_[root()].position)));
     for (size_t j = 0; j < joints_.size(); ++j) {
       if (angle_between(a.rotations[j], b.rotations[j]) > kSameAngle) return false;
-      if (joints_[j].parent >= 0 && length(a.translations[j] - b.translations[j]) > kSamePlace * size) return false;
+      const int parent = joints_[j].parent;
+      if (parent >= 0 && joints_[static_cast<size_t>(parent)].parent >= 0 &&
+          length(a.translations[j] - b.translations[j]) > kSamePlace * size)
+        return false;
     }
     return true;
   }
@@ -191,6 +194,7 @@ class SpringPlayer {
   std::vector<sinew_spring_chain> chains_;
   std::vector<sinew_spring_collider> colliders_;
   std::vector<uint32_t> chain_colliders_;
+  std::vector<Point3> travel_;   // [J] of a loop: how far each round moves a joint on
   std::vector<size_t> turning_;  // joints that the clip gets rotations of
   std::vector<Point3> ends_;     // of chains, behind the motion's joints
   std::vector<float> rotations_, translations_;

@@ -21,13 +21,19 @@ typedef enum sinew_collider_shape {
 
 /* A joint of a chain. The joint turns so that the next joint of the chain, its tail, follows the motion late. */
 typedef struct sinew_spring_joint {
-  uint32_t joint;      /* of the skeleton */
-  float hit_radius;    /* of the ball about its tail that colliders push; length, 0 or more */
-  float stiffness;     /* meters a second by which the tail is drawn to where the pose has it; 0 or more */
-  float gravity_power; /* meters a second by which the tail is drawn along `gravity` */
-  float gravity[3];    /* direction in the world, of any length; of length 0: none */
-  float drag;          /* share of its motion that the tail loses each step, 0..1 */
-  float limit;         /* largest angle between the bone and where the pose has it, degrees, 0..180; 0: none */
+  uint32_t joint; /* of the skeleton */
+  /* Of the ball about its tail that colliders push; length, 0 or more. */
+  float hit_radius;
+  /* Meters a second by which the tail is drawn to where the pose has it; 0 or more. */
+  float stiffness;
+  /* Meters a second by which the tail is drawn along `gravity`. */
+  float gravity_power;
+  /* Direction in the world, of any length; of length 0: none. */
+  float gravity[3];
+  /* Share of its motion that the tail loses each step, 0..1. */
+  float drag;
+  /* Largest angle between the bone and where the pose has it, degrees, 0..180; 0: none. */
+  float limit;
 } sinew_spring_joint;
 
 /* Joints that hang on one another, from the first one down. The last one is the tail of the one before it and does not turn: its numbers
@@ -37,8 +43,8 @@ typedef struct sinew_spring_chain {
   uint32_t joint_count;    /* 2 or more */
   uint32_t first_collider; /* of sinew_spring_set::chain_colliders */
   uint32_t collider_count;
-  int32_t
-      center; /* the joint in whose space the chain keeps its velocity, so that it does not feel how that joint moves; -1: the world */
+  /* The joint in whose space the chain keeps its velocity, so that it does not feel how that joint moves; -1: the world. */
+  int32_t center;
 } sinew_spring_chain;
 
 typedef struct sinew_spring_collider {
@@ -51,16 +57,20 @@ typedef struct sinew_spring_collider {
 
 /* All chains of a character. Start from SINEW_INIT(sinew_spring_set); borrowed for the time of a call. */
 typedef struct sinew_spring_set {
-  uint32_t struct_size;                   /* sizeof(sinew_spring_set) */
-  uint32_t joint_count;                   /* P, at most SINEW_MAX_JOINTS */
-  uint32_t chain_count;                   /* C, at most P */
-  uint32_t collider_count;                /* S, at most SINEW_MAX_JOINTS */
-  uint32_t chain_collider_count;          /* L, at most SINEW_MAX_CHAIN_COLLIDERS */
-  uint32_t reserved;                      /* 0 */
-  const sinew_spring_joint* joints;       /* [P] */
-  const sinew_spring_chain* chains;       /* [C] */
-  const sinew_spring_collider* colliders; /* [S]; may be null where S is 0 */
-  const uint32_t* chain_colliders; /* [L] numbers of colliders, in the order in which they push; null where L is 0 */
+  uint32_t struct_size;          /* sizeof(sinew_spring_set) */
+  uint32_t joint_count;          /* P, at most SINEW_MAX_JOINTS */
+  uint32_t chain_count;          /* C, at most P */
+  uint32_t collider_count;       /* S, at most SINEW_MAX_JOINTS */
+  uint32_t chain_collider_count; /* L, at most SINEW_MAX_CHAIN_COLLIDERS */
+  uint32_t reserved;             /* 0 */
+  /* [P] */
+  const sinew_spring_joint* joints;
+  /* [C] */
+  const sinew_spring_chain* chains;
+  /* [S]; may be null where S is 0 */
+  const sinew_spring_collider* colliders;
+  /* [L] numbers of colliders, in the order in which they push; null where L is 0 */
+  const uint32_t* chain_colliders;
 } sinew_spring_set;
 
 #define SINEW_MAX_CHAIN_COLLIDERS 65536u
@@ -68,12 +78,15 @@ typedef struct sinew_spring_set {
 /* Start from SINEW_INIT(sinew_springs_options). Later versions add members at the end. */
 typedef struct sinew_springs_options {
   uint32_t struct_size; /* sizeof(sinew_springs_options) */
-  float
-      steps; /* steps a second, 10..1000; 0 = 60. Drag is a share of a step's motion: another number swings otherwise */
-  float unit; /* the skeleton's units in a meter: 100 for centimeters; 0 = 1 */
-  float
-      teleport; /* a root that moves farther within a frame restarts the chains; 0 = the longest side of the skeleton at rest */
-  float gap;         /* a frame that lasts longer restarts the chains, seconds, at most 10; 0 = 0.5 */
+  /* Steps a second, 10..1000; 0 = 60. Drag is a share of a step's motion, so that another number swings otherwise. */
+  float steps;
+  /* The skeleton's units in a meter: 100 for centimeters; 0 = 1. */
+  float unit;
+  /* Chains restart where a joint's translation changes by more within a frame, as that of a root does, or of hips, which are put elsewhere; 0 =
+   * the longest side of the skeleton at rest. */
+  float teleport;
+  /* Chains restart after a frame that lasts longer, seconds, at most 10; 0 = 0.5. */
+  float gap;
   uint32_t reserved; /* 0 */
 } sinew_springs_options;
 
@@ -108,7 +121,7 @@ SINEW_API sinew_status sinew_springs_create(const sinew_skeleton* skeleton, cons
                                             sinew_springs** springs);
 
 /* The next frame of a motion. The first one shows the pose as it is, and so does one that restarts the chains: after sinew_springs_restart(),
- * after a gap, after a root's jump. Chains advance in steps of one length between frames, at poses between the last one and this one, and
+ * after a gap, after a jump. Chains advance in steps of one length between frames, at poses between the last one and this one, and
  * by a share of a step to the frame's time, which is not kept: the state depends on the motion, not on the number of frames. Within a step
  * a tail keeps its motion less its drag, is drawn to the pose and along gravity, kept at its bone's length and within its limit, and then
  * pushed by colliders, which may push it over the limit. Colliders that hang on chains are moved before the chains that touch them.

@@ -159,10 +159,10 @@ const Placement* pose_between(const SpringState& s, double share) {
   return s.between;
 }
 
+// Roots are put elsewhere, or hips below a root; other joints keep their places.
 bool has_jumped(const SpringState& s) {
   for (uint32_t i = 0; i < s.order_count; ++i) {
     const uint32_t j = s.order[i];
-    if (s.parents[j] >= 0) continue;
     const Vec3d moved = s.now[j].position - s.before[j].position;
     if (dot(moved, moved) > s.options.teleport * s.options.teleport) return true;
   }

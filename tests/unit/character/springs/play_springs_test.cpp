@@ -76,6 +76,18 @@ TEST(PlaySprings, ALoopCloses) {
   }
 }
 
+TEST(PlaySprings, HipsBelowAJointForTheFloorMayTravel) {
+  HairyPerson person = ponytailed();
+  for (Joint& joint : person.character.joints)
+    if (joint.parent < 0) joint.parent = static_cast<int>(person.character.joints.size());
+  (void)person.add("Root", {0, 0, 0}, -1);
+  const Motion motion = motion_of(person.character.joints);
+  Clip clip = shaking(motion, person.index("Head"), {0, 0, 2});  // joint 0 is the hips
+  const SpringPlay play = play_springs(springs_of({}, "person", person.character).springs, motion, &clip);
+  EXPECT_TRUE(play.loops);
+  EXPECT_LT(play.gap, 0.1);
+}
+
 TEST(PlaySprings, AClipThatEndsElsewhereBeginsAtRest) {
   const HairyPerson person = ponytailed();
   const Motion motion = motion_of(person.character.joints);

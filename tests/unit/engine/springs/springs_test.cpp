@@ -98,6 +98,20 @@ TEST(Springs, TheFirstFrameIsThePose) {
   EXPECT_EQ(player.rotations[4 * 4 + 3], 1);
 }
 
+TEST(Springs, HipsBelowARootJumpToo) {
+  SpringScene scene = tail();
+  sinew::SpringSystem springs;
+  ASSERT_EQ(springs.make(scene.skeleton(), scene.set()), SINEW_OK);
+  std::vector<float> rotations, translations;
+  scene.pose({}, kUpright, &rotations, &translations);
+  for (int f = 0; f < 9; ++f) {
+    std::vector<float> moved = translations, out = rotations;
+    moved[3] += 0.05f * static_cast<float>(f) + (f == 8 ? 50.0f : 0.0f);  // joint 1 hangs on the root
+    ASSERT_EQ(springs.frame(1.0f / 30, rotations.data(), moved.data(), out.data()), SINEW_OK);
+    EXPECT_EQ(out == rotations, f == 0 || f == 8) << f;
+  }
+}
+
 TEST(Springs, ComeToRestAfterAStop) {
   Player player(tail());
   for (int f = 0; f < 60; ++f) (void)player.frame(1.0 / 60, {0.03 * f, 0, 0}, kUpright);
