@@ -29,19 +29,19 @@ constexpr double kLimbReach = 0.5;    // lengths of a limb more, since limbs mov
 // Parts in the order in which they are named; sides double those behind the hips.
 struct Part {
   const char* name;
-  bool sided, limb;
+  bool sided;
 };
 enum PartNumber { kHead, kNeck, kChest, kBelly, kHips, kUpperArm, kForearm, kHand, kThigh, kCalf, kPartCount };
-constexpr std::array<Part, kPartCount> kPartTable = {{{"head", false, false},
-                                                      {"neck", false, false},
-                                                      {"chest", false, false},
-                                                      {"belly", false, false},
-                                                      {"hips", false, false},
-                                                      {"upper arm", true, true},
-                                                      {"forearm", true, true},
-                                                      {"hand", true, true},
-                                                      {"thigh", true, true},
-                                                      {"calf", true, true}}};
+constexpr std::array<Part, kPartCount> kPartTable = {{{"head", false},
+                                                      {"neck", false},
+                                                      {"chest", false},
+                                                      {"belly", false},
+                                                      {"hips", false},
+                                                      {"upper arm", true},
+                                                      {"forearm", true},
+                                                      {"hand", true},
+                                                      {"thigh", true},
+                                                      {"calf", true}}};
 
 struct Shape {
   Point3 a = {}, b = {};
@@ -260,8 +260,7 @@ std::vector<Point3> tails_of(const SpringChain& chain, const Character& characte
 bool within_reach(const SpringCollider& c, const Character& character, const FoundChain& found) {
   if (found.kind == SpringKind::kBust || (found.kind == SpringKind::kEar && c.name != "head")) return false;
   const Point3 start = point(character.joints[found.chain.joints[0].joint].position);
-  const bool limb = c.name.find("arm") != std::string::npos || c.name.find("hand") != std::string::npos ||
-                    c.name.find("thigh") != std::string::npos || c.name.find("calf") != std::string::npos;
+  const bool limb = c.name.rfind("left ", 0) == 0 || c.name.rfind("right ", 0) == 0;
   const double own = length(c.tail - c.offset) + 2 * c.radius;
   return distance_to(c, character, start) - c.radius < kReach * found.length + (limb ? kLimbReach * own : 0);
 }

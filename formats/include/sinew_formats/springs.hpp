@@ -16,6 +16,9 @@ namespace sinew {
 // The last three are those of VRMC_springBone_extended_collider.
 enum class ColliderShape { kSphere, kCapsule, kInsideSphere, kInsideCapsule, kPlane };
 
+// Springs that were read from a document know their number in it: written into it again, they stay as they are there, with all that this
+// structure does not know, but for joints' numbers that have changed.
+
 // Positions count from the joint, along the world's axes at rest.
 struct SpringCollider {
   std::string name;
@@ -24,11 +27,13 @@ struct SpringCollider {
   Point3 offset = {};  // a sphere's middle, one end of a capsule, a point of a plane
   Point3 tail = {};    // the other end of a capsule, the normal of a plane
   double radius = 0;
+  int source = -1;  // its number in the document; -1: it is new
 };
 
 struct ColliderGroup {
   std::string name;
   std::vector<size_t> colliders;
+  int source = -1;
 };
 
 // A joint that turns so that the next one of its chain swings. Defaults are those of VRMC_springBone.
@@ -47,6 +52,7 @@ struct SpringChain {
       end;  // where the last joint points to, from it, along the world's axes at rest; none: it is the end itself
   std::vector<size_t> groups;  // of colliders
   int center = -1;             // the joint in whose space the chain keeps its velocity; -1: the world
+  int source = -1;
 
   size_t turning_joints() const { return end ? joints.size() : joints.empty() ? 0 : joints.size() - 1; }
 };

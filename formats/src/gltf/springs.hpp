@@ -9,7 +9,7 @@
 
 namespace sinew {
 
-// Replaces what the document has of VRMC_springBone. A chain with an end gets a node there, unless its last joint has a child there that
+// Replaces what the document has of VRMC_springBone, but for what of it the springs know by number. A chain with an end gets a node there, unless its last joint has a child there that
 // holds nothing.
 //   joints  where the springs' joints are in the document
 //   turn    from the springs' world to the document's, for directions of gravity

@@ -40,7 +40,7 @@ class SpringReader {
     const Json& groups = list(extension, "colliderGroups", "extension");
     for (size_t g = 0; g < groups.size(); ++g) {
       const std::string where = "colliderGroups[" + std::to_string(g) + "]";
-      ColliderGroup group = {text(groups[g], "name"), {}};
+      ColliderGroup group = {text(groups[g], "name"), {}, static_cast<int>(g)};
       for (const Json& one : list(groups[g], "colliders", where)) {
         const int number = new_collider_.at(index(where + ".colliders", one, colliders.size(), "collider"));
         if (number >= 0) group.colliders.push_back(static_cast<size_t>(number));
@@ -48,7 +48,7 @@ class SpringReader {
       out_.groups.push_back(std::move(group));
     }
     const Json& springs = list(extension, "springs", "extension");
-    for (size_t s = 0; s < springs.size(); ++s) read_chain("springs[" + std::to_string(s) + "]", springs[s]);
+    for (size_t s = 0; s < springs.size(); ++s) read_chain(static_cast<int>(s), springs[s]);
     return std::move(out_);
   }
 
@@ -138,6 +138,7 @@ class SpringReader {
       shapes = &object[extended];
     SpringCollider made;
     made.name = text(object, "name");
+    made.source = static_cast<int>(new_collider_.size());
     const Json* shape = nullptr;
     const char* kind = nullptr;
     for (const char* one : {"sphere", "capsule", "plane"})
@@ -182,8 +183,10 @@ class SpringReader {
     return joint;
   }
 
-  void read_chain(const std::string& where, const Json& object) {
+  void read_chain(int number, const Json& object) {
+    const std::string where = "springs[" + std::to_string(number) + "]";
     SpringChain chain;
+    chain.source = number;
     chain.name = text(object, "name");
     const Json& joints = list(object, "joints", where);
     size_t left_out = 0;
@@ -228,6 +231,12 @@ class SpringReader {
   Springs out_;
 };
 
+void forget_sources(Springs* springs) {
+  for (SpringCollider& one : springs->colliders) one.source = -1;
+  for (ColliderGroup& one : springs->groups) one.source = -1;
+  for (SpringChain& one : springs->chains) one.source = -1;
+}
+
 std::optional<Springs> springs_of_file(const std::string& path, const GltfSource& source) {
   const Json::json_pointer newer("/extensions/" + std::string(kSprings)), older("/extensions/VRM/secondaryAnimation");
   try {
@@ -241,6 +250,7 @@ std::optional<Springs> springs_of_file(const std::string& path, const GltfSource
     // They are meant for a document that is turned about y.
     for (SpringChain& chain : out.chains)
       for (SpringJoint& joint : chain.joints) joint.gravity = {-joint.gravity[0], joint.gravity[1], -joint.gravity[2]};
+    forget_sources(&out);  // they are numbers of a document that nobody has
     return out;
   } catch (const Json::exception& error) {
     throw Error(path + ": extension " + kSprings + " is broken: " + one_line(error.what()));
@@ -324,6 +334,7 @@ Springs springs_of_fewer(const Springs& springs, const std::vector<Joint>& befor
     else
       out.chains.push_back(std::move(chain));
   }
+  forget_sources(&out);
   return out;
 }
 

@@ -20,15 +20,28 @@ class SpringWriter {
     for (const Affine& world : joints.worlds) back_.push_back(inverse(world).value_or(kIdentity));
   }
 
-  Json write(const Springs& springs) {
-    Json out = {{"specVersion", "1.0"}};
-    for (const SpringCollider& collider : springs.colliders) out["colliders"].push_back(collider_json(collider));
-    for (const ColliderGroup& group : springs.groups) {
-      Json one = {{"colliders", group.colliders}};
-      if (!group.name.empty()) one["name"] = group.name;
-      out["colliderGroups"].push_back(std::move(one));
+  //   before  what the document has; null: nothing
+  Json write(const Springs& springs, const Json& before) {
+    Json out = before.is_object() ? before : Json{{"specVersion", "1.0"}};
+    const auto number_in = [&out](const char* list, int source, const Json& made) {
+      if (source >= 0) return static_cast<size_t>(source);
+      out[list].push_back(made);
+      return out[list].size() - 1;
+    };
+    std::vector<size_t> colliders, groups;
+    for (const SpringCollider& one : springs.colliders)
+      colliders.push_back(number_in("colliders", one.source, one.source < 0 ? collider_json(one) : Json()));
+    for (const ColliderGroup& one : springs.groups) {
+      Json made = {{"colliders", Json::array()}};
+      for (const size_t c : one.colliders) made["colliders"].push_back(colliders[c]);
+      if (!one.name.empty()) made["name"] = one.name;
+      groups.push_back(number_in("colliderGroups", one.source, made));
     }
-    for (const SpringChain& chain : springs.chains) out["springs"].push_back(chain_json(chain));
+    Json chains = Json::array();
+    for (const SpringChain& one : springs.chains)
+      chains.push_back(one.source < 0 ? chain_json(one, groups)
+                                      : changed_chain(one, before["springs"].at(static_cast<size_t>(one.source))));
+    out["springs"] = std::move(chains);
     return out;
   }
   bool extended() const { return extended_; }
@@ -87,7 +100,24 @@ class SpringWriter {
     return made;
   }
 
-  Json chain_json(const SpringChain& chain) {
+  // A chain of the document, with the numbers that its joints have now.
+  Json changed_chain(const SpringChain& chain, Json json) const {
+    for (const SpringJoint& one : chain.joints)
+      for (Json& joint : json["joints"]) {
+        if (joint["node"] != node_of(one.joint)) continue;
+        const SpringJoint usual;
+        const auto set = [&joint](const char* key, double value, double otherwise) {
+          if (joint.value(key, otherwise) != value) joint[key] = value;
+        };
+        set("hitRadius", one.hit_radius, usual.hit_radius);
+        set("stiffness", one.stiffness, usual.stiffness);
+        set("gravityPower", one.gravity_power, usual.gravity_power);
+        set("dragForce", one.drag, usual.drag);
+      }
+    return json;
+  }
+
+  Json chain_json(const SpringChain& chain, const std::vector<size_t>& groups) {
     Json joints = Json::array();
     for (const SpringJoint& one : chain.joints) {
       Json joint = {{"node", node_of(one.joint)}};
@@ -107,7 +137,7 @@ class SpringWriter {
     if (chain.end) joints.push_back({{"node", end_node(chain.joints.back().joint, *chain.end)}});
     Json out = {{"joints", std::move(joints)}};
     if (!chain.name.empty()) out["name"] = chain.name;
-    if (!chain.groups.empty()) out["colliderGroups"] = chain.groups;
+    for (const size_t group : chain.groups) out["colliderGroups"].push_back(groups[group]);
     if (chain.center >= 0) out["center"] = node_of(static_cast<size_t>(chain.center));
     return out;
   }
@@ -127,10 +157,16 @@ void use_extension(const char* name, Json* document) {
 }  // namespace
 
 void write_springs(const Springs& springs, const GltfJoints& joints, const Rotation& turn, Json* document) {
-  for (const char* name : {"VRMC_springBone", "VRMC_springBone_extended_collider"}) drop_extension(name, document);
+  const auto is_old = [](const auto& one) { return one.source >= 0; };
+  const bool knows_document = std::any_of(springs.chains.begin(), springs.chains.end(), is_old) ||
+                              std::any_of(springs.groups.begin(), springs.groups.end(), is_old);
+  const Json::json_pointer at("/extensions/VRMC_springBone");
+  const Json before = knows_document && document->contains(at) ? (*document)[at] : Json();
+  drop_extension("VRMC_springBone", document);
+  if (before.is_null()) drop_extension("VRMC_springBone_extended_collider", document);
   if (springs.chains.empty()) return;
   SpringWriter writer(joints, turn, document);
-  Json made = writer.write(springs);
+  Json made = writer.write(springs, before);
   (*document)["extensions"]["VRMC_springBone"] = std::move(made);
   use_extension("VRMC_springBone", document);
   if (writer.extended()) use_extension("VRMC_springBone_extended_collider", document);

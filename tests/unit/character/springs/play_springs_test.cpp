@@ -128,6 +128,32 @@ TEST(PlaySprings, ChainsStayOutOfTheHeadThatComesAtThem) {
   EXPECT_GT(nearest, -0.01);
 }
 
+// A walk of a second, a stop, and two seconds more: ends are still within one and a half, below 0.1 % of the height.
+TEST(PlaySprings, EveryPresetComesToRestAfterAStop) {
+  const HairyPerson person = ponytailed();
+  const Motion motion = motion_of(person.character.joints);
+  std::string kinds = spring_kinds_text() + ", ";
+  for (size_t at = 0; at < kinds.size(); at = kinds.find(", ", at) + 2) {
+    const std::string kind = kinds.substr(at, kinds.find(", ", at) - at);
+    SpringsOptions options;
+    options.presets = {"Hair1=" + kind};
+    Clip clip = shaking(motion, person.index("Head"), {}, 91);
+    for (size_t f = 0; f < clip.frames.size(); ++f) {
+      clip.frames[f].rotations[person.index("Head")] = kNoRotation4;
+      clip.frames[f].translations[0] =
+          motion.joints[0].offset + Point3{0, 0, 1.4 * std::min(1.0, static_cast<double>(f) / 30)};
+    }
+    clip.frames[0].rotations[person.index("LeftArm")] = axis_rotation(size_t{2}, 1);  // no loop
+    (void)play_springs(springs_of(options, "person", person.character).springs, motion, &clip);
+    const auto end_at = [&](size_t f) { return world_pose(motion, clip.frames[f]).positions[person.index("Hair4")]; };
+    double swing = 0, jitter = 0;
+    for (size_t f = 31; f < 91; ++f) swing = std::max(swing, length(end_at(f) - end_at(90)));
+    for (size_t f = 75; f < 91; ++f) jitter = std::max(jitter, length(end_at(f) - end_at(90)));
+    EXPECT_GT(swing, 0.005) << kind;
+    EXPECT_LT(jitter, 0.001 * 1.8) << kind;
+  }
+}
+
 TEST(PlaySprings, NothingThatSwingsIsAnError) {
   const HairyPerson person;
   const Motion motion = motion_of(person.character.joints);

@@ -116,6 +116,36 @@ TEST(Springs, SurviveWritingToTheNumber) {
             extras.document["extensions"]["VRMC_springBone"]);
 }
 
+TEST(Springs, WhatAFileHasBesideStaysWhereOnesAreAdded) {
+  GlbBuilder builder = strip_with_springs();
+  json& before = builder.document["extensions"]["VRMC_springBone"];
+  before["springs"][0]["joints"][0]["extensions"] = {{"MINE_limit", {{"angle", 30}}}};
+  before["colliders"].push_back(
+      {{"node", 2}, {"shape", {{"sphere", {{"radius", 1}}}}}});  // of a node that hangs on no joint
+  const Character c = read(builder);
+  Springs springs = *read_springs("hero.glb", c);
+  EXPECT_EQ(springs.notes.size(), 1u);
+  springs.chains[0].joints[0].drag = 0.75;
+  springs.colliders.push_back({"new", ColliderShape::kSphere, 1, {}, {}, 0.5});
+  springs.groups.push_back({"new", {springs.colliders.size() - 1}});
+  SpringChain chain;
+  chain.name = "other";
+  chain.joints = {{1}};
+  chain.end = Point3{0, 1, 0};
+  chain.groups = {springs.groups.size() - 1, 0};
+  springs.chains.push_back(chain);
+  GlbOptions options;
+  options.springs = &springs;
+  json expected = before, after = json_of_glb(written(c, options))["extensions"]["VRMC_springBone"];
+  expected["springs"][0]["joints"][0]["dragForce"] = 0.75;
+  EXPECT_EQ(after["springs"][0], expected["springs"][0]);
+  EXPECT_EQ(after["springs"][1]["colliderGroups"], json({2, 0}));
+  EXPECT_EQ(after["colliderGroups"][2]["colliders"], json({5}));
+  ASSERT_EQ(after["colliders"].size(), 6u);
+  after["colliders"].erase(5);
+  EXPECT_EQ(after["colliders"], expected["colliders"]);
+}
+
 TEST(Springs, AnEndWithoutANodeGetsOne) {
   GlbBuilder builder = two_joint_strip();
   const Character c = read(builder);
