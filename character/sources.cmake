@@ -135,6 +135,7 @@ set(sinew_character_sources
   profile/joint_axes
   profile/profiles
   profile/standard_bones
+  profile/vrm_clips
   profile/write_for_profile)
 # Jobs as the command does them, the bundled models, and the C API over both; a page has models of its own.
 set(sinew_job_sources

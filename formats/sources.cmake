@@ -46,6 +46,7 @@ set(sinew_formats_sources
   gltf/tinygltf
   gltf/unused_elements
   gltf/vrm
+  gltf/vrm_animation_write
   gltf/vrm_one
   gltf/vrm_springs
   gltf/vrm_zero

@@ -19,6 +19,7 @@
 #include "sinew_character/jobs/plane_motion.hpp"
 #include "sinew_character/jobs/springs_job.hpp"
 #include "sinew_character/motion/motion_file.hpp"
+#include "sinew_character/profile/vrm_clips.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"
@@ -161,26 +162,26 @@ void check_settings(const AnimateSettings& s, bool of_folder) {
   check_sprite_options(s.sprites, s.character);
   if (!s.sheet.empty()) check_output(s.sheet, {".png"});
   if (!(s.from <= s.to)) throw UsageError(print("--start %g is behind --end %g", s.from, s.to));
-  if (has_extension(s.output, ".bvh") && !s.profile.controls.empty())
-    throw UsageError(s.output + ": a BVH has no character that --controls could be of; write a .glb");
-  if (!s.deform.method.empty() && has_extension(s.output, ".bvh") && s.sheet.empty())
-    throw UsageError(s.output + ": a BVH has no mesh that --deform could correct; write a .glb, or a --sheet");
+  if (is_motion_alone(s.output) && !s.profile.controls.empty())
+    throw UsageError(s.output + ": a clip alone has no character that --controls could be of; write a .glb");
+  if (!s.deform.method.empty() && is_motion_alone(s.output) && s.sheet.empty())
+    throw UsageError(s.output + ": a clip alone has no mesh that --deform could correct; write a .glb, or a --sheet");
 }
 
 // Reads, moves and writes one character.
 Animated animate_one(const AnimateSettings& s, const std::atomic<bool>& stop) {
-  const bool as_bvh = has_extension(s.output, ".bvh");
+  const bool alone = is_motion_alone(s.output);
   DeformSettings corrections = s.deform;
   corrections.as_drawn = corrections.as_drawn && corrections.method == "xpbd";  // or the motion's alone
   const std::optional<sinew_deform_options> deform = deform_options(corrections);
   Animated animated = read_animated(s);
   add_motions(s, stop, &animated);
-  if (as_bvh && animated.motion.clips.size() != 1)
+  if (has_extension(s.output, ".bvh") && animated.motion.clips.size() != 1)
     throw UsageError(s.output + ": a BVH holds one clip, and there are " +
                      std::to_string(animated.motion.clips.size()) +
                      "; say which with --motion FILE#CLIP, or write a .glb");
   if (s.springs) swing_clips({}, s.character, &animated);
-  if (deform && !as_bvh) bake_clips(*deform, s.shapes, counted("corrected poses", stop), &animated);
+  if (deform && !alone) bake_clips(*deform, s.shapes, counted("corrected poses", stop), &animated);
   if (std::string note = checked_note(animated.character, &animated.motion); !note.empty())
     animated.motion.notes.push_back(std::move(note));
   SpriteSettings wanted = s.sprites;
@@ -197,8 +198,8 @@ Animated animate_one(const AnimateSettings& s, const std::atomic<bool>& stop) {
     sprites = sprite_files(wanted, s.output, *animated.picture->picture, animated.character, animated.motion,
                            deformer ? &*deformer : nullptr);
   if (stop) throw Error(s.output + ": cannot write, the work was interrupted");
-  if (as_bvh) {
-    write_bvh(s.output, animated.motion, animated.motion.clips[0]);
+  if (alone) {
+    write_clips(s.output, animated.character, animated.motion);
   } else if (!is_loop(s)) {
     GlbOptions options;
     options.keep_skin = !animated.rigged;
@@ -266,10 +267,11 @@ void add_animate_inputs(CLI::App* sub, AnimateSettings* s) {
              motion_files())
       ->type_name("FILE[#CLIP]|FOLDER")
       ->allow_extra_args(false);
-  shared_option(sub, "-o,--output", s->output,
-                "The character with its new animations, one clip as .bvh, a picture's clips as .apng, for a folder "
-                "another folder: " +
-                    extensions_text(kWritesMotion))
+  shared_option(
+      sub, "-o,--output", s->output,
+      "The character with its new animations, clips alone as .bvh or .vrma, a picture's clips as .apng, for a folder "
+      "another folder: " +
+          extensions_text(kWritesMotion))
       ->required();
   shared_option(sub, "--map", s->map, "By anatomy and names unless given");
   shared_word_option(
@@ -377,8 +379,7 @@ void add_animate(CLI::App& app) {
       "Examples:\n  sinew animate hero.glb --motion walk.bvh -o walking.glb --sheet walking.png\n"
       "  sinew animate hero.glb --motion walk.bvh --motion moves.glb#jump --map map.txt -o moves.glb\n"
       "  sinew animate mesh.obj --motion builtin:walk -o walking.glb\n"
-      "  sinew animate drawing.png -o drawing.glb --sheet drawing-frames.png\n"
-      "  sinew animate drawing.png -o drawing.apng\n\n"
+      "  sinew animate drawing.png -o drawing.glb --sheet drawing-frames.png\n\n"
       "  sinew animate broad.glb --motion walking.glb --method reference-points -o other.glb\n"
       "  sinew animate hero.glb --motion walk.bvh --deform volume -o walking.glb");
   sub->callback([s, of_reference, sub] {

@@ -527,6 +527,9 @@ TEST_F(CharacterC, FindsWhatSwingsAsTheCommand) {
   good_call(sinew_character_animate(other.get(), nullptr, &animate, nullptr), other);
   save(other, "running_ours.glb");
   expect_same("running_ours.glb", "running.glb");
+  good("animate " + kRobed + " --motion builtin:run --springs -o running.vrma");
+  save(other, "ours.vrma");
+  expect_same("ours.vrma", "running.vrma");
   // With the springs that were found before; a name that no chain has changes nothing.
   good_call(sinew_character_animate(robed.get(), nullptr, &animate, nullptr), robed);
   const char* const nobody[] = {"nobody"};

@@ -348,5 +348,33 @@ TEST_F(CliAnimate, CorrectsEveryFrameWithMorphTargets) {
   bad(2, "animate " + robed + " --motion nod.bvh --cells 16 -o other.glb");
 }
 
+TEST_F(CliAnimate, ClipsAloneAreOfHumanoidBones) {
+  good("animate " + kRobed + " --motion builtin:walk --fps 30 -o walk.vrma");
+  const nlohmann::json document = json_of_glb(slurp(in("walk.vrma")));
+  const nlohmann::json bones = document["extensions"]["VRMC_vrm_animation"]["humanoid"]["humanBones"];
+  for (const char* bone : {"hips", "spine", "head", "leftUpperArm", "rightLowerLeg"})
+    EXPECT_TRUE(bones.contains(bone)) << bone;
+  for (const nlohmann::json& channel : document["animations"][0]["channels"])
+    if (channel["target"]["path"] != "rotation") {
+      EXPECT_EQ(channel["target"]["path"], "translation");
+      EXPECT_EQ(channel["target"]["node"], bones["hips"]["node"]);
+    }
+  const Motion motion = read_motion(in("walk.vrma"), 30);
+  ASSERT_EQ(motion.clips.size(), 1u);
+  EXPECT_GT(motion.clips[0].frames.size(), 20u);
+  // A T pose: arms along the floor.
+  const std::vector<Joint> rest = rest_joints(motion);
+  const auto at = [&](const char* name) {
+    return std::find_if(rest.begin(), rest.end(), [&](const Joint& joint) { return joint.name == name; })->position;
+  };
+  EXPECT_NEAR(at("leftHand").y, at("leftUpperArm").y, 1e-3);
+  EXPECT_GT(at("leftHand").x, at("leftUpperArm").x + 0.2f);
+  // And played on the character again, it is the walk.
+  good("animate " + kRobed + " --motion walk.vrma -o again.glb");
+  EXPECT_NE(bad(1, "animate " + kData + "/snake__long.obj --motion builtin:swim --force -o swim.vrma")
+                .error.find("leftUpperLeg"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace sinew

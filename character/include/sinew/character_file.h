@@ -97,7 +97,7 @@ SINEW_API sinew_status sinew_character_copy(const sinew_character* from, sinew_c
 SINEW_API void sinew_character_close(sinew_character* character);
 
 /* Saves by the extension: .glb; .gltf with NAME.bin beside it; .fbx; .vrm where the input was one; .obj with NAME.rig.txt
- * where there are joints; .rig.txt; .bvh of the one clip. A glTF keeps everything of its input that was not changed. */
+ * where there are joints; .rig.txt; .bvh of the one clip; .vrma of all clips, for any VRM. A glTF keeps everything of its input that was not changed. */
 SINEW_API sinew_status sinew_character_save(sinew_character* character, const char* path);
 
 /* Saves to memory.

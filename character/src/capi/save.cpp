@@ -2,6 +2,7 @@
 // Characters to files and memory, as the command writes them.
 #include "handle.hpp"
 #include "sinew_character/profile/controls.hpp"
+#include "sinew_character/profile/vrm_clips.hpp"
 #include "sinew_formats/file_kinds.hpp"
 
 namespace sinew {
@@ -10,19 +11,15 @@ namespace {
 void write_clip(sinew_character* from, const std::string& path) {
   Motion added = motion_of(from->character.joints);
   added.clips = from->clips;
-  const Motion& motion = from->clips.empty() ? own_motion(from) : added;
-  if (motion.clips.size() != 1)
-    throw Error(path + ": a BVH holds one clip, and there are " + std::to_string(motion.clips.size()) +
-                "; write a .glb");
-  write_bvh(path, motion, motion.clips[0]);
+  write_clips(path, from->character, from->clips.empty() ? own_motion(from) : added);
 }
 
 void save(sinew_character* from, const std::string& path) {
   const FileKind* kind = file_kind(path);
   if (kind == nullptr || (kind->uses & (kWritesCharacter | kWritesMotion)) == 0)
     throw Error(path + ": cannot write, expected a name that ends with one of " + extensions_text(kWritesCharacter) +
-                ", .bvh");
-  if (kind->reader == FileReader::kBvh) return write_clip(from, path);
+                ", .bvh, .vrma");
+  if (is_motion_alone(path)) return write_clip(from, path);
   const Character& character = from->character;
   if (character.vertices.empty() && kind->reader != FileReader::kRig)
     throw Error(path + ": cannot write, " + character.name + " has no mesh; expected a .rig.txt or .bvh");

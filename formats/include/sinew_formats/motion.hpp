@@ -67,6 +67,9 @@ std::optional<Motion> one_actor(const Motion& motion, const std::string& file, c
 // One clip; channels Zrotation Xrotation Yrotation, positions for roots and for joints that leave their position.
 void write_bvh(const std::string& path, const Motion& motion, const Clip& clip);
 
+// .vrma: joints are called as the humanoid bones of VRM 1.0 and stand in a T pose, y up and facing +z.
+void write_vrm_animation(const std::string& path, const Motion& motion);
+
 // Positions at rest in the world, names, parents.
 std::vector<Joint> rest_joints(const Motion& motion);
 // A motion's skeleton for clips to be made: its rest pose is the character's.

@@ -33,7 +33,7 @@ const std::vector<FileKind>& file_kinds() {
       {".smd", "Valve SMD", kWhole, FileReader::kScene},
       {".iqm", "IQM", kWhole | kOffered, FileReader::kIqm},
       {".bvh", "BVH", kMotionAlone | kWritesMotion, FileReader::kBvh},
-      {".vrma", "VRM animation", kMotionAlone, FileReader::kGltf},
+      {".vrma", "VRM animation", kMotionAlone | kWritesMotion, FileReader::kGltf},
       {".npz", "NumPy", kMotionAlone, FileReader::kNumpy},
       {".npy", "NumPy", kMotionAlone, FileReader::kNumpy},
       {".vmd", "VMD", kMotionAlone, FileReader::kVmd},

@@ -21,7 +21,7 @@ export const fileKinds = [
   { extension: ".smd", name: "Valve SMD", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole"] },
   { extension: ".iqm", name: "IQM", reader: "iqm", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "offered"] },
   { extension: ".bvh", name: "BVH", reader: "bvh", uses: ["readsSkeleton", "readsMotion", "writesMotion", "offered"] },
-  { extension: ".vrma", name: "VRM animation", reader: "gltf", uses: ["readsSkeleton", "readsMotion", "offered"] },
+  { extension: ".vrma", name: "VRM animation", reader: "gltf", uses: ["readsSkeleton", "readsMotion", "writesMotion", "offered"] },
   { extension: ".npz", name: "NumPy", reader: "numpy", uses: ["readsSkeleton", "readsMotion", "offered"] },
   { extension: ".npy", name: "NumPy", reader: "numpy", uses: ["readsSkeleton", "readsMotion", "offered"] },
   { extension: ".vmd", name: "VMD", reader: "vmd", uses: ["readsSkeleton", "readsMotion", "offered"] },

@@ -68,3 +68,28 @@ for (const [profile, file, version] of [['vrm', 'one.vrm', '1'], ['vrm0', 'zero.
   // -90 degrees about z takes an arm that points along +x (VRM 1.0's left) down.
   assert.ok(Math.abs(Math.abs(after.x - shoulder.x)) < 0.05 * arm && shoulder.y - after.y > 0.95 * arm, `${file}: the arm does not hang`);
 }
+
+// Clips alone, of a character that stands in another pose, played on a VRM: its limbs point where the character's do.
+run('bind', join(data, 'biped__robed.obj'), '--skeleton', join(data, 'biped__robed.rig.txt'), '-o', 'hero.glb');
+for (const output of ['walk.glb', 'walk.vrma']) run('animate', 'hero.glb', '--motion', 'builtin:walk', '--fps', '30', '-o', output);
+const hero = await openGltf(join(work, 'walk.glb')), walker = await openVrm('one.vrm');
+const [walk] = (await openGltf(join(work, 'walk.vrma'), (parser) => new VRMAnimationLoaderPlugin(parser))).userData.vrmAnimations;
+const heroMixer = new AnimationMixer(hero.scene), walkMixer = new AnimationMixer(walker.scene);
+heroMixer.clipAction(hero.animations[0]).play();
+walkMixer.clipAction(createVRMAnimationClip(walk, walker)).play();
+const direction = (from, to) => to.getWorldPosition(new Vector3()).sub(from.getWorldPosition(new Vector3())).normalize();
+let worst = 0;
+for (let frame = 0; frame < 30; frame += 3) {
+  for (const mixer of [heroMixer, walkMixer]) mixer.setTime(frame / 30 + 1e-6);
+  walker.update(0);
+  for (const scene of [hero.scene, walker.scene]) scene.updateMatrixWorld(true);
+  for (const side of ['left', 'right'])
+    for (const [bone, next, joint, below] of [['UpperArm', 'LowerArm', 'upper_arm', 'forearm'], ['LowerArm', 'Hand', 'forearm', 'hand'],
+      ['UpperLeg', 'LowerLeg', 'thigh', 'shin'], ['LowerLeg', 'Foot', 'shin', 'foot']]) {
+      const end = side === 'left' ? '.L' : '.R', own = (name) => hero.scene.getObjectByName(`${name}${end}`.replace('.', ''));
+      const there = direction(walker.humanoid.getRawBoneNode(side + bone), walker.humanoid.getRawBoneNode(side + next));
+      worst = Math.max(worst, direction(own(joint), own(below)).angleTo(there));
+    }
+}
+console.log(`walk.vrma: limbs of the VRM point where the character's do within ${((worst * 180) / Math.PI).toFixed(2)} degrees`);
+assert.ok(worst < 0.05, 'walk.vrma plays otherwise than the character');
