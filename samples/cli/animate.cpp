@@ -377,8 +377,7 @@ void add_animate(CLI::App& app) {
   add_controls_option(sub, &s->profile);
   sub->footer(
       "Examples:\n  sinew animate hero.glb --motion walk.bvh -o walking.glb --sheet walking.png\n"
-      "  sinew animate hero.glb --motion walk.bvh --motion moves.glb#jump --map map.txt -o moves.glb\n"
-      "  sinew animate mesh.obj --motion builtin:walk -o walking.glb\n"
+      "  sinew animate mesh.obj --motion builtin:walk --motion moves.glb#jump --map map.txt -o moves.glb\n"
       "  sinew animate drawing.png -o drawing.glb --sheet drawing-frames.png\n\n"
       "  sinew animate broad.glb --motion walking.glb --method reference-points -o other.glb\n"
       "  sinew animate hero.glb --motion walk.bvh --deform volume -o walking.glb");

@@ -73,8 +73,8 @@ class HumanoidClips {
       const Quaternion against_t = multiply(pose.rotations[j], conjugate(to_t_[j]));
       worlds.push_back(normalised(multiply(multiply(turn4_, against_t), conjugate(turn4_))));
       const int above = humanoid.joints[k].parent;
-      out.rotations.push_back(above < 0 ? worlds[k]
-                                        : normalised(multiply(conjugate(worlds[static_cast<size_t>(above)]), worlds[k])));
+      out.rotations.push_back(
+          above < 0 ? worlds[k] : normalised(multiply(conjugate(worlds[static_cast<size_t>(above)]), worlds[k])));
       out.translations.push_back(above < 0 ? turned(turn_, pose.positions[j]) : humanoid.joints[k].offset);
     }
     return out;
@@ -85,10 +85,10 @@ class HumanoidClips {
   const std::vector<std::string> bones_;  // [J] "" for none
   Rotation turn_ = kNoRotation;           // of the whole body: upright and to the front
   Quaternion turn4_ = kNoRotation4;
-  std::vector<Quaternion> to_t_;          // [J]
-  std::vector<Point3> positions_;         // [J] in the T pose, turned
-  std::vector<int> number_;               // [J] of the bone, or -1
-  std::vector<size_t> kept_;              // [bones] parents first
+  std::vector<Quaternion> to_t_;   // [J]
+  std::vector<Point3> positions_;  // [J] in the T pose, turned
+  std::vector<int> number_;        // [J] of the bone, or -1
+  std::vector<size_t> kept_;       // [bones] parents first
 };
 
 }  // namespace
