@@ -830,7 +830,7 @@ TEST_F(CharacterC, ExtensionsComeFromOneTable) {
       sinew_character_extensions(SINEW_READ_MOTION),
       ".gltf .glb .vrm .fbx .dae .b3d .x .mesh.xml .mesh .md5mesh .ms3d .smd .iqm .bvh .vrma .npz .npy .vmd .amc");
   EXPECT_STREQ(sinew_character_extensions(SINEW_WRITE_CHARACTER), ".obj .rig.txt .gltf .glb .vrm .fbx .usda .usdz");
-  EXPECT_STREQ(sinew_character_extensions(SINEW_READ_MOTION | SINEW_WRITE_MOTION), ".gltf .glb .vrm .fbx .bvh");
+  EXPECT_STREQ(sinew_character_extensions(SINEW_READ_MOTION | SINEW_WRITE_MOTION), ".gltf .glb .vrm .fbx .bvh .vrma");
   EXPECT_STREQ(sinew_character_extensions(1u << 20), "");
   EXPECT_NE(std::string(sinew_character_templates()).find("mixamo"), std::string::npos);
 }
