@@ -21,6 +21,11 @@ struct Channel {
   bool rotates = false;  // else it moves
 };
 
+// A frame whose line has fewer numbers than there are channels, or more.
+struct IncompleteFrame {
+  size_t index, line, numbers;
+};
+
 // Keywords are written in any case.
 bool is_word(std::string_view found, std::string_view wanted) {
   return std::equal(found.begin(), found.end(), wanted.begin(), wanted.end(), [](char a, char b) {
@@ -170,9 +175,13 @@ class BvhReader {
       clip.frame_time = Clip().frame_time;
       if (*count > 1) motion_.notes.push_back("'Frame Time:' is 0, so all frames are at one time; read as 30 a second");
     }
+    std::vector<IncompleteFrame> incomplete;
     while (lines_.next()) {
       words_ = lines_.words();
-      if (!words_.empty()) clip.frames.push_back(read_frame(clip.frames.size()));
+      if (words_.empty()) continue;
+      const bool whole = words_.size() == channels_.size();
+      if (!whole) incomplete.push_back({clip.frames.size(), lines_.number(), words_.size()});
+      clip.frames.push_back(whole ? read_frame() : MotionFrame());
     }
     const size_t found = clip.frames.size(), promised = static_cast<size_t>(*count);
     if (found == 0 && promised > 0)
@@ -180,8 +189,43 @@ class BvhReader {
     if (found != promised)
       motion_.notes.push_back("warning: 'Frames:' promises " + std::to_string(promised) + " frames, the file has " +
                               std::to_string(found) + "; all of them are read");
+    if (!incomplete.empty()) mend_incomplete(incomplete, &clip);
     put_back_in_place(&clip);
     if (!clip.frames.empty()) motion_.clips.push_back(std::move(clip));
+  }
+
+  // A few frames without all of their numbers: those at the end are left out, those between others are interpolated. More of
+  // them, or the first, say that the channels are not those of the frames.
+  void mend_incomplete(const std::vector<IncompleteFrame>& incomplete, Clip* clip) {
+    constexpr size_t kMostShare = 50;  // one frame in so many, and always one
+    const IncompleteFrame& first = incomplete[0];
+    if (first.index == 0 || incomplete.size() > 1 + clip->frames.size() / kMostShare)
+      lines_.fail_at(first.line, std::to_string(channels_.size()) + " numbers in frame " + std::to_string(first.index),
+                     std::to_string(first.numbers) + " of them");
+    const size_t all = clip->frames.size();
+    while (clip->frames.back().rotations.empty()) clip->frames.pop_back();
+    const size_t left_out = all - clip->frames.size(), filled = incomplete.size() - left_out;
+    for (size_t k = 0; k < filled; ++k) {
+      size_t next = incomplete[k].index + 1;
+      while (clip->frames[next].rotations.empty()) ++next;
+      const size_t at = incomplete[k].index;
+      Clip around;
+      around.frame_time = static_cast<double>(next - at + 1);
+      around.frames = {clip->frames[at - 1], clip->frames[next]};
+      clip->frames[at] = frame_at(around, 1);
+    }
+    const auto lines = [&](size_t begin, size_t end) {
+      return (end - begin > 1 ? "lines " : "line ") + std::to_string(incomplete[begin].line) +
+             (end - begin > 1 ? " to " + std::to_string(incomplete[end - 1].line) : "");
+    };
+    const auto frames = [](size_t n) { return std::to_string(n) + (n > 1 ? " frames" : " frame"); };
+    const std::string numbers = " without " + std::to_string(channels_.size()) + " numbers";
+    if (filled > 0)
+      motion_.notes.push_back("warning: " + frames(filled) + numbers + " (" + lines(0, filled) +
+                              "), filled from the frames around");
+    if (left_out > 0)
+      motion_.notes.push_back("warning: " + frames(left_out) + numbers + " at the end (" +
+                              lines(filled, incomplete.size()) + "), left out");
   }
 
   // Some programs write differences from the offset: positions of a joint that are 0 in all frames, where its offset is not.
@@ -196,10 +240,7 @@ class BvhReader {
   }
 
   // Positions stand in place of the offset, as programs write them; turns apply from the last to the first.
-  MotionFrame read_frame(size_t index) const {
-    if (words_.size() != channels_.size())
-      lines_.fail(std::to_string(channels_.size()) + " numbers in frame " + std::to_string(index),
-                  std::to_string(words_.size()) + " of them");
+  MotionFrame read_frame() const {
     MotionFrame frame;
     frame.rotations.assign(motion_.joints.size(), kNoRotation4);
     for (const MotionJoint& joint : motion_.joints) frame.translations.push_back(joint.offset);
