@@ -64,6 +64,7 @@ set(sinew_formats_sources
   motion/person
   motion/posed_joints
   motion/unzip
+  motion/vmd_bones
   motion/vmd_read
   text/mtl
   text/obj

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// VMD (MikuMikuDance): keys of bones by their Japanese standard names, with a curve to the key before. Legs follow the IK bones of their feet, as the
+// VMD (MikuMikuDance): keys of bones by their Japanese standard names or English ones, with a curve to the key before. Legs follow the IK bones of their feet, as the
 // program has it; other IK is left out. The rest pose is ours: a person of MMD's proportions with arms lowered, since the file has none.
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include <set>
 
 #include "motion/person.hpp"
+#include "motion/vmd_bones.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/io.hpp"
@@ -21,50 +22,6 @@ constexpr size_t kHeader = 30, kKey = 111, kNameBytes = 15;
 constexpr size_t kIkNameBytes = 20;                          // in the list of switches
 constexpr size_t kListsBetween[] = {23, 61, 28, 9};          // bytes of a key: faces, camera, light, shadow
 constexpr double kUnit = 0.08, kFps = 30, kArmsDown = 0.66;  // metres; radians of the rest pose's arms
-constexpr const char *kIk = "\x82\x68\x82\x6a", *kLeft = "\x8d\xb6", *kRight = "\x89\x45";  // Shift-JIS
-
-struct BoneName {
-  const char *shift_jis, *name;
-};
-// The left side alone. To add a bone: its name here, and in person.cpp where it stands.
-constexpr BoneName kBones[] = {
-    {"\x91\x53\x82\xc4\x82\xcc\x90\x65", "root"},                    // 全ての親
-    {"\x83\x5a\x83\x93\x83\x5e\x81\x5b", "center"},                  // センター
-    {"\x83\x4f\x83\x8b\x81\x5b\x83\x75", "groove"},                  // グルーブ
-    {"\x8d\x98", "waist"},                                           // 腰
-    {"\x89\xba\x94\xbc\x90\x67", "hips"},                            // 下半身
-    {"\x8f\xe3\x94\xbc\x90\x67", "spine"},                           // 上半身
-    {"\x8f\xe3\x94\xbc\x90\x67\x32", "chest"},                       // 上半身2
-    {"\x8f\xe3\x94\xbc\x90\x67\x82\x51", "chest"},                   // 上半身２
-    {"\x8e\xf1", "neck"},                                            // 首
-    {"\x93\xaa", "head"},                                            // 頭
-    {"\x8d\xb6\x8c\xa8", "leftShoulder"},                            // 左肩
-    {"\x8d\xb6\x98\x72", "leftUpperArm"},                            // 左腕
-    {"\x8d\xb6\x82\xd0\x82\xb6", "leftLowerArm"},                    // 左ひじ
-    {"\x8d\xb6\x8e\xe8\x8e\xf1", "leftHand"},                        // 左手首
-    {"\x8d\xb6\x91\xab", "leftUpperLeg"},                            // 左足
-    {"\x8d\xb6\x82\xd0\x82\xb4", "leftLowerLeg"},                    // 左ひざ
-    {"\x8d\xb6\x91\xab\x8e\xf1", "leftFoot"},                        // 左足首
-    {"\x8d\xb6\x82\xc2\x82\xdc\x90\xe6", "leftToes"},                // 左つま先
-    {"\x8d\xb6\x91\xab\x82\x68\x82\x6a", "leftFootIk"},              // 左足ＩＫ
-    {"\x8d\xb6\x91\xab\x49\x4b", "leftFootIk"},                      // 左足IK
-    {"\x8d\xb6\x91\xab\x49\x4b\x90\x65", "leftFootIkParent"},        // 左足IK親
-    {"\x8d\xb6\x90\x65\x8e\x77\x82\x4f", "leftThumbMetacarpal"},     // 左親指０
-    {"\x8d\xb6\x90\x65\x8e\x77\x82\x50", "leftThumbProximal"},       // 左親指１
-    {"\x8d\xb6\x90\x65\x8e\x77\x82\x51", "leftThumbDistal"},         // 左親指２
-    {"\x8d\xb6\x90\x6c\x8e\x77\x82\x50", "leftIndexProximal"},       // 左人指１
-    {"\x8d\xb6\x90\x6c\x8e\x77\x82\x51", "leftIndexIntermediate"},   // 左人指２
-    {"\x8d\xb6\x90\x6c\x8e\x77\x82\x52", "leftIndexDistal"},         // 左人指３
-    {"\x8d\xb6\x92\x86\x8e\x77\x82\x50", "leftMiddleProximal"},      // 左中指１
-    {"\x8d\xb6\x92\x86\x8e\x77\x82\x51", "leftMiddleIntermediate"},  // 左中指２
-    {"\x8d\xb6\x92\x86\x8e\x77\x82\x52", "leftMiddleDistal"},        // 左中指３
-    {"\x8d\xb6\x96\xf2\x8e\x77\x82\x50", "leftRingProximal"},        // 左薬指１
-    {"\x8d\xb6\x96\xf2\x8e\x77\x82\x51", "leftRingIntermediate"},    // 左薬指２
-    {"\x8d\xb6\x96\xf2\x8e\x77\x82\x52", "leftRingDistal"},          // 左薬指３
-    {"\x8d\xb6\x8f\xac\x8e\x77\x82\x50", "leftLittleProximal"},      // 左小指１
-    {"\x8d\xb6\x8f\xac\x8e\x77\x82\x51", "leftLittleIntermediate"},  // 左小指２
-    {"\x8d\xb6\x8f\xac\x8e\x77\x82\x52", "leftLittleDistal"},        // 左小指３
-};
 
 // Of a key the frame, the translation against the rest position, the rotation and the four curves to it: x, y, z, rotation.
 struct Key {
@@ -74,6 +31,12 @@ struct Key {
   std::array<std::array<double, 4>, 4> curves{};  // x1 y1 x2 y2, of a Bezier curve from (0, 0) to (1, 1)
 
   bool moves() const { return length(translation) > 1e-6 || std::abs(rotation[3]) < 1 - 1e-9; }
+};
+
+// One of the bones that turn a joint one after the other, in the file's order: models with English names have one an axis.
+struct Bone {
+  std::string part;
+  std::vector<Key> keys;
 };
 
 // The height of the curve where it is `x` along.
@@ -162,11 +125,12 @@ class VmdReader {
     for (size_t k = 0; k < count; ++k) {
       const size_t at = list + 4 + k * kKey;
       const std::string name = text(at, kNameBytes);
-      const std::string joint = joint_of(name);
+      const std::string joint = joint_of_vmd_bone(name);
       if (!joint.empty()) {
-        keys_[joint].push_back(read_key(at + kNameBytes, k));
-        last_ = std::max(last_, keys_[joint].back().frame);
-      } else if (name.find(kIk) == std::string::npos && name.find("IK") == std::string::npos) {
+        std::vector<Key>& keys = bone_keys(joint, name);
+        keys.push_back(read_key(at + kNameBytes, k));
+        last_ = std::max(last_, keys.back().frame);
+      } else if (!is_vmd_ik(name)) {
         others.insert(name);
       } else if (read_key(at + kNameBytes, k).moves()) {
         ik.insert(name);
@@ -176,8 +140,18 @@ class VmdReader {
       fail("bones with standard names", std::to_string(others.size() + ik.size()) + " bones with others");
     tell(ik.size(), others.size());
     read_ik_switches(list + 4 + count * kKey);
-    for (auto& [joint, keys] : keys_)
-      std::stable_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) { return a.frame < b.frame; });
+    for (auto& [joint, bones] : keys_)
+      for (auto& [name, keys] : bones)
+        std::stable_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) { return a.frame < b.frame; });
+  }
+  // Of the bone, or of an earlier one of the joint that has the same name but for its spelling.
+  std::vector<Key>& bone_keys(const std::string& joint, const std::string& name) {
+    std::vector<Bone>& bones = keys_[joint];
+    const std::string part = part_of_vmd_bone(name);
+    const auto found = std::find_if(bones.begin(), bones.end(), [&](const Bone& bone) { return bone.part == part; });
+    if (found != bones.end()) return found->keys;
+    bones.push_back({part, {}});
+    return bones.back().keys;
   }
 
   void tell(size_t ik, size_t others) {
@@ -200,16 +174,8 @@ class VmdReader {
       const size_t frame = number<uint32_t>(at), names = number<uint32_t>(at + 5);
       at += 9;
       for (size_t n = 0; n < names && has(kIkNameBytes + 1); ++n, at += kIkNameBytes + 1)
-        ik_switches_[joint_of(text(at, kIkNameBytes))][frame] = bytes_[at + kIkNameBytes] != 0;
+        ik_switches_[joint_of_vmd_bone(text(at, kIkNameBytes))][frame] = bytes_[at + kIkNameBytes] != 0;
     }
-  }
-
-  static std::string joint_of(const std::string& name) {
-    const bool right = name.rfind(kRight, 0) == 0;
-    const std::string left = right ? kLeft + name.substr(2) : name;
-    for (const BoneName& bone : kBones)
-      if (left == bone.shift_jis) return right ? other_side_of_person(bone.name) : bone.name;
-    return "";
   }
 
   // To a right-handed world: z the other way.
@@ -230,15 +196,14 @@ class VmdReader {
 
   void add_joints() {
     std::vector<std::string> names;
-    for (const BoneName& bone : kBones) {
-      const std::string name = bone.name, other = other_side_of_person(name);
+    for (const std::string& name : vmd_joints()) {
+      const std::string other = other_side_of_person(name);
       const bool control = name == "root" || name == "center" || name == "groove" || name == "waist" ||
                            name.find("Ik") != std::string::npos;
       const bool finger = name.find("Proximal") != std::string::npos ||
                           name.find("Intermediate") != std::string::npos || name.find("Distal") != std::string::npos ||
                           name.find("Metacarpal") != std::string::npos;
       if (control || (finger && keys_.count(name) + keys_.count(other) == 0)) continue;
-      if (std::find(names.begin(), names.end(), name) != names.end()) continue;
       names.push_back(name);
       if (other != name) names.push_back(other);
     }
@@ -277,16 +242,24 @@ class VmdReader {
     return frame;
   }
   Key key_at(const std::string& joint, size_t f) const {
-    const auto keys = keys_.find(joint);
-    return keys == keys_.end() ? Key() : between_keys(keys->second, f);
+    const auto bones = keys_.find(joint);
+    Key key;
+    if (bones == keys_.end()) return key;
+    for (const Bone& bone : bones->second) {
+      const Key own = between_keys(bone.keys, f);
+      key.translation = key.translation + rotate(key.rotation, own.translation);
+      key.rotation = multiply(key.rotation, own.rotation);
+    }
+    return key;
   }
 
   // Where the legs' own bones are keyed and the IK bone stands still, a program has baked the one into the other.
   bool has_ik(const std::string& side, size_t f) const {
     const auto move = [&](const char* joint) {
-      const auto keys = keys_.find(side + joint);
-      return keys != keys_.end() &&
-             std::any_of(keys->second.begin(), keys->second.end(), [](const Key& key) { return key.moves(); });
+      const auto bones = keys_.find(side + joint);
+      return bones != keys_.end() && std::any_of(bones->second.begin(), bones->second.end(), [](const Bone& bone) {
+               return std::any_of(bone.keys.begin(), bone.keys.end(), [](const Key& key) { return key.moves(); });
+             });
     };
     if (keys_.count(side + "FootIk") == 0 || (!move("FootIk") && !move("FootIkParent") && move("LowerLeg")))
       return false;
@@ -333,7 +306,7 @@ class VmdReader {
 
   const std::string path_;
   const std::vector<uint8_t>& bytes_;
-  std::map<std::string, std::vector<Key>> keys_;               // by joint, of rising frames
+  std::map<std::string, std::vector<Bone>> keys_;              // by joint, of rising frames
   std::map<std::string, std::map<size_t, bool>> ik_switches_;  // by joint and frame
   size_t last_ = 0;
   Motion motion_;

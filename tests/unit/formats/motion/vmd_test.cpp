@@ -158,6 +158,36 @@ TEST(Vmd, OtherIkIsToldWhereItMoves) {
             "1 IK bones of other parts than feet were left out");
 }
 
+TEST(Vmd, ReadsEnglishBones) {
+  const auto about = [](float x, float y, float z) {
+    return std::array<float, 4>{std::sin(x / 2), std::sin(y / 2), std::sin(z / 2), std::cos((x + y + z) / 2)};
+  };
+  const Motion motion = read(vmd_of({{"Center", 0, {0, 5, 0}},
+                                     {"Arm1-L[Y]", 0, {}, about(0, 0.5f, 0)},
+                                     {"Ankle-L[Y]", 0, {}, about(0, 0.5f, 0)},
+                                     {"Ankle-L[X]", 0, {}, about(0.25f, 0, 0)},
+                                     {"elbow_R", 0, {}, about(0, 0, 0.5f)},
+                                     {"Left knee", 0, {}, about(-0.5f, 0, 0)},
+                                     {"Finger2-1R[XYZ]", 0},
+                                     {"thumb0_L", 0},
+                                     {"Blade-R", 0}}));
+  const MotionFrame& frame = motion.clips[0].frames[0];
+  const auto same = [&](const char* joint, const Quaternion& rotation) {
+    const size_t at = find_joint(motion, joint);
+    ASSERT_LT(at, motion.joints.size()) << joint;
+    EXPECT_NEAR(std::abs(dot(frame.rotations[at], rotation)), 1, 1e-6) << joint;
+  };
+  same("leftUpperArm", axis_rotation(1, -0.5));
+  same("leftFoot", multiply(axis_rotation(1, -0.5), axis_rotation(0, -0.25)));
+  same("rightLowerArm", axis_rotation(2, 0.5));
+  same("leftLowerLeg", axis_rotation(0, 0.5));
+  same("rightIndexProximal", kNoRotation4);
+  same("leftThumbMetacarpal", kNoRotation4);
+  EXPECT_NEAR(frame.translations[find_joint(motion, "center")][1], 0.95 + 0.4, 1e-6);
+  ASSERT_EQ(motion.notes.size(), 1u);
+  EXPECT_EQ(motion.notes[0], "1 bones without a standard name were left out");
+}
+
 TEST(Vmd, WhatIsWrongIsOneLine) {
   EXPECT_ERROR(read(""), "dance.vmd", "truncated VMD, expected 30 bytes");
   EXPECT_ERROR(read(std::string(200, 'x')), "expected a VMD");
