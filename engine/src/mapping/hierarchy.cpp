@@ -58,6 +58,25 @@ sinew_status Hierarchy::build(const sinew_skeleton& rig, bool with_names) {
     parent[i] = rig.parents[i];
     if (parent[i] < -1 || parent[i] >= n) return SINEW_ERROR_INDEX;
   }
+  sinew_status status = sort_joints();
+  if (status == SINEW_OK && join_roots()) status = sort_joints();
+  if (status != SINEW_OK) return status;
+  find_body();
+  for (int32_t i = 0; i < n; ++i) {
+    const bool told = rig.ends != nullptr && rig.ends[i] != 0;
+    end[i] = (told || is_beside_body(i)) && parent[i] >= 0 ? 1 : 0;
+    names[i] = JointName();
+    if (!with_names) continue;
+    names[i] = names::read_joint_name(rig.names[i]);
+    if (names[i].is_end_of_map() && kid_count(i) == 0) {
+      end[i] = 1;
+      has_ends = true;
+    }
+  }
+  return SINEW_OK;
+}
+
+sinew_status Hierarchy::sort_joints() {
   for (int32_t i = 0; i <= n + 1; ++i) kid_offsets[i] = 0;
   for (int32_t i = 0; i < n; ++i) ++kid_offsets[(parent[i] >= 0 ? parent[i] : n) + 1];
   for (int32_t i = 0; i <= n; ++i) kid_offsets[i + 1] += kid_offsets[i];
@@ -100,19 +119,41 @@ sinew_status Hierarchy::build(const sinew_skeleton& rig, bool with_names) {
     count[p] += count[i];
     reach[p] = greater(reach[p], reach[i] + bone(i, p));
   }
-  find_body();
-  for (int32_t i = 0; i < n; ++i) {
-    const bool told = rig.ends != nullptr && rig.ends[i] != 0;
-    end[i] = (told || is_beside_body(i)) && parent[i] >= 0 ? 1 : 0;
-    names[i] = JointName();
-    if (!with_names) continue;
-    names[i] = names::read_joint_name(rig.names[i]);
-    if (names[i].is_end_of_map() && kid_count(i) == 0) {
-      end[i] = 1;
-      has_ends = true;
-    }
-  }
   return SINEW_OK;
+}
+
+bool Hierarchy::join_roots() {
+  constexpr int32_t kFewest = 3;                               // joints of a limb
+  constexpr double kLimb = 0.2, kTouches = 0.1, kSame = 0.01;  // of the body's box: a part's reach, a gap, one position
+  int32_t body = first_root();
+  for (int32_t k = kid_offsets[n]; k < kid_offsets[n + 1]; ++k) body = count[kids[k]] > count[body] ? kids[k] : body;
+  Box box;
+  for (int32_t k = position[body]; k < position[body] + count[body]; ++k) box.add(at[order[k]]);
+  const double whole = box.diagonal();
+  // The body's joint that is nearest to another one, the topmost of equals.
+  const auto nearest = [&](int32_t joint) {
+    int32_t best = body;
+    for (int32_t k = position[body]; k < position[body] + count[body]; ++k)
+      if (bone(order[k], joint) < bone(best, joint)) best = order[k];
+    return best;
+  };
+  bool any = false;
+  for (int32_t r = kid_offsets[n]; r < kid_offsets[n + 1]; ++r) {
+    const int32_t root = kids[r];
+    if (count[root] < kFewest || count[root] >= count[body]) continue;  // as large: another body
+    const int32_t joint = nearest(root);
+    if (bone(joint, root) > kTouches * whole) continue;
+    double far = 0;
+    int32_t same = 0;
+    for (int32_t k = position[root]; k < position[root] + count[root]; ++k) {
+      far = greater(far, bone(root, order[k]));
+      same += bone(nearest(order[k]), order[k]) < kSame * whole ? 1 : 0;
+    }
+    if (far < kLimb * whole || 2 * same > count[root]) continue;
+    parent[root] = joint;
+    any = true;
+  }
+  return any;
 }
 
 void Hierarchy::find_body() {

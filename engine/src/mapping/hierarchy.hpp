@@ -68,6 +68,11 @@ struct Hierarchy {
   Part part(int32_t joint) const { return names[joint].plain; }
 
  private:
+  // Fills children, order, position, depth, count and reach from parents. SINEW_ERROR_HIERARCHY.
+  sinew_status sort_joints();
+  // Hangs roots on which a part of one body hangs on that body's nearest joint: a pelvis beside the spine. True when there are any. What is as small as a hand or
+  // a prop, stands away or repeats joints of the body (controls) stays a root.
+  bool join_roots();
   // Fills `apart` and `size`. The body is the smallest subtree of nearly all joints from which the rest is farther than it is large.
   void find_body();
 };

@@ -7,6 +7,7 @@ namespace sinew::motion {
 bool MotionRig::allocate(Arena& arena, uint32_t joint_count) {
   count = joint_count;
   parents = arena.alloc<int32_t>(count);
+  file_parents = arena.alloc<int32_t>(count);
   order = arena.alloc<uint32_t>(count);
   positions = arena.alloc<Vec3d>(count);
   rotations = arena.alloc<Quat>(count);
@@ -27,9 +28,13 @@ sinew_status MotionRig::fill(const sinew_skeleton& input, uint32_t* scratch) {
       if (!is_finite(given.x + given.y + given.z + given.w)) return SINEW_ERROR_NOT_FINITE;
       rotations[j] = normalised(given);
     }
-    parents[j] = input.parents[j];
+    parents[j] = file_parents[j] = input.parents[j];
     if (parents[j] < -1 || parents[j] >= joints) return SINEW_ERROR_INDEX;
   }
+  return sort(scratch);
+}
+
+sinew_status MotionRig::sort(uint32_t* scratch) {
   // Depth by depth, in the caller's order within one.
   uint32_t* const depths = scratch;
   uint32_t* const starts = scratch + count;  // [count + 1]

@@ -10,11 +10,12 @@
 namespace sinew::motion {
 
 struct MotionRig {
-  uint32_t count = 0;          // J
-  int32_t* parents = nullptr;  // [J]
-  uint32_t* order = nullptr;   // [J] parents before children
-  Vec3d* positions = nullptr;  // [J] at rest, world
-  Quat* rotations = nullptr;   // [J] at rest, world, of length 1
+  uint32_t count = 0;               // J
+  int32_t* parents = nullptr;       // [J] also what roots of one body hang on
+  int32_t* file_parents = nullptr;  // [J] what local poses refer to
+  uint32_t* order = nullptr;        // [J] parents before children
+  Vec3d* positions = nullptr;       // [J] at rest, world
+  Quat* rotations = nullptr;        // [J] at rest, world, of length 1
 
   // Works with a measuring arena. Returns arena.ok().
   bool allocate(Arena& arena, uint32_t joint_count);
@@ -22,6 +23,13 @@ struct MotionRig {
   // Returns SINEW_OK, SINEW_ERROR_NOT_FINITE, SINEW_ERROR_INDEX or SINEW_ERROR_HIERARCHY.
   sinew_status fill(const sinew_skeleton& input, uint32_t* scratch);
 
+  // Fills `order`. `scratch` as above. Returns SINEW_OK or SINEW_ERROR_HIERARCHY.
+  sinew_status sort(uint32_t* scratch);
+
+  uint32_t root_of(uint32_t joint) const {
+    while (parents[joint] >= 0) joint = static_cast<uint32_t>(parents[joint]);
+    return joint;
+  }
   // The joint itself, or what is below it.
   bool is_below(uint32_t joint, uint32_t ancestor) const {
     for (int32_t at = static_cast<int32_t>(joint); at >= 0; at = parents[at]) {

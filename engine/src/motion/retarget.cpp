@@ -168,7 +168,7 @@ sinew_status pose_source(sinew_retarget* plan, const float* rotations, const flo
     if (!is_finite(given.x + given.y + given.z + given.w + offset.x + offset.y + offset.z))
       return SINEW_ERROR_NOT_FINITE;
     const Quat local = normalised(given);
-    const int32_t parent = rig.parents[j];
+    const int32_t parent = rig.file_parents[j];
     plan->source_rotations[j] = parent < 0 ? local : plan->source_rotations[parent] * local;
     plan->source_positions[j] =
         parent < 0 ? offset : plan->source_positions[parent] + rotate(plan->source_rotations[parent], offset);
@@ -190,7 +190,7 @@ void load_target(sinew_retarget* plan, const float* rotations, const float* tran
     Quat rotation = normalised(
         {static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2]), static_cast<double>(q[3])});
     Vec3d position = {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-    const int32_t parent = rig.parents[t];
+    const int32_t parent = rig.file_parents[t];
     if (parent >= 0) {
       const Quat above = plan->target_rotations[parent] * rig.rotations[parent];
       rotation = above * rotation;
@@ -205,7 +205,7 @@ void load_target(sinew_retarget* plan, const float* rotations, const float* tran
 void store_target(const sinew_retarget& plan, float* rotations, float* translations) {
   const MotionRig& rig = plan.target;
   for (uint32_t t = 0; t < rig.count; ++t) {
-    const int32_t parent = rig.parents[t];
+    const int32_t parent = rig.file_parents[t];
     Quat local = plan.target_rotations[t] * rig.rotations[t];
     Vec3d offset = plan.target_positions[t];
     if (parent >= 0) {

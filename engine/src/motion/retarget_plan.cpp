@@ -36,7 +36,9 @@ class Planner {
   Planner(const RetargetOptions& options, sinew_retarget* plan)
       : options_(options), plan_(*plan), source_(plan->source), target_(plan->target) {}
 
-  void run(uint8_t* has_mapped) {
+  void run(uint32_t* scratch) {
+    hang_roots(&plan_, scratch);
+    uint8_t* const has_mapped = reinterpret_cast<uint8_t*>(scratch);
     for (uint32_t t = 0; t < target_.count; ++t) plan_.carriers[t] = carrier_of(t);
     find_long_bones();
     find_anchors_and_floor();
@@ -104,27 +106,14 @@ class Planner {
     }
     plan_.has_legs = plan_.anchor_count > 0;
     if (plan_.has_legs) return;
-    const uint32_t root = busiest_root(plan_.anchors);
+    const uint32_t root = busiest_root(plan_, plan_.anchors);
     for (uint32_t t = 0; t < target_.count; ++t) {
-      if (!is_mapped(t) || root_of(t) != root) continue;
+      if (!is_mapped(t) || target_.root_of(t) != root) continue;
       plan_.floor_joints[plan_.floor_count++] = t;
       int32_t above = target_.parents[t];
       while (above >= 0 && !is_mapped(static_cast<uint32_t>(above))) above = target_.parents[above];
       if (above < 0) plan_.anchors[plan_.anchor_count++] = t;
     }
-  }
-
-  uint32_t root_of(uint32_t t) const {
-    while (target_.parents[t] >= 0) t = static_cast<uint32_t>(target_.parents[t]);
-    return t;
-  }
-  // With the most mapped joints below it: sockets and props may be roots of their own. `counts` [target joints] is scratch.
-  uint32_t busiest_root(uint32_t* counts) const {
-    for (uint32_t t = 0; t < target_.count; ++t) counts[t] = 0;
-    for (uint32_t t = 0; t < target_.count; ++t) counts[root_of(t)] += is_mapped(t) ? 1 : 0;
-    uint32_t best = 0;
-    for (uint32_t t = 1; t < target_.count; ++t) best = counts[t] > counts[best] ? t : best;
-    return best;
   }
 
   // A mapped joint just above the one that carries the legs: it has skin of its own and goes where they go. Farther above it where other joints hang on it,
@@ -375,7 +364,7 @@ sinew_status create_plan(const sinew_skeleton& source, const sinew_skeleton& tar
   RetargetOptions with_up = options;
   with_up.source_up = source.up;
   with_up.target_up = target.up;
-  Planner(with_up, &made).run(reinterpret_cast<uint8_t*>(room.scratch));
+  Planner(with_up, &made).run(room.scratch);
   *room.plan = made;
   *plan = room.plan;
   return SINEW_OK;

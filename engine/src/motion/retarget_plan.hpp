@@ -60,6 +60,13 @@ sinew_status create_plan(const sinew_skeleton& source, const sinew_skeleton& tar
                          const uint8_t* classes, const RetargetOptions& options, void* memory, size_t memory_bytes,
                          sinew_retarget** plan);
 
+// One body may hang on several roots: sets parents and order of a plan's target by its map and classes. What moves as something that hangs on the body in the
+// source hangs on the same here; what nothing moves hangs on the body's nearest joint. `scratch` [2 target joints + 1].
+void hang_roots(sinew_retarget* plan, uint32_t* scratch);
+
+// The root with the most mapped joints below it: sockets and props may be roots of their own. `counts` [target joints] is scratch.
+uint32_t busiest_root(const sinew_retarget& plan, uint32_t* counts);
+
 // Sets up and rotation of a plan whose map, anchors and floor joints are found.
 void find_worlds(const RetargetOptions& options, sinew_retarget* plan);
 

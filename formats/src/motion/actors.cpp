@@ -2,6 +2,7 @@
 // Several people in one file: the skeletons that stand side by side.
 #include <algorithm>
 
+#include "sinew_formats/base/point.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/motion.hpp"
 #include "text/text_lines.hpp"
@@ -14,7 +15,7 @@ constexpr size_t kNone = static_cast<size_t>(-1);
 
 class ActorFinder {
  public:
-  explicit ActorFinder(const Motion& motion) : children_(motion.joints.size()) {
+  explicit ActorFinder(const Motion& motion) : motion_(motion), children_(motion.joints.size()) {
     for (size_t j = 0; j < motion.joints.size(); ++j) {
       if (const int parent = motion.joints[j].parent; parent >= 0)
         children_[static_cast<size_t>(parent)].push_back(j);
@@ -35,14 +36,14 @@ class ActorFinder {
     }
   }
 
-  // Where one root carries all, what stands side by side below it. A body's own parts are no actors: limbs have few ends.
+  // Where one root carries all, what stands side by side below it. A body's own parts are no actors: limbs have few ends, and two with hands are mirror images.
   std::vector<size_t> actors() const {
     std::vector<size_t> found = bodies(roots_);
-    if (found.size() != 1) return found;
+    if (found.size() != 1) return has_mirrored(found) ? std::vector<size_t>() : found;
     size_t carrier = found[0];
     while (children_[carrier].size() == 1) carrier = children_[carrier][0];
     const std::vector<size_t> below = bodies(children_[carrier]);
-    return below.size() > 1 ? below : found;
+    return below.size() > 1 && !has_mirrored(below) ? below : found;
   }
 
   // A joint and all below it, depth first.
@@ -75,6 +76,31 @@ class ActorFinder {
     return found;
   }
 
+  bool has_mirrored(const std::vector<size_t>& candidates) const {
+    for (size_t a = 0; a < candidates.size(); ++a)
+      for (size_t b = a + 1; b < candidates.size(); ++b)
+        if (are_mirrored(candidates[a], candidates[b])) return true;
+    return false;
+  }
+  // Whether the bones below are of one shape and mirrored across an axis, not the same. People of one rig have the same ones.
+  bool are_mirrored(size_t a, size_t b) const {
+    if (shape(a) != shape(b)) return false;
+    const std::vector<size_t> first = below(a), second = below(b);
+    double same = 0;
+    Point3 mirrored{};
+    for (size_t k = 1; k < first.size(); ++k) {
+      const Point3 &one = motion_.joints[first[k]].offset, &other = motion_.joints[second[k]].offset;
+      same += length(one - other);
+      for (size_t axis = 0; axis < 3; ++axis) {
+        Point3 image = other;
+        image[axis] = -image[axis];
+        mirrored[axis] += length(one - image);
+      }
+    }
+    return 4 * std::min({mirrored[0], mirrored[1], mirrored[2]}) < same;
+  }
+
+  const Motion& motion_;
   std::vector<std::vector<size_t>> children_;
   std::vector<size_t> roots_, sizes_, leaves_;  // joints and ends below each, itself among them
 };

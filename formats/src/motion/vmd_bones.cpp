@@ -115,10 +115,10 @@ constexpr BoneWord kWords[] = {
 struct FingerWord {
   const char *word, *finger;
 };
-constexpr FingerWord kFingers[] = {{"thumb", "Thumb"}, {"finger1", "Thumb"},    {"index", "Index"},   {"fore", "Index"},
-                                   {"finger2", "Index"}, {"middle", "Middle"},  {"finger3", "Middle"}, {"ring", "Ring"},
-                                   {"third", "Ring"},  {"finger4", "Ring"},     {"little", "Little"}, {"pinky", "Little"},
-                                   {"small", "Little"}, {"finger5", "Little"}};
+constexpr FingerWord kFingers[] = {
+    {"thumb", "Thumb"},   {"finger1", "Thumb"},  {"index", "Index"},  {"fore", "Index"},    {"finger2", "Index"},
+    {"middle", "Middle"}, {"finger3", "Middle"}, {"ring", "Ring"},    {"third", "Ring"},    {"finger4", "Ring"},
+    {"little", "Little"}, {"pinky", "Little"},   {"small", "Little"}, {"finger5", "Little"}};
 
 struct EnglishName {
   std::string word;  // without its side
@@ -140,8 +140,7 @@ EnglishName english_name(const std::string& name) {
     if (text.compare(last, word.size(), word) == 0 && !(letter && is_letter(text[last - 1]))) {
       text.erase(last);
       out.side = side;
-    } else if (text.compare(0, word.size(), word) == 0 &&
-               !(letter && (is_letter(text[1]) || is_digit(text[1])))) {
+    } else if (text.compare(0, word.size(), word) == 0 && !(letter && (is_letter(text[1]) || is_digit(text[1])))) {
       text.erase(0, word.size());
       out.side = side;
     }

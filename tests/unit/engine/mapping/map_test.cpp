@@ -57,6 +57,19 @@ TEST(Map, BodiesOfOtherPosesAndCountsFindEachOther) {
   }
 }
 
+// A spine and a pelvis that begin at one place are one body; a staff and a second person are none.
+TEST(Map, OneBodyMayHangOnTwoRoots) {
+  const TestRig whole = humanoid(3, true);
+  TestRig apart = whole;
+  for (size_t i = 0; i < apart.names.size(); ++i)
+    if (apart.names[i].find("UpLeg") != std::string::npos) apart.parents[i] = static_cast<int32_t>(apart.names.size());
+  const float* const hips = &whole.positions[3 * static_cast<size_t>(whole.find("Hips"))];
+  (void)apart.add("Pelvis2", -1, hips[0], hips[1], hips[2]);
+  MapCall call;
+  expect_named_pairs(call.run(apart, whole), apart, whole, "as target");
+  expect_named_pairs(call.run(whole, apart), whole, apart, "as source");
+}
+
 // Hip joints near the middle, not quite mirrored: as in CMU's skeletons without names.
 TEST(Map, BothLegsBeginAtTheSameJoint) {
   const TestRig target = humanoid(3, true), body = humanoid(3, true);

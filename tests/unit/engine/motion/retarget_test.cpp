@@ -323,6 +323,24 @@ TEST(Retarget, RootsBesideTheBodyMoveByThemselves) {
   EXPECT_LT(farthest(world_pose(scene, play(scene, scene, one_to_one(6), pose)), world_pose(scene, pose)), 1e-6);
 }
 
+// The trunk is a root of its own: it goes where the pelvis goes, as in the source; so does a root that nothing moves.
+TEST(Retarget, RootsOfOneBodyMoveTogether) {
+  const MotionScene source = body(30);
+  MotionScene target = source;
+  target.parents[kSpine] = -1;
+  target.add({0, 1.62, 0.05}, -1, SINEW_CLASS_OTHER);  // a hat on the head
+  std::vector<int32_t> map = one_to_one(17);
+  map.push_back(-1);
+  for (uint32_t seed = 0; seed < 5; ++seed) {
+    const Pose pose = random_pose(source, seed, 0.7, {0.5, 0, 2});
+    const WorldPose wanted = world_pose(source, pose), found = world_pose(target, play(source, target, map, pose));
+    for (uint32_t j = 0; j < 17; ++j) EXPECT_LT(distance(found.positions[j], wanted.positions[j]), 1e-5) << j;
+    EXPECT_NEAR(distance(found.positions[17], found.positions[kHead]), distance(target.at(17), target.at(kHead)), 1e-5);
+  }
+  const Pose own = random_pose(target, 3, 0.7, {0.5, 0, 2});  // and as its own source every root by itself
+  EXPECT_LT(farthest(world_pose(target, play(target, target, one_to_one(18), own)), world_pose(target, own)), 1e-5);
+}
+
 TEST(Retarget, ChainsAndSingleJointsMove) {
   MotionScene chain;
   for (int j = 0; j < 6; ++j) chain.add({0, 0.1, 0.2 * j}, j - 1, SINEW_CLASS_OTHER);

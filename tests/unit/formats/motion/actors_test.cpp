@@ -82,6 +82,17 @@ TEST(Actors, ABodyIsOne) {
       tentacles.joints.push_back({"t", j == 0 ? 0 : static_cast<int>(tentacles.joints.size()) - 1, {1, 0, 0}});
   add_frames(&tentacles);
   EXPECT_FALSE(one_actor(tentacles, "octopus.fbx", ""));
+  Motion arms;  // a trunk without its pelvis, arms with hands
+  arms.joints.push_back({"chest", -1, {0, 1.4, 0}});
+  arms.joints.push_back({"head", 0, {0, 0.3, 0}});
+  for (const double side : {1.0, -1.0}) {
+    int above = 0;
+    for (int j = 0; j < 3; ++j, above = static_cast<int>(arms.joints.size()) - 1)
+      arms.joints.push_back({"arm", above, {0.25 * side, -0.05, 0}});
+    for (int finger = 0; finger < 5; ++finger) arms.joints.push_back({"finger", above, {0.1 * side, 0, 0.02 * finger}});
+  }
+  add_frames(&arms);
+  EXPECT_FALSE(one_actor(arms, "bust.glb", ""));
   Motion unlike = two_people(false);
   unlike.joints.push_back({"bob.tail", 15, {0, 0, -1}});
   EXPECT_FALSE(one_actor(unlike, "two.fbx", "")) << "who is meant is not known, so all are";
