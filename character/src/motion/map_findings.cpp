@@ -187,6 +187,20 @@ class MapReader {
     return false;
   }
 
+  // A hand or foot that hangs elsewhere, of inverse kinematics: it goes with its limb.
+  bool is_end_of_moved(const BodyPart& part) const {
+    const auto is_end = [&](int j) {
+      const uint8_t own = to_.class_of(j);
+      return own == SINEW_CLASS_HAND || own == SINEW_CLASS_FOOT || own == SINEW_CLASS_TOE;
+    };
+    const auto moves = [&](int j) { return is_mapped(j); };
+    return std::all_of(part.joints.begin(), part.joints.end(), is_end) &&
+           std::any_of(to_.all().begin(), to_.all().end(), [&](const BodyPart& other) {
+             return other.kind == part.kind && other.side == part.side &&
+                    std::any_of(other.joints.begin(), other.joints.end(), moves);
+           });
+  }
+
   struct Finding {
     const BodyPart* part;
     std::string singular, plural;  // what is said of one, and of both of a pair
@@ -209,6 +223,7 @@ class MapReader {
       return is_mapped(j) && to_.class_of(j) != SINEW_CLASS_TOE;
     }));
     const bool idle = any_mapped == 0;
+    if (idle && is_end_of_moved(part)) return std::nullopt;
     const bool needed = is_limb(part.kind) || part.kind == PartKind::kTrunk || part.kind == PartKind::kHead;
     const size_t movers = movers_of(part);
     if (idle && movers == 0) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Roots of one body hang on its joints: by the source's hierarchy, else by where they lie.
+// Roots of one body hang on its joints: by the source's hierarchy, else by where they lie. So do hands and feet that hang elsewhere and that nothing moves.
 #include "motion/retarget_plan.hpp"
-
 #include "sinew/rig.h"
 
 namespace sinew::motion {
@@ -16,12 +15,49 @@ class RootJoiner {
       if (rig_.file_parents[t] >= 0) continue;
       const int32_t above = parent_of(t);
       if (above < 0) continue;
-      rig_.parents[t] = above;
-      (void)rig_.sort(scratch_);
+      hang(t, above);
     }
+    for (uint32_t t = 0; t < rig_.count; ++t)
+      if (is_loose_end(t)) hang_end(t);
   }
 
  private:
+  void hang(uint32_t t, int32_t above) {
+    rig_.parents[t] = above;
+    (void)rig_.sort(scratch_);
+  }
+
+  // A hand or foot of inverse kinematics that nothing moves.
+  bool is_loose_end(uint32_t t) const {
+    const uint32_t own = plan_.classes[t], before = class_before(own);
+    if (is_mapped(t) || (own != SINEW_CLASS_FOOT && own != SINEW_CLASS_HAND) || has_mapped_below(t)) return false;
+    for (int32_t at = rig_.parents[t]; at >= 0; at = rig_.parents[at])
+      if (plan_.classes[at] == before || plan_.classes[at] == own) return false;
+    return true;
+  }
+  // Goes with the nearest forearm or calf that moves, and its control at the same position with it.
+  void hang_end(uint32_t t) {
+    int32_t best = -1;
+    for (uint32_t c = 0; c < rig_.count; ++c)
+      if (is_mapped(c) && plan_.classes[c] == class_before(plan_.classes[t]) && is_nearer(c, best, t))
+        best = static_cast<int32_t>(c);
+    if (best < 0) return;
+    const double near = 0.1 * distance(static_cast<uint32_t>(best), t);
+    uint32_t top = t;
+    for (int32_t at = rig_.parents[t]; at >= 0; at = rig_.parents[at]) {
+      if (is_mapped(static_cast<uint32_t>(at)) || has_mapped_below(static_cast<uint32_t>(at)) ||
+          distance(static_cast<uint32_t>(at), t) > near)
+        break;
+      top = static_cast<uint32_t>(at);
+    }
+    if (!rig_.is_below(static_cast<uint32_t>(best), top)) hang(top, best);
+  }
+  bool has_mapped_below(uint32_t t) const {
+    for (uint32_t c = 0; c < rig_.count; ++c)
+      if (is_mapped(c) && rig_.is_below(c, t)) return true;
+    return false;
+  }
+
   bool is_mapped(uint32_t t) const { return plan_.map[t] >= 0; }
   double distance(uint32_t a, uint32_t b) const { return length(rig_.positions[a] - rig_.positions[b]); }
   bool is_nearer(uint32_t joint, int32_t best, uint32_t to) const {

@@ -13,21 +13,6 @@ namespace {
 // The struct of the first release.
 constexpr uint32_t kFirstOptionsSize = offsetof(sinew_retarget_options, translations);
 
-// Whose long bone ends at a joint of this class; SINEW_CLASS_OTHER: none does.
-uint32_t class_before(uint32_t joint_class) {
-  switch (joint_class) {
-    case SINEW_CLASS_FOREARM:
-      return SINEW_CLASS_UPPER_ARM;
-    case SINEW_CLASS_HAND:
-      return SINEW_CLASS_FOREARM;
-    case SINEW_CLASS_CALF:
-      return SINEW_CLASS_THIGH;
-    case SINEW_CLASS_FOOT:
-      return SINEW_CLASS_CALF;
-    default:
-      return SINEW_CLASS_OTHER;
-  }
-}
 bool is_arm_class(uint32_t c) { return c == SINEW_CLASS_UPPER_ARM || c == SINEW_CLASS_FOREARM; }
 bool is_leg_class(uint32_t c) { return c == SINEW_CLASS_THIGH || c == SINEW_CLASS_CALF; }
 
@@ -283,6 +268,21 @@ class Planner {
 };
 
 }  // namespace
+
+uint32_t class_before(uint32_t joint_class) {
+  switch (joint_class) {
+    case SINEW_CLASS_FOREARM:
+      return SINEW_CLASS_UPPER_ARM;
+    case SINEW_CLASS_HAND:
+      return SINEW_CLASS_FOREARM;
+    case SINEW_CLASS_CALF:
+      return SINEW_CLASS_THIGH;
+    case SINEW_CLASS_FOOT:
+      return SINEW_CLASS_CALF;
+    default:
+      return SINEW_CLASS_OTHER;
+  }
+}
 
 sinew_status read_retarget_options(const sinew_retarget_options* options, RetargetOptions* out) {
   sinew_retarget_options o = SINEW_INIT(sinew_retarget_options);

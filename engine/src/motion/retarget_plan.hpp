@@ -61,8 +61,11 @@ sinew_status create_plan(const sinew_skeleton& source, const sinew_skeleton& tar
                          sinew_retarget** plan);
 
 // One body may hang on several roots: sets parents and order of a plan's target by its map and classes. What moves as something that hangs on the body in the
-// source hangs on the same here; what nothing moves hangs on the body's nearest joint. `scratch` [2 target joints + 1].
+// source hangs on the same here; what nothing moves hangs on the body's nearest joint, and a hand or foot beside its limb on that. `scratch` [2 target joints + 1].
 void hang_roots(sinew_retarget* plan, uint32_t* scratch);
+
+// The class whose long bone ends at a joint of this class; SINEW_CLASS_OTHER: none does.
+uint32_t class_before(uint32_t joint_class);
 
 // The root with the most mapped joints below it: sockets and props may be roots of their own. `counts` [target joints] is scratch.
 uint32_t busiest_root(const sinew_retarget& plan, uint32_t* counts);
