@@ -106,6 +106,7 @@ void tell_parts(const std::string& file, const MapCover& cover, std::vector<std:
   if (!text.empty())
     notes->push_back("warning: " + file + ": " + text +
                      "; look at the result, and say with --map which joints move it");
+  if (cover.legless) notes->push_back(file + ": the character has no legs, so arms, trunk and head play alone");
   if (!cover.rigid.empty()) notes->push_back(file + ": has nothing like " + cover.rigid + ", so they stay rigid");
 }
 

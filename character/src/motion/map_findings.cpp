@@ -42,6 +42,10 @@ class MapReader {
     }
     cover.warnings = part_warnings();
     cover.rigid = rigid_parts();
+    const bool moves_legs = std::any_of(from_.all().begin(), from_.all().end(), [&](const BodyPart& part) {
+      return part.kind == PartKind::kLeg && essential_movers(part) > 0;
+    });
+    cover.legless = to_.named() && moves_legs && !to_.has(PartKind::kLeg) && to_.has(PartKind::kArm);
     return cover;
   }
 

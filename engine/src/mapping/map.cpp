@@ -135,7 +135,8 @@ class Cleaner {
   // All of them would leave nothing: then names say other things than joints are.
   void drop_contradictions() {
     const auto contradicts = [&](int32_t i) {
-      return a_.has_names && sources_[i] >= 0 && contradict(a_.names[i], b_.names[sources_[i]]);
+      return a_.has_names && sources_[i] >= 0 &&
+             (contradict(a_.names[i], b_.names[sources_[i]]) || is_leg_in_hand(a_, b_, pins_, sources_, i));
     };
     bool some_agree = false;
     for (int32_t i = 0; i < a_.n; ++i) some_agree = some_agree || (sources_[i] >= 0 && !contradicts(i));
@@ -269,7 +270,8 @@ class MapRun {
     }
     if (!match(best_target, best_source, &matcher)) return false;
     if (arena_.measuring() || !target_.rig.has_names) return true;
-    named_ = pin_plain_names(target_.rig, source_.rig, own_.sources, &pins_);
+    named_ = pin_plain_names(target_.rig, source_.rig, own_.sources, &pins_) ||
+             pin_legless_names(target_.rig, source_.rig, own_.sources, &pins_);
     return !named_ || match(best_target, best_source, &matcher);
   }
 

@@ -99,10 +99,17 @@ inline void add_up_lengths(const Point* points, int32_t count, Point from, doubl
 // Whether two plain names say parts that never stand for each other: a jaw and a head, a finger and a shoulder.
 bool contradict(const JointName& a, const JointName& b);
 
+// Whether a joint below a hand, by its name, moves as a leg: as a thigh or calf, or as a foot that is not of the hand's own source.
+bool is_leg_in_hand(const Hierarchy& target, const Hierarchy& source, const Pins& pins, const int32_t* sources,
+                    int32_t joint);
+
 // Whether a map by anatomy goes against joints of limbs and heads that are named alike, each once in its rig: its reading of one of the
 // bodies is wrong there. Of upright bodies alone. Then these joints are pinned; pins that the caller gave stay.
 //   sources  [target n] the map
 bool pin_plain_names(const Hierarchy& target, const Hierarchy& source, const int32_t* sources, Pins* pins);
+
+// The same where names say that one of the bodies has no legs: arms, spine, neck and head are pinned. True where the map goes against them.
+bool pin_legless_names(const Hierarchy& target, const Hierarchy& source, const int32_t* sources, Pins* pins);
 
 }  // namespace sinew::mapping
 #endif

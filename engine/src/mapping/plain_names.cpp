@@ -91,28 +91,126 @@ bool contradict(const JointName& a, const JointName& b) {
   return !are(Region::kTrunk, Region::kTail) && !are(Region::kTrunk, Region::kHead);
 }
 
-bool pin_plain_names(const Hierarchy& target, const Hierarchy& source, const int32_t* sources, Pins* pins) {
-  if (!goes_upright(target) || !goes_upright(source)) return false;  // four legs have names of their own
-  int32_t pairs[2 * (sizeof kLimbs / sizeof kLimbs[0]) + 1][2], count = 0, wrong = 0;
-  const auto look_for = [&](Part part, int8_t side) {
-    const int32_t a = only_joint(target, part, side), b = only_joint(source, part, side);
+namespace {
+
+bool is_leg_part(Part part) {
+  return part == Part::kUpLeg || part == Part::kLowLeg || part == Part::kLeg || part == Part::kFoot ||
+         part == Part::kToe || part == Part::kForeLeg || part == Part::kHindLeg;
+}
+
+// Joints that are to belong together and are free to.
+struct NamedPairs {
+  const int32_t* sources;
+  Pins* pins;
+  int32_t joints[32][2] = {}, count = 0, wrong = 0;
+
+  void add(int32_t a, int32_t b) {
     if (a < 0 || b < 0 || pins->source_of[a] != Pins::kFree || pins->target_of[b] != Pins::kFree) return;
     wrong += sources[a] == b ? 0 : 1;
-    pairs[count][0] = a;
-    pairs[count++][1] = b;
+    joints[count][0] = a;
+    joints[count++][1] = b;
+  }
+  // False where the map has them all.
+  bool pin() {
+    for (int32_t k = 0; k < count && wrong > 0; ++k) {
+      pins->source_of[joints[k][0]] = joints[k][1];
+      pins->target_of[joints[k][1]] = joints[k][0];
+      pins->any = true;
+    }
+    return wrong > 0;
+  }
+};
+
+// One side's joints by their names; -1 = none.
+struct NamedArm {
+  int32_t shoulder = -1, upper = -1, lower = -1, hand = -1;
+};
+
+// An arm of numbered joints bends at that nearest to its middle.
+NamedArm named_arm(const Hierarchy& rig, int8_t side) {
+  NamedArm arm;
+  arm.shoulder = only_joint(rig, Part::kShoulder, side);
+  arm.upper = only_joint(rig, Part::kUpperArm, side);
+  arm.lower = only_joint(rig, Part::kLowerArm, side);
+  arm.hand = only_joint(rig, Part::kHand, side);
+  if (arm.upper < 0 || arm.hand < 0 || !rig.holds(arm.upper, arm.hand)) return NamedArm();
+  if (arm.lower >= 0) return arm;
+  double whole = 0, path = 0, least = 0;
+  for (int32_t i = arm.hand; i != arm.upper; i = rig.parent[i]) whole += rig.bone(i, rig.parent[i]);
+  for (int32_t i = arm.hand; rig.parent[i] != arm.upper; i = rig.parent[i]) {
+    path += rig.bone(i, rig.parent[i]);
+    const double off = absolute(path - 0.5 * whole);
+    if (arm.lower >= 0 && off >= least) continue;
+    arm.lower = rig.parent[i];
+    least = off;
+  }
+  return arm;
+}
+
+// Whether names say that a body has an arm and a head and no legs.
+bool is_legless(const Hierarchy& rig) {
+  for (int32_t i = 0; i < rig.n; ++i)
+    if (is_leg_part(limb_part(rig.part(i))) || is_leg_part(rig.part(i))) return false;
+  return only_joint(rig, Part::kHead, 0) >= 0 && (named_arm(rig, 1).hand >= 0 || named_arm(rig, -1).hand >= 0);
+}
+
+// Joints that are called spine, from the root on.
+int32_t named_spine(const Hierarchy& rig, int32_t* spine, int32_t most) {
+  int32_t count = 0;
+  for (int32_t k = 0; k < rig.n && count < most; ++k) {
+    const int32_t i = rig.order[k];
+    if (rig.names[i].exact && rig.names[i].plain == Part::kSpine && rig.end[i] == 0) spine[count++] = i;
+  }
+  return count;
+}
+
+}  // namespace
+
+bool is_leg_in_hand(const Hierarchy& target, const Hierarchy& source, const Pins& pins, const int32_t* sources,
+                    int32_t joint) {
+  const Part part = source.part(sources[joint]);
+  if (!is_leg_part(part)) return false;
+  for (int32_t at = target.parent[joint]; at >= 0; at = target.parent[at]) {
+    if (!target.names[at].exact || target.part(at) != Part::kHand) continue;
+    if (part != Part::kFoot && part != Part::kToe) return true;
+    const int32_t own = pins.any && pins.source_of[at] >= 0 ? pins.source_of[at] : sources[at];
+    if (own >= 0) return !source.holds(own, sources[joint]);
+  }
+  return false;
+}
+
+bool pin_legless_names(const Hierarchy& target, const Hierarchy& source, const int32_t* sources, Pins* pins) {
+  if (!is_legless(target) && !is_legless(source)) return false;
+  constexpr int32_t kMostSpines = 16;
+  NamedPairs pairs = {sources, pins};
+  for (int8_t side = -1; side <= 1; side = static_cast<int8_t>(side + 2)) {
+    const NamedArm a = named_arm(target, side), b = named_arm(source, side);
+    pairs.add(a.shoulder, b.shoulder);
+    pairs.add(a.upper, b.upper);
+    pairs.add(a.lower, b.lower);
+    pairs.add(a.hand, b.hand);
+  }
+  pairs.add(only_joint(target, Part::kHead, 0), only_joint(source, Part::kHead, 0));
+  pairs.add(only_joint(target, Part::kNeck, 0), only_joint(source, Part::kNeck, 0));
+  int32_t a[kMostSpines], b[kMostSpines];
+  const int32_t n = named_spine(target, a, kMostSpines), m = named_spine(source, b, kMostSpines);
+  const int32_t both = n < m ? n : m;
+  for (int32_t k = 0; k < both; ++k) pairs.add(a[k * n / both], b[k * m / both]);
+  return pairs.pin();
+}
+
+bool pin_plain_names(const Hierarchy& target, const Hierarchy& source, const int32_t* sources, Pins* pins) {
+  if (!goes_upright(target) || !goes_upright(source)) return false;  // four legs have names of their own
+  NamedPairs pairs = {sources, pins};
+  const auto look_for = [&](Part part, int8_t side) {
+    pairs.add(only_joint(target, part, side), only_joint(source, part, side));
   };
   for (const Part part : kLimbs) {
     look_for(part, 1);
     look_for(part, -1);
   }
   look_for(Part::kHead, 0);
-  if (count < kFewestPairs || wrong == 0) return false;
-  for (int32_t k = 0; k < count; ++k) {
-    pins->source_of[pairs[k][0]] = pairs[k][1];
-    pins->target_of[pairs[k][1]] = pairs[k][0];
-  }
-  pins->any = true;
-  return true;
+  return pairs.count >= kFewestPairs && pairs.pin();
 }
 
 }  // namespace sinew::mapping

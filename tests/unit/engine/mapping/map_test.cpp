@@ -57,6 +57,42 @@ TEST(Map, BodiesOfOtherPosesAndCountsFindEachOther) {
   }
 }
 
+// A bust with one arm of four joints and a hand: fingers are no legs.
+TEST(Map, ABodyWithoutLegsPlaysArmsTrunkAndHead) {
+  const TestRig person = humanoid(3, true);
+  TestRig bust;
+  int32_t at = -1;
+  for (int k = 0; k < 3; ++k)
+    at = bust.add("spine" + std::to_string(k + 1), at, 0, 1 + 0.15f * static_cast<float>(k), 0);
+  const int32_t chest = at;
+  (void)bust.add("head", bust.add("neck", chest, 0, 1.5f, 0), 0, 1.6f, 0);
+  (void)bust.add("shoulder.L", chest, 0.05f, 1.4f, 0);
+  at = bust.add("shoulder.R", chest, -0.05f, 1.4f, 0);
+  for (int k = 0; k < 4; ++k)
+    at = bust.add("arm" + std::to_string(k + 1) + ".R", at, -0.2f - 0.14f * static_cast<float>(k), 1.4f, 0);
+  const int32_t hand = bust.add("hand.R", at, -0.76f, 1.4f, 0);
+  for (const int finger : {0, 1, 2, 3}) {
+    at = hand;
+    for (int k = 0; k < 4; ++k)
+      at = bust.add("f" + std::to_string(finger) + std::to_string(k) + ".R", at, -0.8f - 0.03f * static_cast<float>(k),
+                    1.4f, 0.02f * static_cast<float>(finger) - 0.03f);
+  }
+  MapCall call;
+  call.names = true;
+  ASSERT_EQ(call.run(bust, person).status, SINEW_OK);
+  EXPECT_EQ(call.source_of(bust, person, "arm1.R"), "RightArm");
+  EXPECT_EQ(call.source_of(bust, person, "arm3.R"), "RightForeArm");
+  EXPECT_EQ(call.source_of(bust, person, "hand.R"), "RightHand");
+  EXPECT_EQ(call.source_of(bust, person, "head"), "Head");
+  EXPECT_NE(call.source_of(bust, person, "spine2"), "");
+  for (const int32_t source : call.sources) {
+    if (source < 0) continue;
+    const std::string& name = person.names[static_cast<size_t>(source)];
+    EXPECT_EQ(name.find("Leg"), std::string::npos) << name;
+    EXPECT_EQ(name.find("Foot"), std::string::npos) << name;
+  }
+}
+
 // A spine and a pelvis that begin at one place are one body; a staff and a second person are none.
 TEST(Map, OneBodyMayHangOnTwoRoots) {
   const TestRig whole = humanoid(3, true);
