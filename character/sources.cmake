@@ -77,6 +77,7 @@ set(sinew_character_sources
   clips/gait
   clips/performance
   clips/puppet
+  motion/body_kind
   motion/body_parts
   motion/common_body
   motion/human_limits

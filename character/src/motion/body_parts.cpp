@@ -14,7 +14,8 @@
 namespace sinew {
 namespace {
 
-constexpr double kOnArms = 0.5;  // sine: what leans more goes on its arms
+constexpr double kOnArms = 0.5;       // sine: what leans more goes on its arms
+constexpr double kUprightLean = 0.7;  // sine
 
 PartKind kind_of_class(uint8_t joint_class) {
   switch (joint_class) {
@@ -53,7 +54,7 @@ PartKind kind_of_class(uint8_t joint_class) {
 }  // namespace
 
 BodyParts::BodyParts(const MapRig& rig, MaybeAxis up)
-    : rig_(rig), classes_(limb_classes(rig, up)), sides_(rig.joints.size(), 0) {
+    : rig_(rig), up_(up.value_or(Axis::kY)), classes_(limb_classes(rig, up)), sides_(rig.joints.size(), 0) {
   const JointVerdicts verdicts = joint_verdicts(rig.joints);
   for (size_t j = 0; j < classes_.size(); ++j) {
     const bool known = verdicts.is_part(j) && is_limb(kind_of_class(verdicts.classes[j]));
@@ -171,12 +172,13 @@ void BodyParts::measure_lean(MaybeAxis up) {
   if (!top) top = middle_of(SINEW_CLASS_HEAD);
   if (!top) top = middle_of(SINEW_CLASS_NECK);
   if (!legs || !top) return;
-  size_t axis = axis_index(up.value_or(Axis::kY));
+  size_t axis = axis_index(up_);
   if (!up) {
     const Point3 down = leg_ends() - *legs;
     for (size_t i = 0; i < 3; ++i) axis = std::abs(down[i]) > std::abs(down[axis]) ? i : axis;
   }
   lean_ = unit(*top - *legs)[axis];
+  if (*lean_ > kUprightLean) up_ = static_cast<Axis>(axis);
 }
 
 }  // namespace sinew

@@ -39,6 +39,8 @@ class BodyParts {
   bool named() const { return named_; }
   // Sine of the trunk's direction over the horizon, from the legs on; empty without legs, or without arms, head and neck.
   const std::optional<double>& lean() const { return lean_; }
+  // As given, else along the legs of an upright body, else y.
+  Axis up() const { return up_; }
   // "the left front leg", "the head", "a leg"; of a pair "the front legs".
   std::string text(const BodyPart& part) const;
   std::string text_of_pair(PartKind kind) const;
@@ -52,6 +54,7 @@ class BodyParts {
   bool stands_as_person() const;
 
   const MapRig& rig_;
+  Axis up_;
   std::vector<uint8_t> classes_;  // [J] sinew_joint_class
   std::vector<PartKind> kinds_;   // [J]
   std::vector<int> sides_;        // [J]

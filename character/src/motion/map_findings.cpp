@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "motion/body_kind.hpp"
 #include "motion/body_parts.hpp"
 #include "sinew/rig.h"
 #include "sinew_character/motion/motion_map.hpp"
@@ -26,13 +27,29 @@ class MapReader {
  public:
   MapReader(const MapRig& target, MaybeAxis target_up, const MapRig& source, MaybeAxis source_up,
             const std::vector<int>& sources)
-      : target_(target), source_(source), to_(target, target_up), from_(source, source_up), sources_(sources) {
+      : target_(target),
+        source_(source),
+        to_(target, target_up),
+        from_(source, source_up),
+        to_kind_(body_kind(target, to_)),
+        from_kind_(body_kind(source, from_)),
+        sources_(sources) {
     used_.assign(source.joints.size(), 0);
     for (const int s : sources)
       if (s >= 0) used_[static_cast<size_t>(s)] = 1;
   }
 
   MapCover read() const {
+    MapCover cover = read_parts();
+    cover.kinds_apart = difference(to_kind_, from_kind_);
+    if (cover.kinds_apart > 0)
+      cover.warnings.insert(cover.warnings.begin(),
+                            "the motion is that of " + text_of(from_kind_) + ", the character is " + text_of(to_kind_));
+    return cover;
+  }
+
+ private:
+  MapCover read_parts() const {
     MapCover cover;
     find_share(&cover);
     if (!to_.has(PartKind::kLeg) && !to_.has(PartKind::kArm) && !to_.has(PartKind::kWing)) {
@@ -49,7 +66,6 @@ class MapReader {
     return cover;
   }
 
- private:
   size_t moved() const {
     return static_cast<size_t>(std::count_if(sources_.begin(), sources_.end(), [](int s) { return s >= 0; }));
   }
@@ -313,6 +329,7 @@ class MapReader {
 
   const MapRig &target_, &source_;
   const BodyParts to_, from_;
+  const BodyKind to_kind_, from_kind_;
   const std::vector<int>& sources_;
   std::vector<char> used_;  // [source J]
 };

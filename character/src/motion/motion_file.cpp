@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "motion/upright_body.hpp"
@@ -106,15 +108,16 @@ std::optional<Motion> motion_on_rest_floor(const Motion& motion) {
 
 namespace {
 
-// How much of both bodies a map from the motion's reaches, then how many joints of the rig it moves.
-std::pair<float, size_t> fit_of(const Motion& motion, const MapRig& rig, MaybeAxis up) {
+// Whether a motion would play, how near its kind of body is, how much of both bodies a map from the motion's reaches, how many joints of the rig it moves.
+using Fit = std::tuple<bool, std::ptrdiff_t, float, size_t>;
+Fit fit_of(const Motion& motion, const MapRig& rig, MaybeAxis up) {
   MapSkeletonOptions options;
   options.target_up = up;
   const MapRig from = map_rig_of(motion);
   const MappedSkeleton found = map_skeleton(rig, from, options);
   const MapCover cover =
       map_cover(rig, options.target_up, from, options.source_up, {found.sources.begin(), found.sources.end()});
-  return {cover.share, found.mapped};
+  return {cover.share >= kLeastCover, -static_cast<std::ptrdiff_t>(cover.kinds_apart), cover.share, found.mapped};
 }
 
 bool has_all_joints_of(const Motion& whole, const Motion& part) {
@@ -130,9 +133,9 @@ Motion motion_of_request(const MotionRequest& request, const MapRig& rig) {
   if (!request.layout.empty()) check_layout(request.path);
   std::vector<Motion> motions = builtin_motions(request.path);
   size_t best = 0;
-  std::pair<float, size_t> best_fit;
+  Fit best_fit;
   for (size_t m = 0; m < motions.size() && motions.size() > 1; ++m) {
-    const std::pair<float, size_t> fit = fit_of(motions[m], rig, request.up);
+    const Fit fit = fit_of(motions[m], rig, request.up);
     if (m > 0 && (fit < best_fit || (fit == best_fit && !has_all_joints_of(motions[best], motions[m])))) continue;
     best = m;
     best_fit = fit;

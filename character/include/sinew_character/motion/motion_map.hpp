@@ -25,7 +25,8 @@ struct MapCover {
   std::vector<std::string>
       warnings;       // parts that do not move as they should: "the left leg does not move", "the head follows the jaw"
   std::string rigid;  // what stays rigid because the source has nothing like it: "hair and tail"; may be empty
-  bool legless = false;  // the motion has legs that move, the body has arms alone
+  size_t kinds_apart = 0;  // by how many legs the two bodies differ, one more where one of them alone is upright
+  bool legless = false;    // the motion has legs that move, the body has arms alone
 };
 
 //   sources  [target J] joint of the source or -1

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What kind of body a skeleton is, as far as motions care: on how many legs it goes, and whether upright.
+#ifndef SINEW_CHARACTER_MOTION_BODY_KIND_HPP
+#define SINEW_CHARACTER_MOTION_BODY_KIND_HPP
+
+#include <optional>
+#include <string>
+
+#include "motion/body_parts.hpp"
+
+namespace sinew {
+
+struct BodyKind {
+  std::optional<size_t> legs;   // empty: nobody knows
+  std::optional<bool> upright;  // of bodies with legs and something above them
+};
+
+// By the names of its joints, and by how many limbs stand on the floor at rest where it is known which way is up.
+BodyKind body_kind(const MapRig& rig, const BodyParts& parts);
+
+// 0 where what is known of both agrees; else a gait of the one is none of the other, the less the larger.
+size_t difference(const BodyKind& a, const BodyKind& b);
+
+// "an upright body on 2 legs", "a body on 4 legs".
+std::string text_of(const BodyKind& kind);
+
+}  // namespace sinew
+#endif
