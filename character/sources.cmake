@@ -95,6 +95,7 @@ set(sinew_character_sources
   motion/stance
   motion/typical_pose
   motion/upright_body
+  motion/upside_down
   motion/urdf_limits
   springs/find_springs
   springs/fit_colliders

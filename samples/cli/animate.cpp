@@ -106,8 +106,9 @@ StepsOf counted(std::string what, const std::atomic<bool>& stop) {
 void add_motion_file(const AnimateSettings& s, const MotionChoice& choice, const std::atomic<bool>& stop,
                      Animated* out) {
   const std::string layout = choice.of_folder && !takes_layout(choice.file) ? "" : s.layout;
-  MotionFile source =
-      read_motion_for({choice.file, s.fps, layout, s.actor, maybe_axis(s.up_name)}, map_rig_of(out->character));
+  MotionFile source = read_motion_for({choice.file, s.fps, layout, s.actor, maybe_axis(s.up_name),
+                                       down_axis(s.motion_up_name), s.motion_up_name == "auto"},
+                                      map_rig_of(out->character));
   if (choice.of_folder || choice.clip.empty()) name_clips(choice.file, choice.of_folder, out->motion, &source.motion);
   const auto body = [&] { return source.whole ? body_of_motion(choice.file) : std::nullopt; };
   const MotionInput input = {choice.file, choice.clip, &source.motion, body};
@@ -285,8 +286,8 @@ void add_animate_inputs(CLI::App* sub, AnimateSettings* s) {
   shared_option(sub, "--up", s->up_name, "For the character")
       ->check(CLI::IsMember({"auto", "x", "y", "z"}))
       ->capture_default_str();
-  shared_option(sub, "--from-up", s->motion_up_name, "For the motions")
-      ->check(CLI::IsMember({"auto", "x", "y", "z"}))
+  shared_option(sub, "--from-up", s->motion_up_name, "For the motions; -y: y points down")
+      ->check(CLI::IsMember({"auto", "x", "y", "z", "-x", "-y", "-z"}))
       ->capture_default_str();
   shared_option(sub, "--layout", s->layout, motion_layouts() + ". Guessed by their count unless given");
   shared_option(sub, "--actor", s->actor, "The first unless given, where all are alike");

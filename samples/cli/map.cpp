@@ -201,7 +201,9 @@ void run_map(const MapCommandSettings& given) {
   const MapCommandSettings s = settled(given);
   MapRig target = read_rig(s.target, [&] { return read_map_rig(s.target); });
   MapRig source = read_rig(s.source, [&] {
-    return read_map_source({s.source, s.layout, s.actor, maybe_axis(s.source_up), maybe_axis(s.up)}, target);
+    return read_map_source({s.source, s.layout, s.actor, maybe_axis(s.source_up), maybe_axis(s.up),
+                            down_axis(s.source_up), s.source_up == "auto"},
+                           target);
   });
   if (!s.ends_file.empty() && s.ends_file != kNoEnds) {
     read_ends(s.ends_file, &target);
@@ -261,8 +263,8 @@ void add_map_inputs(CLI::App* sub, MapCommandSettings* s) {
   shared_option(sub, "--up", s->up, "auto: along the legs of a body with two, else y")
       ->check(CLI::IsMember({"x", "y", "z", "auto"}))
       ->capture_default_str();
-  shared_option(sub, "--from-up", s->source_up, "The source; as --up unless given")
-      ->check(CLI::IsMember({"x", "y", "z", "auto"}));
+  shared_option(sub, "--from-up", s->source_up, "The source; -y: y points down. As --up unless given")
+      ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z", "auto"}));
   shared_option(sub, "--png", s->png, "Both skeletons, what stands for each other in one colour");
   shared_option(sub, "--layout", s->layout, motion_layouts() + ". Guessed by their count unless given");
   shared_option(sub, "--actor", s->actor, "The first unless given, where all are alike");

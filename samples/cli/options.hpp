@@ -65,10 +65,12 @@ CLI::Option* shared_word_option(CLI::App* sub, const std::string& names, Number&
 }
 CLI::Option* shared_flag(CLI::App* sub, const std::string& name, bool& value, const std::string& more = "");
 
-// Of a checked --up: "x", "y", "z"; "auto" is none.
+// Of a checked --up: "x", "y", "z"; "auto" is none; of "-y" y.
 inline MaybeAxis maybe_axis(const std::string& word) {
-  return word == "auto" ? std::nullopt : MaybeAxis(static_cast<Axis>(word[0] - 'x'));
+  return word == "auto" ? std::nullopt : MaybeAxis(static_cast<Axis>(word.back() - 'x'));
 }
+// The axis that points down: y of "-y".
+inline MaybeAxis down_axis(const std::string& word) { return word[0] == '-' ? maybe_axis(word) : std::nullopt; }
 inline Axis axis_of(const std::string& letter) { return maybe_axis(letter).value_or(Axis::kY); }
 
 // The options that follow are shown under this heading, and by --help-all alone.

@@ -13,11 +13,11 @@ namespace sinew {
 namespace {
 
 constexpr double kTrunkStands = 0.7, kTrunkLies = 0.5;  // sine of the trunk's direction over the horizon
-constexpr double kFootHeight = 0.2;                  // of the body's height: what is lower stands on the floor
+constexpr double kFootHeight = 0.2;                     // of the body's height: what is lower stands on the floor
 constexpr double kFootOfFlat = 0.4;
-constexpr double kSameFoot = 0.06;              // of the body's extent
-constexpr double kFlatShare = 0.8;                         // of a flat body's narrower side: its height
-constexpr double kSkew = 0.25;                        // of what two feet are apart, beside their axis
+constexpr double kSameFoot = 0.06;  // of the body's extent
+constexpr double kFlatShare = 0.8;  // of a flat body's narrower side: its height
+constexpr double kSkew = 0.25;      // of what two feet are apart, beside their axis
 constexpr size_t kFewestJoints = 6, kManyLegs = 6;
 
 size_t named_legs(const BodyParts& parts) {
@@ -105,11 +105,13 @@ BodyKind body_kind(const MapRig& rig, const BodyParts& parts) {
   const size_t standing = limbs.count(), named = parts.named() ? named_legs(parts) : 0;
   // Names are those of people and horses as often as not, so many legs that stand say more.
   const size_t legs = named == 0 || (standing >= kManyLegs && standing > named) ? standing : named;
-  if (limbs.is_flat())
+  const bool wings = parts.has(PartKind::kWing), flat = limbs.is_flat() && !wings;
+  if (flat)
     kind.upright = false;
-  else if (parts.named() && parts.lean() && (*parts.lean() > kTrunkStands || *parts.lean() < kTrunkLies))
+  else if (!wings && parts.named() && parts.lean() && (*parts.lean() > kTrunkStands || *parts.lean() < kTrunkLies))
     kind.upright = *parts.lean() > kTrunkStands;
-  const bool doubtful = legs % 2 != 0 || (limbs.is_flat() && legs < 4) || (kind.upright.value_or(false) && legs > std::max<size_t>(2, standing));
+  const bool doubtful =
+      legs % 2 != 0 || (flat && legs < 4) || (kind.upright.value_or(false) && legs > std::max<size_t>(2, standing));
   if (legs > 0 && !doubtful) kind.legs = legs;
   return kind;
 }

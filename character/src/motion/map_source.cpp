@@ -51,7 +51,8 @@ bool is_motion(const std::string& path) {
 
 std::optional<MotionFile> read_motion_in(const MapSourceRequest& request, const MapRig& target) {
   if (!request.layout.empty()) check_layout(request.path);
-  const MotionRequest motion = {request.path, 0, request.layout, request.actor, request.target_up};
+  const MotionRequest motion = {request.path,     0, request.layout, request.actor, request.target_up, request.down,
+                                request.find_down};
   if (is_builtin_motion(request.path) || is_motion_alone(request.path) || !request.actor.empty())
     return read_motion_for(motion, target);
   if (!is_motion(request.path)) return std::nullopt;
@@ -75,7 +76,11 @@ MapSource map_source_of(const Motion& motion, const Character* body, const std::
 
 MapRig read_map_source(const MapSourceRequest& request, const MapRig& target) {
   const std::optional<MotionFile> file = read_motion_in(request, target);
-  if (!file) return read_map_rig(request.path);
+  if (!file) {
+    MapRig rig = read_map_rig(request.path);
+    if (request.down) turn_over(*request.down, &rig.joints);
+    return rig;
+  }
   const std::optional<Character> body = file->whole ? body_of_motion(request.path) : std::nullopt;
   MapRig rig = map_source_of(file->motion, body ? &*body : nullptr, target.joints, request.up).rig;
   rig.name = request.path;

@@ -149,6 +149,13 @@ MotionFile read_motion_for(const MotionRequest& request, const MapRig& rig) {
   Motion motion = motion_of_request(request, rig);
   std::optional<Motion> one = one_actor(motion, request.path, request.actor);
   MotionFile file = one ? MotionFile{std::move(*one), false} : MotionFile{std::move(motion), true};
+  const MaybeAxis down = request.down || !request.find_down ? request.down : axis_that_points_down(file.motion);
+  if (down) {
+    file = {turned_over(std::move(file.motion), *down), false};
+    if (!request.down)
+      file.motion.notes.push_back(std::string("its body stands upside down, so -") + "xyz"[axis_index(*down)] +
+                                  " was taken as up");
+  }
   if (std::optional<Motion> level = motion_on_rest_floor(file.motion)) file.motion = std::move(*level);
   return file;
 }

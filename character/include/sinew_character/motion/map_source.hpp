@@ -30,6 +30,8 @@ struct MapSourceRequest {
   std::string path;                     // as read_map_rig() takes it
   std::string layout = {}, actor = {};  // as in MotionRequest
   MaybeAxis up = {}, target_up = {};    // of either world
+  MaybeAxis down = {};                  // as in MotionRequest
+  bool find_down = true;
 };
 // A file's motion; nullopt for a skeleton alone. Throws Error for what is a motion alone and cannot be read, and for a layout or an actor
 // that the file does not have.

@@ -60,6 +60,28 @@ TEST(RestFloor, FramesOfAnotherUpAreTurnedUpright) {
   EXPECT_NE(found->notes[0].find("its rest pose has y up and its frames have z up"), std::string::npos);
 }
 
+// Cameras have y down: the body is turned over, and a handstand stays what it is.
+TEST(UpsideDown, WorldsWithADownAxisAreTurnedOver) {
+  const Motion walk = walking_person();
+  for (const Axis axis : {Axis::kX, Axis::kY, Axis::kZ}) {
+    const double turn = axis == Axis::kY ? 0 : axis == Axis::kX ? -1 : 1;
+    const Motion up = turned_world(walk, axis_rotation(axis == Axis::kX ? 2 : 0, turn * kQuarter));
+    EXPECT_FALSE(axis_that_points_down(up));
+    const Motion down = turned_over(up, axis);
+    EXPECT_EQ(axis_that_points_down(down), MaybeAxis(axis));
+    const Motion back = turned_over(down, axis);
+    for (size_t f = 0; f < walk.clips[0].frames.size(); f += 7) {
+      const WorldPose a = world_pose(up, up.clips[0].frames[f]), b = world_pose(back, back.clips[0].frames[f]),
+                      c = world_pose(down, down.clips[0].frames[f]);
+      for (size_t j = 0; j < walk.joints.size(); ++j) {
+        ASSERT_LT(length(a.positions[j] - b.positions[j]), 1e-9);
+        ASSERT_NEAR(a.positions[j][static_cast<size_t>(axis)], -c.positions[j][static_cast<size_t>(axis)], 1e-9);
+      }
+    }
+  }
+  EXPECT_FALSE(axis_that_points_down(turned_frames(walk, axis_rotation(kX, 2 * kQuarter)))) << "on its hands";
+}
+
 TEST(RestFloor, WhatStandsOrLiesOnItsOwnFloorStays) {
   const Motion walk = walking_person();
   EXPECT_FALSE(motion_on_rest_floor(walk));
