@@ -12,7 +12,8 @@
 namespace sinew {
 namespace {
 
-constexpr double kRest = 0.4, kFrames = 0.6;  // cosine between trunk or legs and the axis; many rest poses are no stances
+constexpr double kRest = 0.4,
+                 kFrames = 0.6;  // cosine between trunk or legs and the axis; many rest poses are no stances
 
 // Of a pose the trunk's direction, and that of the legs from the feet.
 struct Stance {

@@ -34,6 +34,32 @@ sinew_status read_classes(const sinew_skeleton& rig, Arena& arena, uint8_t* clas
   return SINEW_OK;
 }
 
+// An arm that is called shoulder, arm and hand has no forearm by its names. Where the map found the shoulder to be the upper arm and the arm the forearm, they are.
+void take_shoulders_as_arms(const sinew_skeleton& target, const int32_t* sources, const uint8_t* theirs,
+                            uint8_t* classes) {
+  const auto moves_as = [&](uint32_t j, uint8_t joint_class) {
+    return sources[j] >= 0 && theirs[sources[j]] == joint_class;
+  };
+  const auto is_below = [&](uint32_t j, uint32_t above) {
+    for (int32_t at = target.parents[j]; at >= 0; at = target.parents[at])
+      if (at == static_cast<int32_t>(above)) return true;
+    return false;
+  };
+  for (uint32_t j = 0; j < target.joint_count; ++j) {
+    if (classes[j] != SINEW_CLASS_CLAVICLE || !moves_as(j, SINEW_CLASS_UPPER_ARM)) continue;
+    int32_t arm = -1;
+    bool has_forearm = false;
+    for (uint32_t k = 0; k < target.joint_count; ++k) {
+      if (!is_below(k, j)) continue;
+      has_forearm = has_forearm || classes[k] == SINEW_CLASS_FOREARM;
+      if (classes[k] == SINEW_CLASS_UPPER_ARM && moves_as(k, SINEW_CLASS_FOREARM)) arm = static_cast<int32_t>(k);
+    }
+    if (has_forearm || arm < 0) continue;
+    classes[j] = SINEW_CLASS_UPPER_ARM;
+    classes[arm] = SINEW_CLASS_FOREARM;
+  }
+}
+
 // Lays a human body over the rig.
 sinew_status classes_of_body(const sinew_skeleton& target, Arena& arena, uint8_t* classes) {
   const ArenaScope scope(arena);
@@ -89,6 +115,8 @@ sinew_status find_limb_classes(const sinew_skeleton& target, const sinew_skeleto
   if (status == SINEW_OK && source != nullptr) status = read_classes(*source, arena, theirs);
   if (status != SINEW_OK) return status;
   bool any = false;
+  if (sources != nullptr && source != nullptr && !arena.measuring())
+    take_shoulders_as_arms(target, sources, theirs, own);
   for (uint32_t j = 0; j < target.joint_count && !arena.measuring(); ++j) {
     if (own[j] == SINEW_CLASS_OTHER && sources != nullptr && sources[j] >= 0) own[j] = theirs[sources[j]];
     any = any || is_limb(own[j]);
