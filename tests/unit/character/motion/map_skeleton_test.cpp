@@ -130,5 +130,26 @@ TEST(MapRig, HipsBesideTheSpineLeaveTheTrunkWhole) {
   }
 }
 
+// Shoulder, arm and hand, of which the map finds the shoulder to be the upper arm.
+TEST(LimbClasses, AShoulderThatMovesAsAnUpperArmIsOne) {
+  const auto rig = [](const std::vector<std::string>& names) {
+    MapRig rig;
+    for (const std::string& name : names) {
+      const float x = static_cast<float>(rig.joints.size());
+      rig.joints.push_back({name, {x, 1, 0}, static_cast<int>(rig.joints.size()) - 1});
+      rig.ends.push_back(0);
+    }
+    return rig;
+  };
+  const MapRig target = rig({"Chest", "Shoulder.L", "Arm.L", "Hand.L"}),
+               source = rig({"Spine", "LeftArm", "LeftForeArm", "LeftHand"}),
+               whole = rig({"Spine", "LeftShoulder", "LeftArm", "LeftHand"});
+  const std::vector<int> map = {0, 1, 2, 3};
+  EXPECT_EQ(limb_classes(target, {}, &source, map)[1], SINEW_CLASS_UPPER_ARM);
+  EXPECT_EQ(limb_classes(target, {}, &source, map)[2], SINEW_CLASS_FOREARM);
+  EXPECT_EQ(limb_classes(target, {}, &whole, map)[1], SINEW_CLASS_CLAVICLE);
+  EXPECT_EQ(limb_classes(target, {}, &whole, map)[2], SINEW_CLASS_UPPER_ARM);
+}
+
 }  // namespace
 }  // namespace sinew

@@ -62,6 +62,8 @@ TEST(MapCover, HalvesFitAndTellWhatDoesNotMove) {
   for (const MapCover& cover : {to_person, to_bust, from_legs}) EXPECT_GE(cover.share, kLeastCover) << cover.missing;
   EXPECT_EQ(to_person.warnings, std::vector<std::string>{"the legs do not move, as the motion has none"});
   EXPECT_EQ(to_bust.warnings, std::vector<std::string>{});
+  EXPECT_TRUE(to_bust.legless);
+  EXPECT_FALSE(to_person.legless || from_legs.legless);
   EXPECT_EQ(from_legs.warnings, std::vector<std::string>{"the arms do not move, as the motion has none"});
 }
 
@@ -69,6 +71,41 @@ TEST(MapCover, WhatGoesOnFourLegsIsNoPerson) {
   const MapCover cover = cover_of(on_four_legs(walking_person()), map_rig_of(walking_person()));
   EXPECT_LT(cover.share, kLeastCover);
   EXPECT_EQ(cover.missing, "one goes upright, the other does not");
+}
+
+// A body of eight legs that says what it is, and one of which only where its limbs stand tells it.
+MapRig many_legs(const std::string& name, int pairs) {
+  MapRig rig;
+  const auto add = [&](const std::string& joint, int parent, Vec3 position) {
+    rig.joints.push_back({joint, position, parent});
+    rig.ends.push_back(0);
+    return static_cast<int>(rig.joints.size()) - 1;
+  };
+  const int body = add("Hips", -1, {0, 0.4f, 0}), chest = add("Spine", body, {0, 0.4f, 0.5f});
+  (void)add("Head", chest, {0, 0.45f, 0.8f});
+  for (int k = 0; k < pairs; ++k)
+    for (const float side : {1.0f, -1.0f}) {
+      const std::string end = std::to_string(k + 1) + (side > 0 ? ".L" : ".R");
+      const float z = 0.2f * static_cast<float>(k) - 0.3f;
+      const int upper = add(name.empty() ? "b" + end : "UpperLeg" + end, body, {0.2f * side, 0.4f, z});
+      const int lower = add(name.empty() ? "c" + end : "LowerLeg" + end, upper, {0.6f * side, 0.7f, 1.5f * z});
+      (void)add(name.empty() ? "d" + end : "Foot" + end, lower, {1.1f * side, 0, 2 * z});
+    }
+  return rig;
+}
+
+TEST(MapCover, AnotherKindOfBodyIsTold) {
+  const MapRig person = map_rig_of(walking_person());
+  EXPECT_EQ(cover_of(person, person).kinds_apart, 0u);
+  for (const char* name : {"Leg", ""}) {
+    const MapRig spider = many_legs(name, 4);
+    EXPECT_EQ(cover_of(spider, many_legs("Leg", 4)).kinds_apart, 0u) << name;
+    const MapCover cover = cover_of(spider, person);
+    EXPECT_GT(cover.kinds_apart, 6u) << name;
+    ASSERT_FALSE(cover.warnings.empty());
+    EXPECT_EQ(cover.warnings[0], "the motion is that of an upright body on 2 legs, the character is a body on 8 legs");
+  }
+  EXPECT_EQ(cover_of(many_legs("Leg", 4), many_legs("Leg", 3)).kinds_apart, 2u);
 }
 
 // By hand, what a map that went wrong would say.
