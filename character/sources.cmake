@@ -195,20 +195,20 @@ list(APPEND sinew_job_sources ${CMAKE_CURRENT_BINARY_DIR}/bundled_model.cpp ${CM
   ${CMAKE_CURRENT_BINARY_DIR}/bundled_hands_model.cpp ${CMAKE_CURRENT_BINARY_DIR}/bundled_front_model.cpp
   ${CMAKE_CURRENT_BINARY_DIR}/bundled_slots_model.cpp)
 
-# The bundled skeletons and clips become part of the library as arrays of texts; generated again when a file changes.
+# The bundled skeletons and clips become part of the library as texts; generated again when a file changes.
 set(embed_texts ${CMAKE_CURRENT_LIST_DIR}/src/predict/embed_texts.cmake)
-function(sinew_embed_texts array header output)
+function(sinew_embed_texts function header output)
   add_custom_command(OUTPUT ${output}
-    COMMAND ${CMAKE_COMMAND} -DARRAY=${array} -DHEADER=${header} -DOUTPUT=${output} "-DFILES=${ARGN}" -P ${embed_texts}
+    COMMAND ${CMAKE_COMMAND} -DFUNCTION=${function} -DHEADER=${header} -DOUTPUT=${output} "-DFILES=${ARGN}" -P ${embed_texts}
     DEPENDS ${embed_texts} ${ARGN}
-    COMMENT "Embedding texts of ${array}" VERBATIM)
+    COMMENT "Embedding texts of ${function}" VERBATIM)
 endfunction()
 file(GLOB template_files CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/src/predict/templates/*.txt)
-sinew_embed_texts(sinew::kTemplateTexts sinew_character/predict/skeleton_template.hpp
+sinew_embed_texts(sinew::template_texts sinew_character/predict/skeleton_template.hpp
   ${CMAKE_CURRENT_BINARY_DIR}/template_texts.cpp ${template_files})
 # Kinds of bodies in the order in which they are tried, where several have a clip of the name; then the variants.
 set(gait_files person quadruped quadruped2 spider insect bird wings fish variants)
 list(TRANSFORM gait_files PREPEND ${CMAKE_CURRENT_LIST_DIR}/src/clips/gaits/)
 list(TRANSFORM gait_files APPEND .txt)
-sinew_embed_texts(sinew::clips::kGaitTexts clips/gait.hpp ${CMAKE_CURRENT_BINARY_DIR}/gait_texts.cpp ${gait_files})
+sinew_embed_texts(sinew::clips::gait_texts clips/gait.hpp ${CMAKE_CURRENT_BINARY_DIR}/gait_texts.cpp ${gait_files})
 list(APPEND sinew_character_sources ${CMAKE_CURRENT_BINARY_DIR}/template_texts.cpp ${CMAKE_CURRENT_BINARY_DIR}/gait_texts.cpp)

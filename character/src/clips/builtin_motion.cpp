@@ -40,7 +40,7 @@ void add_likeness(const std::vector<std::vector<Block>>& kinds, std::vector<Bloc
 const Gaits& gaits() {
   static const Gaits all = [] {
     Gaits read;
-    for (const TemplateText* one = clips::kGaitTexts; one->name != nullptr; ++one) {
+    for (const TemplateText* one = clips::gait_texts(); one->name != nullptr; ++one) {
       std::vector<Block> blocks = clips::read_gaits(one->name + std::string(".txt"), one->text);
       if (blocks.at(0).head.verb == "variant") {
         read.variants = std::move(blocks);

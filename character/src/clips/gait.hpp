@@ -55,7 +55,7 @@ std::vector<Block> read_gaits(const std::string& file, const std::string& text);
 
 // gaits/*.txt as they were when the library was built, kinds in the order in which they are tried, then the variants; a null
 // name ends them.
-extern const TemplateText kGaitTexts[];
+const TemplateText* gait_texts();
 
 // What couplings refer to: "let" lines by name, later ones in place of earlier ones, then what a variant makes of them.
 class Signals {

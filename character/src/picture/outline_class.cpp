@@ -2,14 +2,12 @@
 // Words for kinds of bodies, and the kind that an outline is of, by a small network.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <iterator>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 #include "picture/outline_class_table.hpp"
 #include "sinew_character/picture/body_class.hpp"
+#include "sinew_formats/base/late_constants.hpp"
 
 namespace sinew {
 
@@ -33,37 +31,6 @@ OutlineCells mirrored(OutlineCells cells) {
   for (auto& row : cells) std::reverse(row.begin(), row.end());
   return cells;
 }
-
-#if defined(__EMSCRIPTEN__)
-// A page loads all of a module's constants with its first part. What code writes comes with the part that has the code: 20 kB later.
-constexpr uint64_t four_of_weights(size_t from) {
-  uint64_t out = 0;
-  for (size_t i = 0; i < 4; ++i) out |= uint64_t{static_cast<uint16_t>(kOutlineWeights[from + i])} << (16 * i);
-  return out;
-}
-
-template <uint64_t kFour>
-char write_four(int16_t* to) {
-  const uint64_t four = kFour;
-  std::memcpy(to, &four, sizeof four);
-  return 0;
-}
-
-template <size_t... kFour>
-[[gnu::noinline]] void write_weights(int16_t* to, std::index_sequence<kFour...> /*fours*/) {
-  const char done[] = {write_four<four_of_weights(4 * kFour)>(to + 4 * kFour)...};
-  (void)done;
-}
-
-const int16_t* all_weights() {
-  static int16_t weights[std::size(kOutlineWeights)];
-  static const bool is_written = (write_weights(weights, std::make_index_sequence<std::size(weights) / 4>()), true);
-  (void)is_written;
-  return weights;
-}
-#else
-const int16_t* all_weights() { return kOutlineWeights; }
-#endif
 
 // [side x side x channels], rows from the top
 struct Layer {
@@ -103,7 +70,7 @@ std::vector<int64_t> dense(const std::vector<int32_t>& in, size_t outputs, const
 
 // Q10
 std::array<int64_t, kOutlineClasses> logits_of(const OutlineCells& cells) {
-  const int16_t* weights = all_weights();
+  const int16_t* weights = late_constants<kOutlineWeights>();
   const int32_t* biases = kOutlineBiases;
   Layer layer = {kOutlineCells, 1, {}};
   for (const auto& row : cells) layer.values.insert(layer.values.end(), row.begin(), row.end());

@@ -72,7 +72,7 @@ std::vector<Joint> in_branches(const std::vector<Joint>& joints) {
 
 std::vector<TemplateInfo> skeleton_templates() {
   std::vector<TemplateInfo> templates;
-  for (const TemplateText* one = kTemplateTexts; one->name != nullptr; ++one) {
+  for (const TemplateText* one = template_texts(); one->name != nullptr; ++one) {
     const std::string text = one->text, first = text.substr(0, text.find('\n'));
     templates.push_back({one->name, first.rfind(kAbout, 0) == 0 ? first.substr(std::string(kAbout).size()) : ""});
   }
@@ -81,7 +81,7 @@ std::vector<TemplateInfo> skeleton_templates() {
 
 std::vector<Joint> skeleton_template(const std::string& name) {
   std::string known;
-  for (const TemplateText* one = kTemplateTexts; one->name != nullptr; ++one) {
+  for (const TemplateText* one = template_texts(); one->name != nullptr; ++one) {
     if (name == one->name) return in_branches(parse(name, one->text));
     known += (known.empty() ? "" : ", ") + std::string(one->name);
   }

@@ -24,7 +24,7 @@ std::vector<Joint> skeleton_template(const std::string& name);
 struct TemplateText {
   const char *name, *text;
 };
-extern const TemplateText kTemplateTexts[];  // by name; a null name ends them
+const TemplateText* template_texts();  // by name; a null name ends them
 
 }  // namespace sinew
 #endif
