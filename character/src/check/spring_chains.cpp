@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "check/findings.hpp"
-#include "sinew_formats/base/point.hpp"
+#include "sinew_formats/base/segment.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_formats/springs.hpp"
@@ -17,18 +17,14 @@ double depth_in(const Character& character, const SpringCollider& c, double hit_
   if ((c.shape != ColliderShape::kSphere && c.shape != ColliderShape::kCapsule) || !(c.radius > 0)) return 0;
   const Point3 a = point(character.joints[c.joint].position) + c.offset;
   const Point3 along = c.shape == ColliderShape::kCapsule ? c.tail - c.offset : Point3{};
-  const double square = dot(along, along);
-  const double share = square > 0 ? std::clamp(dot(tail - a, along) / square, 0.0, 1.0) : 0;
-  return (c.radius + hit_radius - length(tail - (a + share * along))) / c.radius;
+  return (c.radius + hit_radius - segment_distance(tail, a, a + along)) / c.radius;
 }
 
 void check_begin(const Character& character, const Springs& springs, const SpringChain& chain, Findings* findings) {
   RigFinding worst;
   const SpringCollider* in = nullptr;
   for (size_t i = 0; i < chain.turning_joints(); ++i) {
-    const Point3 from = point(character.joints[chain.joints[i].joint].position);
-    const Point3 tail =
-        i + 1 == chain.joints.size() ? from + *chain.end : point(character.joints[chain.joints[i + 1].joint].position);
+    const Point3 tail = tail_at_rest(chain, i, character.joints);
     for (const size_t group : chain.groups)
       for (const size_t number : springs.groups[group].colliders) {
         const SpringCollider& one = springs.colliders[number];

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Which vertices a joint holds, and distances of them from bones: what chains and colliders are fitted to.
+// Which vertices a joint holds and how high a character is: chains and colliders are fitted to them.
 #ifndef SINEW_SPRINGS_BODY_SKIN_HPP
 #define SINEW_SPRINGS_BODY_SKIN_HPP
 
 #include <vector>
 
 #include "sinew_formats/base/point.hpp"
+#include "sinew_formats/base/segment.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -20,16 +21,6 @@ inline std::vector<std::vector<uint32_t>> held_vertices(const Character& charact
     if (most != nullptr && most->weight > 0) held[most->joint].push_back(static_cast<uint32_t>(v));
   }
   return held;
-}
-
-inline Point3 nearest_on_segment(const Point3& p, const Point3& a, const Point3& b) {
-  const Point3 along = b - a;
-  const double square = dot(along, along);
-  const double share = square > 0 ? std::min(1.0, std::max(0.0, dot(p - a, along) / square)) : 0;
-  return a + share * along;
-}
-inline double segment_distance(const Point3& p, const Point3& a, const Point3& b) {
-  return length(p - nearest_on_segment(p, a, b));
 }
 
 // From the lowest to the highest vertex; of joints where there are none.

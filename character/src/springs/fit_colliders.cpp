@@ -248,12 +248,7 @@ double distance_to(const SpringCollider& c, const Character& character, const Po
 // The ends of a chain's bones at rest.
 std::vector<Point3> tails_of(const SpringChain& chain, const Character& character) {
   std::vector<Point3> tails;
-  for (size_t i = 0; i < chain.turning_joints(); ++i) {
-    if (i + 1 < chain.joints.size())
-      tails.push_back(point(character.joints[chain.joints[i + 1].joint].position));
-    else
-      tails.push_back(point(character.joints[chain.joints[i].joint].position) + *chain.end);
-  }
+  for (size_t i = 0; i < chain.turning_joints(); ++i) tails.push_back(tail_at_rest(chain, i, character.joints));
   return tails;
 }
 

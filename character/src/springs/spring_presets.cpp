@@ -84,8 +84,7 @@ void preset_chain(SpringKind kind, const Character& character, SpringChain* chai
   for (size_t i = 0; i < bones.size(); ++i) {
     SpringJoint& joint = chain->joints[i];
     const Point3 from = point(character.joints[joint.joint].position);
-    const Point3 to = i + 1 == chain->joints.size() ? from + *chain->end
-                                                    : point(character.joints[chain->joints[i + 1].joint].position);
+    const Point3 to = tail_at_rest(*chain, i, character.joints);
     for (const uint32_t v : held[joint.joint])
       distances[i].push_back(segment_distance(point(character.vertices[v]), from, to));
     const double along = bones.size() > 1 ? static_cast<double>(i) / static_cast<double>(bones.size() - 1) : 0;

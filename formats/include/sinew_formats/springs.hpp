@@ -57,6 +57,12 @@ struct SpringChain {
   size_t turning_joints() const { return end ? joints.size() : joints.empty() ? 0 : joints.size() - 1; }
 };
 
+// Where the bone of a turning joint of a chain, counted from 0, ends at rest.
+inline Point3 tail_at_rest(const SpringChain& chain, size_t turning, const std::vector<Joint>& character) {
+  if (turning + 1 < chain.joints.size()) return point(character[chain.joints[turning + 1].joint].position);
+  return point(character[chain.joints[turning].joint].position) + *chain.end;
+}
+
 struct Springs {
   std::vector<SpringChain> chains;
   std::vector<SpringCollider> colliders;
