@@ -56,12 +56,16 @@ MaybeAxis axis_that_points_down(const Motion& motion) {
   std::vector<Point3> rest;
   for (const Joint& joint : rig.joints) rest.push_back(point(joint.position));
   const Stance at_rest = stance_of(*body, rest);
+  std::vector<size_t> candidates;
+  for (size_t axis = 0; axis < 3; ++axis)
+    if (at_rest.trunk[axis] <= -kRest && at_rest.legs[axis] <= -kRest) candidates.push_back(axis);
+  if (candidates.empty()) return std::nullopt;  // as nearly always: no frame need be posed
   std::vector<Stance> frames;
   for (const Clip& clip : motion.clips)
     for (const MotionFrame& frame : clip.frames)
       frames.push_back(stance_of(*body, world_pose(motion, frame).positions));
-  for (size_t axis = 0; axis < 3 && !frames.empty(); ++axis) {
-    if (at_rest.trunk[axis] > -kRest || at_rest.legs[axis] > -kRest) continue;
+  if (frames.empty()) return std::nullopt;
+  for (const size_t axis : candidates) {
     std::vector<double> trunks, legs;
     for (const Stance& frame : frames) {
       trunks.push_back(frame.trunk[axis]);
