@@ -20,11 +20,7 @@ namespace {
 
 using namespace sinew_test;
 
-void check(sinew_status status, const char* what) {
-  if (status == SINEW_OK) return;
-  std::fprintf(stderr, "sinew_bench_motion: %s: %s\n", what, sinew_status_text(status));
-  std::exit(1);
-}
+void check(sinew_status status, const char* what) { sinew_bench::check("sinew_bench_motion", what, status); }
 
 // 60 joints: the body of the tests, with fingers and toes.
 MotionScene whole_body(double degrees, double size) {

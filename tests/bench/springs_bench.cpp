@@ -14,11 +14,7 @@ namespace {
 
 using namespace sinew_test;
 
-void check(sinew_status status, const char* what) {
-  if (status == SINEW_OK) return;
-  std::fprintf(stderr, "sinew_bench_springs: %s: %s\n", what, sinew_status_text(status));
-  std::exit(1);
-}
+void check(sinew_status status, const char* what) { sinew_bench::check("sinew_bench_springs", what, status); }
 
 // Ten chains of `joints` / 10 joints that turn each, about colliders of both shapes that touch some of them.
 SpringScene scene_of(uint32_t joints, uint32_t colliders) {
