@@ -98,14 +98,14 @@ void rig_picture(const RigJobOptions& job, const RigModels& given, PictureCharac
   SeenBody seen = see_body(mesh, body, class_of_outline(picture->figure.mask), facing, bodies, &mesh.notes);
   Figure figure = picture->figure;
   const bool frontal = seen.body == BodyClass::kBiped && seen.view == PictureView::kFront && by_model(job);
-  if (frontal && !picture->options.whole &&
-      free_limbs(arms_in(seen.skeleton, picture_plane(figure, mesh)), &figure) > 0) {
+  PicturePlane plane = picture_plane(figure, mesh);
+  if (frontal && !picture->options.whole && free_limbs(arms_in(seen.skeleton, plane), &figure) > 0) {
     std::vector<std::string> notes = std::move(mesh.notes);
     notes.push_back(figure.notes.back());
     mesh = picture_mesh(*picture->picture, figure, round);
     mesh.notes = std::move(notes);
+    plane = picture_plane(figure, mesh);
   }
-  const PicturePlane plane = picture_plane(figure, mesh);
   picture->rigged = rig_character(std::move(mesh), std::move(seen.skeleton), false, facing, models);
   picture->figure = std::move(figure);
   if (job.to_pose.empty()) close_slits(picture->figure, plane, &picture->rigged.character);

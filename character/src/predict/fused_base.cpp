@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sinew_character/predict/scenery.hpp"
+#include "sinew_character/rig/joint_mirror.hpp"
 #include "sinew_character/rig/mesh_surface.hpp"
 #include "sinew_formats/base/box.hpp"
 
@@ -135,8 +136,8 @@ std::vector<uint8_t> find_fused_base(const Character& mesh, Axis up) {
   const auto most = static_cast<size_t>(kMostHigh * static_cast<double>(layers.size()));
   double largest = 0, smallest = 1e30;
   std::vector<Section> sections;
-  for (const Layer& layer : layers) sections.push_back(section_of(layer));
-  for (size_t top = 0; top + kBlur < std::min(most, sections.size()); ++top) {
+  for (size_t k = 0; k < most; ++k) sections.push_back(section_of(layers[k]));
+  for (size_t top = 0; top + kBlur < sections.size(); ++top) {
     const Section& section = sections[top];
     largest = std::max(largest, section.cells);
     smallest = std::min(smallest, section.cells);
@@ -144,15 +145,9 @@ std::vector<uint8_t> find_fused_base(const Character& mesh, Axis up) {
                       section.wide >= kLeastWide * static_cast<double>(layers.size());
     if (!slab) return {};
     if (sections[top + kBlur].cells > kDrop * smallest) continue;
-    const float end = (up == Axis::kZ   ? box.low.z
-                       : up == Axis::kY ? box.low.y
-                                        : box.low.x) +
-                      cell * static_cast<float>(top + kBlur);
+    const float end = component(box.low, axis_index(up)) + cell * static_cast<float>(top + kBlur);
     std::vector<uint8_t> scenery(mesh.vertices.size());
-    for (size_t v = 0; v < scenery.size(); ++v) {
-      const Vec3& p = mesh.vertices[v];
-      scenery[v] = (up == Axis::kZ ? p.z : up == Axis::kY ? p.y : p.x) < end ? 1 : 0;
-    }
+    for (size_t v = 0; v < scenery.size(); ++v) scenery[v] = component(mesh.vertices[v], axis_index(up)) < end ? 1 : 0;
     return scenery;
   }
   return {};

@@ -24,7 +24,7 @@ struct PictureMeshOptions {
 // material, unlit, whose texture is the picture's own file; the back shows what is in front of it. Throws Error: a figure of too few pixels.
 Character picture_mesh(const PictureFile& picture, const Figure& figure, const PictureMeshOptions& options = {});
 
-// Where points of the figure's mask (x right, y down) lie in a mesh of picture_mesh(), by the boxes of both, and back.
+// Maps points between the figure's mask (pixels, x right, y down) and a mesh of picture_mesh(). The boxes of both say how.
 struct PicturePlane {
   float mask_left = 0, mask_bottom = 0, left = 0, bottom = 0, scale = 1;  // of the mesh a pixel of the mask
   std::array<float, 2> to_mesh(const std::array<float, 2>& p) const {

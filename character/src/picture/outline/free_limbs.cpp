@@ -26,7 +26,8 @@ constexpr size_t kFewest = 8;      // pixels of a limb
 // A point of a bone, with how far the figure goes on to both of its sides.
 struct Sample {
   Point at, along, inwards;
-  float inside, outside;
+  float inside, outside;  // how far
+  float middle;           // to the body's
 };
 
 Point moved(const Point& p, const Point& direction, float length) {
@@ -54,10 +55,11 @@ std::vector<Sample> samples_of(const DrawnLimb& limb, const Mask& mask) {
     for (float t = b == 0 ? kAttached * length : 0; t < length; ++t) {
       const Point at = moved(from, along, t);
       Point inwards = {-along[1], along[0]};
-      if (inwards[0] * (limb.body[0] - at[0]) + inwards[1] * (limb.body[1] - at[1]) < 0)
-        inwards = {along[1], -along[0]};
+      float middle = inwards[0] * (limb.body[0] - at[0]) + inwards[1] * (limb.body[1] - at[1]);
+      if (middle < 0) inwards = {along[1], -along[0]}, middle = -middle;
       if (!is_in(mask, at)) continue;
-      out.push_back({at, along, inwards, way_out(mask, at, inwards), way_out(mask, at, {-inwards[0], -inwards[1]})});
+      out.push_back(
+          {at, along, inwards, way_out(mask, at, inwards), way_out(mask, at, {-inwards[0], -inwards[1]}), middle});
     }
   }
   return out;
@@ -153,8 +155,7 @@ bool free_limb(const DrawnLimb& limb, Figure* figure) {
   const float half = *typical;
   widths = even_widths(samples, half);
   const auto touches = [&](const Sample& s) {
-    const float middle = s.inwards[0] * (limb.body[0] - s.at[0]) + s.inwards[1] * (limb.body[1] - s.at[1]);
-    return s.outside <= kBefore * half && s.inside > kTouches * half && kRoom * half < kMiddle * middle;
+    return s.outside <= kBefore * half && s.inside > kTouches * half && kRoom * half < kMiddle * s.middle;
   };
   bool any = false;
   for (size_t first = 0; first < samples.size();) {
