@@ -30,6 +30,7 @@ struct SpringScene {
   std::vector<sinew_spring_chain> chains;
   std::vector<sinew_spring_collider> colliders;
   std::vector<uint32_t> chain_colliders;
+  std::vector<float> hinges;  // [joints x 3], or empty
 
   // `count` joints from `from`, each `step` further.
   void add_chain(Vec3d from, Vec3d step, uint32_t count, sinew_spring_joint like, int32_t parent = 1) {
@@ -62,6 +63,7 @@ struct SpringScene {
     set.chains = chains.data();
     set.colliders = colliders.data();
     set.chain_colliders = chain_colliders.data();
+    if (!hinges.empty()) set.hinges = hinges.data();
     return set;
   }
   // The rest pose, its root moved and its second joint turned.

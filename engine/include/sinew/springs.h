@@ -71,6 +71,9 @@ typedef struct sinew_spring_set {
   const sinew_spring_collider* colliders;
   /* [L] numbers of colliders, in the order in which they push; null where L is 0 */
   const uint32_t* chain_colliders;
+  /* [P x 3] axes of hinges in the joints' own axes, or null. A joint with an axis turns about it alone, so that panels of a skirt move out and in
+   * and do not slip past a leg; what of the axis lies along the bone does not count, and of length 0 there is no hinge. */
+  const float* hinges;
 } sinew_spring_set;
 
 #define SINEW_MAX_CHAIN_COLLIDERS 65536u

@@ -2,6 +2,8 @@
 // The C API: argument checks of springs.
 #include "sinew/springs.h"
 
+#include <stddef.h>
+
 #include "api/arguments.hpp"
 #include "core/struct_size.hpp"
 #include "motion/motion_rig.hpp"
@@ -10,7 +12,7 @@
 static_assert(sizeof(sinew_spring_joint) == 9 * sizeof(uint32_t), "sinew_spring_joint never changes");
 static_assert(sizeof(sinew_spring_chain) == 5 * sizeof(uint32_t), "sinew_spring_chain never changes");
 static_assert(sizeof(sinew_spring_collider) == 9 * sizeof(uint32_t), "sinew_spring_collider never changes");
-static_assert(sizeof(sinew_spring_set) == 6 * sizeof(uint32_t) + 4 * sizeof(void*), "a hole in sinew_spring_set");
+static_assert(sizeof(sinew_spring_set) == 6 * sizeof(uint32_t) + 5 * sizeof(void*), "a hole in sinew_spring_set");
 static_assert(sizeof(sinew_springs_options) == 6 * sizeof(uint32_t), "a hole in sinew_springs_options");
 
 namespace {
@@ -23,7 +25,7 @@ bool allocate_springs(sinew::Arena& arena, sinew::springs::SpringState* state, s
 // The caller's set, of any version.
 sinew_status read_set(const sinew_spring_set* set, sinew_spring_set* own) {
   if (set == nullptr) return SINEW_ERROR_ARGUMENT;
-  const sinew_status status = sinew::read_struct(set, sizeof *own, sizeof *own, own);
+  const sinew_status status = sinew::read_struct(set, offsetof(sinew_spring_set, hinges), sizeof *own, own);
   if (status != SINEW_OK) return status;
   if (own->reserved != 0) return SINEW_ERROR_VERSION;
   if ((own->joint_count > 0 && own->joints == nullptr) || (own->chain_count > 0 && own->chains == nullptr) ||

@@ -125,6 +125,11 @@ sinew_status fill_chain(const sinew_spring_set& set, uint32_t chain, SpringState
     head.joint = one.joint;
     head.tail = set.joints[in.first_joint + i + 1].joint;
     head.chain = chain;
+    if (set.hinges != nullptr) {
+      const float* const axis = set.hinges + size_t{3} * (in.first_joint + i);
+      head.hinge = {static_cast<double>(axis[0]), static_cast<double>(axis[1]), static_cast<double>(axis[2])};
+      if (!is_finite(head.hinge.x + head.hinge.y + head.hinge.z)) return SINEW_ERROR_NOT_FINITE;
+    }
     if (!is_below(s->parents, head.tail, head.joint) || s->heads_of[head.joint] >= 0) return SINEW_ERROR_CHAIN;
     if (s->head_count == s->counts.joints) return SINEW_ERROR_CHAIN;  // chains share their joints
     s->heads_of[head.joint] = static_cast<int32_t>(s->head_count);

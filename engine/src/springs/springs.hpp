@@ -35,6 +35,7 @@ struct SpringHead {
   uint32_t joint = 0, tail = 0, chain = 0;
   double hit_radius = 0, stiffness = 0, gravity_power = 0, keep = 0;  // keep: 1 - drag
   Vec3d gravity;                                                      // of length 1 or 0
+  Vec3d hinge;                                                        // in the joint's axes; of length 0: none
   bool limited = false;
   double cosine = -1, sine = 0;  // of the limit
   Vec3d previous, current;       // in the space of the chain's center

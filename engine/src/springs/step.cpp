@@ -30,21 +30,23 @@ void move_colliders(const SpringState& s, uint32_t joint) {
   }
 }
 
+// From the collider's point, or its segment's nearest one, to p.
+Vec3d away_from(const SpringCollider& c, Vec3d p) {
+  const Vec3d away = p - c.start;
+  if (c.shape != SINEW_COLLIDER_CAPSULE && c.shape != SINEW_COLLIDER_INSIDE_CAPSULE) return away;
+  const double along = dot(c.along, away), square = dot(c.along, c.along);
+  if (along >= square) return away - c.along;
+  return along > 0 ? away - (along / square) * c.along : away;
+}
+
 // Whether a ball about p is pushed, and to where.
 bool push(const SpringCollider& c, double hit_radius, Vec3d* p) {
-  Vec3d away = *p - c.start;
+  const Vec3d away = away_from(c, *p);
   if (c.shape == SINEW_COLLIDER_PLANE) {
     const double distance = dot(away, c.along) - hit_radius;
     if (distance >= 0) return false;
     *p = *p + -distance * c.along;
     return true;
-  }
-  if (c.shape == SINEW_COLLIDER_CAPSULE || c.shape == SINEW_COLLIDER_INSIDE_CAPSULE) {
-    const double along = dot(c.along, away), square = dot(c.along, c.along);
-    if (along >= square)
-      away = away - c.along;
-    else if (along > 0)
-      away = away - (along / square) * c.along;
   }
   const double square = dot(away, away);
   if (c.shape == SINEW_COLLIDER_SPHERE || c.shape == SINEW_COLLIDER_CAPSULE) {
@@ -59,6 +61,17 @@ bool push(const SpringCollider& c, double hit_radius, Vec3d* p) {
   return true;
 }
 
+// The same along a direction: the nearer of the two places on that line where the ball touches. Shapes that hold it inside push as ever.
+bool push_along(const SpringCollider& c, double hit_radius, Vec3d line, Vec3d* p) {
+  if (c.shape != SINEW_COLLIDER_SPHERE && c.shape != SINEW_COLLIDER_CAPSULE) return push(c, hit_radius, p);
+  const Vec3d away = away_from(c, *p);
+  const double reach = hit_radius + c.radius, depth = reach * reach - dot(away, away), along = dot(away, line);
+  if (depth <= 0) return false;
+  const double span = root(along * along + depth);
+  *p = *p + (along >= 0 ? span - along : -span - along) * line;
+  return true;
+}
+
 // Turns a direction about the head to within the limit.
 Vec3d limited(const SpringHead& head, Vec3d direction, Vec3d goal) {
   const double along = dot(direction, goal);
@@ -69,9 +82,9 @@ Vec3d limited(const SpringHead& head, Vec3d direction, Vec3d goal) {
   return head.cosine * goal + head.sine * across;
 }
 
-// A direction from the head, or where there is none the pose's.
-Vec3d direction_to(Vec3d p, Vec3d from, Vec3d goal) {
-  const Vec3d direction = unit(p - from);
+// A direction from the head across a hinge's axis, if there is one; where there is none the pose's.
+Vec3d direction_to(Vec3d p, Vec3d from, Vec3d goal, Vec3d hinge) {
+  const Vec3d way = p - from, direction = unit(way - dot(way, hinge) * hinge);
   return dot(direction, direction) == 0 ? goal : direction;
 }
 
@@ -111,12 +124,16 @@ class Step {
     const Vec3d inertia = rotate(space.rotation, head->current - head->previous);
     const Vec3d next = to_world(space, head->current) + (share_ * head->keep) * inertia +
                        (pull * head->stiffness) * goal + (pull * head->gravity_power) * head->gravity;
-    Vec3d direction = limited(*head, direction_to(next, from, goal), goal);
+    const Vec3d turns = rotate(world.rotation, head->hinge), hinge = unit(turns - dot(turns, goal) * goal);
+    const bool hinged = dot(hinge, hinge) > 0;
+    Vec3d direction = limited(*head, direction_to(next, from, goal, hinge), goal);
     Vec3d p = from + length * direction;
     for (uint32_t i = 0; i < chain.collider_count; ++i) {
       const SpringCollider& collider = s_.colliders[s_.chain_colliders[chain.first_collider + i]];
-      if (!push(collider, head->hit_radius, &p)) continue;
-      direction = direction_to(p, from, goal);
+      const bool pushed = hinged ? push_along(collider, head->hit_radius, cross(hinge, direction), &p)
+                                 : push(collider, head->hit_radius, &p);
+      if (!pushed) continue;
+      direction = direction_to(p, from, goal, hinge);
       p = from + length * direction;
     }
     if (keep_) {

@@ -170,6 +170,32 @@ TEST(SpringStep, LimitsHoldAngles) {
   EXPECT_LT(reached, std::cos(9.9 * 3.14159265358979 / 180));
 }
 
+// A panel that hangs down before a leg, which comes from the side and then from behind.
+TEST(SpringStep, HingesTurnAboutTheirAxis) {
+  SpringScene scene;
+  scene.add_chain({0, 0.9, 0.1}, {0, -0.2, 0}, 3, spring_joint(0.5f, 0, 0.4f, 0.01f));
+  scene.hinges = {1, 0.3f, 0, 1, 0, 0, 0, 0, 0};  // what lies along the bone does not count
+  scene.colliders = {{0, SINEW_COLLIDER_CAPSULE, {0, 0, 0}, {0, 1, 0}, 0.05f}};
+  scene.share_colliders();
+  sinew::SpringSystem springs;
+  ASSERT_EQ(springs.make(scene.skeleton(), scene.set()), SINEW_OK);
+  std::vector<float> rotations, translations;
+  double out_most = 0;
+  for (int f = 0; f < 80; ++f) {
+    // The whole figure but for its second joint moves to the front: the chain's joint stays, the leg comes.
+    scene.pose({0.02, 0, 0.002 * f}, {0, 0, 0, 1}, &rotations, &translations);
+    translations[5] -= 0.002f * static_cast<float>(f);
+    std::vector<float> out(rotations.size());
+    ASSERT_EQ(springs.frame(1.0f / 60, rotations.data(), translations.data(), out.data()), SINEW_OK);
+    const std::vector<Vec3d> at = scene.worlds(out, translations);
+    for (size_t j = 3; j < 5; ++j) EXPECT_NEAR(at[j].x, at[2].x, 1e-5) << f;  // never aside
+    out_most = std::max(out_most, at[3].z - at[2].z);
+    const double away = std::hypot(at[4].x - 0.02, at[4].z - 0.002 * f);
+    EXPECT_GT(away, 0.058) << f;  // of 0.06
+  }
+  EXPECT_GT(out_most, 0.05);
+}
+
 TEST(SpringStep, AChainWithACenterDoesNotFeelItsMotion) {
   std::vector<double> swings;
   for (const int32_t center : {-1, 0}) {
