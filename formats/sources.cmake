@@ -37,6 +37,7 @@ set(sinew_formats_sources
   gltf/changed_document
   gltf/pick_vertices
   gltf/reduce_triangles
+  gltf/spring_limits
   gltf/springs_read
   gltf/springs_write
   gltf/gltf_summary

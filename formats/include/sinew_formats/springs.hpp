@@ -42,7 +42,8 @@ struct SpringJoint {
   double hit_radius = 0, stiffness = 1, gravity_power = 0;
   Point3 gravity = {0, -1, 0};  // direction in the world
   double drag = 0.5;            // 0..1
-  double limit = 0;             // degrees; 0: none. No file has it
+  double limit = 0;             // degrees; 0: none
+  Point3 hinge = {};            // the axis that it turns about, along the world's axes at rest; of length 0: any
 };
 
 struct SpringChain {

@@ -10,6 +10,7 @@
 #include "gltf/gltf_container.hpp"
 #include "gltf/gltf_decompress.hpp"
 #include "gltf/gltf_source.hpp"
+#include "sinew_formats/base/joint_tree.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/memory_files.hpp"
@@ -185,7 +186,14 @@ std::shared_ptr<GltfSource> read_again(const std::string& name, GltfSource chang
 }
 
 bool same_joints(const std::vector<Joint>& a, const std::vector<Joint>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Joint& x, const Joint& y) {
+  return a.size() == b.size() && has_joints(a, b);
+}
+
+bool has_joints(const std::vector<Joint>& a, const std::vector<Joint>& b) {
+  if (a.size() < b.size()) return false;
+  for (size_t j = b.size(); j < a.size(); ++j)
+    if (a[j].parent < 0 || joint_index(a[j].parent) >= j) return false;
+  return std::equal(b.begin(), b.end(), a.begin(), [](const Joint& y, const Joint& x) {
     return x.name == y.name && (x.parent == y.parent || y.parent < 0) && x.position.x == y.position.x &&
            x.position.y == y.position.y && x.position.z == y.position.z;
   });

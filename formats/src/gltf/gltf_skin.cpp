@@ -10,7 +10,9 @@
 #include "gltf/fixed_weights.hpp"
 #include "gltf/gltf_model.hpp"
 #include "gltf/gltf_source.hpp"
+#include "gltf/node_parts.hpp"
 #include "sinew_formats/base/box.hpp"
+#include "sinew_formats/base/joint_tree.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
 
@@ -29,14 +31,17 @@ class SkinWriter {
         nodes_(gltf_nodes(path, source->model)) {}
 
   GltfJoints write() {
-    keeps_joints_ = !source_.joint_nodes.empty() && same_joints(character_.joints, source_.joints);
+    const size_t own = source_.joint_nodes.size();
+    keeps_joints_ = own > 0 && has_joints(character_.joints, source_.joints);
     joint_nodes_ = keeps_joints_ ? source_.joint_nodes : add_joint_nodes(path_, character_.joints, &document_);
-    for (size_t j = 0; j < joint_nodes_.size(); ++j) {
+    for (size_t j = 0; j < character_.joints.size(); ++j) {
       const Vec3& p = character_.joints[j].position;
-      joint_worlds_.push_back(keeps_joints_ ? source_.bind_pose.worlds[static_cast<size_t>(joint_nodes_[j])]
-                                            : Affine{1, 0, 0, static_cast<double>(p.x), 0, 1, 0,
-                                                     static_cast<double>(p.y), 0, 0, 1, static_cast<double>(p.z)});
+      const bool kept = keeps_joints_ && j < own;
+      joint_worlds_.push_back(kept ? source_.bind_pose.worlds[static_cast<size_t>(joint_nodes_[j])]
+                                   : Affine{1, 0, 0, static_cast<double>(p.x), 0, 1, 0, static_cast<double>(p.y), 0, 0,
+                                            1, static_cast<double>(p.z)});
       if (character_.joints[j].parent < 0 && fallback_joint_ == SIZE_MAX) fallback_joint_ = j;
+      if (keeps_joints_ && !kept) joint_nodes_.push_back(hang_joint(character_.joints[j]));
     }
     fix_weights();
     measure_box();
@@ -70,6 +75,24 @@ class SkinWriter {
       if (at != joint_nodes_.end()) return static_cast<int>(at - joint_nodes_.begin());
     }
     return -1;
+  }
+
+  // A node below those that are there already for a joint that the file did not have.
+  int hang_joint(const Joint& joint) {
+    const size_t parent = joint_index(joint.parent);
+    const std::optional<Affine> back = inverse(joint_worlds_[parent]);
+    if (!back)
+      throw Error(path_ + ": cannot write joint " + in_quotes(joint.name) + ", " +
+                  in_quotes(character_.joints[parent].name) + " above it is scaled to nothing");
+    const NodeParts parts = parts_of(multiply(*back, joint_worlds_.back()), NodeParts{});
+    Json& nodes = document_["nodes"];
+    const int number = static_cast<int>(nodes.size());
+    nodes.push_back({{"name", joint.name},
+                     {"translation", parts.translation},
+                     {"rotation", parts.rotation},
+                     {"scale", parts.scale}});
+    nodes[static_cast<size_t>(joint_nodes_[parent])]["children"].push_back(number);
+    return number;
   }
 
   // A rigid part that hangs on its joint needs no skin; neither does what nothing is bound to.

@@ -54,6 +54,8 @@ std::shared_ptr<GltfSource> read_again(const std::string& name, GltfSource chang
 
 // Whether joints are still those of the file (`b`); one that had no parent there may have got one, see infer_parents().
 bool same_joints(const std::vector<Joint>& a, const std::vector<Joint>& b);
+// Whether joints begin with those of the file (`b`), in the sense of same_joints(), and all others hang on joints before them.
+bool has_joints(const std::vector<Joint>& a, const std::vector<Joint>& b);
 
 // Where a Character's joints are in a document.
 struct GltfJoints {

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "gltf/gltf_source.hpp"
+#include "gltf/spring_limits.hpp"
 #include "gltf/vrm.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/springs.hpp"
@@ -173,14 +174,46 @@ class SpringReader {
     out_.colliders.push_back(std::move(made));
   }
 
-  SpringJoint read_joint(const std::string& where, const Json& object) const {
+  static Point3 turned(Affine m, const Point3& v) {
+    m[3] = m[7] = m[11] = 0;
+    return transform_point(m, v[0], v[1], v[2]);
+  }
+
+  SpringJoint read_joint(const std::string& where, const Json& object) {
     SpringJoint joint;
     joint.hit_radius = number(where, object, "hitRadius", joint.hit_radius, 0, kAny);
     joint.stiffness = number(where, object, "stiffness", joint.stiffness, 0, kAny);
     joint.gravity_power = number(where, object, "gravityPower", joint.gravity_power, -kAny, kAny);
     joint.gravity = vector(where, object, "gravityDir", joint.gravity);
-    joint.drag = number(where, object, "dragForce", joint.drag, 0, 1);
+    const double drag = number(where, object, "dragForce", joint.drag, -kAny, kAny);
+    joint.drag = std::clamp(drag, 0.0, 1.0);
+    if (joint.drag != drag)
+      out_.notes.push_back(where + ".dragForce is " + one_line(object["dragForce"].dump()) +
+                           ", outside of 0 to 1; it is taken as " + (drag < 0 ? "0" : "1"));
     return joint;
+  }
+
+  // Limits of the joints that turn, which need the chain's bones.
+  void read_limits(const Json& joints, const std::string& called, SpringChain* chain) {
+    size_t unknown = 0;
+    for (size_t i = 0; i < chain->turning_joints(); ++i)
+      for (const Json& object : joints) {
+        SpringJoint& joint = chain->joints[i];
+        const size_t at = object["node"].get<size_t>();
+        const Json::json_pointer place("/extensions/" + std::string(kSpringLimit));
+        if (joint_of_[at] != static_cast<int>(joint.joint) || !object.contains(place)) continue;
+        const Affine world_of_node = world(at);
+        const std::optional<Affine> back = inverse(world_of_node);
+        if (!back) continue;
+        const Point3 bone = tail_at_rest(*chain, i, source_.joints) - joint_position(joint.joint);
+        const SpringLimit limit = read_spring_limit(object[place], turned(*back, bone));
+        joint.limit = limit.limit;
+        joint.hinge = unit(turned(world_of_node, limit.hinge));
+        unknown += limit.known ? 0 : 1;
+      }
+    if (unknown > 0)
+      out_.notes.push_back("chain " + called + " has " + std::to_string(unknown) +
+                           " limits that are neither cones nor hinges; they stay in the file and are not played");
   }
 
   void read_chain(int number, const Json& object) {
@@ -193,8 +226,11 @@ class SpringReader {
     for (size_t i = 0; i < joints.size(); ++i) {
       const std::string here = where + ".joints[" + std::to_string(i) + "]";
       const size_t at = node(here, joints[i]);
-      if (i > 0 && !is_below(at, joints[i - 1]["node"].get<size_t>()))
-        fail(here, "a node below " + node_name(joints[i - 1]["node"].get<size_t>()), node_name(at));
+      if (i > 0 && !is_below(at, joints[i - 1]["node"].get<size_t>())) {
+        out_.notes.push_back(here + ": " + node_name(at) + " does not hang below " +
+                             node_name(joints[i - 1]["node"].get<size_t>()) + "; the chain ends before it");
+        break;
+      }
       const int joint = joint_of_[at];
       if (joint >= 0) {
         chain.joints.push_back(read_joint(here, joints[i]));
@@ -212,6 +248,7 @@ class SpringReader {
       chain.center = joint_above(index(where + ".center", object["center"], nodes_.size(), "node"));
     if (chain.name.empty() && !chain.joints.empty()) chain.name = source_.joints[chain.joints[0].joint].name;
     const std::string called = chain.name.empty() ? where : in_quotes(chain.name);
+    read_limits(joints, called, &chain);
     if (chain.turning_joints() == 0) {
       out_.notes.push_back("chain " + called + " has no joint with a skin that turns and is left out");
       return;
@@ -253,7 +290,10 @@ std::optional<Springs> springs_of_file(const std::string& path, const GltfSource
     forget_sources(&out);  // they are numbers of a document that nobody has
     return out;
   } catch (const Json::exception& error) {
-    throw Error(path + ": extension " + kSprings + " is broken: " + one_line(error.what()));
+    throw Error(
+        path + ": " +
+        (source.document.contains(newer) ? "extension " + std::string(kSprings) : "secondaryAnimation of VRM 0.x") +
+        " is broken, and with it what swings; --replace finds springs anew: " + one_line(error.what()));
   }
 }
 

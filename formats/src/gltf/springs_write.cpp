@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gltf/spring_limits.hpp"
 #include "gltf/springs.hpp"
 
 namespace sinew {
@@ -45,6 +46,7 @@ class SpringWriter {
     return out;
   }
   bool extended() const { return extended_; }
+  bool limited() const { return limited_; }
 
  private:
   // A direction or a distance from the joint, in its node's axes.
@@ -52,6 +54,10 @@ class SpringWriter {
     Affine m = back_[joint];
     m[3] = m[7] = m[11] = 0;
     return transform_point(m, v[0], v[1], v[2]);
+  }
+  Point3 position(size_t joint) const {
+    const Affine& m = joints_.worlds[joint];
+    return {m[3], m[7], m[11]};
   }
   int node_of(size_t joint) const { return joints_.nodes[joint]; }
 
@@ -100,10 +106,29 @@ class SpringWriter {
     return made;
   }
 
+  // The limit of a joint that turns, into its JSON, where it is not there already.
+  void set_limit(const SpringChain& chain, size_t turning, Json* joint) {
+    const SpringJoint& one = chain.joints[turning];
+    const Point3 at = position(one.joint);
+    const bool last = turning + 1 == chain.joints.size();
+    const Point3 bone = local(one.joint, last ? *chain.end : position(chain.joints[turning + 1].joint) - at);
+    const Json made = spring_limit_json(one.limit, local(one.joint, one.hinge), bone);
+    const Json::json_pointer place("/extensions/" + std::string(kSpringLimit));
+    if (!made.is_null()) {
+      const bool has = joint->contains(place);
+      const SpringLimit before = has ? read_spring_limit((*joint)[place], bone) : SpringLimit();
+      const bool same = has && std::abs(before.limit - one.limit) < 1e-6 &&
+                        length(unit(before.hinge) - unit(local(one.joint, one.hinge))) < 1e-6;
+      if (!same) (*joint)[place] = made;
+      limited_ = true;
+    }
+  }
+
   // A chain of the document, with the numbers that its joints have now.
-  Json changed_chain(const SpringChain& chain, Json json) const {
-    for (const SpringJoint& one : chain.joints)
+  Json changed_chain(const SpringChain& chain, Json json) {
+    for (size_t i = 0; i < chain.joints.size(); ++i)
       for (Json& joint : json["joints"]) {
+        const SpringJoint& one = chain.joints[i];
         if (joint["node"] != node_of(one.joint)) continue;
         const SpringJoint usual;
         const auto set = [&joint](const char* key, double value, double otherwise) {
@@ -113,15 +138,17 @@ class SpringWriter {
         set("stiffness", one.stiffness, usual.stiffness);
         set("gravityPower", one.gravity_power, usual.gravity_power);
         set("dragForce", one.drag, usual.drag);
+        if (i < chain.turning_joints()) set_limit(chain, i, &joint);
       }
     return json;
   }
 
   Json chain_json(const SpringChain& chain, const std::vector<size_t>& groups) {
     Json joints = Json::array();
-    for (const SpringJoint& one : chain.joints) {
+    for (size_t i = 0; i < chain.joints.size(); ++i) {
+      const SpringJoint& one = chain.joints[i];
       Json joint = {{"node", node_of(one.joint)}};
-      if (chain.end || &one != &chain.joints.back()) {
+      if (i < chain.turning_joints()) {
         const Point3& g = one.gravity;
         const Point3 gravity = {turn_[0] * g[0] + turn_[1] * g[1] + turn_[2] * g[2],
                                 turn_[3] * g[0] + turn_[4] * g[1] + turn_[5] * g[2],
@@ -131,6 +158,7 @@ class SpringWriter {
         joint["gravityPower"] = one.gravity_power;
         joint["gravityDir"] = gravity;
         joint["dragForce"] = one.drag;
+        set_limit(chain, i, &joint);
       }
       joints.push_back(std::move(joint));
     }
@@ -146,7 +174,7 @@ class SpringWriter {
   const Rotation& turn_;
   Json& document_;
   std::vector<Affine> back_;  // [J] from the world to the joint
-  bool extended_ = false;
+  bool extended_ = false, limited_ = false;
 };
 
 void use_extension(const char* name, Json* document) {
@@ -164,12 +192,16 @@ void write_springs(const Springs& springs, const GltfJoints& joints, const Rotat
   const Json before = knows_document && document->contains(at) ? (*document)[at] : Json();
   drop_extension("VRMC_springBone", document);
   if (before.is_null()) drop_extension("VRMC_springBone_extended_collider", document);
+  // Those of VRM 0.x would be played as well.
+  if (const Json::json_pointer older("/extensions/VRM/secondaryAnimation"); document->contains(older))
+    (*document)[older] = {{"boneGroups", Json::array()}, {"colliderGroups", Json::array()}};
   if (springs.chains.empty()) return;
   SpringWriter writer(joints, turn, document);
   Json made = writer.write(springs, before);
   (*document)["extensions"]["VRMC_springBone"] = std::move(made);
   use_extension("VRMC_springBone", document);
   if (writer.extended()) use_extension("VRMC_springBone_extended_collider", document);
+  if (writer.limited()) use_extension(kSpringLimit, document);
 }
 
 }  // namespace sinew

@@ -98,7 +98,7 @@ Json vrm_springs_of_zero(const Json& secondary, Json* document) {
         Json spring = {{"name", group.value("comment", std::string())}, {"joints", std::move(joints)}};
         if (const Json near = group.value("colliderGroups", Json::array()); !near.empty())
           spring["colliderGroups"] = near;
-        if (const int center = group.value("center", -1); center >= 0) spring["center"] = center;
+        if (const int center = group.value("center", -1); center >= 0) spring["center"] = static_cast<unsigned>(center);
         springs.push_back(std::move(spring));
       }
   if (springs.empty()) return nullptr;
