@@ -3,6 +3,7 @@
 #ifndef SINEW_SPRINGS_BODY_SKIN_HPP
 #define SINEW_SPRINGS_BODY_SKIN_HPP
 
+#include <algorithm>
 #include <vector>
 
 #include "sinew_formats/base/point.hpp"
@@ -21,6 +22,19 @@ inline std::vector<std::vector<uint32_t>> held_vertices(const Character& charact
     if (most != nullptr && most->weight > 0) held[most->joint].push_back(static_cast<uint32_t>(v));
   }
   return held;
+}
+
+// [J] the vertices of which a joint has at least half of the largest weight that it has anywhere: a joint may share all of its skin with the body.
+inline std::vector<std::vector<uint32_t>> followers_of(const Character& character) {
+  std::vector<float> largest(character.joints.size(), 0);
+  for (const std::vector<Influence>& row : character.influences)
+    for (const Influence& one : row) largest[one.joint] = std::max(largest[one.joint], one.weight);
+  std::vector<std::vector<uint32_t>> followers(character.joints.size());
+  for (size_t v = 0; v < character.influences.size(); ++v)
+    for (const Influence& one : character.influences[v])
+      if (one.weight > 0 && one.weight >= 0.5f * largest[one.joint])
+        followers[one.joint].push_back(static_cast<uint32_t>(v));
+  return followers;
 }
 
 // From the lowest to the highest vertex; of joints where there are none.

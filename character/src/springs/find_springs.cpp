@@ -20,6 +20,7 @@ namespace {
 constexpr float kSureClass = 0.95f, kSureWord = 0.9f, kSureShape = 0.6f, kUnsure = 0.3f;
 constexpr double kLongHair = 0.22;     // of the height
 constexpr double kLeastLength = 0.02;  // of the height that a chain is long: shorter ones are details of a face
+constexpr double kLeastSkin = 0.5;     // weight of a chain, in vertices
 constexpr double kShapeLength = 0.06;  // the same without names
 constexpr double kOwnEar = 0.06;       // of the height that a person's ear is shorter than
 constexpr double kFloor = 0.06;        // of the height over the floor a foot's end is
@@ -39,13 +40,16 @@ class SpringFinder {
       : c_(character),
         verdicts_(joint_verdicts(character.joints, follows_of(character))),
         tree_(character.joints),
-        held_(held_vertices(character)),
+        held_(followers_of(character)),
         height_(height_of(character)),
         up_(up_of(character)) {
     knows_legs_ = std::count(verdicts_.classes.begin(), verdicts_.classes.end(), SINEW_CLASS_THIGH) >= 2;
     shapes_ = knows_legs_ ? verdicts_.classes : limb_classes(map_rig_of(character), character.up);
     if (!knows_legs_) knows_legs_ = stands_upright();
     used_.assign(character.joints.size(), 0);
+    weight_.assign(character.joints.size(), 0);
+    for (const std::vector<Influence>& row : character.influences)
+      for (const Influence& one : row) weight_[one.joint] += static_cast<double>(one.weight);
     for (const Joint& joint : character.joints) stiff_.push_back(names_stiff_thing(joint.name) ? 1 : 0);
     // What most names have is the character's own name: a horn monster's.
     if (2 * std::count(stiff_.begin(), stiff_.end(), 1) > static_cast<std::ptrdiff_t>(stiff_.size()))
@@ -147,6 +151,20 @@ class SpringFinder {
     const auto goes = [&](size_t j) {
       return names_[j].certainty > 0 ? names_[j].kind == kind.kind : !is_stiff(j) && !is_body(verdicts_.classes[j]);
     };
+    // What several chains hang on is their base and holds still: one of them would turn all others.
+    std::vector<size_t> begins;
+    for (const int child : children(first))
+      if (const size_t j = joint_index(child);
+          used_[j] == 0 && goes(j) && (names_[j].certainty > 0 || !children(j).empty()))
+        begins.push_back(j);
+    if (begins.size() > 1) {
+      used_[first] = 1;
+      for (const size_t j : begins) {
+        if (names_[j].certainty == 0) names_[j] = kind;
+        add_named(j);
+      }
+      return;
+    }
     const std::vector<size_t> joints = chain_from(first, goes, [&](size_t j) { forks.push_back(j); });
     add(joints, kind.kind, kind.certainty, kind.reason);
     for (const size_t fork : forks) {
@@ -242,7 +260,9 @@ class SpringFinder {
     found.reason = reason;
     found.certainty = certainty;
     found.length = chain_length(found.chain, c_.joints);
-    const bool has_skin = std::any_of(joints.begin(), joints.end(), [&](size_t j) { return !held_[j].empty(); });
+    double skin = 0;
+    for (const size_t j : joints) skin += weight_[j];
+    const bool has_skin = skin >= kLeastSkin;
     if (!has_skin) {
       found.certainty = kUnsure;
       found.reason += ", but no skin follows it";
@@ -273,7 +293,8 @@ class SpringFinder {
   std::vector<uint8_t> shapes_;  // [J] classes by names, of a rig without names by a body that is laid over it
   std::vector<NameKind> names_;  // [J]
   std::vector<uint8_t> stiff_;   // [J] 1: its name is that of a thing that does not swing
-  std::vector<uint8_t> used_;    // [J] 1: in a chain
+  std::vector<uint8_t> used_;    // [J] 1: in a chain, or the base of some
+  std::vector<double> weight_;   // [J] of all vertices
   std::vector<FoundChain> out_;
 };
 

@@ -40,6 +40,7 @@ class SpringPlayer {
     set.chains = chains_.data();
     set.colliders = colliders_.data();
     set.chain_colliders = chain_colliders_.data();
+    set.hinges = hinges_.data();
     check(springs_.make(skeleton, set));
     rotations_.assign(4 * parents_.size(), 0);
     translations_.assign(3 * parents_.size(), 0);
@@ -132,6 +133,7 @@ class SpringPlayer {
     made.drag = static_cast<float>(joint.drag);
     made.limit = static_cast<float>(joint.limit);
     heads_.push_back(made);
+    for (const double x : joint.hinge) hinges_.push_back(static_cast<float>(x));
   }
 
   // The rotations of the chains' joints in the next frame, after so many rounds of a loop.
@@ -191,6 +193,7 @@ class SpringPlayer {
   std::vector<float> positions_;
   std::vector<int32_t> parents_;
   std::vector<sinew_spring_joint> heads_;
+  std::vector<float> hinges_;  // [heads x 3]
   std::vector<sinew_spring_chain> chains_;
   std::vector<sinew_spring_collider> colliders_;
   std::vector<uint32_t> chain_colliders_;

@@ -25,14 +25,14 @@ struct Preset {
   double lag;      // degrees
   double limit;    // degrees
 };
-constexpr std::array<Preset, 8> kPresets = {{{SpringKind::kHair, "hair", 0.20, 0.4, 0.30, 0.05, 25, 60},
-                                             {SpringKind::kLongHair, "long-hair", 0.10, 0.4, 0.30, 0.10, 35, 70},
-                                             {SpringKind::kSkirt, "skirt", 0.12, 0.3, 0.40, 0.08, 20, 50},
-                                             {SpringKind::kTail, "tail", 0.08, 0.4, 0.30, 0.00, 25, 60},
-                                             {SpringKind::kEar, "ear", 0.30, 0.3, 0.30, 0.00, 15, 40},
-                                             {SpringKind::kCape, "cape", 0.07, 0.3, 0.25, 0.12, 40, 80},
-                                             {SpringKind::kBust, "bust", 0.30, 0.0, 0.30, 0.00, 12, 20},
-                                             {SpringKind::kRibbon, "ribbon", 0.14, 0.4, 0.25, 0.08, 35, 70}}};
+constexpr std::array<Preset, 8> kPresets = {{{SpringKind::kHair, "hair", 0.20, 0.4, 0.30, 0.05, 10, 60},
+                                             {SpringKind::kLongHair, "long-hair", 0.10, 0.4, 0.30, 0.10, 15, 70},
+                                             {SpringKind::kSkirt, "skirt", 0.12, 0.3, 0.40, 0.08, 10, 50},
+                                             {SpringKind::kTail, "tail", 0.08, 0.4, 0.30, 0.00, 12, 60},
+                                             {SpringKind::kEar, "ear", 0.30, 0.3, 0.30, 0.00, 8, 40},
+                                             {SpringKind::kCape, "cape", 0.07, 0.3, 0.25, 0.12, 20, 80},
+                                             {SpringKind::kBust, "bust", 0.30, 0.0, 0.30, 0.00, 6, 20},
+                                             {SpringKind::kRibbon, "ribbon", 0.14, 0.4, 0.25, 0.08, 15, 70}}};
 constexpr double kWalk = 0.8;           // heights a second
 constexpr double kSteps = 60;           // a second: those that the engine and other players take
 constexpr double kSkinShare = 0.8;      // of the skin's distance from the bone is the hit radius
@@ -79,7 +79,14 @@ void preset_chain(SpringKind kind, const Character& character, SpringChain* chai
   std::vector<std::vector<double>> distances(bones.size());  // of the skin from each bone
   std::vector<int> bone_of(character.joints.size(), -1);
   for (size_t i = 0; i < bones.size(); ++i) bone_of[chain->joints[i].joint] = static_cast<int>(i);
-  const std::vector<std::vector<uint32_t>> held = held_vertices(character);
+  const std::vector<std::vector<uint32_t>> held = followers_of(character);
+  // Panels of a skirt move out and in: a panel that moves along the skirt lets a leg pass.
+  Point3 outward{};
+  const int on = character.joints[chain->joints[0].joint].parent;
+  if (kind == SpringKind::kSkirt && on >= 0)
+    outward = unit(across(point(character.joints[chain->joints[0].joint].position) -
+                              point(character.joints[static_cast<size_t>(on)].position),
+                          up_of(character)));
   const double against_air = preset.drag * kWalk * height_of(character) / std::sin(preset.lag * kRadians);
   for (size_t i = 0; i < bones.size(); ++i) {
     SpringJoint& joint = chain->joints[i];
@@ -93,6 +100,7 @@ void preset_chain(SpringKind kind, const Character& character, SpringChain* chai
     joint.gravity = -1.0 * up_of(character);
     joint.drag = preset.drag;
     joint.limit = preset.limit;
+    joint.hinge = unit(cross(to - from, outward));
     joint.hit_radius = 0;
     if (distances[i].size() >= kFewVertices)
       joint.hit_radius = std::min(kSkinShare * median(&distances[i]), kMostBoneShare * bones[i]);

@@ -19,9 +19,10 @@ struct Word {
   SpringKind kind;
 };
 // Whole words of names; an s behind them does not matter. Skirts before coats: VRoid's CoatSkirt is one.
-constexpr std::array<Word, 57> kWords = {{
+constexpr std::array<Word, 61> kWords = {{
     {"skirt", K::kSkirt},    {"dress", K::kSkirt},     {"hakama", K::kSkirt},   {"kilt", K::kSkirt},
     {"apron", K::kSkirt},    {"loincloth", K::kSkirt}, {"tunic", K::kSkirt},    {"hem", K::kSkirt},
+    {"suso", K::kSkirt},     {"quill", K::kHair},      {"bun", K::kHair},       {"earflap", K::kEar},
     {"hair", K::kHair},      {"bang", K::kHair},       {"fringe", K::kHair},    {"braid", K::kHair},
     {"ponytail", K::kHair},  {"pigtail", K::kHair},    {"twintail", K::kHair},  {"ahoge", K::kHair},
     {"sidelock", K::kHair},  {"lock", K::kHair},       {"mane", K::kHair},      {"beard", K::kHair},
@@ -68,9 +69,17 @@ std::vector<std::string> words_of(const std::string& name) {
   return words;
 }
 
-bool is_word(const std::string& word, std::string_view of_table) {
-  return word == of_table ||
-         (word.size() == of_table.size() + 1 && word.back() == 's' && word.compare(0, of_table.size(), of_table) == 0);
+// Glued to words without a gap: hairfront, backhair.
+constexpr std::array<std::string_view, 18> kPlaces = {"s",   "front", "back",  "side", "left",   "right",
+                                                      "top", "upper", "lower", "mid",  "middle", "center",
+                                                      "tip", "root",  "base",  "end",  "inner",  "outer"};
+bool is_place(std::string_view word) { return std::find(kPlaces.begin(), kPlaces.end(), word) != kPlaces.end(); }
+
+bool is_word(std::string_view word, std::string_view of_table) {
+  if (word.size() < of_table.size()) return false;
+  const size_t rest = word.size() - of_table.size();
+  if (word.substr(0, of_table.size()) == of_table) return rest == 0 || is_place(word.substr(of_table.size()));
+  return rest > 1 && word.substr(rest) == of_table && is_place(word.substr(0, rest));
 }
 
 }  // namespace

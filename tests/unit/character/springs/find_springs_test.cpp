@@ -104,6 +104,42 @@ TEST(FindSprings, BranchesBeginChainsOfTheirOwn) {
   EXPECT_EQ(found.at("HairB1").chain.turning_joints(), 2u);
 }
 
+TEST(FindSprings, ABaseOfSeveralChainsHoldsStill) {
+  HairyPerson person;
+  const int head = static_cast<int>(person.index("Head"));
+  const int base = static_cast<int>(person.bone("HairRoot", {0, 1.75, 0}, head, {0, 1.78, 0}, 0.1));
+  person.chain("HairFront", base, {0, 1.78, 0.1}, {0, -0.05, 0.01}, 3);
+  person.chain("Hairback", base, {0, 1.78, -0.1}, {0, -0.05, -0.01}, 3);
+  const std::map<std::string, FoundChain> found = found_in(person.character);
+  EXPECT_EQ(found.size(), 2u);
+  EXPECT_TRUE(found.count("HairFront1"));
+  EXPECT_TRUE(found.count("Hairback1"));
+}
+
+TEST(FindSprings, SkinMayBeSharedWithTheBody) {
+  HairyPerson person;
+  const int hips = static_cast<int>(person.index("Hips"));
+  const size_t first = person.character.vertices.size();
+  person.chain("Strap", hips, {0.2, 1, 0}, {0, -0.08, 0}, 2);
+  const auto strap = static_cast<uint32_t>(person.index("Strap1"));
+  for (size_t v = first; v < person.character.vertices.size(); ++v)
+    person.character.influences[v] = {{static_cast<uint32_t>(hips), 0.7f}, {strap, 0.3f}};
+  const std::map<std::string, FoundChain> found = found_in(person.character);
+  ASSERT_TRUE(found.count("Strap1"));
+  EXPECT_TRUE(found.at("Strap1").kept) << found.at("Strap1").reason;
+}
+
+TEST(FindSprings, PanelsOfASkirtAreHinged) {
+  HairyPerson person;
+  person.chain("SkirtFront", static_cast<int>(person.index("Hips")), {0, 0.98, 0.2}, {0, -0.15, 0.02}, 3);
+  const std::map<std::string, FoundChain> found = found_in(person.character);
+  ASSERT_TRUE(found.count("SkirtFront1"));
+  for (const SpringJoint& joint : found.at("SkirtFront1").chain.joints) {
+    EXPECT_NEAR(std::abs(joint.hinge[0]), 1, 1e-6);  // across: it moves out and in
+    EXPECT_NEAR(joint.hinge[2], 0, 1e-6);
+  }
+}
+
 TEST(FindSprings, RefusesWhatHasNothingToSwing) {
   Character bare = HairyPerson().character;
   bare.influences.clear();
@@ -119,6 +155,10 @@ TEST(SwingWords, AreWholeWords) {
   EXPECT_EQ(swing_word("左スカート前")->kind, SpringKind::kSkirt);
   EXPECT_FALSE(swing_word("LeftForeArm"));
   EXPECT_FALSE(swing_word("landscape"));
+  EXPECT_EQ(swing_word("Hairfront1.L")->kind, SpringKind::kHair);
+  EXPECT_EQ(swing_word("backhair")->kind, SpringKind::kHair);
+  EXPECT_FALSE(swing_word("hairy"));
+  EXPECT_FALSE(swing_word("tailor"));
   EXPECT_FALSE(swing_word("detail_ctl"));
   EXPECT_TRUE(names_stiff_thing("Back_Sword.L"));
   EXPECT_FALSE(names_stiff_thing("Swordfish"));
