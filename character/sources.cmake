@@ -97,10 +97,14 @@ set(sinew_character_sources
   motion/upright_body
   motion/upside_down
   motion/urdf_limits
+  springs/find_garments
   springs/find_springs
   springs/fit_colliders
+  springs/make_chains
   springs/play_springs
+  springs/sections
   springs/spring_presets
+  springs/swing_inside
   springs/swing_words
   check/bone_distance
   check/check

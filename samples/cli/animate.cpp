@@ -181,7 +181,7 @@ Animated animate_one(const AnimateSettings& s, const std::atomic<bool>& stop) {
     throw UsageError(s.output + ": a BVH holds one clip, and there are " +
                      std::to_string(animated.motion.clips.size()) +
                      "; say which with --motion FILE#CLIP, or write a .glb");
-  if (s.springs) swing_clips({}, s.character, &animated);
+  if (s.springs) swing_clips({}, s.character, s.report, &animated);
   if (deform && !alone) bake_clips(*deform, s.shapes, counted("corrected poses", stop), &animated);
   if (std::string note = checked_note(animated.character, &animated.motion); !note.empty())
     animated.motion.notes.push_back(std::move(note));
@@ -291,9 +291,10 @@ void add_animate_inputs(CLI::App* sub, AnimateSettings* s) {
       ->capture_default_str();
   shared_option(sub, "--layout", s->layout, motion_layouts() + ". Guessed by their count unless given");
   shared_option(sub, "--actor", s->actor, "The first unless given, where all are alike");
-  sub->add_flag("--measure", s->report,
-                "Say for every limb what the method changed. Copied and then: frames in the body or under the floor, "
-                "contacts, sliding, frames out of the natural range");
+  sub->add_flag(
+      "--measure", s->report,
+      "Say for every limb what the method changed. Copied and then: frames in the body or under the floor, "
+      "contacts, sliding, frames out of the natural range. With --springs: how much of what swings is in the body");
   sub->add_flag("--force", s->force,
                 "Play a motion that does not fit the character, such as a person's on a horse. Refused unless given");
   std::vector<std::string> formats = format_names(kWritesMotion);

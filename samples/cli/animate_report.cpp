@@ -63,6 +63,11 @@ Json animate_json(const AnimateSettings& s, const Animated& animated) {
                                          {"loops", one.springs.loops},
                                          {"gap", one.springs.gap},
                                          {"passes", one.springs.passes}};
+    if (one.swing)
+      json["clips"].back()["springs"]["inside"] = {{"vertices", one.swing->vertices},
+                                                   {"at_rest", one.swing->rigid.at_rest},
+                                                   {"rigid", one.swing->rigid.share},
+                                                   {"swung", one.swing->swung.share}};
     if (s.deform.method.empty()) continue;
     json["clips"].back()["shapes"] = one.shapes;
     json["clips"].back()["error"] = {{"linear", one.error.linear}, {"baked", one.error.baked}};
@@ -88,6 +93,9 @@ void tell_animated(const AnimateSettings& s, const Animated& animated) {
       std::printf(one.springs.loops ? "  %zu joints swing; the loop closes within %.2f degrees after %zu rounds\n"
                                     : "  %zu joints swing\n",
                   one.springs.joints, one.springs.gap, one.springs.passes);
+    if (one.swing)
+      std::printf("  of %zu vertices that swing %.2f %% come into the body, without springs %.2f %%\n",
+                  one.swing->vertices, 100 * one.swing->swung.share, 100 * one.swing->rigid.share);
   }
   for (const AnimatedClip& one : animated.animated_clips)
     if (!s.deform.method.empty())

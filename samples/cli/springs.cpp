@@ -25,7 +25,7 @@ struct SpringsCommandSettings {
   std::string character, output;
   SpringsOptions options;
   ProfileSettings profile;
-  bool json = false;
+  bool make = false, json = false;
 };
 
 const char* shape_text(ColliderShape shape) {
@@ -108,15 +108,20 @@ void tell_springs(const SpringsCommandSettings& s, const SpringsFound& found, co
 void run_springs(const SpringsCommandSettings& s) {
   settle_profile(s.profile, nullptr);
   if (!s.output.empty()) check_output(s.output, kWritesSprings);
-  const AnimatedCharacter animated = animated_character(open_character(s.character).character, s.character);
-  const SpringsFound found = springs_of(s.options, s.character, animated.character);
-  std::vector<std::string> notes = found.notes;
+  AnimatedCharacter animated = animated_character(open_character(s.character).character, s.character);
+  const size_t noted = animated.character.notes.size();
+  SpringsOptions options = s.options;
+  const bool made = s.make && make_spring_chains(&options, &animated.character);
+  const SpringsFound found = springs_of(options, s.character, animated.character);
+  std::vector<std::string> notes(animated.character.notes.begin() + static_cast<std::ptrdiff_t>(noted),
+                                 animated.character.notes.end());
+  notes.insert(notes.end(), found.notes.begin(), found.notes.end());
   if (animated.rigged)
     notes.insert(notes.begin(),
                  "had no skeleton and got one of " + std::to_string(animated.character.joints.size()) + " joints");
   if (!s.output.empty()) {
     GlbOptions glb;
-    glb.keep_skin = !animated.rigged;
+    glb.keep_skin = !animated.rigged && !made;
     glb.springs = &found.springs;
     write_as(s.profile, s.output, animated.character, &notes, glb);
   }
@@ -156,6 +161,8 @@ void add_springs(CLI::App& app) {
                       ": meters a second, meters, degrees; limit is for animate --springs alone; may be repeated")
       ->type_name("SETTING")
       ->allow_extra_args(false);
+  sub->add_flag("--make", s->make,
+                "Lay chains of joints into skirts, coats, capes and long hair that have none, and bind them to these");
   sub->add_flag("--replace", s->options.replace, "Find springs anew in place of the file's own");
   shared_flag(sub, "--json", s->json, "One line: chains with reasons and numbers, colliders with how well they fit");
   add_profile_options(sub, &s->profile);

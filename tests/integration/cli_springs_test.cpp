@@ -55,6 +55,38 @@ TEST_F(CliSprings, OwnSpringsSurviveOtherCommands) {
   }
 }
 
+// Joints that are added hang below the file's own, which stay with their clips.
+TEST_F(CliSprings, ARobeGetsChainsInItsOwnFile) {
+  good("animate " + kRobed + " --motion builtin:walk -o walks.glb");
+  const auto json = nlohmann::json::parse(good("springs walks.glb --make --json -o made.glb").out);
+  size_t laid = 0;
+  for (const auto& chain : json["chains"])
+    if (chain["name"].get<std::string>().find("Skirt") != std::string::npos) {
+      ++laid;
+      EXPECT_EQ(chain["kept"], true);
+    }
+  EXPECT_GE(laid, 6u);
+  const Character before = read_gltf(in("walks.glb")), after = read_gltf(in("made.glb"));
+  ASSERT_EQ(after.joints.size(), before.joints.size() + 3 * laid);
+  for (size_t j = 0; j < before.joints.size(); ++j) EXPECT_EQ(after.joints[j].name, before.joints[j].name);
+  const Motion motion = read_motion(in("made.glb"));
+  ASSERT_EQ(motion.clips.size(), 1u);
+  EXPECT_EQ(motion.clips[0].frames.size(), read_motion(in("walks.glb")).clips[0].frames.size());
+  EXPECT_EQ(read_springs("made.glb", after)->chains.size(), json["chains"].size());
+  const auto again = nlohmann::json::parse(good("springs made.glb --make --json").out);
+  EXPECT_EQ(again["chains"].size(), json["chains"].size());  // nothing is laid twice
+}
+
+TEST_F(CliSprings, ABareMeshIsRiggedWithThem) {
+  good("rig " + kRobed + " --detail full -o rigged.glb");
+  const Character rigged = read_gltf(in("rigged.glb"));
+  const auto is_skirt = [](const Joint& joint) { return joint.name.find("Skirt") != std::string::npos; };
+  const auto laid = std::count_if(rigged.joints.begin(), rigged.joints.end(), is_skirt);
+  EXPECT_GE(laid, 18);
+  EXPECT_EQ(laid % 3, 0);
+  EXPECT_NE(good("springs rigged.glb").out.find("SkirtBack_1: skirt"), std::string::npos);
+}
+
 TEST_F(CliSprings, ClipsSwing) {
   good("animate " + kRobed + " --motion builtin:run -o stiff.glb");
   const auto json =

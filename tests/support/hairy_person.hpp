@@ -29,19 +29,28 @@ struct HairyPerson {
     while (character.joints[j].name != name) ++j;
     return j;
   }
-  // Rings from a to b that follow one joint.
-  void tube(size_t joint, const Point3& a, const Point3& b, double radius) {
+  // Rings from a to b that follow one joint, with quads between them; open at both ends.
+  void tube(size_t joint, const Point3& a, const Point3& b, double radius) { cone(joint, a, b, radius, radius); }
+  void cone(size_t joint, const Point3& a, const Point3& b, double radius, double last_radius) {
     const Point3 along = sinew::unit(b - a),
                  side = sinew::unit(sinew::cross(along, std::abs(along[0]) < 0.9 ? Point3{1, 0, 0} : Point3{0, 1, 0}));
     const Point3 other = sinew::cross(along, side);
+    const auto first = static_cast<uint32_t>(character.vertices.size());
     for (int ring = 0; ring <= 6; ++ring)
       for (int k = 0; k < 8; ++k) {
-        const double angle = 0.785398 * k;
-        const Point3 p =
-            a + (ring / 6.0) * (b - a) + (radius * std::cos(angle)) * side + (radius * std::sin(angle)) * other;
+        const double angle = 0.785398 * k, r = radius + (ring / 6.0) * (last_radius - radius);
+        const Point3 p = a + (ring / 6.0) * (b - a) + (r * std::cos(angle)) * side + (r * std::sin(angle)) * other;
         character.vertices.push_back(sinew::to_vec3(p));
         character.influences.push_back({{static_cast<uint32_t>(joint), 1.0f}});
       }
+    for (uint32_t ring = 0; ring < 6; ++ring)
+      for (uint32_t k = 0; k < 8; ++k)
+        quad(first + 8 * ring + k, first + 8 * ring + (k + 1) % 8, first + 8 * (ring + 1) + (k + 1) % 8,
+             first + 8 * (ring + 1) + k);
+  }
+  void quad(uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
+    character.face_vertices.insert(character.face_vertices.end(), {a, b, c, d});
+    character.face_offsets.push_back(static_cast<uint32_t>(character.face_vertices.size()));
   }
   // A joint with its skin up to where the next one is.
   size_t bone(const std::string& name, const Point3& at, int parent, const Point3& to, double radius) {

@@ -158,9 +158,9 @@ void animate(const sinew_character_animate_options& options, ProgressOfCaller* p
     add_motion(job, input, steps, &made);
   check_at_most("springs", options.springs, 1);
   if (options.springs != 0 && target->springs)
-    swing_clips(*target->springs, &made);
+    swing_clips(*target->springs, false, &made);
   else if (options.springs != 0)
-    swing_clips(SpringsOptions(), file_of(*target), &made);
+    swing_clips(SpringsOptions(), file_of(*target), false, &made);
   if (deform) bake_clips(*deform, options.shapes == 0 ? 16 : options.shapes, steps, &made);
   for (MorphClip& clip : made.morphs.clips) clip.animation += target->clips.size();
   if (deform && !target->morphs.shapes.empty())

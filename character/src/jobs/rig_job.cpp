@@ -24,6 +24,7 @@
 #include "sinew_character/predict/scenery.hpp"
 #include "sinew_character/predict/vehicle_skeleton.hpp"
 #include "sinew_character/rig/mesh_surface.hpp"
+#include "sinew_character/springs/make_chains.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/base/thread_pool.hpp"
 #include "sinew_formats/document_form.hpp"
@@ -230,6 +231,23 @@ void bind_rigged(const RigJobOptions& job, const RigModels& models, RiggedCharac
   character.notes.push_back(seams_text(character.joints, rigged->seams, doubled));
 }
 
+// Chains for garments, in the character and in the skeleton that was predicted for it.
+void lay_chains(const RigJobOptions& job, RiggedCharacter* rigged) {
+  PredictedSkeleton& skeleton = rigged->skeleton;
+  const size_t before = rigged->character.joints.size();
+  for (const MadeChains& made : make_chains(job.influence_count, &rigged->character)) {
+    rigged->character.notes.push_back(made_chains_text(made, rigged->character.joints));
+    skeleton.confidence.resize(skeleton.confidence.size() + made.joints, made.certainty);
+    skeleton.parent_confidence.resize(skeleton.parent_confidence.size() + made.joints, made.certainty);
+  }
+  skeleton.joints.insert(skeleton.joints.end(), rigged->character.joints.begin() + static_cast<std::ptrdiff_t>(before),
+                         rigged->character.joints.end());
+  const size_t count = skeleton.joints.size();
+  skeleton.classes.resize(count, SINEW_CLASS_OTHER);
+  skeleton.ends.resize(count, 0);
+  skeleton.partners.resize(count, -1);
+}
+
 // The mesh and both of its skeletons in another rest pose.
 void put_into_pose(const RestPose& pose, RiggedCharacter* rigged) {
   rigged->character = in_rest_pose(rigged->character, pose, rigged->skeleton.up_axis);
@@ -337,6 +355,7 @@ RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool 
   character.joints = rigged.fitted && job.edits.empty() ? rigged.fitted->joints : rigged.skeleton.joints;
   character.influences.clear();
   if (job.bind) bind_rigged(job, models, &rigged);
+  if (job.bind && job.detail == SkeletonDetail::kFull && !rigged.fitted) lay_chains(job, &rigged);
   if (pose) put_into_pose(*pose, &rigged);
   if (job.gate) measure_gate(job, &rigged);
   if (job.bind) add_checked_note(&character);

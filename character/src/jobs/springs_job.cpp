@@ -9,6 +9,7 @@
 #include <set>
 
 #include "sinew_character/springs/fit_colliders.hpp"
+#include "sinew_character/springs/make_chains.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
 
@@ -21,6 +22,7 @@ struct Field {
   double SpringJoint::*member;
 };
 constexpr double kLargest = 1e6;
+constexpr size_t kInfluences = 4;  // of a vertex that follows laid chains, the most that every player reads
 constexpr std::array<Field, 5> kFields = {{{"stiffness", 0, kLargest, &SpringJoint::stiffness},
                                            {"gravity", -kLargest, kLargest, &SpringJoint::gravity_power},
                                            {"drag", 0, 1, &SpringJoint::drag},
@@ -51,9 +53,10 @@ void change_named(const std::string& path, const std::string& pattern, std::vect
     throw Error(path + ": expected one of its chains, " + names_of(*chains) + ", found " + in_quotes(pattern));
 }
 
-// Chains of the file, without colliders of theirs.
+// Chains of the file, without colliders of theirs. A joint that two chains turn is the first one's.
 std::vector<FoundChain> own_chains(const Springs& own, const Character& character) {
   std::vector<FoundChain> out;
+  std::map<size_t, std::string> turned_by;
   for (const SpringChain& chain : own.chains) {
     FoundChain found;
     found.chain = chain;
@@ -61,6 +64,13 @@ std::vector<FoundChain> own_chains(const Springs& own, const Character& characte
     found.length = chain_length(chain, character.joints);
     found.reason = "the file's own";
     found.own = true;
+    for (size_t i = 0; i < chain.turning_joints() && found.kept; ++i)
+      if (const auto other = turned_by.find(chain.joints[i].joint); other != turned_by.end()) {
+        found.kept = false;
+        found.reason += ", left out since chain " + in_quotes(other->second) + " turns " +
+                        in_quotes(character.joints[chain.joints[i].joint].name) + " already";
+      }
+    for (size_t i = 0; i < chain.turning_joints() && found.kept; ++i) turned_by[chain.joints[i].joint] = chain.name;
     out.push_back(std::move(found));
   }
   return out;
@@ -141,7 +151,20 @@ SpringsFound springs_of(const SpringsOptions& options, const std::string& path, 
   return out;
 }
 
-void swing_clips(const SpringsOptions& options, const std::string& path, AnimatedCharacter* out) {
+bool make_spring_chains(SpringsOptions* options, Character* character) {
+  const std::vector<MadeChains> made = make_chains(kInfluences, character);
+  size_t first = character->joints.size();
+  for (const MadeChains& one : made) first -= one.joints;
+  for (const MadeChains& one : made) {
+    character->notes.push_back(made_chains_text(one, character->joints));
+    for (size_t chain = 0; chain < one.chains; ++chain, first += one.joints / one.chains)
+      options->keep.push_back(character->joints[first].name);
+  }
+  if (made.empty()) character->notes.push_back("no skirt, coat, cape or long hair without joints of its own was found");
+  return !made.empty();
+}
+
+void swing_clips(const SpringsOptions& options, const std::string& path, bool measure, AnimatedCharacter* out) {
   const SpringsFound found = springs_of(options, path, out->character);
   if (found.springs.chains.empty())
     throw Error(path + ": nothing of it swings; sinew springs says what was looked at, and --take what to take");
@@ -153,12 +176,21 @@ void swing_clips(const SpringsOptions& options, const std::string& path, Animate
     text += (text.empty() ? "" : ", ") + std::to_string(count) + (count == 1 ? " chain of " : " chains of ") + kind;
   out->motion.notes.push_back(path + ": " + text + " swing, pushed by " +
                               std::to_string(found.springs.colliders.size()) + " colliders");
-  swing_clips(found.springs, out);
+  swing_clips(found.springs, measure, out);
 }
 
-void swing_clips(const Springs& springs, AnimatedCharacter* out) {
-  for (size_t c = 0; c < out->motion.clips.size(); ++c)
-    out->animated_clips[c].springs = play_springs(springs, out->motion, &out->motion.clips[c]);
+void swing_clips(const Springs& springs, bool measure, AnimatedCharacter* out) {
+  if (out->motion.name.empty()) out->motion.name = out->character.name;  // for messages
+  for (size_t c = 0; c < out->motion.clips.size(); ++c) {
+    Clip& clip = out->motion.clips[c];
+    const Clip rigid = measure ? clip : Clip();
+    out->animated_clips[c].springs = play_springs(springs, out->motion, &clip);
+    if (!measure) continue;
+    const std::vector<uint8_t> swings = swinging_vertices(out->character, springs);
+    const auto inside = [&](const Clip& of) { return inside_share(out->character, swings, out->motion, of); };
+    out->animated_clips[c].swing = {static_cast<size_t>(std::count(swings.begin(), swings.end(), 1)), inside(rigid),
+                                    inside(clip)};
+  }
 }
 
 }  // namespace sinew

@@ -13,6 +13,7 @@
 #include "sinew_character/motion/motion_map.hpp"
 #include "sinew_character/motion/retarget.hpp"
 #include "sinew_character/springs/play_springs.hpp"
+#include "sinew_character/springs/swing_inside.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
@@ -54,6 +55,11 @@ struct AnimatedClip {
   size_t shapes = 0;  // of bake_clips(), and how far the clip is from the corrected poses with them
   BakeError error = {};
   SpringPlay springs = {};  // of swing_clips()
+  struct SwingReport {
+    size_t vertices = 0;       // that swing
+    InsideShare rigid, swung;  // without springs and with them
+  };
+  std::optional<SwingReport> swing = {};  // of swing_clips(), where it measures
 };
 
 struct AnimatedCharacter {

@@ -35,11 +35,16 @@ struct SpringsFound {
 // Throws Error for names that no chain has, words that are no kind or field, numbers out of their range, and springs of the file that are broken.
 SpringsFound springs_of(const SpringsOptions& options, const std::string& path, const Character& character);
 
+// make_chains() for the character, with a note for each garment, or one that there is none. Its chains are added to those that the options keep.
+// Returns whether the character has more joints.
+bool make_spring_chains(SpringsOptions* options, Character* character);
+
 // Plays springs_of() behind every clip of an animated character, into it: `sinew animate --springs`. Its notes say what swings. Throws Error
 // where nothing does.
-void swing_clips(const SpringsOptions& options, const std::string& path, AnimatedCharacter* out);
+//   measure  fills AnimatedClip::swing
+void swing_clips(const SpringsOptions& options, const std::string& path, bool measure, AnimatedCharacter* out);
 // The same of springs that are there.
-void swing_clips(const Springs& springs, AnimatedCharacter* out);
+void swing_clips(const Springs& springs, bool measure, AnimatedCharacter* out);
 
 }  // namespace sinew
 #endif

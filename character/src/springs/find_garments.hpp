@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Skirts, coats' tails, capes and long hair that hang off a bound body and have no joints of their own.
+#ifndef SINEW_SPRINGS_FIND_GARMENTS_HPP
+#define SINEW_SPRINGS_FIND_GARMENTS_HPP
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sinew_character/springs/find_springs.hpp"
+
+namespace sinew {
+
+// A sheet that hangs, as a lattice of lines from its top to its hem.
+struct Garment {
+  SpringKind kind = SpringKind::kSkirt;
+  size_t on = 0;        // the joint that it hangs on
+  std::vector<size_t> parents;  // [lines] the joints that the lines hang on: panels of a skirt beside a leg go with it
+  bool ring = false;    // it goes all the way around: the last line is beside the first
+  float certainty = 0;  // 0..1
+  std::vector<std::vector<Point3>> lines;  // [lines][rows + 1], from the top to the hem; of a ring from the front over the left
+  std::vector<uint32_t> vertices;
+  std::vector<std::array<double, 2>> places;  // [vertices] how many lines along (0..lines) and how far down (0..1)
+};
+
+// Of a body with two legs; nothing for others. Cross-sections tell: what encloses both legs is a skirt, what hangs behind the trunk as a sheet is
+// a cape, or hair where it hangs on the head.
+//   classes  [J] sinew_joint_class
+//   swings   [J] 1: the joint swings already
+std::vector<Garment> find_garments(const Character& character, const std::vector<uint8_t>& classes,
+                                   const std::vector<uint8_t>& swings);
+
+}  // namespace sinew
+#endif
