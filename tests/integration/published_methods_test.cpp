@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of the published methods in engine/README.md: every claim in it is run by a test of this program, whose other files have
+// The table of the published methods in engine/src/published/README.md: every claim in it is run by a test of this program, whose other files have
 // them by method, or says that it has a figure alone.
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ std::vector<std::string> cells_of(const std::string& row) {
 
 // Rows below the heading, without the head and the line under it.
 std::vector<std::vector<std::string>> table_rows() {
-  const std::vector<uint8_t> file = read_file(SINEW_SOURCE_DIR "/engine/README.md");
+  const std::vector<uint8_t> file = read_file(SINEW_SOURCE_DIR "/engine/src/published/README.md");
   const std::string text(file.begin(), file.end());
   const size_t begin = text.find("\n## Published methods\n");
   EXPECT_NE(begin, std::string::npos);

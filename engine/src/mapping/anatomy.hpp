@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a rig's parts are, by its joints' positions: sides, limbs, legs, trunk, arms, head. The source of the method is named
-// in engine/README.md (Mapping).
+// in engine/src/mapping/README.md.
 #ifndef SINEW_MAPPING_ANATOMY_HPP
 #define SINEW_MAPPING_ANATOMY_HPP
 

@@ -39,7 +39,7 @@ TEST_F(PublishedTransfer, AMeshOntoItselfKeepsItsWeights) {
 }
 
 // A third wider, a quarter lower. Nearest points of bodies that were aligned are what relocation must not fall far behind. As drawn it
-// does: distances to all reference points say how large a body is (engine/README.md).
+// does: distances to all reference points say how large a body is (engine/src/published/README.md).
 TEST_F(PublishedTransfer, AnotherBuildGetsLikeWeights) {
   const std::string sample = "biped__robot";
   Character other = bound(kData + "/" + sample + ".obj", kData + "/" + sample + ".rig.txt");
