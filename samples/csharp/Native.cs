@@ -451,7 +451,7 @@ namespace Sinew
         public struct sinew_spring_set
         {
             public uint struct_size, joint_count, chain_count, collider_count, chain_collider_count, reserved;
-            public IntPtr joints, chains, colliders, chain_colliders;
+            public IntPtr joints, chains, colliders, chain_colliders, hinges;
         }
 
         [StructLayout(LayoutKind.Sequential)]

@@ -105,9 +105,9 @@ export const LAYOUTS = {
     "joint@0:u32 hit_radius@4:f32 stiffness@8:f32 gravity_power@12:f32 gravity@16:f32x3 drag@28:f32 limit@32:f32"),
   springChain: layout(20, "first_joint@0:u32 joint_count@4:u32 first_collider@8:u32 collider_count@12:u32 center@16:i32"),
   springCollider: layout(36, "joint@0:u32 shape@4:u32 offset@8:f32x3 tail@20:f32x3 radius@32:f32"),
-  springSet: layout(40,
+  springSet: layout(44,
     "struct_size@0:u32 joint_count@4:u32 chain_count@8:u32 collider_count@12:u32 chain_collider_count@16:u32 reserved@20:u32 " +
-    "joints@24:u32 chains@28:u32 colliders@32:u32 chain_colliders@36:u32"),
+    "joints@24:u32 chains@28:u32 colliders@32:u32 chain_colliders@36:u32 hinges@40:u32"),
   springsOptions: layout(24, "struct_size@0:u32 steps@4:f32 unit@8:f32 teleport@12:f32 gap@16:f32 reserved@20:u32"),
   file: layout(12, "name@0:u32 bytes@4:u32 size_bytes@8:u32"),
   characterProfileOptions: layout(32,

@@ -353,7 +353,8 @@ class sinew_spring_collider(Structure):
 class sinew_spring_set(Structure):
     _fields_ = [("struct_size", c_uint32), ("joint_count", c_uint32), ("chain_count", c_uint32), ("collider_count", c_uint32),
         ("chain_collider_count", c_uint32), ("reserved", c_uint32), ("joints", POINTER(sinew_spring_joint)),
-        ("chains", POINTER(sinew_spring_chain)), ("colliders", POINTER(sinew_spring_collider)), ("chain_colliders", c_void_p)]
+        ("chains", POINTER(sinew_spring_chain)), ("colliders", POINTER(sinew_spring_collider)), ("chain_colliders", c_void_p),
+        ("hinges", c_void_p)]
 
 
 class sinew_springs_options(Structure):
