@@ -40,6 +40,7 @@ set(sinew_formats_sources
   gltf/spring_limits
   gltf/springs_read
   gltf/springs_write
+  gltf/still_mesh
   gltf/gltf_summary
   gltf/gltf_write
   gltf/iqm_to_glb

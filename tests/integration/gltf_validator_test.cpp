@@ -11,6 +11,7 @@
 #include "rest_pose.hpp"
 #include "scene_files.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/still_mesh.hpp"
 #include "temp_folder.hpp"
 #ifdef SINEW_HAS_MESHOPT
 #include "meshopt_glb.hpp"
@@ -57,6 +58,22 @@ TEST_F(Writes, FromObj) {
     c.influences[static_cast<size_t>(j % 5)].push_back({static_cast<uint32_t>(3 + j), 0.01f});
   }
   save(c);  // 16-bit joints, 16 sets
+  validate();
+}
+
+TEST_F(Writes, StillMeshes) {
+  for (const Character& character :
+       {obj(kBox), obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n"), read(two_joint_strip(true))}) {
+    const StillMesh mesh("still.glb", character);
+    std::vector<Vec3> positions;
+    std::vector<std::array<float, 2>> texels;
+    for (const uint32_t v : mesh.vertices()) {
+      positions.push_back(character.vertices[v]);
+      texels.push_back({0.25f, 0.75f});
+    }
+    files_.push_back(folder_.file("still" + std::to_string(files_.size()) + ".glb"));
+    write_file(files_.back(), mesh.glb(positions, mesh.normals(), texels));
+  }
   validate();
 }
 

@@ -71,6 +71,10 @@ void write_gltf_motion(const std::string& path, const Motion& motion, const Gltf
 std::vector<int> add_joint_nodes(const std::string& path, const std::vector<Joint>& joints, Json* document);
 // A document with one mesh node from a Character that has none of its own (an OBJ).
 GltfSource gltf_from_mesh(const std::string& path, const Character& character);
+// Pictures that are files beside the input, or data URIs, become parts of the buffer; those that were not found stay
+// names. Without `files_too`, files stay files. Files of a kind that glTF does not embed keep their path, which is named
+// from the folder of `path`.
+void embed_images(const std::string& path, bool files_too, GltfSource* source);
 // Appends bytes as a buffer view and an accessor on it; returns the accessor's number.
 int add_accessor(GltfSource* source, const void* values, size_t size_bytes, const char* type, int component_type,
                  size_t count, bool vertex_attribute, bool normalized);

@@ -37,34 +37,6 @@ std::string moved_uri(const std::string& uri, const std::string& from, const std
   return moved.empty() ? uri : moved;
 }
 
-// Pictures that are files beside the input, or data URIs, become parts of the buffer; those that were not found stay
-// names. Without `files_too`, files stay files. Files of a kind that glTF does not embed keep their path, which is named
-// from the new folder.
-void embed_images(const std::string& path, bool files_too, GltfSource* source) {
-  Json& document = source->document;
-  for (size_t i = 0; i < source->model.images.size(); ++i) {
-    Json& image = document["images"][i];
-    const std::vector<unsigned char>& bytes = source->model.images[i].image;
-    const char* type = image_type(bytes);
-    if (!image.contains("uri") || bytes.empty()) continue;
-    const std::string uri = image["uri"].get<std::string>();
-    const bool is_file = !tinygltf::IsDataURI(uri);
-    if (is_file && !files_too) continue;
-    if (type == nullptr) {
-      if (is_file) image["uri"] = moved_uri(uri, source->path, path);
-      continue;
-    }
-    source->bytes.resize((source->bytes.size() + 3) / 4 * 4);
-    document["bufferViews"].push_back(
-        {{"buffer", 0}, {"byteOffset", source->bytes.size()}, {"byteLength", bytes.size()}});
-    source->bytes.insert(source->bytes.end(), bytes.begin(), bytes.end());
-    image.erase("uri");
-    image["bufferView"] = document["bufferViews"].size() - 1;
-    image["mimeType"] = type;
-    if (!document.contains("buffers")) document["buffers"] = Json::array({Json::object()});
-  }
-}
-
 bool same_folder(const std::string& a, const std::string& b) {
   std::error_code first, second;
   const fs::path x = fs::weakly_canonical(fs::absolute(a).parent_path(), first),
@@ -240,6 +212,31 @@ void write_document(const std::string& path, const Character& character, const G
 }
 
 }  // namespace
+
+void embed_images(const std::string& path, bool files_too, GltfSource* source) {
+  Json& document = source->document;
+  for (size_t i = 0; i < source->model.images.size(); ++i) {
+    Json& image = document["images"][i];
+    const std::vector<unsigned char>& bytes = source->model.images[i].image;
+    const char* type = image_type(bytes);
+    if (!image.contains("uri") || bytes.empty()) continue;
+    const std::string uri = image["uri"].get<std::string>();
+    const bool is_file = !tinygltf::IsDataURI(uri);
+    if (is_file && !files_too) continue;
+    if (type == nullptr) {
+      if (is_file) image["uri"] = moved_uri(uri, source->path, path);
+      continue;
+    }
+    source->bytes.resize((source->bytes.size() + 3) / 4 * 4);
+    document["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", source->bytes.size()}, {"byteLength", bytes.size()}});
+    source->bytes.insert(source->bytes.end(), bytes.begin(), bytes.end());
+    image.erase("uri");
+    image["bufferView"] = document["bufferViews"].size() - 1;
+    image["mimeType"] = type;
+    if (!document.contains("buffers")) document["buffers"] = Json::array({Json::object()});
+  }
+}
 
 bool has_vrm_data(const Character& character) { return character.gltf && is_vrm(character.gltf->document); }
 
