@@ -20,12 +20,14 @@ set(sinew_picture_sources
   picture/read/read_stb
   picture/sprites/sprite_files
   picture/sprites/draw_in_plane)
-# Renders and HTML pages, which need libpng.
+# Renders, textures and HTML pages, which need libpng.
 set(sinew_draw_sources
+  crowd/vertex_textures
   draw/colour
   draw/image
   draw/pose_frame
   draw/render
+  jobs/vat_job
   page/pages
   page/html)
 set(sinew_character_sources

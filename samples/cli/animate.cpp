@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "animate_report.hpp"
+#include "animate_vat.hpp"
 #include "commands.hpp"
 #include "options.hpp"
 #include "pictures.hpp"
@@ -147,6 +148,12 @@ bool is_loop(const AnimateSettings& s) { return is_picture(s.character) && has_e
 // What needs no file to be told. Of a folder the one that is written into is made later.
 void check_settings(const AnimateSettings& s, bool of_folder) {
   const bool picture = is_picture(s.character);
+  if (!s.vat.empty()) {
+    check_vat_folder(s.vat);
+    if (is_loop(s)) throw UsageError("--vat writes a mesh, and " + s.output + " is a picture that moves; write a .glb");
+    if (s.output.empty() && (!s.profile.profile.empty() || !s.profile.controls.empty()))
+      throw UsageError("--for and --controls say how -o is written, and there is none; textures have no skeleton");
+  }
   if (s.motions.empty() && !picture)
     throw UsageError("--motion is required" + (has_use(s.character, kReadsMesh) ? "" : remedy(s.character)));
   if (!picture)
@@ -157,7 +164,7 @@ void check_settings(const AnimateSettings& s, bool of_folder) {
       throw UsageError(s.output +
                        ": is a picture that moves, without a character: leave --loop, --for and --controls out, "
                        "or write a .glb");
-  } else if (!of_folder || has_extension(s.output, ".apng")) {
+  } else if ((!of_folder && !s.output.empty()) || has_extension(s.output, ".apng")) {
     check_output(s.output, kWritesMotion);
   }
   check_sprite_options(s.sprites, s.character);
@@ -165,7 +172,7 @@ void check_settings(const AnimateSettings& s, bool of_folder) {
   if (!(s.from <= s.to)) throw UsageError(print("--start %g is behind --end %g", s.from, s.to));
   if (is_motion_alone(s.output) && !s.profile.controls.empty())
     throw UsageError(s.output + ": a clip alone has no character that --controls could be of; write a .glb");
-  if (!s.deform.method.empty() && is_motion_alone(s.output) && s.sheet.empty())
+  if (!s.deform.method.empty() && is_motion_alone(s.output) && s.sheet.empty() && s.vat.empty())
     throw UsageError(s.output + ": a clip alone has no mesh that --deform could correct; write a .glb, or a --sheet");
 }
 
@@ -182,7 +189,7 @@ Animated animate_one(const AnimateSettings& s, const std::atomic<bool>& stop) {
                      std::to_string(animated.motion.clips.size()) +
                      "; say which with --motion FILE#CLIP, or write a .glb");
   if (s.springs) swing_clips({}, s.character, s.report, &animated);
-  if (deform && !alone) bake_clips(*deform, s.shapes, counted("corrected poses", stop), &animated);
+  if (deform && !alone && !s.output.empty()) bake_clips(*deform, s.shapes, counted("corrected poses", stop), &animated);
   if (std::string note = checked_note(animated.character, &animated.motion); !note.empty())
     animated.motion.notes.push_back(std::move(note));
   SpriteSettings wanted = s.sprites;
@@ -198,10 +205,13 @@ Animated animate_one(const AnimateSettings& s, const std::atomic<bool>& stop) {
   if (animated.picture)
     sprites = sprite_files(wanted, s.output, *animated.picture->picture, animated.character, animated.motion,
                            deformer ? &*deformer : nullptr);
+  if (!s.vat.empty())
+    animated.vat = vertex_animation(stem_of(s.character), animated, deform, counted("poses for textures", stop));
   if (stop) throw Error(s.output + ": cannot write, the work was interrupted");
+  if (animated.vat) write_vat(s.vat, *animated.vat);
   if (alone) {
     write_clips(s.output, animated.character, animated.motion);
-  } else if (!is_loop(s)) {
+  } else if (!s.output.empty() && !is_loop(s)) {
     GlbOptions options;
     options.keep_skin = !animated.rigged;
     options.motion = &animated.motion;
@@ -214,9 +224,11 @@ Animated animate_one(const AnimateSettings& s, const std::atomic<bool>& stop) {
 }
 
 void run_animate_folder(AnimateSettings s, const std::atomic<bool>& stop) {
-  refuse_given(
-      {{"--sheet", !s.sheet.empty()}, {"--loop", !s.sprites.loop.empty()}, {"--controls", !s.profile.controls.empty()}},
-      " is for one character, and " + s.character + " is a folder");
+  refuse_given({{"--sheet", !s.sheet.empty()},
+                {"--vat", !s.vat.empty()},
+                {"--loop", !s.sprites.loop.empty()},
+                {"--controls", !s.profile.controls.empty()}},
+               " is for one character, and " + s.character + " is a folder");
   const std::string output = s.output;
   const std::vector<FolderFile> files = folder_files(s.character, output, "." + s.format, true);
   const auto settings_of = [&s](const FolderFile& file) {
@@ -271,9 +283,8 @@ void add_animate_inputs(CLI::App* sub, AnimateSettings* s) {
   shared_option(
       sub, "-o,--output", s->output,
       "The character with its new animations, clips alone as .bvh or .vrma, a picture's clips as .apng, for a folder "
-      "another folder: " +
-          extensions_text(kWritesMotion))
-      ->required();
+      "another folder; may be left out with --vat: " +
+          extensions_text(kWritesMotion));
   shared_option(sub, "--map", s->map, "By anatomy and names unless given");
   shared_word_option(
       sub, "--method", s->method, kAnimateMethod,
@@ -283,6 +294,7 @@ void add_animate_inputs(CLI::App* sub, AnimateSettings* s) {
       "it; reference-points: the published method, by points of both bodies, and node-offsets: the published "
       "alignment of joints, which stretches bones, both for comparison; auto: contacts");
   sub->add_option("--sheet", s->sheet, "Also draw frames of every clip side by side")->type_name("FILE");
+  add_vat_option(sub, &s->vat);
   shared_option(sub, "--up", s->up_name, "For the character")
       ->check(CLI::IsMember({"auto", "x", "y", "z"}))
       ->capture_default_str();
@@ -382,8 +394,10 @@ void add_animate(CLI::App& app) {
       "  sinew animate mesh.obj --motion builtin:walk --motion moves.glb#jump --map map.txt -o moves.glb\n"
       "  sinew animate drawing.png -o drawing.glb --sheet drawing-frames.png\n\n"
       "  sinew animate broad.glb --motion walking.glb --method reference-points -o other.glb\n"
-      "  sinew animate hero.glb --motion walk.bvh --deform volume -o walking.glb");
+      "  sinew animate hero.glb --motion walk.bvh --deform volume -o walking.glb\n"
+      "  sinew animate hero.glb --motion builtin:walk --in-place --method copy --vat crowd");
   sub->callback([s, of_reference, sub] {
+    if (s->output.empty() && s->vat.empty()) throw CLI::RequiredError("--output");
     check_picture_options(*sub, s->character);
     for (const CLI::Option* option : of_reference)
       if (option->count() > 0 && s->method != AnimateMethod::kReferencePoints)

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "animate_vat.hpp"
 #include "options.hpp"
 #include "support.hpp"
 
@@ -42,7 +43,7 @@ void tell_report(const Character& character, const ClipReport& report) {
 Json animate_json(const AnimateSettings& s, const Animated& animated) {
   Json json = {{"sinew_animate", 1}};
   json["character"] = s.character;
-  json["output"] = s.output;
+  if (!s.output.empty()) json["output"] = s.output;
   json["joints"] = animated.character.joints.size();
   json["rigged"] = animated.rigged;
   if (animated.picture) json["picture"] = picture_json(*animated.picture);
@@ -68,10 +69,11 @@ Json animate_json(const AnimateSettings& s, const Animated& animated) {
                                                    {"at_rest", one.swing->rigid.at_rest},
                                                    {"rigid", one.swing->rigid.share},
                                                    {"swung", one.swing->swung.share}};
-    if (s.deform.method.empty()) continue;
+    if (s.deform.method.empty() || s.output.empty()) continue;  // shapes are of the character's file
     json["clips"].back()["shapes"] = one.shapes;
     json["clips"].back()["error"] = {{"linear", one.error.linear}, {"baked", one.error.baked}};
   }
+  if (animated.vat) json["vat"] = vat_json(s.vat, *animated.vat);
   json["notes"] = animated.motion.notes;
   return json;
 }
@@ -98,11 +100,16 @@ void tell_animated(const AnimateSettings& s, const Animated& animated) {
                   one.swing->vertices, 100 * one.swing->swung.share, 100 * one.swing->rigid.share);
   }
   for (const AnimatedClip& one : animated.animated_clips)
-    if (!s.deform.method.empty())
+    if (!s.deform.method.empty() && !s.output.empty())
       std::printf("  %s: %zu shapes, %.3f %% of the size from the corrected poses, linear skinning alone %.3f %%\n",
                   printable(one.clip).c_str(), one.shapes, 100 * one.error.baked, 100 * one.error.linear);
   for (const std::string& note : animated.motion.notes) std::printf("  %s\n", printable(note).c_str());
-  std::printf("wrote %s\n", printable(s.output).c_str());
+  if (animated.vat)
+    tell_vat(s.vat, *animated.vat,
+             !s.in_place                        ? " (--in-place keeps it on its spot)"
+             : s.method != AnimateMethod::kCopy ? " (--method copy moves feet as the motion does)"
+                                                : "");
+  if (!s.output.empty()) std::printf("wrote %s\n", printable(s.output).c_str());
 }
 
 }  // namespace sinew::cli

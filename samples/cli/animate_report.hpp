@@ -11,11 +11,12 @@
 
 #include "option_groups.hpp"
 #include "sinew_character/jobs/animate_job.hpp"
+#include "sinew_character/jobs/vat_job.hpp"
 
 namespace sinew::cli {
 
 struct AnimateSettings : AnimateOptions {
-  std::string output, up_name = "auto", motion_up_name = "auto", sheet, layout, actor;
+  std::string output, up_name = "auto", motion_up_name = "auto", sheet, vat, layout, actor;
   std::string format = "glb";
   std::vector<std::string> motions;
   DeformSettings deform;
@@ -30,7 +31,8 @@ struct AnimateSettings : AnimateOptions {
 };
 
 struct Animated : AnimatedCharacter {
-  std::optional<PictureCharacter> picture;  // what it was made of
+  std::optional<PictureCharacter> picture = {};  // what it was made of
+  std::optional<VatResult> vat = {};             // with --vat
 };
 
 nlohmann::ordered_json animate_json(const AnimateSettings& settings, const Animated& animated);

@@ -3,7 +3,7 @@ if(TARGET sinew_lab_cli)
   find_package(nlohmann_json REQUIRED)
   sinew_test(cli_test SOURCES integration/cli_test.cpp integration/cli_folders_test.cpp integration/cli_tells_test.cpp
     integration/cli_joints_test.cpp integration/cli_questions_test.cpp integration/cli_rig_test.cpp
-    integration/cli_rig_edit_test.cpp integration/cli_slots_test.cpp integration/cli_hands_test.cpp integration/cli_simplify_test.cpp integration/cli_springs_test.cpp integration/cli_map_test.cpp integration/cli_animate_test.cpp integration/cli_transfer_test.cpp
+    integration/cli_rig_edit_test.cpp integration/cli_slots_test.cpp integration/cli_hands_test.cpp integration/cli_simplify_test.cpp integration/cli_springs_test.cpp integration/cli_vat_test.cpp integration/cli_map_test.cpp integration/cli_animate_test.cpp integration/cli_transfer_test.cpp
     integration/cli_bake_test.cpp integration/cli_like_test.cpp integration/cli_options_test.cpp integration/cli_convert_test.cpp integration/cli_lod_test.cpp integration/cli_picture_test.cpp integration/cli_serve_test.cpp integration/cli_profiles_test.cpp
     LIBS sinew::character nlohmann_json::nlohmann_json LABELS integration)
   target_include_directories(cli_test PRIVATE ${CMAKE_SOURCE_DIR}/formats/src)  # walking_motion.hpp

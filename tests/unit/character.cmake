@@ -3,7 +3,7 @@
 if(SINEW_BUILD_FORMATS)
   find_package(Eigen3 REQUIRED NO_MODULE)
   find_package(nlohmann_json REQUIRED)
-  foreach(room rig bind predict pose bake clips motion springs picture profile draw check jobs)
+  foreach(room rig bind predict pose bake clips motion springs crowd picture profile draw check jobs)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/character/${room}/*_test.cpp)
     sinew_test(unit_character_${room} SOURCES ${sources} LIBS sinew::character Eigen3::Eigen nlohmann_json::nlohmann_json LABELS unit)
     target_include_directories(unit_character_${room} PRIVATE ${CMAKE_SOURCE_DIR}/character/src ${CMAKE_SOURCE_DIR}/formats/src)

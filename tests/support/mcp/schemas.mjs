@@ -49,6 +49,7 @@ expectValid('transfer', 'robed.glb', robot, '-o', 'other.glb');
 expectValid('simplify', 'robed.glb', '--level', 'low', '-o', 'low.glb');
 expectValid('springs', 'robed.glb', '-o', 'swings.glb');
 expectValid('animate', 'swings.glb', '--motion', 'builtin:run', '--springs', '-o', 'swinging.glb');
+expectValid('animate', 'robed.glb', '--motion', 'builtin:walk', '--vat', 'crowd');
 expectValid('bake', 'robed.glb', '-o', 'baked.glb', '--poses', '20', '--shapes', '2');
 expectValid('check', 'robed.glb', 'robot.glb');
 expectValid('lod', 'robed.glb', '--levels', '2');
@@ -72,6 +73,9 @@ execFileSync(sinew, ['bind', robed, '--skeleton', rig, '-o', 'controlled.glb', '
 const controls = schemas.get('controls');
 assert.ok(controls(JSON.parse(readFileSync(join(folder, 'robed.controls.json'), 'utf8'))), `controls: ${ajv.errorsText(controls.errors)}`);
 seen.add('controls');
+const layout = schemas.get('vat');
+assert.ok(layout(JSON.parse(readFileSync(join(folder, 'crowd/robed.vat.json'), 'utf8'))), `vat: ${ajv.errorsText(layout.errors)}`);
+seen.add('vat');
 assert.deepEqual([...seen].sort(), [...schemas.keys()].sort(), 'a run for every schema');
 for (const [name, validate] of schemas) assert.ok(!validate({ [`sinew_${name}`]: 2 }), `${name}: another version is refused`);
 console.log('SCHEMAS OK');

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Vertex animation textures: the vertices of every frame of several clips as pixels, for shaders that draw crowds without skinning.
+#ifndef SINEW_CHARACTER_VERTEX_TEXTURES_HPP
+#define SINEW_CHARACTER_VERTEX_TEXTURES_HPP
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sinew_character/draw/image.hpp"
+#include "sinew_formats/base/box.hpp"
+
+namespace sinew {
+
+// No side of a texture is longer; GPUs of the last ten years take 4096 x 8192, and most take 16384.
+constexpr uint32_t kMostTextureWidth = 4096, kMostTextureHeight = 8192;
+
+// Which texel holds what: frame f of vertex v is in column v % width, row f * rows + v / width.
+struct TextureLayout {
+  uint32_t vertices = 0, frames = 0;
+  uint32_t width = 0;
+  uint32_t rows = 0;  // of one frame
+
+  uint32_t height() const { return rows * frames; }
+  size_t texel(size_t vertex, size_t frame) const { return (frame * rows + vertex / width) * width + vertex % width; }
+  // Of frame 0: the middle of the texel, 0..1, v down.
+  std::array<float, 2> coordinates(size_t vertex) const {
+    return {(static_cast<float>(vertex % width) + 0.5f) / static_cast<float>(width),
+            (static_cast<float>(vertex / width) + 0.5f) / static_cast<float>(height())};
+  }
+};
+
+// The narrowest layout with the fewest rows. Throws Error, which begins with `name`, where it would be too high, saying how many frames fit.
+TextureLayout texture_layout(const std::string& name, size_t vertices, size_t frames);
+
+// Three pictures of RGB, 8 bits a channel, because no browser and no Godot keeps more of a PNG.
+struct VertexTextures {
+  TextureLayout layout;
+  Box bounds;                                 // of the positions of all frames
+  Image position_high, position_low, normal;  // red, green and blue are x, y and z
+};
+
+// Black pictures of the layout.
+VertexTextures blank_textures(const TextureLayout& layout, const Box& bounds);
+
+// A position as 16 bits an axis over the bounds, high bytes and low bytes apart: low + (256 high + low) / 65535 * (high - low) of the bounds. Half
+// a step is the error, 0.014 mm an axis where the bounds measure 1.8 m. An axis on which the bounds are flat has 0.
+void set_position(const Vec3& position, size_t texel, VertexTextures* textures);
+Vec3 position_at(const VertexTextures& textures, size_t texel);
+// A normal of length 1 as round(127 n) + 128, which holds the axes exactly; at most 0.4 degrees off. Decoded to length 1.
+void set_normal(const Vec3& normal, size_t texel, VertexTextures* textures);
+Vec3 normal_at(const VertexTextures& textures, size_t texel);
+
+}  // namespace sinew
+#endif
