@@ -23,6 +23,8 @@ const rules = {
 export default [
   { ignores: ["**/node_modules/**", "**/dist*/**"] },
   { files: ["web/src/**/*.js", "npm/src/**/*.js"], languageOptions: { globals: { ...globals.browser, ...globals.serviceworker } }, rules },
+  { files: ["crowd/**/*.js"], languageOptions: { globals: globals.browser }, rules },
+  { files: ["crowd/test/*.mjs"], languageOptions: { globals: { ...globals.node, ...globals.browser } }, rules: { ...rules, "no-shadow": "off" } },
   { files: ["npm/src/host_node.js"], languageOptions: { globals: globals.node }, rules },
   { files: ["web/{samples,test,wasm}/**/*.mjs", "npm/test/**/*.mjs"], languageOptions: { globals: { ...globals.node, ...globals.browser, sinewPage: "readonly" } }, rules: { ...rules, "no-shadow": "off" } },
 ];

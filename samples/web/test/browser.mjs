@@ -8,7 +8,7 @@ import { chromium } from "playwright-core";
 
 const types = {
   ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm",
-  ".svg": "image/svg+xml", ".webp": "image/webp", ".json": "application/json", ".webmanifest": "application/manifest+json",
+  ".svg": "image/svg+xml", ".png": "image/png", ".webp": "image/webp", ".json": "application/json", ".webmanifest": "application/manifest+json",
   ".gltf": "model/gltf+json", ".obj": "text/plain", ".txt": "text/plain",
 };
 
