@@ -105,6 +105,7 @@ set(sinew_character_sources
   springs/make_chains
   springs/play_springs
   springs/sections
+  springs/spring_player
   springs/spring_presets
   springs/swing_inside
   springs/swing_words

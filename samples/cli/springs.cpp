@@ -157,7 +157,8 @@ void add_springs(CLI::App& app) {
       ->type_name("NAME=KIND")
       ->allow_extra_args(false);
   sub->add_option("--value", s->options.values,
-                  "One number for a chain's joints, NAME:FIELD=X: " + spring_fields_text() +
+                  "One number for a chain's joints, NAME:FIELD=X, or F times what each has, NAME:FIELD=xF: " +
+                      spring_fields_text() +
                       ": meters a second, meters, degrees; limit is for animate --springs alone; may be repeated")
       ->type_name("SETTING")
       ->allow_extra_args(false);

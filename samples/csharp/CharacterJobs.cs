@@ -430,7 +430,8 @@ namespace Sinew
         public string[] Drop;
         /// <summary>NAME=KIND: numbers of another kind, hair, long-hair, skirt, tail, ear, cape, bust or ribbon</summary>
         public string[] Presets;
-        /// <summary>NAME:FIELD=X: one number of a chain's joints, stiffness, gravity, drag, radius or limit</summary>
+        /// <summary>NAME:FIELD=X, one number of a chain's joints, or NAME:FIELD=xF, F times what each has: stiffness, gravity, drag, radius
+        /// or limit</summary>
         public string[] Values;
 
         internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
@@ -921,6 +922,8 @@ namespace Sinew
         public int JointCount;
         /// <summary>Spheres and capsules that push them</summary>
         public int ColliderCount;
+        /// <summary>The first of these are the file's own</summary>
+        public int OwnCount;
         /// <summary>Kept</summary>
         public byte[] Kept;
         /// <summary>0..1</summary>
@@ -939,7 +942,7 @@ namespace Sinew
         {
             var r = Character.Read<Native.sinew_character_springs_result>(at);
             return new SpringsResult {ChainCount = (int)r.chain_count, JointCount = (int)r.joint_count,
-                ColliderCount = (int)r.collider_count, Kept = Character.Bytes(r.kept, r.proposal_count),
+                ColliderCount = (int)r.collider_count, OwnCount = (int)r.own_count, Kept = Character.Bytes(r.kept, r.proposal_count),
                 Certainties = Character.Floats(r.certainties, r.proposal_count), Names = Character.Text(r.names),
                 Kinds = Character.Text(r.kinds) };
         }

@@ -735,7 +735,7 @@ namespace Sinew
         [StructLayout(LayoutKind.Sequential)]
         public struct sinew_character_springs_result
         {
-            public uint struct_size, chain_count, joint_count, collider_count, proposal_count, reserved;
+            public uint struct_size, chain_count, joint_count, collider_count, proposal_count, own_count;
             public IntPtr kept, certainties, names, kinds;
         }
 

@@ -9,8 +9,9 @@ from .members import Value, base, result_structs, values_of
 
 # Calls that the module has: name in C, options, result.
 CALLS = {"bind": "BindOptions", "rig": "RigOptions", "animate": "RetargetOptions", "transfer": "TransferOptions", "transform": "TransformOptions",
-         "profile": "ProfileOptions", "check": "CheckOptions", "picture": "PictureOptions"}
-RESULTS = ("bind_result", "rig_result", "animate_result", "transfer_result", "check_result", "picture_info")
+         "profile": "ProfileOptions", "check": "CheckOptions", "springs": "SpringsOptions",
+         "picture": "PictureOptions"}
+RESULTS = ("bind_result", "rig_result", "animate_result", "transfer_result", "check_result", "springs_result", "picture_info")
 # Names that differ from those of C, of one call or of all.
 NAMES = {"influence_count": "influences", "spine_count": "spine", "rig.skeleton": "template", "picture.pixels": "units"}
 # What is not offered: files, which are not on a disk here; and what another member says.

@@ -657,7 +657,7 @@ typedef struct sinew_character_springs_options {
   const char* const* drop;
   /* [preset_count] NAME=KIND: numbers of another kind, hair, long-hair, skirt, tail, ear, cape, bust or ribbon; or null. */
   const char* const* presets;
-  /* [value_count] NAME:FIELD=X: one number of a chain's joints, stiffness, gravity, drag, radius or limit; or null. */
+  /* [value_count] NAME:FIELD=X, one number of a chain's joints, or NAME:FIELD=xF, F times what each has: stiffness, gravity, drag, radius or limit; or null. */
   const char* const* values;
 } sinew_character_springs_options;
 
@@ -671,7 +671,8 @@ typedef struct sinew_character_springs_result {
   uint32_t collider_count;
   /* Chains that were proposed, with those that are not kept. */
   uint32_t proposal_count;
-  uint32_t reserved;
+  /* The first of these are the file's own. */
+  uint32_t own_count;
   /* [proposal_count] 1: kept. */
   const uint8_t* kept;
   /* [proposal_count] 0..1 */

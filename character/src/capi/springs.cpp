@@ -35,6 +35,7 @@ void find(const sinew_character_springs_options& options, sinew_character* chara
   filled.collider_count = count32(found.springs.colliders.size());
   for (const SpringChain& chain : found.springs.chains) filled.joint_count += count32(chain.turning_joints());
   for (const FoundChain& one : found.chains) {
+    filled.own_count += one.own ? 1 : 0;
     views.joint_names += (views.ends.empty() ? "" : "\n") + one.chain.name;
     views.kinds += (views.ends.empty() ? "" : "\n") + std::string(spring_kind_text(one.kind));
     views.ends.push_back(one.kept ? 1 : 0);

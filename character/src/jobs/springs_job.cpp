@@ -94,14 +94,21 @@ void set_value(const std::string& path, const std::string& text, std::vector<Fou
       colon == std::string::npos || equals == std::string::npos ? "" : text.substr(colon + 1, equals - colon - 1);
   const auto field = std::find_if(kFields.begin(), kFields.end(), [&](const Field& one) { return word == one.name; });
   if (field == kFields.end())
-    throw Error("value " + in_quotes(text) + ": expected CHAIN:FIELD=NUMBER with one of " + spring_fields_text());
-  const std::optional<double> value = to_finite_double(text.substr(equals + 1));
-  if (!value || !(*value >= field->low && *value <= field->high))
-    throw Error("value " + in_quotes(text) + ": expected a number from " +
-                std::to_string(static_cast<long>(field->low)) + " to " +
-                std::to_string(static_cast<long>(field->high)) + ", found " + in_quotes(text.substr(equals + 1)));
+    throw Error("value " + in_quotes(text) + ": expected CHAIN:FIELD=NUMBER or CHAIN:FIELD=xFACTOR with one of " +
+                spring_fields_text());
+  const std::string number = text.substr(equals + 1);
+  const bool scales = number.compare(0, 1, "x") == 0;
+  const double low = scales ? 0 : field->low, high = scales ? kLargest : field->high;
+  const std::optional<double> value = to_finite_double(scales ? number.substr(1) : number);
+  if (!value || !(*value >= low && *value <= high))
+    throw Error("value " + in_quotes(text) + ": expected a number from " + std::to_string(static_cast<long>(low)) +
+                " to " + std::to_string(static_cast<long>(high)) + (scales ? " after x" : "") + ", found " +
+                in_quotes(number));
   change_named(path, text.substr(0, colon), chains, [&](FoundChain* found) {
-    for (SpringJoint& joint : found->chain.joints) joint.*(field->member) = *value;
+    for (SpringJoint& joint : found->chain.joints) {
+      double& changed = joint.*(field->member);
+      changed = std::clamp(scales ? *value * changed : *value, field->low, field->high);
+    }
   });
 }
 

@@ -34,6 +34,8 @@ export class CharacterFile {
   readonly controls: string;
   /** findings: errors first; line: "checked: 0 findings"; score: 0..100, null where it was not asked for */
   check(options?: jobs.CheckOptions): jobs.CheckResult;
+  /** chains that were proposed, those of the file first: names and kinds are a line each, kept and certainties by number */
+  springs(options?: jobs.SpringsOptions): jobs.SpringsResult;
   view(): CharacterArrays;
   /** bytes of a .glb, .vrm, .bvh or .rig.txt */
   save(name: string): Uint8Array;

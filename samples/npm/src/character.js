@@ -109,6 +109,11 @@ export class CharacterFile {
     return this.#job("check", "check", options, { result: "characterCheckResult" });
   }
 
+  /** `sinew springs`: finds what swings, hair, tails, ears and skirts. It is saved with the character and played by retarget({ springs: true }). */
+  springs(options = {}) {
+    return this.#job("springs", "springs", options, { result: "characterSpringsResult" });
+  }
+
   /** Copies of its arrays: mesh, skeleton and, where it has weights, rows of them as CSR. */
   view() {
     const { module } = this.#house, a = this.#house.arrays(this.#at("view"));

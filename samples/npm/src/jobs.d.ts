@@ -209,6 +209,19 @@ export interface TransferOptions {
   locked?: ArrayLike<number>;
   onProgress?: Progress;
 }
+export interface SpringsOptions {
+  /** finds springs anew in place of the file's own */
+  replace?: boolean;
+  /** chains that are kept although they are not sure, or beside the file's own */
+  take?: string[];
+  /** chains that are left out */
+  drop?: string[];
+  /** NAME=KIND: numbers of another kind, hair, long-hair, skirt, tail, ear, cape, bust or ribbon */
+  presets?: string[];
+  /** NAME:FIELD=X, one number of a chain's joints, or NAME:FIELD=xF, F times what each has: stiffness, gravity, drag, radius or limit
+   * */
+  values?: string[];
+}
 export interface PictureOptions {
   bodyClass?: "found" | "biped" | "quadruped" | "bird" | "fish" | "snake" | "many-legged" | "other";
   /** which of several figures, from left to right, from 1 on; 0: the largest */
@@ -423,6 +436,24 @@ export interface TransferResult {
   mappedBy: string;
   /** by falling size */
   parts: TransferPart[];
+}
+export interface SpringsResult {
+  /** chains that are kept */
+  chainCount: number;
+  /** joints that swing */
+  jointCount: number;
+  /** spheres and capsules that push them */
+  colliderCount: number;
+  /** the first of these are the file's own */
+  ownCount: number;
+  /** kept */
+  kept: Uint8Array;
+  /** 0..1 */
+  certainties: Float32Array;
+  /** names of the proposals, a line each, '\n' between two */
+  names: string;
+  /** kinds of the proposals, a line each, '\n' between two */
+  kinds: string;
 }
 export interface PictureInfo {
   /** pixels, of the picture as it is seen */

@@ -192,7 +192,7 @@ export const LAYOUTS = {
     "struct_size@0:u32 replace@4:u32 take_count@8:u32 drop_count@12:u32 preset_count@16:u32 value_count@20:u32 take@24:u32 " +
     "drop@28:u32 presets@32:u32 values@36:u32"),
   characterSpringsResult: layout(40,
-    "struct_size@0:u32 chain_count@4:u32 joint_count@8:u32 collider_count@12:u32 proposal_count@16:u32 reserved@20:u32 " +
+    "struct_size@0:u32 chain_count@4:u32 joint_count@8:u32 collider_count@12:u32 proposal_count@16:u32 own_count@20:u32 " +
     "kept@24:u32 certainties@28:u32 names@32:u32 kinds@36:u32"),
   characterBakeOptions: layout(64,
     "struct_size@0:u32 reserved@4:u32 progress@8:u32 progress_user@12:u32 deform@16:u32 poses@20:u32 shapes@24:u32 " +

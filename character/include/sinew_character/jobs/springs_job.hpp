@@ -16,8 +16,9 @@ struct SpringsOptions {
   std::vector<std::string> keep;  // although their certainty is low, or the file has springs of its own
   std::vector<std::string> drop;
   std::vector<std::string> presets;  // NAME=KIND
-  std::vector<std::string> values;   // NAME:FIELD=NUMBER, see spring_fields_text()
-  bool replace = false;              // the file's own springs do not count
+  // NAME:FIELD=NUMBER for all joints of a chain, or NAME:FIELD=xFACTOR of what each has; see spring_fields_text()
+  std::vector<std::string> values;
+  bool replace = false;  // the file's own springs do not count
 };
 // "stiffness, gravity, drag, radius, limit".
 std::string spring_fields_text();

@@ -544,7 +544,7 @@ class sinew_character_springs_options(Structure):
 
 class sinew_character_springs_result(Structure):
     _fields_ = [("struct_size", c_uint32), ("chain_count", c_uint32), ("joint_count", c_uint32), ("collider_count", c_uint32),
-        ("proposal_count", c_uint32), ("reserved", c_uint32), ("kept", c_void_p), ("certainties", c_void_p), ("names", c_char_p),
+        ("proposal_count", c_uint32), ("own_count", c_uint32), ("kept", c_void_p), ("certainties", c_void_p), ("names", c_char_p),
         ("kinds", c_char_p)]
 
 

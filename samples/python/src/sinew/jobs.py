@@ -230,7 +230,8 @@ class Jobs:
         take  chains that are kept although they are not sure, or beside the file's own
         drop  chains that are left out
         presets  NAME=KIND: numbers of another kind, hair, long-hair, skirt, tail, ear, cape, bust or ribbon
-        values  NAME:FIELD=X: one number of a chain's joints, stiffness, gravity, drag, radius or limit
+        values  NAME:FIELD=X, one number of a chain's joints, or NAME:FIELD=xF, F times what each has: stiffness, gravity, drag,
+            radius or limit
         """
         return cast(SpringsResult, run("springs", locals()))
 

@@ -315,6 +315,7 @@ class SpringsResult:
     chain_count  chains that are kept
     joint_count  joints that swing
     collider_count  spheres and capsules that push them
+    own_count  the first of these are the file's own
     kept  kept
     certainties  0..1
     names  names of the proposals, a line each, '\n' between two
@@ -324,6 +325,7 @@ class SpringsResult:
     chain_count: int
     joint_count: int
     collider_count: int
+    own_count: int
     kept: Array
     certainties: Array
     names: str
@@ -531,7 +533,7 @@ RESULTS: Dict[Any, Tuple[Any, Rows]] = {
         ("triangle_count", "number", "triangle_count", False)]),
     declarations.sinew_character_springs_result: (SpringsResult, [("chain_count", "number", "chain_count", False),
         ("joint_count", "number", "joint_count", False), ("collider_count", "number", "collider_count", False),
-        ("kept", "array", "kept", ('uint8', ('proposal_count',), False, False)),
+        ("own_count", "number", "own_count", False), ("kept", "array", "kept", ('uint8', ('proposal_count',), False, False)),
         ("certainties", "array", "certainties", ('float32', ('proposal_count',), False, False)), ("names", "text", "names", None),
         ("kinds", "text", "kinds", None)]),
     declarations.sinew_character_bake_result: (BakeResult, [("shape_count", "number", "shape_count", False),

@@ -70,6 +70,27 @@ TEST(SpringsJob, AFilesOwnSpringsCountMore) {
   EXPECT_EQ(springs_of(options, "hero", again).springs.chains.size(), 3u);
 }
 
+TEST(SpringsJob, FactorsKeepHowNumbersFallAlongAChain) {
+  const Character character = with_chains().character;
+  SpringsOptions options;
+  options.values = {"Tail1:stiffness=x0.5", "Tail1:drag=x1000"};
+  const Springs given = springs_of({}, "hero", character).springs,
+                changed = springs_of(options, "hero", character).springs;
+  size_t tails = 0;
+  for (size_t c = 0; c < given.chains.size(); ++c) {
+    const bool is_tail = given.chains[c].name == "Tail1";
+    tails += is_tail;
+    for (size_t i = 0; i < given.chains[c].joints.size(); ++i) {
+      const SpringJoint &before = given.chains[c].joints[i], &after = changed.chains[c].joints[i];
+      EXPECT_DOUBLE_EQ(after.stiffness, is_tail ? before.stiffness / 2 : before.stiffness);
+      if (is_tail && before.drag > 0) {
+        EXPECT_EQ(after.drag, 1);  // no more than there is
+      }
+    }
+  }
+  EXPECT_EQ(tails, 1u);
+}
+
 TEST(SpringsJob, WrongNamesAndNumbersAreOneLine) {
   const Character character = with_chains().character;
   const auto with = [&](auto change) {
@@ -84,6 +105,8 @@ TEST(SpringsJob, WrongNamesAndNumbersAreOneLine) {
   EXPECT_ERROR(with([](SpringsOptions* o) { o->values = {"Tail1:drag=2"}; }), "0 to 1", "'2'");
   EXPECT_ERROR(with([](SpringsOptions* o) { o->values = {"Tail1:radius=nan"}; }), "a number", "nan");
   EXPECT_ERROR(with([](SpringsOptions* o) { o->values = {"Tail1:radius=-1"}; }), "a number", "-1");
+  EXPECT_ERROR(with([](SpringsOptions* o) { o->values = {"Tail1:drag=x-1"}; }), "after x", "x-1");
+  EXPECT_ERROR(with([](SpringsOptions* o) { o->values = {"Tail1:drag=x"}; }), "after x", "'x'");
 }
 
 }  // namespace
