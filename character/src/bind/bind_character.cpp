@@ -122,6 +122,8 @@ class CharacterBinder {
       for (size_t j = 0; j < inside.size() && some; ++j)
         if (inside[j] == 0) options.joint_flags[j] |= SINEW_JOINT_NEVER;
     }
+    if (options.question_count > 0)  // one of them may be about the body
+      options.question_count = std::min<uint32_t>(options.question_count + 1, SINEW_MAX_QUESTIONS);
     options.locked = only(options_.bind.locked, vertices);
     options.hints = only(options_.bind.hints, vertices);
     options.answers = answers_of(vertices, set);
@@ -177,10 +179,11 @@ class CharacterBinder {
     }
   }
 
-  // Those of all binds by falling gain, no more than were asked for.
+  // Those of all binds by falling gain, no more than were asked for. A part that most of the mesh belongs to is the body, which no answer is for.
   void order_questions() {
-    std::vector<uint32_t> order(out_.questions.size());
-    for (uint32_t q = 0; q < order.size(); ++q) order[q] = q;
+    std::vector<uint32_t> order;
+    for (uint32_t q = 0; q < out_.questions.size(); ++q)
+      if (2 * size_t{out_.questions[q].vertex_count} <= whole_.vertices.size()) order.push_back(q);
     std::stable_sort(order.begin(), order.end(),
                      [&](uint32_t a, uint32_t b) { return out_.questions[a].gain > out_.questions[b].gain; });
     if (order.size() > options_.bind.question_count) order.resize(options_.bind.question_count);

@@ -252,5 +252,22 @@ TEST(BindCharacter, AMeshOfOneJointFollowsIt) {
     }
 }
 
+TEST(BindCharacter, NobodyIsAskedAboutTheWholeBody) {
+  Character c = two_bars();
+  CharacterBindOptions options;
+  options.bind.question_count = 8;
+  for (size_t v = 0; v < c.vertices.size(); ++v)
+    if (c.vertex_meshes[v] == 1) c.vertices[v].z *= 3;  // parts alike are one question
+  EXPECT_FALSE(bound(c, JointsFrom::kAuto, {}, options).questions.empty());
+  c.vertices.resize(c.vertices.size() / 2);
+  c.vertex_meshes.resize(c.vertices.size());
+  c.face_vertices.resize(c.face_vertices.size() / 2);
+  c.face_offsets.resize(1 + c.face_count() / 2);
+  c.meshes.resize(1);
+  const CharacterBind one = bound(c, JointsFrom::kAuto, {}, options);
+  EXPECT_TRUE(one.questions.empty());
+  for (const uint32_t question : one.vertex_questions) EXPECT_EQ(question, SINEW_NO_QUESTION);
+}
+
 }  // namespace
 }  // namespace sinew
