@@ -40,12 +40,13 @@ export async function restore(state, before) {
   $("up").value = String(state.up);
   if (before && JSON.stringify(state.placement) !== JSON.stringify(before.placement)) await loadPlaced(state.placement);
   if (before && state.pictureWishes !== before.pictureWishes) await loadDrawn(state.pictureWishes);
-  const { never, always, locked, answers, style, motion, markers } = state;
+  const { never, always, locked, answers, style, motion, springs, markers } = state;
   if (!sameRig) await restoreRig(state);
-  Object.assign(source, { never, always, locked, answers, style, motion, markers, kept: state.epoch === engine.epoch ? state.kept : 0 });
+  Object.assign(source, { never, always, locked, answers, style, motion, springs, markers, kept: state.epoch === engine.epoch ? state.kept : 0 });
   if (state.pose.length === at.pose.turns.length) at.pose.turns.set(state.pose);
   const onlyPosed = sameRig && /** @type {const} */ (["never", "always", "locked", "answers", "motion", "up"]).every((key) => state[key] === before[key]) && JSON.stringify(state.options) === JSON.stringify(before.options);
   if (onlyPosed) {
+    await at.springs.again();
     showPose();
     await sendPose();
   } else {

@@ -5,7 +5,7 @@ import { run, save, whileBusy } from "./jobs.js";
 import { $, at, engine } from "./state.js";
 
 const wishOf = (profile = "") => ({
-  clips: $("with-clips").checked, profile, author: $("author").value.trim(), title: "", licence: $("licence").value,
+  clips: $("with-clips").checked, springs: at.springs.written, bakes: at.springs.on && profile === "" && $("bake-springs").checked, profile, author: $("author").value.trim(), title: "", licence: $("licence").value,
 });
 /** @type {(kind: string, profile?: string) => Promise<Uint8Array<ArrayBuffer>>} */
 const written = async (kind, profile) => (await engine.call("file", { name: at.character.name, kind, wish: wishOf(profile) })).buffers.bytes;

@@ -6,6 +6,7 @@ import { CharacterFile, CharacterModule } from "@sinew/skin/character";
 /** @typedef {{ up: number, own: boolean, picture: boolean, method: number, pins: number[][][] }} MotionWish */
 /** @typedef {import("../../npm/src/jobs.js").AnimateResult} AnimateResult */
 /** @typedef {{ at: number, character: CharacterFile }} Handle */
+/** @typedef {import("./types.js").SpringWish} SpringWish */
 /** @typedef {{ names: string[], wish: MotionWish, sources: Handle[], made: Map<number, any>, now: any }} Opened */
 
 const copies = { shown: 0, written: 1, ofFile: 2 }; // CopyOf of handles.hpp
@@ -19,6 +20,11 @@ export class Handles {
   #house;
   /** @type {Opened | null} */
   #open = null; // what the character plays
+  /** @type {Handle | null} */
+  #springs = null; // the character with what swings on it
+  /** @type {Map<any, Handle[]>} */
+  #swung = new Map(); // clips with these springs played into them, by what #open has made
+  #dragged = false; // since the springs were found
 
   /** @param {any} module of emscripten */
   constructor(module) {
@@ -73,10 +79,59 @@ export class Handles {
 
   check = () => this.#with(this.#copy(copies.shown, this.#moving), (character) => character.check());
 
-  // kind: glb, fbx or vrm
-  /** @param {string} name @param {{ clips: boolean, profile: string, author: string, title: string, licence: string }} wish */
-  file(name, { clips, profile, author, title, licence }) {
-    return this.#with(this.#copy(copies.written, clips ? this.#moving : 0), (character) => {
+  // What swings on the character that is shown: chains that are proposed, the file's own first.
+  /** @param {SpringWish} wish */
+  findSprings({ take, drop, values }) {
+    const handle = this.#copy(copies.shown);
+    try {
+      const { names, kinds, kept, certainties, ownCount } = handle.character.springs({ take, drop, values });
+      const kind = kinds.split("\n");
+      this.#forgetSprings();
+      this.#springs = handle;
+      return { chains: Array.from(kept, (one, c) => ({ name: names.split("\n")[c], kind: kind[c], kept: one !== 0, certainty: certainties[c], own: c < ownCount })) };
+    } catch (error) {
+      handle.character.close();
+      throw error;
+    }
+  }
+
+  #forgetSprings() {
+    this.#forgetSwung();
+    this.#springs?.character.close();
+    this.#springs = null;
+    this.#dragged = false;
+  }
+
+  #forgetSwung() {
+    for (const handles of this.#swung.values()) for (const handle of handles) handle?.character.close(); // those of clips that were not shown are missing
+    this.#swung.clear();
+  }
+
+  // The handle of a clip with the springs played into it, made when it is first asked for.
+  /** @param {number} clip */
+  #swungClip(clip) {
+    const { now } = /** @type {Opened} */ (this.#open), { at } = /** @type {Handle} */ (this.#springs);
+    const swung = this.#swung.get(now) ?? [];
+    this.#swung.set(now, swung);
+    swung[clip] ??= this.#handle((_, out) => this.#module._web_swing(now.handle.at, at, clip, out));
+    return swung[clip];
+  }
+
+  // The springs' handle, for a drag, and whether it is the first frame of one.
+  /** @param {boolean} begins */
+  dragging(begins) {
+    if (!this.#springs) throw new Error("no springs were looked for");
+    const first = begins || !this.#dragged;
+    this.#dragged = true;
+    return { at: this.#springs.at, begins: first };
+  }
+
+  // kind: glb, fbx or vrm. springs: what swings and is written with it, null for what its file has; bakes: the clips swing, too.
+  /** @param {string} name @param {{ clips: boolean, springs: SpringWish | null, bakes: boolean, profile: string, author: string, title: string, licence: string }} wish */
+  file(name, { clips, springs, bakes, profile, author, title, licence }) {
+    return this.#with(this.#copy(copies.written, clips ? this.#moving : 0), (character, at) => {
+      if (springs) character.springs(springs);
+      if (springs && bakes) this.#house.check(this.#module._web_swing_all(at), at);
       if (profile) character.setProfile({ profile, authors: author ? [author] : [], title, license: licence });
       return character.save(name);
     });
@@ -118,6 +173,7 @@ export class Handles {
 
   /** @param {Opened} opened */
   #close({ sources, made }) {
+    this.#forgetSwung();
     for (const { character } of [...sources, ...[...made.values()].map(({ handle }) => handle)]) character.close();
   }
 
@@ -159,11 +215,12 @@ export class Handles {
     };
   }
 
-  // The handle whose clips play, and what limbs do in the frame that is nearest: [{joint, kind, place, error}], see sinew_contact_spot.
-  /** @param {number} clip @param {number} seconds */
-  playing(clip, seconds) {
+  // The handle whose clips play, the number of the one that does, and what limbs do in the frame that is nearest: [{joint, kind, place, error}], see
+  // sinew_contact_spot.
+  /** @param {number} clip @param {number} seconds @param {boolean} swings */
+  playing(clip, seconds, swings) {
     const { handle = { at: 0 }, clips = [], spots = [] } = this.#open?.now ?? {};
-    if (!(clip in clips)) return { at: 0, spots: [] };
+    if (!(clip in clips)) return { at: 0, clip, spots: [] };
     const { frames, limbs, seconds: length } = clips[clip], { made, first } = spots[clip];
     const frame = length > 0 ? Math.max(0, Math.min(frames - 1, Math.round((seconds / length) * (frames - 1)))) : 0;
     /** @type {{ joint: number, kind: number, place: number[], error: number }[]} */
@@ -171,7 +228,7 @@ export class Handles {
       const at = first + frame * limbs.length + l, kind = made.spotKinds[at] ?? 0; // a character without a body has none
       return kind === 0 ? [] : [{ joint, kind, place: [...made.spotPositions.subarray(3 * at, 3 * at + 3)], error: made.spotErrors[at] }];
     });
-    return { at: handle.at, spots: shown };
+    return swings && this.#springs ? { at: this.#swungClip(clip).at, clip: 0, spots: shown } : { at: handle.at, clip, spots: shown };
   }
 }
 

@@ -16,7 +16,7 @@ const keys = [
   ["4, 1, 3", "Material, Weights, Doubt"], ["5, 6", "artist's weights, difference"], ["7, 8, 9, F", "front, side, top, frame"],
   ["W, S", "wire, bones"], ["/", "search joints, arrow keys step"], ["N", "next limb to check"], ["A, M, Delete", "add a joint, to the middle, remove"],
   ["X, L", "switch off, lock the joint"], ["B", "brush: add, smooth, off"], ["R", "reset the pose"], ["D", "way of skinning"],
-  ["Space, comma, dot", "play, a frame back and on"], ["C", "method of retargeting"],
+  ["Space, comma, dot", "play, a frame back and on"], ["C", "method of retargeting"], ["G", "shake the character: see what swings"],
 ];
 
 /** @type {(tag: string, text: string) => HTMLElement} */

@@ -19,16 +19,20 @@ import { JointList } from "./joint_list.js";
 import { listenForKeys } from "./keys.js";
 import { changeMotion, motionChanged, openFiles, openProject, openSample, reopen, tryClip } from "./loading.js";
 import { listenForMarkers } from "./marking.js";
+import { Latest } from "./latest.js";
 import { fetchModel } from "./models.js";
 import { Motions } from "./motions.js";
 import { listenForPlacement } from "./placing.js";
 import { BindOptions } from "./options.js";
+import { record } from "./recording.js";
+import { Drag } from "./drag.js";
 import { PosePanel } from "./pose_panel.js";
 import { Questions } from "./questions.js";
 import { showSteps } from "./rail.js";
 import { samples, thumbOf } from "./samples.js";
 import { choose, poseChanged, poses, sendPose } from "./showing.js";
 import { SkeletonEditor } from "./skeleton.js";
+import { SpringPanel } from "./springs.js";
 import { $, all, at, engine, modes, views } from "./state.js";
 import { goTo, setStep } from "./steps.js";
 import { View } from "./view.js";
@@ -189,10 +193,18 @@ function listenForPoses() {
   at.motions.methods.onSpots = poseChanged;
   at.motions.map.onPins = (pins) => changeMotion("map", () => at.motions.usePins(pins));
   at.motions.map.onPick = (joint) => choose(joint);
+  at.springs = new SpringPanel();
+  at.springs.onChange = changeMotion;
+  at.springs.onSlide = () => slides.want().catch((error) => showError(error.message));
+  at.springs.onSlid = (name) => run(async () => (await slides.idle(), record(name, { goesOn: true })));
+  at.drag = new Drag();
   at.bends = new BendPanel();
   at.bends.onChange = () => at.character && (showLegend(), skinningChanged());
   at.bends.onPick = (joint) => choose(joint);
 }
+
+// Springs while one of their sliders moves.
+const slides = new Latest(async () => (await at.springs.again(), await sendPose()));
 
 // The first pose by another way of skinning may take a while: a deformer is made.
 function skinningChanged() {
@@ -252,6 +264,7 @@ function listen() {
     9: () => turnPicture("view-top"),
     c: () => at.player.motion && !editing() && at.motions.methods.next(),
     d: () => !editing() && at.bends.next(),
+    g: () => at.step === "motion" && at.drag.shake(),
     w: toggleWireframe,
     x: () => $("switch").click(),
     l: () => $("lock").click(),
@@ -323,7 +336,7 @@ Object.assign(window, { sinewPage: {
     while (true) {
       const last = queue;
       await last;
-      if (last === queue && !poses.busy && !moves.busy && !strokes.busy && at.lookTimer === 0) return;
+      if (last === queue && !poses.busy && !moves.busy && !strokes.busy && !slides.busy && at.lookTimer === 0) return;
       await new Promise((resolve) => setTimeout(resolve, 5));
     }
   },

@@ -6,6 +6,7 @@ import { whileBusy } from "./jobs.js";
 import { MapPanel } from "./map_panel.js";
 import { MethodPanel, motionMethods } from "./methods.js";
 import { MotionPlayer } from "./player.js";
+import { at } from "./state.js";
 
 export class Motions {
   player = new MotionPlayer();
@@ -35,6 +36,7 @@ export class Motions {
     const motion = await whileBusy("Moving it", () => this.#engine.call("motion", { names: files, wish }));
     source.motion = { files, method, pins };
     this.#show({ own, method, pins: known, ...motion });
+    await at.springs.again();
   }
 
   // More of them; the first new clip plays.
@@ -97,6 +99,7 @@ export class Motions {
   async #none() {
     await this.#engine.call("motion", { names: [] });
     this.#show(null);
+    await at.springs.again();
   }
 
   #show(motion) {

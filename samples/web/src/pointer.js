@@ -8,6 +8,8 @@ import { firstHit } from "./rays.js";
 const pickPixels = 11;
 const touchPixels = 24; // a finger hides what it is on
 const dragPixels = 3; // less is a click
+const grabPixels = 40; // from a bone, the body around it
+const degreesAPixel = 0.5;
 
 export class Pointer {
   /** @type {any} */
@@ -22,7 +24,7 @@ export class Pointer {
   #mesh;
   #stroking = false;
   /** @type {any} */
-  #drag = null; // {joint, marker or outline, offset, start, from, moved}
+  #drag = null; // {joint, marker, outline or grab, offset, start, from, moved}
 
   // view: the View; its handlers are called. mesh: () => the shown mesh, or nothing.
   constructor(view, { host, canvas, camera, model, mesh }) {
@@ -47,6 +49,19 @@ export class Pointer {
       const at = this.#view.jointOnScreen(j);
       const distance = Math.hypot(at.x - x, at.y - y);
       if (!at.behind && distance < nearest) [best, nearest] = [j, distance];
+    }
+    return best;
+  }
+
+  // The joint whose bone is under the pointer or near it, -1 where there is none.
+  limbAt({ clientX: x, clientY: y }) {
+    let best = -1, nearest = grabPixels;
+    for (let j = 0; j < this.#view.jointCount; ++j) {
+      const [a, b] = this.#view.boneOnScreen(j);
+      const [dx, dy] = [b.x - a.x, b.y - a.y], length = dx * dx + dy * dy;
+      const share = length > 0 ? Math.min(1, Math.max(0, ((x - a.x) * dx + (y - a.y) * dy) / length)) : 0;
+      const distance = Math.hypot(a.x + share * dx - x, a.y + share * dy - y);
+      if (!a.behind && distance < nearest) [best, nearest] = [j, distance];
     }
     return best;
   }
@@ -126,6 +141,8 @@ export class Pointer {
         }
         const handle = event.button === 0 && event.target === this.#canvas && !this.#drag ? this.handleAt(event) : null;
         if (handle) return this.#begin(event, handle.place, handle);
+        const limb = this.#view.onGrab && event.button === 0 && event.target === this.#canvas && !this.#drag && !this.#view.onRing ? this.limbAt(event) : -1;
+        if (limb >= 0) return this.#begin(event, this.#view.jointPosition(limb), { grab: { place: this.#view.jointPosition(limb), turns: event.shiftKey, x: event.clientX } });
         if (this.#view.drawingShown || !this.#view.editing || !this.#view.draggable || this.#view.onMark || event.button !== 0 || event.target !== this.#canvas || this.#drag) return;
         const joint = this.jointAt(event);
         if (joint < 0) return;
@@ -146,13 +163,15 @@ export class Pointer {
   }
 
   #dragTo(x, y, drag, altKey) {
+    if (drag.grab) return this.place(drag.from, x, y, {});
     if (drag.outline) return this.place(drag.from, x, y, { plane: { axis: 2, at: 0 } });
     return this.place(drag.from, x, y, { plane: drag.joint === undefined ? null : this.#view.planeOf(drag.joint), toMiddle: this.#view.toMiddle !== altKey });
   }
 
   // Tells what is dragged where it is now.
-  #tell({ joint, marker, outline, from }, ended) {
-    if (outline) this.#view.onDragOutline(outline, this.#view.pixelAt(from), ended);
+  #tell({ joint, marker, outline, grab, from, x }, ended) {
+    if (grab) this.#view.onGrab?.(grab.turns ? [0, 0, 0] : from.map((/** @type {number} */ one, /** @type {number} */ i) => one - grab.place[i]), grab.turns ? (x - grab.x) * degreesAPixel : 0, ended);
+    else if (outline) this.#view.onDragOutline(outline, this.#view.pixelAt(from), ended);
     else if (marker !== undefined) this.#view.onDragMarker(marker, from, ended);
     else if (ended) this.#view.onDragEnd();
     else this.#view.onDrag(joint, from);
@@ -162,6 +181,7 @@ export class Pointer {
     if (this.handleAt(event)) return "move";
     if (this.#view.drawingShown) return "";
     if (this.#view.onMark) return "crosshair";
+    if (this.#view.onGrab && this.limbAt(event) >= 0) return "grab";
     return this.#view.editing && this.#view.draggable && this.jointAt(event) >= 0 ? "move" : "";
   }
 
@@ -180,6 +200,7 @@ export class Pointer {
       const { clientX: x, clientY: y } = event;
       if (!drag.moved && Math.hypot(x - drag.start[0], y - drag.start[1]) < dragPixels) return;
       drag.moved = true;
+      drag.x = x;
       drag.from = this.#dragTo(x + drag.offset[0], y + drag.offset[1], drag, event.altKey);
       this.#tell(drag, false);
     });

@@ -6,11 +6,11 @@ const format = 1;
 // character: as the page has it; state: of its history; rows: of the module, or null. Answers keep their questions, pictures of them do not.
 /** @param {import("./types.js").Character} character @param {import("./types.js").State} state @param {object | null} rows @param {string[]} beside @returns {any} */
 export function projectOf({ name, source }, state, rows, beside) {
-  const { recipe, up, options, pose, never, always, locked, answers, motion, markers, placement } = state;
+  const { recipe, up, options, pose, never, always, locked, answers, motion, springs, markers, placement } = state;
   return {
     sinewProject: format, name, mesh: source.mesh, skeleton: source.skeleton, beside, step: source.step, pictureWishes: source.pictureWishes,
     state: {
-      recipe, up, options, motion, markers, placement, pose: [...pose], never: [...never], always: [...always], locked: [...locked],
+      recipe, up, options, motion, springs, markers, placement, pose: [...pose], never: [...never], always: [...always], locked: [...locked],
       answers: answers.map(({ question: { members, ...question }, answer, kind, joint, byStyle }) => ({ question, answer, kind, joint, byStyle })),
     },
     rows,
@@ -35,6 +35,6 @@ export function readProject(name, text) {
   const { state } = project;
   return {
     ...project,
-    state: { ...state, pictureWishes: project.pictureWishes, kept: 0, markers: state.markers ?? [], epoch: 0, style: null, pose: Float32Array.from(state.pose), never: new Set(state.never), always: new Set(state.always), locked: new Set(state.locked) },
+    state: { ...state, pictureWishes: project.pictureWishes, kept: 0, markers: state.markers ?? [], springs: state.springs ?? null, epoch: 0, style: null, pose: Float32Array.from(state.pose), never: new Set(state.never), always: new Set(state.always), locked: new Set(state.locked) },
   };
 }

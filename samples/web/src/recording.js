@@ -17,6 +17,7 @@ function capture() {
     never: source.never, always: source.always, locked: source.locked,
     answers: source.answers, style: source.style ?? null,
     motion: source.motion ?? null,
+    springs: source.springs ?? null,
     markers: source.markers,
     placement: source.placement,
     pictureWishes: source.pictureWishes,

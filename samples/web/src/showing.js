@@ -14,20 +14,23 @@ export const poses = new Latest(async () => {
   if (!of) return;
   const [posed, { motion }, { skinning }] = [at.pose, at.player, at.bends];
   const plays = Boolean(motion) && !at.view.editing;
+  const drag = at.view.editing ? null : at.drag.next();
+  const swings = at.springs.on;
   const turns = at.view.editing ? new Float32Array(at.pose.turns.length) : at.pose.turns; // a skeleton is edited at rest
   const isPast = () => of !== at.character?.result || posed !== at.pose || motion !== at.player.motion; // another character, bind or motion by now
   let reply;
   try {
+    if (drag) reply = await engine.call("dragged", { ...(plays && { clip: at.player.clip }), seconds: plays ? at.player.seconds : 0, turns, skinning, drag });
     // While a motion plays, the graphics card skins what is linear; the mesh itself follows when it stops.
-    reply = plays && at.player.playing && at.view.look && skinning === 0 ? await engine.call("frameJoints", { clip: at.player.clip, seconds: at.player.seconds }) : plays ? await engine.call("frame", { clip: at.player.clip, seconds: at.player.seconds, skinning }) : await engine.call("pose", { turns, skinning });
+    else reply = plays && at.player.playing && at.view.look && skinning === 0 ? await engine.call("frameJoints", { clip: at.player.clip, seconds: at.player.seconds, swings }) : plays ? await engine.call("frame", { clip: at.player.clip, seconds: at.player.seconds, skinning, swings }) : await engine.call("pose", { turns, skinning });
   } catch (error) {
     if (isPast()) return;
     throw error;
   }
   if (isPast()) return;
   const { positions, normals, jointPositions, palette } = reply.buffers;
-  at.view.setPose(positions, normals, jointPositions, turns, palette, plays);
-  at.view.setSpots(plays && at.motions.methods.spotsShown ? reply.spots : []);
+  at.view.setPose(positions, normals, jointPositions, turns, palette, plays, drag?.move);
+  at.view.setSpots(plays && !drag && at.motions.methods.spotsShown ? reply.spots : []);
   if (reply.bends) at.bends.show(reply.bends, at.character.joints, at.player.playing);
 });
 export const sendPose = () => poses.want();

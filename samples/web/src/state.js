@@ -53,6 +53,10 @@ export const at = {
   player: later,
   /** @type {import("./motions.js").Motions} */
   motions: later, // the player among them
+  /** @type {import("./springs.js").SpringPanel} */
+  springs: later,
+  /** @type {import("./drag.js").Drag} */
+  drag: later, // of the whole character
   /** @type {import("./bends.js").BendPanel} */
   bends: later,
   /** @type {import("./joint_list.js").JointList} */

@@ -24,6 +24,8 @@ export function setStep(step, { view = true } = {}) {
   setEditing(step === "skeleton");
   showDrawing();
   showSkeleton();
+  if (step === "motion" && at.character.result) run(() => at.springs.again());
+  else at.drag.show();
 }
 
 // As the user does it.

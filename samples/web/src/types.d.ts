@@ -63,6 +63,22 @@ export interface Motion {
   pins: Record<string, Record<string, number>>;
 }
 
+/** Of what swings: which chains, by name, and how much of what was found for them. */
+export interface Springs {
+  on: boolean;
+  switched: Record<string, boolean>;
+  stiffness: number;
+  drag: number;
+  gravity: number;
+}
+
+/** As sinew springs has them. */
+export interface SpringWish {
+  take: string[];
+  drop: string[];
+  values: string[];
+}
+
 /** As web_picture() of web.cpp reads them. */
 export interface PictureWishes {
   class?: string;
@@ -109,6 +125,7 @@ export interface State {
   answers: Answer[];
   style: { name: string } | null;
   motion: Motion | null;
+  springs: Springs | null;
   markers: Marker[];
   placement: Placement;
   pictureWishes?: PictureWishes;
@@ -129,6 +146,7 @@ export interface Source {
   answers: Answer[];
   style?: { name: string } | null;
   motion?: Motion | null;
+  springs?: Springs | null;
   markers: Marker[];
   placement: Placement;
   pictureWishes?: PictureWishes;

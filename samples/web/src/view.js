@@ -155,15 +155,15 @@ export class View extends ViewEvents {
     this.redraw();
   }
 
-  // turns: degrees of all joints, which the rings follow. Without positions the mesh stays, and the look of the file alone moves. moves: a motion plays, and the camera goes along with it over the floor.
-  setPose(positions, normals, jointPositions, turns, palette, moves = false) {
+  // turns: degrees of all joints, which the rings follow. Without positions the mesh stays, and the look of the file alone moves. moves: a motion plays, and the camera goes along with it over the floor, but not by what it is dragged.
+  setPose(positions, normals, jointPositions, turns, palette, moves = false, dragged = [0, 0, 0]) {
     this.#palette = palette;
     this.#look?.pose(palette);
     if (positions) moveMesh(this.#mesh, positions, normals);
     this.#jointPositions = jointPositions;
     this.#rings.turn(turns);
     this.#bones.place(this.#jointPositions);
-    this.#framing.goAlong(middleOfJoints(jointPositions).applyMatrix4(this.#model.matrixWorld), moves);
+    this.#framing.goAlong(middleOfJoints(jointPositions).sub(new Vector3(...dragged)).applyMatrix4(this.#model.matrixWorld), moves);
     this.redraw();
   }
 
@@ -336,6 +336,11 @@ export class View extends ViewEvents {
 
   jointPosition(joint) {
     return [...this.#jointPositions.subarray(joint * 3, joint * 3 + 3)];
+  }
+  // The ends of a bone on the page, of a root its own place twice.
+  boneOnScreen(joint) {
+    const { parent } = this.#joints[joint];
+    return [this.jointOnScreen(joint), this.jointOnScreen(parent < 0 ? joint : parent)];
   }
   get jointCount() {
     return this.#joints.length;

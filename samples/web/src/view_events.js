@@ -17,6 +17,8 @@ export class ViewEvents {
   /** @type {(...of: any[]) => any} */
   onStrokeEnd = () => {};
   /** @type {any} */
+  onGrab = null; // [x, y, z] and degrees about what is up by which the character is dragged, whether it has ended; null while it stays
+  /** @type {any} */
   onMark = null; // [x, y, z] of a click on the mesh, while clicks are markers
   /** @type {(...of: any[]) => any} */
   onDragMarker = () => {}; // index, [x, y, z], whether it has ended

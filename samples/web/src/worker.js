@@ -106,6 +106,21 @@ function take(names) {
   return buffers;
 }
 
+/**
+ * @template Result
+ * @param {Float32Array} values
+ * @param {(at: number) => Result} use
+ */
+function withFloats(values, use) {
+  const at = module._malloc(values.byteLength);
+  try {
+    module.HEAPF32.set(values, at / 4);
+    return use(at);
+  } finally {
+    module._free(at);
+  }
+}
+
 // A name out of a dropped folder may hold anything; only its last part becomes a file.
 /** @type {(name: string) => string} */
 const plain = (name) => name.split(/[/\\]/).pop() ?? name;
@@ -185,15 +200,7 @@ const calls = {
   paint: ({ stroke, mode, joint }) => ({ ...ask("paint", stroke), ...calls.colour({ mode, joint }) }),
   forgetPaint: () => module._web_forget_paint(),
   // skinning: 0 linear, 1 dual quaternions, 2 volume, 3 volume with contact. Replies with {bends: [{joint, degrees, kept}]}.
-  pose({ turns, skinning }) {
-    const at = module._malloc(turns.byteLength);
-    try {
-      module.HEAPF32.set(turns, at / 4);
-      return { ...ask("pose", at, skinning), buffers: take(posed) };
-    } finally {
-      module._free(at);
-    }
-  },
+  pose: ({ turns, skinning }) => withFloats(turns, (at) => ({ ...ask("pose", at, skinning), buffers: take(posed) })),
   // names: of files with motions, or builtin:NAME; [] for none any more
   async motion({ names, wish }) {
     for (const name of names) await needScenes(name);
@@ -201,16 +208,23 @@ const calls = {
     return files.length > 0 ? handles.openMotions(files, wish) : handles.closeMotions();
   },
   motionMethod: ({ method }) => handles.useMethod(method),
-  // Positions of the mesh are left out.
-  frameJoints({ clip, seconds }) {
-    const { at, spots } = handles.playing(clip, seconds);
-    return { ...ask("frame_joints", at, clip, seconds), spots, buffers: take(["jointPositions", "palette"]) };
+  // wish: {take, drop, values} as sinew springs has them. Replies with {chains}.
+  springs: ({ wish }) => handles.findSprings(wish),
+  // Positions of the mesh are left out. swings: the clip has its springs.
+  frameJoints({ clip, seconds, swings }) {
+    const { spots, ...playing } = handles.playing(clip, seconds, swings);
+    return { ...ask("frame_joints", playing.at, playing.clip, seconds), spots, buffers: take(["jointPositions", "palette"]) };
   },
-  frame({ clip, seconds, skinning }) {
-    const { at, spots } = handles.playing(clip, seconds);
-    return { ...ask("frame", at, clip, seconds, skinning), spots, buffers: take(posed) };
+  frame({ clip, seconds, skinning, swings }) {
+    const { spots, ...playing } = handles.playing(clip, seconds, swings);
+    return { ...ask("frame", playing.at, playing.clip, seconds, skinning), spots, buffers: take(posed) };
   },
-  // kind: glb, fbx or vrm; wish: {clips, profile, author, title, licence}
+  // While the character is dragged, in the pose of its turns or, with `clip`, in that of a clip. drag: {move, degrees, passed, begins} as web_dragged() has it.
+  dragged({ clip, seconds, turns, skinning, drag }) {
+    const springs = handles.dragging(drag.begins), moving = clip === undefined ? 0 : handles.playing(clip, seconds, false).at;
+    return withFloats(turns, (at) => ({ ...ask("dragged", springs.at, moving, clip ?? 0, seconds, at, { ...drag, begins: springs.begins }, skinning), spots: [], buffers: take(posed) }));
+  },
+  // kind: glb, fbx or vrm; wish: {clips, springs, bakes, profile, author, title, licence}
   file: ({ name, kind, wish }) => ({ buffers: { bytes: handles.file(`${plain(name)}.bound.${kind}`, wish) } }),
   // {pose} that files of a profile stand in
   profile: ({ name }) => ask("profile", name),

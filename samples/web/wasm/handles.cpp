@@ -62,12 +62,17 @@ Json clips_json(const sinew_character& moving) {
   return list;
 }
 
-std::vector<Affine> palette_at(const Session& s, const sinew_character* moving, uint32_t clip, double seconds) {
+MotionFrame frame_of(const Session& s, const sinew_character* moving, uint32_t clip, double seconds) {
   need_weights(s);
   if (moving == nullptr || clip >= moving->clips.size() || !are_alike(moving->character.joints, s.character.joints))
     throw Error("no motion is open");
+  return frame_at(moving->clips[clip], seconds);
+}
+
+std::vector<Affine> palette_at(const Session& s, const sinew_character* moving, uint32_t clip, double seconds) {
+  const MotionFrame frame = frame_of(s, moving, clip, seconds);
   const std::vector<Joint>& rest = moving->character.joints;
-  return motion_palette(motion_of(rest), frame_at(moving->clips[clip], seconds), rest.size());
+  return motion_palette(motion_of(rest), frame, rest.size());
 }
 
 }  // namespace sinew::web

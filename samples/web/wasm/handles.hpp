@@ -20,7 +20,9 @@ std::unique_ptr<sinew_character> handle_of(const Session& s, CopyOf what, const 
 // Clips that were added to a handle: [{name, frames, seconds, room}]. room, what joints take up by axes: {is: [[least, most] x 3], around: the same,
 // from the joints' middle in each frame}
 nlohmann::json clips_json(const sinew_character& moving);
-// Pose times inverse bind of all joints, `seconds` into an added clip. Throws Error where it is not of the session's joints.
+// An added clip's pose at `seconds`. Throws Error where the clip is not of the session's joints.
+MotionFrame frame_of(const Session& s, const sinew_character* moving, uint32_t clip, double seconds);
+// Pose times inverse bind of all joints in it.
 std::vector<Affine> palette_at(const Session& s, const sinew_character* moving, uint32_t clip, double seconds);
 
 }  // namespace sinew::web

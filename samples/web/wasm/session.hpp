@@ -18,6 +18,7 @@
 #include "sinew_character/style/style.hpp"
 #include "skinning.hpp"
 #include "surface.hpp"
+#include "swinging.hpp"
 
 namespace sinew::web {
 
@@ -54,6 +55,7 @@ struct Session {
   std::map<uint32_t, Kept> kept;  // by the page's numbers
   Style style;                    // for the next characters
   Skinning skinning;
+  std::optional<LiveSprings> live;  // while the character is dragged
   std::shared_ptr<const PictureCharacter> picture() const {  // null: the character is of none
     const auto found = pictures_of.find(number);
     return found == pictures_of.end() ? nullptr : found->second;

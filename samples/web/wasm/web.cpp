@@ -333,6 +333,35 @@ EMSCRIPTEN_KEEPALIVE const char* web_frame_joints(const sinew_character* moving,
   });
 }
 
+// A handle with one clip of another, springs played into it, see swung(); and springs of a handle into all its clips, see swing().
+EMSCRIPTEN_KEEPALIVE sinew_status web_swing(const sinew_character* moving, const sinew_character* springs,
+                                            uint32_t clip, sinew_character** out) {
+  return guarded(nullptr, [&] { *out = swung(*moving, *springs, clip).release(); });
+}
+EMSCRIPTEN_KEEPALIVE sinew_status web_swing_all(sinew_character* handle) {
+  return guarded(handle, [&] { swing(handle); });
+}
+
+// As web_frame(), dragged. springs: a handle that has some; moving: null for a pose of turns [J x 3], see web_pose(). drag: {move, degrees, passed, begins}:
+// how far from its place, degrees about what is up, seconds since the frame before, whether it is the first one.
+EMSCRIPTEN_KEEPALIVE const char* web_dragged(const sinew_character* springs, const sinew_character* moving,
+                                             uint32_t clip, double seconds, const float* turns, const char* drag,
+                                             uint32_t method) {
+  return answer([&] {
+    Session& s = session();
+    need_weights(s);
+    const Json wish = Json::parse(drag);
+    const auto pose_at = [&](double at) {
+      return moving == nullptr ? turned_frame(s.character.joints, turns) : frame_of(s, moving, clip, at);
+    };
+    if (wish.at("begins").get<bool>() || !s.live)
+      s.live.emplace(*springs->springs, s.character.joints, s.up_axis == Axis::kZ ? 2 : 1, pose_at, seconds);
+    const Drag by = {wish.at("move").get<Point3>(), wish.at("degrees").get<double>()};
+    const std::vector<Affine> palette = s.live->palette(pose_at(seconds), seconds, wish.at("passed").get<double>(), by);
+    return show_pose(s, palette, skin_method(method), kLeastPlayedDegrees);
+  });
+}
+
 // {pose}: the rest pose that files of a profile have, "" for as it stands.
 EMSCRIPTEN_KEEPALIVE const char* web_profile(const char* name) {
   return answer([&]() -> Json { return {{"pose", profile_named(name).pose}}; });
