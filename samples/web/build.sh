@@ -46,7 +46,7 @@ mkdir -p "$out/samples" "$out/thumbs"
 cp src/thumbs/*.webp "$out/thumbs"
 node samples/clothed.mjs "$out/samples/biped__clothed.glb"
 cp "$root"/samples/data/*.{obj,rig.txt,gltf} "$root"/samples/data/drawing__child.png "$out/samples"
-# What sw.js keeps for a page without a network; the rest is kept when it is used.
-(cd "$out" && ls -- *.html *.css *.svg *.js *.webmanifest thumbs/*.webp sinew-simd{,-rig,-rest}.wasm.zlib sinew_{default,rig,front}.sinew.zlib) | grep -v '^sw\.js$' |
+# What sw.js keeps for a page without a network: all of it but the module without SIMD, which is kept when it is used.
+(cd "$out" && ls -- *.html *.css *.svg *.js *.webmanifest thumbs/*.webp samples/* sinew-s{imd,cenes}*.wasm.zlib *.sinew.zlib) | grep -v '^sw\.js$' |
   sed 's/.*/"&"/' | paste -sd, | sed 's/.*/[&]/' >"$out/files.json"
 echo "web: built $out"

@@ -48,9 +48,9 @@ export function takeBack(answer) {
   act(`take back ${partName(answer.question)}`, () => bind(at.character.source.answers.filter((other) => other !== answer), answer.question.part));
 }
 
-/** @param {string} file "" for none */
-export async function useStyle(file) {
-  await engine.call("style", { name: file });
+/** @param {string} file "" for none @param {number} [folder] that it lies in */
+export async function useStyle(file, folder) {
+  await engine.call("style", { name: file, folder });
   at.style = file === "" ? null : { name: file };
 }
 

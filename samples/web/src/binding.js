@@ -26,6 +26,7 @@ export async function bind(answers = at.character.source.answers, focus) {
     at.character.result = at.character.shown = { ...result, wallSeconds: (performance.now() - started) / 1e3, strongest: result.buffers.strongest };
     result.questions.forEach((/** @type {import("./types.js").Question} */ question, /** @type {number} */ number) => (question.members = { of: result.buffers.vertexQuestions, number }));
     at.character.source.answers = answers;
+    if (result.lockedVertices > 0 || result.paintedVertices > 0) rigChanged(); // their rows went through this bind
     usePlaces(result.places);
   } catch (error) {
     at.character.result = before;

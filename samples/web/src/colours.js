@@ -3,6 +3,7 @@
 import { lookText } from "./asked.js";
 import { glbOf } from "./look_file.js";
 import { run } from "./jobs.js";
+import { doubtsOf } from "./rail.js";
 import { sureColour } from "./skeleton.js";
 import { $, all, at, engine, modes } from "./state.js";
 
@@ -89,7 +90,7 @@ export function showSure() {
   const shown = showsSureness();
   $("sure").hidden = !shown;
   at.view.setJointColours(shown ? at.character.joints.map(({ confidence }) => sureColour(confidence)) : null);
-  at.view.setDoubts(at.character?.doubts?.flatMap(({ joints }) => joints) ?? []);
+  at.view.setDoubts(doubtsOf().flatMap(({ joints }) => joints));
   $("notice").hidden = !at.character?.doubtful;
 }
 

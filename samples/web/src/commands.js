@@ -22,6 +22,7 @@ export function undo(forward) {
     try {
       await restore(state, before);
     } finally {
+      source.changed = Boolean(source.history?.undoName);
       showHistory();
       autosave();
     }

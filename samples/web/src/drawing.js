@@ -4,11 +4,11 @@
 import { act } from "./acting.js";
 import { bind } from "./binding.js";
 import { restore } from "./commands.js";
+import { giveFiles } from "./documents.js";
 import { choosePoint, pointOfNumber, shownOutline } from "./drawn.js";
 import { predict } from "./editing.js";
 import { isPicture, pictureFiles } from "./files.js";
 import { clearError, run } from "./jobs.js";
-import { giveFiles } from "./loading.js";
 import { loadDrawn } from "./opened.js";
 import { dragged } from "./outline.js";
 import { historyOf } from "./recording.js";
@@ -55,8 +55,9 @@ function dragOutline({ of, point }, pixel, ended) {
 async function useMask(file) {
   clearError();
   if (!isPicture(file.name)) throw new Error(`${file.name}: expected a PNG or JPEG that is bright where the figure is, found another kind of file`);
-  const mask = new File([file], `mask ${at.files.size} of ${at.character.source.mesh}.${file.name}`);
-  await giveFiles([mask]);
+  const { mesh, document } = at.character.source;
+  const mask = new File([file], `mask ${document.files.size} of ${mesh}.${file.name}`);
+  await giveFiles([mask], document);
   changeDrawing("mask", { mask: mask.name, outline: [], figure: 0 });
 }
 

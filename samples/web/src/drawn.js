@@ -40,10 +40,10 @@ export function showDrawing() {
   document.body.classList.toggle("drawn", Boolean(picture));
   if (!picture) chosen = null;
   if (!picture || at.step !== "mesh") return at.view.setDrawing(null, picture ? [0, 0.05, 1] : undefined);
-  const { mesh, pictureWishes: wishes } = at.character.source;
+  const { mesh, pictureWishes: wishes, document: { files } } = at.character.source;
   at.player.pause();
   outline = draggable(picture.outline, Math.min($("stage").clientWidth, $("stage").clientHeight) < leastRoom ? 2 : 1, chosen);
-  at.view.setDrawing({ outline, lies: picture.place, width: picture.width, height: picture.height, file: at.files.get(mesh) });
+  at.view.setDrawing({ outline, lies: picture.place, width: picture.width, height: picture.height, file: files.get(mesh) });
   showPoint();
   $("flat").checked = picture.flat;
   $("cut").checked = picture.cut;

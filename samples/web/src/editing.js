@@ -7,6 +7,9 @@ import { run, showError, whileBusy } from "./jobs.js";
 import { Latest } from "./latest.js";
 import { showMarkers } from "./markers.js";
 import { fetchModel } from "./models.js";
+import { closeOffer, offer } from "./offer.js";
+import { sidesOf } from "./sides.js";
+import { jointsOutside } from "./outside.js";
 import { Pose } from "./pose.js";
 import { kinds } from "./questions.js";
 import { record, rigChanged } from "./recording.js";
@@ -48,6 +51,7 @@ function useRig({ joints, picture, ...rig }, chosen) {
   Object.assign(at.character, { mirrored: false, doubtful: false, upAxis: upOf(rig, at.character.up) }, rig, { joints });
   at.view.setUp(at.character.upAxis);
   lookNowhere();
+  at.character.outside = at.character.predicted ? jointsOutside(joints, at.character.buffers, at.character.size) : [];
   if (isSame) {
     at.view.moveSkeleton(joints); // and renamed
   } else {
@@ -78,6 +82,24 @@ async function askForRig(wishes) {
 // What markers are for the module.
 const marked = (markers) => ({ at: markers.map(({ joint, place }) => ({ kind: editKinds.at, joint, place })), alike: at.editor.alike });
 
+const kindsAsked = { Person: "1", "Four legs": "2", Bird: "3" }; // of #kind
+const longAsSnakes = 4; // times as long as wide and high
+
+// A mesh in which no legs were found, or that is like nothing known: the user may know what it is.
+function askKind() {
+  const { joints, doubtful, picture, buffers } = at.character;
+  const hasLegs = joints.some(({ name }) => /leg|thigh|shin|knee|foot|hoof|paw/i.test(name));
+  const [longest, next] = sidesOf(buffers.positions);
+  if (picture || (hasLegs && !doubtful) || longest > longAsSnakes * next) return;
+  const rigAs = (/** @type {string} */ kind) => () => {
+    $("kind").value = kind;
+    $("kind").dispatchEvent(new Event("change"));
+  };
+  offer(hasLegs ? "This looks like nothing that is known. What is it?" : "No legs were found. What is it?", {
+    ...Object.fromEntries(Object.entries(kindsAsked).map(([word, kind]) => [word, rigAs(kind)])), Other: () => {},
+  });
+}
+
 export async function predict(wishes = at.editor.wishes) {
   const chosen = chosenName();
   const told = { ...wishes, up: at.character.up, ...marked(at.character.source.markers) };
@@ -85,6 +107,8 @@ export async function predict(wishes = at.editor.wishes) {
   at.character.source.recipe = { wishes: told, edits: [] };
   rigChanged();
   useRig(rig, chosen);
+  closeOffer();
+  if (!told.category) askKind();
 }
 
 const withEdits = ({ wishes, edits }, more, mirror) => ({ wishes, edits: [...edits, { edits: more, mirror }] });

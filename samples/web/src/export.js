@@ -2,13 +2,18 @@
 // Files out: the character as GLB, FBX, VRM or text, and the project.
 import { bind } from "./binding.js";
 import { run, save, whileBusy } from "./jobs.js";
+import { remark } from "./opened.js";
 import { $, at, engine } from "./state.js";
 
 const wishOf = (profile = "") => ({
   clips: $("with-clips").checked, springs: at.springs.written, bakes: at.springs.on && profile === "" && $("bake-springs").checked, profile, author: $("author").value.trim(), title: "", licence: $("licence").value,
 });
-/** @type {(kind: string, profile?: string) => Promise<Uint8Array<ArrayBuffer>>} */
-const written = async (kind, profile) => (await engine.call("file", { name: at.character.name, kind, wish: wishOf(profile) })).buffers.bytes;
+/** @param {string} kind @param {string} [profile] @returns {Promise<Uint8Array<ArrayBuffer>>} */
+async function written(kind, profile) {
+  const { height, buffers } = await engine.call("file", { name: at.character.name, kind, wish: wishOf(profile) });
+  if (height !== 0) remark(`It stood ${Math.abs(height).toPrecision(2)} m ${height < 0 ? "below" : "above"} the floor; in the ${kind.toUpperCase()} it stands on it.`);
+  return buffers.bytes;
+}
 /** @type {(extension: string) => string} */
 const fileName = (extension) => `${at.character.name}.${at.character.predicted ? "rigged" : "bound"}.${extension}`;
 
@@ -35,13 +40,24 @@ const writers = {
   rig: async () => save((await engine.call("rigText", { name: at.character.name })).buffers.bytes, "text/plain", `${at.character.name}.rig.txt`),
 };
 
+// A VRM says who made it, and is not made of one whose license forbids it.
+function checkLicense() {
+  $("author").closest("details").open = true;
+  if (!$("license-mine-field").hidden && !$("license-mine").checked) throw new Error("The license of this VRM forbids changing it. Tick that you made it or that its author lets you.");
+  if ($("author").value.trim() === "" && $("author").placeholder === "") {
+    $("author").focus();
+    throw new Error("VRM needs an author. Who made this character?");
+  }
+}
+
 /** @type {(kind: string) => Promise<any>} */
 export const exportAs = (kind) =>
   run(async () => {
     if (!at.character?.result) return;
     $("error").hidden = true;
+    if (kind === "vrm") checkLicense();
     await whileBusy(`Writing ${kind.toUpperCase()}`, writers[kind]);
-    at.changed = false;
-    at.exported = true;
+    at.character.source.changed = at.character.source.resumed = false;
+    at.character.source.exported = true;
     at.onExported();
   });

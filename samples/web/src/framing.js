@@ -14,9 +14,12 @@ export class Framing {
   #middle = null; // of the joints in a motion's last frame
   #box = new Box3(); // what was framed last, and from where
   #from = slanted;
+  #room;
 
-  /** @param {{ camera: import("three").PerspectiveCamera, orbit: import("three/addons/controls/OrbitControls.js").OrbitControls }} of */
-  constructor({ camera, orbit }) {
+  /** @param {{ camera: import("three").PerspectiveCamera, orbit: import("three/addons/controls/OrbitControls.js").OrbitControls, room: () => { top: number, bottom: number } }} of room: shares of the picture's
+   *   height that something lies on */
+  constructor({ camera, orbit, room }) {
+    this.#room = room;
     this.#camera = camera;
     this.#orbit = orbit;
   }
@@ -33,12 +36,18 @@ export class Framing {
     box.getCenter(this.centre);
     this.radius = Math.max(box.getSize(new Vector3()).length() / 2, 1e-6);
     const direction = new Vector3().fromArray(from).normalize();
-    const fit = this.radius / Math.sin((camera.fov * MathUtils.DEG2RAD) / 2) / Math.min(1, camera.aspect);
+    const { top, bottom } = this.#room(), free = 1 - top - bottom;
+    const half = (camera.fov * MathUtils.DEG2RAD) / 2;
+    const fit = this.radius / Math.sin(half) / Math.min(free, camera.aspect);
     camera.near = this.radius / 200;
     camera.far = this.radius * 200;
     camera.updateProjectionMatrix();
-    camera.position.copy(this.centre).addScaledVector(direction, fit * 0.97);
     orbit.target.copy(this.centre);
+    camera.position.copy(this.centre).addScaledVector(direction, fit * 0.97);
+    camera.lookAt(this.centre);
+    const lift = new Vector3(0, 1, 0).applyQuaternion(camera.quaternion).multiplyScalar(fit * 0.97 * Math.tan(half) * (top - bottom)); // its middle is that of the free part
+    camera.position.add(lift);
+    orbit.target.add(lift);
     orbit.minDistance = this.radius / 20;
     orbit.maxDistance = this.radius * 30;
     orbit.update();

@@ -126,14 +126,26 @@ export class Handles {
     return { at: this.#springs.at, begins: first };
   }
 
-  // kind: glb, fbx or vrm. springs: what swings and is written with it, null for what its file has; bakes: the clips swing, too.
+  // {bytes, height}; files of a profile stand on the floor, height: how far above it the character stood. springs: what swings and is written with it, null for what its file has; bakes: the clips swing, too.
   /** @param {string} name @param {{ clips: boolean, springs: SpringWish | null, bakes: boolean, profile: string, author: string, title: string, licence: string }} wish */
   file(name, { clips, springs, bakes, profile, author, title, licence }) {
     return this.#with(this.#copy(copies.written, clips ? this.#moving : 0), (character, at) => {
+      const height = profile ? this.#putOnFloor(at) : 0;
       if (springs) character.springs(springs);
       if (springs && bakes) this.#house.check(this.#module._web_swing_all(at), at);
       if (profile) character.setProfile({ profile, authors: author ? [author] : [], title, license: licence });
-      return character.save(name);
+      return { height, bytes: character.save(name) };
+    });
+  }
+
+  // How high it stood above the floor, on which it stands then.
+  /** @param {number} at a handle */
+  #putOnFloor(at) {
+    const house = this.#house;
+    return house.withBlocks(null, (/** @type {any} */ blocks) => {
+      const out = blocks.room(Float64Array, 1);
+      house.check(this.#module._web_put_on_floor(at, out), at);
+      return blocks.view(Float64Array, out, 1)[0];
     });
   }
 

@@ -8,7 +8,7 @@ const does = [
   ["Drop a rigged file", "Its own joints are bound anew; Material, Weights and Doubt show the result."],
   ["Drop a motion", "A file with animations and no mesh moves the character that is open; in the Motion step any animated file does. Several are several clips."],
   ["Export", "A file for other programs, with all clips, or the project with everything that was done."],
-  ["Nothing is lost", "Every step is undone by name, and kept in this browser until the next visit."],
+  ["Nothing is lost", "Every step is undone by name. The last eight characters that you worked on are kept in this browser, each with all that was done: they are in the list of the first page and in Mesh. A file that is dropped on unsaved work opens beside it."],
 ];
 const keys = [
   ["?", "this help"], ["Esc", "stop, close, choose nothing"], ["Ctrl+Z, Ctrl+Y", "undo, redo"],

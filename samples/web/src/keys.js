@@ -12,18 +12,24 @@ export function isOwnKey(element, key) {
   return key.startsWith("Arrow") && element.matches("input, [role=listbox]");
 }
 
-// actions: by key, lower case; onUndo: called with whether it is redo; onEscape.
-/** @param {Record<string, () => any>} actions @param {{ onUndo: (forward: boolean) => any, onEscape: (event: KeyboardEvent) => any }} more */
-export function listenForKeys(actions, { onUndo, onEscape }) {
+// actions: by key, lower case; onUndo: called with whether it is redo; onEscape; onStep: with the number of a step, from 0.
+/** @param {Record<string, () => any>} actions @param {{ onUndo: (forward: boolean) => any, onEscape: (event: KeyboardEvent) => any, onStep: (step: number) => any }} more */
+export function listenForKeys(actions, { onUndo, onEscape, onStep }) {
   addEventListener("keydown", (event) => {
     const target = /** @type {Element} */ (event.target);
     const key = event.key.toLowerCase();
+    if (document.querySelector("dialog:modal") && key !== "?" && key !== "escape") return; // what lies below it
     const typing = target.matches(typed) && !target.matches("select");
     if ((event.ctrlKey || event.metaKey) && !event.altKey && (key === "z" || key === "y") && !typing) {
       event.preventDefault();
       return onUndo(key === "y" || event.shiftKey);
     }
     if (event.key === "Escape") return onEscape(event);
+    const step = /^Digit([1-5])$/.exec(event.code);
+    if (step && (event.ctrlKey || event.metaKey || event.altKey)) {
+      event.preventDefault();
+      return onStep(Number(step[1]) - 1);
+    }
     if (event.ctrlKey || event.metaKey || event.altKey || isOwnKey(target, event.key)) return;
     const action = actions[key];
     if (!action) return;

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Files in: characters, models, motions, projects.
 import { useStyle, useStyleAnswers } from "./asking.js";
+import { saveWork } from "./autosave.js";
 import { bind } from "./binding.js";
 import { act } from "./acting.js";
 import { restore } from "./commands.js";
+import { forgetDocuments, giveFiles, newDocument } from "./documents.js";
 import { predict, showSkeleton, upOf } from "./editing.js";
 import { isBeside, isPicture, isWhole, mayMove, pairFiles } from "./files.js";
 import { clearError, run, whileBusy } from "./jobs.js";
 import { useModel } from "./models.js";
-import { asLoaded, longestSide, remark, showOpened, unplaced } from "./opened.js";
+import { asLoaded, remark, showOpened, unplaced } from "./opened.js";
+import { longestSide } from "./sides.js";
+import { closeOffer, offer } from "./offer.js";
 import { filesOf, readProject } from "./project.js";
 import { record, showHistory } from "./recording.js";
 import { showSteps } from "./rail.js";
@@ -17,13 +21,6 @@ import { sendPose } from "./showing.js";
 import { $, at, engine } from "./state.js";
 import { firstStep, setStep } from "./steps.js";
 import { unzip } from "./zip.js";
-
-// Files for the module. Dropped ones stay with the page, which writes them again for a project or another worker.
-export async function giveFiles(list) {
-  const files = await Promise.all(list.map(async (file) => ({ name: file.name, bytes: await file.arrayBuffer() })));
-  for (const file of list) at.files.set(file.name, file);
-  await engine.call("write", { files }, files.map(({ bytes }) => bytes));
-}
 
 async function unpacked(list) {
   const files = await Promise.all(
@@ -38,66 +35,95 @@ async function unpacked(list) {
 const isMissing = (name) => at.character?.notes?.some((note) => note.includes(`'${name}' was not found`)) ?? false;
 
 // What files that hold a mesh or a motion are for here: a motion where there is no mesh, and where motions are what is worked on.
-async function motionsAmong(names) {
-  const motions = [];
+async function motionsAmong(names, { folder }) {
+  const motions = [], unsure = [];
   for (const name of names.filter(mayMove)) {
     if (!at.character?.result && names.length === 1) break; // nothing that it could move
-    const { mesh, clips } = await whileBusy(`Reading ${name}`, () => engine.call("contents", { name })).catch(() => ({ mesh: true, clips: 0 })); // its error is said where it is opened
-    if (clips > 0 && mesh && at.step === "motion" && at.character) remark(`${name} moves ${at.character.name}. To open it as a character, drop it in the step Mesh.`);
-    if (clips > 0 && (!mesh || (at.step === "motion" && at.character))) motions.push(name);
+    const { mesh, clips } = await whileBusy(`Reading ${name}`, () => engine.call("contents", { name, folder })).catch(() => ({ mesh: true, clips: 0 })); // its error is said where it is opened
+    if (clips > 0 && mesh && at.step === "motion" && at.character) unsure.push(name);
+    else if (clips > 0 && !mesh) motions.push(name);
   }
-  return motions;
+  return { motions, unsure };
 }
 
-// asMotions: whatever they are, their motions are meant.
-export async function openFiles(dropped, { asMotions = false } = {}) {
+// Characters with animations, while another one's motions are worked on: the user says which is meant.
+function askWhether(names, list) {
+  const [words, open] = names.length === 1 ? [`${names[0]} is a character with animations.`, "Open it"] : [`${names.join(", ")} are characters with animations.`, "Open them"];
+  offer(words, { [open]: () => run(() => openFiles(list, { meant: "characters" })), [`Play on ${at.character.name}`]: () => run(() => openFiles(list, { meant: "motions" })) });
+}
+
+// meant: what files are for that could be both, "characters" or "motions".
+/** @param {File[]} dropped @param {{ meant?: string }} how */
+export async function openFiles(dropped, { meant = "" } = {}) {
   clearError();
+  closeOffer();
   if (dropped.length === 0) return;
   const list = await unpacked(dropped);
   const names = list.map(({ name }) => name);
   const isProject = names.includes("project.json");
   if (isProject) return openProject(dropped[0].name, (await list.find(({ name }) => name === "project.json")?.text()) ?? "", list);
-  await giveFiles(list);
-  if (names.every(isPicture) && names.some(isMissing)) return run(() => load(at.character.source)); // of the file that is open
-  const moving = asMotions ? names.filter(mayMove) : await motionsAmong(names);
-  const found = pairFiles(names, at.waiting, moving);
-  at.waiting = found.waiting;
-  if (found.model !== "") await useModel(found.model);
-  if (found.style !== "") await useStyle(found.style);
-  if (found.characters.length > 0) {
-    await openCharacters(found.characters, names);
-  } else if ((found.model !== "" || found.style !== "") && at.character) {
-    await useStyleAnswers();
-    await bind();
-    record(found.style || found.model);
+  if (names.every(isPicture) && names.some(isMissing)) return addPictures(list);
+  const document = newDocument();
+  await giveFiles(list, document);
+  try {
+    const among = meant === "motions" ? { motions: names.filter(mayMove), unsure: [] } : await motionsAmong(names, document);
+    if (among.unsure.length > 0 && meant === "") return askWhether(among.unsure, list);
+    const moving = among.motions;
+    const { waiting, waitingIn } = at;
+    const found = pairFiles(names, waiting, moving);
+    Object.assign(at, { waiting: found.waiting, waitingIn: document });
+    if (found.model !== "") await useModel(found.model, document.folder);
+    if (found.style !== "") await useStyle(found.style, document.folder);
+    if (found.characters.length > 0) {
+      const before = found.characters.flatMap(({ mesh, skeleton }) => [mesh, skeleton]).filter((name) => name && !names.includes(name));
+      await giveFiles(before.flatMap((name) => waitingIn?.files.get(name) ?? []), document);
+      document.beside = names.filter(isBeside);
+      await openCharacters(found.characters, document);
+    } else if ((found.model !== "" || found.style !== "") && at.character) {
+      await useStyleAnswers();
+      await bind();
+      record(found.style || found.model);
+    }
+    if (found.motions.length > 0) {
+      const of = at.character?.source.document;
+      if (of && of !== document) await giveFiles(list, of);
+      await playMotions(found.motions);
+    }
+    if (found.problems.length > 0) throw new Error(found.problems.join("; "));
+  } finally {
+    if (!at.open.some((source) => source.document === document)) await forgetDocuments([document]);
   }
-  if (found.motions.length > 0) await playMotions(found.motions);
-  if (found.problems.length > 0) throw new Error(found.problems.join("; "));
 }
 
-async function openCharacters(characters, names, state = null, rows = null) {
+// Pictures that the file which is open lacked.
+async function addPictures(list) {
+  const { source } = at.character;
+  await giveFiles(list, source.document);
+  source.document.beside = [...new Set([...source.document.beside, ...list.map(({ name }) => name)])];
+  await load(source);
+}
+
+// They take the place of those that are open; what was done to one and is in no file stays open beside them.
+async function openCharacters(characters, document, state = null, rows = null) {
   const before = at.open;
-  at.open = characters;
-  // What lay beside other characters is not theirs.
-  const anew = at.open.every(({ mesh }) => names.includes(mesh));
-  const old = anew ? at.beside.filter((name) => !names.includes(name)) : [];
-  await engine.call("setAside", { names: old, where: "aside" });
+  for (const source of characters) source.document = document;
+  const stay = before.filter(({ changed, resumed }) => changed || resumed);
+  at.open = [...stay, ...characters];
   try {
-    await load(at.open[0], state, rows);
+    await load(characters[0], state, rows);
   } catch (error) {
     at.open = before;
     showCharacters();
-    await engine.call("setAside", { names: old, where: "back" });
     throw error;
   }
-  await engine.call("setAside", { names: old, where: "gone" });
-  at.beside = [...(anew ? [] : at.beside), ...names.filter(isBeside)];
   $("sample").value = "";
-  at.changed = at.exported = false;
-  const kept = new Set([...names, ...at.open.flatMap((c) => [c.mesh, c.skeleton])]);
-  const gone = before.flatMap((c) => [c.mesh, c.skeleton]).filter((n) => n && !kept.has(n));
-  for (const name of gone) at.files.delete(name);
-  await engine.call("remove", { names: gone, numbers: before.map((c) => c.number ?? 0) });
+  await forgetSources(before.filter((source) => !stay.includes(source)));
+}
+
+// Characters that are open no more.
+function forgetSources(sources) {
+  const gone = sources.map((source) => source.document).filter((document) => !at.open.some((source) => source.document === document));
+  return forgetDocuments(gone, sources.map(({ number }) => number ?? 0));
 }
 
 export async function openSample(sample) {
@@ -108,22 +134,24 @@ export async function openSample(sample) {
   $("sample").value = sample.name;
 }
 
-// A project's file, or what the browser kept. list: its files.
-export async function openProject(name, text, list) {
+// A project's file, or what the browser kept. list: its files; id: that it is kept by.
+/** @param {string} name @param {string} text @param {File[]} list @param {string} [id] */
+export async function openProject(name, text, list, id) {
   const { state, rows, ...project } = readProject(name, text);
   const files = list.filter((file) => file.name !== "project.json");
   const missing = filesOf({ ...project, state }).filter((wanted) => !files.some((file) => file.name === wanted));
   if (missing.length > 0) throw new Error(`${name}: lacks ${missing.join(", ")}`);
-  await giveFiles(files);
+  const document = { ...newDocument(), beside: project.beside ?? [] };
+  await giveFiles(files, document);
   at.waiting = {};
-  const source = { name: project.name, mesh: project.mesh, skeleton: project.skeleton, step: project.step, pictureWishes: project.pictureWishes };
-  await openCharacters([source], files.map((file) => file.name), state, rows);
+  const source = { id, resumed: id !== undefined, name: project.name, mesh: project.mesh, skeleton: project.skeleton, step: project.step, pictureWishes: project.pictureWishes };
+  await openCharacters([source], document, state, rows);
 }
 
 // After a stopped job: another worker, with what the character last was.
 export async function reopen() {
   at.engineFacts = await engine.call("start", { forceScalar: at.forceScalar });
-  await giveFiles([...at.files.values()]);
+  for (const document of new Set(at.open.map((source) => source.document))) await giveFiles(document.files.values(), document);
   for (const file of at.modelFiles) {
     const bytes = await file.arrayBuffer();
     await engine.call("write", { files: [{ name: file.name, bytes }] }, [bytes]);
@@ -138,22 +166,30 @@ function showCharacters() {
   const tabs = $("characters");
   tabs.hidden = at.open.length < 2;
   tabs.replaceChildren(
-    ...at.open.map((one) => {
-      const tab = document.createElement("button");
-      tab.type = "button";
-      tab.role = "tab";
-      tab.textContent = one.name;
-      tab.title = one.name;
-      tab.ariaSelected = String(one.name === at.character?.name);
+    ...at.open.flatMap((one) => {
+      const tab = Object.assign(document.createElement("button"), { type: "button", role: "tab", textContent: one.name, title: one.name, ariaSelected: String(one === at.character?.source) });
       tab.onclick = () => run(() => (clearError(), load(one)));
-      return tab;
+      const close = Object.assign(document.createElement("button"), { type: "button", className: "close", textContent: "×", title: `Close ${one.name}; what was done to it is kept`, ariaLabel: `Close ${one.name}` });
+      close.onclick = () => run(() => closeCharacter(one));
+      return [tab, close];
     }),
   );
 }
 
+async function closeCharacter(source) {
+  clearError();
+  await saveWork(); // while it is the one that the module has
+  const next = at.open.find((one) => one !== source && one === at.character?.source) ?? at.open.find((one) => one !== source);
+  if (next !== at.character?.source) await load(next);
+  at.open = at.open.filter((one) => one !== source);
+  showCharacters();
+  await forgetSources([source]);
+}
+
 // state: what it is to be like, of a project, with its rows; else as its history last had it, else as its file has it.
 export async function load(source, state = null, rows = null) {
-  const { name, mesh } = source;
+  const { name, mesh, document: { folder } } = source;
+  if (source !== at.character?.source) await saveWork();
   at.player.pause();
   const isKnown = source.history && source.history.now.epoch === engine.epoch;
   if (!isKnown) source.number = ++at.lastNumber;
@@ -161,7 +197,7 @@ export async function load(source, state = null, rows = null) {
   source.placement = wanted?.placement ?? source.placement ?? unplaced;
   if (wanted) source.pictureWishes = wanted.pictureWishes;
   const loaded = await whileBusy(`Opening ${name}`, () =>
-    source.pictureWishes ? engine.call("picture", { mesh, wishes: source.pictureWishes, number: source.number }) : engine.call("load", asLoaded(source)),
+    source.pictureWishes ? engine.call("picture", { folder, mesh, wishes: source.pictureWishes, number: source.number }) : engine.call("load", asLoaded(source)),
   );
   // From here on the module has the new character, whether it can be bound or not.
   if (!wanted) forgetOptions();
@@ -180,6 +216,7 @@ export async function load(source, state = null, rows = null) {
     await bind();
     if (loaded.picture) await moveDrawing();
     if (isWhole(mesh) && source.motion === undefined && !at.character.predicted) await at.motions.open([mesh]).catch(() => {}); // most files have no animations
+    if (at.player.motion?.clips.every(({ seconds }) => seconds === 0)) await at.motions.close(); // a pose is none
   }
   const { rigidParts } = at.character.result ?? { rigidParts: 0 };
   if (rigidParts) remark(`Its ${rigidParts} parts hang on joints as they are; here they are bound like a skin.`);

@@ -2,7 +2,7 @@
 // The page: what the user does, and how it begins.
 import { act, posed } from "./acting.js";
 import { forgetStyle, lookAt, saveStyle, take, takeBack } from "./asking.js";
-import { autosaved, forgetWork, lastWork, presentProject, warnBeforeLeaving } from "./autosave.js";
+import { autosaved, forgetWork, presentProject, warnBeforeLeaving } from "./autosave.js";
 import { BendPanel } from "./bends.js";
 import { bind, bindOtherwise, endStroke, forgetPaint, lockJoint, switchJoint } from "./binding.js";
 import { nextBrush, showBrush, strokes } from "./brush.js";
@@ -16,8 +16,9 @@ import { allFiles, motionFiles } from "./files.js";
 import { showHelp } from "./help.js";
 import { clearError, queue, run, save, showError, stopJobs, whileBusy } from "./jobs.js";
 import { JointList } from "./joint_list.js";
+import { showKept } from "./kept.js";
 import { listenForKeys } from "./keys.js";
-import { changeMotion, motionChanged, openFiles, openProject, openSample, reopen, tryClip } from "./loading.js";
+import { changeMotion, motionChanged, openFiles, openSample, reopen, tryClip } from "./loading.js";
 import { listenForMarkers } from "./marking.js";
 import { Latest } from "./latest.js";
 import { fetchModel } from "./models.js";
@@ -26,9 +27,10 @@ import { listenForPlacement } from "./placing.js";
 import { BindOptions } from "./options.js";
 import { record } from "./recording.js";
 import { Drag } from "./drag.js";
+import { closeOffer } from "./offer.js";
 import { PosePanel } from "./pose_panel.js";
 import { Questions } from "./questions.js";
-import { showSteps } from "./rail.js";
+import { doubtsOf, showSteps } from "./rail.js";
 import { samples, thumbOf } from "./samples.js";
 import { choose, poseChanged, poses, sendPose } from "./showing.js";
 import { SkeletonEditor } from "./skeleton.js";
@@ -77,7 +79,7 @@ function listenForFiles() {
   $("files").accept = allFiles;
   $("motion-files").accept = motionFiles;
   choosing("files", ["open", "open-more"], {});
-  choosing("motion-files", ["open-motion"], { asMotions: true });
+  choosing("motion-files", ["open-motion"], { meant: "motions" });
   choosing("camera", ["photograph", "photograph-more"], {});
 
   // A drag passes over many elements; the count says when it has left the page.
@@ -110,7 +112,7 @@ async function saveProject() {
   const { project, files } = await presentProject();
   const list = await Promise.all(files.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) })));
   save(zip([{ name: "project.json", bytes: new TextEncoder().encode(JSON.stringify(project)) }, ...list]), "application/zip", `${project.name}.sinewproject`);
-  at.changed = false;
+  at.character.source.changed = at.character.source.resumed = false;
 }
 
 function listenForSkeleton() {
@@ -133,7 +135,7 @@ function listenForSkeleton() {
 
 // The next limb that may be wrong, in the middle of the picture.
 function nextDoubt() {
-  const doubts = at.character?.doubts ?? [];
+  const doubts = doubtsOf();
   if (doubts.length === 0) return;
   const next = (doubts.findIndex(({ joints }) => joints.includes(at.view.selected)) + 1) % doubts.length;
   choose(doubts[next].joint);
@@ -269,13 +271,13 @@ function listen() {
     x: () => $("switch").click(),
     l: () => $("lock").click(),
     b: () => at.step === "weights" && nextBrush(),
-  }, { onUndo: (forward) => undo(forward), onEscape: escape });
+  }, { onUndo: (forward) => undo(forward), onEscape: escape, onStep: (step) => goTo($("rail").children[step].dataset.step) });
 }
 
 // The innermost thing that is open closes.
 function escape() {
   if ($("help-page").open) return; // its own
-  if (stopJobs()) return;
+  if (stopJobs() || closeOffer()) return;
   if (document.activeElement === $("search")) $("search").blur();
   else if (document.activeElement === $("rename")) at.editor.show(at.character, at.view.selected), $("rename").blur();
   else if (!$("error").hidden) clearError();
@@ -292,22 +294,11 @@ function toggleSkeleton() {
   $("skeleton").ariaPressed = String(at.view.skeletonShown);
 }
 
-// What the browser kept of the last visit, on a button beside Open.
-async function offerLastWork() {
-  const last = await lastWork();
-  if (!last) return;
-  const button = $("restore");
-  button.textContent = `Go on with ${last.name}`;
-  button.title = `As it was on ${new Date(last.time).toLocaleString()}`;
-  button.hidden = false;
-  button.onclick = () => run(() => openProject(last.name, last.text, last.files));
-}
-
 async function start() {
   at.forceScalar = new URLSearchParams(location.search).has("scalar");
   at.engineFacts = await whileBusy("Starting the engine", () => engine.call("start", { forceScalar: at.forceScalar }));
   await fetchModel("sinew_default.sinew");
-  await offerLastWork();
+  await showKept();
   const wanted = new URLSearchParams(location.search).get("sample");
   const sample = samples.find(({ name }) => name === wanted);
   if (sample) await openSample(sample);
@@ -357,6 +348,9 @@ Object.assign(window, { sinewPage: {
   },
   get character() {
     return at.character;
+  },
+  get drags() {
+    return at.drag.runs;
   },
   get step() {
     return at.step;

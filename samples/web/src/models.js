@@ -4,9 +4,9 @@ import { fetchPacked } from "./packed.js";
 import { at, engine, models } from "./state.js";
 
 // A model of weights, of skeletons or of hands.
-/** @param {string} name */
-export async function useModel(name) {
-  const { task, ...model } = await engine.call("model", { name });
+/** @param {string} name @param {number} [folder] that it lies in */
+export async function useModel(name, folder) {
+  const { task, ...model } = await engine.call("model", { name, folder });
   models[task] = { name, ...model };
 }
 

@@ -3,14 +3,16 @@
 import { listQuestions, lookNowhere } from "./asked.js";
 import { showSkeleton, upOf } from "./editing.js";
 import { whileBusy } from "./jobs.js";
+import { closeOffer } from "./offer.js";
 import { Pose } from "./pose.js";
 import { showFacts } from "./showing.js";
+import { longestSide } from "./sides.js";
 import { $, at, engine, modes } from "./state.js";
 import { firstStep, setStep } from "./steps.js";
 
 export const unplaced = { turns: [], height: 0, floor: false };
 /** @type {(source: import("./types.js").Source) => object} */
-export const asLoaded = ({ mesh, skeleton, number, placement }) => ({ mesh, skeleton, number, place: { ...placement, up: Number($("up").value) === 1 ? 1 : 0 } });
+export const asLoaded = ({ document: { folder }, mesh, skeleton, number, placement }) => ({ folder, mesh, skeleton, number, place: { ...placement, up: Number($("up").value) === 1 ? 1 : 0 } });
 
 // The open character turned or scaled as a whole: with the joints of its file, without weights.
 /** @param {import("./types.js").Placement} placement */
@@ -28,8 +30,8 @@ export async function loadPlaced(placement) {
 /** @param {import("./types.js").PictureWishes | undefined} wishes */
 export async function loadDrawn(wishes) {
   const { source, name, up } = at.character;
-  const { mesh, number } = source;
-  const loaded = await whileBusy(`Opening ${name}`, () => engine.call("picture", { mesh, wishes: wishes ?? { class: "" }, number })); // without any it would be the one that is open
+  const { mesh, number, document: { folder } } = source;
+  const loaded = await whileBusy(`Opening ${name}`, () => engine.call("picture", { folder, mesh, wishes: wishes ?? { class: "" }, number })); // without any it would be the one that is open
   source.pictureWishes = wishes;
   at.character = { ...loaded, name, up, upAxis: upOf(loaded, up), source, result: null, size: longestSide(loaded.buffers.positions), placeable: false };
   source.locked = new Set(); // with the rows that were locked
@@ -47,8 +49,10 @@ export function remark(line) {
 export function showOpened(loaded) {
   document.body.classList.remove("start");
   $("artist").hidden = !loaded.hasReference;
+  closeOffer();
   $("remarks").textContent = "";
   $("remarks").hidden = true;
+  showOrigin(loaded);
   for (const note of loaded.notes) remark(note);
   at.pose = new Pose(loaded.joints.length);
   at.dragged = null;
@@ -63,13 +67,17 @@ export function showOpened(loaded) {
   showFacts();
 }
 
-/** @param {Float32Array} positions [V x 3] */
-export function longestSide(positions) {
-  const least = [Infinity, Infinity, Infinity];
-  const most = [-Infinity, -Infinity, -Infinity];
-  positions.forEach((x, i) => {
-    least[i % 3] = Math.min(least[i % 3], x);
-    most[i % 3] = Math.max(most[i % 3], x);
-  });
-  return Math.max(...most.map((x, axis) => x - least[axis]));
+// What its file says of itself, in the step Export: who made it and what is not allowed, and parts that are not where its own skin puts them.
+/** @param {{ misplaced?: string[], license?: { authors: string[], forbidsChanges: boolean } | null }} loaded */
+function showOrigin({ misplaced = [], license = null }) {
+  $("misplaced").hidden = misplaced.length === 0;
+  const names = misplaced.slice(0, 4).join(", ") + (misplaced.length > 4 ? ` and ${misplaced.length - 4} more` : "");
+  $("misplaced").textContent = `Look at it before you export it: ${names} ${misplaced.length === 1 ? "lies" : "lie"} far from the joints that this file's own skin gives ${misplaced.length === 1 ? "it" : "them"} to.`;
+  if (misplaced.length > 0) remark($("misplaced").textContent);
+  const authors = license?.authors.join(", ") ?? "";
+  $("license-said").hidden = !license;
+  $("license-said").textContent = `${authors ? `By ${authors}; that stays in the file.` : "Its file names no author."}${license?.forbidsChanges ? " Its license forbids changing it." : " Its license stays as it is."}`;
+  $("author").placeholder = authors;
+  $("license-mine-field").hidden = !license?.forbidsChanges;
+  $("license-mine").checked = false;
 }

@@ -44,6 +44,7 @@ export class Questions {
   #host;
   #joints = [];
   #hovered = null;
+  #tapped = null; // an answer that a finger was on
   #focused = null; // of the two the later one counts
 
   constructor(host) {
@@ -155,10 +156,19 @@ export class Questions {
     head.nextElementSibling.scrollIntoView({ block: "nearest" });
   }
 
+  // A finger cannot point without a tap: the first one shows what the answer changes, the second takes it.
+  #take(look, { pointerType }) {
+    if (pointerType === "touch" && this.#tapped !== look) {
+      this.#tapped = look;
+      return this.#focus(look);
+    }
+    this.onTake(look);
+  }
+
   #alternatives(question) {
     const list = element("div", { className: "alternatives", role: "group", ariaLabel: `How does ${partName(question)} move?` });
     const add = (text, look, share) => {
-      const one = button("alternative", answerText(text), { look, title: meanings[look.answer.split(":")[0]], onclick: () => this.onTake(look) });
+      const one = button("alternative", answerText(text), { look, title: meanings[look.answer.split(":")[0]], onclick: (event) => this.#take(look, event) });
       if (share !== undefined) one.append(element("span", { className: "share", title: "of the part's weight changes joints" }, percent(share)));
       list.append(one);
     };

@@ -10,7 +10,7 @@ const sentences = {
     return `${count(vertices)} vertices, ${count(faces)} faces, ${size < 10 ? size.toFixed(2) : Math.round(size)} along its longest side.`;
   },
   skeleton: () => {
-    const { joints, doubts = [] } = at.character;
+    const { joints } = at.character, doubts = doubtsOf();
     return joints.length === 0 ? "No joints yet." : `${joints.length} joints${doubts.length ? `, ${doubts.length} to check: ${doubts.map(({ name }) => name).join(", ")}` : ""}.`;
   },
   weights: () => {
@@ -25,16 +25,20 @@ const sentences = {
   },
   export: () => "A file for other programs, or the work as it is, to go on with later.",
 };
+// What of the skeleton is to be looked at: limbs that may be wrong, joints outside the body.
+export const doubtsOf = () => [...(at.character?.doubts ?? []), ...(at.character?.outside ?? [])];
+
 const count = (/** @type {number} */ n) => n.toLocaleString("en");
 
-// Whether a step has what it is for.
+// Whether a step has what it is for; what the page found by itself counts once somebody has looked at it.
+const isLooked = (/** @type {string} */ step) => Boolean(at.character?.source.looked?.has(step));
 /** @type {Record<string, () => boolean>} */
 const isDone = {
   mesh: () => Boolean(at.character),
-  skeleton: () => Boolean(at.character?.joints.length) && !at.character.doubts?.length,
-  weights: () => Boolean(at.character?.result),
+  skeleton: () => Boolean(at.character?.joints.length) && doubtsOf().length === 0 && isLooked("skeleton"),
+  weights: () => Boolean(at.character?.result) && isLooked("weights"),
   motion: () => Boolean(at.player?.motion),
-  export: () => Boolean(at.exported),
+  export: () => Boolean(at.character?.source.exported),
 };
 
 // What changed by itself: ticks, sentences, what can be done.
@@ -51,7 +55,7 @@ export function showSteps() {
   }
   $("step-name").textContent = `${at.step[0].toUpperCase()}${at.step.slice(1)}`;
   $("step-said").textContent = at.character ? sentences[at.step]() : "";
-  const doubts = at.character?.doubts ?? [];
+  const doubts = doubtsOf();
   $("next-doubt").disabled = doubts.length === 0;
   $("next-doubt").textContent = doubts.length === 0 ? "Nothing to check" : `Next of ${doubts.length} to check`;
 }

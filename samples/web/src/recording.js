@@ -53,7 +53,7 @@ export function record(name, { goesOn = false } = {}) {
   else if (name === "" || isSame(state, source.history.now)) source.history.replace(state);
   else {
     source.history.add(name, state, { goesOn });
-    at.changed = true;
+    source.changed = true;
   }
   forgetKept();
   showHistory();

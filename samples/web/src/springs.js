@@ -35,7 +35,7 @@ export class SpringPanel {
 
   constructor() {
     $("springs-on").onchange = () => this.onChange(this.#wanted ? "springs off" : "springs on", () => this.set({ on: !this.#wanted }));
-    $("spring-chains").onchange = ({ target }) => {
+    $("spring-chains").onchange = (/** @type {any} */ { target }) => {
       const { name } = this.#chains[Number(target.dataset.chain)];
       this.onChange(`${name} ${target.checked ? "swings" : "does not swing"}`, () => this.set({ switched: { ...this.#chosen.switched, [name]: target.checked } }));
     };
@@ -106,7 +106,7 @@ export class SpringPanel {
       slider.nextElementSibling.textContent = `${value} ×`;
       slider.setAttribute("aria-valuetext", `${value} times as much as found`);
     }
-    $("shake").disabled = !this.on;
+    $("shake").disabled = $("bake-springs-field").hidden = !this.on;
     const list = $("spring-chains");
     if (list.childElementCount !== this.#chains.length || this.#chains.some(({ name }, c) => list.children[c].title !== name)) list.replaceChildren(...this.#chains.map(row));
     this.#chains.forEach(({ kept }, c) => {

@@ -55,6 +55,24 @@ export class Stage {
     this.#drawOver();
   }
 
+  // The shares of its height, at the top and at the bottom, that buttons lie on.
+  get covered() {
+    const { height, top } = this.#host.getBoundingClientRect(), style = getComputedStyle(this.#host);
+    const pixels = (/** @type {string} */ name) => parseFloat(style.getPropertyValue(name)) || 0;
+    return top >= 0 && height > 0 ? { top: Math.min(0.3, pixels("--covered-top") / height), bottom: Math.min(0.3, pixels("--covered-bottom") / height) } : { top: 0, bottom: 0 };
+  }
+
+  // The middle of the picture, small: its address.
+  thumbnail() {
+    const [width, height] = [144, 108], { width: across, height: down } = this.canvas;
+    const scale = 1.4 * Math.max(width / across, height / down); // what is framed has a margin
+    const small = Object.assign(document.createElement("canvas"), { width, height });
+    this.renderer.render(this.scene, this.camera); // what was drawn before is gone
+    small.getContext("2d")?.drawImage(this.canvas, (width - across * scale) / 2, (height - down * scale) / 2, across * scale, down * scale);
+    this.#drawOver();
+    return small.toDataURL("image/webp", 0.8);
+  }
+
   /**
    * Where a point of the scene is on the page.
    * @param {import("three").Vector3} point

@@ -27,12 +27,10 @@ export const at = {
   // recipe, kept, history, step}. Sets and lists of these are never changed, others take their place.
   /** @type {Source[]} */
   open: [],
-  /** @type {Map<string, File>} */
-  files: new Map(), // of all that the module has
-  /** @type {string[]} */
-  beside: [], // names of what was dropped with them: pictures, .bin, .mtl
   /** @type {{ mesh?: string, rig?: string }} */
   waiting: {}, // a mesh or a rig that its other half may still follow
+  /** @type {import("./types.js").Document | null} */
+  waitingIn: null,
   /** @type {Character} */
   character: later, // null: none is open; what the module has loaded, with its bind result
   /** @type {Source | null} */
@@ -78,12 +76,10 @@ export const at = {
   /** @type {File[]} */
   modelFiles: [], // of the page's own, as Files
   modeChosen: false, // the user chose what the picture shows, in this step
-  exported: false,
   /** @type {boolean | null} */
   firstAlone: null, // whether the first bind needed the first part of the module alone
   onFirstBound: () => {},
   forceScalar: false,
-  changed: false, // something was done that no file has yet
   onExported: () => {},
   /** @type {() => any} */
   afterStop: () => {}, // brings the page back when a job was stopped

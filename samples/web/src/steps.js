@@ -22,6 +22,7 @@ export function setStep(step, { view = true } = {}) {
     at.mode = step === "weights" || step === "skeleton" ? (at.view.selected >= 0 ? modes.field : modes.joints) : modes.material;
   }
   setEditing(step === "skeleton");
+  at.view.frameAgain();
   showDrawing();
   showSkeleton();
   if (step === "motion" && at.character.result) run(() => at.springs.again());
@@ -32,7 +33,9 @@ export function setStep(step, { view = true } = {}) {
 /** @param {string} step */
 export function goTo(step) {
   if (!at.character || step === at.step) return;
-  at.character.source.step = step; // a tab that is opened again shows it
+  const { source } = at.character;
+  source.looked = new Set([...(source.looked ?? []), at.step, step]);
+  source.step = step; // a tab that is opened again shows it
   setStep(step);
   run(colour);
   run(sendPose);

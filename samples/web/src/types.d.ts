@@ -131,8 +131,22 @@ export interface State {
   pictureWishes?: PictureWishes;
 }
 
+/** Files that were dropped together, see documents.js. */
+export interface Document {
+  folder: number;
+  files: Map<string, File>;
+  beside: string[]; // names of what was dropped with characters: pictures, .bin, .mtl
+}
+
 /** A character that was dropped, and what its user did. */
 export interface Source {
+  document: Document;
+  id?: string; // that its work is kept by
+  keptWith?: string; // the files that are kept with it
+  changed?: boolean; // something was done that no file has
+  looked?: Set<string>; // steps that the user was in
+  exported?: boolean;
+  resumed?: boolean; // it is of the work that was kept
   name: string;
   mesh: string;
   skeleton: string;
@@ -198,10 +212,20 @@ export interface Character {
   plane: number;
   doubtful?: boolean;
   doubts?: { name: string; joint: number; joints: number[] }[];
+  outside?: { name: string; joint: number; joints: number[] }[]; // joints that lie out of the body
   spread: number;
   seconds: number;
   hasReference: boolean;
   picture?: Picture;
+}
+
+/** Work that the browser keeps. */
+export interface Kept {
+  id: string;
+  name: string;
+  time: number;
+  text: string;
+  picture: string;
 }
 
 /** What is written to a project file. */

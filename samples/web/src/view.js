@@ -60,7 +60,7 @@ export class View extends ViewEvents {
     scene.add(this.#model);
     this.#light = new Lighting({ scene, camera, renderer });
     this.#floor = new Floor(scene, () => this.#mesh && (this.#stand(this.#upAxis), this.redraw()));
-    this.#framing = new Framing({ camera, orbit });
+    this.#framing = new Framing({ camera, orbit, room: () => this.#stage.covered });
     orbit.addEventListener("start", () => this.hold());
     const redraw = () => this.redraw();
     this.#rings = new Rings({ camera, canvas, scene, model: this.#model, orbit, redraw });
@@ -300,6 +300,12 @@ export class View extends ViewEvents {
     this.#frameBox(this.#mesh.geometry.boundingBox.clone().applyMatrix4(this.#model.matrixWorld), from);
   }
 
+  // Where nobody moved the camera, with the room that the present step's buttons leave.
+  frameAgain() {
+    if (this.#mesh && this.#framing.untouched && !this.#outline.shown) this.#framing.again();
+    this.redraw();
+  }
+
   #frameBox(box, from) {
     this.#framing.frame(box, from);
     this.redraw();
@@ -374,6 +380,11 @@ export class View extends ViewEvents {
     this.#bones.shown = bonesShown;
     this.redraw();
     return url;
+  }
+
+  // The address of a small picture of what is shown.
+  thumbnail() {
+    return this.#stage.thumbnail();
   }
 
   // The rest is for tests.

@@ -56,7 +56,6 @@ async function start({ forceScalar }) {
     printErr: () => {},
   });
   module.FS.mkdir("/drop");
-  module.FS.mkdir("/aside");
   module.FS.chdir("/drop");
   return { kernel: text(module._web_kernel()), version: text(module._web_version()), moduleBytes };
 }
@@ -131,19 +130,14 @@ const calls = {
   write({ files }) {
     for (const { name, bytes } of files) module.FS.writeFile(plain(name), new Uint8Array(bytes));
   },
-  remove({ names, numbers }) {
+  // Folders of documents and numbers of characters that are open no more.
+  remove({ folders, numbers }) {
     for (const number of numbers) module._web_forget(number);
-    for (const name of names) {
-      if (module.FS.analyzePath(plain(name)).exists) module.FS.unlink(plain(name));
-    }
-  },
-  // Files that no character that is opened now may find; where: "aside", "back" or "gone".
-  setAside({ names, where }) {
-    const [from, to] = where === "aside" ? ["/drop", "/aside"] : ["/aside", "/drop"];
-    for (const name of names.map(plain)) {
-      if (!module.FS.analyzePath(`${from}/${name}`).exists) continue;
-      if (where === "gone") module.FS.unlink(`${from}/${name}`);
-      else module.FS.rename(`${from}/${name}`, `${to}/${name}`);
+    for (const folder of folders) {
+      const path = `/drop/${folder}`;
+      if (!module.FS.analyzePath(path).exists) continue;
+      for (const name of module.FS.readdir(path)) if (module.FS.isFile(module.FS.lstat(`${path}/${name}`).mode)) module.FS.unlink(`${path}/${name}`);
+      if (module.FS.cwd() !== path) module.FS.rmdir(path);
     }
   },
   model: ({ name }) => ask("model", plain(name)),
@@ -225,7 +219,10 @@ const calls = {
     return withFloats(turns, (at) => ({ ...ask("dragged", springs.at, moving, clip ?? 0, seconds, at, { ...drag, begins: springs.begins }, skinning), spots: [], buffers: take(posed) }));
   },
   // kind: glb, fbx or vrm; wish: {clips, springs, bakes, profile, author, title, licence}
-  file: ({ name, kind, wish }) => ({ buffers: { bytes: handles.file(`${plain(name)}.bound.${kind}`, wish) } }),
+  file({ name, kind, wish }) {
+    const { height, bytes } = handles.file(`${plain(name)}.bound.${kind}`, wish);
+    return { height, buffers: { bytes } };
+  },
   // {pose} that files of a profile stand in
   profile: ({ name }) => ask("profile", name),
   rigText: ({ name }) => ({ buffers: { bytes: handles.rigText(`${plain(name)}.rig.txt`) } }),
@@ -233,14 +230,32 @@ const calls = {
 
 // How many of the later parts of the module a call waits for: none to open and bind a character, the first to make it a skeleton, else all.
 /** @type {Map<string, number>} */
-const needs = new Map([...["start", "write", "remove", "setAside", "model", "load", "bind", "keep", "drop"].map((call) => /** @type {const} */ ([call, 0])), ["rig", 1]]);
+const needs = new Map([...["start", "write", "remove", "model", "load", "bind", "keep", "drop"].map((call) => /** @type {const} */ ([call, 0])), ["rig", 1]]);
+
+// Calls with a `folder` are of the files of that document; one that opens a character stays there, if it succeeds, and others are of it then.
+const opens = new Set(["load", "picture"]);
+/** @param {string} call @param {{ folder?: number }} options */
+async function answerIn(call, { folder, ...options }) {
+  if (folder === undefined) return calls[call](options);
+  const before = module.FS.cwd(), path = `/drop/${folder}`;
+  if (!module.FS.analyzePath(path).exists) module.FS.mkdir(path);
+  module.FS.chdir(path);
+  let stays = false;
+  try {
+    const reply = await calls[call](options);
+    stays = opens.has(call);
+    return reply;
+  } finally {
+    if (!stays) module.FS.chdir(before);
+  }
+}
 
 /** @param {any} message {id, call, ...} */
 async function answer({ id, call, ...options }) {
   try {
     if (needs.get(call) !== 0) await parts.loaded(needs.get(call));
     if (!needs.has(call)) handles ??= new (await import("./handles.js")).Handles(module);
-    const reply = (await calls[call](options)) ?? {};
+    const reply = (await answerIn(call, options)) ?? {};
     const transfer = Object.values(reply.buffers ?? {}).map((b) => b.buffer);
     postMessage({ id, reply }, { transfer });
     // What is next; where that fails the next call says it.

@@ -6,11 +6,14 @@
 #include <array>
 #include <utility>
 
+#include "gltf/gltf_source.hpp"
 #include "rig_json.hpp"
 #include "sinew_character/jobs/bind_job.hpp"
 #include "sinew_character/jobs/plane_motion.hpp"
 #include "sinew_character/jobs/rig_job.hpp"
 #include "sinew_character/pose/character_transform.hpp"
+#include "sinew_formats/base/box.hpp"
+#include "sinew_formats/base/segment.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 
@@ -71,6 +74,53 @@ std::array<float, 2> tall(const Character& character) {
   return {high.y - low.y, high.z - low.z};
 }
 
+constexpr double kFarFromItsBones =
+    0.35;  // of the longest side: farther than props that hands hold, and hair that hangs down from heads
+
+// Meshes of the file that lie, on average, far from the joints that its own weights give them to: the file's skin does not put them there.
+Json misplaced_meshes(const Character& character, const std::vector<std::vector<Influence>>& reference) {
+  std::vector<double> sums(std::max<size_t>(1, character.meshes.size())), counts(sums.size());
+  for (size_t v = 0; v < reference.size(); ++v) {
+    const Point3 at = point(character.vertices[v]);
+    if (reference[v].empty()) continue;
+    const auto strongest = std::max_element(reference[v].begin(), reference[v].end(),
+                                            [](const auto& a, const auto& b) { return a.weight < b.weight; });
+    const Joint& joint = character.joints[strongest->joint];
+    const Point3 head = point(joint.position);
+    double distance = joint.parent < 0 ? length(at - head)
+                                       : segment_distance(at, head, point(character.joints[joint.parent].position));
+    for (const Joint& child : character.joints)
+      if (child.parent == static_cast<int>(strongest->joint))
+        distance = std::min(distance, segment_distance(at, head, point(child.position)));
+    const size_t mesh = v < character.vertex_meshes.size() ? character.vertex_meshes[v] : 0;
+    sums[mesh] += distance;
+    ++counts[mesh];
+  }
+  const double far = kFarFromItsBones * double{box_of(character.vertices).longest_side()};
+  Json list = Json::array();
+  for (size_t m = 0; m < sums.size(); ++m)
+    if (counts[m] > 0 && sums[m] > far * counts[m])
+      list.push_back(m < character.meshes.size() ? character.meshes[m].name : character.name);
+  return list;
+}
+
+// What a VRM says of who made it and what its license forbids; null for other files.
+Json license_json(const Character& character) {
+  if (character.gltf == nullptr) return nullptr;
+  const Json& document = character.gltf->document;
+  const Json::json_pointer one("/extensions/VRMC_vrm/meta"), zero("/extensions/VRM/meta");
+  if (document.contains(one)) {
+    const Json& meta = document[one];
+    return {{"authors", meta.value("authors", Json::array())},
+            {"forbidsChanges", meta.value("modification", "") == "prohibited"}};
+  }
+  if (!document.contains(zero)) return nullptr;
+  const Json& meta = document[zero];
+  const std::string author = meta.value("author", ""), name = meta.value("licenseName", "");
+  return {{"authors", author.empty() ? Json::array() : Json::array({author})},
+          {"forbidsChanges", name.find("_ND") != std::string::npos}};
+}
+
 Json start(Session& s, Character character, JointChoice choice, std::vector<std::vector<Influence>> reference,
            uint32_t number, const std::string& placement = {}) {
   if (s.rigs_of.find(number) == s.rigs_of.end() || s.placement_of[number] != placement) {
@@ -100,6 +150,8 @@ Json start(Session& s, Character character, JointChoice choice, std::vector<std:
   show(s);
   Json reply = rig_json(s.rigs());
   reply["hasReference"] = !s.reference.empty();
+  reply["misplaced"] = misplaced_meshes(s.character, s.reference);
+  reply["license"] = license_json(s.character);
   reply["name"] = s.character.name;
   reply["notes"] = s.character.notes;
   reply["tall"] = tall(s.character);

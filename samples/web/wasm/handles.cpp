@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "capi/handle.hpp"
 #include "characters.hpp"
+#include "sinew_character/pose/character_transform.hpp"
+#include "sinew_formats/base/box.hpp"
 
 namespace sinew::web {
 
@@ -48,6 +51,20 @@ std::unique_ptr<sinew_character> handle_of(const Session& s, CopyOf what, const 
   handle->same_skin = false;
   if (moving != nullptr && are_alike(moving->character.joints, s.character.joints)) handle->clips = moving->clips;
   return handle;
+}
+
+double put_on_floor(sinew_character* handle, Axis up_axis) {
+  constexpr double kStands = 0.02;
+  const size_t up = axis_index(up_axis);
+  const Box box = box_of(handle->character.vertices);
+  const double low = point(box.low)[up], high = point(box.high)[up];
+  if (handle->picture != nullptr || std::abs(low) <= kStands * (high - low)) return 0;
+  handle->character = transformed(std::move(handle->character), {{}, 0, true}, up_axis);
+  for (Clip& clip : handle->clips)
+    for (MotionFrame& frame : clip.frames)
+      for (size_t j = 0; j < handle->character.joints.size(); ++j)
+        if (handle->character.joints[j].parent < 0) frame.translations[j][up] -= low;
+  return low;
 }
 
 Json clips_json(const sinew_character& moving) {

@@ -17,6 +17,9 @@ enum class CopyOf : uint32_t { kShown = 0, kWritten, kFile };
 // A copy of the bound character as it is shown, as files of it are (see written()), or with the joints where its own file has them.
 //   moving  whose clips it gets where they are of its joints; or null
 std::unique_ptr<sinew_character> handle_of(const Session& s, CopyOf what, const sinew_character* moving);
+// Moves a character and its clips up or down so that it stands on the floor, as programs for avatars have it; one that stands there within 2 % of its height
+// stays. Returns how high it was above the floor, 0 where it stays. Throws Error.
+double put_on_floor(sinew_character* handle, Axis up_axis);
 // Clips that were added to a handle: [{name, frames, seconds, room}]. room, what joints take up by axes: {is: [[least, most] x 3], around: the same,
 // from the joints' middle in each frame}
 nlohmann::json clips_json(const sinew_character& moving);

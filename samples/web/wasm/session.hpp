@@ -55,7 +55,7 @@ struct Session {
   std::map<uint32_t, Kept> kept;  // by the page's numbers
   Style style;                    // for the next characters
   Skinning skinning;
-  std::optional<LiveSprings> live;  // while the character is dragged
+  std::optional<LiveSprings> live;                           // while the character is dragged
   std::shared_ptr<const PictureCharacter> picture() const {  // null: the character is of none
     const auto found = pictures_of.find(number);
     return found == pictures_of.end() ? nullptr : found->second;

@@ -12,7 +12,7 @@
 namespace sinew::web {
 namespace {
 
-constexpr int kStepsBefore = 60;  // that chains have swung when a drag begins
+constexpr int kStepsBefore = 60;    // that chains have swung when a drag begins
 constexpr double kStep = 1.0 / 60;  // seconds
 constexpr double kRadians = std::numbers::pi / 180;
 

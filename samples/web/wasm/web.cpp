@@ -308,6 +308,11 @@ EMSCRIPTEN_KEEPALIVE sinew_status web_character(uint32_t what, const sinew_chara
   });
 }
 
+// See put_on_floor(): for the page's up axis.
+EMSCRIPTEN_KEEPALIVE sinew_status web_put_on_floor(sinew_character* handle, double* height) {
+  return guarded(handle, [&] { *height = put_on_floor(handle, session().up_axis); });
+}
+
 // The clips of a handle, see clips_json().
 EMSCRIPTEN_KEEPALIVE const char* web_clips(const sinew_character* moving) {
   return answer([&] { return clips_json(*moving); });
