@@ -19,27 +19,28 @@
 namespace sinew {
 namespace {
 
-constexpr size_t kLevels = 65;             // from the hips to the floor, and from the shoulders
-constexpr size_t kRows = 3;                // joints of a line
-constexpr double kAround = 0.6;            // of a turn around both legs a skirt covers at least
-constexpr double kRing = 0.95;             // from there on it is closed
-constexpr size_t kGap = 2;                 // levels that a garment may miss, where it is torn
-constexpr double kLeastSkirt = 0.2;        // of the leg that a skirt is long
-constexpr double kLeastSheet = 0.2;        // of the height that a cape is long
-constexpr double kToFloor = 0.7;           // of the leg: what encloses legs so far without showing them is a robe
-constexpr double kFlare = 1.15;            // of its length around at the hips a robe is wide at its hem at least
-constexpr double kLeg = 0.3;               // of the height: a body with shorter legs wears no robe
-constexpr double kShown = 0.35;            // of its levels that show a leg within, or the skirt is the body's own shape
-constexpr double kOverhang = 1.2;          // how much farther from the middle a hem is than the legs below it
-constexpr double kLineGap = 0.12;          // of the height from line to line
+constexpr size_t kLevels = 65;       // from the hips to the floor, and from the shoulders
+constexpr size_t kRows = 3;          // joints of a line
+constexpr double kAround = 0.6;      // of a turn around both legs a skirt covers at least
+constexpr double kRing = 0.95;       // from there on it is closed
+constexpr size_t kGap = 2;           // levels that a garment may miss, where it is torn
+constexpr double kLeastSkirt = 0.2;  // of the leg that a skirt is long
+constexpr double kLeastSheet = 0.2;  // of the height that a cape is long
+constexpr double kToFloor = 0.7;     // of the leg: what encloses legs so far without showing them is a robe
+constexpr double kFlare = 1.15;      // of its length around at the hips a robe is wide at its hem at least
+constexpr double kLeg = 0.3;         // of the height: a body with shorter legs wears no robe
+constexpr double kShown = 0.35;      // of its levels that show a leg within, or the skirt is the body's own shape
+constexpr double kOverhang = 1.2;    // how much farther from the middle a hem is than the legs below it
+constexpr double kLineGap = 0.12;    // of the height from line to line
 constexpr size_t kFewestRing = 6, kMostRing = 12, kFewestSheet = 3, kMostSheet = 7;
-constexpr double kThin = 0.22;             // of its width squared that a sheet's section encloses at most
-constexpr double kWide = 0.5;              // of the shoulders' distance that it is wide at least
-constexpr double kBehind = 0.02;           // of the height behind the trunk's middle line all of it is
-constexpr double kSheetTurn = 0.55;        // of a turn around the trunk it covers at most
-constexpr double kOwnShare = 0.95;          // of its weight that joints hold which do not swing
-constexpr double kBesideLeg = 0.45;        // sine of the angle from the front, or from the back, from which a panel goes with its leg
-constexpr size_t kFewestVertices = 24;     // of a garment
+constexpr double kThin = 0.22;       // of its width squared that a sheet's section encloses at most
+constexpr double kWide = 0.5;        // of the shoulders' distance that it is wide at least
+constexpr double kBehind = 0.02;     // of the height behind the trunk's middle line all of it is
+constexpr double kSheetTurn = 0.55;  // of a turn around the trunk it covers at most
+constexpr double kOwnShare = 0.95;   // of its weight that joints hold which do not swing
+constexpr double kBesideLeg =
+    0.45;  // sine of the angle from the front, or from the back, from which a panel goes with its leg
+constexpr size_t kFewestVertices = 24;  // of a garment
 constexpr float kSure = 0.9f, kFairlySure = 0.6f;
 
 struct Trunk {
@@ -128,7 +129,8 @@ class GarmentFinder {
       }
       for (const SectionCurve& curve : levels.sections[k])
         for (size_t side = 0; side < 2; ++side)
-          if (curve.covered_turn(middle) < kAround && curve.covered_turn(leg(side, height)) >= kAround) shown[k] |= 1u << side;
+          if (curve.covered_turn(middle) < kAround && curve.covered_turn(leg(side, height)) >= kAround)
+            shown[k] |= 1u << side;
       if (!levels.curves[k].empty() && (last ? k - *last <= kGap + 1 : k <= kGap)) last = k;
     }
     if (!last) return std::nullopt;
@@ -161,16 +163,15 @@ class GarmentFinder {
       const Point2 middle = between_legs(levels->height(k));
       bool parted = false;
       for (const SectionCurve& curve : levels->sections[k])
-        parted = parted || (curve.covered_turn(middle) < kAround &&
-                            curve.covered_turn(leg(0, levels->height(k))) >= kAround);
+        parted = parted ||
+                 (curve.covered_turn(middle) < kAround && curve.covered_turn(leg(0, levels->height(k))) >= kAround);
       if (parted) continue;
       double farthest = 0;
       for (const size_t i : curves) farthest = std::max(farthest, levels->sections[k][i].mean_distance(middle));
-      curves.erase(std::remove_if(curves.begin(), curves.end(),
-                                  [&](size_t i) {
-                                    return levels->sections[k][i].mean_distance(middle) < 0.95 * farthest;
-                                  }),
-                   curves.end());
+      curves.erase(
+          std::remove_if(curves.begin(), curves.end(),
+                         [&](size_t i) { return levels->sections[k][i].mean_distance(middle) < 0.95 * farthest; }),
+          curves.end());
     }
   }
 
@@ -302,7 +303,8 @@ class GarmentFinder {
     std::vector<uint32_t> queue;
     std::vector<uint8_t> covered(c_.vertices.size(), 0);
     const auto between = [&](uint32_t v) {
-      return mesh_.height(v) <= levels.top && mesh_.height(v) >= levels.height(levels.last) - (levels.top - levels.bottom) / kLevels;
+      return mesh_.height(v) <= levels.top &&
+             mesh_.height(v) >= levels.height(levels.last) - (levels.top - levels.bottom) / kLevels;
     };
     for (uint32_t v = 0; v < c_.vertices.size(); ++v) {
       if (first_[v] != v || seen[v] == 0) continue;
@@ -339,7 +341,8 @@ class GarmentFinder {
   bool lay(const Levels& levels, Place place, Garment* out) const {
     constexpr size_t kParts = 48;  // around or across
     // By part and level: the farthest point out, which is where lines run.
-    std::vector<std::vector<std::optional<Point2>>> surface(kParts, std::vector<std::optional<Point2>>(levels.last + 1));
+    std::vector<std::vector<std::optional<Point2>>> surface(kParts,
+                                                            std::vector<std::optional<Point2>>(levels.last + 1));
     double longest_around = 0, span = 0;
     size_t levels_with = 0;
     const bool is_skirt = out->kind == SpringKind::kSkirt;
@@ -383,7 +386,8 @@ class GarmentFinder {
       out->ring = static_cast<double>(there) >= kRing * kParts;
       if (!out->ring) std::tie(from, to) = widest_arc(hem, 0.5 * static_cast<double>(levels.last));
     }
-    const double around = is_skirt ? longest_around * (to - from) : span / static_cast<double>(std::max<size_t>(levels_with, 1));
+    const double around =
+        is_skirt ? longest_around * (to - from) : span / static_cast<double>(std::max<size_t>(levels_with, 1));
     const double wanted = std::round(around / (kLineGap * height_));
     size_t count = is_skirt ? static_cast<size_t>(std::clamp(wanted, double{kFewestRing}, double{kMostRing}))
                             : static_cast<size_t>(std::clamp(wanted + 1, double{kFewestSheet}, double{kMostSheet}));
@@ -405,7 +409,8 @@ class GarmentFinder {
             const auto k = static_cast<std::ptrdiff_t>(std::round(level));
             for (const std::ptrdiff_t d : {0, -1, 1, -2, 2}) {
               const std::ptrdiff_t row = k + d;
-              if (row < 0 || row >= static_cast<std::ptrdiff_t>(column.size()) || !column[static_cast<size_t>(row)]) continue;
+              if (row < 0 || row >= static_cast<std::ptrdiff_t>(column.size()) || !column[static_cast<size_t>(row)])
+                continue;
               return mesh_.point_at(*column[static_cast<size_t>(row)], levels.height(static_cast<size_t>(k)));
             }
           }

@@ -14,11 +14,12 @@ namespace sinew {
 // A sheet that hangs, as a lattice of lines from its top to its hem.
 struct Garment {
   SpringKind kind = SpringKind::kSkirt;
-  size_t on = 0;        // the joint that it hangs on
+  size_t on = 0;                // the joint that it hangs on
   std::vector<size_t> parents;  // [lines] the joints that the lines hang on: panels of a skirt beside a leg go with it
-  bool ring = false;    // it goes all the way around: the last line is beside the first
-  float certainty = 0;  // 0..1
-  std::vector<std::vector<Point3>> lines;  // [lines][rows + 1], from the top to the hem; of a ring from the front over the left
+  bool ring = false;            // it goes all the way around: the last line is beside the first
+  float certainty = 0;          // 0..1
+  std::vector<std::vector<Point3>>
+      lines;  // [lines][rows + 1], from the top to the hem; of a ring from the front over the left
   std::vector<uint32_t> vertices;
   std::vector<std::array<double, 2>> places;  // [vertices] how many lines along (0..lines) and how far down (0..1)
 };

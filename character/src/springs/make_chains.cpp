@@ -16,8 +16,8 @@ namespace sinew {
 namespace {
 
 // The body goes on holding a garment, as legs do a skirt: chains alone let legs through (trainer/configs/RESULTS.md). By how far down a vertex is.
-constexpr double kHeld = 0.15;   // wholly above it
-constexpr double kSwings = 0.4;  // of the weight at the hem that chains have
+constexpr double kHeld = 0.15;      // wholly above it
+constexpr double kSwings = 0.4;     // of the weight at the hem that chains have
 constexpr float kLeastMade = 0.5f;  // certainty of a garment that gets chains
 
 std::string word_of(SpringKind kind) {

@@ -54,11 +54,7 @@ double SectionCurve::mean_distance(const Point2& middle) const {
 }
 
 SectionedMesh::SectionedMesh(const Character& character, const Point3& left, const Point3& front, const Point3& up)
-    : left_(left),
-      front_(front),
-      up_(up),
-      triangles_(fan_triangles(character)),
-      first_(first_at_position(character)) {
+    : left_(left), front_(front), up_(up), triangles_(fan_triangles(character)), first_(first_at_position(character)) {
   for (const Vec3& v : character.vertices) {
     heights_.push_back(height(point(v)));
     across_.push_back(across(point(v)));

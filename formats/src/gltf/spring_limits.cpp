@@ -23,7 +23,8 @@ LimitAxes axes_along(const Point3& bone) {
   if (y[1] < -1 + 1e-9) return {{-1, 0, 0}, {0, 0, 1}};  // half a turn about z
   // The arc from +y turns about (z, 0, -x).
   const double scale = 1 / (1 + y[1]);
-  return {{1 - scale * y[0] * y[0], -y[0], -scale * y[0] * y[2]}, {-scale * y[0] * y[2], -y[2], 1 - scale * y[2] * y[2]}};
+  return {{1 - scale * y[0] * y[0], -y[0], -scale * y[0] * y[2]},
+          {-scale * y[0] * y[2], -y[2], 1 - scale * y[2] * y[2]}};
 }
 
 }  // namespace
@@ -57,7 +58,8 @@ SpringLimit read_spring_limit(const Json& extension, const Point3& bone) {
   const LimitAxes axes = axes_along(bone);
   const Point3 y = unit(bone);
   // The first column of the rotation, in the limit's axes.
-  const Point3 x = {1 - 2 * (q[1] * q[1] + q[2] * q[2]), 2 * (q[0] * q[1] + q[2] * q[3]), 2 * (q[0] * q[2] - q[1] * q[3])};
+  const Point3 x = {1 - 2 * (q[1] * q[1] + q[2] * q[2]), 2 * (q[0] * q[1] + q[2] * q[3]),
+                    2 * (q[0] * q[2] - q[1] * q[3])};
   out.hinge = x[0] * axes.x + x[1] * y + x[2] * axes.z;
   return out;
 }

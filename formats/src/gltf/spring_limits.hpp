@@ -17,9 +17,9 @@ constexpr const char* kSpringLimit = "VRMC_springBone_limit";
 nlohmann::json spring_limit_json(double limit, const Point3& hinge, const Point3& bone);
 
 struct SpringLimit {
-  double limit = 0;    // degrees; 0: none
-  Point3 hinge = {};   // in the node's axes
-  bool known = true;   // false: a limit that is neither a cone nor a hinge
+  double limit = 0;   // degrees; 0: none
+  Point3 hinge = {};  // in the node's axes
+  bool known = true;  // false: a limit that is neither a cone nor a hinge
 };
 // Of the extension's object. Throws nlohmann::json::exception where it is broken.
 SpringLimit read_spring_limit(const nlohmann::json& extension, const Point3& bone);

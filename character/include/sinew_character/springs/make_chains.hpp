@@ -13,11 +13,11 @@ namespace sinew {
 // What one garment got.
 struct MadeChains {
   SpringKind kind = SpringKind::kSkirt;
-  size_t on = 0;                   // the joint that the chains hang on
-  size_t chains = 0, joints = 0;   // joints of all chains; they are the character's last ones
-  size_t vertices = 0;             // that follow them
-  bool closed = false;             // the chains stand in a ring
-  float certainty = 0;             // 0..1
+  size_t on = 0;                  // the joint that the chains hang on
+  size_t chains = 0, joints = 0;  // joints of all chains; they are the character's last ones
+  size_t vertices = 0;            // that follow them
+  bool closed = false;            // the chains stand in a ring
+  float certainty = 0;            // 0..1
 };
 
 // Appends chains of three joints to a bound character wherever a garment hangs off its body without joints of its own, and binds the garment's

@@ -30,7 +30,8 @@ struct Dressed : HairyPerson {
     for (int row = 0; row <= 8; ++row)
       for (int k = 0; k <= 6; ++k) {
         const double down = row / 8.0, x = wide * (k / 3.0 - 1);
-        character.vertices.push_back(to_vec3({x * (1 + 0.5 * down), 1.48 + down * (hem_height - 1.48), -0.2 - 0.1 * down}));
+        character.vertices.push_back(
+            to_vec3({x * (1 + 0.5 * down), 1.48 + down * (hem_height - 1.48), -0.2 - 0.1 * down}));
         character.influences.push_back({{static_cast<uint32_t>(index("Spine1")), 1.0f}});
       }
     for (uint32_t row = 0; row < 8; ++row)
@@ -146,8 +147,7 @@ TEST(MakeChains, BodiesAloneGetNone) {
   rigged.skirt(0.5, 0.4);
   const auto chain = static_cast<uint32_t>(rigged.add("Skirt1", {0, 0.9, 0.2}, static_cast<int>(rigged.index("Hips"))));
   (void)rigged.add("Skirt2", {0, 0.6, 0.3}, static_cast<int>(chain));
-  for (size_t v = rigged.first_vertex; v < rigged.last_vertex; ++v)
-    rigged.character.influences[v] = {{chain, 1.0f}};
+  for (size_t v = rigged.first_vertex; v < rigged.last_vertex; ++v) rigged.character.influences[v] = {{chain, 1.0f}};
   EXPECT_TRUE(make_chains(4, &rigged.character).empty());
 }
 
