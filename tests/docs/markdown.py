@@ -14,7 +14,6 @@ import pages
 
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 COLUMNS = 140  # of prose; tables and code cannot be broken
-NOT_WRAPPED = {"CHANGELOG.md", "samples/web/README.md"}
 # The first that fits.
 MOST_LINES = [("README.md", 70), ("docs/*.md", 80), ("*/README.md", 150)]
 
@@ -68,8 +67,6 @@ def check_lengths(root, all_pages):
                 if lines > most:
                     faults.append(f"{page.name}: {lines} lines, expected {most} at most; figures go to tests/bench and trainer/configs")
                 break
-        if page.name in NOT_WRAPPED:
-            continue
         for number, line in page.prose:
             if len(line) > COLUMNS and not line.lstrip().startswith("|") and " " in line.strip():
                 faults.append(f"{page.name}:{number}: {len(line)} columns, expected {COLUMNS} at most")
