@@ -116,11 +116,12 @@ TEST_F(Cli, AnswersBecomeAStyleForTheNextCharacterOfTheKind) {
   read_skeleton((folder_ / "own.rig.txt").string(), true, &own);
   EXPECT_TRUE(is_rigid(own, 0, 56, "hips"));
   // A second character's answers join the first's; a folder is bound with them.
-  EXPECT_EQ(run("bind " + kSnake + " --skeleton " + kSnakeRig +
-                " -o s.glb --style studio.style --save-style studio.style "
-                "--answer 0=soft")
-                .status,
-            0);
+  EXPECT_EQ(
+      run("bind " + kCaped + " -o c.glb --style studio.style --save-style studio.style --answer 2040=soft").status, 0);
+  // An answer about a whole body is for no other character.
+  EXPECT_EQ(
+      run("bind " + kSnake + " --skeleton " + kSnakeRig + " -o s.glb --save-style snake.style --answer 0=soft").status,
+      1);
   EXPECT_EQ(nlohmann::json::parse(slurp(folder_ / "studio.style"))["characters"].size(), 2u);
   const Outcome folder = run("bind " + kData + " -o bound --json --style studio.style");
   EXPECT_EQ(folder.status, 0) << folder.error;

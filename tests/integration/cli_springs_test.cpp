@@ -78,7 +78,7 @@ TEST_F(CliSprings, ARobeGetsChainsInItsOwnFile) {
 }
 
 TEST_F(CliSprings, ABareMeshIsRiggedWithThem) {
-  good("rig " + kRobed + " --detail full -o rigged.glb");
+  good("rig " + kCaped + " --detail full -o rigged.glb");
   const Character rigged = read_gltf(in("rigged.glb"));
   const auto is_skirt = [](const Joint& joint) { return joint.name.find("Skirt") != std::string::npos; };
   const auto laid = std::count_if(rigged.joints.begin(), rigged.joints.end(), is_skirt);

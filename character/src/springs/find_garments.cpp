@@ -37,7 +37,8 @@ constexpr double kThin = 0.22;       // of its width squared that a sheet's sect
 constexpr double kWide = 0.5;        // of the shoulders' distance that it is wide at least
 constexpr double kBehind = 0.02;     // of the height behind the trunk's middle line all of it is
 constexpr double kSheetTurn = 0.55;  // of a turn around the trunk it covers at most
-constexpr double kOwnShare = 0.95;   // of its weight that joints hold which do not swing
+constexpr double kMadeShare = 0.05;  // of its weight that joints of garments hold: more, and it has chains
+constexpr double kOwnShare = 0.7;    // of its weight that joints hold which do not swing
 constexpr double kBesideLeg =
     0.45;  // sine of the angle from the front, or from the back, from which a panel goes with its leg
 constexpr size_t kFewestVertices = 24;  // of a garment
@@ -324,16 +325,17 @@ class GarmentFinder {
 
   // Whether the vertices hang on a body that holds still beside them: not on joints that swing, wings and tails.
   bool is_held_by_body(const Garment& garment) const {
-    double own = 0, all = 0;
+    double own = 0, made = 0, all = 0;
     for (const uint32_t v : garment.vertices)
       for (const Influence& one : c_.influences[v]) {
         const uint8_t c = classes_[one.joint];
         const bool other = swings_[one.joint] != 0 || c == SINEW_CLASS_WING || c == SINEW_CLASS_TAIL ||
                            c == SINEW_CLASS_HAIR || c == SINEW_CLASS_PROP;
         all += static_cast<double>(one.weight);
+        if (swings_[one.joint] == kSwingsAsGarment) made += static_cast<double>(one.weight);
         if (!other) own += static_cast<double>(one.weight);
       }
-    return all > 0 && own >= kOwnShare * all;
+    return all > 0 && own >= kOwnShare * all && made <= kMadeShare * all;
   }
 
   // Lines, vertices and their places. `place` says of a point in a section how far around or across it is, 0..1.

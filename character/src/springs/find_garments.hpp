@@ -24,10 +24,12 @@ struct Garment {
   std::vector<std::array<double, 2>> places;  // [vertices] how many lines along (0..lines) and how far down (0..1)
 };
 
+constexpr uint8_t kSwings = 1, kSwingsAsGarment = 2;
+
 // Of a body with two legs; nothing for others. Cross-sections tell: what encloses both legs is a skirt, what hangs behind the trunk as a sheet is
 // a cape, or hair where it hangs on the head.
 //   classes  [J] sinew_joint_class
-//   swings   [J] 1: the joint swings already
+//   swings   [J] kSwings: the joint swings already, kSwingsAsGarment: in a chain of cloth or hair
 std::vector<Garment> find_garments(const Character& character, const std::vector<uint8_t>& classes,
                                    const std::vector<uint8_t>& swings);
 

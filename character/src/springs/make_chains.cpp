@@ -17,11 +17,16 @@ namespace {
 
 // The body goes on holding a garment, as legs do a skirt: chains alone let legs through (trainer/configs/RESULTS.md). By how far down a vertex is.
 constexpr double kHeld = 0.15;      // wholly above it
-constexpr double kSwings = 0.4;     // of the weight at the hem that chains have
+constexpr double kHemShare = 0.4;   // of the weight at the hem that chains have
 constexpr float kLeastMade = 0.5f;  // certainty of a garment that gets chains
 
 std::string word_of(SpringKind kind) {
   return kind == SpringKind::kSkirt ? "Skirt" : kind == SpringKind::kCape ? "Cape" : "Hair";
+}
+
+bool is_garment(SpringKind kind) {
+  return kind == SpringKind::kSkirt || kind == SpringKind::kCape || kind == SpringKind::kHair ||
+         kind == SpringKind::kLongHair;
 }
 
 // Lines of a ring begin at the front and go over the left; others go from left to right, an arc's too, whose gap is at the front.
@@ -59,7 +64,7 @@ std::vector<Influence> row_between(const Garment& garment, size_t first_joint, c
     weights[static_cast<uint32_t>(first_joint + low * rows + row)] += weight * (1 - share);
     weights[static_cast<uint32_t>(first_joint + high * rows + row)] += weight * share;
   };
-  const double swings = kSwings * std::clamp((place[1] - kHeld) / (1 - kHeld), 0.0, 1.0);
+  const double swings = kHemShare * std::clamp((place[1] - kHeld) / (1 - kHeld), 0.0, 1.0);
   add(-1, 1 - swings);
   add(floor, swings * (1 - next));
   add(floor + 1, swings * next);
@@ -84,7 +89,8 @@ std::vector<MadeChains> make_chains(size_t influence_count, Character* character
   std::vector<uint8_t> swings(character->joints.size(), 0);
   for (const FoundChain& found : find_springs(*character))
     if (found.kept)
-      for (const SpringJoint& joint : found.chain.joints) swings[joint.joint] = 1;
+      for (const SpringJoint& joint : found.chain.joints)
+        swings[joint.joint] = is_garment(found.kind) ? kSwingsAsGarment : kSwings;
   std::vector<uint8_t> classes = joint_verdicts(character->joints, follows_of(*character)).classes;
   if (std::count(classes.begin(), classes.end(), SINEW_CLASS_THIGH) < 2)
     classes = limb_classes(map_rig_of(*character), character->up);
