@@ -163,7 +163,7 @@ void add_springs(CLI::App& app) {
       ->type_name("SETTING")
       ->allow_extra_args(false);
   sub->add_flag("--make", s->make,
-                "Lay chains of joints into skirts, coats, capes and long hair that have none, and bind them to these");
+                "Lay chains of joints into skirts, coats and capes that have none, and bind them to these");
   sub->add_flag("--replace", s->options.replace, "Find springs anew in place of the file's own");
   shared_flag(sub, "--json", s->json, "One line: chains with reasons and numbers, colliders with how well they fit");
   add_profile_options(sub, &s->profile);

@@ -167,7 +167,7 @@ bool make_spring_chains(SpringsOptions* options, Character* character) {
     for (size_t chain = 0; chain < one.chains; ++chain, first += one.joints / one.chains)
       options->keep.push_back(character->joints[first].name);
   }
-  if (made.empty()) character->notes.push_back("no skirt, coat, cape or long hair without joints of its own was found");
+  if (made.empty()) character->notes.push_back("no skirt, coat or cape without joints of its own was found");
   return !made.empty();
 }
 

@@ -44,11 +44,6 @@ constexpr double kBesideLeg =
 constexpr size_t kFewestVertices = 24;  // of a garment
 constexpr float kSure = 0.9f, kFairlySure = 0.6f;
 
-struct Trunk {
-  Point3 hips, chest;
-  std::array<std::array<Point3, 3>, 2> legs;  // hip, knee, foot
-};
-
 // Along a polyline of falling points at a height; beyond its ends, the end.
 Point2 at_height(const std::vector<Point3>& line, double height, const SectionedMesh& mesh) {
   for (size_t i = 0; i + 1 < line.size(); ++i) {
@@ -71,8 +66,8 @@ class GarmentFinder {
         swings_(swings),
         height_(height_of(character)),
         mesh_(character, frame.left, frame.front, frame.up),
-        rings_(welded_rings(character, first_at_position(character))),
-        first_(first_at_position(character)) {
+        first_(first_at_position(character)),
+        rings_(welded_rings(character, first_)) {
     for (size_t side = 0; side < 2; ++side)
       for (const int joint : {body.legs[side].upper, body.legs[side].middle, body.legs[side].end})
         legs_[side].push_back(at(joint));
@@ -116,18 +111,13 @@ class GarmentFinder {
     if (!(leg_length > 0.1 * height_)) return std::nullopt;
     levels.sections = mesh_.sections(levels.top, levels.bottom, kLevels);
     levels.curves.resize(kLevels);
-    std::vector<uint8_t> shown(kLevels, 0);  // 1: a leg is seen within
+    std::vector<uint8_t> shown(kLevels, 0);  // bits of the legs that are seen within
     std::optional<size_t> last;
     for (size_t k = 0; k < kLevels; ++k) {
       const double height = levels.height(k);
       const Point2 middle = between_legs(height);
-      double farthest = 0;
-      for (size_t i = 0; i < levels.sections[k].size(); ++i) {
-        const SectionCurve& curve = levels.sections[k][i];
-        if (curve.covered_turn(middle) < kAround) continue;
-        levels.curves[k].push_back(i);
-        farthest = std::max(farthest, curve.mean_distance(middle));
-      }
+      for (size_t i = 0; i < levels.sections[k].size(); ++i)
+        if (levels.sections[k][i].covered_turn(middle) >= kAround) levels.curves[k].push_back(i);
       for (const SectionCurve& curve : levels.sections[k])
         for (size_t side = 0; side < 2; ++side)
           if (curve.covered_turn(middle) < kAround && curve.covered_turn(leg(side, height)) >= kAround)
@@ -221,7 +211,6 @@ class GarmentFinder {
     }
     if (!last || levels.height(*begin) - levels.height(*last) < kLeastSheet * height_) return std::nullopt;
     if (levels.height(*begin) < mesh_.height(at(body_.hips))) return std::nullopt;
-    for (size_t k = 0; k < *begin; ++k) levels.curves[k].clear();
     // The lattice begins where the sheet leaves the back.
     Levels cut;
     cut.top = levels.height(*begin);
@@ -478,8 +467,8 @@ class GarmentFinder {
   const std::vector<uint8_t>&classes_, &swings_;
   const double height_;
   const SectionedMesh mesh_;
+  const std::vector<uint32_t> first_;  // [V] the first vertex at its position
   const std::vector<std::vector<uint32_t>> rings_;
-  const std::vector<uint32_t> first_;
   std::array<std::vector<Point3>, 2> legs_;
   std::vector<Point3> spine_;
   bool left_leg_ = true;  // the first of body_.legs is the left one

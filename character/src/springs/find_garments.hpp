@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Skirts, coats' tails, capes and long hair that hang off a bound body and have no joints of their own.
+// Skirts, coats' tails and capes that hang off a bound body and have no joints of their own.
 #ifndef SINEW_SPRINGS_FIND_GARMENTS_HPP
 #define SINEW_SPRINGS_FIND_GARMENTS_HPP
 
@@ -26,8 +26,8 @@ struct Garment {
 
 constexpr uint8_t kSwings = 1, kSwingsAsGarment = 2;
 
-// Of a body with two legs; nothing for others. Cross-sections tell: what encloses both legs is a skirt, what hangs behind the trunk as a sheet is
-// a cape, or hair where it hangs on the head.
+// The garments of a body with two legs; an empty list for other bodies. In horizontal cross-sections a skirt encloses both legs, and a cape is a
+// sheet that hangs behind the trunk.
 //   classes  [J] sinew_joint_class
 //   swings   [J] kSwings: the joint swings already, kSwingsAsGarment: in a chain of cloth or hair
 std::vector<Garment> find_garments(const Character& character, const std::vector<uint8_t>& classes,

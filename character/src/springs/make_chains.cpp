@@ -20,9 +20,7 @@ constexpr double kHeld = 0.15;      // wholly above it
 constexpr double kHemShare = 0.4;   // of the weight at the hem that chains have
 constexpr float kLeastMade = 0.5f;  // certainty of a garment that gets chains
 
-std::string word_of(SpringKind kind) {
-  return kind == SpringKind::kSkirt ? "Skirt" : kind == SpringKind::kCape ? "Cape" : "Hair";
-}
+std::string word_of(SpringKind kind) { return kind == SpringKind::kSkirt ? "Skirt" : "Cape"; }
 
 bool is_garment(SpringKind kind) {
   return kind == SpringKind::kSkirt || kind == SpringKind::kCape || kind == SpringKind::kHair ||

@@ -16,7 +16,7 @@ namespace sinew {
 // No side of a texture is longer; GPUs of the last ten years take 4096 x 8192, and most take 16384.
 constexpr uint32_t kMostTextureWidth = 4096, kMostTextureHeight = 8192;
 
-// Which texel holds what: frame f of vertex v is in column v % width, row f * rows + v / width.
+// Where a vertex lies in the textures: vertex v of frame f is in column v % width, row f * rows + v / width.
 struct TextureLayout {
   uint32_t vertices = 0, frames = 0;
   uint32_t width = 0;
@@ -24,7 +24,7 @@ struct TextureLayout {
 
   uint32_t height() const { return rows * frames; }
   size_t texel(size_t vertex, size_t frame) const { return (frame * rows + vertex / width) * width + vertex % width; }
-  // Of frame 0: the middle of the texel, 0..1, v down.
+  // Texture coordinates of the middle of the vertex's texel in frame 0, 0..1, counted from the top.
   std::array<float, 2> coordinates(size_t vertex) const {
     return {(static_cast<float>(vertex % width) + 0.5f) / static_cast<float>(width),
             (static_cast<float>(vertex / width) + 0.5f) / static_cast<float>(height())};

@@ -41,7 +41,7 @@ struct VatResult {
 //   name    of the files: NAME.vat.glb, NAME.vat.position_high.png, NAME.vat.position_low.png, NAME.vat.normal.png, NAME.vat.json
 //           (formats/spec/vat.schema.json)
 //   deform  corrections of positions, or none for linear skinning; normals are those of linear skinning
-//   steps   is told the number of poses
+//   steps   gets the number of poses, and its function is called before each
 // Throws Error for more frames than a texture holds, and where a step says to stop.
 VatResult vertex_animation(const std::string& name, const AnimatedCharacter& animated,
                            const std::optional<sinew_deform_options>& deform, const StepsOf& steps);

@@ -16,7 +16,7 @@ struct InsideShare {
   double share = 0;    // 0..1 of the others, mean over frames
 };
 
-// Which of the vertices that swing come into the rest of the surface, in 24 frames of a clip, evenly. A vertex is inside where lines through it
+// Measures how many of the vertices that swing come into the rest of the surface, in 24 frames spread over a clip. A vertex is inside where lines through it
 // along x and along z leave the surface on both sides.
 //   swings  [V]
 //   motion  whose joints are the character's, and of which `clip` is one
