@@ -102,6 +102,7 @@ set(sinew_character_sources
   springs/find_garments
   springs/find_springs
   springs/fit_colliders
+  springs/garment_lattice
   springs/make_chains
   springs/play_springs
   springs/sections

@@ -433,6 +433,8 @@ namespace Sinew
         /// <summary>NAME:FIELD=X, one number of a chain's joints, or NAME:FIELD=xF, F times what each has: stiffness, gravity, drag, radius
         /// or limit</summary>
         public string[] Values;
+        /// <summary>Chains of joints are laid into skirts, coats and capes that have none, and these are bound to them</summary>
+        public bool Make;
 
         internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
         {
@@ -440,7 +442,7 @@ namespace Sinew
                 struct_size = Character.Size<Native.sinew_character_springs_options>(), replace = Replace ? 1u : 0,
                 take_count = Character.Count(Take), take = pins.Of(Take), drop_count = Character.Count(Drop), drop = pins.Of(Drop),
                 preset_count = Character.Count(Presets), presets = pins.Of(Presets), value_count = Character.Count(Values),
-                values = pins.Of(Values) });
+                values = pins.Of(Values), make = Make ? 1u : 0 });
         }
     }
 

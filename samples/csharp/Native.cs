@@ -730,6 +730,7 @@ namespace Sinew
         {
             public uint struct_size, replace, take_count, drop_count, preset_count, value_count;
             public IntPtr take, drop, presets, values;
+            public uint make, reserved;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -1095,6 +1096,13 @@ namespace Sinew
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_springs(IntPtr character, IntPtr options, IntPtr result);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_springs_frame(IntPtr character, float seconds, IntPtr rotations, IntPtr translations,
+            IntPtr out_rotations);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_springs_restart(IntPtr character);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_bake(IntPtr character, IntPtr options, IntPtr result);

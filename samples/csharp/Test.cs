@@ -156,6 +156,42 @@ static class Test
         Expect<ArgumentException>("frames", () => Character.OpenKeypoints("humanml3d22", new float[0][]));
     }
 
+    // A tail that stays behind hips that move aside, and hangs as the pose has it when they have stood still.
+    static void Springs(string robed)
+    {
+        using (Character person = Character.Open(robed))
+        {
+            int joints = person.Skeleton.JointCount;
+            var rotations = new float[4 * joints];
+            var translations = new float[3 * joints];
+            for (int j = 0; j < joints; ++j)
+            {
+                rotations[4 * j + 3] = 1;
+                int parent = person.Skeleton.Parents[j];
+                for (int c = 0; c < 3; ++c)
+                    translations[3 * j + c] = person.Skeleton.Positions[3 * j + c] - (parent < 0 ? 0 : person.Skeleton.Positions[3 * parent + c]);
+            }
+            float turned = 0;
+            for (int frame = 0; frame < 30; ++frame)
+            {
+                var pose = (float[])rotations.Clone();
+                person.SpringsFrame(1 / 30f, pose, translations);
+                turned = 0;
+                for (int j = 0; j < joints; ++j) turned = Math.Max(turned, 1 - Math.Abs(pose[4 * j + 3]));
+                if (frame == 0) Require(turned == 0, "the first frame is as it is");
+                for (int j = 0; j < joints; ++j)
+                    if (person.Skeleton.Parents[j] < 0) translations[3 * j] += 0.05f;
+            }
+            Require(turned > 1e-3f, "the tail stays behind");
+            person.SpringsRestart();
+            var again = (float[])rotations.Clone();
+            person.SpringsFrame(1 / 30f, again, translations);
+            Require(again[3] == 1, "and forgets after a restart");
+            Expect<ArgumentException>("rotations", () => person.SpringsFrame(0, new float[3], translations));
+            Expect<SinewException>("seconds", () => person.SpringsFrame(-1, again, translations));
+        }
+    }
+
     static void Errors(byte[] file, Mesh mesh, Skeleton skeleton)
     {
         Expect<SinewException>("not a sinew model", () => Model.ForWeights(new byte[1000]));
@@ -333,6 +369,7 @@ static class Test
             if (args[0] == "errors")
             {
                 Keypoints();
+                Springs(args[2]);
                 Errors(file, mesh, skeleton);
                 Console.WriteLine("errors and progress: as they should be, sinew {0}", Engine.Version);
                 return 0;

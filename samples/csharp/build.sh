@@ -19,7 +19,7 @@ if [ -z "$engine" ]; then
   engine=$out/engine/libsinew.so
 fi
 cp -L "$engine" "$folder/libsinew.so"
-cp "$root"/samples/csharp/{Character,CharacterDelivery,CharacterJobs,CharacterKeypoints,Native,RetargetStream,Sinew}.cs "$root/samples/csharp/demo/Demo.cs" "$root/samples/csharp/README.md" "$root/LICENSE" "$folder"
+cp "$root"/samples/csharp/{Character,CharacterDelivery,CharacterFrames,CharacterJobs,Native,RetargetStream,Sinew}.cs "$root/samples/csharp/demo/Demo.cs" "$root/samples/csharp/README.md" "$root/LICENSE" "$folder"
 if command -v mcs >/dev/null; then
   mcs -langversion:7 -out:"$folder/Demo.exe" "$folder"/*.cs
 else

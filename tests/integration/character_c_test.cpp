@@ -539,6 +539,59 @@ TEST_F(CharacterC, FindsWhatSwingsAsTheCommand) {
   EXPECT_NE(std::string(sinew_character_error(robed.get())).find("nobody"), std::string::npos);
 }
 
+// Rounds of a clip, frame by frame, come to what is baked into the clip as a loop.
+TEST_F(CharacterC, SpringsOfFramesAreThoseOfClips) {
+  const Handle still = open(kRobed), swung = open(kRobed);
+  sinew_character_animate_options animate = SINEW_INIT(sinew_character_animate_options);
+  sinew_motion_source run = SINEW_INIT(sinew_motion_source);
+  run.file = "builtin:idle";
+  animate.motion = &run;
+  good_call(sinew_character_animate(still.get(), nullptr, &animate, nullptr), still);
+  animate.springs = 1;
+  good_call(sinew_character_animate(swung.get(), nullptr, &animate, nullptr), swung);
+  sinew_character_clip clip = SINEW_INIT(sinew_character_clip), baked = SINEW_INIT(sinew_character_clip);
+  good_call(sinew_character_get_clip(still.get(), 0, &clip), still);
+  good_call(sinew_character_get_clip(swung.get(), 0, &baked), swung);
+  const size_t joints = clip.joint_count, frames = clip.frame_count;
+  ASSERT_EQ(baked.frame_count, frames);
+  const auto play = [&](size_t rounds) {
+    double farthest = 0, moved = 0;
+    std::vector<float> rotations(4 * joints), translations(3 * joints), out(4 * joints);
+    for (size_t f = 0; f + 1 < frames * rounds; ++f) {
+      const size_t k = f < frames ? f : 1 + (f - 1) % (frames - 1);
+      for (size_t i = 0; i < 4 * joints; ++i) rotations[i] = static_cast<float>(clip.rotations[4 * joints * k + i]);
+      for (size_t i = 0; i < 3 * joints; ++i)
+        translations[i] = static_cast<float>(clip.translations[3 * joints * k + i]);
+      good_call(sinew_character_springs_frame(still.get(), f == 0 ? 0 : static_cast<float>(clip.frame_time),
+                                              rotations.data(), translations.data(), out.data()),
+                still);
+      if (f < frames * (rounds - 1)) continue;
+      for (size_t i = 0; i < 4 * joints; ++i) {
+        farthest = std::max(farthest, std::abs(static_cast<double>(out[i]) - baked.rotations[4 * joints * k + i]));
+        moved = std::max(moved, std::abs(static_cast<double>(out[i] - rotations[i])));
+      }
+    }
+    EXPECT_GT(moved, 1e-3);
+    return farthest;
+  };
+  EXPECT_LT(play(6), 2e-3);
+  good_call(sinew_character_springs_restart(still.get()), still);
+  EXPECT_LT(play(6), 2e-3);
+  float pose[4] = {};
+  EXPECT_EQ(sinew_character_springs_frame(still.get(), -1, pose, pose, pose), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(sinew_character_springs_frame(still.get(), 0, nullptr, pose, pose), SINEW_ERROR_ARGUMENT);
+  const Handle caped = open(kCaped);
+  sinew_character_springs_options make = SINEW_INIT(sinew_character_springs_options);
+  make.make = 1;
+  sinew_character_springs_result made = SINEW_INIT(sinew_character_springs_result);
+  const uint32_t before = view(caped.get()).joint_count;
+  good_call(sinew_character_springs(caped.get(), &make, &made), caped);
+  EXPECT_EQ(view(caped.get()).joint_count, before + 12);
+  save(caped, "made.glb");
+  good("springs " + kCaped + " --make -o command_made.glb");
+  expect_same("made.glb", "command_made.glb");
+}
+
 TEST_F(CharacterC, ArraysInAreArraysOut) {
   const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, joints[] = {0, 0, 0, 0, 1, 0};
   const uint32_t faces[] = {0, 1, 2, 1, 3, 2};

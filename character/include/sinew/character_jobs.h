@@ -659,6 +659,9 @@ typedef struct sinew_character_springs_options {
   const char* const* presets;
   /* [value_count] NAME:FIELD=X, one number of a chain's joints, or NAME:FIELD=xF, F times what each has: stiffness, gravity, drag, radius or limit; or null. */
   const char* const* values;
+  /* 1: chains of joints are laid into skirts, coats and capes that have none, and these are bound to them. */
+  uint32_t make;
+  uint32_t reserved;
 } sinew_character_springs_options;
 
 typedef struct sinew_character_springs_result {
@@ -688,6 +691,19 @@ typedef struct sinew_character_springs_result {
 SINEW_API sinew_status sinew_character_springs(sinew_character* character,
                                                const sinew_character_springs_options* options,
                                                sinew_character_springs_result* result);
+
+/* Moves the joints that swing behind the next frame of a motion, for motion that arrives frame by frame: sinew_retarget_stream_frame(),
+ * sinew_character_keypoints_frame() or an editor's own. The springs are those of sinew_character_springs() or, where it was not called, those
+ * that it would keep. The first frame shows the pose as it is; see sinew_springs_frame() for gaps, jumps and time steps.
+ *   seconds        since the frame before, 0 or more; ignored in the first frame
+ *   rotations      [J x 4] x y z w, local, in the joints' order of sinew_character_view()
+ *   translations   [J x 3] in the parents' axes
+ *   out_rotations  [J x 4] the pose with the chains' joints rotated; may be `rotations`; untouched on failure
+ * One thread at a time. Returns SINEW_OK, SINEW_ERROR_INPUT where nothing swings, or SINEW_ERROR_ARGUMENT. */
+SINEW_API sinew_status sinew_character_springs_frame(sinew_character* character, float seconds, const float* rotations,
+                                                     const float* translations, float* out_rotations);
+/* Forgets all motion: the next frame of sinew_character_springs_frame() is the first. */
+SINEW_API sinew_status sinew_character_springs_restart(sinew_character* character);
 
 /* ---- bake ---- */
 

@@ -20,6 +20,7 @@
 #include "sinew_character/jobs/picture_job.hpp"
 #include "sinew_character/models/models.hpp"
 #include "sinew_character/profile/profile.hpp"
+#include "sinew_character/springs/spring_player.hpp"
 #include "sinew_formats/base/box.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/keypoints_stream.hpp"
@@ -91,7 +92,8 @@ struct sinew_character {
   std::vector<sinew::Clip> clips;                           // added ones, of the character's joints
   std::shared_ptr<const sinew::KeypointsStream> keypoints;  // that it is of; null: of a file or of arrays
   sinew::Morphs morphs;
-  std::optional<sinew::Springs> springs;  // in place of the file's own
+  std::optional<sinew::Springs> springs;               // in place of the file's own
+  std::unique_ptr<sinew::SpringPlayer> spring_player;  // of frames that arrive one by one, once the first one did
   sinew::CharacterViews views;
   sinew::OutlineViews outline;
   bool viewed = false;
@@ -272,6 +274,9 @@ size_t own_clip_count(sinew_character* character);
 
 // Another skin or skeleton than the file's; what was handed out is void.
 void changed(sinew_character* character);
+
+// Throws Error where calls have added clips or morph targets, which are of the joints and vertices that are there.
+void check_nothing_added(const sinew_character& character);
 
 std::unique_ptr<LoadedModel> model_of(const sinew_character_models* models, ModelUse use);
 

@@ -127,6 +127,13 @@ void changed(sinew_character* character) {
   character->viewed = false;
   character->clip_views.clear();
   character->springs.reset();  // they are of the joints that were there
+  character->spring_player.reset();
+}
+
+void check_nothing_added(const sinew_character& character) {
+  if (!character.clips.empty() || !character.morphs.shapes.empty())
+    throw Error(character.character.name +
+                ": has clips or morph targets that no file contains yet; save the character and open that file");
 }
 
 }  // namespace sinew

@@ -73,8 +73,7 @@ void transform_character(const sinew_character_transform_options& options, sinew
   check_transform(transform);
   const std::string& name = character->character.name;
   if (character->picture != nullptr) throw Error(name + ": is of a picture, which stays in its plane");
-  if (!character->clips.empty() || !character->morphs.shapes.empty())
-    throw Error(name + ": has clips or morph targets that are in no file yet; transform it before they are added");
+  check_nothing_added(*character);
   const Axis up_axis = up_axis_of("up", options.up == SINEW_UP_AUTO ? uint32_t{SINEW_UP_Y} : options.up);
   const bool same_skin = character->same_skin;
   character->character = transformed(character->character, transform, up_axis);
@@ -102,9 +101,7 @@ extern "C" sinew_status sinew_character_lod(sinew_character* character, const si
     need(character != nullptr, "character");
     need(levels != nullptr, "levels");
     const LodOptions job = job_of(options_of(given));
-    if (!character->clips.empty() || !character->morphs.shapes.empty())
-      throw Error(character->character.name +
-                  ": has clips or morph targets that are in no file yet; save it and open that");
+    check_nothing_added(*character);
     std::vector<LodLevel> made = levels_of_detail(job, character->character);
     std::vector<std::unique_ptr<sinew_character>> handles;
     for (size_t k = 0; k < made.size(); ++k) {

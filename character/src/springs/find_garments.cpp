@@ -14,15 +14,14 @@
 #include "sinew_formats/base/joint_tree.hpp"
 #include "sinew_formats/median.hpp"
 #include "springs/body_skin.hpp"
+#include "springs/garment_lattice.hpp"
 #include "springs/sections.hpp"
 
 namespace sinew {
 namespace {
 
 constexpr size_t kLevels = 65;       // from the hips to the floor, and from the shoulders
-constexpr size_t kRows = 3;          // joints of a line
 constexpr double kAround = 0.6;      // of a turn around both legs a skirt covers at least
-constexpr double kRing = 0.95;       // from there on it is closed
 constexpr size_t kGap = 2;           // levels that a garment may miss, where it is torn
 constexpr double kLeastSkirt = 0.2;  // of the leg that a skirt is long
 constexpr double kLeastSheet = 0.2;  // of the height that a cape is long
@@ -31,8 +30,6 @@ constexpr double kFlare = 1.15;      // of its length around at the hips a robe 
 constexpr double kLeg = 0.3;         // of the height: a body with shorter legs wears no robe
 constexpr double kShown = 0.35;      // of its levels that show a leg within, or the skirt is the body's own shape
 constexpr double kOverhang = 1.2;    // how much farther from the middle a hem is than the legs below it
-constexpr double kLineGap = 0.12;    // of the height from line to line
-constexpr size_t kFewestRing = 6, kMostRing = 12, kFewestSheet = 3, kMostSheet = 7;
 constexpr double kThin = 0.22;       // of its width squared that a sheet's section encloses at most
 constexpr double kWide = 0.5;        // of the shoulders' distance that it is wide at least
 constexpr double kBehind = 0.02;     // of the height behind the trunk's middle line all of it is
@@ -83,8 +80,6 @@ class GarmentFinder {
   }
 
  private:
-  using Sections = std::vector<std::vector<SectionCurve>>;
-
   Point3 at(int joint) const { return point(c_.joints[joint_index(joint)].position); }
   Point2 leg(size_t side, double height) const { return at_height(legs_[side], height, mesh_); }
   Point2 between_legs(double height) const {
@@ -92,19 +87,8 @@ class GarmentFinder {
     return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])};
   }
 
-  // Levels of one garment: which curves of each section are its own.
-  struct Levels {
-    double top = 0, bottom = 0;
-    Sections sections;
-    std::vector<std::vector<size_t>> curves;  // [levels]
-    size_t last = 0;                          // the lowest level that has some
-    double height(size_t level) const {
-      return top - (top - bottom) * static_cast<double>(level) / static_cast<double>(sections.size() - 1);
-    }
-  };
-
   std::optional<Garment> find_skirt() {
-    Levels levels;
+    GarmentLevels levels;
     levels.top = 0.5 * (mesh_.height(legs_[0][0]) + mesh_.height(legs_[1][0]));
     levels.bottom = 0.5 * (mesh_.height(legs_[0][2]) + mesh_.height(legs_[1][2]));
     const double leg_length = levels.top - levels.bottom;
@@ -142,12 +126,12 @@ class GarmentFinder {
     out.kind = SpringKind::kSkirt;
     out.on = joint_index(body_.hips);
     out.certainty = over_legs ? kSure : kFairlySure;
-    const auto place = [&](const Point2& p, double height) { return angle_of(p - between_legs(height)); };
-    return lay(levels, place, &out) ? std::optional<Garment>(std::move(out)) : std::nullopt;
+    const auto around_legs = [&](const Point2& p, double height) { return angle_of(p - between_legs(height)); };
+    return lay(levels, around_legs, &out) ? std::optional<Garment>(std::move(out)) : std::nullopt;
   }
 
   // Above the legs' parting the body encloses the legs as well: there the outermost curve is the skirt's.
-  void keep_outer(Levels* levels) const {
+  void keep_outer(GarmentLevels* levels) const {
     for (size_t k = 0; k <= levels->last; ++k) {
       std::vector<size_t>& curves = levels->curves[k];
       if (curves.size() < 2) continue;
@@ -166,7 +150,7 @@ class GarmentFinder {
     }
   }
 
-  double around(const Levels& levels, size_t level) const {
+  double around(const GarmentLevels& levels, size_t level) const {
     double most = 0;
     for (size_t k = level > kGap ? level - kGap : 0; k <= std::min(level + kGap, kLevels - 1); ++k)
       for (const size_t i : levels.curves[k]) most = std::max(most, levels.sections[k][i].total_length());
@@ -174,7 +158,7 @@ class GarmentFinder {
   }
 
   // A hem over legs that come out below it.
-  bool hangs_over(const Levels& levels) const {
+  bool hangs_over(const GarmentLevels& levels) const {
     double hem = 0, below = 0;
     for (size_t k = levels.last > 4 ? levels.last - 4 : 0; k <= levels.last; ++k)
       for (const size_t i : levels.curves[k])
@@ -190,7 +174,7 @@ class GarmentFinder {
   }
 
   std::optional<Garment> find_sheet() {
-    Levels levels;
+    GarmentLevels levels;
     levels.top = mesh_.height(at(body_.chest));
     for (const UprightLimb& arm : body_.arms)
       if (body_.has_arms && arm.upper >= 0) levels.top = std::max(levels.top, mesh_.height(at(arm.upper)));
@@ -212,7 +196,7 @@ class GarmentFinder {
     if (!last || levels.height(*begin) - levels.height(*last) < kLeastSheet * height_) return std::nullopt;
     if (levels.height(*begin) < mesh_.height(at(body_.hips))) return std::nullopt;
     // The lattice begins where the sheet leaves the back.
-    Levels cut;
+    GarmentLevels cut;
     cut.top = levels.height(*begin);
     cut.bottom = levels.bottom;
     cut.sections.assign(levels.sections.begin() + static_cast<std::ptrdiff_t>(*begin), levels.sections.end());
@@ -235,14 +219,13 @@ class GarmentFinder {
           }
       if (!any && k > 0) edges[k] = edges[k - 1];
     }
-    const auto place = [&, edges](const Point2& p, double height) {
-      const double step = (cut.top - cut.bottom) / static_cast<double>(cut.sections.size() - 1);
+    const auto across = [&](const Point2& p, double height) {
       const auto k = static_cast<size_t>(
-          std::clamp(std::round((cut.top - height) / step), 0.0, static_cast<double>(cut.sections.size() - 1)));
+          std::clamp(std::round((cut.top - height) / cut.step()), 0.0, static_cast<double>(cut.sections.size() - 1)));
       const double wide = edges[k][0] - edges[k][1];
       return wide > 0 ? std::clamp((edges[k][0] - p[0]) / wide, 0.0, 1.0) : 0.5;
     };
-    return lay(cut, place, &out) ? std::optional<Garment>(std::move(out)) : std::nullopt;
+    return lay(cut, across, &out) ? std::optional<Garment>(std::move(out)) : std::nullopt;
   }
 
   bool is_sheet(const SectionCurve& curve, const Point2& middle, double shoulders) const {
@@ -272,7 +255,7 @@ class GarmentFinder {
   }
 
   // Triangles that curves of the garment cut, then vertices; what no level cuts goes with what is beside it. [V] 1: the garment's
-  std::vector<uint8_t> covered_by(const Levels& levels) const {
+  std::vector<uint8_t> covered_by(const GarmentLevels& levels) const {
     const size_t triangle_count = mesh_.triangles().size();
     std::vector<int32_t> votes(c_.vertices.size(), 0);
     std::vector<uint8_t> seen(c_.vertices.size(), 0), own(triangle_count, 0), cut(triangle_count, 0);
@@ -327,139 +310,29 @@ class GarmentFinder {
     return all > 0 && own >= kOwnShare * all && made <= kMadeShare * all;
   }
 
-  // Lines, vertices and their places. `place` says of a point in a section how far around or across it is, 0..1.
-  template <class Place>
-  bool lay(const Levels& levels, Place place, Garment* out) const {
-    constexpr size_t kParts = 48;  // around or across
-    // By part and level: the farthest point out, which is where lines run.
-    std::vector<std::vector<std::optional<Point2>>> surface(kParts,
-                                                            std::vector<std::optional<Point2>>(levels.last + 1));
-    double longest_around = 0, span = 0;
-    size_t levels_with = 0;
+  // Lines and vertices. Returns whether there are enough of them and the body holds them.
+  bool lay(const GarmentLevels& levels, const GarmentLattice::Coordinate& coordinate, Garment* out) const {
     const bool is_skirt = out->kind == SpringKind::kSkirt;
-    for (size_t k = 0; k <= levels.last; ++k) {
-      const double height = levels.height(k);
-      const Point2 middle = is_skirt ? between_legs(height) : at_height(spine_, height, mesh_);
-      double left = -1e30, right = 1e30;
-      for (const size_t i : levels.curves[k]) {
-        const SectionCurve& curve = levels.sections[k][i];
-        longest_around = std::max(longest_around, curve.total_length());
-        for (const auto& segment : curve.segments) {
-          const double step = length(segment[1] - segment[0]);
-          const auto points = static_cast<size_t>(step / (0.005 * height_)) + 1;
-          for (size_t n = 0; n <= points; ++n) {
-            const double share = static_cast<double>(n) / static_cast<double>(points);
-            const Point2 p = {segment[0][0] + share * (segment[1][0] - segment[0][0]),
-                              segment[0][1] + share * (segment[1][1] - segment[0][1])};
-            left = std::max(left, p[0]);
-            right = std::min(right, p[0]);
-            const double s = place(p, height);
-            std::optional<Point2>& at = surface[std::min(kParts - 1, static_cast<size_t>(s * kParts))][k];
-            if (!at || length(p - middle) > length(*at - middle)) at = p;
-          }
-        }
-      }
-      if (left > right) {
-        span += left - right;
-        ++levels_with;
-      }
-    }
-    // How far down each part hangs, and which parts there are.
-    std::vector<double> hem(kParts, -1);
-    for (size_t b = 0; b < kParts; ++b)
-      for (size_t k = 0; k <= levels.last; ++k)
-        if (surface[b][k]) hem[b] = static_cast<double>(k);
-    double from = 0, to = 1;
-    out->ring = false;
-    if (is_skirt) {
-      const auto there = static_cast<size_t>(
-          std::count_if(hem.begin(), hem.end(), [&](double h) { return h >= 0.5 * static_cast<double>(levels.last); }));
-      out->ring = static_cast<double>(there) >= kRing * kParts;
-      if (!out->ring) std::tie(from, to) = widest_arc(hem, 0.5 * static_cast<double>(levels.last));
-    }
-    const double around =
-        is_skirt ? longest_around * (to - from) : span / static_cast<double>(std::max<size_t>(levels_with, 1));
-    const double wanted = std::round(around / (kLineGap * height_));
-    size_t count = is_skirt ? static_cast<size_t>(std::clamp(wanted, double{kFewestRing}, double{kMostRing}))
-                            : static_cast<size_t>(std::clamp(wanted + 1, double{kFewestSheet}, double{kMostSheet}));
-    if (out->ring) count += count % 2;
-    const double gaps = static_cast<double>(out->ring ? count : count - 1);
-    std::vector<double> hems(count);
-    for (size_t n = 0; n < count; ++n) {
-      double s = from + (to - from) * static_cast<double>(n) / gaps;
-      s -= s >= 1 && out->kind == SpringKind::kSkirt ? std::floor(s) : 0;
-      const auto middle_part = static_cast<std::ptrdiff_t>(std::clamp(s * kParts, 0.0, kParts - 1.0));
-      // The nearest parts say where the line runs at each level.
-      const auto point_at = [&](double level) -> std::optional<Point3> {
-        for (std::ptrdiff_t off = 0; off <= static_cast<std::ptrdiff_t>(kParts) / 8; ++off)
-          for (const std::ptrdiff_t side : {off, -off}) {
-            std::ptrdiff_t b = middle_part + side;
-            if (is_skirt) b = (b + kParts) % static_cast<std::ptrdiff_t>(kParts);
-            if (b < 0 || b >= static_cast<std::ptrdiff_t>(kParts)) continue;
-            const auto& column = surface[static_cast<size_t>(b)];
-            const auto k = static_cast<std::ptrdiff_t>(std::round(level));
-            for (const std::ptrdiff_t d : {0, -1, 1, -2, 2}) {
-              const std::ptrdiff_t row = k + d;
-              if (row < 0 || row >= static_cast<std::ptrdiff_t>(column.size()) || !column[static_cast<size_t>(row)])
-                continue;
-              return mesh_.point_at(*column[static_cast<size_t>(row)], levels.height(static_cast<size_t>(k)));
-            }
-          }
-        return std::nullopt;
-      };
-      double lowest = 0;
-      for (std::ptrdiff_t off = -1; off <= 1; ++off) {
-        std::ptrdiff_t b = middle_part + off;
-        if (is_skirt) b = (b + kParts) % static_cast<std::ptrdiff_t>(kParts);
-        if (b >= 0 && b < static_cast<std::ptrdiff_t>(kParts)) lowest = std::max(lowest, hem[static_cast<size_t>(b)]);
-      }
-      hems[n] = lowest;
-      std::vector<Point3> line;
-      for (size_t row = 0; row <= kRows; ++row)
-        if (const auto p = point_at(lowest * static_cast<double>(row) / kRows)) line.push_back(*p);
-      if (line.size() != kRows + 1) return false;
+    const auto middle = [&](double height) {
+      return is_skirt ? between_legs(height) : at_height(spine_, height, mesh_);
+    };
+    const GarmentLattice lattice(mesh_, height_, is_skirt, levels, coordinate, middle);
+    out->ring = lattice.is_ring();
+    out->lines = lattice.lines();
+    if (out->lines.empty()) return false;
+    for (const std::vector<Point3>& line : out->lines) {
       const Point2 from_middle = mesh_.across(line[0]) - between_legs(levels.top);
       const double aside = from_middle[0] / std::max(1e-9, length(from_middle));
       const bool with_leg = is_skirt && std::abs(aside) >= kBesideLeg;
       out->parents.push_back(with_leg ? joint_index(body_.legs[left_leg_ == (aside > 0) ? 0 : 1].upper) : out->on);
-      out->lines.push_back(std::move(line));
     }
     const std::vector<uint8_t> covered = covered_by(levels);
-    const double step = (levels.top - levels.bottom) / static_cast<double>(levels.sections.size() - 1);
     for (uint32_t v = 0; v < covered.size(); ++v) {
       if (covered[v] == 0) continue;
-      double s = place(mesh_.across(v), mesh_.height(v));
-      if (is_skirt && s < from) s += 1;  // an arc may pass the front
-      double along = (s - from) / (to - from) * gaps;
-      if (!out->ring) {
-        if (along > gaps && is_skirt && s - to > 0.5 * (1 - (to - from))) along = 0;  // beyond the gap's middle
-        along = std::clamp(along, 0.0, gaps);
-      }
-      const auto low = static_cast<size_t>(std::floor(along)) % count;
-      const size_t high = out->ring ? (low + 1) % count : std::min(low + 1, count - 1);
-      const double share = along - std::floor(along);
-      const double local = ((1 - share) * hems[low] + share * hems[high]) * step;
-      const double down = local > 0 ? std::clamp((levels.top - mesh_.height(v)) / local, 0.0, 1.0) : 0;
       out->vertices.push_back(v);
-      out->places.push_back({along, down});
+      out->coordinates.push_back(lattice.position_of(v));
     }
     return out->vertices.size() >= kFewestVertices && is_held_by_body(*out);
-  }
-
-  // The longest run of parts that hang so far down, around the front; as shares of a turn, the end above 1 where it passes it.
-  static std::pair<double, double> widest_arc(const std::vector<double>& hem, double least) {
-    const size_t count = hem.size();
-    size_t best = 0, best_begin = 0;
-    for (size_t begin = 0; begin < count; ++begin) {
-      size_t run = 0;
-      while (run < count && hem[(begin + run) % count] >= least) ++run;
-      if (run > best) {
-        best = run;
-        best_begin = begin;
-      }
-    }
-    const double from = (static_cast<double>(best_begin) + 0.5) / static_cast<double>(count);
-    return {from, from + (static_cast<double>(best) - 1) / static_cast<double>(count)};
   }
 
   const Character& c_;

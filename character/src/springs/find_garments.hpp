@@ -21,7 +21,7 @@ struct Garment {
   std::vector<std::vector<Point3>>
       lines;  // [lines][rows + 1], from the top to the hem; of a ring from the front over the left
   std::vector<uint32_t> vertices;
-  std::vector<std::array<double, 2>> places;  // [vertices] how many lines along (0..lines) and how far down (0..1)
+  std::vector<std::array<double, 2>> coordinates;  // [vertices] how many lines along (0..lines) and how far down (0..1)
 };
 
 constexpr uint8_t kSwings = 1, kSwingsAsGarment = 2;

@@ -10,6 +10,7 @@
 #include "sinew_character/motion/map_skeleton.hpp"
 #include "sinew_character/rig/joint_verdicts.hpp"
 #include "sinew_formats/base/joint_tree.hpp"
+#include "sinew_formats/document_form.hpp"
 #include "sinew_formats/error.hpp"
 #include "springs/body_skin.hpp"
 #include "springs/swing_words.hpp"
@@ -43,6 +44,7 @@ class SpringFinder {
         held_(followers_of(character)),
         height_(height_of(character)),
         up_(up_of(character)) {
+    leave_humanoid();
     knows_legs_ = std::count(verdicts_.classes.begin(), verdicts_.classes.end(), SINEW_CLASS_THIGH) >= 2;
     shapes_ = knows_legs_ ? verdicts_.classes : limb_classes(map_rig_of(character), character.up);
     if (!knows_legs_) knows_legs_ = stands_upright();
@@ -76,6 +78,22 @@ class SpringFinder {
     float certainty = 0;
     std::string reason;
   };
+
+  // A VRM says which joints are its body: those of its humanoid and what carries them. No other is, whatever its name: spine.002 of a tail, hips.002
+  // of a skirt.
+  void leave_humanoid() {
+    const std::vector<std::string> bones = vrm_file_bones(c_);
+    if (bones.empty()) return;
+    std::vector<uint8_t> carries(bones.size(), 0);
+    for (size_t i = tree_.parents_first.size(); i-- > 0;) {
+      const size_t j = tree_.parents_first[i];
+      if (!bones[j].empty()) carries[j] = 1;
+      if (carries[j] != 0 && c_.joints[j].parent >= 0) carries[joint_index(c_.joints[j].parent)] = 1;
+      uint8_t& joint_class = verdicts_.classes[j];
+      if (carries[j] == 0 && is_body(joint_class) && joint_class != SINEW_CLASS_WING && joint_class != SINEW_CLASS_PROP)
+        joint_class = SINEW_CLASS_OTHER;
+    }
+  }
 
   bool stands_upright() const {
     std::vector<Point3> positions;
@@ -284,7 +302,7 @@ class SpringFinder {
   }
 
   const Character& c_;
-  const JointVerdicts verdicts_;
+  JointVerdicts verdicts_;
   const JointTree tree_;
   const std::vector<std::vector<uint32_t>> held_;
   const double height_;

@@ -116,7 +116,7 @@ std::vector<MadeChains> make_chains(size_t influence_count, Character* character
     made.joints = character->joints.size() - first;
     for (size_t i = 0; i < garment.vertices.size(); ++i) {
       std::vector<Influence>& row = character->influences[garment.vertices[i]];
-      row = row_between(garment, first, garment.places[i], row);
+      row = row_between(garment, first, garment.coordinates[i], row);
       keep_largest(influence_count, &row);
     }
     out.push_back(made);

@@ -34,6 +34,9 @@ const std::vector<std::string>& vrm_required_bones(bool zero);
 
 // Whether its file is a VRM of any version.
 bool has_vrm_data(const Character& character);
+// [J] The humanoid bone that the character's own VRM (1.0 or 0.x) gives each joint, in the file's words, "" for none; empty where its file is no
+// VRM, names no joint, or the joints do not begin with those of the file. References that are broken count as none.
+std::vector<std::string> vrm_file_bones(const Character& character);
 
 struct DocumentForm {
   Rotation turn = kNoRotation;  // of the whole character, world space

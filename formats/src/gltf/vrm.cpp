@@ -65,6 +65,30 @@ std::optional<HumanoidNodes> read_humanoid_nodes(const std::string& path, const 
   return HumanoidReader(path, source).read();
 }
 
+std::vector<std::string> vrm_file_bones(const Character& character) {
+  if (!character.gltf || !has_joints(character.joints, character.gltf->joints)) return {};
+  const Json& document = character.gltf->document;
+  std::map<int, std::string> bone_of;  // by node
+  const auto add = [&](const std::string& name, const Json& bone) {
+    const auto node = bone.find("node");
+    if (node != bone.end() && node->is_number_integer()) bone_of.emplace(node->get<int>(), name);
+  };
+  const Json::json_pointer one("/extensions/VRMC_vrm/humanoid/humanBones"), zero("/extensions/VRM/humanoid/humanBones");
+  if (document.contains(one) && document[one].is_object()) {
+    for (const auto& [name, bone] : document[one].items())
+      if (bone.is_object()) add(name, bone);
+  } else if (document.contains(zero) && document[zero].is_array()) {
+    for (const Json& bone : document[zero])
+      if (const auto name = bone.find("bone"); bone.is_object() && name != bone.end() && name->is_string())
+        add(*name, bone);
+  }
+  if (bone_of.empty()) return {};
+  std::vector<std::string> out(character.joints.size());
+  for (size_t j = 0; j < character.gltf->joint_nodes.size(); ++j)
+    if (const auto found = bone_of.find(character.gltf->joint_nodes[j]); found != bone_of.end()) out[j] = found->second;
+  return out;
+}
+
 // Humanoid and meta of VRMC_vrm (github.com/vrm-c/vrm-specification, VRMC_vrm-1.0), and which extension a document gets.
 
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "options.hpp"
+#include "sinew_character/jobs/springs_job.hpp"
 #include "sinew_character/picture/body_class.hpp"
 #include "sinew_character/profile/profile.hpp"
 #include "sinew_formats/error.hpp"
@@ -15,7 +16,7 @@ namespace sinew::cli {
 namespace {
 
 // kOutputs: a name that the names of several files are made of.
-enum class Value { kInput, kOutput, kOutputs, kText, kNumber, kFlag, kRotations };
+enum class Value { kInput, kOutput, kOutputs, kText, kTexts, kNumber, kFlag, kRotations };
 
 struct Argument {
   std::string name;    // as callers give it
@@ -118,9 +119,28 @@ Tool animate_tool() {
               output_argument(extensions_text(kWritesWhole) + "; one clip alone: " + extensions_text(kWritesMotion)),
               {"map", "--map", Value::kInput, "Which joint is which: lines TARGET_JOINT SOURCE_JOINT"},
               {"in_place", "--in-place", Value::kFlag, "Stay where the character stands"},
+              {"springs", "--springs", Value::kFlag, "Let hair, tails, ears and skirts swing behind the motion"},
               {"force", "--force", Value::kFlag, "Also a motion that does not fit"},
               controls_argument(),
               {"sheet", "--sheet", Value::kOutput, "Also draw frames side by side: .png"}})};
+}
+
+Tool springs_tool() {
+  return {"springs", "Find what swings",
+          "Finds the chains of joints that should swing, hair, tails, ears and skirts, with colliders. Answers each "
+          "chain with its reason and how sure it is.",
+          true,
+          joined(profile_arguments(),
+                 {{"character", "", Value::kInput, "Skinned file or bare mesh (" + mesh_files() + ")", true},
+                  {"output", "-o", Value::kOutput,
+                   "Character with its springs, below the served folder: " + extensions_text(kWritesSprings)},
+                  {"make", "--make", Value::kFlag, "Lay chains into skirts, coats and capes that have none"},
+                  {"take", "--take", Value::kTexts,
+                   "Chains to keep although they are not sure; NAME* takes all that begin so"},
+                  {"drop", "--drop", Value::kTexts, "Chains to leave out"},
+                  {"presets", "--preset", Value::kTexts, "NAME=KIND: " + spring_kinds_text()},
+                  {"values", "--value", Value::kTexts, "NAME:FIELD=X or NAME:FIELD=xFACTOR: " + spring_fields_text()},
+                  {"replace", "--replace", Value::kFlag, "Find springs anew in place of the file's own"}})};
 }
 
 Tool check_tool() {
@@ -224,9 +244,9 @@ Tool inspect_tool() {
 }
 
 const std::vector<Tool>& tools() {
-  static const std::vector<Tool> all = {rig_tool(),  bind_tool(),  animate_tool(), transfer_tool(),
-                                        map_tool(),  check_tool(), lod_tool(),     simplify_tool(),
-                                        bake_tool(), pose_tool(),  inspect_tool()};
+  static const std::vector<Tool> all = {rig_tool(),      bind_tool(), animate_tool(), springs_tool(),
+                                        transfer_tool(), map_tool(),  check_tool(),   lod_tool(),
+                                        simplify_tool(), bake_tool(), pose_tool(),    inspect_tool()};
   return all;
 }
 
@@ -238,6 +258,9 @@ OrderedJson schema_of(const Argument& argument) {
       break;
     case Value::kFlag:
       schema["type"] = "boolean";
+      break;
+    case Value::kTexts:
+      schema = {{"type", "array"}, {"items", {{"type", "string"}}}};
       break;
     case Value::kRotations:
       schema = {{"type", "object"},
@@ -328,6 +351,10 @@ class CommandLine {
         return put(argument, folder_.output(text(argument, value)));
       case Value::kText:
         return put(argument, text(argument, value));
+      case Value::kTexts:
+        if (!value.is_array()) fail(argument.name, "a list of texts");
+        for (const OrderedJson& one : value) put(argument, text(argument, one));
+        return;
       case Value::kNumber:
         return put(argument, number(argument, value));
       case Value::kFlag:

@@ -221,6 +221,8 @@ export interface SpringsOptions {
   /** NAME:FIELD=X, one number of a chain's joints, or NAME:FIELD=xF, F times what each has: stiffness, gravity, drag, radius or limit
    * */
   values?: string[];
+  /** chains of joints are laid into skirts, coats and capes that have none, and these are bound to them */
+  make?: boolean;
 }
 export interface PictureOptions {
   bodyClass?: "found" | "biped" | "quadruped" | "bird" | "fish" | "snake" | "many-legged" | "other";

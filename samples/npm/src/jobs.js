@@ -47,7 +47,7 @@ export const OPTIONS = {
     heat: ["flag", "heat"], locked: ["array", "locked", Uint8Array, ["V"]] } },
   springs: { struct: "characterSpringsOptions", members: {replace: ["flag", "replace"], take: ["texts", "take", "take_count"],
     drop: ["texts", "drop", "drop_count"], presets: ["texts", "presets", "preset_count"],
-    values: ["texts", "values", "value_count"] } },
+    values: ["texts", "values", "value_count"], make: ["flag", "make"] } },
   picture: { struct: "characterPictureOptions", members: {bodyClass: ["word", "body_class", WORDS.bodyClass],
     figure: ["number", "figure"], flat: ["flag", "flat"], units: ["word", "pixels", ["figure", "pixels"]], mask: ["text", "mask"],
     outline: ["lines", "outline", "line_offsets", "line_count"], cut: ["flag", "cut"] } },

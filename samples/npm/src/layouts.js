@@ -188,9 +188,9 @@ export const LAYOUTS = {
     "struct_size@0:u32 low@4:u32 joint_count@8:u32 keep_count@12:u32 keep@16:u32 as_drawn@20:u32 reserved@24:u32"),
   characterLodOptions: layout(24, "struct_size@0:u32 level_count@4:u32 ratio@8:f64 fewer_joints@16:u32 reserved@20:u32"),
   characterLodLevel: layout(32, "rest_error@0:f64 posed_error@8:f64 mean_error@16:f64 triangle_count@24:u32 reserved@28:u32"),
-  characterSpringsOptions: layout(40,
+  characterSpringsOptions: layout(48,
     "struct_size@0:u32 replace@4:u32 take_count@8:u32 drop_count@12:u32 preset_count@16:u32 value_count@20:u32 take@24:u32 " +
-    "drop@28:u32 presets@32:u32 values@36:u32"),
+    "drop@28:u32 presets@32:u32 values@36:u32 make@40:u32 reserved@44:u32"),
   characterSpringsResult: layout(40,
     "struct_size@0:u32 chain_count@4:u32 joint_count@8:u32 collider_count@12:u32 proposal_count@16:u32 own_count@20:u32 " +
     "kept@24:u32 certainties@28:u32 names@32:u32 kinds@36:u32"),

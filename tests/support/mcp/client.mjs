@@ -18,7 +18,7 @@ await client.connect(new StdioClientTransport({ command: sinew, args: ['serve', 
 assert.equal(client.getServerVersion().name, 'sinew');
 
 const { tools } = await client.listTools();
-assert.deepEqual(tools.map((tool) => tool.name), ['rig', 'bind', 'animate', 'transfer', 'map', 'check', 'lod', 'simplify', 'bake', 'pose', 'inspect']);
+assert.deepEqual(tools.map((tool) => tool.name), ['rig', 'bind', 'animate', 'springs', 'transfer', 'map', 'check', 'lod', 'simplify', 'bake', 'pose', 'inspect']);
 
 let told = 0;
 const rigged = await client.callTool({ name: 'rig', arguments: { mesh: 'mesh.obj', output: 'rigged.glb' } }, undefined, { onprogress: () => ++told });

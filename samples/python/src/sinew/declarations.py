@@ -539,7 +539,7 @@ class sinew_character_lod_level(Structure):
 class sinew_character_springs_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("replace", c_uint32), ("take_count", c_uint32), ("drop_count", c_uint32),
         ("preset_count", c_uint32), ("value_count", c_uint32), ("take", POINTER(c_char_p)), ("drop", POINTER(c_char_p)),
-        ("presets", POINTER(c_char_p)), ("values", POINTER(c_char_p))]
+        ("presets", POINTER(c_char_p)), ("values", POINTER(c_char_p)), ("make", c_uint32), ("reserved", c_uint32)]
 
 
 class sinew_character_springs_result(Structure):
@@ -717,6 +717,8 @@ CHARACTER_FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_character_simplify": (c_int, [c_void_p, POINTER(sinew_character_simplify_options), c_void_p]),
     "sinew_character_lod": (c_int, [c_void_p, POINTER(sinew_character_lod_options), POINTER(c_void_p), POINTER(sinew_character_lod_level)]),
     "sinew_character_springs": (c_int, [c_void_p, POINTER(sinew_character_springs_options), POINTER(sinew_character_springs_result)]),
+    "sinew_character_springs_frame": (c_int, [c_void_p, c_float, c_void_p, c_void_p, c_void_p]),
+    "sinew_character_springs_restart": (c_int, [c_void_p]),
     "sinew_character_bake": (c_int, [c_void_p, POINTER(sinew_character_bake_options), POINTER(sinew_character_bake_result)]),
     "sinew_character_open_picture": (c_int, [c_char_p, POINTER(sinew_character_picture_options), POINTER(c_void_p)]),
     "sinew_character_open_picture_files": (c_int, [POINTER(sinew_file), c_uint32, POINTER(sinew_character_picture_options),

@@ -222,7 +222,7 @@ class Jobs:
         return cast(TransferResult, run("transfer", locals()))
 
     def springs(self, *, replace: bool = False, take: Sequence[str] = (), drop: Sequence[str] = (), presets: Sequence[str] = (),
-                values: Sequence[str] = ()) -> SpringsResult:
+                values: Sequence[str] = (), make: bool = False) -> SpringsResult:
         """Finds what swings on a bound character, hair, tails, ears and skirts, with colliders. They are saved with it
         (VRMC_springBone), and played by retarget().
 
@@ -232,6 +232,7 @@ class Jobs:
         presets  NAME=KIND: numbers of another kind, hair, long-hair, skirt, tail, ear, cape, bust or ribbon
         values  NAME:FIELD=X, one number of a chain's joints, or NAME:FIELD=xF, F times what each has: stiffness, gravity, drag,
             radius or limit
+        make  chains of joints are laid into skirts, coats and capes that have none, and these are bound to them
         """
         return cast(SpringsResult, run("springs", locals()))
 

@@ -279,6 +279,24 @@ class OpenCharacter(Jobs):
         _check(binding.character_library().sinew_character_keypoints_frame(self.pointer, row.ctypes.data, len(row), rotations.ctypes.data, translations.ctypes.data), self)
         return rotations, translations
 
+    def springs_frame(self, seconds: float, rotations: Any, translations: Any) -> Array:
+        """Rotations [j, 4] of a motion's next frame with the chains' joints swung behind it, for motion that arrives frame by frame.
+
+        The springs are those of springs(), or those that it would keep. The first frame shows the pose as it is.
+        seconds  since the frame before; ignored in the first frame
+        rotations  [j, 4] local, x y z w, as RetargetStream.frame() returns them; translations  [j, 3]
+        Raises ValueError for other shapes, and Error where nothing swings.
+        """
+        count = self._view().joint_count
+        q, p = real(rotations, (count, 4), "rotations"), real(translations, (count, 3), "translations")
+        out = np.zeros((count, 4), np.float32)
+        _check(binding.character_library().sinew_character_springs_frame(self.pointer, seconds, q.ctypes.data, p.ctypes.data, out.ctypes.data), self)
+        return out
+
+    def springs_restart(self) -> None:
+        """Forget all motion: the next springs_frame() is the first."""
+        _check(binding.character_library().sinew_character_springs_restart(self.pointer), self)
+
     def set_skeleton(self, skeleton: Skeleton) -> None:
         """Another skeleton for the mesh; weights go."""
         _check(binding.character_library().sinew_character_set_skeleton(self.pointer, ctypes.byref(_skeleton_view(skeleton))), self)

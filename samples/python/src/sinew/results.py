@@ -448,7 +448,7 @@ OPTIONS: Dict[Any, Rows] = {
         ("fewer_joints", "flag", "fewer_joints", None)],
     declarations.sinew_character_springs_options: [("replace", "flag", "replace", None), ("take", "texts", "take", ('take_count',)),
         ("drop", "texts", "drop", ('drop_count',)), ("presets", "texts", "presets", ('preset_count',)),
-        ("values", "texts", "values", ('value_count',))],
+        ("values", "texts", "values", ('value_count',)), ("make", "flag", "make", None)],
     declarations.sinew_character_bake_options: [("poses", "number", "poses", False), ("shapes", "number", "shapes", False),
         ("seed", "number", "seed", False), ("limit", "number", "limit", False), ("clip", "text", "clip", None),
         ("error", "number", "error", False), ("method", "word", "deform.method", declarations.POSE_DEFORM),

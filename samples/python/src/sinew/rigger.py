@@ -65,7 +65,8 @@ def rig(positions: Any, faces: Any, *, method: declarations.RigMethod = "votes",
     spine        1 to 16 joints between pelvis and neck; 0: as the model says
     toes, ends   whether there are toe joints, and joints that only end bones
     fingers      whether hands get fingers, where the mesh shows any; hands_model: None = the bundled one
-    face, props  whether heads get eyes and a jaw, and hands a joint for what they hold, where the mesh shows it
+    face, props  whether heads get eyes and a jaw, and hands a joint for what they hold, where the mesh shows it. Chains for skirts and capes need
+                 weights: OpenCharacter.rig(detail="full") lays them, or OpenCharacter.springs(make=True)
     progress     called with the share that is done; returns True to stop
     Raises ValueError, Error and Cancelled as bind() does.
     """

@@ -9,6 +9,8 @@
 
 #include "expect_error.hpp"
 #include "hairy_person.hpp"
+#include "sinew_character/profile/profile.hpp"
+#include "sinew_formats/document_form.hpp"
 #include "sinew_formats/io.hpp"
 #include "springs/swing_words.hpp"
 
@@ -60,6 +62,29 @@ TEST(FindSprings, NamesTellKinds) {
     EXPECT_GT(joint.limit, 0);
   }
   EXPECT_EQ(found.at("Tail1").chain.joints[0].gravity_power, 0);
+}
+
+// "Hips.001" reads as a pelvis; in a VRM, whose humanoid does not have it, it is a tail.
+TEST(FindSprings, AVrmsHumanoidSaysWhatIsBody) {
+  HairyPerson person;
+  person.chain("Hips.00", static_cast<int>(person.index("Hips")), {0, 1, -0.16}, {0, -0.06, -0.1}, 4);
+  EXPECT_EQ(found_in(person.character).size(), 0u);
+  VrmData vrm;
+  vrm.title = "Tailed";
+  vrm.authors = {"somebody"};
+  vrm.bones = vrm_bones(HairyPerson().character.joints, "person");
+  vrm.bones.resize(person.character.joints.size());
+  DocumentForm form;
+  form.vrm = &vrm;
+  const std::string path = testing::TempDir() + "find_springs.vrm";
+  (void)write_gltf_form(path, person.character, {}, {}, form);
+  const Character read = read_character(path);
+  EXPECT_EQ(vrm_file_bones(read)[person.index("Hips")], "hips");
+  EXPECT_TRUE(vrm_file_bones(person.character).empty());
+  const std::map<std::string, FoundChain> found = found_in(read);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found.begin()->second.kind, SpringKind::kTail);
+  EXPECT_TRUE(found.begin()->second.kept);
 }
 
 TEST(FindSprings, WhatHasNoNameHangsOffAKnownBody) {

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Characters (Character.cs) of keypoints alone, as cameras and captures tell them, and the frames that come.
+// Motion that arrives frame by frame: keypoints as a camera records them, and springs that swing behind any pose.
 using System;
 
 namespace Sinew
 {
     public sealed partial class Character
     {
-        int keypointJoints_ = -1;  // of KeypointsFrame(), once it was called
+        int frameJoints_ = -1;  // joint count, once a frame arrived
+
+        void CheckPose(float[] rotations, float[] translations)
+        {
+            if (frameJoints_ < 0) frameJoints_ = Skeleton.JointCount;
+            if (rotations == null || rotations.Length != 4 * frameJoints_)
+                throw new ArgumentException("rotations: expected " + 4 * frameJoints_ + " numbers");
+            if (translations == null || translations.Length != 3 * frameJoints_)
+                throw new ArgumentException("translations: expected " + 3 * frameJoints_ + " numbers");
+        }
 
         /// <summary>Keypoints of a person's joints alone, as a motion: its skeleton is learnt from these frames, which are its clip; a second or two are
         /// best. With its Skeleton as a RetargetStream's source, KeypointsFrame() makes what RetargetStream.Frame() takes.</summary>
@@ -34,15 +43,29 @@ namespace Sinew
         /// <summary>Local rotations [4 x joints] and translations [3 x joints] in the frame of these keypoints [3 x keypoints].</summary>
         public void KeypointsFrame(float[] keypoints, float[] rotations, float[] translations)
         {
-            if (keypointJoints_ < 0) keypointJoints_ = Skeleton.JointCount;
-            int joints = keypointJoints_;
             if (keypoints == null || keypoints.Length % 3 != 0) throw new ArgumentException("keypoints: expected three numbers a keypoint");
-            if (rotations == null || rotations.Length != 4 * joints) throw new ArgumentException("rotations: expected " + 4 * joints + " numbers");
-            if (translations == null || translations.Length != 3 * joints)
-                throw new ArgumentException("translations: expected " + 3 * joints + " numbers");
+            CheckPose(rotations, translations);
             using (var pins = new Pins())
                 Check(Native.sinew_character_keypoints_frame(Handle, pins.Of(keypoints), (uint)(keypoints.Length / 3), pins.Of(rotations),
                     pins.Of(translations)), handle_, "keypoints");
         }
+
+        /// <summary>Swings the joints of chains behind the next frame of a motion. The springs are those of Springs(), or those that it would keep. The
+        /// first frame shows the pose as it is.</summary>
+        /// <param name="seconds">since the frame before; ignored in the first frame</param>
+        /// <param name="rotations">[4 x joints] local, as RetargetStream.Frame() writes them; changed in place</param>
+        /// <param name="translations">[3 x joints]</param>
+        public void SpringsFrame(float seconds, float[] rotations, float[] translations)
+        {
+            CheckPose(rotations, translations);
+            using (var pins = new Pins())
+            {
+                IntPtr pose = pins.Of(rotations);
+                Check(Native.sinew_character_springs_frame(Handle, seconds, pose, pins.Of(translations), pose), handle_, "springs");
+            }
+        }
+
+        /// <summary>Forgets all motion: the next SpringsFrame() is the first.</summary>
+        public void SpringsRestart() { Check(Native.sinew_character_springs_restart(Handle), handle_, "springs"); }
     }
 }
