@@ -67,8 +67,8 @@ TEST_F(CliServe, IntroducesItselfAndListsItsTools) {
     EXPECT_EQ(tool["inputSchema"]["type"], "object");
     EXPECT_FALSE(tool["inputSchema"]["required"].empty());
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"rig", "bind", "animate", "transfer", "map", "check", "lod", "simplify",
-                                             "bake", "pose", "inspect"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"rig", "bind", "animate", "springs", "transfer", "map", "check", "lod",
+                                             "simplify", "bake", "pose", "inspect"}));
   EXPECT_EQ(answers.at(3)["result"], Json::object());
   ASSERT_EQ(answers.at(4)["result"]["resources"].size(), 1u);
   EXPECT_EQ(answers.at(4)["result"]["resources"][0]["uri"], "sinew:///snake.obj");
