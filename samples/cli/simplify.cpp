@@ -78,6 +78,7 @@ void run_simplify(const SimplifyCommandSettings& s) {
   if (character.vertices.empty() && s.output != "-" && !has_extension(s.output, ".rig.txt"))
     throw UsageError(s.output + ": " + s.rig + " has no mesh; expected -o OUT.rig.txt, or --mesh MESH.obj beside it");
   const std::vector<Joint> before = character.joints;
+  const auto noted = static_cast<std::ptrdiff_t>(character.notes.size());
   const std::optional<Motion> own = own_animations(s);
   std::vector<const Motion*> motions;
   if (own) motions.push_back(&*own);
@@ -86,7 +87,7 @@ void run_simplify(const SimplifyCommandSettings& s) {
   GlbOptions glb;
   glb.drop_animations = true;
   glb.motion = &left.motion;
-  std::vector<std::string> notes;
+  std::vector<std::string> notes(character.notes.begin() + noted, character.notes.end());
   write_as(s.profile, s.output, character, &notes, glb);
   if (s.json) {
     Json json = {{"sinew_simplify", 1}};

@@ -111,6 +111,15 @@ TEST_F(CliSprings, ClipsSwing) {
   EXPECT_EQ(moved, 3u);
 }
 
+TEST_F(CliSprings, ChainsThatGoWithTheirJointsAreTold) {
+  good("springs " + kRobed + " --make -o made.glb");
+  EXPECT_NE(good("simplify made.glb --level low -o low.glb").out.find("11 of 13 chains that swing are left out"),
+            std::string::npos);
+  EXPECT_EQ(good("simplify made.glb --level 200 -o same.glb").out.find("left out"), std::string::npos);
+  const auto json = nlohmann::json::parse(good("simplify made.glb --level low --json -o low.glb").out);
+  EXPECT_EQ(json.at("notes").size(), 1u);
+}
+
 TEST_F(CliSprings, WrongCallsSayWhatIsWrong) {
   EXPECT_NE(bad(1, "springs " + kRobed + " --drop Nose").error.find("tail_1"), std::string::npos);
   EXPECT_NE(bad(1, "springs " + kRobed + " --preset tail_1=wing").error.find("long-hair"), std::string::npos);

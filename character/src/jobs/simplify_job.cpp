@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "sinew_character/motion/retarget.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/springs.hpp"
 
 namespace sinew {
 namespace {
@@ -101,6 +103,20 @@ std::vector<uint32_t> joints_that_move(const SimplifyOptions& options, const std
   return own.keep_joints;
 }
 
+// A remark where the file's springs lose chains with their joints; "" where they do not, or where `check` has to speak of broken ones.
+std::string lost_chains_text(const Character& before, const Character& after) {
+  try {
+    const std::optional<Springs> all = read_springs(before.name, before), left = read_springs(after.name, after);
+    const size_t had = all ? all->chains.size() : 0, has = left ? left->chains.size() : 0;
+    if (has >= had) return "";
+    return std::to_string(had - has) + " of " + std::to_string(had) +
+           " chains that swing are left out with their joints; keep them with --level high or a larger number of "
+           "joints";
+  } catch (const Error&) {
+    return "";
+  }
+}
+
 }  // namespace
 
 SimplifiedCharacter simplify_character(const SimplifyOptions& options, const std::vector<const Motion*>& motions,
@@ -123,6 +139,7 @@ SimplifiedCharacter simplify_character(const SimplifyOptions& options, const std
                           settings);
     for (const Clip& clip : one->clips) out.motion.clips.push_back(retargeter.run(clip));
   }
+  if (std::string text = lost_chains_text(*character, left); !text.empty()) left.notes.push_back(std::move(text));
   *character = std::move(left);
   return out;
 }
