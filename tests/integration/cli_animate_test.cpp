@@ -225,6 +225,31 @@ TEST_F(CliAnimate, AStreamDoesNotLookAhead) {
   EXPECT_NE(frames("--method contacts --end 0.3"), frames("--method contacts"));
 }
 
+// Feet that hold still on the floor go back under a body that stays: the same poses as those of a body that travels.
+TEST_F(CliAnimate, InPlaceIsTheSameMotionWithoutItsTravel) {
+  for (const std::string method : {"contacts", "stream", "copy"}) {
+    const std::string words = "animate " + kData + "/biped__robed.obj --motion builtin:walk --method " + method;
+    good(words + " -o travels.glb");
+    good(words + " --in-place -o stays.glb");
+    const Motion travels = read_gltf_motion(in("travels.glb")), stays = read_gltf_motion(in("stays.glb"));
+    ASSERT_EQ(travels.clips[0].frames.size(), stays.clips[0].frames.size());
+    double farthest = 0, path = 0, left = 0;
+    for (size_t f = 0; f < travels.clips[0].frames.size(); ++f) {
+      const MotionFrame &a = travels.clips[0].frames[f], &b = stays.clips[0].frames[f];
+      for (size_t j = 0; j < travels.joints.size(); ++j) {
+        for (size_t c = 0; c < 4; ++c) farthest = std::max(farthest, std::abs(a.rotations[j][c] - b.rotations[j][c]));
+        if (travels.joints[j].parent >= 0) continue;
+        path = std::max(path, length(a.translations[j] - travels.clips[0].frames[0].translations[j]));
+        left = std::max(left, std::hypot(b.translations[j][0] - stays.joints[j].offset[0],
+                                         b.translations[j][2] - stays.joints[j].offset[2]));
+      }
+    }
+    EXPECT_GT(path, 0.3) << method;
+    EXPECT_LT(left, 0.1 * path) << method;
+    EXPECT_LT(farthest, 1e-3) << method;
+  }
+}
+
 TEST_F(CliAnimate, AReportSaysWhatWasMendedLimbByLimb) {
   make_clip("swing");
   Character hero = read_character(kData + "/biped__robed.obj"), broad = hero;

@@ -140,13 +140,22 @@ sinew_status ClipScene::load_source(uint32_t frame, bool with_body) {
   if (status == SINEW_OK && has_source && with_body) source.pose(plan->source_rotations, plan->source_positions);
   return status;
 }
+// A target that stays in place is looked at where it would have gone: only there does a foot on the floor hold still.
 void ClipScene::load(uint32_t frame) {
   const size_t joints = plan->target.count;
   load_target(plan, in->rotations + 4 * joints * frame, in->translations + 3 * joints * frame);
+  if (plan->in_place) move_target(plan, travel(frame));
 }
 void ClipScene::store(uint32_t frame) const {
   const size_t joints = plan->target.count;
+  const Vec3d path = plan->in_place ? travel(frame) : Vec3d{0, 0, 0};
+  if (plan->in_place) move_target(plan, -1.0 * path);
   store_target(*plan, in->rotations + 4 * joints * frame, in->translations + 3 * joints * frame);
+  if (plan->in_place) move_target(plan, path);
+}
+Vec3d ClipScene::travel(uint32_t frame) const {
+  const size_t joints = plan->source.count;
+  return travel_of(*plan, in->source_rotations + 4 * joints * frame, in->source_translations + 3 * joints * frame);
 }
 void ClipScene::pose_target(uint32_t frame) {
   load(frame);

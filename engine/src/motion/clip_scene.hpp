@@ -69,6 +69,9 @@ struct ClipScene {
   // The target's frame with its body; the body at rest.
   void pose_target(uint32_t frame);
   void pose_target_at_rest();
+
+ private:
+  Vec3d travel(uint32_t frame) const;
 };
 
 }  // namespace sinew::motion

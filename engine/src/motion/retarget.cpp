@@ -122,9 +122,7 @@ void pose_target(sinew_retarget* plan, double ground) {
   Vec3d middle = {0, 0, 0};
   for (uint32_t i = 0; i < plan->anchor_count; ++i) middle = middle + plan->target_positions[plan->anchors[i]];
   const Vec3d offset = wanted_middle(*plan, ground) - (1.0 / plan->anchor_count) * middle;
-  for (uint32_t t = 0; t < rig.count; ++t) {
-    if (plan->moved[t] != 0) plan->target_positions[t] = plan->target_positions[t] + offset;
-  }
+  move_target(plan, offset);
   carry_ends(plan);
 }
 
@@ -179,6 +177,30 @@ sinew_status pose_source(sinew_retarget* plan, const float* rotations, const flo
     plan->source_positions[j] = rotate(plan->rotation, plan->source_positions[j]);
   }
   return SINEW_OK;
+}
+
+Vec3d travel_of(const sinew_retarget& plan, const float* rotations, const float* translations) {
+  const MotionRig& rig = plan.source;
+  Vec3d path = {0, 0, 0};
+  for (uint32_t i = 0; i < plan.anchor_count; ++i) {
+    Vec3d position = {0, 0, 0};
+    for (int32_t j = plan.map[plan.anchors[i]]; j >= 0; j = rig.file_parents[j]) {
+      const float* const q = rotations + size_t{4} * static_cast<uint32_t>(j);
+      const float* const t = translations + size_t{3} * static_cast<uint32_t>(j);
+      const Quat rotation = normalised(
+          {static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2]), static_cast<double>(q[3])});
+      position = rotate(rotation, position) +
+                 Vec3d{static_cast<double>(t[0]), static_cast<double>(t[1]), static_cast<double>(t[2])};
+    }
+    path = path + plan.scale * rotate(plan.rotation, position) - plan.target.positions[plan.anchors[i]];
+  }
+  return without_height((1.0 / plan.anchor_count) * path, plan.up);
+}
+
+void move_target(sinew_retarget* plan, Vec3d offset) {
+  for (uint32_t t = 0; t < plan->target.count; ++t) {
+    if (plan->moved[t] != 0) plan->target_positions[t] = plan->target_positions[t] + offset;
+  }
 }
 
 void load_target(sinew_retarget* plan, const float* rotations, const float* translations) {

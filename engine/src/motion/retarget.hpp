@@ -14,6 +14,10 @@ sinew_status pose_source(sinew_retarget* plan, const float* rotations, const flo
 // A target's frame into target_rotations and target_positions, and back.
 void load_target(sinew_retarget* plan, const float* rotations, const float* translations);
 void store_target(const sinew_retarget& plan, float* rotations, float* translations);
+// The horizontal path from the target's position at rest to where a frame of the source would carry it, which a plan in place leaves out.
+Vec3d travel_of(const sinew_retarget& plan, const float* rotations, const float* translations);
+// Moves the target's body, target_positions, by an offset.
+void move_target(sinew_retarget* plan, Vec3d offset);
 
 // As in sinew/motion.h; the caller has checked for null pointers.
 sinew_status source_height(sinew_retarget* plan, const float* rotations, const float* translations, float* height);
