@@ -395,7 +395,7 @@ void add_animate(CLI::App& app) {
       "  sinew animate drawing.png -o drawing.glb --sheet drawing-frames.png\n\n"
       "  sinew animate broad.glb --motion walking.glb --method reference-points -o other.glb\n"
       "  sinew animate hero.glb --motion walk.bvh --deform volume -o walking.glb\n"
-      "  sinew animate hero.glb --motion builtin:walk --in-place --method copy --vat crowd");
+      "  sinew animate hero.glb --motion builtin:walk --in-place --vat crowd");
   sub->callback([s, of_reference, sub] {
     if (s->output.empty() && s->vat.empty()) throw CLI::RequiredError("--output");
     check_picture_options(*sub, s->character);

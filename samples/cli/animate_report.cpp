@@ -104,11 +104,7 @@ void tell_animated(const AnimateSettings& s, const Animated& animated) {
       std::printf("  %s: %zu shapes, %.3f %% of the size from the corrected poses, linear skinning alone %.3f %%\n",
                   printable(one.clip).c_str(), one.shapes, 100 * one.error.baked, 100 * one.error.linear);
   for (const std::string& note : animated.motion.notes) std::printf("  %s\n", printable(note).c_str());
-  if (animated.vat)
-    tell_vat(s.vat, *animated.vat,
-             !s.in_place                        ? " (--in-place keeps it on its spot)"
-             : s.method != AnimateMethod::kCopy ? " (--method copy moves feet as the motion does)"
-                                                : "");
+  if (animated.vat) tell_vat(s.vat, *animated.vat, s.in_place ? "" : " (--in-place keeps it on its spot)");
   if (!s.output.empty()) std::printf("wrote %s\n", printable(s.output).c_str());
 }
 

@@ -15,7 +15,7 @@ node "$web/samples/clothed.mjs" "$work/bare.glb"
 "$sinew" rig "$work/bare.glb" -o "$work/whole.glb"
 "$sinew" lod "$work/whole.glb" --levels 2 -o "$work/character.glb"
 mv "$work/character.lod2.glb" "$work/character.glb"
-"$sinew" animate "$work/character.glb" --in-place --method copy --vat "$out" \
+"$sinew" animate "$work/character.glb" --in-place --vat "$out" \
   $(printf -- '--motion builtin:%s ' walk run idle wave jump)
 NODE_PATH=$web/node_modules "$web/node_modules/.bin/esbuild" "$here/crowd.js" --bundle --minify --format=esm --target=es2022 --outdir="$out" --log-level=warning
 cp "$here/index.html" "$out"

@@ -18,9 +18,7 @@ class CliVat : public Cli {
 
 TEST_F(CliVat, ClipsBecomeTexturesAMeshAndALayout) {
   const auto json = nlohmann::json::parse(
-      good("animate " + kRobed +
-           " --motion builtin:walk --motion builtin:idle --in-place --method copy --vat crowd --json")
-          .out);
+      good("animate " + kRobed + " --motion builtin:walk --motion builtin:idle --in-place --vat crowd --json").out);
   EXPECT_FALSE(json.contains("output"));
   EXPECT_EQ(json["vat"]["layout"], "biped__robed.vat.json");
   const nlohmann::json made = layout("crowd/biped__robed.vat.json");
@@ -46,8 +44,7 @@ TEST_F(CliVat, ClipsBecomeTexturesAMeshAndALayout) {
     EXPECT_GT(clip["error"]["between"]["max"].get<double>(), clip["error"]["frames"]["max"].get<double>());
   }
   EXPECT_EQ(files(), 1u);  // the folder alone
-  const std::string said =
-      good("animate " + kRobed + " --motion builtin:walk --in-place --method copy --vat crowd").out;
+  const std::string said = good("animate " + kRobed + " --motion builtin:walk --in-place --vat crowd").out;
   for (const char* part :
        {"walk: ", " MB; from skinning at most 0.0", "half way between", "; loops", "wrote crowd/biped__robed.vat.json"})
     EXPECT_NE(said.find(part), std::string::npos) << part << " in:\n" << said;
