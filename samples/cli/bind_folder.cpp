@@ -89,7 +89,7 @@ FinishedTask bind_task(const FolderSettings& s, const Binder& binder, const Task
   } catch (const UsageError&) {
     throw;  // the same for every file
   } catch (const std::bad_alloc&) {
-    return failure(task, task.mesh + ": out of memory; fewer --jobs need less");
+    return failure(task, task.mesh + ": out of memory; use fewer --jobs");
   } catch (const std::exception& error) {
     return failure(task, error.what());
   }

@@ -49,8 +49,8 @@ void set_flags(const BindSettings& settings, const Character& character, std::ve
 std::vector<uint8_t> read_locks(const BindSettings& settings, const Character& character) {
   if (settings.lock.empty()) return {};
   if (character.influences.empty()) {
-    throw Error(settings.lock + ": vertices can keep only weights they have, and neither " + settings.mesh +
-                " nor its skeleton file brings any");
+    throw Error(settings.lock + ": --lock keeps weights of the file, but neither " + settings.mesh +
+                " nor its skeleton file has any");
   }
   return read_vertex_locks(settings.lock, character);
 }
@@ -70,7 +70,7 @@ std::optional<Character> read_like(const BindSettings& settings) {
   if (settings.like.empty()) return std::nullopt;
   Character source = read_character(settings.like);
   if (source.joints.empty() || source.influences.empty())
-    throw Error(settings.like + ": --like needs a bound character, and this one has no skin weights");
+    throw Error(settings.like + ": --like needs a bound character, found no skin weights");
   return source;
 }
 

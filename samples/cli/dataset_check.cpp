@@ -174,21 +174,21 @@ void run_dataset_check(const DatasetCheckCommandSettings& s) {
 }  // namespace
 
 void add_dataset_check(CLI::App* parent) {
-  CLI::App* sub = parent->add_subcommand("check", "Look for defects of meshes, skeletons and weights");
+  CLI::App* sub = parent->add_subcommand("check", "Find defects of meshes, skeletons and weights");
   auto s = std::make_shared<DatasetCheckCommandSettings>();
-  sub->add_option("inputs", s->inputs, "Meshes, characters and folders of them, sub-folders too")
+  sub->add_option("inputs", s->inputs, "Meshes, characters, or folders of them with subfolders")
       ->required()
       ->type_name("FILE|DIR");
-  shared_flag(sub, "--json", s->json, "A line for every character, with all vertices of findings about weights");
-  sub->add_option("--pictures", s->pictures, "Folder for a picture of every character with suspicious vertices, ringed")
+  shared_flag(sub, "--json", s->json, "One line per character, with all vertices of findings about weights");
+  sub->add_option("--pictures", s->pictures,
+                  "Folder for a picture of each character with its suspicious vertices ringed")
       ->type_name("DIR");
   sub->footer(
-      "Example:\n  sinew-lab dataset check characters/train hero.glb --pictures suspicious\n\n"
-      "Suspicious weights are warnings: far-weight (a joint across the body while another is near), island (a patch\n"
-      "bound across the body), odd-vertex (its neighbours agree on something else), left-right (the place of the\n"
-      "joint's mirror twin), idle-twin (no weight, but the twin has some), shared-place (joints at one place\n"
-      "hold much of the mesh; leave such characters out of training).\n"
-      "Exit status 1 when any character has an error.");
+      "Example:\n  sinew-lab dataset check characters/train hero.glb --pictures suspicious\n\nSuspicious weights are "
+      "warnings: far-weight (a joint across the body while another is near), island (a patch\nbound across the body), "
+      "odd-vertex (its neighbors agree on another joint), left-right (at the position of the\njoint's mirror twin), "
+      "idle-twin (no weight, but the twin has some), shared-position (joints at one position\nhold much of the mesh; "
+      "leave such characters out of training).\nExit status 1 if any character has an error.");
   sub->callback([s] { run_dataset_check(*s); });
 }
 

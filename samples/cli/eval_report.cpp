@@ -61,7 +61,7 @@ void add_reliability(const WeightsEvaluation& s, const WeightsFigures& figures, 
   // A checkpoint has no table yet; what counts is the confidence with one, on families that it was not fitted on.
   if (s.checkpoint.empty() || figures.scores[figures.main].families.size() <= 1) return;
   data->reliability = reliability_across_families(judged);
-  data->confidence = "the strongest joint's share through a table that was fitted on the other half of the families";
+  data->confidence = "the strongest joint's share through a table fitted on the other half of the families";
 }
 
 void add_rows(const WeightsEvaluation& s, const WeightsFigures& figures, ReportData* data) {

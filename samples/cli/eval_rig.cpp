@@ -28,7 +28,7 @@ namespace {
 
 std::vector<Joint> read_prediction(const fs::path& path) {
   std::error_code ignored;
-  if (!fs::exists(path, ignored)) throw Error(path.string() + ": there is no such prediction");
+  if (!fs::exists(path, ignored)) throw Error(path.string() + ": no such prediction");
   Character predicted;
   read_skeleton(path.string(), false, &predicted);
   return predicted.joints;
@@ -154,7 +154,7 @@ FloatNetwork votes_of(const std::string& checkpoint) {
 void evaluate_rigs(const RigEvaluation& evaluation) {
   std::error_code ignored;
   if (!evaluation.predictions.empty() && !fs::is_directory(evaluation.predictions, ignored))
-    throw Error(evaluation.predictions + ": expected a folder of predicted NAME.rig.txt, found no such folder");
+    throw Error(evaluation.predictions + ": expected a folder of predicted NAME.rig.txt, found none");
   Predictor predictor;
   predictor.folder = evaluation.predictions;
   if (evaluation.method == "slots") {

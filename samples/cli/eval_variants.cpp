@@ -87,7 +87,7 @@ Variant peer_variant(const std::string& name_and_folder) {
       for (const Influence& i : row) {
         const auto found = index.find(predicted.joints[i.joint].name);
         if (found == index.end())
-          throw Error(path + ": binds to the joint " + predicted.joints[i.joint].name + ", which the character lacks");
+          throw Error(path + ": binds to joint " + predicted.joints[i.joint].name + ", which the character lacks");
         prediction.rows.back().push_back({found->second, i.weight});
       }
     }
@@ -132,7 +132,7 @@ std::vector<Variant> checkpoint_variants(const WeightsEvaluation& s) {
     options.weight_bits = bits;
     options.activation_bits = std::min(bits, options.activation_bits);
     const QuantizedModel quantised = quantize(network, calibration, options);
-    std::shared_ptr<LoadedModel> model = model_from_bytes(quantised.bytes, "the quantised network");
+    std::shared_ptr<LoadedModel> model = model_from_bytes(quantised.bytes, "the quantized network");
     Variant variant;
     variant.label = bits == 16 ? "int16 model" : std::to_string(bits) + " bits";
     variant.bits = bits;

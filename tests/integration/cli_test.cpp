@@ -334,8 +334,8 @@ TEST_F(Cli, BindTellsWhereToLook) {
   const std::string pair = "bind " + kSnake + " --skeleton " + kSnakeRig + " --method heat ";
   const Outcome plain = good(pair + "-o plain.glb");
   const Outcome told = good(pair + "-o told.glb --confidence --png-confidence doubts.png");
-  EXPECT_NE(told.out.find("look first at "), std::string::npos) << told.out;
-  EXPECT_NE(told.out.find(" vertices (the least sure tenth; "), std::string::npos) << told.out;
+  EXPECT_NE(told.out.find("check first: "), std::string::npos) << told.out;
+  EXPECT_NE(told.out.find(" vertices (the least certain tenth; "), std::string::npos) << told.out;
   EXPECT_NE(told.out.find("doubts.png"), std::string::npos) << told.out;
   EXPECT_EQ(slurp(in("doubts.png")).substr(1, 3), "PNG");
   EXPECT_NE(slurp(in("told.glb")).find("_CONFIDENCE"), std::string::npos);

@@ -299,7 +299,7 @@ class Labels {
     }
     if (all == 0 || static_cast<double>(shared) < kSharedVertices * static_cast<double>(all)) return;
     shared_ = static_cast<double>(shared) / static_cast<double>(all);
-    add("shared-place", most.first, most.second, {});
+    add("shared-position", most.first, most.second, {});
   }
 
   std::string describe(const LabelFinding& f) const {
@@ -307,7 +307,7 @@ class Labels {
     if (f.code == "idle-twin")
       return "joint " + joint + " has no weight, but its mirror twin " + better + " holds " +
              std::to_string(strong_vertices_[f.better]) + " vertices";
-    if (f.code == "shared-place")
+    if (f.code == "shared-position")
       return print(
                  "%.0f %% of the vertices are bound to joints that stand where another child of their parent does, as ",
                  100 * shared_) +

@@ -23,7 +23,7 @@ void labels(const RigFacts& facts, Findings* findings) {
                                                              {"idle-twin", "dead-joint"}};
   for (LabelFinding& label : check_labels(facts.character)) {
     const auto rule = kRuleOf.find(label.code);
-    if (rule == kRuleOf.end()) continue;  // shared-place is about what a data set teaches
+    if (rule == kRuleOf.end()) continue;  // shared-position is about what a data set teaches
     RigFinding finding;
     finding.joint = static_cast<int>(label.joint);
     finding.other = static_cast<int>(label.better);

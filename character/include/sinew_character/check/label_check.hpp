@@ -18,11 +18,11 @@ namespace sinew {
 //   odd-vertex    vertices whose neighbours all agree on something else
 //   left-right    vertices bound to the mirror twin of the joint they lie at
 //   idle-twin     a joint without weight whose mirror twin has some
-//   shared-place  much of the mesh is bound to joints that stand where another child of their parent with weight does
+//   shared-position  much of the mesh is bound to joints that stand where another child of their parent with weight does
 struct LabelFinding {
   std::string code;
   uint32_t joint = 0, better = 0;
-  std::vector<uint32_t> vertices;  // ascending; empty for idle-twin and shared-place
+  std::vector<uint32_t> vertices;  // ascending; empty for idle-twin and shared-position
   std::string text;                // one line
 };
 

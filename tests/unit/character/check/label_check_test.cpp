@@ -175,7 +175,7 @@ TEST(LabelCheck, JointsThatNothingTellsApartAreFound) {
   const auto shared = [](const Character& character) {
     std::vector<LabelFinding> out;
     for (const LabelFinding& f : check_labels(character))
-      if (f.code == "shared-place") out.push_back(f);
+      if (f.code == "shared-position") out.push_back(f);
     return out;
   };
   const std::vector<LabelFinding> findings = shared(c);
