@@ -23,7 +23,7 @@ class CliPicture : public Cli {};
 
 TEST_F(CliPicture, ADrawingBecomesACharacterInItsOwnPlace) {
   const auto said =
-      nlohmann::json::parse(good("rig " + kChild + " units pixels --mask-out mask.png --json -o child.glb").out);
+      nlohmann::json::parse(good("rig " + kChild + " --units pixels --mask-out mask.png --json -o child.glb").out);
   EXPECT_EQ(said["picture"]["class"], "biped");
   EXPECT_EQ(said["picture"]["view"], "from the front");
   EXPECT_TRUE(fs::exists(in("mask.png")));
@@ -45,18 +45,18 @@ TEST_F(CliPicture, ADrawingBecomesACharacterInItsOwnPlace) {
 }
 
 TEST_F(CliPicture, ClassesAndViewsAreTold) {
-  const auto cat = nlohmann::json::parse(good("rig " + kCat + " json -o cat.rig.txt").out);
+  const auto cat = nlohmann::json::parse(good("rig " + kCat + " --json -o cat.rig.txt").out);
   EXPECT_EQ(cat["picture"]["class"], "quadruped");
   EXPECT_EQ(cat["picture"]["view"], "facing right");
-  const auto sketch = nlohmann::json::parse(good("rig " + kSketch + " json -o sketch.rig.txt").out);
+  const auto sketch = nlohmann::json::parse(good("rig " + kSketch + " --json -o sketch.rig.txt").out);
   EXPECT_EQ(sketch["picture"]["class"], "biped");
-  const auto given = nlohmann::json::parse(good("rig " + kSketch + " class fish --json -o fish.rig.txt").out);
+  const auto given = nlohmann::json::parse(good("rig " + kSketch + " --class fish --json -o fish.rig.txt").out);
   EXPECT_EQ(given["picture"]["class"], "fish");
 }
 
 // What a camera adds: light and shade on the body, a wall with a grain, out-of-focus blots on it, noise of the sensor.
 TEST_F(CliPicture, PhotographsAreRead) {
-  good("pose " + kData + "/biped__robed.obj joint head=0,10,0 -o seen.png");
+  good("pose " + kData + "/biped__robed.obj --joint head=0,10,0 -o seen.png");
   Pixels photograph = read_picture(in("seen.png")).pixels;
   std::mt19937 random(7);
   for (uint32_t y = 0; y < photograph.height; ++y)
@@ -71,9 +71,9 @@ TEST_F(CliPicture, PhotographsAreRead) {
     }
   const std::vector<uint8_t> bytes = encode_png(photograph);
   put(in("photograph.png"), std::string(bytes.begin(), bytes.end()));
-  const auto said = nlohmann::json::parse(good("rig photograph.png units pixels --json -o photograph.glb").out);
+  const auto said = nlohmann::json::parse(good("rig photograph.png --units pixels --json -o photograph.glb").out);
   EXPECT_EQ(said["picture"]["class"], "biped");
-  good("rig seen.png units pixels -o seen.glb");
+  good("rig seen.png --units pixels -o seen.glb");
   const Box noisy = box_of(read_character(in("photograph.glb")).vertices);
   const Box clean = box_of(read_character(in("seen.glb")).vertices);
   EXPECT_NEAR(noisy.high.x - noisy.low.x, clean.high.x - clean.low.x, 12) << "the figure without the wall";
@@ -82,19 +82,19 @@ TEST_F(CliPicture, PhotographsAreRead) {
 
 // Outline, triangulation, regions, branches, motion: no model is asked for the skeleton, and names say nothing.
 TEST_F(CliPicture, TheDrawnRouteIsOneCommand) {
-  const Outcome told = good("animate " + kCat + " as-drawn -o cat.glb");
+  const Outcome told = good("animate " + kCat + " --as-drawn -o cat.glb");
   EXPECT_NE(told.out.find("joints move by branches"), std::string::npos) << told.out;
   const Character cat = read_character(in("cat.glb"));
   for (const Joint& joint : cat.joints) EXPECT_EQ(joint.name.find("Left"), std::string::npos) << joint.name;
   ASSERT_EQ(cat.joints.size(), read_motion(in("cat.glb")).joints.size());
-  EXPECT_NE(bad(2, "animate " + kCaped + " motion builtin:walk --as-drawn -o a.glb")
-                .error.find("as-drawn goes with a picture"),
+  EXPECT_NE(bad(2, "animate " + kCaped + " --motion builtin:walk --as-drawn -o a.glb")
+                .error.find("--as-drawn needs a picture"),
             std::string::npos);
 }
 
 // No bone changes its length as it is seen, and none leaves the plane.
 TEST_F(CliPicture, MotionStaysInThePlane) {
-  const Outcome told = good("animate " + kChild + " units pixels -o child.glb --sheet child.png");
+  const Outcome told = good("animate " + kChild + " --units pixels -o child.glb --sheet child.png");
   EXPECT_NE(told.out.find("builtin:person/wave"), std::string::npos) << told.out;
   const size_t checked = told.out.find("checked: ");
   EXPECT_NE(checked, std::string::npos) << told.out;
@@ -119,7 +119,7 @@ TEST_F(CliPicture, MotionStaysInThePlane) {
 }
 
 TEST_F(CliPicture, FramesForOtherPrograms) {
-  good("animate " + kChild + " -o out.glb sprites 4 --loop loop.png");
+  good("animate " + kChild + " -o out.glb --sprites 4 --loop loop.png");
   const auto json = nlohmann::json::parse(slurp(in("out.sprites.json")));
   ASSERT_EQ(json["frames"].size(), 4u);
   EXPECT_EQ(json["meta"]["image"], "out.sprites.png");
@@ -127,26 +127,26 @@ TEST_F(CliPicture, FramesForOtherPrograms) {
   const auto& last = json["frames"]["wave 3"]["frame"];
   EXPECT_EQ(last["y"].get<int>() + last["h"].get<int>(), json["meta"]["size"]["h"].get<int>());
   EXPECT_NE(slurp(in("loop.png")).find("acTL"), std::string::npos);
-  EXPECT_NE(
-      bad(2, "animate " + kCaped + " motion builtin:walk -o a.glb --sprites 4").error.find("sprites is for pictures"),
-      std::string::npos);
+  EXPECT_NE(bad(2, "animate " + kCaped + " --motion builtin:walk -o a.glb --sprites 4")
+                .error.find("--sprites is for pictures"),
+            std::string::npos);
 }
 
 TEST_F(CliPicture, AnAnimatedPictureAlone) {
   good("animate " + kChild + " -o child.apng");
   EXPECT_NE(slurp(in("child.apng")).find("acTL"), std::string::npos);
-  EXPECT_NE(bad(2, "animate " + kChild + " -o b.apng for unreal").error.find("leave out --loop, --for and"),
+  EXPECT_NE(bad(2, "animate " + kChild + " -o b.apng --for unreal").error.find("leave out --loop, --for and"),
             std::string::npos);
-  EXPECT_NE(bad(2, "animate " + kCaped + " motion builtin:walk -o b.apng").error.find("b.apng"), std::string::npos);
+  EXPECT_NE(bad(2, "animate " + kCaped + " --motion builtin:walk -o b.apng").error.find("b.apng"), std::string::npos);
   EXPECT_FALSE(fs::exists(in("b.apng")));
 }
 
 TEST_F(CliPicture, LinesInsideAreCutOnDemand) {
   const auto cut =
-      nlohmann::json::parse(good("rig " + kCat + " cut --no-bind --mask-out cut.png --json -o cut.glb").out);
-  good("rig " + kCat + " no-bind --mask-out whole.png -o whole.glb");
+      nlohmann::json::parse(good("rig " + kCat + " --cut --no-bind --mask-out cut.png --json -o cut.glb").out);
+  good("rig " + kCat + " --no-bind --mask-out whole.png -o whole.glb");
   EXPECT_NE(cut["notes"].dump().find("cut"), std::string::npos) << cut["notes"];
-  EXPECT_NE(bad(2, "animate " + kCaped + " motion builtin:walk --cut -o a.glb").error.find("--cut is for pictures"),
+  EXPECT_NE(bad(2, "animate " + kCaped + " --motion builtin:walk --cut -o a.glb").error.find("--cut is for pictures"),
             std::string::npos);
 }
 
@@ -157,8 +157,8 @@ TEST_F(CliPicture, AFolderOfPictures) {
   good("rig drawings -o rigged");
   EXPECT_TRUE(fs::exists(in("rigged/child.glb")));
   EXPECT_TRUE(fs::exists(in("rigged/cat.glb")));
-  EXPECT_NE(bad(2, "rig drawings -o rigged figure 1").error.find("--figure takes one picture"), std::string::npos);
-  good("animate drawings format apng -o moving");
+  EXPECT_NE(bad(2, "rig drawings -o rigged --figure 1").error.find("--figure takes one picture"), std::string::npos);
+  good("animate drawings --format apng -o moving");
   EXPECT_TRUE(fs::exists(in("moving/child.apng")));
   EXPECT_TRUE(fs::exists(in("moving/cat.apng")));
   put(in("drawings/empty.png"), "");
@@ -166,7 +166,7 @@ TEST_F(CliPicture, AFolderOfPictures) {
   EXPECT_EQ(some.status, 1);
   EXPECT_NE(some.error.find("error: 1 of 3 characters failed"), std::string::npos) << some.error;
   EXPECT_TRUE(fs::exists(in("moved/cat.glb")));
-  EXPECT_NE(bad(2, "animate drawings -o other sheet a.png").error.find("--sheet takes one character"),
+  EXPECT_NE(bad(2, "animate drawings -o other --sheet a.png").error.find("--sheet takes one character"),
             std::string::npos);
 }
 
@@ -178,10 +178,10 @@ TEST_F(CliPicture, WhatIsNoPictureOfACharacterIsALine) {
   put(in("cut.png"), slurp(kChild).substr(0, 3000));
   EXPECT_NE(bad(1, "rig cut.png -o a.glb").error.find("cut.png: cannot read this PNG"), std::string::npos);
   EXPECT_FALSE(fs::exists(in("a.glb")));
-  EXPECT_NE(bad(1, "rig " + kChild + " figure 2 -o a.glb").error.find("there is no figure 2, found 1"),
+  EXPECT_NE(bad(1, "rig " + kChild + " --figure 2 -o a.glb").error.find("there is no figure 2, found 1"),
             std::string::npos);
-  EXPECT_NE(bad(2, "rig " + kSnake + " flat -o a.glb").error.find("--flat is for pictures"), std::string::npos);
-  EXPECT_NE(bad(2, "animate " + kCaped + " -o a.glb").error.find("motion is required"), std::string::npos);
+  EXPECT_NE(bad(2, "rig " + kSnake + " --flat -o a.glb").error.find("--flat is for pictures"), std::string::npos);
+  EXPECT_NE(bad(2, "animate " + kCaped + " -o a.glb").error.find("--motion is required"), std::string::npos);
 }
 
 }  // namespace
