@@ -178,8 +178,7 @@ TEST_F(CliPicture, WhatIsNoPictureOfACharacterIsALine) {
   put(in("cut.png"), slurp(kChild).substr(0, 3000));
   EXPECT_NE(bad(1, "rig cut.png -o a.glb").error.find("cut.png: cannot read this PNG"), std::string::npos);
   EXPECT_FALSE(fs::exists(in("a.glb")));
-  EXPECT_NE(bad(1, "rig " + kChild + " --figure 2 -o a.glb").error.find("there is no figure 2, found 1"),
-            std::string::npos);
+  EXPECT_NE(bad(1, "rig " + kChild + " --figure 2 -o a.glb").error.find("no figure 2, found 1"), std::string::npos);
   EXPECT_NE(bad(2, "rig " + kSnake + " --flat -o a.glb").error.find("--flat is for pictures"), std::string::npos);
   EXPECT_NE(bad(2, "animate " + kCaped + " -o a.glb").error.find("--motion is required"), std::string::npos);
 }

@@ -134,7 +134,7 @@ TEST_F(CliRigEdit, TemplatesAreListedFittedAndEdited) {
   EXPECT_GE(json["matched"], 17);
   EXPECT_EQ(json["joints"].size(), 63u);
   EXPECT_EQ(json["symmetric"], true);
-  EXPECT_NE(good(rig_ + "--skeleton template:spider").out.find("have no like in this mesh"), std::string::npos);
+  EXPECT_NE(good(rig_ + "--skeleton template:spider").out.find("match nothing in this mesh"), std::string::npos);
   good(rig_);
   const auto body = out();
   good(rig_ + "--skeleton template:mixamo --keep-lengths");

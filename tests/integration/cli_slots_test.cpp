@@ -103,7 +103,8 @@ TEST_F(CliSlots, TrainingStopsBelowAPresetTotal) {
 
 TEST_F(CliSlots, WrongUsage) {
   const std::string rig = "rig set/biped__robot.obj --method slots ";
-  EXPECT_NE(bad(2, rig + "--model x.sinew --spine 3").error.find("--spine does not go with"), std::string::npos);
+  EXPECT_NE(bad(2, rig + "--model x.sinew --spine 3").error.find("--spine needs another method than"),
+            std::string::npos);
   EXPECT_NE(bad(2, rig + "--model x.sinew --class crab").error.find("--class"), std::string::npos);
   EXPECT_NE(bad(2, "rig set/biped__robot.obj --method shape --class biped").error.find("--class steers"),
             std::string::npos);
@@ -126,7 +127,7 @@ TEST_F(CliSlots, WrongUsage) {
 }
 
 TEST_F(CliSlots, AMeshThatIsNoBodyIsTold) {
-  const std::string warning = "warning: this mesh resembles little";
+  const std::string warning = "warning: this mesh is unlike";
   put(in("point.obj"), "v 0 0 0\n");
   put(in("sheet.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   put(in("cube.obj"),

@@ -294,7 +294,7 @@ TEST_F(Cli, BindTakesHints) {
 
   for (auto& row : painted.influences) row.clear();
   write_rig(in("empty.rig.txt"), painted);
-  EXPECT_NE(bad(1, pair + "--hints empty.rig.txt").error.find("paints no vertex"), std::string::npos);
+  EXPECT_NE(bad(1, pair + "--hints empty.rig.txt").error.find("has weights of no vertex"), std::string::npos);
   painted.influences[3].push_back({0, 1.0f});
   painted.joints[0].name = "elsewhere";
   write_rig(in("stranger.rig.txt"), painted);

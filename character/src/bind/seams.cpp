@@ -209,9 +209,9 @@ std::string seams_text(const std::vector<Joint>& joints, const Seams& seams, siz
     text += (pairs.empty() ? "" : ", ") + pair;
     pairs.push_back(std::move(pair));
   }
-  return "grown together: " + text + "; no weight crosses there, " +
-         (doubled > 0 ? "and it was opened: " + std::to_string(doubled) + " vertices were doubled"
-                      : std::string("--cut opens it"));
+  return "fused parts at " + text + "; no weight crosses there, " +
+         (doubled > 0 ? "and the mesh was cut open: " + std::to_string(doubled) + " vertices were doubled"
+                      : std::string("--cut opens the mesh there"));
 }
 
 size_t keep_apart(const Character& character, const Seams& seams, const std::vector<uint8_t>& keep, WeightRows* rows) {

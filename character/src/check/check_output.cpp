@@ -134,7 +134,7 @@ std::string check_text(const CheckedFile& file) {
     i = end;
   }
   for (const size_t i : file.change.removed)
-    text += std::string("\n  gone: ") + file.before->findings[i].rule->name + ": " + file.before->findings[i].what;
+    text += std::string("\n  fixed: ") + file.before->findings[i].rule->name + ": " + file.before->findings[i].what;
   return text;
 }
 

@@ -308,17 +308,16 @@ class Labels {
       return "joint " + joint + " has no weight, but its mirror twin " + better + " holds " +
              std::to_string(strong_vertices_[f.better]) + " vertices";
     if (f.code == "shared-position")
-      return print(
-                 "%.0f %% of the vertices are bound to joints that stand where another child of their parent does, as ",
-                 100 * shared_) +
-             joint + " and " + better + ": nothing tells which holds what";
+      return print("%.0f %% of the vertices are bound to joints at the position of a sibling, such as ",
+                   100 * shared_) +
+             joint + " and " + better + ": it is ambiguous which holds what";
     const std::string count =
         std::to_string(f.vertices.size()) + (f.vertices.size() == 1 ? " vertex" : " vertices") + " bound to " + joint;
     std::string text;
     if (f.code == "left-right") {
-      text = count + " at the place of its mirror twin " + better;
+      text = count + " at the position of its mirror twin " + better;
     } else if (f.code == "odd-vertex") {
-      text = count + " amid vertices of " + better;
+      text = count + " among vertices of " + better;
     } else {
       double own = 0, near = 0;
       for (const uint32_t v : f.vertices) {

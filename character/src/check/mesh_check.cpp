@@ -163,12 +163,12 @@ void check_mesh(const Character& character, const Bounds& box, const BoundaryLoo
   report->duplicate_faces = faces.duplicate.count();
   report->isolated_vertices = isolated.count();
   not_finite.report(Level::kError, "not-finite", "vertices that are not finite", report);
-  faces.broken.report(Level::kError, "bad-faces", "faces that name vertices which do not exist", report);
+  faces.broken.report(Level::kError, "bad-faces", "faces that name vertices that do not exist", report);
   if (character.face_count() == 0)
     report->findings.push_back(
         {Level::kError, "no-faces", 1, "the mesh has " + std::to_string(vertex_count) + " vertices and no faces"});
   edges.non_manifold.report(Level::kWarning, "non-manifold-edges", "edges with more than two faces", report);
-  edges.flipped.report(Level::kWarning, "flipped-faces", "edges whose two faces are turned to different sides", report);
+  edges.flipped.report(Level::kWarning, "flipped-faces", "edges whose two faces have opposite orientation", report);
   faces.degenerate.report(Level::kWarning, "degenerate-faces", "faces without area or with a vertex twice", report);
   faces.duplicate.report(Level::kWarning, "duplicate-faces", "faces that repeat an earlier face", report);
   isolated.report(Level::kWarning, "isolated-vertices", "vertices in no face", report);

@@ -53,7 +53,7 @@ void specks(const RigFacts& facts, Findings* findings) {
     if (!nearest) finding.vertices.push_back(v);
   }
   finding.value = static_cast<double>(finding.vertices.size());
-  finding.what = vertices_text(finding.vertices.size()) + " unlike all neighbours: " + first_of(finding.vertices);
+  finding.what = vertices_text(finding.vertices.size()) + " unlike all neighbors: " + first_of(finding.vertices);
   findings->add("speck", std::move(finding));
 }
 
@@ -131,7 +131,7 @@ class Islands {
     finding.joint = static_cast<int>(joint_);
     finding.what = vertices_text(finding.vertices.size()) + print(" with up to %.2f weight for ", finding.value) +
                    findings->quoted(finding.joint) +
-                   " lie apart from all else that it moves: " + first_of(finding.vertices);
+                   " are apart from everything else it moves: " + first_of(finding.vertices);
     findings->add("leak", std::move(finding));
   }
 
@@ -161,7 +161,7 @@ class Islands {
     finding.joint = static_cast<int>(joint_);
     finding.value = static_cast<double>(finding.vertices.size());
     finding.what = vertices_text(finding.vertices.size()) + " bound to " + findings->quoted(finding.joint) +
-                   " far from all else that it moves: " + first_of(finding.vertices);
+                   " far from everything else it moves: " + first_of(finding.vertices);
     findings->add("far-weight", std::move(finding));
   }
 

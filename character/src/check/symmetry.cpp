@@ -64,7 +64,7 @@ void joints(const RigFacts& facts, const Twins& twins, Findings* findings) {
     finding.other = twins.of[j];
     finding.value = off_image(facts, twins, j);
     finding.what = findings->quoted(finding.joint) + " and " + findings->quoted(finding.other) +
-                   print(" are %.3f of the size from each other's mirror images, other twins are alike", finding.value);
+                   print(" are %.3f of the size from each other's mirror images; other twins match", finding.value);
     findings->add("unlike-joints", std::move(finding));
   }
 }

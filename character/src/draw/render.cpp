@@ -406,9 +406,9 @@ Image render(const Character& character, const std::vector<std::array<uint8_t, 3
     throw Error("picture: the size must be 1 to " + std::to_string(largest) + " on each side, found " +
                 std::to_string(options.width) + " x " + std::to_string(options.height));
   }
-  if (character.vertices.empty()) throw Error(character.name + ": there is nothing to draw, the mesh has no vertices");
+  if (character.vertices.empty()) throw Error(character.name + ": nothing to draw, the mesh has no vertices");
   if (vertex_colours.size() != character.vertices.size()) {
-    throw Error(character.name + ": a picture needs one colour per vertex, expected " +
+    throw Error(character.name + ": a picture needs one color per vertex, expected " +
                 std::to_string(character.vertices.size()) + ", found " + std::to_string(vertex_colours.size()));
   }
   Canvas canvas(options.width * kSamples, options.height * kSamples);

@@ -56,7 +56,7 @@ BakedCharacter bake_character(const Character& character, const OwnMotion& own, 
   if (character.joints.empty() || character.influences.empty())
     throw Error(job.character + ": has no skin weights to bake; bind it first with sinew bind");
   if (job.animation && own.motion.clips.empty())
-    throw Error(job.character + ": has no animation to learn from; leave --animation out, or see sinew animate");
+    throw Error(job.character + ": has no animation to bake; leave out --animation, or add one with sinew animate");
   const Poses poses = chosen_poses(job, character, own.motion);
   BakeSettings settings;
   settings.deform = job.deform;
@@ -66,10 +66,8 @@ BakedCharacter bake_character(const Character& character, const OwnMotion& own, 
   BakedCharacter baked;
   baked.morphs = bake_bends(character, poses.learnt, settings, step);
   if (baked.morphs.shapes.empty()) {
-    throw Error(
-        job.character +
-        ": has nothing to bake: nothing bends in the poses, so linear skinning loses nothing; expected vertices "
-        "or faces that follow two joints");
+    throw Error(job.character +
+                ": nothing to bake: no joint bends in the poses; expected vertices or faces that follow two joints");
   }
   baked.learnt_poses = poses.learnt.size();
   baked.held_out_poses = poses.held_out.size();

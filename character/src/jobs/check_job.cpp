@@ -33,7 +33,7 @@ CheckedFile check_file(const std::string& path, const CheckOptions& options) {
   CheckedFile out;
   out.file = path;
   out.character = open_character(path).character;
-  if (out.character.joints.empty()) throw Error(path + ": has no skeleton to check; sinew rig makes one");
+  if (out.character.joints.empty()) throw Error(path + ": no skeleton to check; make one with sinew rig");
   out.motion = motion_in(path, out.character);
   out.check = check_rig(out.character, &out.motion, options);
   return out;

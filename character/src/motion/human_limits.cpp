@@ -41,8 +41,7 @@ class HumanLimits {
       : joints_(target.joints), classes_(limb_classes(target, up)), next_(joints_.size(), -1) {
     const std::optional<UprightBody> body = find_upright_body(joints_, classes_);
     if (!body || !body->has_arms)
-      throw Error(target.name +
-                  ": has no human body that limits could be for: expected two arms, two legs and a trunk");
+      throw Error(target.name + ": human limits need a human body; expected two arms, two legs and a torso");
     body_ = *body;
     frame_ = body_frame(joints_, body_, up);
     for (size_t j = joints_.size(); j-- > 0;) find_next(static_cast<int>(j));

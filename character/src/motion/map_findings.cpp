@@ -43,8 +43,8 @@ class MapReader {
     MapCover cover = read_parts();
     cover.kinds_apart = difference(to_kind_, from_kind_);
     if (cover.kinds_apart > 0)
-      cover.warnings.insert(cover.warnings.begin(),
-                            "the motion is that of " + text_of(from_kind_) + ", the character is " + text_of(to_kind_));
+      cover.warnings.insert(cover.warnings.begin(), "the motion is that of " + text_of(from_kind_) +
+                                                        ", the character's is " + text_of(to_kind_));
     return cover;
   }
 
@@ -121,7 +121,7 @@ class MapReader {
     if (to_.lean() && from_.lean()) {
       const double a = *to_.lean(), b = *from_.lean();
       const double cosine = a * b + std::sqrt(std::max(0.0, 1 - a * a)) * std::sqrt(std::max(0.0, 1 - b * b));
-      least(std::max(0.0, cosine), "one goes upright, the other does not");
+      least(std::max(0.0, cosine), "one is upright, the other is not");
     }
   }
 
@@ -248,13 +248,13 @@ class MapReader {
     const size_t movers = movers_of(part);
     if (idle && movers == 0) {
       if (from_.all().empty() || (part.kind != PartKind::kLeg && part.kind != PartKind::kArm)) return std::nullopt;
-      return Finding{&part, "does not move, as the motion has none", "do not move, as the motion has none"};
+      return Finding{&part, "has no motion in the source", "have no motion in the source"};
     }
     if (mapped == 0 && !idle && movers > 0 && part.kind == PartKind::kHead)
-      return Finding{&part, "moves with the neck alone", ""};
+      return Finding{&part, "moves with the neck", ""};
     if (idle && (needed || part.kind == PartKind::kTail)) return Finding{&part, "does not move", "do not move"};
     if (bends_elsewhere(part))
-      return Finding{&part, "bends at other joints than the motion's", "bend at other joints than the motion's"};
+      return Finding{&part, "bends at other joints than in the motion", "bend at other joints than in the motion"};
     if (is_limb(part.kind) && 2 * any_mapped < std::min(own, movers))  // a leg of one joint may move a shoulder
       return Finding{&part, "hardly moves, " + std::to_string(mapped) + " of its " + std::to_string(own) + " joints",
                      "hardly move, " + std::to_string(mapped) + " of " + std::to_string(own) + " joints each"};

@@ -194,7 +194,7 @@ MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const Ma
   Workspace workspace(result.workspace_bytes);
   if (workspace.size() < result.workspace_bytes)
     throw OutOfMemory(target.name + ": no memory for a workspace of " +
-                      std::to_string(result.workspace_bytes / 1000000) + " MB in one piece");
+                      std::to_string(result.workspace_bytes / 1000000) + " MB in one block");
   JointMap map;
   const auto begin = std::chrono::steady_clock::now();
   check(map_joints(to, from, settings, &workspace, &map));

@@ -100,7 +100,7 @@ std::optional<Motion> motion_on_rest_floor(const Motion& motion) {
           frame.translations[j] = rotate(raise, frame.translations[j]);
         }
     out.notes.push_back(std::string("its rest pose has ") + "xyz"[up] + " up and its frames have " + "xyz"[axis] +
-                        " up; they were turned upright, which is a guess");
+                        " up; they were rotated upright, a guess");
     return out;
   }
   return std::nullopt;
@@ -153,7 +153,7 @@ MotionFile read_motion_for(const MotionRequest& request, const MapRig& rig) {
   if (down) {
     file = {turned_over(std::move(file.motion), *down), false};
     if (!request.down)
-      file.motion.notes.push_back(std::string("its body stands upside down, so -") + "xyz"[axis_index(*down)] +
+      file.motion.notes.push_back(std::string("its body is upside down, so -") + "xyz"[axis_index(*down)] +
                                   " was taken as up");
   }
   if (std::optional<Motion> level = motion_on_rest_floor(file.motion)) file.motion = std::move(*level);

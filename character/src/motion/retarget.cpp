@@ -240,7 +240,7 @@ Clip Retargeter::run(const Clip& clip, const std::function<bool()>& keep_going, 
   float ground = 0;
   check(sinew_retarget_ground(plan_, heights.data(), heights.size(), &ground));
   const auto go_on = [&] {
-    if (keep_going && !keep_going()) throw Error(name_ + ": cannot go on, the work was interrupted");
+    if (keep_going && !keep_going()) throw Error(name_ + ": the job was interrupted");
   };
   for (size_t f = 0; f < frames; ++f) {
     go_on();

@@ -50,16 +50,16 @@ std::string bind_html(const std::string& folder, const std::string& method, cons
     return "<div><b>" + value + "</b><span>" + what + "</span></div>";
   };
   std::string out = "<h1>Bound: " + html::escape(folder) + "</h1>\n<p class=\"soft\">With " + html::escape(method) +
-                    ". One colour per joint, blended by weight.</p>\n<div class=\"figures\">" +
+                    ". One color per joint, blended by weight.</p>\n<div class=\"figures\">" +
                     figure(html::count(rows.size() - failed), "files bound") +
                     figure(html::count(failed), failed == 1 ? "file failed" : "files failed") +
                     figure(html::count(doubted), doubted == 1 ? "file with doubts" : "files with doubts") +
                     figure(html::count(vertices), "vertices") +
-                    figure(html::number(seconds, 1) + " s", "of binding, added up") + "</div>\n";
+                    figure(html::number(seconds, 1) + " s", "of binding in total") + "</div>\n";
   out += html::card(
       "Files",
       html::table(
-          {{"", true}, {"file", true}, {"vertices"}, {"joints"}, {"with weight"}, {"seconds"}, {"to look at", true}},
+          {{"", true}, {"file", true}, {"vertices"}, {"joints"}, {"with weight"}, {"seconds"}, {"to check", true}},
           table));
   return html::page("Bound: " + folder, out);
 }
@@ -102,7 +102,7 @@ std::string file_card(const CheckedFile& file) {
   std::string note = print("%zu vertices, %zu joints, %zu clips", file.character.vertices.size(),
                            file.character.joints.size(), file.motion.clips.size());
   for (const std::string& line : file.failures) note += "; gate: " + line;
-  for (const size_t i : file.change.removed) note += "; gone: " + file.before->findings[i].what;
+  for (const size_t i : file.change.removed) note += "; fixed: " + file.before->findings[i].what;
   const std::string content =
       rows.empty() ? "<p>0 findings</p>"
                    : html::table({{"", true}, {"", true}, {"rule", true}, {"value"}, {"bound"}, {"what", true}}, rows);

@@ -56,7 +56,7 @@ JointTree joint_tree(const Character& character) {
   const size_t left = joint_count - tree.parents_first.size();
   if (left != 0)
     throw Error(character.name + ": the joint parents form a cycle (" + std::to_string(left) +
-                " joints hang on it); give every joint a way to a root");
+                " descendants); give every joint a path to a root");
   return tree;
 }
 
@@ -79,7 +79,7 @@ std::vector<Affine> pose_palette(const Character& character, const std::vector<J
   std::vector<Rotation> local(character.joints.size(), kNoRotation);
   for (const JointRotation& rotation : rotations) {
     if (rotation.joint >= character.joints.size()) {
-      throw Error(character.name + ": a pose turns joint " + std::to_string(rotation.joint) + ", but there are " +
+      throw Error(character.name + ": a pose rotates joint " + std::to_string(rotation.joint) + ", but there are " +
                   std::to_string(character.joints.size()) + " joints");
     }
     const Rotation rx = axis_rotation({1, 0, 0}, rotation.x * kRadiansPerDegree);

@@ -59,7 +59,7 @@ struct Body {
         sides ? direction_of(sides->between - dot(sides->between, up) * up) : std::nullopt;
     if (!across)
       throw Error(whose +
-                  ": its joints' names do not tell left from right, so its stance is not known; expected names like "
+                  ": its joints' names do not tell left from right, so its rest pose is unknown; expected names like "
                   "LeftArm and RightArm");
     left = *across;
     front = cross(left, up);
@@ -177,8 +177,8 @@ void put_upright(const Body& body, const RestPose& pose, BoneGoals* goals) {
   const double lean = std::acos(std::clamp(dot(*line, body.up), -1.0, 1.0));
   if (lean > kLean)
     throw Error("the pose " + pose.name +
-                " is for characters that stand upright, and this trunk does not; give a file that "
-                "stands as it shall, or none for the pose that it has");
+                " needs an upright character, but this torso is not; give a file in the pose you want, or none to keep "
+                "the pose");
   if (lean > kMostLean) (*goals)[joint_index(from)] = {line, body.up};
 }
 
@@ -324,12 +324,12 @@ std::vector<Affine> rest_pose_palette(const LabelledSkeleton& skeleton, const Re
   if (pose.kind == RestPose::Kind::kLike) {
     const Body like(pose.like, up_axis, pose.name);
     if (stand_like(body, like, &goals) == 0)
-      throw Error(pose.name + ": none of its limbs has a like in this skeleton, so it shows no stance for it");
+      throw Error(pose.name + ": none of its limbs matches this skeleton, so it gives no rest pose");
   } else {
     if (!has_arms(body))
       throw Error("the pose " + pose.name +
-                  " is for characters with arms, and the skeleton has none by its names; give a file "
-                  "that stands as it shall, or none for the pose that it has");
+                  " needs a character with arms, but no joint names one; give a file in the pose you want, or none to "
+                  "keep the pose");
     straighten(body, pose.kind, &goals);
     put_upright(body, pose, &goals);
   }

@@ -435,7 +435,7 @@ void check_tree(const std::vector<Joint>& joints, const char* what) {
 
 FittedSkeleton fit_skeleton(const LabelledSkeleton& mine, const LabelledSkeleton& other, const FitOptions& options) {
   if (mine.joints.empty()) throw Error("the skeleton to fit has no joints");
-  if (other.joints.empty()) throw Error("there is no joint to fit the skeleton to");
+  if (other.joints.empty()) throw Error("no joint to fit the skeleton to");
   check_tree(mine.joints, "the skeleton to fit");
   check_tree(other.joints, "the skeleton to fit to");
   const JointMirror other_mirror = find_joint_mirror(other.joints);
@@ -453,8 +453,7 @@ FittedSkeleton fit_skeleton(const LabelledSkeleton& mine, const LabelledSkeleton
     best = std::move(candidate);
   }
   if (!std::isfinite(least))
-    throw Error(
-        "fewer than two joints of the skeleton match those of the mesh: the names say too little of what they are");
+    throw Error("fewer than two joints of the skeleton match those of the mesh; rename its joints by anatomy");
   FittedSkeleton fitted = Fitter(best, other, options, across).fit();
   make_symmetric(best, other, other_mirror, &fitted);
   return fitted;

@@ -42,7 +42,7 @@ PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOpt
   Workspace workspace(result.workspace_bytes);
   if (workspace.size() < result.workspace_bytes) {
     throw OutOfMemory(character.name + ": no memory for a workspace of " +
-                      std::to_string(result.workspace_bytes / 1000000) + " MB in one piece");
+                      std::to_string(result.workspace_bytes / 1000000) + " MB in one block");
   }
   RiggedSkeleton rigged;
   const auto begin = std::chrono::steady_clock::now();

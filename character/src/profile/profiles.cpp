@@ -80,7 +80,7 @@ const std::vector<Profile>& profiles() {
        0},
       // docs.unity3d.com, HumanBodyBones: names; Mecanim reads any axes, wants a T pose and has four influences by default.
       {"unity",
-       "Unity: HumanBodyBones names, axes of the world, T pose",
+       "Unity: HumanBodyBones names, world axes, T pose",
        kFbx,
        "t",
        4,
@@ -91,7 +91,7 @@ const std::vector<Profile>& profiles() {
        0},
       // github.com/vrm-c/vrm-specification, specification/VRMC_vrm-1.0. Axes are free in 1.0; those of the world suit readers of both versions.
       {"vrm",
-       "VRM 1.0: humanoid map, author and licence, T pose",
+       "VRM 1.0: humanoid map, author and license, T pose",
        kVrm,
        "t",
        4,
@@ -156,7 +156,7 @@ const Profile& profile_named(const std::string& name) {
     if (one.name == name) return one;
     known += (known.empty() ? "" : ", ") + std::string(one.name);
   }
-  throw Error("no profile is called " + name + "; there are: " + known);
+  throw Error("unknown profile " + name + "; expected one of " + known);
 }
 
 }  // namespace sinew

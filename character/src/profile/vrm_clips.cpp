@@ -100,8 +100,7 @@ Motion humanoid_motion(const Character& character, const Motion& motion) {
 void write_clips(const std::string& path, const Character& character, const Motion& motion) {
   if (has_extension(path, ".vrma")) return write_vrm_animation(path, humanoid_motion(character, motion));
   if (motion.clips.size() != 1)
-    throw Error(path + ": a BVH holds one clip, and there are " + std::to_string(motion.clips.size()) +
-                "; write a .glb");
+    throw Error(path + ": a BVH holds one clip, found " + std::to_string(motion.clips.size()) + "; write a .glb");
   write_bvh(path, motion, motion.clips[0]);
 }
 

@@ -45,7 +45,7 @@ Picture PictureFiles::find(const std::string& name) {
     try {
       auto bytes = std::make_shared<std::vector<uint8_t>>(read_file(path.string()));
       if (png_or_jpeg(bytes->data(), bytes->size()) == nullptr) {
-        notes_->push_back(title + ": picture " + shown + " is no PNG or JPEG and was left out; convert it");
+        notes_->push_back(title + ": picture " + shown + " is not a PNG or JPEG, so the output lacks it; convert it");
         return nullptr;
       }
       return at->second = std::move(bytes);
@@ -53,7 +53,7 @@ Picture PictureFiles::find(const std::string& name) {
       break;  // told as missing
     }
   }
-  notes_->push_back(title + ": picture " + shown + " was not found and was left out");
+  notes_->push_back(title + ": picture " + shown + " was not found, so the output lacks it; put it beside the file");
   return nullptr;
 }
 

@@ -57,7 +57,7 @@ Track read_track(const std::string& where, const tinygltf::Model& model, const t
                 " keys, found " + std::to_string(made.values.size() / width));
   for (size_t k = 0; k < made.times.size(); ++k)
     if (made.times[k] < 0 || (k > 0 && !(made.times[k] >= made.times[k - 1])))
-      throw Error(where + ": expected times from 0 that do not fall, found another order at key " + std::to_string(k));
+      throw Error(where + ": expected ascending times from 0, found another order at key " + std::to_string(k));
   return made;
 }
 

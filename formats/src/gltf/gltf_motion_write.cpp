@@ -107,7 +107,7 @@ class MotionWriter {
       const std::optional<Affine> back = inverse(above);
       if (!back)
         throw Error(path_ + ": cannot write an animation, a node above joint " + in_quotes(motion_.joints[j].name) +
-                    " is scaled to nothing");
+                    " has scale 0");
       add_parts(parts_of(multiply(*back, worlds[n]), parts_[n]), &(*tracks)[j]);
     }
   }

@@ -44,7 +44,7 @@ void note_missing_pictures(const tinygltf::Model& model, std::vector<std::string
   if (count == 0) return;
   if (count > 3) names += " and " + std::to_string(count - 3) + " more";
   notes->push_back("warning: " + std::to_string(count) + (count == 1 ? " picture was" : " pictures were") +
-                   " not found: " + names + "; what is written names " + (count == 1 ? "it" : "them") +
+                   " not found: " + names + "; the output refers to " + (count == 1 ? "it" : "them") +
                    " as the input does");
 }
 

@@ -83,7 +83,7 @@ class SkinWriter {
     const std::optional<Affine> back = inverse(joint_worlds_[parent]);
     if (!back)
       throw Error(path_ + ": cannot write joint " + in_quotes(joint.name) + ", " +
-                  in_quotes(character_.joints[parent].name) + " above it is scaled to nothing");
+                  in_quotes(character_.joints[parent].name) + " above it has scale 0");
     const NodeParts parts = parts_of(multiply(*back, joint_worlds_.back()), NodeParts{});
     Json& nodes = document_["nodes"];
     const int number = static_cast<int>(nodes.size());
@@ -287,7 +287,7 @@ class SkinWriter {
       const std::optional<Affine> back = inverse(joint_worlds_[joint]);
       if (!back)
         throw Error(path_ + ": cannot write a skin, joint " + in_quotes(character_.joints[joint].name) +
-                    " is scaled to nothing and has no inverse bind matrix");
+                    " has scale 0 and no inverse bind matrix");
       binds.resize(std::max(binds.size(), j + 1), kIdentity);
       binds[j] = multiply(*back, frame);
       changed = true;

@@ -142,7 +142,7 @@ class IqmConverter {
       const Affine local = affine_of(rest);
       worlds.push_back(parent < 0 ? local : multiply(worlds[static_cast<size_t>(parent)], local));
       const std::optional<Affine> back = inverse(worlds.back());
-      if (!back) fail("joints that are not scaled to nothing", "joint " + in_quotes(text(number(place))));
+      if (!back) fail("joints with a scale other than 0", "joint " + in_quotes(text(number(place))));
       append_columns(*back, &binds);
       const Quaternion rotation = normalised({rest[3], rest[4], rest[5], rest[6]});
       document()["nodes"].push_back({{"name", text(number(place))},
@@ -275,7 +275,8 @@ class IqmConverter {
     double fps = real(place + 12, "animations");
     if (!(fps > 0)) {
       fps = kIqmFps;
-      source_.notes.push_back("animation " + in_quotes(name) + " says no rate, so 30 frames a second were guessed");
+      source_.notes.push_back("animation " + in_quotes(name) +
+                              " has no frame rate; 30 frames per second were assumed, so its speed may be wrong");
     }
     std::vector<float> times;
     std::vector<std::vector<Channels>> poses;

@@ -260,7 +260,9 @@ std::vector<uint8_t> reduced_glb(const std::string& name, const Character& chara
   return Reducer(name, *character.gltf, positions).reduce(share);
 #else
   (void)share;
-  throw Error(name + ": this build leaves out no triangles; build with meshoptimizer (libmeshoptimizer-dev)");
+  throw Error(name +
+              ": cannot reduce triangles, this sinew was built without meshoptimizer; install libmeshoptimizer-dev and "
+              "build again");
 #endif
 }
 

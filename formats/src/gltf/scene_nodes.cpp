@@ -233,7 +233,7 @@ class MaterialWriter {
           picture = std::make_shared<std::vector<uint8_t> >(bytes, bytes + inside->mWidth);
         else
           source_.notes.push_back("embedded picture " + in_quotes(name.C_Str()) +
-                                  " is no PNG or JPEG and was left out");
+                                  " is not a PNG or JPEG, so the output lacks it; convert it");
       } else {
         picture = pictures_.find(name.C_Str());
       }

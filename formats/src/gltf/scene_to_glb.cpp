@@ -165,7 +165,7 @@ class SceneConverter {
     if (target_counts.size() > 1) {  // glTF: all primitives of a mesh have the same
       for (Json& primitive : primitives) primitive.erase("targets");
       source_.notes.push_back("blend shapes of " + in_quotes(node.mName.C_Str()) +
-                              " were left out: its parts have different ones");
+                              " were left out: its parts have different blend shapes");
     } else if (!target_names.empty()) {
       mesh["extras"] = {{"targetNames", target_names}};
     }
@@ -346,7 +346,7 @@ const aiScene* import(const std::string& path, bool names_for_people, Assimp::Im
   const std::string reason = importer->GetErrorString();
   if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
   throw Error(path + ": expected " + file_kind(path)->name + ", found a file that Assimp does not read: " +
-              one_line(reason) + "; open it in Blender and write what that reads: File > Export > glTF 2.0");
+              one_line(reason) + "; open it in Blender and export it: File > Export > glTF 2.0");
 }
 
 SceneBytes convert_scene(const std::string& path, Assimp::Importer* importer) {
@@ -361,9 +361,9 @@ SceneBytes convert_scene(const std::string& path, Assimp::Importer* importer) {
     throw;
   } catch (const std::bad_alloc&) {
     throw Error(path + ": expected " + file_kind(path)->name +
-                ", found a file that asks for more memory than one of its size may have; export it again");
+                ", found a file that needs more memory than one of its size may; export it again");
   } catch (const std::exception& error) {
-    throw Error(path + ": expected a whole scene, found one that does not read: " + one_line(error.what()));
+    throw Error(path + ": expected a complete scene, found errors: " + one_line(error.what()));
   }
 }
 

@@ -24,7 +24,7 @@ class HumanoidReader {
     if (bones == nullptr || bones->empty()) fail("humanoid.humanBones", "none");
     for (const auto& [name, bone] : bones->items())
       if (!nodes_.bones.emplace(static_cast<size_t>(node_of("humanBones." + name, bone)), name).second)
-        fail("a node of its own for every bone", "one that is two, " + in_quotes(name));
+        fail("a separate node for each bone", "one node for two, " + in_quotes(name));
     const Json* const expressions = member(extension, "expressions");
     for (const char* list : {"preset", "custom"})
       if (const Json* const named = member(expressions, list))
@@ -109,7 +109,7 @@ Json meta_of(const VrmData& vrm, Json meta) {
   meta["licenseUrl"] = "https://vrm.dev/licenses/1.0/";
   for (const auto& [key, value] : vrm.licence) {
     if (key == "licenseName")
-      throw Error("licence licenseName: a word of VRM 0.x; 1.0 has no names of licences, say what is allowed");
+      throw Error("license licenseName: a term of VRM 0.x; VRM 1.0 has no license names, give permissions");
     if (key.rfind("allow", 0) == 0)
       meta[key] = value == "true";
     else
@@ -154,7 +154,7 @@ std::map<std::string, int> humanoid_nodes(const std::string& path, const VrmData
   std::vector<std::string> missing;
   for (const std::string& bone : vrm_required_bones(vrm.zero))
     if (bones.count(bone) == 0) missing.push_back(bone);
-  if (!missing.empty()) throw Error(path + ": cannot write a VRM, it has no " + joined(missing, ", "));
+  if (!missing.empty()) throw Error(path + ": cannot write a VRM, the skeleton lacks " + joined(missing, ", "));
   return bones;
 }
 
@@ -172,13 +172,13 @@ std::map<std::string, std::string> parse_vrm_licence(const std::string& text) {
       if (key == one.key) word = &one;
     }
     if (word == nullptr)
-      throw Error("licence " + in_quotes(key) + ": expected a web address, or KEY=VALUE with one of " +
+      throw Error("license " + in_quotes(key) + ": expected a web address, or KEY=VALUE with one of " +
                   joined(keys, ", "));
     const bool known = word->values.empty()
                            ? !value.empty()
                            : std::find(word->values.begin(), word->values.end(), value) != word->values.end();
     if (!known)
-      throw Error("licence " + key + "=" + value + ": expected " +
+      throw Error("license " + key + "=" + value + ": expected " +
                   (word->values.empty() ? "a text" : joined(word->values, ", ")));
     out[key] = value;
     from = end + 1;
@@ -189,8 +189,7 @@ std::map<std::string, std::string> parse_vrm_licence(const std::string& text) {
 namespace {
 
 constexpr const char* kNobody = "unknown";
-constexpr const char* kNoAuthor =
-    "warning: nobody is named as the author of this VRM, so it says \"unknown\"; name one by --author";
+constexpr const char* kNoAuthor = "warning: the VRM has no author, so it names \"unknown\"; give --author";
 
 void add_vrm_one(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes, Json* document,
                  std::vector<std::string>* notes) {
@@ -218,7 +217,7 @@ void add_vrm_zero(const std::string& path, VrmData vrm, const std::vector<int>& 
     notes->emplace_back(kNoAuthor);
   }
   if (document->contains(Json::json_pointer("/extensions/VRMC_springBone")))
-    notes->emplace_back("springs of VRM 1.0 were left out: sinew does not write those of 0.x");
+    notes->emplace_back("springs of VRM 1.0 were left out: sinew does not write springs of VRM 0.x");
   for (const char* newer : {"VRMC_vrm", "VRMC_springBone"}) drop_extension(newer, document);
   (*document)["extensions"]["VRM"] = std::move(zero);
 }

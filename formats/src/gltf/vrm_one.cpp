@@ -161,19 +161,18 @@ std::vector<std::string> turn_vrm_zero_into_one(Json* document) {
     used.push_back("VRMC_springBone");
   }
   std::vector<std::string> notes = {
-      "VRM 0.x turned into 1.0: " + std::to_string(master.value("blendShapeGroups", Json::array()).size()) +
-      " expressions, " + std::to_string(spring_count) + " chains of springs" +
-      (one.contains("lookAt") ? ", look-at" : "") + (one.contains("firstPerson") ? ", first person" : "") + ", meta"};
+      "converted VRM 0.x to 1.0: " + std::to_string(master.value("blendShapeGroups", Json::array()).size()) +
+      " expressions, " + std::to_string(spring_count) + " spring chains" + (one.contains("lookAt") ? ", look-at" : "") +
+      (one.contains("firstPerson") ? ", first person" : "") + ", meta"};
   extensions["VRMC_vrm"] = std::move(one);
   used.push_back("VRMC_vrm");
   size_t toon = 0;
   for (const Json& material : zero.value("materialProperties", Json::array()))
     toon += text_in(material, "shader") == "VRM/MToon" ? 1 : 0;
-  if (toon != 0)
-    notes.push_back(std::to_string(toon) + " MToon materials of VRM 0.x are left as their plain glTF says");
+  if (toon != 0) notes.push_back(std::to_string(toon) + " MToon materials of VRM 0.x become plain glTF materials");
   if (left_out != 0)
     notes.push_back(std::to_string(left_out) +
-                    " changes of materials by expressions of VRM 0.x were left out: 1.0 has no word for them");
+                    " material changes of VRM 0.x expressions were left out: VRM 1.0 has none");
   return notes;
 }
 

@@ -173,7 +173,7 @@ std::string asf_beside(const std::string& amc) {
   if (others.size() == 1) return others[0];
   throw Error(amc + ": expected its skeleton beside it, " + stem + ".asf, found " +
               (others.empty() ? "none" : std::to_string(others.size()) + " others") +
-              "; copy the .asf that belongs to it there under this name");
+              "; copy the matching .asf there under this name");
 }
 
 class AmcReader {
@@ -199,7 +199,8 @@ class AmcReader {
     }
     if (clip.frames.empty()) throw Error(path_ + ": expected frames, found none");
     motion_.clips.push_back(std::move(clip));
-    motion_.notes.push_back(print("says no rate, so %g frames a second were guessed", kAcclaimFps));
+    motion_.notes.push_back(
+        print("no frame rate in the file; %g frames per second were assumed, so the speed may be wrong", kAcclaimFps));
     return std::move(motion_);
   }
 

@@ -95,7 +95,8 @@ class KeypointsSolver {
         mean_of("leftFoot", "leftUpperLeg") + mean_of("rightFoot", "rightUpperLeg") + mean_of("hips", "head");
     turn_ = turn_to_y_up(up);
     if (axis_name(up) != "y")
-      motion_.notes.push_back("the body stands along " + axis_name(up) + ", which is taken for up");
+      motion_.notes.push_back("the body is upright along " + axis_name(up) +
+                              ", so that axis was taken as up; correct it with --from-up");
     for (std::vector<Point3>& frame : keypoints_)
       for (Point3& point : frame) point = rotate(turn_, point);
     // Toes and noses point to where left, seen with up, has its front.
@@ -109,8 +110,7 @@ class KeypointsSolver {
       }
     mirrored_ = front < 0;
     if (mirrored_) {
-      motion_.notes.emplace_back(
-          "left and right are exchanged (a left-handed world), so it is read as its mirror image");
+      motion_.notes.emplace_back("left and right are exchanged (a left-handed world), so the motion was mirrored");
       for (std::vector<Point3>& frame : keypoints_) mirror(&frame);
     }
     put_on_floor();
@@ -127,8 +127,8 @@ class KeypointsSolver {
     relative_ = keypoints_.size() >= 2 && !(moved > kHipsStill * size);
     if (!relative_) return;
     motion_.notes.emplace_back(
-        "hips never move, so keypoints are taken as relative to them, and the lowest joint of every frame is "
-        "on the floor");
+        "the hips never move, so keypoints were taken as relative to them, with the lowest joint of each frame on the "
+        "floor");
     for (std::vector<Point3>& frame : keypoints_) lower(&frame);
   }
 
@@ -261,8 +261,8 @@ KeypointsStream::KeypointsStream(const std::string& layout, const std::vector<st
   for (const KeypointsLayout& one : keypoint_layouts())
     if (layout == one.name) layout_ = &one;
   if (layout_ == nullptr)
-    throw Error("keypoints: no layout is called '" + layout + "', expected one of " + motion_layouts());
-  if (first.empty()) throw Error("keypoints: expected frames of the person that moves, a second or two, found none");
+    throw Error("keypoints: unknown layout '" + layout + "', expected one of " + motion_layouts());
+  if (first.empty()) throw Error("keypoints: expected frames of a moving person, a second or two, found none");
   for (const std::vector<Point3>& row : first) check(row);
   solver_ = std::make_unique<KeypointsSolver>(*layout_);
   solver_->learn(first);

@@ -93,8 +93,9 @@ class NumpyReader {
     if (rate != nullptr && rate->values.size() == 1)
       fps = rate->values[0];
     else
-      motion_.notes.push_back(print("says no rate, so %g frames a second were guessed", fps));
-    if (!(fps > 0.1 && fps < 1e5)) fail("a rate of frames a second", print("%g", fps));
+      motion_.notes.push_back(
+          print("no frame rate in the file; %g frames per second were assumed, so the speed may be wrong", fps));
+    if (!(fps > 0.1 && fps < 1e5)) fail("a frame rate", print("%g", fps));
     return 1 / fps;
   }
 
@@ -147,8 +148,8 @@ class NumpyReader {
       clip.frames.back().translations[0] = (1 / scale) * Point3{v[0], v[1], v[2]};
     }
     motion_.notes.push_back(
-        print("%s, %zu numbers a rotation%s; bones have the lengths of a person of ours, no body model's", model->name,
-              numbers, numbers == 6 ? " (two columns of the matrix)" : ""));
+        print("%s, %zu numbers per rotation%s; bone lengths are those of a built-in person, not of a body model",
+              model->name, numbers, numbers == 6 ? " (two columns of the matrix)" : ""));
     motion_.clips.push_back(std::move(clip));
     stand_up();
   }
@@ -189,7 +190,8 @@ class NumpyReader {
     for (const MotionFrame& frame : motion_.clips[0].frames) up = up + rotate(frame.rotations[0], {0, 1, 0});
     const Quaternion turn = turn_to_y_up(up);
     if (turn == kNoRotation4) return;
-    motion_.notes.push_back("the body stands along " + axis_name(up) + ", which is taken for up");
+    motion_.notes.push_back("the body is upright along " + axis_name(up) +
+                            ", so that axis was taken as up; correct it with --from-up");
     for (MotionFrame& frame : motion_.clips[0].frames) {
       frame.rotations[0] = normalised(multiply(turn, frame.rotations[0]));
       frame.translations[0] = rotate(turn, frame.translations[0]);
@@ -227,17 +229,16 @@ class NumpyReader {
     const size_t count = keypoints[0].size();
     std::string misfits;
     if (const KeypointsLayout* layout = recognize_layout(keypoints, &misfits)) {
-      motion_.notes.push_back(
-          print("%zu keypoints a frame that are a body in the layout %s, so the layout %s was guessed; --layout says "
-                "another",
-                count, layout->name, layout->name));
+      motion_.notes.push_back(print(
+          "%zu keypoints per frame that fit the layout %s, so the layout %s was assumed; choose another with --layout",
+          count, layout->name, layout->name));
       return *layout;
     }
     if (!misfits.empty())
-      fail(print("%zu keypoints that are a body in one known layout", count),
+      fail(print("%zu keypoints that fit one known layout", count),
            "misfits of " + misfits +
-               " (bones that change their lengths, unlike sides, proportions); say with --layout NAME which it is");
-    fail("as many keypoints a frame as a known layout's name says (" + motion_layouts() + ")", std::to_string(count));
+               " (bones that change their lengths, unequal sides, proportions); choose one with --layout NAME");
+    fail("as many keypoints per frame as a known layout (" + motion_layouts() + ")", std::to_string(count));
   }
 
   void check_frames(size_t frames, size_t joints) const {
@@ -332,7 +333,7 @@ class NumpyReader {
     }
     const KeypointsLayout& layout = layout_of(rows);
     motion_.notes.insert(motion_.notes.begin(),
-                         print("%zu numbers a frame were taken for HumanML3D's features", kFeatures));
+                         print("%zu numbers per frame were read as HumanML3D features", kFeatures));
     take(motion_of_keypoints(layout, rows), layout.fps);
   }
 

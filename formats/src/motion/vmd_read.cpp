@@ -155,7 +155,7 @@ class VmdReader {
   }
 
   void tell(size_t ik, size_t others) {
-    if (ik > 0) motion_.notes.push_back(print("%zu IK bones of other parts than feet were left out", ik));
+    if (ik > 0) motion_.notes.push_back(print("%zu IK bones other than feet were left out", ik));
     if (others > 0) motion_.notes.push_back(print("%zu bones without a standard name were left out", others));
   }
 

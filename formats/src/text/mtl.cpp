@@ -88,7 +88,7 @@ class MtlReader {
       if (!picture) return;
       if (is_grey(*picture))
         character_.notes.push_back(fs::path(path_).filename().string() + ": " + in_quotes(picture_name(lines)) +
-                                   " is a height map and was left out; glTF holds maps of normals");
+                                   " is a height map, so it was left out; glTF needs a normal map");
       else
         material_->normal_texture = picture;
     }
@@ -135,7 +135,7 @@ void read_materials(const std::string& obj_path, const std::vector<std::string>&
     if (!is_file(path.string())) path = folder / fs::path(plain).filename();
     if (!is_file(path.string())) {
       character->notes.push_back("materials " + in_quotes(name) +
-                                 " were not found; the output has their names, not their colours");
+                                 " were not found; the output has their names without colors");
       continue;
     }
     MtlReader(path.string(), character).read();

@@ -40,7 +40,7 @@ Figure figure_from(const std::string& name, const Mask& mask, const FigureOption
   out.source = source;
   if (out.count > 1 && options.number == 0)
     out.notes.push_back("there are " + std::to_string(out.count) + " figures in the picture; the largest, number " +
-                        std::to_string(out.number) + " from the left, was taken (--figure N takes another)");
+                        std::to_string(out.number) + " from the left, was taken (choose another with --figure N)");
   return out;
 }
 
@@ -63,7 +63,7 @@ Figure figure_in(const std::string& name, const Reduced& reduced, const FigureOp
   if (const std::optional<Mask> sheet = sheet_of(out.mask)) {
     try {
       Figure on_sheet = figure_on(name, reduced.colours, *sheet, options, step);
-      on_sheet.notes.push_back("the picture shows a sheet of paper; the figure on it was taken, as a guess");
+      on_sheet.notes.push_back("the picture shows a sheet of paper, so the figure on it was taken, a guess");
       return on_sheet;
     } catch (const OutOfMemory&) {
       throw;
@@ -91,7 +91,7 @@ Figure figure_of_mask(const PictureFile& picture, const PictureFile& mask, const
   const double shape = double{1} * picture.pixels.width / picture.pixels.height,
                mask_shape = double{1} * mask.pixels.width / mask.pixels.height;
   if (shape > 1.02 * mask_shape || mask_shape > 1.02 * shape)
-    throw Error(mask.name + ": expected a mask of the shape of its picture, " + std::to_string(picture.pixels.width) +
+    throw Error(mask.name + ": expected a mask with the size of its picture, " + std::to_string(picture.pixels.width) +
                 " x " + std::to_string(picture.pixels.height) + ", found " + std::to_string(mask.pixels.width) + " x " +
                 std::to_string(mask.pixels.height));
   Mask inside = empty_mask(width, height);
@@ -123,10 +123,10 @@ void check_lines(const PictureFile& picture, const Outline& outline) {
   for (size_t l = 0; l < outline.size(); ++l) {
     if (outline[l].size() < 3)
       throw Error(picture.name + ": line " + std::to_string(l) +
-                  " of the outline: expected three places or more, found " + std::to_string(outline[l].size()));
+                  " of the outline: expected at least three positions, found " + std::to_string(outline[l].size()));
     for (const auto& point : outline[l])
       if (!std::isfinite(point[0]) || !std::isfinite(point[1]))
-        throw Error(picture.name + ": line " + std::to_string(l) + " of the outline: a place is not finite");
+        throw Error(picture.name + ": line " + std::to_string(l) + " of the outline: a position is not finite");
   }
 }
 

@@ -183,8 +183,7 @@ size_t free_limbs(const std::vector<DrawnLimb>& limbs, Figure* figure) {
     names += (count++ == 0 ? "" : ", ") + limb.name;
   }
   if (count > 0)
-    figure->notes.push_back("drawn against the body and cut free of it, a guess: " + names +
-                            "; --whole leaves the figure in one");
+    figure->notes.push_back("cut free from the body, a guess: " + names + "; --whole keeps the figure in one piece");
   return count;
 }
 

@@ -232,9 +232,9 @@ void cut_inner_lines(const Grid<Lab>& colours, Figure* figure) {
     if (static_cast<float>(parts.sizes[p]) >= search.shortest)
       cuts += cut_part(search, anchors[p], &inside, &out, &inner, &figure->mask);
   figure->notes.push_back(
-      cuts == 0 ? "no line runs from the outline into the figure, nothing was cut (--mask cuts by hand)"
+      cuts == 0 ? "no line runs from the outline into the figure, so nothing was cut; cut by hand with --mask"
                 : std::to_string(cuts) + (cuts == 1 ? " line that runs" : " lines that run") +
-                      " into the figure were cut open, as a guess (--mask-out shows where, --mask cuts by hand)");
+                      " into the figure were cut open, a guess; see them with --mask-out, cut by hand with --mask");
 }
 
 }  // namespace sinew::picture

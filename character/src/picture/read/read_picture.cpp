@@ -44,7 +44,7 @@ std::pair<T, T> file_row_point(uint8_t orientation, T x, T y, T last_x, T last_y
 
 void check_sides(const std::string& path, uint64_t width, uint64_t height) {
   if (width >= 1 && height >= 1 && width <= kMostPictureSide && height <= kMostPictureSide) return;
-  throw Error(path + ": expected a picture of 1 to " + std::to_string(kMostPictureSide) + " pixels a side, found " +
+  throw Error(path + ": expected a picture of 1 to " + std::to_string(kMostPictureSide) + " pixels per side, found " +
               std::to_string(width) + " x " + std::to_string(height) + "; make it smaller");
 }
 
@@ -76,7 +76,7 @@ PictureFile decode_picture(const std::string& path, std::vector<uint8_t> bytes) 
     out.pixels = picture::turned(picture::decode_jpeg(path, bytes), out.orientation);
   } else {
     throw Error(path + ": expected a PNG or JPEG picture, found " +
-                (bytes.empty() ? "an empty file" : "other bytes; convert it to PNG"));
+                (bytes.empty() ? "an empty file" : "another format; convert it to PNG"));
   }
   out.bytes = std::make_shared<const std::vector<uint8_t>>(std::move(bytes));
   return out;

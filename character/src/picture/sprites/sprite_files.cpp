@@ -162,7 +162,7 @@ SpriteSheet sprite_sheet(const std::vector<SpriteFrame>& frames, const std::stri
   const uint32_t columns = std::clamp(square, 1u, count), rows = (count + columns - 1) / columns;
   if (uint64_t{columns} * w > kMostPictureSide || uint64_t{rows} * h > kMostPictureSide)
     throw Error("sprites: " + std::to_string(count) + " frames of " + std::to_string(w) + " x " + std::to_string(h) +
-                " pixels make a sheet of more than " + std::to_string(kMostPictureSide) + " a side; take fewer");
+                " pixels make a sheet of more than " + std::to_string(kMostPictureSide) + " per side; use fewer");
   SpriteSheet out;
   out.pixels.width = columns * w;
   out.pixels.height = rows * h;

@@ -181,8 +181,8 @@ TEST(LabelCheck, JointsThatNothingTellsApartAreFound) {
   const std::vector<LabelFinding> findings = shared(c);
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].text,
-            "67 % of the vertices are bound to joints that stand where another child of their parent does, as 'a' and "
-            "'b': nothing tells which holds what");
+            "67 % of the vertices are bound to joints at the position of a sibling, such as 'a' and 'b': it is "
+            "ambiguous which holds what");
   Character chain = c;
   chain.joints[2].parent = 1;
   EXPECT_TRUE(shared(chain).empty()) << "a parent and its child are told apart by the hierarchy";

@@ -166,7 +166,7 @@ TEST(BindByJob, WrongHintsAreOneLineWithTheirFile) {
   EXPECT_ERROR(BindJob(options, {}, &c), "paint.rig.txt", "vertex 0", "tail");
   hints = painted();
   for (auto& row : hints.influences) row.clear();
-  EXPECT_ERROR(BindJob(options, {}, &c), "paint.rig.txt", "paints no vertex");
+  EXPECT_ERROR(BindJob(options, {}, &c), "paint.rig.txt", "has weights of no vertex");
 }
 
 sinew_answer rigid(uint32_t vertex, uint16_t joint) { return {vertex, SINEW_ANSWER_RIGID, joint, 1}; }
@@ -222,7 +222,7 @@ TEST(BindByJob, WhatIsProposedIsAskedOnce) {
 TEST(BindByJob, AnswersBecomeAStyleThatGivesThemBack) {
   Character c = buckled_bar();
   BindJob job({}, {}, &c);
-  EXPECT_ERROR((void)job.learnt({}, {}, "studio.style"), "studio.style: ", "no answer to keep");
+  EXPECT_ERROR((void)job.learnt({}, {}, "studio.style"), "studio.style: ", "no answer to save");
   Style before;
   before.sheets.resize(1);
   before.sheets[0].joints = {{"a wheel", {}}};

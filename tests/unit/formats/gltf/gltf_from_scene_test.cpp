@@ -328,21 +328,21 @@ TEST(SceneProcess, EndsWithinItsLimits) {
         while (on) continue;
         return SceneBytes{};
       },
-      "without an end, stopped after 1 s");
+      "does not finish reading, stopped after 1 s");
   fails(
       {much, 600, 1},
       [] {
         (void)pause();
         return SceneBytes{};
       },
-      "without an end, stopped");
+      "does not finish reading, stopped");
   fails(
       {much, 600, 600},
       [] {
         std::abort();
         return SceneBytes{};
       },
-      "does not survive");
+      "crashes on");
 }
 
 #ifndef SINEW_WITH_ASAN  // which has its own idea of memory

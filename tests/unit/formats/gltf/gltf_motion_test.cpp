@@ -183,12 +183,12 @@ TEST(GltfMotion, WhatIsWrongIsOneLine) {
       [](Animation a, GlbBuilder* b) {
         (*a)["samplers"][0]["input"] = b->accessor(std::vector<float>{1, 0.5f}, "SCALAR");
       },
-      "times from 0 that do not fall");
+      "ascending times from 0");
   expect(
       [](Animation a, GlbBuilder* b) {
         (*a)["samplers"][0]["input"] = b->accessor(std::vector<float>{-1, 1}, "SCALAR");
       },
-      "times from 0 that do not fall");
+      "ascending times from 0");
   expect(
       [](Animation a, GlbBuilder* b) {
         (*a)["samplers"][0]["input"] = b->accessor(std::vector<float>{0, 1e30f}, "SCALAR");

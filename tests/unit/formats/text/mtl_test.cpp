@@ -72,7 +72,7 @@ TEST(Mtl, WhatIsMissingIsANote) {
   EXPECT_NE(c.notes[0].find("'gone.png' was not found"), std::string::npos) << c.notes[0];
   EXPECT_NE(c.notes[1].find("my colours.mtl:4: expected three numbers"), std::string::npos) << c.notes[1];
   EXPECT_NE(c.notes[2].find("my colours.mtl:5: expected a number"), std::string::npos) << c.notes[2];
-  EXPECT_NE(c.notes[3].find("'a.tga' is no PNG or JPEG"), std::string::npos) << c.notes[3];
+  EXPECT_NE(c.notes[3].find("'a.tga' is not a PNG or JPEG"), std::string::npos) << c.notes[3];
 }
 
 TEST(Mtl, GroupsPartAMeshWithoutObjects) {

@@ -147,7 +147,7 @@ TEST(FindFigure, OneOfTwo) {
   first.number = 1;
   EXPECT_GT(overlap(find_figure(picture, first).mask, left), 0.99);
   first.number = 3;
-  EXPECT_ERROR(find_figure(picture, first), "picture: there is no figure 3", "found 2");
+  EXPECT_ERROR(find_figure(picture, first), "picture: no figure 3", "found 2");
 }
 
 TEST(FindFigure, NothingThereIsALine) {
@@ -168,7 +168,7 @@ TEST(FigureOfMask, AsDrawn) {
   EXPECT_EQ(figure.source, FigureSource::kMask);
   EXPECT_GT(overlap(figure.mask, in_figure), 0.97);
   EXPECT_ERROR(figure_of_mask(picture, picture_of(50, 100, [](int, int) { return kWhite; })),
-               "expected a mask of the shape", "50 x 100");
+               "expected a mask with the size", "50 x 100");
 }
 
 // A figure's border as lines, and lines as a figure.
@@ -210,8 +210,8 @@ TEST(Outline, MayLeaveThePicture) {
 TEST(Outline, WhatIsNoneIsALine) {
   const PictureFile picture = ring(1);
   EXPECT_ERROR(figure_of_outline(picture, {{{0, 0}, {9, 9}}}),
-               "line 0 of the outline: expected three places or more, found 2");
-  EXPECT_ERROR(figure_of_outline(picture, {{{0, 0}, {90, 0}, {90, NAN}}}), "a place is not finite");
+               "line 0 of the outline: expected at least three positions, found 2");
+  EXPECT_ERROR(figure_of_outline(picture, {{{0, 0}, {90, 0}, {90, NAN}}}), "a position is not finite");
   EXPECT_ERROR(figure_of_outline(picture, {{{300, 300}, {400, 300}, {400, 400}}}), "no figure found");
 }
 
