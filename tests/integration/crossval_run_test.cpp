@@ -133,7 +133,7 @@ TEST_F(CrossvalRun, AnotherShareOfTheCorrectionNeedsNoTraining) {
   EXPECT_ERROR(crossval(little, o), "another configuration: steps");
   o.folder = folder_.file("others");
   o.fold_count = 2;
-  EXPECT_ERROR(crossval(config_, o), "its folds are others");
+  EXPECT_ERROR(crossval(config_, o), "its folds differ");
 }
 
 TEST_F(CrossvalRun, GoesOnAfterAStopWithTheSameFigures) {

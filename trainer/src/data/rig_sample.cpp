@@ -73,7 +73,7 @@ RigSource::RigSource(const Character& character)
       placed[j] = 1;
       order_.push_back(j);
     }
-    if (order_.size() == before) throw Error(name_ + ": the joints' parents form a circle");
+    if (order_.size() == before) throw Error(name_ + ": the joint parents form a cycle");
   }
 
   body_.kids.resize(body_.target.joints.size());

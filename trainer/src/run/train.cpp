@@ -178,7 +178,7 @@ void train(const TrainConfig& config, const TrainOptions& options, const Trainin
 
 void change_correction(double correction, const std::string& source, Checkpoint* checkpoint) {
   if (checkpoint->state.config_json.empty())
-    throw Error(source + ": no configuration in it tells how much of the correction it has");
+    throw Error(source + ": its configuration lacks the share of the correction");
   TrainConfig config = parse_train_config(checkpoint->state.config_json, source);
   if (config.architecture != "field") throw Error(source + ": only networks of the architecture field correct heat");
   checkpoint->network = shrink_correction(checkpoint->network, correction / config.correction, kPairLogRule);

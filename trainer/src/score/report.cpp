@@ -16,7 +16,7 @@ using html::escape;
 using html::number;
 
 void check(const ReportData& data) {
-  if (data.variants.empty()) throw Error("report: there is no variant to report on");
+  if (data.variants.empty()) throw Error("report: no variant to report on");
   if (data.main_variant >= data.variants.size()) {
     throw Error("report: the main variant is number " + std::to_string(data.main_variant) + ", but there are " +
                 std::to_string(data.variants.size()));
@@ -59,7 +59,7 @@ std::string pictures(const ReportData& data) {
   if (data.pictures.empty()) return "";
   std::string out = "<h2>Characters</h2>\n<p class=\"soft\">Bound by " +
                     escape(data.variants[data.main_variant].label) +
-                    ". One colour per joint, blended by weight. Errors: 0 <span class=\"ramp\"></span> the largest of "
+                    ". One color per joint, blended by weight. Errors: 0 <span class=\"ramp\"></span> the largest of "
                     "the scale. The pose is the first of the ten random ones.</p>\n";
   for (const ReportPicture& picture : data.pictures) {
     out += "<div class=\"card character\"><h3>" + escape(picture.heading) + ": " + escape(picture.character) +

@@ -215,7 +215,7 @@ std::string beaten_table(const ReportData& data) {
 }
 
 std::string quantisation_table_markdown(const ReportData& data) {
-  if (data.variants.empty()) throw Error("report: there is no variant to report on");
+  if (data.variants.empty()) throw Error("report: no variant to report on");
   const auto cell = [](std::string text) {
     for (size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) text.insert(at, 1, '\\');
     return text;

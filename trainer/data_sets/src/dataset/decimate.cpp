@@ -151,7 +151,7 @@ void collapse(const std::string& name, size_t vertex_count, size_t target, doubl
   decimater.module(quadric).unset_max_err();
   decimater.add(flipping);
   decimater.add(outline);
-  if (!decimater.initialize()) throw Error(name + ": cannot decimate, the decimater did not start");
+  if (!decimater.initialize()) throw Error(name + ": cannot decimate, OpenMesh refuses the mesh");
   // The outline is held as tightly as the target allows: hems of clothes are a large part of some characters. The
   // decimater is set up once, because the quadrics must not start again from a mesh with deleted faces.
   for (const double tolerance : {0.002, 0.01, 0.05, std::numeric_limits<double>::infinity()}) {

@@ -180,7 +180,7 @@ class HandFinder {
 
 std::vector<TargetHand> target_hands(const Character& character) {
   if (character.joints.empty() || character.influences.size() != character.vertices.size())
-    throw Error(character.name + ": has no joints or no weights to take hands from");
+    throw Error(character.name + ": has no joints or weights, so no hands to train on");
   return HandFinder(character).run();
 }
 
