@@ -46,7 +46,7 @@ void tell(const BakeCommandSettings& s, const BakedCharacter& baked) {
                  {"animations", morphs.clips.size()},
                  {"poses", baked.learnt_poses},
                  {"held_out_poses", baked.held_out_poses},
-                 {"error", error(baked.learnt)}};
+                 {"error", error(baked.learned)}};
     if (baked.held_out_poses > 0) json["held_out_error"] = error(baked.held_out);
     std::printf("%s\n", json_line(json).c_str());
     return;
@@ -57,7 +57,7 @@ void tell(const BakeCommandSettings& s, const BakedCharacter& baked) {
     std::printf("  %s (%zu poses): %.3f %% of the size off the corrected pose, %.3f %% with linear skinning alone\n",
                 which, count, 100 * e.baked, 100 * e.linear);
   };
-  say("learnt", baked.learnt_poses, baked.learnt);
+  say("learned", baked.learnt_poses, baked.learned);
   if (baked.held_out_poses > 0) say("held out", baked.held_out_poses, baked.held_out);
   if (!morphs.clips.empty()) std::printf("  %zu animations play the shapes\n", morphs.clips.size());
   std::printf("wrote %s\n", printable(s.output).c_str());

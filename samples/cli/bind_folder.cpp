@@ -64,7 +64,7 @@ std::vector<uint8_t> picture_of(const Character& character, const BindSettings& 
   view.width = view.height = kPicture;
   view.draw_skeleton = false;
   view.up = axis_of(settings.up);
-  return encode_png(render(character, weight_colours(character), view));
+  return encode_png(render(character, weight_colors(character), view));
 }
 
 FinishedTask failure(const Task& task, const std::string& why) {

@@ -108,7 +108,7 @@ BindJobOptions job_options(const BindSettings& settings, const Binder& binder, c
 void draw(const BindSettings& settings, const Character& character, const std::vector<uint8_t>& confidence) {
   RenderOptions view;
   view.up = axis_of(settings.up);
-  if (!settings.png.empty()) write_file(settings.png, encode_png(render(character, weight_colours(character), view)));
+  if (!settings.png.empty()) write_file(settings.png, encode_png(render(character, weight_colors(character), view)));
   if (settings.png_confidence.empty()) return;
   // Red is the least sure vertex of this character: a table of measured hits has few low entries.
   constexpr float kLeastScale = 0.1f;
@@ -116,10 +116,10 @@ void draw(const BindSettings& settings, const Character& character, const std::v
   for (const uint8_t c : confidence) doubt.push_back(1.0f - static_cast<float>(c) / 255.0f);
   float largest = kLeastScale;
   for (const float d : doubt) largest = std::max(largest, d);
-  write_file(settings.png_confidence, encode_png(render(character, heat_colours(doubt, largest), view)));
+  write_file(settings.png_confidence, encode_png(render(character, heat_colors(doubt, largest), view)));
 }
 
-BindSummary summarise(const BindSettings& settings, const Binder& binder, const Character& character,
+BindSummary summarize(const BindSettings& settings, const Binder& binder, const Character& character,
                       const CharacterBind& result) {
   BindSummary summary;
   summary.mesh = settings.mesh;
@@ -181,7 +181,7 @@ CharacterBind bind_and_ask(const BindSettings& settings, const Character& charac
     if (!typed.empty()) result = job->bind(given, settings.questions);
   }
   if (!settings.save_style.empty())
-    write_style(settings.save_style, job->learnt(std::move(style), said, settings.save_style));
+    write_style(settings.save_style, job->learned(std::move(style), said, settings.save_style));
   return result;
 }
 
@@ -213,7 +213,7 @@ BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool prog
   if (settings.confidence) character.confidence = result.confidence;
   write_as(settings.profile, settings.output, character, &character.notes);
   draw(settings, character, result.confidence);
-  BindSummary summary = summarise(settings, binder, character, result);
+  BindSummary summary = summarize(settings, binder, character, result);
   summary.locked_vertices = locked.size() - static_cast<size_t>(std::count(locked.begin(), locked.end(), 0));
   summary.answers = answers.given.size();
   summary.answers_by_style = answers.by_style;

@@ -18,13 +18,13 @@ constexpr std::array<uint8_t, 3> kAsked = {240, 120, 20}, kRest = {170, 175, 185
 
 void draw_question(const Character& character, const CharacterBind& bound, size_t number, Axis up,
                    const std::string& path) {
-  std::vector<std::array<uint8_t, 3>> colours(character.vertices.size(), kRest);
+  std::vector<std::array<uint8_t, 3>> colors(character.vertices.size(), kRest);
   RenderOptions front, back;
-  for (size_t v = 0; v < colours.size(); ++v)
-    if (bound.vertex_questions[v] == number) colours[v] = kAsked;
+  for (size_t v = 0; v < colors.size(); ++v)
+    if (bound.vertex_questions[v] == number) colors[v] = kAsked;
   front.up = back.up = up;
   back.yaw_degrees += 180.0f;
-  write_file(path, encode_png(beside({render(character, colours, front), render(character, colours, back)})));
+  write_file(path, encode_png(beside({render(character, colors, front), render(character, colors, back)})));
 }
 
 // What was typed as an answer; false where it is none, with the reason on `out`.

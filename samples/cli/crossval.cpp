@@ -34,8 +34,8 @@ struct CrossvalCommandSettings {
 LogitsFunction engine_runner(const FloatNetwork& network, const std::vector<const Sample*>& samples) {
   std::vector<Sample> copies;
   for (const Sample* sample : samples) copies.push_back(*sample);
-  const QuantizedModel quantised = quantize(network, calibrate(network, copies), {});
-  std::shared_ptr<LoadedModel> model = model_from_bytes(quantised.bytes, "the quantized network");
+  const QuantizedModel quantized = quantize(network, calibrate(network, copies), {});
+  std::shared_ptr<LoadedModel> model = model_from_bytes(quantized.bytes, "the quantized network");
   return [model](const Sample& sample) { return engine_logits(model->model, sample); };
 }
 

@@ -74,7 +74,7 @@ Vec3 middle_of(const Character& character, const std::vector<uint32_t>& vertices
   return {(low.x + high.x) / 2, (low.y + high.y) / 2, (low.z + high.z) / 2};
 }
 
-// The flagged vertices ringed on the weights as colours: from the front, from behind, and the largest finding from
+// The flagged vertices ringed on the weights as colors: from the front, from behind, and the largest finding from
 // near. Nothing when no finding names a vertex.
 void write_picture(const std::string& path, const Character& character, const CheckReport& report) {
   const CheckFinding* largest = nullptr;
@@ -92,20 +92,20 @@ void write_picture(const std::string& path, const Character& character, const Ch
   size_t at = 0;
   for (const uint32_t v : marked)
     if (at++ % step == 0) options.marks.push_back({character.vertices[v]});
-  const auto colours = weight_colours(character);
-  std::vector<Image> images = {render(character, colours, options)};
+  const auto colors = weight_colors(character);
+  std::vector<Image> images = {render(character, colors, options)};
   options.yaw_degrees += 180;
-  images.push_back(render(character, colours, options));
+  images.push_back(render(character, colors, options));
   float size = 0, radius = 0;
   std::vector<uint32_t> everything(character.vertices.size());
   for (uint32_t v = 0; v < everything.size(); ++v) everything[v] = v;
-  const Vec3 centre = middle_of(character, everything, &size);
+  const Vec3 center = middle_of(character, everything, &size);
   options.focus = middle_of(character, largest->vertices, &radius);
   options.focus_radius = std::max(1.4f * radius, 0.15f * size);
   // From the side on which it lies.
-  const float dx = options.focus.x - centre.x, dz = options.focus.z - centre.z;
+  const float dx = options.focus.x - center.x, dz = options.focus.z - center.z;
   options.yaw_degrees = std::hypot(dx, dz) > 0.02f * size ? std::atan2(dx, dz) * 57.29578f : 25.0f;
-  images.push_back(render(character, colours, options));
+  images.push_back(render(character, colors, options));
   write_file(path, encode_png(beside(images)));
 }
 

@@ -42,7 +42,7 @@ std::optional<CharacterStats> stats_of(const DatasetStatsCommandSettings& s, con
       RenderOptions options;
       options.width = options.height = s.picture;
       options.draw_skeleton = false;
-      one.png = encode_png(render(character, weight_colours(character), options));
+      one.png = encode_png(render(character, weight_colors(character), options));
     }
     return one;
   } catch (const Error& error) {

@@ -136,7 +136,7 @@ void write_weights_report(const WeightsEvaluation& s, const WeightsFigures& figu
   draw_bends(figures, &data);
   draw_cloth(s, figures, &data);
   write_text_file(s.report, report_html(data));
-  if (data.variants.size() > 1) std::printf("%s\n", quantisation_table_markdown(data).c_str());
+  if (data.variants.size() > 1) std::printf("%s\n", quantization_table_markdown(data).c_str());
 }
 
 }  // namespace sinew::cli

@@ -131,14 +131,14 @@ std::vector<Variant> checkpoint_variants(const WeightsEvaluation& s) {
     QuantizeOptions options;
     options.weight_bits = bits;
     options.activation_bits = std::min(bits, options.activation_bits);
-    const QuantizedModel quantised = quantize(network, calibration, options);
-    std::shared_ptr<LoadedModel> model = model_from_bytes(quantised.bytes, "the quantized network");
+    const QuantizedModel quantized = quantize(network, calibration, options);
+    std::shared_ptr<LoadedModel> model = model_from_bytes(quantized.bytes, "the quantized network");
     Variant variant;
     variant.label = bits == 16 ? "int16 model" : std::to_string(bits) + " bits";
     variant.bits = bits;
     // The file format keeps 16 bits; fewer are counted as if weights were packed.
     variant.size_bytes =
-        quantised.bytes.size() - static_cast<size_t>(model->model.parameter_count) * static_cast<size_t>(16 - bits) / 8;
+        quantized.bytes.size() - static_cast<size_t>(model->model.parameter_count) * static_cast<size_t>(16 - bits) / 8;
     variant.candidates = network.candidate_count;
     variant.grid = network.grid_size;
     variant.feature_set = network.feature_set;

@@ -131,7 +131,7 @@ class Evaluation {
     for (Variant& variant : figures_.variants) {
       std::sort(variant.figures.begin(), variant.figures.end(),
                 [](const auto& a, const auto& b) { return a.first < b.first; });
-      figures_.scores.push_back(summarise(variant.figures));
+      figures_.scores.push_back(summarize(variant.figures));
       figures_.scores.back().failures = figures_.failures;
     }
     if (!s_.predictions.empty()) write_status();

@@ -177,7 +177,7 @@ Contents contents_of(const std::string& path) {
   Contents contents;
   bool has_mesh = !is_motion_alone(path);
   if (is_gltf(path)) {
-    contents.gltf = summarise_gltf(path);
+    contents.gltf = summarize_gltf(path);
     has_mesh = std::any_of(contents.gltf->meshes.begin(), contents.gltf->meshes.end(),
                            [](const GltfMeshSummary& mesh) { return mesh.in_scene && mesh.vertices > 0; });
   }

@@ -235,7 +235,7 @@ void add_profile_options(CLI::App* sub, ProfileSettings* settings) {
                   "With --for vrm, vrm0: author; repeatable. [the file's own, else unknown, with a warning]")
       ->type_name("NAME")
       ->allow_extra_args(false);
-  sub->add_option("--license,--licence", settings->options.licence,
+  sub->add_option("--license,--licence", settings->options.license,
                   "With --for vrm, vrm0: permissions in the format's terms, "
                   "creditNotation=required,commercialUsage=corporation, or a web address. Permissions that are not "
                   "given are denied")
@@ -257,7 +257,7 @@ void settle_profile(const ProfileSettings& settings, std::string* to_pose) {
   const ProfileOptions& said = settings.options;
   if (!settings.controls.empty()) check_output(settings.controls, {".json"});
   if (settings.profile.empty()) {
-    if (!said.authors.empty() || !said.licence.empty() || !said.title.empty() || said.keep_axes)
+    if (!said.authors.empty() || !said.license.empty() || !said.title.empty() || said.keep_axes)
       throw UsageError("--author, --license, --title and --keep-axes need --for");
   } else {
     try {

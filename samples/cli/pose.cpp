@@ -132,7 +132,7 @@ void run_pose(const PoseCommandSettings& s) {
   if (has_extension(s.output, ".png")) {
     RenderOptions view;
     view.up = axis_of(s.up);
-    write_file(s.output, encode_png(render(posed, weight_colours(posed), view)));
+    write_file(s.output, encode_png(render(posed, weight_colors(posed), view)));
   } else {
     write_obj(s.output, posed);
   }

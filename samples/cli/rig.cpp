@@ -216,10 +216,10 @@ void write_rigged(const RigCommandSettings& s, const std::string& output, Rigged
   if (rigged.picture) view.yaw_degrees = view.pitch_degrees = 0;
   view.up = rigged.skeleton.up_axis;
   view.red_joints = doubtful_joints(rigged);
-  const auto colours = rigged.character.influences.empty()
-                           ? heat_colours(std::vector<float>(rigged.character.vertices.size(), 0.0f), 1.0f)
-                           : weight_colours(rigged.character);
-  write_file(s.png, encode_png(render(rigged.character, colours, view)));
+  const auto colors = rigged.character.influences.empty()
+                          ? heat_colors(std::vector<float>(rigged.character.vertices.size(), 0.0f), 1.0f)
+                          : weight_colors(rigged.character);
+  write_file(s.png, encode_png(render(rigged.character, colors, view)));
 }
 
 void run_rig_folder(const RigCommandSettings& s) {

@@ -62,7 +62,7 @@ Character read_input(const SimplifyCommandSettings& s) {
 
 // The file's own animations; none in files of other kinds.
 std::optional<Motion> own_animations(const SimplifyCommandSettings& s) {
-  if (has_extension(s.rig, ".txt") || has_extension(s.rig, ".obj") || summarise_gltf(s.rig).animations.empty())
+  if (has_extension(s.rig, ".txt") || has_extension(s.rig, ".obj") || summarize_gltf(s.rig).animations.empty())
     return std::nullopt;
   return read_gltf_motion(s.rig);
 }

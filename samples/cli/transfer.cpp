@@ -188,11 +188,11 @@ void write_one(const TransferCommandSettings& s, const std::string& output, Tran
   write_as(s.profile, output, character, &character.notes);
   RenderOptions view;
   view.up = axis_of(s.up);
-  if (!s.png.empty()) write_file(s.png, encode_png(render(character, weight_colours(character), view)));
+  if (!s.png.empty()) write_file(s.png, encode_png(render(character, weight_colors(character), view)));
   if (s.png_confidence.empty()) return;
   std::vector<float> doubt;
   for (const uint8_t c : done->result.confidence) doubt.push_back(1.0f - static_cast<float>(c) / 255.0f);
-  write_file(s.png_confidence, encode_png(render(character, heat_colours(doubt, 0.5f), view)));
+  write_file(s.png_confidence, encode_png(render(character, heat_colors(doubt, 0.5f), view)));
 }
 
 // What goes where: one file for one target, a folder for several.

@@ -956,7 +956,7 @@ namespace Sinew
         public int MovedVertices;
         public int LearntPoses;
         public int HeldOutPoses;
-        /// <summary>Of the poses that were learnt, shares of the size, and the one below</summary>
+        /// <summary>Of the poses that were learned, shares of the size, and the one below</summary>
         public double LinearError;
         public double BakedError;
         /// <summary>Of other poses, and the one below</summary>

@@ -84,7 +84,8 @@ TEST_F(CliSlots, TrainingStopsWhenTheTotalNoLongerFalls) {
       R"({"architecture": "slots", "width": 8, "variants": 0, "synthetic": 0, "batch": 1, "steps": 400,
           "validate_every": 5, "learning_rate": 1e-12, "patience": 2})");
   const Outcome run = good(train("--val set"));
-  EXPECT_NE(run.error.find("total has stopped falling (patience 2): stopped at step 15"), std::string::npos) << run.error;
+  EXPECT_NE(run.error.find("total has stopped falling (patience 2): stopped at step 15"), std::string::npos)
+      << run.error;
   const std::string log = slurp(in("slots.ckpt.csv"));
   EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 4) << log;
   EXPECT_NE(good(train("--val set --resume")).error.find("has stopped falling"), std::string::npos);

@@ -66,7 +66,8 @@ TEST_F(Cli, CrossvalComparesAndRefuses) {
   bad(2, "crossval " + kData + " --steps 5 --minutes 1");
   bad(2, "crossval " + kData + " --compare a.json");
   bad(1, "crossval --compare none.json");
-  EXPECT_NE(bad(1, "crossval " + kData + " --folds 9").error.find("9 folds need at least as many groups"), std::string::npos);
+  EXPECT_NE(bad(1, "crossval " + kData + " --folds 9").error.find("9 folds need at least as many groups"),
+            std::string::npos);
   bad(2, "train " + kData + " --cache-only");
   bad(2, "train " + kData + " --cache-only --cache c --shard 0/2");
   bad(2, "train " + kData + " --cache c --shard 1/2 -o a.ckpt");

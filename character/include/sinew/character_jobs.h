@@ -720,7 +720,7 @@ typedef struct sinew_character_bake_result {
   uint32_t moved_vertices;
   uint32_t learnt_poses;
   uint32_t held_out_poses;
-  /* Of the poses that were learnt, shares of the size, and the one below. */
+  /* Of the poses that were learned, shares of the size, and the one below. */
   double linear_error;
   double baked_error;
   /* Of other poses, and the one below. */

@@ -72,7 +72,7 @@ class SeamFinder {
     return crosses;
   }
 
-  // Groups of crossing edges whose ends are the same or neighbours.
+  // Groups of crossing edges whose ends are the same or neighbors.
   std::vector<std::vector<uint32_t>> lines() const {
     std::vector<std::vector<uint32_t>> lines;
     std::vector<char> crosses = which_cross();

@@ -58,7 +58,7 @@ void set_profile(sinew_character* character, const sinew_character_profile_optio
   ProfileOptions options;
   options.keep_axes = given.keep_axes != 0;
   options.controls = given.controls != 0;
-  options.licence = text_of(given.license);
+  options.license = text_of(given.license);
   options.title = text_of(given.title);
   for (uint32_t a = 0; a < given.author_count; ++a) {
     need(given.authors[a] != nullptr, "authors");

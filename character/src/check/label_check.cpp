@@ -26,7 +26,7 @@ constexpr double kMuchNearer = 0.3;        // the better joint's distance is bel
 constexpr double kUsualReach = 3;          // times the joint's median distance that are still usual
 constexpr float kNoticeable = 0.2f;        // smaller weights are blur, not labels
 constexpr size_t kOtherBranch = 3;         // steps along the skeleton that count as another branch
-constexpr double kAgree = 0.6;             // L1 up to which neighbours agree with their mean
+constexpr double kAgree = 0.6;             // L1 up to which neighbors agree with their mean
 constexpr double kDisagree = 1.7;          // L1 from which a vertex has nothing in common with them
 constexpr size_t kTwinVertices = 8;        // vertices of the twin that make an idle joint suspicious
 constexpr double kClearlyOtherSide = 0.3;  // of the distance between two twins
@@ -70,7 +70,7 @@ class Labels {
       }
     }
     welded_ = first_at_position(c_);
-    neighbours_ = welded_rings(c_, welded_);
+    neighbors_ = welded_rings(c_, welded_);
     give_leaves_length();
     find_usual_distances();
   }
@@ -214,7 +214,7 @@ class Labels {
       std::vector<uint32_t> patch = {start};
       seen[start] = 1;
       for (size_t k = 0; k < patch.size(); ++k)
-        for (const uint32_t n : neighbours_[patch[k]])
+        for (const uint32_t n : neighbors_[patch[k]])
           if (!seen[n] && dominant_[n] == dominant_[start]) {
             seen[n] = 1;
             patch.push_back(n);
@@ -245,7 +245,7 @@ class Labels {
   void odd_vertices() {
     for (uint32_t v = 0; v < c_.vertices.size(); ++v) {
       if (dominant_[v] == UINT32_MAX) continue;
-      const std::vector<uint32_t>& ring = neighbours_[welded_[v]];
+      const std::vector<uint32_t>& ring = neighbors_[welded_[v]];
       if (ring.size() < 3) continue;
       Row mean;
       for (const uint32_t n : ring)
@@ -337,7 +337,7 @@ class Labels {
   std::vector<Row> rows_;
   std::vector<double> usual_;
   double shared_ = 0;  // of the vertices, on joints that share their position
-  std::vector<std::vector<uint32_t>> neighbours_;
+  std::vector<std::vector<uint32_t>> neighbors_;
   std::vector<size_t> strong_vertices_;
   std::vector<uint8_t> has_weight_, flagged_;
   std::map<std::tuple<std::string, uint32_t, uint32_t>, std::vector<uint32_t>> found_;

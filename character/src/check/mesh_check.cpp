@@ -98,7 +98,7 @@ struct FaceCheck {
       const bool repeats = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
       if (corners.size() < 3 || repeats || !(twice_area(character, corners) > 1e-12 * box.longest * box.longest)) {
         degenerate.add(f);
-        if (corners.size() < 3 || repeats) continue;  // one without area still joins its neighbours
+        if (corners.size() < 3 || repeats) continue;  // one without area still joins its neighbors
       }
       if (!known.insert(std::move(sorted)).second) {
         duplicate.add(f);
@@ -116,7 +116,7 @@ struct EdgeCheck {
   std::map<Edge, size_t> faces_at;
 
   EdgeCheck(const std::vector<std::vector<uint32_t>>& faces, size_t vertex_count) : set_of_(vertex_count) {
-    std::map<Edge, int> balance;  // +1 and -1 for the two directions: 0 where two neighbours agree on the side
+    std::map<Edge, int> balance;  // +1 and -1 for the two directions: 0 where two neighbors agree on the side
     std::iota(set_of_.begin(), set_of_.end(), 0u);
     for (const std::vector<uint32_t>& corners : faces)
       for (size_t c = 0; c < corners.size(); ++c) {

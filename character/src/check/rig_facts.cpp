@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Neighbours, pieces of the surface, strongest joints.
+// Neighbors, pieces of the surface, strongest joints.
 #include "check/rig_facts.hpp"
 
 #include <algorithm>

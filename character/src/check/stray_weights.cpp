@@ -34,10 +34,10 @@ void labels(const RigFacts& facts, Findings* findings) {
   }
 }
 
-// Vertices that no neighbour is like, while their joint is not the nearest: noise, and strokes of a wrong brush.
+// Vertices that no neighbor is like, while their joint is not the nearest: noise, and strokes of a wrong brush.
 void specks(const RigFacts& facts, Findings* findings) {
-  constexpr double kUnlike = 0.8;    // L1 to the neighbour that is most alike
-  constexpr double kClearly = 0.05;  // of the size: so much farther than a neighbour's joint
+  constexpr double kUnlike = 0.8;    // L1 to the neighbor that is most alike
+  constexpr double kClearly = 0.05;  // of the size: so much farther than a neighbor's joint
   RigFinding finding;
   const BoneDistance distance(facts.character);
   for (uint32_t v = 0; v < facts.rings.size(); ++v) {

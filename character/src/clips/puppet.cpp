@@ -74,7 +74,7 @@ Quaternion Puppet::world_rotation(int joint) const {
   Quaternion q = kNoRotation4;
   for (; joint >= 0; joint = motion_.joints[static_cast<size_t>(joint)].parent)
     q = multiply(frame_.rotations[static_cast<size_t>(joint)], q);
-  return normalised(q);
+  return normalized(q);
 }
 
 Point3 Puppet::world_position(size_t joint) const {

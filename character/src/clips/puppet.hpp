@@ -36,7 +36,7 @@ class Puppet {
 
   void to_rest();
   void move_root(const Point3& shift) { frame_.translations[0] = motion_.joints[0].offset + shift; }
-  void turn(size_t joint, const Quaternion& against_parent) { frame_.rotations[joint] = normalised(against_parent); }
+  void turn(size_t joint, const Quaternion& against_parent) { frame_.rotations[joint] = normalized(against_parent); }
   void turn_in_world(size_t joint, const Quaternion& rotation);
   // Of what the joint's parents turn it by.
   Quaternion carried(size_t joint) const { return world_rotation(motion_.joints[joint].parent); }

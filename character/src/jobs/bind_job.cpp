@@ -212,7 +212,7 @@ std::vector<sinew_answer> BindJob::answers_of(const Style& style) {
   return answer_by_style(style, *character_, {asked.questions, asked.vertex_parts, job_.up_axis}, choice_.flags);
 }
 
-Style BindJob::learnt(Style style, const std::vector<sinew_answer>& answers, const std::string& path) {
+Style BindJob::learned(Style style, const std::vector<sinew_answer>& answers, const std::string& path) {
   const JointChoice kept = choice_;
   const CharacterBind& asked = proposed();
   choice_ = kept;

@@ -164,19 +164,18 @@ bool take_parts(const RigJobOptions& job, Character* character, PredictedSkeleto
 }
 
 // What the skeleton has besides a body: fingers, and a face.
-LabelledSkeleton add_details(const RigJobOptions& job, const sinew_model& hands, RiggedCharacter* rigged) {
+LabeledSkeleton add_details(const RigJobOptions& job, const sinew_model& hands, RiggedCharacter* rigged) {
   SkeletonOptions options;
   options.up_axis = rigged->skeleton.up_axis;
   for (std::string& note : predict_details(rigged->character, job.detail, hands, options, &rigged->skeleton))
     rigged->character.notes.push_back(std::move(note));
-  LabelledSkeleton found = {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
+  LabeledSkeleton found = {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
   for (uint8_t& one : found.classes)
     if (is_finger_class(one) || is_face_class(one) || is_prop_class(one)) one = kClassDetail;
   return found;
 }
 
-void put_own(const RigJobOptions& job, const RigModels& models, const LabelledSkeleton& found,
-             RiggedCharacter* rigged) {
+void put_own(const RigJobOptions& job, const RigModels& models, const LabeledSkeleton& found, RiggedCharacter* rigged) {
   FitOptions options;
   options.up_axis = rigged->skeleton.up_axis;
   options.keep_lengths = job.keep_lengths;
@@ -334,9 +333,9 @@ RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool 
   RiggedCharacter rigged;
   rigged.character = std::move(mesh);
   rigged.skeleton = std::move(predicted);
-  LabelledSkeleton found =
-      by_names ? label_skeleton(rigged.skeleton.joints)
-               : LabelledSkeleton{rigged.skeleton.joints, rigged.skeleton.classes, rigged.skeleton.ends};
+  LabeledSkeleton found = by_names
+                              ? label_skeleton(rigged.skeleton.joints)
+                              : LabeledSkeleton{rigged.skeleton.joints, rigged.skeleton.classes, rigged.skeleton.ends};
   Character& character = rigged.character;
   character.up = rigged.skeleton.up_axis;
   if (job.detail != SkeletonDetail::kBody) found = add_details(job, *models.hands, &rigged);

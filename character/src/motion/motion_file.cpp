@@ -96,7 +96,7 @@ std::optional<Motion> motion_on_rest_floor(const Motion& motion) {
       for (MotionFrame& frame : clip.frames)
         for (size_t j = 0; j < out.joints.size(); ++j) {
           if (out.joints[j].parent >= 0) continue;
-          frame.rotations[j] = normalised(multiply(raise, frame.rotations[j]));
+          frame.rotations[j] = normalized(multiply(raise, frame.rotations[j]));
           frame.translations[j] = rotate(raise, frame.translations[j]);
         }
     out.notes.push_back(std::string("its rest pose has ") + "xyz"[up] + " up and its frames have " + "xyz"[axis] +

@@ -61,7 +61,7 @@ struct FrameArrays {
       Point3 p{};
       for (size_t i = 0; i < 4; ++i) q[i] = static_cast<double>(rotations_at(f)[4 * j + i]);
       for (size_t i = 0; i < 3; ++i) p[i] = static_cast<double>(translations_at(f)[3 * j + i]);
-      out.rotations.push_back(normalised(q));
+      out.rotations.push_back(normalized(q));
       out.translations.push_back(p);
     }
     return out;

@@ -54,7 +54,7 @@ Motion against(const Motion& motion, const std::vector<Quaternion>& turns) {
   for (Clip& clip : out.clips)
     for (MotionFrame& frame : clip.frames)
       for (size_t j = 0; j < out.joints.size(); ++j) {
-        frame.rotations[j] = normalised(multiply(above(j), multiply(frame.rotations[j], conjugate(turns[j]))));
+        frame.rotations[j] = normalized(multiply(above(j), multiply(frame.rotations[j], conjugate(turns[j]))));
         frame.translations[j] = rotate(above(j), frame.translations[j]);
       }
   return out;

@@ -35,7 +35,7 @@ Motion turned_over(Motion motion, Axis down) {
   for (MotionJoint& joint : motion.joints) joint.offset = rotate(turn, joint.offset);
   for (Clip& clip : motion.clips)
     for (MotionFrame& frame : clip.frames) {
-      for (Quaternion& q : frame.rotations) q = normalised(multiply(multiply(turn, q), conjugate(turn)));
+      for (Quaternion& q : frame.rotations) q = normalized(multiply(multiply(turn, q), conjugate(turn)));
       for (Point3& t : frame.translations) t = rotate(turn, t);
     }
   return motion;

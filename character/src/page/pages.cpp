@@ -127,13 +127,13 @@ Image finding_picture(const CheckedFile& file, const RigFinding& finding) {
     options.focus = middle(box);
     options.focus_radius = std::max(1.3F * box.longest_side(), 0.18F * whole.longest_side());
     // From the side on which it lies.
-    const Vec3 centre = middle(whole);
-    const float dx = options.focus.x - centre.x, dz = options.focus.z - centre.z;
+    const Vec3 center = middle(whole);
+    const float dx = options.focus.x - center.x, dz = options.focus.z - center.z;
     if (std::hypot(dx, dz) > 0.05F * whole.longest_side()) options.yaw_degrees = std::atan2(dx, dz) * 57.29578F;
   }
   const size_t step = 1 + positions.size() / kMostRings;  // thousands of rings would hide what they mark
   for (size_t i = 0; i < positions.size(); i += step) options.marks.push_back({positions[i]});
-  return render(shown, weight_colours(shown), options);
+  return render(shown, weight_colors(shown), options);
 }
 
 std::string check_html(const std::vector<CheckedFile>& files) {

@@ -24,7 +24,7 @@ Point3 rest_position(const Joint& joint) {
 
 // One row for the C API: the strongest `slots` influences as unorm16 with sum 65535. The rounding remainder (at most
 // half a step per slot) goes to the largest, which holds at least 65535 / 12. A row without weight is left as it is.
-void quantise_row(const std::vector<Influence>& row, size_t slots, uint16_t* joints, uint16_t* weights) {
+void quantize_row(const std::vector<Influence>& row, size_t slots, uint16_t* joints, uint16_t* weights) {
   std::vector<Influence> kept;
   for (const Influence& influence : row)
     if (influence.weight > 0) kept.push_back(influence);
@@ -118,7 +118,7 @@ SkinArrays skin_arrays(const Character& character) {
   arrays.joints.resize(vertex_count * slots);
   arrays.weights.resize(vertex_count * slots);
   for (size_t v = 0; v < vertex_count; ++v)
-    quantise_row(character.influences[v], slots, arrays.joints.data() + v * slots, arrays.weights.data() + v * slots);
+    quantize_row(character.influences[v], slots, arrays.joints.data() + v * slots, arrays.weights.data() + v * slots);
   arrays.positions.reserve(3 * vertex_count);
   for (const Vec3& p : character.vertices) arrays.positions.insert(arrays.positions.end(), {p.x, p.y, p.z});
   return arrays;

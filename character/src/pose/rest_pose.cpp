@@ -42,11 +42,11 @@ Rotation turn_between(const Point3& from, const Point3& to, const Point3& axis) 
 
 // A skeleton with its limbs and its own axes.
 struct Body {
-  const LabelledSkeleton& skeleton;
+  const LabeledSkeleton& skeleton;
   Point3 up = {}, left = {}, front = {};
   Limbs limbs;
 
-  Body(const LabelledSkeleton& s, Axis up_axis, const std::string& whose) : skeleton(s) {
+  Body(const LabeledSkeleton& s, Axis up_axis, const std::string& whose) : skeleton(s) {
     up[axis_index(up_axis)] = 1;
     const JointVerdicts verdicts = joint_verdicts(s.joints);
     // Where limbs begin, which a pose moves least; else all that has a side.
@@ -318,7 +318,7 @@ RestPose read_rest_pose(const std::string& text) {
   return pose;
 }
 
-std::vector<Affine> rest_pose_palette(const LabelledSkeleton& skeleton, const RestPose& pose, Axis up_axis) {
+std::vector<Affine> rest_pose_palette(const LabeledSkeleton& skeleton, const RestPose& pose, Axis up_axis) {
   const Body body(skeleton, up_axis, "the skeleton");
   BoneGoals goals(skeleton.joints.size());
   if (pose.kind == RestPose::Kind::kLike) {

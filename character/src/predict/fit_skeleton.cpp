@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fits a labelled skeleton to another: turn the whole, match chains, place them, carry the rest with their bones.
+// Fits a labeled skeleton to another: turn the whole, match chains, place them, carry the rest with their bones.
 #include "sinew_character/predict/fit_skeleton.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ constexpr double kUntouched = 0.7;    // a turn of the whole must fit that much 
 constexpr double kFloorShare = 0.04;  // of the height: a root at most that high above the lowest joint is on the floor
 
 // Rest pose with the whole skeleton turned.
-LabelledSkeleton turned_skeleton(LabelledSkeleton s, const Rotation& rotation) {
+LabeledSkeleton turned_skeleton(LabeledSkeleton s, const Rotation& rotation) {
   for (Joint& joint : s.joints) joint.position = to_vec3(turned(rotation, point(joint.position)));
   return s;
 }
@@ -40,7 +40,7 @@ LabelledSkeleton turned_skeleton(LabelledSkeleton s, const Rotation& rotation) {
 // `mine` already stands as `other` does.
 class Fitter {
  public:
-  Fitter(const LabelledSkeleton& mine, const LabelledSkeleton& other, const FitOptions& options, uint32_t across)
+  Fitter(const LabeledSkeleton& mine, const LabeledSkeleton& other, const FitOptions& options, uint32_t across)
       : mine_(mine),
         other_(other),
         options_(options),
@@ -367,7 +367,7 @@ class Fitter {
     whole_.scale = scale;
   }
 
-  const LabelledSkeleton &mine_, &other_;
+  const LabeledSkeleton &mine_, &other_;
   const FitOptions& options_;
   uint32_t up_;
   LimbMatches matches_;
@@ -395,14 +395,14 @@ std::vector<Rotation> rotations_of_the_whole(Axis up) {
 }
 
 // But for details, which may be on one side alone.
-bool is_symmetric(const LabelledSkeleton& s, const JointMirror& mirror) {
+bool is_symmetric(const LabeledSkeleton& s, const JointMirror& mirror) {
   for (size_t j = 0; j < s.joints.size(); ++j)
     if (mirror.partners[j] < 0 && s.classes[j] != kClassDetail) return false;
   return true;
 }
 
 // Makes the result its own mirror image to the bit, where both skeletons were.
-void make_symmetric(const LabelledSkeleton& mine, const LabelledSkeleton& other, const JointMirror& plane,
+void make_symmetric(const LabeledSkeleton& mine, const LabeledSkeleton& other, const JointMirror& plane,
                     FittedSkeleton* fitted) {
   const JointMirror own = find_joint_mirror(mine.joints);
   if (own.axis != plane.axis || !is_symmetric(mine, own) || !is_symmetric(other, plane)) return;
@@ -433,18 +433,18 @@ void check_tree(const std::vector<Joint>& joints, const char* what) {
 
 }  // namespace
 
-FittedSkeleton fit_skeleton(const LabelledSkeleton& mine, const LabelledSkeleton& other, const FitOptions& options) {
+FittedSkeleton fit_skeleton(const LabeledSkeleton& mine, const LabeledSkeleton& other, const FitOptions& options) {
   if (mine.joints.empty()) throw Error("the skeleton to fit has no joints");
   if (other.joints.empty()) throw Error("no joint to fit the skeleton to");
   check_tree(mine.joints, "the skeleton to fit");
   check_tree(other.joints, "the skeleton to fit to");
   const JointMirror other_mirror = find_joint_mirror(other.joints);
   const uint32_t across = other_mirror.axis;
-  LabelledSkeleton best;
+  LabeledSkeleton best;
   double least = INFINITY;
   for (const Rotation& rotation : rotations_of_the_whole(options.up_axis)) {
     const bool none = rotation == kNoRotation;
-    LabelledSkeleton candidate = none ? mine : turned_skeleton(mine, rotation);
+    LabeledSkeleton candidate = none ? mine : turned_skeleton(mine, rotation);
     Similar ignored;
     double misfit = LimbMatches(candidate, other, across).misfit(&ignored);
     if (none) misfit *= kUntouched;

@@ -34,7 +34,7 @@ LimbKind kind_of(uint8_t joint_class) {
 
 class LimbFinder {
  public:
-  LimbFinder(const LabelledSkeleton& s, uint32_t across, double plane)
+  LimbFinder(const LabeledSkeleton& s, uint32_t across, double plane)
       : s_(s), across_(across), plane_(plane), core_parents_(count(), -1), below_(count(), 0), used_(count(), false) {
     for (uint32_t axis = 0; axis < 3; ++axis) {
       double low = INFINITY, high = -INFINITY;
@@ -216,7 +216,7 @@ class LimbFinder {
     limb->side = sum > 0 ? 1 : -1;
   }
 
-  const LabelledSkeleton& s_;
+  const LabeledSkeleton& s_;
   uint32_t across_;
   double plane_, extent_ = 0;
   std::vector<int> core_parents_;  // [J] the nearest joint above that is no detail
@@ -227,7 +227,7 @@ class LimbFinder {
 
 }  // namespace
 
-Limbs find_limbs(const LabelledSkeleton& skeleton, uint32_t across, double plane) {
+Limbs find_limbs(const LabeledSkeleton& skeleton, uint32_t across, double plane) {
   return LimbFinder(skeleton, across, plane).find();
 }
 

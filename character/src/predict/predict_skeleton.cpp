@@ -123,9 +123,9 @@ int called_by(const PredictedSkeleton& skeleton, const Limb& limb) {
 std::vector<LimbDoubt> limb_doubts(const PredictedSkeleton& skeleton) {
   // Sides are told by where joints lie across the mirror plane.
   const MirrorPlane plane(skeleton);
-  LabelledSkeleton labelled = {skeleton.joints, skeleton.classes, skeleton.ends};
-  for (Joint& joint : labelled.joints) joint.position.x = plane.distance(joint.position);
-  const Limbs limbs = find_limbs(labelled, 0, 0);
+  LabeledSkeleton labeled = {skeleton.joints, skeleton.classes, skeleton.ends};
+  for (Joint& joint : labeled.joints) joint.position.x = plane.distance(joint.position);
+  const Limbs limbs = find_limbs(labeled, 0, 0);
   std::vector<LimbDoubt> doubts;
   for (const Limb& limb : limbs.limbs) {
     if (limb.kind == LimbKind::kTrunk || limb.joints.empty()) continue;

@@ -22,7 +22,7 @@ constexpr AxesTable kMixamoAxes = {{{"LUF", "LUF", "U"},
                                     {"RFU", "RFU", "F"}}};
 
 // Unreal's mannequin, as its skeleton comes out of a glTF or FBX (right-handed): x along the bone on the left arm, trunk and right leg, against it
-// on the other side, which is mirrored by behaviour as Maya does it; a foot keeps the leg's axes. Thumbs go with the hand here.
+// on the other side, which is mirrored by behavior as Maya does it; a foot keeps the leg's axes. Thumbs go with the hand here.
 constexpr AxesTable kUnrealAxes = {{{"UBR", "UBR", "U"},
                                     {"LBU", "LFD", "O"},
                                     {"LBU", "LFD", "O"},
@@ -56,7 +56,7 @@ constexpr const char* kFbx = ".fbx";
 
 const std::vector<Profile>& profiles() {
   static const std::vector<Profile> kProfiles = {
-      // Names and axes as above; helpx.adobe.com, Mixamo FAQ: T pose. FBX in centimetres.
+      // Names and axes as above; helpx.adobe.com, Mixamo FAQ: T pose. FBX in centimeters.
       {"mixamo",
        "Mixamo: mixamorig: names, bones along +y, T pose",
        kFbx,

@@ -71,10 +71,10 @@ class HumanoidClips {
     for (size_t k = 0; k < kept_.size(); ++k) {
       const size_t j = kept_[k];
       const Quaternion against_t = multiply(pose.rotations[j], conjugate(to_t_[j]));
-      worlds.push_back(normalised(multiply(multiply(turn4_, against_t), conjugate(turn4_))));
+      worlds.push_back(normalized(multiply(multiply(turn4_, against_t), conjugate(turn4_))));
       const int above = humanoid.joints[k].parent;
       out.rotations.push_back(
-          above < 0 ? worlds[k] : normalised(multiply(conjugate(worlds[static_cast<size_t>(above)]), worlds[k])));
+          above < 0 ? worlds[k] : normalized(multiply(conjugate(worlds[static_cast<size_t>(above)]), worlds[k])));
       out.translations.push_back(above < 0 ? turned(turn_, pose.positions[j]) : humanoid.joints[k].offset);
     }
     return out;

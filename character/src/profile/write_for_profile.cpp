@@ -116,13 +116,13 @@ std::string controls_for_profile(const Profile& profile, const ProfileOptions& o
 }
 
 void check_profile(const Profile& profile, const ProfileOptions& options) {
-  const std::map<std::string, std::string> licence = parse_vrm_licence(options.licence);
+  const std::map<std::string, std::string> license = parse_vrm_license(options.license);
   if (profile.vrm == 0) {
-    if (!options.authors.empty() || !options.licence.empty() || !options.title.empty())
+    if (!options.authors.empty() || !options.license.empty() || !options.title.empty())
       throw Error("--author, --license and --title need --for vrm or vrm0");
     return;
   }
-  if (profile.vrm != 1 && licence.count("licenseName") != 0)
+  if (profile.vrm != 1 && license.count("licenseName") != 0)
     throw Error("license licenseName: a term of VRM 0.x; VRM 1.0 has no license names, give permissions");
 }
 
@@ -157,7 +157,7 @@ std::vector<std::string> write_for_profile(const Profile& profile, const Profile
     vrm.file_name = character.name;
     vrm.title = options.title;
     vrm.authors = options.authors;
-    vrm.licence = parse_vrm_licence(options.licence);
+    vrm.license = parse_vrm_license(options.license);
     vrm.zero = profile.vrm == 1;
     vrm.bones = vrm_bones(character.joints, path, vrm.zero);
     form.vrm = &vrm;

@@ -38,7 +38,7 @@ typedef enum sinew_tet_weights {
  *   without          SINEW_WITHOUT_TWIST_SPREAD: a joint's twist about its parent's bone stays at the joint, where the bone takes a
  *                    part of it, as twist joints do (SINEW_DEFORM_VOLUME); SINEW_WITHOUT_CONTACTS: the two sides of a bend
  *                    may pass through each other; SINEW_WITHOUT_SMOOTHING: none at the end of SINEW_DEFORM_XPBD
- *   body_contact     1: parts of the body that are no neighbours keep apart too, as far as they lie less than two cells in
+ *   body_contact     1: parts of the body that are no neighbors keep apart too, as far as they lie less than two cells in
  *                    each other: an arm and the torso, a thigh and the belly, two thighs, cloth on them as well. Takes
  *                    several times as long. Where a motion drives limbs through each other, dents come and go within a
  *                    frame. Not for delta mush; on the calling thread

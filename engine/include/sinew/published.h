@@ -54,7 +54,7 @@ typedef enum sinew_branches_first {
 /* sinew_map_options.branches_cost: of two branches. Numbers are never reused. */
 typedef enum sinew_branches_cost {
   SINEW_BRANCHES_MEAN = 0, /* of their pairs of joints */
-  SINEW_BRANCHES_SUM = 1   /* favours short branches */
+  SINEW_BRANCHES_SUM = 1   /* favors short branches */
 } sinew_branches_cost;
 
 #define SINEW_NO_AREA 0xFFFFFFFFu /* sinew_reference_options.area_power: 0, which as a number asks for the default */

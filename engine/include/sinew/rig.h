@@ -63,7 +63,7 @@ typedef enum sinew_front {
 
 /* Where the skeleton comes from. */
 typedef enum sinew_rig_method {
-  SINEW_RIG_VOTES = 0, /* from what the model has learnt */
+  SINEW_RIG_VOTES = 0, /* from what the model has learned */
   SINEW_RIG_SHAPE = 1  /* from the middle line of the mesh alone, for what no model knows: the model may be null. Joints
                         * are named Bone, of class OTHER and confidence 0; spread is 0, facing 0 or 1 */
 } sinew_rig_method;    /* 2: sinew/published.h */

@@ -81,7 +81,7 @@ typedef enum sinew_status {
   SINEW_ERROR_MODEL_TRUNCATED = -11, /* the file is shorter or longer than its header says: fetch it again */
   SINEW_ERROR_MODEL_CHECKSUM = -12,  /* bytes changed since the file was written: fetch it again */
   SINEW_ERROR_MODEL_LAYOUT = -13,    /* sizes, offsets, shapes or layer order contradict each other */
-  SINEW_ERROR_MODEL_OVERFLOW = -14,  /* an accumulator bound cannot be proven: quantise again */
+  SINEW_ERROR_MODEL_OVERFLOW = -14,  /* an accumulator bound cannot be proven: quantize again */
   SINEW_ERROR_MODEL_ALIGNMENT = -15, /* model bytes must start at an address divisible by 8 */
   SINEW_ERROR_RANGE = -16,           /* a joint index, weight or pose is outside its stated range */
   SINEW_ERROR_KERNEL = -17,          /* the library was built without the kernel that the options name, or this

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contact between parts of the body that are no neighbours: an arm on the torso, a thigh on the belly, one thigh on the other.
+// Contact between parts of the body that are no neighbors: an arm on the torso, a thigh on the belly, one thigh on the other.
 #ifndef SINEW_DEFORM_CONTACTS_HPP
 #define SINEW_DEFORM_CONTACTS_HPP
 

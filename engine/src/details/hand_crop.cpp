@@ -152,7 +152,7 @@ class Cutter {
       crop_.mesh.positions[v] = crop_.frame.to(mesh_.positions[crop_.source[v]]);
   }
 
-  // Where `b` stands among a's neighbours in the whole mesh's one-rings.
+  // Where `b` stands among a's neighbors in the whole mesh's one-rings.
   uint32_t edge(uint32_t a, uint32_t b) const {
     uint32_t low = mesh_.row_offsets[a], high = mesh_.row_offsets[a + 1];
     while (low + 1 < high) {

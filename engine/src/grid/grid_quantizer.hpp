@@ -25,7 +25,7 @@ struct WideInt {
 };
 
 // Maps floats to the grid: round_half_up((2 value - sum) * 2^20 / (2 side)) per axis, where sum is low + high of the
-// mesh's box for x and z (centred) and twice the low for y (floor at 0); clamped to +-2^22. Exact for every finite
+// mesh's box for x and z (centered) and twice the low for y (floor at 0); clamped to +-2^22. Exact for every finite
 // input.
 struct GridQuantizer {
   uint32_t up_axis;

@@ -16,7 +16,7 @@ enum HeatFieldKind : uint32_t { kFieldRule = 0, kFieldParts = 1, kFieldSoft = 2,
 
 // One solved field. Of every vertex the kHeatSlots joints with the largest weights are kept, by falling weight, the
 // lower joint first where weights are equal. Weights under 2^-12 are not kept: the slots left over are at the end, with
-// kNoJoint and 0. Weights are those of the solution, neither cut nor normalised.
+// kNoJoint and 0. Weights are those of the solution, neither cut nor normalized.
 struct HeatField {
   uint16_t* joints = nullptr;     // [U x kHeatSlots]
   uint16_t* weights = nullptr;    // [U x kHeatSlots] Q15, 0 .. 32768
@@ -58,7 +58,7 @@ sinew_status weigh_by_distance(const Mesh& mesh, const Skeleton& skeleton, const
                                const Counts& counts, Arena& arena, HeatFields* fields);
 
 // Finishes a row as the method heat does. Weights under 0.025 become 0. Weights from there to 0.05 are ramped: they
-// rise linearly from 0 to 0.05. Then the row is normalised to Q15; its sum is 32768 but for rounding. A row without
+// rise linearly from 0 to 0.05. Then the row is normalized to Q15; its sum is 32768 but for rounding. A row without
 // weights becomes its nearest joint with 32768.
 //   joints, weights  out [kHeatSlots], kNoJoint and 0 where unused
 // Returns the number of slots used, at least 1.

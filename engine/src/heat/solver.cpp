@@ -83,7 +83,7 @@ void HeatSolver::begin_part(const Mesh& mesh, const EdgeWeights& edges, uint32_t
   matrix_.ordering = &ordering_;
   matrix_.rows = mesh.part_sizes[part];
   ordering_.dissect(mesh, part, kSmallestFront);
-  with_fronts_ = fronts_.analyse(matrix_);
+  with_fronts_ = fronts_.analyze(matrix_);
   iterative_ = false;
   if (!with_fronts_) leave_fronts();
 }
@@ -91,7 +91,7 @@ void HeatSolver::begin_part(const Mesh& mesh, const EdgeWeights& edges, uint32_t
 void HeatSolver::leave_fronts() {
   with_fronts_ = false;
   ordering_.dissect(*mesh_, mesh_->part[ordering_.order[0]]);
-  iterative_ = !factor_.analyse(matrix_);
+  iterative_ = !factor_.analyze(matrix_);
 }
 
 // Joints in order of their first source in the elimination order, so that the joints of a batch lie near each other and

@@ -187,8 +187,7 @@ class SourceFinder {
   }
 
   void with_cosine() {
-    uint32_t best =
-        last_best_ < list_.count ? last_best_ : 0;  // the neighbour's bone prunes most of the others at once
+    uint32_t best = last_best_ < list_.count ? last_best_ : 0;  // the neighbor's bone prunes most of the others at once
     int64_t smallest = distance_of(best);
     uint64_t limit = reach2(smallest);
     gather(limit);

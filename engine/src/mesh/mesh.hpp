@@ -23,12 +23,12 @@ struct Mesh {
   uint32_t triangle_count = 0;      // T: fan triangles, degenerate (repeated vertex or zero area) and duplicate (same
   uint32_t* triangles = nullptr;    // [T x 3] vertex set) removed; smallest index first, orientation kept; sorted
   uint32_t* row_offsets = nullptr;  // [U + 1] CSR one-ring over edges of triangles
-  uint32_t* col_indices = nullptr;  // [E2 <= 6 T] neighbours ascending
-  Vec3i* normals = nullptr;         // [U] normalised sum of the unit face normals, Q14; (0,0,0) when there is no
+  uint32_t* col_indices = nullptr;  // [E2 <= 6 T] neighbors ascending
+  Vec3i* normals = nullptr;         // [U] normalized sum of the unit face normals, Q14; (0,0,0) when there is no
                                     //     face or they cancel
   uint64_t* areas = nullptr;  // [U] sum over its triangles of |cross| / 6, grid units squared (a third of the area);
                               //     at least 1 for a vertex with a triangle, 0 for one without
-  // Q13, clamped to +-2: ((mean of the neighbours - vertex) . normal) / mean edge length, negative where the surface
+  // Q13, clamped to +-2: ((mean of the neighbors - vertex) . normal) / mean edge length, negative where the surface
   // bulges outward; and angle defect / pi, 0 at boundary vertices (an edge with one triangle) and without a triangle.
   int32_t* mean_curvature = nullptr;   // [U]
   int32_t* gauss_curvature = nullptr;  // [U]

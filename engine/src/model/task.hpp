@@ -29,8 +29,8 @@ struct ModelTask {
   uint32_t id = kTaskBind;
   uint32_t input_count = 0;
   TaskInput inputs[kMaxInputs];
-  Buffer output;                // of the last layer's region
-  bool far_neighbours = false;  // vertices have far neighbours beside those of the one-ring
+  Buffer output;               // of the last layer's region
+  bool far_neighbors = false;  // vertices have far neighbors beside those of the one-ring
 };
 
 }  // namespace sinew

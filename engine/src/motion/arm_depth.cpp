@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The deepest point of an arm. Groups of neighbours are looked at first, as a ball: most of an arm lies outside, and a ball tells it for
+// The deepest point of an arm. Groups of neighbors are looked at first, as a ball: most of an arm lies outside, and a ball tells it for
 // all of them. It does so where no surface can be in it, and where no triangle that may be the nearest to one of its points lies over it.
 #include "motion/arm_search.hpp"
 

@@ -63,8 +63,8 @@ class ArmSearch {
   double distance(const TriangleTree& tree, uint32_t arm, uint32_t vertex) const;
   // The triangles, of the same, whose middles are nearest to a vertex, near ones first: up to `most` of them within kFar of the box around
   // the hand. Returns their number; squares [most] of distances.
-  uint32_t neighbours(const TriangleTree& tree, uint32_t arm, uint32_t vertex, uint32_t most, uint32_t* triangles,
-                      double* squares) const;
+  uint32_t neighbors(const TriangleTree& tree, uint32_t arm, uint32_t vertex, uint32_t most, uint32_t* triangles,
+                     double* squares) const;
 
  private:
   struct Box;
@@ -72,13 +72,13 @@ class ArmSearch {
     uint32_t triangle = UINT32_MAX, slot = 0;
     double square = 0;
   };
-  // A ball around neighbours of an arm.
+  // A ball around neighbors of an arm.
   struct Ball {
     Vec3d middle = {0, 0, 0};
     double radius = 0;
   };
   struct DepthSearch;
-  static constexpr uint32_t kGroup = 12;  // neighbours that are looked at together
+  static constexpr uint32_t kGroup = 12;  // neighbors that are looked at together
   static constexpr uint32_t kMostLeaves = 128,
                             kMostCovers = 64;  // of a group; with more it is searched vertex by vertex
   static constexpr uint8_t kAllArms = 31;
@@ -121,7 +121,7 @@ class ArmSearch {
   uint8_t* masks_ = nullptr;  // [triangles]
   MortonScratch scratch_ = {};    // until open() has returned
   uint32_t* vertices_ = nullptr;  // [vertices] of each arm those of the hand, then those of the forearm; thinned out
-  uint32_t* near_ = nullptr;      // [vertices] indices into vertices_, of the same ranges, neighbours together
+  uint32_t* near_ = nullptr;      // [vertices] indices into vertices_, of the same ranges, neighbors together
   uint32_t* hints_ =
       nullptr;             // [vertices / kGroup + kMostArms] of groups of near_ the slot that was nearest the last time
   bool any_body_ = false;  // triangles without a vertex of any arm

@@ -121,7 +121,7 @@ void BodyLift::apply(uint32_t passes) {
 void BodyLift::move_trunk(double lift, double pitch) {
   const Vec3d pivot = hips(), axis = unit(cross(shoulders() - pivot, plan_.up));
   const Vec3d half = (0.5 * pitch) * axis;
-  const Quat rotation = normalised({half.x, half.y, half.z, 1});
+  const Quat rotation = normalized({half.x, half.y, half.z, 1});
   const Vec3d raise = lift * plan_.up;
   Vec3d shifts[kMostLimbs];  // of legs, which keep their turns
   for (uint32_t l = 0; l < s_.limbs.count; ++l) {

@@ -170,7 +170,7 @@ class Hands {
   void remember_position(uint32_t arm, HandContact* out) const {
     double squares[kNearTriangles];
     const Vec3d p = s_.source.vertices[out->vertex];
-    out->count = search_.neighbours(s_.source_tree, arm, out->vertex, kNearTriangles, out->triangles, squares);
+    out->count = search_.neighbors(s_.source_tree, arm, out->vertex, kNearTriangles, out->triangles, squares);
     double sum = 0;
     for (uint32_t i = 0; i < out->count; ++i) {
       out->shares[i] = bell((root(squares[i]) - root(squares[0])) / (kSpread * s_.source.height));

@@ -167,7 +167,7 @@ sinew_status pose_source(sinew_retarget* plan, const float* rotations, const flo
     const Vec3d offset = {static_cast<double>(t[0]), static_cast<double>(t[1]), static_cast<double>(t[2])};
     if (!is_finite(given.x + given.y + given.z + given.w + offset.x + offset.y + offset.z))
       return SINEW_ERROR_NOT_FINITE;
-    const Quat local = normalised(given);
+    const Quat local = normalized(given);
     const int32_t parent = rig.file_parents[j];
     plan->source_rotations[j] = parent < 0 ? local : plan->source_rotations[parent] * local;
     plan->source_positions[j] =
@@ -187,7 +187,7 @@ void load_target(sinew_retarget* plan, const float* rotations, const float* tran
     const uint32_t t = rig.order[i];
     const float* const q = rotations + size_t{4} * t;
     const float* const p = translations + size_t{3} * t;
-    Quat rotation = normalised(
+    Quat rotation = normalized(
         {static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2]), static_cast<double>(q[3])});
     Vec3d position = {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
     const int32_t parent = rig.file_parents[t];
@@ -213,7 +213,7 @@ void store_target(const sinew_retarget& plan, float* rotations, float* translati
       local = back * local;
       offset = rotate(back, offset - plan.target_positions[parent]);
     }
-    local = normalised(local);
+    local = normalized(local);
     if (local.w < 0) local = {-local.x, -local.y, -local.z, -local.w};  // one of the two that are the same turn
     float* const q = rotations + size_t{4} * t;
     q[0] = static_cast<float>(local.x);

@@ -22,7 +22,7 @@ struct NetworkInput {
   const uint16_t* joints = nullptr;       // [U x K], kNoJoint = absent
   const uint32_t* row_offsets = nullptr;  // [U + 1] one-ring CSR
   const uint32_t* col_indices = nullptr;
-  const uint32_t* far_offsets = nullptr;  // [U + 1] CSR of far neighbours, for tasks that have them
+  const uint32_t* far_offsets = nullptr;  // [U + 1] CSR of far neighbors, for tasks that have them
   const uint32_t* far_indices = nullptr;
   const uint32_t* part = nullptr;           // [U]
   const uint32_t* part_offsets = nullptr;   // [parts + 1]

@@ -45,7 +45,7 @@ struct SlotScratch {
     pair_vertices = arena.alloc<uint32_t>(kSlotPairs);
     pair_offsets = arena.alloc<uint32_t>(kSlotPairs + 1);
     if (!arena.ok() || arena.measuring()) return arena.ok();
-    points.fill(kNeighbours);
+    points.fill(kNeighbors);
     for (uint32_t i = 0; i < kSetPoints; ++i) points.joints[i] = 0;  // one slot a point, which is present
     *joints = SlotJoints();
     for (uint32_t i = 0; i < kSlotPairs; ++i) {
@@ -57,7 +57,7 @@ struct SlotScratch {
     return true;
   }
   NetworkInput point_input() const {
-    NetworkInput input = points.input(set.features, set.near_neighbours, set.far_neighbours);
+    NetworkInput input = points.input(set.features, set.near_neighbors, set.far_neighbors);
     input.inputs[0] = features;
     return input;
   }

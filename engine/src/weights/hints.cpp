@@ -100,7 +100,7 @@ class Spreader {
     matrix_.rows = mesh_->part_sizes[part];
     matrix_.positive = true;
     ordering_.dissect(*mesh_, part);
-    const bool iterative = !factor_.analyse(matrix_);
+    const bool iterative = !factor_.analyze(matrix_);
     set_pulls();
     matrix_.assemble(pull_, iterative ? kIterativeDiagonalBits : kFactorDiagonalBits);
     if (!iterative) factor_.factorise(matrix_);

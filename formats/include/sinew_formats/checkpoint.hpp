@@ -27,7 +27,7 @@ struct TrainingState {
 };
 
 struct Checkpoint {
-  FloatNetwork network;  // what to evaluate and quantise (the best or the averaged weights)
+  FloatNetwork network;  // what to evaluate and quantize (the best or the averaged weights)
   FloatNetwork latest;   // the weights to go on from
   TrainingState state;
 };

@@ -19,15 +19,15 @@ struct VrmData {
   std::string file_name;                       // the title where nobody says one
   std::string title;                           // empty: the file's own
   std::vector<std::string> authors;            // empty: the file's own
-  std::map<std::string, std::string> licence;  // members of VRMC_vrm.meta as parse_vrm_licence() gives them
+  std::map<std::string, std::string> license;  // members of VRMC_vrm.meta as parse_vrm_license() gives them
   std::vector<std::string> bones;              // [J] humanoid bone of each joint in the words of 1.0, "" for none
   bool zero = false;                           // VRM 0.x
 };
 
-// "creditNotation=required,commercialUsage=corporation", "allowRedistribution=true", or the address of a licence text (otherLicenseUrl). The
+// "creditNotation=required,commercialUsage=corporation", "allowRedistribution=true", or the address of a license text (otherLicenseUrl). The
 // words are those of the specification: github.com/vrm-c/vrm-specification, VRMC_vrm-1.0, meta. What is not said is left out, and means what
 // the specification says: the strictest. Throws Error that lists what is allowed.
-std::map<std::string, std::string> parse_vrm_licence(const std::string& text);
+std::map<std::string, std::string> parse_vrm_license(const std::string& text);
 
 // Humanoid bones that a VRM must have, in the words of 1.0: one of 0.x has a chest and a neck as well.
 const std::vector<std::string>& vrm_required_bones(bool zero);

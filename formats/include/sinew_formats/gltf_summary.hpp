@@ -61,7 +61,7 @@ struct GltfSummary {
 };
 
 // Reads a .gltf, .glb or .vrm. Throws Error as read_gltf does, but a file without a mesh is fine.
-GltfSummary summarise_gltf(const std::string& path);
+GltfSummary summarize_gltf(const std::string& path);
 
 // A glTF's skins as the file shows them while nothing moves, against the pose that they were bound in.
 struct GltfRest {

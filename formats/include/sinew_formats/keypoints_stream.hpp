@@ -19,7 +19,7 @@ class KeypointsStream {
  public:
   //   layout  of motion_layouts()
   //   first   [frames][keypoints of the layout] of the person that moves, any unit: lengths of bones, which way is up, whether the world is
-  //           mirrored and whether keypoints are relative to the hips are learnt from them. One will do; a second or two are better
+  //           mirrored and whether keypoints are relative to the hips are learned from them. One will do; a second or two are better
   // Throws Error.
   KeypointsStream(const std::string& layout, const std::vector<std::vector<Point3>>& first);
   KeypointsStream(KeypointsStream&&) noexcept;

@@ -20,8 +20,8 @@ const char* png_or_jpeg(const uint8_t* bytes, size_t size) {
   return nullptr;
 }
 
-bool is_grey(const std::vector<uint8_t>& picture) {
-  if (picture.size() > 25 && picture[0] == 0x89) return picture[25] == 0 || picture[25] == 4;  // colour type of IHDR
+bool is_gray(const std::vector<uint8_t>& picture) {
+  if (picture.size() > 25 && picture[0] == 0x89) return picture[25] == 0 || picture[25] == 4;  // color type of IHDR
   // JPEG: segments up to the start of frame, whose tenth byte is the number of components.
   for (size_t at = 2; at + 9 < picture.size() && picture[at] == 0xff;) {
     const uint8_t marker = picture[at + 1];

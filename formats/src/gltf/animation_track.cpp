@@ -20,7 +20,7 @@ std::array<double, 4> Track::sample(double seconds) const {
   const size_t k = next - 1;
   const double from = static_cast<double>(times[k]), span = static_cast<double>(times[next]) - from;
   const double t = (seconds - from) / span;
-  if (blend == Blend::kLinear && width == 4) return slerp(normalised(key(k)), normalised(key(next)), t);
+  if (blend == Blend::kLinear && width == 4) return slerp(normalized(key(k)), normalized(key(next)), t);
   std::array<double, 4> out{};
   for (size_t i = 0; i < width; ++i) {
     if (blend == Blend::kLinear) {

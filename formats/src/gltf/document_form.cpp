@@ -138,7 +138,7 @@ class FormApplier {
     }
     const NodeParts parts = parts_of(from);
     write_rotation(
-        normalised(multiply(multiply(quaternion_of(before(node)), parts.rotation), quaternion_of(after_[node]))),
+        normalized(multiply(multiply(quaternion_of(before(node)), parts.rotation), quaternion_of(after_[node]))),
         &json);
     if (from.translation.size() == 3) json["translation"] = rotated(before(node), parts.translation);
   }

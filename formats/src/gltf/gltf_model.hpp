@@ -40,7 +40,7 @@ struct GltfNodes {
 };
 GltfNodes gltf_nodes(const std::string& path, const tinygltf::Model& model);
 
-// Values of an accessor [count x components], sparse ones and normalised integers resolved. Throws Error naming `where`
+// Values of an accessor [count x components], sparse ones and normalized integers resolved. Throws Error naming `where`
 // when it is not of that many components, reaches outside of its buffer or holds a value that is not finite.
 std::vector<float> accessor_floats(const std::string& where, const tinygltf::Model& model, int accessor,
                                    int components);

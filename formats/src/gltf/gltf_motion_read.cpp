@@ -249,7 +249,7 @@ class GltfMotionReader {
       }
       NodeParts parts = parts_of(model().nodes[n]);
       const NodeTracks& moved = tracks->second;
-      if (moved.rotation != nullptr) parts.rotation = normalised(moved.rotation->sample(seconds));
+      if (moved.rotation != nullptr) parts.rotation = normalized(moved.rotation->sample(seconds));
       for (size_t i = 0; i < 3; ++i) {
         if (moved.translation != nullptr) parts.translation[i] = moved.translation->sample(seconds)[i];
         if (moved.scale != nullptr) parts.scale[i] = moved.scale->sample(seconds)[i];
@@ -271,7 +271,7 @@ class GltfMotionReader {
         const Affine& from = worlds[joint_nodes_[p]];
         for (size_t i = 0; i < 3; ++i) shift[i] -= from[4 * i + 3];
         shift = rotate(conjugate(turns[p]), shift);
-        turn = normalised(multiply(conjugate(turns[p]), turn));
+        turn = normalized(multiply(conjugate(turns[p]), turn));
       }
       frame.rotations.push_back(turn);
       frame.translations.push_back(shift);

@@ -23,15 +23,15 @@ namespace {
 
 // Corners of one place in a primitive are one vertex for the simplifier where they differ by no more than this. What differs more is a seam.
 constexpr float kNormalCosine = 0.94f;  // 20 degrees
-constexpr float kNear = 1e-3f;          // of texture coordinates and colours
+constexpr float kNear = 1e-3f;          // of texture coordinates and colors
 // A level with more triangles than this many times the wanted is made again without seams.
 constexpr double kMissed = 1.1;
 
 // A primitive's vertices among those of all, and what they have, tightly packed; empty: nothing.
 struct Range {
   size_t part, mesh, first, count;
-  std::vector<float> places, normals, uvs, colours;  // 3, 3, 2 and `colour_width` a vertex
-  size_t colour_width = 4;
+  std::vector<float> places, normals, uvs, colors;  // 3, 3, 2 and `color_width` a vertex
+  size_t color_width = 4;
 };
 
 class Reducer {
@@ -91,9 +91,9 @@ class Reducer {
     range.normals = values("NORMAL", 3);
     range.uvs = values("TEXCOORD_0", 2);
     if (const auto found = primitive.attributes.find("COLOR_0"); found != primitive.attributes.end()) {
-      range.colour_width =
+      range.color_width =
           read_.model.accessors.at(static_cast<size_t>(found->second)).type == TINYGLTF_TYPE_VEC3 ? 3 : 4;
-      range.colours = values("COLOR_0", range.colour_width);
+      range.colors = values("COLOR_0", range.color_width);
     }
     return range;
   }
@@ -121,7 +121,7 @@ class Reducer {
         std::vector<size_t>& firsts = known[welded_[range.first + v]];
         const auto found = std::find_if(firsts.begin(), firsts.end(), [&](size_t first) {
           return whatever ||
-                 (near(range.uvs, 2, first, v) && near(range.colours, range.colour_width, first, v) &&
+                 (near(range.uvs, 2, first, v) && near(range.colors, range.color_width, first, v) &&
                   (range.normals.empty() || cosine(range.normals, first, &range.normals[3 * v]) > kNormalCosine));
         });
         const size_t first = found == firsts.end() ? v : *found;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts of a scene that Assimp read: its nodes, in metres with Y up, and which of them are joints; its materials and animations as a glTF
+// Parts of a scene that Assimp read: its nodes, in meters with Y up, and which of them are joints; its materials and animations as a glTF
 // document's. Only where the build has Assimp.
 #ifndef SINEW_FORMATS_GLTF_SCENE_NODES_HPP
 #define SINEW_FORMATS_GLTF_SCENE_NODES_HPP

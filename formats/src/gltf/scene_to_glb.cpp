@@ -245,7 +245,7 @@ class SceneConverter {
     const IndexedVertices joined = join(mesh, rows);
     if (joined.first.empty()) return primitive;
     Json attributes;
-    std::vector<float> positions, normals, uvs, colours;
+    std::vector<float> positions, normals, uvs, colors;
     for (const unsigned v : joined.first) {
       const aiVector3D& p = mesh.mVertices[v];
       if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
@@ -263,15 +263,15 @@ class SceneConverter {
         uvs.insert(uvs.end(), {number(uv.x), number(1 - uv.y)});
       }
       if (mesh.HasVertexColors(0)) {
-        const aiColor4D& colour = mesh.mColors[0][v];
-        for (const float channel : {colour.r, colour.g, colour.b, colour.a})
-          colours.push_back(std::clamp(number(channel), 0.0f, 1.0f));
+        const aiColor4D& color = mesh.mColors[0][v];
+        for (const float channel : {color.r, color.g, color.b, color.a})
+          colors.push_back(std::clamp(number(channel), 0.0f, 1.0f));
       }
     }
     attributes["POSITION"] = add_vectors(&source_, positions, 3, true);
     if (!normals.empty()) attributes["NORMAL"] = add_vectors(&source_, normals, 3, false);
     if (!uvs.empty()) attributes["TEXCOORD_0"] = add_vectors(&source_, uvs, 2, false);
-    if (!colours.empty()) attributes["COLOR_0"] = add_vectors(&source_, colours, 4, false);
+    if (!colors.empty()) attributes["COLOR_0"] = add_vectors(&source_, colors, 4, false);
     add_weights(joined, rows, &attributes);
     primitive = {{"attributes", attributes}};
     primitive["indices"] = add_accessor(&source_, joined.indices.data(), joined.indices.size() * 4, "SCALAR",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Humanoid nodes of a VRM animation read; a VRM's licence, bones and extension written.
+// Humanoid nodes of a VRM animation read; a VRM's license, bones and extension written.
 #include "gltf/vrm.hpp"
 
 #include <algorithm>
@@ -70,14 +70,14 @@ std::optional<HumanoidNodes> read_humanoid_nodes(const std::string& path, const 
 namespace {
 
 // A member of meta and its words; none: a text.
-struct LicenceWord {
+struct LicenseWord {
   const char* key;
   std::vector<std::string> values;
 };
 
-const std::vector<LicenceWord>& licence_words() {
+const std::vector<LicenseWord>& license_words() {
   static const std::vector<std::string> kYesNo = {"true", "false"};
-  static const std::vector<LicenceWord> kWords = {
+  static const std::vector<LicenseWord> kWords = {
       {"avatarPermission", {"onlyAuthor", "onlySeparatelyLicensedPerson", "everyone"}},
       {"commercialUsage", {"personalNonProfit", "personalProfit", "corporation"}},
       {"creditNotation", {"required", "unnecessary"}},
@@ -107,7 +107,7 @@ Json meta_of(const VrmData& vrm, Json meta) {
   if (!vrm.title.empty() || !meta.contains("name")) meta["name"] = vrm.title.empty() ? vrm.file_name : vrm.title;
   if (!vrm.authors.empty()) meta["authors"] = vrm.authors;
   meta["licenseUrl"] = "https://vrm.dev/licenses/1.0/";
-  for (const auto& [key, value] : vrm.licence) {
+  for (const auto& [key, value] : vrm.license) {
     if (key == "licenseName")
       throw Error("license licenseName: a term of VRM 0.x; VRM 1.0 has no license names, give permissions");
     if (key.rfind("allow", 0) == 0)
@@ -122,9 +122,9 @@ Json meta_of(const VrmData& vrm, Json meta) {
 VrmData with_meta(VrmData vrm, const Json& meta) {
   if (vrm.title.empty()) vrm.title = meta.value("name", std::string());
   if (vrm.authors.empty()) vrm.authors = meta.value("authors", std::vector<std::string>());
-  for (const LicenceWord& word : licence_words())
-    if (meta.contains(word.key) && vrm.licence.count(word.key) == 0)
-      vrm.licence[word.key] = meta[word.key].is_string() ? meta[word.key].get<std::string>() : meta[word.key].dump();
+  for (const LicenseWord& word : license_words())
+    if (meta.contains(word.key) && vrm.license.count(word.key) == 0)
+      vrm.license[word.key] = meta[word.key].is_string() ? meta[word.key].get<std::string>() : meta[word.key].dump();
   return vrm;
 }
 
@@ -158,7 +158,7 @@ std::map<std::string, int> humanoid_nodes(const std::string& path, const VrmData
   return bones;
 }
 
-std::map<std::string, std::string> parse_vrm_licence(const std::string& text) {
+std::map<std::string, std::string> parse_vrm_license(const std::string& text) {
   std::map<std::string, std::string> out;
   if (text.rfind("http://", 0) == 0 || text.rfind("https://", 0) == 0) return {{"otherLicenseUrl", text}};
   for (size_t from = 0; from < text.size();) {
@@ -166,8 +166,8 @@ std::map<std::string, std::string> parse_vrm_licence(const std::string& text) {
     const std::string key = text.substr(from, std::min(equals, end) - from),
                       value = equals < end ? text.substr(equals + 1, end - equals - 1) : "";
     std::vector<std::string> keys;
-    const LicenceWord* word = nullptr;
-    for (const LicenceWord& one : licence_words()) {
+    const LicenseWord* word = nullptr;
+    for (const LicenseWord& one : license_words()) {
       keys.emplace_back(one.key);
       if (key == one.key) word = &one;
     }

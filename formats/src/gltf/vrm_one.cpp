@@ -18,20 +18,20 @@ std::string text_in(const Json& object, const char* key) {
 
 // What others may do. Words of 0.x that say less than 1.0 asks for become the strictest that they can mean.
 void add_permissions(const Json& zero, Json* meta) {
-  const std::string who = text_in(zero, "allowedUserName"), licence = text_in(zero, "licenseName");
+  const std::string who = text_in(zero, "allowedUserName"), license = text_in(zero, "licenseName");
   const auto allows = [&](const char* key) { return text_in(zero, key) == "Allow"; };
   (*meta)["avatarPermission"] = who == "Everyone"                   ? "everyone"
                                 : who == "ExplicitlyLicensedPerson" ? "onlySeparatelyLicensedPerson"
                                                                     : "onlyAuthor";
   (*meta)["allowExcessivelyViolentUsage"] = allows("violentUssageName");
   (*meta)["allowExcessivelySexualUsage"] = allows("sexualUssageName");
-  const bool sells = allows("commercialUssageName") && licence.find("_NC") == std::string::npos;
+  const bool sells = allows("commercialUssageName") && license.find("_NC") == std::string::npos;
   (*meta)["commercialUsage"] = sells ? "personalProfit" : "personalNonProfit";
-  const bool open = licence.rfind("CC", 0) == 0;
-  (*meta)["creditNotation"] = licence == "CC0" ? "unnecessary" : "required";
+  const bool open = license.rfind("CC", 0) == 0;
+  (*meta)["creditNotation"] = license == "CC0" ? "unnecessary" : "required";
   (*meta)["allowRedistribution"] = open;
   (*meta)["modification"] =
-      open && licence.find("_ND") == std::string::npos ? "allowModificationRedistribution" : "prohibited";
+      open && license.find("_ND") == std::string::npos ? "allowModificationRedistribution" : "prohibited";
 }
 
 Json meta_of_zero(const Json& zero, const Json& document) {
@@ -58,7 +58,7 @@ Json nodes_with_mesh(const Json& document, const Json& mesh) {
   return found;
 }
 
-// A colour or the place of a texture; false for a property of a shader that 1.0 has no word for.
+// A color or the place of a texture; false for a property of a shader that 1.0 has no word for.
 bool add_material_bind(const Json& value, const Json& document, Json* expression) {
   const std::string property = text_in(value, "propertyName");
   const std::vector<double> target = value.value("targetValue", std::vector<double>());
@@ -67,12 +67,12 @@ bool add_material_bind(const Json& value, const Json& document, Json* expression
   while (material < materials.size() && text_in(materials[material], "name") != text_in(value, "materialName"))
     ++material;
   if (material == materials.size() || target.size() < 4) return false;
-  constexpr std::array<std::array<const char*, 2>, 5> kColours = {{{"_Color", "color"},
-                                                                   {"_EmissionColor", "emissionColor"},
-                                                                   {"_ShadeColor", "shadeColor"},
-                                                                   {"_RimColor", "rimColor"},
-                                                                   {"_OutlineColor", "outlineColor"}}};
-  for (const auto& [older, newer] : kColours)
+  constexpr std::array<std::array<const char*, 2>, 5> kColors = {{{"_Color", "color"},
+                                                                  {"_EmissionColor", "emissionColor"},
+                                                                  {"_ShadeColor", "shadeColor"},
+                                                                  {"_RimColor", "rimColor"},
+                                                                  {"_OutlineColor", "outlineColor"}}};
+  for (const auto& [older, newer] : kColors)
     if (property == older) {
       (*expression)["materialColorBinds"].push_back({{"material", material}, {"type", newer}, {"targetValue", target}});
       return true;

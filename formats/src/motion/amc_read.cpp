@@ -73,7 +73,7 @@ class AcclaimLines {
 
 struct AcclaimSkeleton {
   std::vector<AcclaimBone> bones;
-  double to_radians = std::numbers::pi / 180, to_metres = kInch;
+  double to_radians = std::numbers::pi / 180, to_meters = kInch;
 };
 
 class AsfReader {
@@ -106,7 +106,7 @@ class AsfReader {
     if (word == "length") {
       const double length = lines_.number(1, "a length");
       if (!(length > 0)) lines_.fail("a length above 0", lines_.word(1));
-      skeleton_.to_metres = kInch / length;
+      skeleton_.to_meters = kInch / length;
     }
     if (word == "angle" && lower_case(lines_.word(1)).rfind("rad", 0) == 0) skeleton_.to_radians = 1;
   }
@@ -207,7 +207,7 @@ class AmcReader {
  private:
   // A joint where each bone begins, and ends of the last ones.
   void add_joints() {
-    const auto tip = [&](const AcclaimBone& bone) { return skeleton_.to_metres * bone.length * bone.direction; };
+    const auto tip = [&](const AcclaimBone& bone) { return skeleton_.to_meters * bone.length * bone.direction; };
     std::vector<char> has_child(skeleton_.bones.size(), 0);
     for (const AcclaimBone& bone : skeleton_.bones) {
       const bool root = motion_.joints.empty();
@@ -251,13 +251,13 @@ class AmcReader {
       const double value = lines_.number(i + 1, "a channel");
       if (channel.size() != 2 || channel[1] < 'x' || channel[1] > 'z') continue;  // "l": a length that changes
       const size_t axis = static_cast<size_t>(channel[1] - 'x');
-      if (channel[0] == 't') position[axis] = skeleton_.to_metres * value;
+      if (channel[0] == 't') position[axis] = skeleton_.to_meters * value;
       if (channel[0] != 'r') continue;
       angles[axis] = to_radians_ * value;
       order += channel[1];
     }
     const Quaternion turn = rotation_in_order(order, angles);
-    frame->rotations[at->second] = normalised(multiply(multiply(bone.axes, turn), conjugate(bone.axes)));
+    frame->rotations[at->second] = normalized(multiply(multiply(bone.axes, turn), conjugate(bone.axes)));
     if (at->second == 0) frame->translations[0] = position;
   }
 

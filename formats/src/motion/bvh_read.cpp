@@ -255,7 +255,7 @@ class BvhReader {
         frame.translations[channel.joint][channel.axis] = value;
       }
     }
-    for (Quaternion& q : frame.rotations) q = normalised(q);
+    for (Quaternion& q : frame.rotations) q = normalized(q);
     return frame;
   }
 

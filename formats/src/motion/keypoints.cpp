@@ -35,7 +35,7 @@ constexpr SidedPart kSided[] = {{"hips", "leftUpperLeg", "spine"},          {"hi
 
 }  // namespace
 
-// A person's joints that were learnt from frames, and frames of it.
+// A person's joints that were learned from frames, and frames of it.
 class KeypointsSolver {
  public:
   explicit KeypointsSolver(const KeypointsLayout& layout) : columns_(layout) {
@@ -197,7 +197,7 @@ class KeypointsSolver {
     for (size_t j = 0; j < world.size(); ++j) {
       const MotionJoint& joint = motion_.joints[j];
       const Quaternion above = joint.parent < 0 ? kNoRotation4 : world[static_cast<size_t>(joint.parent)];
-      frame.rotations.push_back(normalised(multiply(conjugate(above), world[j])));
+      frame.rotations.push_back(normalized(multiply(conjugate(above), world[j])));
       frame.translations.push_back(joint.parent < 0 ? at[j] : joint.offset);
     }
     return frame;
@@ -240,7 +240,7 @@ class KeypointsSolver {
     }
     if (child < 0) return above;
     const Point3 bone = rotate(above, motion_.joints[static_cast<size_t>(child)].offset);
-    return normalised(multiply(rotation_between(bone, between(at, static_cast<int>(j), child)), above));
+    return normalized(multiply(rotation_between(bone, between(at, static_cast<int>(j), child)), above));
   }
 
   LayoutColumns columns_;

@@ -22,7 +22,7 @@ namespace {
 Quaternion of_axis_angle(const double* v) {
   const double angle = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
   const double s = angle > 1e-12 ? std::sin(angle / 2) / angle : 0.5;
-  return normalised({s * v[0], s * v[1], s * v[2], std::cos(angle / 2)});
+  return normalized({s * v[0], s * v[1], s * v[2], std::cos(angle / 2)});
 }
 // The first two columns of the matrix, one behind the other (Zhou et al. 2019).
 Quaternion of_six(const double* v) {
@@ -193,7 +193,7 @@ class NumpyReader {
     motion_.notes.push_back("the body is upright along " + axis_name(up) +
                             ", so that axis was taken as up; correct it with --from-up");
     for (MotionFrame& frame : motion_.clips[0].frames) {
-      frame.rotations[0] = normalised(multiply(turn, frame.rotations[0]));
+      frame.rotations[0] = normalized(multiply(turn, frame.rotations[0]));
       frame.translations[0] = rotate(turn, frame.translations[0]);
     }
   }

@@ -12,7 +12,7 @@
 namespace sinew {
 
 // VRM's names. In a T pose, 1.7 m high, y up, facing +z, left at +x; a joint's parent is the nearest of its ancestors that is listed.
-// Positions are our own (the bundled skeleton of character, to the centimetre), of no body model.
+// Positions are our own (the bundled skeleton of character, to the centimeter), of no body model.
 std::vector<MotionJoint> person_joints(const std::vector<std::string>& names);
 
 // "left" in place of "right" and the other way round; the name itself where it has no side.

@@ -120,7 +120,7 @@ class PosedSkeleton {
       const Quaternion& own = joints_.rotations[f][j];
       const Quaternion local =
           joint.parent < 0 ? own : multiply(conjugate(joints_.rotations[f][static_cast<size_t>(joint.parent)]), own);
-      frame.rotations.push_back(joint.end ? kNoRotation4 : normalised(local));
+      frame.rotations.push_back(joint.end ? kNoRotation4 : normalized(local));
       frame.translations.push_back(joint.parent < 0 ? joints_.positions[f][j] : joint.offset);
     }
     return frame;

@@ -44,7 +44,7 @@ ModelTask model_task(const FloatNetwork& network) {
   }
   const Region& out = network.layers.back().out;
   task.output = {network.buffers[out.buffer].domain, out.channels};
-  task.far_neighbours = network.task != kTaskBind;
+  task.far_neighbors = network.task != kTaskBind;
   return task;
 }
 
@@ -79,7 +79,7 @@ void check_network(const FloatNetwork& network, const std::string& source) {
   list.buffer_count = static_cast<uint32_t>(network.buffers.size());
   list.input_count = static_cast<uint32_t>(inputs);
   list.candidates = network.candidate_count;
-  list.far_neighbours = network.task != kTaskBind;
+  list.far_neighbors = network.task != kTaskBind;
   for (uint32_t i = 0; i < network.layers.size(); ++i) {
     const Layer& layer = network.layers[i];
     const std::string name = "layer " + std::to_string(i) + " (" +

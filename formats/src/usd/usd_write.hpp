@@ -15,9 +15,9 @@
 
 namespace sinew {
 
-// A .usda with its pictures beside it, the .usda last, or a .usdz: y up, metres, UsdSkel (openusd.org, "UsdSkel: Skeleton Schemas"): one skeleton
+// A .usda with its pictures beside it, the .usda last, or a .usdz: y up, meters, UsdSkel (openusd.org, "UsdSkel: Skeleton Schemas"): one skeleton
 // with bind and rest transforms, meshes with influences and blend shapes, an animation a clip of which the first is bound, UsdPreviewSurface.
-// A mesh without a skin that hangs on a joint gets weight 1 for it. Left out: animations of nodes that are no joints, alpha of colours.
+// A mesh without a skin that hangs on a joint gets weight 1 for it. Left out: animations of nodes that are no joints, alpha of colors.
 //   path   ends with .usda or .usdz; pictures are named after it
 //   model  a document as it was read
 // Throws Error naming `path` for accessors that are broken.

@@ -140,7 +140,7 @@ class Transfer(unittest.TestCase):
 
 
 class Look(unittest.TestCase):
-    def test_the_least_sure_are_selected_and_coloured(self):
+    def test_the_least_sure_are_selected_and_colored(self):
         clear()
         item, armature, _, _ = character()
         bpy.ops.sinew.bind()
@@ -153,9 +153,9 @@ class Look(unittest.TestCase):
         self.assertEqual(int(chosen.sum()), round(0.05 * len(sure)))
         self.assertLessEqual(sure[chosen].max(), sure[~chosen].min())
         attribute = item.data.color_attributes["sinew doubt"]
-        colours = np.empty(4 * len(sure), np.float32)
-        attribute.data.foreach_get("color", colours)
-        red = colours.reshape(-1, 4)[:, 0]
+        colors = np.empty(4 * len(sure), np.float32)
+        attribute.data.foreach_get("color", colors)
+        red = colors.reshape(-1, 4)[:, 0]
         self.assertGreaterEqual(red[chosen].min(), red[~chosen].max())
         self.assertGreater(red.max(), red.min() + 0.5)
         bpy.ops.sinew.look()

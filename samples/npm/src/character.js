@@ -211,7 +211,7 @@ export class CharacterModule {
   }
 
   /**
-   * Keypoints of a person's joints alone, as cameras and captures tell them, as a motion: its skeleton is learnt from these frames, which are its
+   * Keypoints of a person's joints alone, as cameras and captures tell them, as a motion: its skeleton is learned from these frames, which are its
    * clip; a second or two are best. keypointsFrame() turns those that come into what RetargetStream.frame() takes.
    * @param {"smpl24" | "humanml3d22" | "lafan22" | "smplh52" | "smplx55" | "coco17" | "h36m17" | "h36m32" | "kinect25" | "openpose25" | "mediapipe33"} layout
    * @param {Float32Array[]} frames [n x 3] each, any unit

@@ -144,7 +144,7 @@ function files() {
     { job: "rig", files: at("biped__robed.obj"), save: "rigged.glb" },
     { job: "rig", files: at("biped__robot.obj"), options: { detail: "full" }, args: ["--detail", "full"], save: "full.glb" },
     { job: "retarget", files: at("biped__caped.gltf"), motion: at("strange.fbx"), save: "moved.glb" },
-    ...["hanging.glb", "named.glb", "weighted.glb", "strange.fbx", "metres.fbx", "strange.dae"].map((name) => ({ job: "bind", files: at(name), save: `${name}.glb` })),
+    ...["hanging.glb", "named.glb", "weighted.glb", "strange.fbx", "meters.fbx", "strange.dae"].map((name) => ({ job: "bind", files: at(name), save: `${name}.glb` })),
     { job: "bind", files: at("strange.fbx", "skin.png"), save: "dressed.glb" },
     { job: "rig", files: at("drawing__child.png"), picture: { units: "pixels" }, args: ["--units", "pixels"], save: "child.glb" },
     { job: "retarget", files: at("drawing__cat.png"), picture: { bodyClass: "quadruped" }, args: ["--class", "quadruped"], save: "cat.glb" },

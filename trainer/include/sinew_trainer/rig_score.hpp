@@ -92,7 +92,7 @@ struct RigScores {
   std::map<std::string, double> owned;                        // owned_surface() of those that were bound
 };
 // Fills all but failures, humanoids and owned.
-RigScores summarise(std::vector<std::pair<std::string, RigScore>> characters);
+RigScores summarize(std::vector<std::pair<std::string, RigScore>> characters);
 // The table of the yardstick, times 100, as Markdown; JSON with every number as it is, null for NaN.
 std::string rig_scores_markdown(const RigScores& scores);
 std::string rig_scores_json(const RigScores& scores);

@@ -16,7 +16,7 @@ struct RigTrainConfig : RunConfig {
   RigTrainConfig();
   std::string architecture = "votes";  // or "slots", the published method, or "front", where a mesh faces
   uint32_t width = 64;                 // channels
-  uint32_t rounds = 4;                 // of neighbours
+  uint32_t rounds = 4;                 // of neighbors
   // "body": skeletons without fingers; "hands": the fingers of hands that were cut out (votes only).
   std::string part = "body";
   // Samples of a character beside two of itself: posed and stretched by its own weights, a third of them half as strongly.

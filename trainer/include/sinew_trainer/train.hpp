@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Training runs: data set cache, sampling by family, loss, optimiser, checkpoints.
+// Training runs: data set cache, sampling by family, loss, optimizer, checkpoints.
 #ifndef SINEW_TRAINER_TRAIN_HPP
 #define SINEW_TRAINER_TRAIN_HPP
 
@@ -60,7 +60,7 @@ struct TrainConfig : RunConfig {
   // Characters that are not trained on, by name (a * at the end stands for any rest), and why: labels that teach wrong.
   std::map<std::string, std::string> leave_out;
   double loss_kl = 0.5, loss_l1 = 1.0, loss_regret = 2.0, loss_part = 0.5, loss_deformation = 10;
-  // Share of the learnt change of heat's logits that the finished network keeps (field only). Below 1 it is worse on
+  // Share of the learned change of heat's logits that the finished network keeps (field only). Below 1 it is worse on
   // the families it was trained on and better on new ones: trainer/configs/RESULTS.md has the figures.
   double correction = 0.7;
   // Augmentation with recomputed features: variants made once per character and cached (turn, mirror, scale, jitter,

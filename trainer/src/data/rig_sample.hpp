@@ -122,11 +122,11 @@ inline RigSample point_sample(const rigging::PointSet& set) {
   s.part_offsets = {0, kSetPoints};
   for (uint32_t i = 0; i <= kSetPoints; ++i) {
     if (i < kSetPoints) s.part_vertices.push_back(i);
-    s.row_offsets.push_back(i * kNeighbours);
+    s.row_offsets.push_back(i * kNeighbors);
   }
   s.far_offsets = s.row_offsets;
-  s.col_indices.assign(set.near_neighbours, set.near_neighbours + size_t{kSetPoints} * kNeighbours);
-  s.far_indices.assign(set.far_neighbours, set.far_neighbours + size_t{kSetPoints} * kNeighbours);
+  s.col_indices.assign(set.near_neighbors, set.near_neighbors + size_t{kSetPoints} * kNeighbors);
+  s.far_indices.assign(set.far_neighbors, set.far_neighbors + size_t{kSetPoints} * kNeighbors);
   return s;
 }
 

@@ -33,7 +33,7 @@ template <class Scalar>
 LossTerms weight_loss(const Sample& sample, const LossWeights& weights, const std::vector<Scalar>& logits,
                       std::vector<Scalar>* d_logits);
 
-// L1 of the yardstick from probabilities [U x K]: the `keep` largest candidates of a vertex, normalised, folded.
+// L1 of the yardstick from probabilities [U x K]: the `keep` largest candidates of a vertex, normalized, folded.
 double sample_l1(const Sample& sample, const std::vector<float>& probabilities, uint32_t keep);
 
 }  // namespace sinew

@@ -16,7 +16,7 @@ class RigConfigTask : public TrainingTask {
  public:
   explicit RigConfigTask(const RigTrainConfig& config) : config_(config) {}
   std::string config_text() const override { return rig_config_json(config_); }
-  std::string normalised_config(const std::string& saved, const std::string& source) const override {
+  std::string normalized_config(const std::string& saved, const std::string& source) const override {
     return rig_config_json(parse_rig_config(saved, source));
   }
 

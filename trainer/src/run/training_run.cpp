@@ -144,7 +144,7 @@ void TrainingRun::start() {
   if (options_.resume) {
     checkpoint_ = read_checkpoint(options_.output);
     // Settings that came later than the checkpoint have their defaults.
-    const std::string saved = task_.normalised_config(checkpoint_.state.config_json, options_.output);
+    const std::string saved = task_.normalized_config(checkpoint_.state.config_json, options_.output);
     require_same_config(saved, config, options_.output);
     task_.check(checkpoint_.latest, options_.output);
     task_.check(checkpoint_.network, options_.output);

@@ -33,7 +33,7 @@ struct Bend {
 const std::vector<Bend>& report_bends();
 
 // The joint of the bend's class that has most weight and, unless it is twisted, a bone of its own; SIZE_MAX without any.
-size_t bent_joint(const Character& character, const LabelledSkeleton& labels, const Bend& bend);
+size_t bent_joint(const Character& character, const LabeledSkeleton& labels, const Bend& bend);
 
 // From a joint to its children, their directions added up; unit length, or zero for a leaf.
 Vec3d bone_direction(const Character& character, size_t joint);

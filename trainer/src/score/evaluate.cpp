@@ -178,8 +178,8 @@ Metrics measure(const Character& reference, const std::vector<std::vector<Influe
     throw Error(name + ": the prediction has " + std::to_string(predicted.size()) + " rows, expected " +
                 std::to_string(vertex_count) + ", one per vertex");
   }
-  const DenseRows r = normalised_rows(reference.influences, joint_count, name);
-  DenseRows p = normalised_rows(predicted, joint_count, name);
+  const DenseRows r = normalized_rows(reference.influences, joint_count, name);
+  DenseRows p = normalized_rows(predicted, joint_count, name);
   const double unfolded_l1 = bound_l1(r, p);
   fold_rows(fold_targets(reference, r), &p);
 

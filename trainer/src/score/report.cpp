@@ -23,7 +23,7 @@ void check(const ReportData& data) {
   }
 }
 
-const ReportVariant* labelled(const ReportData& data, const std::string& label) {
+const ReportVariant* labeled(const ReportData& data, const std::string& label) {
   for (const ReportVariant& v : data.variants)
     if (v.label == label) return &v;
   return nullptr;
@@ -32,7 +32,7 @@ const ReportVariant* labelled(const ReportData& data, const std::string& label) 
 // The figures that a reader looks for first; beside each what heat, the same features without a network, gets.
 std::string key_figures(const ReportData& data) {
   const ReportVariant& main = data.variants[data.main_variant];
-  const ReportVariant* heat = labelled(data, "heat");
+  const ReportVariant* heat = labeled(data, "heat");
   if (heat == &main) heat = nullptr;
   std::string out = "<div class=\"figures\">";
   const auto add = [&](const std::string& value, const std::string& what, const std::string& beside) {

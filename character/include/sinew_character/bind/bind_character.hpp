@@ -63,7 +63,7 @@ void restore_joints(const std::vector<size_t>& joints, const std::vector<uint8_t
 size_t fold_tips(const Character& character, const JointChoice& choice, const std::vector<bool>& kept,
                  std::vector<std::vector<Influence>>* rows);
 
-// Whether a mesh stays as it is: one without a skin that hangs on a joint, or whose neighbours have skins. [meshes]
+// Whether a mesh stays as it is: one without a skin that hangs on a joint, or whose neighbors have skins. [meshes]
 std::vector<bool> kept_meshes(const Character& character, bool bind_props);
 
 struct CharacterBind {

@@ -15,7 +15,7 @@ namespace sinew {
 // One kind of suspicion about one joint. `joint` holds the weight, `better` is the joint that it was expected on.
 //   far-weight    vertices with weight for a joint far away, on another branch of the skeleton, while another is near
 //   island        a patch of the mesh bound across the body, apart from everything else of its joint
-//   odd-vertex    vertices whose neighbours all agree on something else
+//   odd-vertex    vertices whose neighbors all agree on something else
 //   left-right    vertices bound to the mirror twin of the joint they lie at
 //   idle-twin     a joint without weight whose mirror twin has some
 //   shared-position  much of the mesh is bound to joints that stand where another child of their parent with weight does

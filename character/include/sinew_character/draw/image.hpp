@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures without a window: an RGB image, a PNG writer and a small software rasteriser for characters.
+// Pictures without a window: an RGB image, a PNG writer and a small software rasterizer for characters.
 #ifndef SINEW_CHARACTER_IMAGE_HPP
 #define SINEW_CHARACTER_IMAGE_HPP
 
@@ -23,7 +23,7 @@ std::vector<uint8_t> encode_png(const Image& image);
 // A ring around a point, on top of everything; pale where the surface hides the point.
 struct RenderMark {
   Vec3 position;
-  std::array<uint8_t, 3> colour = {230, 20, 90};
+  std::array<uint8_t, 3> color = {230, 20, 90};
 };
 
 struct RenderOptions {
@@ -37,19 +37,19 @@ struct RenderOptions {
   float focus_radius = 0;  //   and how far it shows around it, in the mesh's units
 };
 
-// One colour per joint, spread over hue; the same joint index always gets the same colour.
-std::array<uint8_t, 3> joint_colour(size_t joint);
-// Shaded, depth-tested triangles with one colour per vertex [V].
-Image render(const Character& character, const std::vector<std::array<uint8_t, 3>>& vertex_colours,
+// One color per joint, spread over hue; the same joint index always gets the same color.
+std::array<uint8_t, 3> joint_color(size_t joint);
+// Shaded, depth-tested triangles with one color per vertex [V].
+Image render(const Character& character, const std::vector<std::array<uint8_t, 3>>& vertex_colors,
              const RenderOptions& options = {});
-// Colours blended from the joints' colours by weight.
-std::vector<std::array<uint8_t, 3>> weight_colours(const Character& character);
+// Colors blended from the joints' colors by weight.
+std::vector<std::array<uint8_t, 3>> weight_colors(const Character& character);
 // Dark blue (0) to yellow to red (scale) for values such as L1 errors.
-std::vector<std::array<uint8_t, 3>> heat_colours(const std::vector<float>& values, float scale);
+std::vector<std::array<uint8_t, 3>> heat_colors(const std::vector<float>& values, float scale);
 // Side by side, same height.
 Image beside(const std::vector<Image>& images);
 
-// Colours of pictures: sRGB bytes to linear light and back, joints' colours, a scale for errors.
+// Colors of pictures: sRGB bytes to linear light and back, joints' colors, a scale for errors.
 
 using Linear = std::array<float, 3>;  // linear light, 0..1
 

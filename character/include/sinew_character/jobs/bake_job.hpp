@@ -28,7 +28,7 @@ struct BakeJobOptions {
 struct BakedCharacter {
   Morphs morphs;  // with keys for the animations of `own`
   size_t learnt_poses = 0, held_out_poses = 0;
-  BakeError learnt, held_out;
+  BakeError learned, held_out;
 };
 
 //   own    the file's own animations, or none

@@ -72,7 +72,7 @@ class BindJob {
   // Answers of a style for the parts that a bind without them asks about.
   std::vector<sinew_answer> answers_of(const Style& style);
   // The rules that answers make, with `style`'s before them. Throws Error, which begins with `path`, where there are none.
-  Style learnt(Style style, const std::vector<sinew_answer>& answers, const std::string& path);
+  Style learned(Style style, const std::vector<sinew_answer>& answers, const std::string& path);
   // The bind without answers, with all its questions: what a style is matched with and made of. Made when it is first asked for.
   const CharacterBind& proposed();
 

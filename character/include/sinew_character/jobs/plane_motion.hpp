@@ -36,7 +36,7 @@ Clip clip_with_depth(const Motion& body, const Clip& clip, PictureView view, con
 // Limbs, the head and the pelvis of `target` and `source`, joint by joint: the n-th of a class and a side of one, parents first, is
 // the n-th of the other. Sides are those of the names; bone ends are left out. Also of a skeleton that does not hang together as a
 // body does, which anatomy makes nothing of.
-std::vector<sinew_map_pin> pins_by_class(const LabelledSkeleton& target, const LabelledSkeleton& source);
+std::vector<sinew_map_pin> pins_by_class(const LabeledSkeleton& target, const LabeledSkeleton& source);
 
 }  // namespace sinew
 #endif

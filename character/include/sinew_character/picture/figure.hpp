@@ -40,7 +40,7 @@ struct Figure {
       slits;  // lines of free_limbs() that the mask is open along, in its pixels
 };
 
-// By alpha where the picture has some, else what is unlike the colours of its border (README.md). Throws Error, which begins with the picture's name: nothing
+// By alpha where the picture has some, else what is unlike the colors of its border (README.md). Throws Error, which begins with the picture's name: nothing
 // that stands out, nothing large enough, no figure of that number.
 Figure find_figure(const PictureFile& picture, const FigureOptions& options = {});
 // As a user drew it: what is bright and opaque in `mask`, a picture of the same shape in any size.

@@ -26,7 +26,7 @@ struct PictureFile {
   uint8_t orientation = 1;  // of its EXIF data, 1..8: how the file's rows become those of `pixels`
 };
 
-// PNG (any depth, palettes, interlaced) and JPEG (grey, YCbCr, RGB), told apart by their first bytes. Throws Error: another format, damaged or cut
+// PNG (any depth, palettes, interlaced) and JPEG (gray, YCbCr, RGB), told apart by their first bytes. Throws Error: another format, damaged or cut
 // off, more than kMostPictureSide a side, a library that this build lacks.
 PictureFile read_picture(const std::string& path);
 // The same from bytes; `path` is for messages.

@@ -40,7 +40,7 @@ PicturePlane picture_plane(const Figure& figure, const Character& mesh);
 void close_slits(const Figure& figure, const PicturePlane& plane, Character* mesh);
 
 // [V] of a mesh of picture_mesh(): what the picture shows there, sRGB. For drawings of it without textures.
-std::vector<std::array<uint8_t, 3>> picture_colours(const PictureFile& picture, const Character& mesh);
+std::vector<std::array<uint8_t, 3>> picture_colors(const PictureFile& picture, const Character& mesh);
 
 // z of a mesh of picture_mesh() as a card's.
 void flatten(Character* mesh);

@@ -21,7 +21,7 @@ struct PlaneWindow {
   uint32_t width = 1, height = 1;  // pixels
 };
 
-// A mesh of picture_mesh() in a pose, in the picture's own colours without light, its surroundings transparent. Edges are smoothed.
+// A mesh of picture_mesh() in a pose, in the picture's own colors without light, its surroundings transparent. Edges are smoothed.
 Pixels draw_in_plane(const PictureFile& picture, const Character& posed, const PlaneWindow& window);
 
 struct SpriteFrame {

@@ -16,7 +16,7 @@ namespace sinew {
 struct CharacterTransform {
   std::vector<std::string>
       turns;           // quarters about the origin, one after the other: "x", "-x", "y", ...; x brings y to z
-  double height = 0;   // metres along up, 0: as it is
+  double height = 0;   // meters along up, 0: as it is
   bool floor = false;  // the lowest vertex is at 0 along up
 };
 

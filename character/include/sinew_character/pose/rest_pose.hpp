@@ -21,7 +21,7 @@ struct RestPose {
     kLike  // every limb as its like in `like`
   };
   Kind kind = Kind::kT;
-  LabelledSkeleton like;
+  LabeledSkeleton like;
   std::string name;  // what the user called it, for messages
 };
 
@@ -32,7 +32,7 @@ RestPose read_rest_pose(const std::string& text);
 // their slope and point to the front, a trunk that leans by more than 10 degrees is put upright, and all else goes with its parent; hips
 // stay where they are. Of kLike, limbs without a like go with their parent.
 // Throws Error where sides are not told by names, or kT or kA find no arms: four-legged characters have their stance from a file.
-std::vector<Affine> rest_pose_palette(const LabelledSkeleton& skeleton, const RestPose& pose, Axis up_axis);
+std::vector<Affine> rest_pose_palette(const LabeledSkeleton& skeleton, const RestPose& pose, Axis up_axis);
 
 // The mesh follows by the deformation that keeps volume; weights stay, the lowest vertex is as high as it was, and a
 // document of glTF keeps its materials, normals and shapes. Throws Error for a character without weights.

@@ -16,7 +16,7 @@ namespace sinew {
 // The class of a joint that belongs to its parent: a finger, a part of the face, a twist bone, a control.
 constexpr uint8_t kClassDetail = 255;
 
-struct LabelledSkeleton {
+struct LabeledSkeleton {
   std::vector<Joint> joints;     // any order
   std::vector<uint8_t> classes;  // [J] sinew_joint_class or kClassDetail; a bone end's is its joint's
   std::vector<uint8_t> ends;     // [J] 1 for a bone end
@@ -51,12 +51,12 @@ struct FittedSkeleton {
 // under the pelvis and on the floor. `mine` may be of any size, turned about the up axis by quarters, or have y up where
 // the other has z. A skeleton fitted to itself, moved or scaled, stays exactly itself up to rounding.
 // Throws Error when `mine` has no joints, forms a cycle, or fewer than two joints match.
-FittedSkeleton fit_skeleton(const LabelledSkeleton& mine, const LabelledSkeleton& other, const FitOptions& options);
+FittedSkeleton fit_skeleton(const LabeledSkeleton& mine, const LabeledSkeleton& other, const FitOptions& options);
 
 // By names: joint_verdicts(); controls, slots, fingers and faces are details. Leaves
 // called ends or tips are bone ends.
-LabelledSkeleton label_skeleton(const std::vector<Joint>& joints);
-LabelledSkeleton label_skeleton(const PredictedSkeleton& skeleton);
+LabeledSkeleton label_skeleton(const std::vector<Joint>& joints);
+LabeledSkeleton label_skeleton(const PredictedSkeleton& skeleton);
 
 // A file's skeleton in the place of a predicted one: parents first, partners where it is its own mirror image, confidence
 // 1. Throws Error for a skeleton without joints or with a cycle.

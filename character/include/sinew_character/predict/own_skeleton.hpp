@@ -18,12 +18,12 @@ bool is_template(const std::string& source);  // template:NAME
 std::vector<Joint> read_own_skeleton(const std::string& source);
 
 // A skeleton put into a mesh, where `found` is; its floor is the mesh's. Throws Error that says what does not fit.
-FittedSkeleton fit_into_mesh(const std::vector<Joint>& joints, const LabelledSkeleton& found, FitOptions options,
+FittedSkeleton fit_into_mesh(const std::vector<Joint>& joints, const LabeledSkeleton& found, FitOptions options,
                              const Character& mesh);
 // A user's own skeleton put where `found` is, in place of *skeleton. Its fingers go where those of *skeleton are, if that has some, and all of it
 // where that is a hand without a body. A template has no limb beside the mesh. What its joints deform stays as it says.
 //   source  its file, for messages
-FittedSkeleton fit_own_skeleton(const std::vector<Joint>& own, const std::string& source, const LabelledSkeleton& found,
+FittedSkeleton fit_own_skeleton(const std::vector<Joint>& own, const std::string& source, const LabeledSkeleton& found,
                                 FitOptions options, const Character& mesh, PredictedSkeleton* skeleton);
 
 // Binds a mesh to the skeleton that it was given: a user's own, whose names say which joints deform, or a predicted one,

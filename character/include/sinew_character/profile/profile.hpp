@@ -87,7 +87,7 @@ std::vector<Rotation> joint_axes(const std::vector<Joint>& joints, const AxesTab
 struct ProfileOptions {
   std::vector<std::string> authors;  // empty: those of a VRM's file, else "unknown"
   std::string title;                 // empty: the file's, else the character's name
-  std::string licence;     // as parse_vrm_licence() has it; what it does not say is the file's, else not allowed
+  std::string license;     // as parse_vrm_license() has it; what it does not say is the file's, else not allowed
   bool keep_axes = false;  // the skeleton stays: axes, names and roots
   bool controls = false;   // a glTF's extras say which joints controls hang on: controls.hpp
 };

@@ -37,10 +37,10 @@ Grid<float> extreme(const Grid<float>& in, uint32_t radius, const Better& better
 }
 
 // What is darker than both of its sides: closing less the picture itself (the black top hat).
-Mask strokes_of(const Grid<Lab>& colours, const Mask& figure, uint32_t radius) {
-  Grid<float> light(colours.width, colours.height, 100);  // as paper where there is no figure
+Mask strokes_of(const Grid<Lab>& colors, const Mask& figure, uint32_t radius) {
+  Grid<float> light(colors.width, colors.height, 100);  // as paper where there is no figure
   for (size_t i = 0; i < light.values.size(); ++i)
-    if (figure.inside[i] != 0) light.values[i] = colours.values[i][0];
+    if (figure.inside[i] != 0) light.values[i] = colors.values[i][0];
   const Grid<float> closed_light = extreme(extreme(light, radius, [](float a, float b) { return std::max(a, b); }),
                                            radius, [](float a, float b) { return std::min(a, b); });
   Mask out = figure;
@@ -199,10 +199,10 @@ size_t cut_part(const Search& search, const std::vector<uint32_t>& anchors, InkP
 
 }  // namespace
 
-void cut_inner_lines(const Grid<Lab>& colours, Figure* figure) {
-  const auto side = static_cast<float>(std::max(colours.width, colours.height));
+void cut_inner_lines(const Grid<Lab>& colors, Figure* figure) {
+  const auto side = static_cast<float>(std::max(colors.width, colors.height));
   const auto radius = std::max(2u, static_cast<uint32_t>(0.5f * kWidestStroke * side + 0.5f));
-  const Mask ink = strokes_of(colours, figure->mask, radius);
+  const Mask ink = strokes_of(colors, figure->mask, radius);
   Grid<float> depth = squared_distance(figure->mask, true);
   for (float& d : depth.values) d = std::sqrt(d);
   const Search search = {depth, border_depth(ink, depth, 2 * kWidestStroke * side), kShortestLine * side,

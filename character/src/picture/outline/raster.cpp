@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Distances, parts and colours on grids.
+// Distances, parts and colors on grids.
 #include "picture/outline/raster.hpp"
 
 #include <algorithm>
@@ -172,7 +172,7 @@ Reduced reduce(const Pixels& pixels, uint32_t step) {
         }
       out.alpha.at(x, y) = static_cast<uint8_t>((alpha + count / 2) / count);
       const float share = alpha > 0 ? 1 / static_cast<float>(alpha) : 0;
-      out.colours.at(x, y) = lab_of(sum[0] * share, sum[1] * share, sum[2] * share);
+      out.colors.at(x, y) = lab_of(sum[0] * share, sum[1] * share, sum[2] * share);
     }
   return out;
 }

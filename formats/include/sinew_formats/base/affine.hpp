@@ -28,8 +28,8 @@ Rotation multiply(const Rotation& a, const Rotation& b);
 // By `angle` radians about a unit axis (Rodrigues): I + sin(t) K + (1 - cos(t)) K^2.
 Rotation axis_rotation(const Point3& axis, double angle);
 
-// The rotation about a centre that stays where it is.
-Affine rotation_about(const Rotation& rotation, const Point3& centre);
+// The rotation about a center that stays where it is.
+Affine rotation_about(const Rotation& rotation, const Point3& center);
 
 Point3 transform_point(const Affine& m, double x, double y, double z);
 
@@ -64,7 +64,7 @@ Quaternion multiply(const Quaternion& a, const Quaternion& b);
 inline Quaternion conjugate(const Quaternion& q) { return {-q[0], -q[1], -q[2], q[3]}; }
 double dot(const Quaternion& a, const Quaternion& b);
 // kNoRotation4 for one without length.
-Quaternion normalised(const Quaternion& q);
+Quaternion normalized(const Quaternion& q);
 Point3 rotate(const Quaternion& q, const Point3& v);
 // About axis 0, 1 or 2.
 Quaternion axis_rotation(size_t axis, double radians);
@@ -85,7 +85,7 @@ inline Quaternion rotation_between(const Point3& from, const Point3& to) {
     return {axis[0], axis[1], axis[2], 0};
   }
   const Point3 axis = cross(a, b);
-  return normalised({axis[0], axis[1], axis[2], 1 + c});
+  return normalized({axis[0], axis[1], axis[2], 1 + c});
 }
 // Brings x to to_x, and y as near to to_y as that leaves it.
 inline Quaternion rotation_between(const Point3& x, const Point3& y, const Point3& to_x, const Point3& to_y) {

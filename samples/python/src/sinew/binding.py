@@ -133,7 +133,7 @@ def address(array: Optional[Array]) -> Optional[int]:
 
 
 class Block:
-    """Uninitialised bytes at an address divisible by 64."""
+    """Uninitialized bytes at an address divisible by 64."""
 
     def __init__(self, size_bytes: int) -> None:
         try:

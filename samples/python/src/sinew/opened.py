@@ -74,7 +74,7 @@ def open_picture(source: Source, *, name: str = "", beside: Optional[Mapping[str
 
 
 def open_keypoints(layout: KeypointsLayout, keypoints: Any) -> "OpenCharacter":
-    """Keypoints of a person's joints alone, as cameras and captures tell them, as a motion: its skeleton is learnt from these frames, which are its
+    """Keypoints of a person's joints alone, as cameras and captures tell them, as a motion: its skeleton is learned from these frames, which are its
     clip. keypoints_frame() turns those that come into what RetargetStream.frame() takes, with this skeleton as the source.
 
     layout  which joints the keypoints are

@@ -336,7 +336,7 @@ class SpringsResult:
 class BakeResult:
     """sinew_character_bake_result of C.
 
-    linear_error  of the poses that were learnt, shares of the size, and the one below
+    linear_error  of the poses that were learned, shares of the size, and the one below
     held_out_linear_error  of other poses, and the one below
     """
 

@@ -102,7 +102,7 @@ TEST(LabelCheck, FindsAnIslandAndAFarWeight) {
   EXPECT_TRUE(check_labels(blurred).empty()) << "a little blur is no label";
 }
 
-TEST(LabelCheck, FindsAVertexUnlikeAllItsNeighbours) {
+TEST(LabelCheck, FindsAVertexUnlikeAllItsNeighbors) {
   Character c = small_biped();
   // Near enough not to be "across the body": the next joint but one.
   const uint32_t hips = joint_named(c, "hips"), shin = joint_named(c, "shin.L");

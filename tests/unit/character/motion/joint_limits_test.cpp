@@ -45,7 +45,7 @@ MotionFrame random_pose(const Motion& motion, std::mt19937* random) {
   for (const MotionJoint& joint : motion.joints) {
     Quaternion q{};
     for (double& x : q) x = static_cast<double>(static_cast<int>((*random)() % 2001) - 1000);
-    frame.rotations.push_back(normalised(q));
+    frame.rotations.push_back(normalized(q));
     frame.translations.push_back(joint.offset);
   }
   return frame;

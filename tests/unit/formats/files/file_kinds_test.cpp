@@ -38,7 +38,7 @@ TEST(FileKinds, RowsStandOnceAndBeforeWhatTheyEndWith) {
   EXPECT_EQ(extensions_text(kReadsPicture), ".png, .jpg, .jpeg");
 }
 
-// Extensions, stems and neighbours by name alone.
+// Extensions, stems and neighbors by name alone.
 
 TEST(FileKinds, WhatIsNotReadHasAWayOut) {
   EXPECT_NE(remedy("a/dance.pkl").find("numpy.savez('dance.npz', **numpy.load('a/dance.pkl', allow_pickle=True))"),

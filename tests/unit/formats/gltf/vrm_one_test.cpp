@@ -80,7 +80,7 @@ TEST(VrmOne, MetaExpressionsAndViewAreTranslated) {
   EXPECT_EQ(one["meta"]["allowExcessivelyViolentUsage"], false);
   EXPECT_EQ(one["meta"]["allowExcessivelySexualUsage"], true);
   EXPECT_EQ(one["meta"]["commercialUsage"],
-            "personalNonProfit");  // the licence says so, though the other word allows it
+            "personalNonProfit");  // the license says so, though the other word allows it
   EXPECT_EQ(one["meta"]["thumbnailImage"], 4);
   const Json& happy = one["expressions"]["preset"]["happy"];
   EXPECT_EQ(happy["morphTargetBinds"], Json::array({{{"node", 5}, {"index", 3}, {"weight", 0.5}}}));

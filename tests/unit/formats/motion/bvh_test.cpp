@@ -221,7 +221,7 @@ TEST(Bvh, WhatIsWrittenReadsBack) {
   for (int f = 0; f < 40; ++f) {
     MotionFrame frame;
     const double t = 0.31 * f;
-    frame.rotations = {normalised({std::sin(t), std::cos(3 * t), std::sin(5 * t), 0.3}),
+    frame.rotations = {normalized({std::sin(t), std::cos(3 * t), std::sin(5 * t), 0.3}),
                        multiply(axis_rotation(2, t), multiply(axis_rotation(0, f % 2 == 0 ? std::numbers::pi / 2 : t),
                                                               axis_rotation(1, 2 * t))),
                        kNoRotation4};

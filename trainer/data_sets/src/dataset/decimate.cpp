@@ -40,9 +40,9 @@ class ModOutlineT : public OpenMesh::Decimater::ModBaseT<MeshT> {
     if (collapse.fl.is_valid() && collapse.fr.is_valid())
       return Base::ILLEGAL_COLLAPSE;  // would cut through the inside
     for (const auto out : mesh.voh_range(collapse.v0)) {
-      const auto neighbour = mesh.to_vertex_handle(out);
-      if (neighbour == collapse.v1 || !mesh.is_boundary(mesh.edge_handle(out))) continue;
-      if (distance_to_segment(collapse.p0, mesh.point(neighbour), collapse.p1) > tolerance_)
+      const auto neighbor = mesh.to_vertex_handle(out);
+      if (neighbor == collapse.v1 || !mesh.is_boundary(mesh.edge_handle(out))) continue;
+      if (distance_to_segment(collapse.p0, mesh.point(neighbor), collapse.p1) > tolerance_)
         return Base::ILLEGAL_COLLAPSE;
     }
     return Base::LEGAL_COLLAPSE;

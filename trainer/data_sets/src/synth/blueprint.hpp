@@ -49,7 +49,7 @@ struct Blueprint {
   // Roles, for clothes and parts. Joints that a plan lacks are kNoJoint.
   std::vector<int> trunk;  // from the hips to the chest
   int neck = kNoJoint, head = kNoJoint;
-  Point head_centre;
+  Point head_center;
   double head_radius = 0.1;
   std::vector<Limb> arms, legs;
 

@@ -327,7 +327,7 @@ void set_on_floor(int resolution, Blueprint* made) {
     const double flattest = thinnest / std::min(bone.ra, bone.rb);
     for (double* s : {&bone.scale.x, &bone.scale.y, &bone.scale.z}) *s = std::max(*s, flattest);
   }
-  made->head_centre = made->head_centre + up;
+  made->head_center = made->head_center + up;
 }
 
 }  // namespace
@@ -362,7 +362,7 @@ Blueprint make_creature(BodyPlan plan, int resolution, Random* random) {
   for (const int node : body.trunk) made.trunk.push_back(joint_of[static_cast<size_t>(node)]);
   const size_t head = static_cast<size_t>(body.head == kNoJoint ? body.chest() : body.head);
   made.head = made.neck = joint_of[head];
-  made.head_centre = stretched(drawn.nodes[head].at);
+  made.head_center = stretched(drawn.nodes[head].at);
   made.head_radius = drawn.nodes[head].radius * 0.9 * std::min(stretch.x, stretch.z);
   set_on_floor(resolution, &made);
   return made;
