@@ -72,9 +72,10 @@ void transform_character(const sinew_character_transform_options& options, sinew
   transform.floor = options.floor != 0;
   check_transform(transform);
   const std::string& name = character->character.name;
-  if (character->picture != nullptr) throw Error(name + ": is of a picture, which stays in its plane");
+  if (character->picture != nullptr)
+    throw Error(name + ": is a picture, which stays in its plane; rotate it after saving");
   if (!character->clips.empty() || !character->morphs.shapes.empty())
-    throw Error(name + ": has clips or morph targets that are in no file yet; transform it before they are added");
+    throw Error(name + ": has clips or morph targets that are not saved yet; transform it before adding them");
   const Axis up_axis = up_axis_of("up", options.up == SINEW_UP_AUTO ? uint32_t{SINEW_UP_Y} : options.up);
   const bool same_skin = character->same_skin;
   character->character = transformed(character->character, transform, up_axis);
@@ -104,7 +105,7 @@ extern "C" sinew_status sinew_character_lod(sinew_character* character, const si
     const LodOptions job = job_of(options_of(given));
     if (!character->clips.empty() || !character->morphs.shapes.empty())
       throw Error(character->character.name +
-                  ": has clips or morph targets that are in no file yet; save it and open that");
+                  ": has clips or morph targets that are not saved yet; save it and open that file");
     std::vector<LodLevel> made = levels_of_detail(job, character->character);
     std::vector<std::unique_ptr<sinew_character>> handles;
     for (size_t k = 0; k < made.size(); ++k) {
