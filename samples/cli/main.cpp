@@ -20,7 +20,7 @@ const Program& sinew_program() {
   static const Program program = {
       "sinew",
       "Auto-rigging, skin weights and retargeting for character meshes.",
-      "Example:\n  sinew rig hero.obj -o hero.glb --png hero.png\n\nExit status: 0 done, 1 failed, 2 wrong usage, 3 "
+      "Example:\n  sinew rig hero.obj -o hero.glb --png hero.png\nExit status: 0 done, 1 failed, 2 wrong usage, 3 "
       "done but --gate failed. sinew-lab trains and evaluates.\nThe environment variable "
       "SINEW_KERNEL=ref|avx2|avxvnni|vnni selects the instructions; results are\nthe same for each.",
       {{"rig", add_rig},

@@ -36,7 +36,7 @@ const Program& lab_program() {
   static const Program program = {"sinew-lab",
                                   "Train, quantize and evaluate the networks of sinew.",
                                   "Example:\n  sinew-lab train characters/train --val characters/val -o studio.ckpt "
-                                  "--minutes 30\n\nExit status: 0 done, 1 failed, 2 wrong usage.",
+                                  "--minutes 30\nExit status: 0 done, 1 failed, 2 wrong usage.",
                                   {{"train", add_train},
                                    {"crossval", add_crossval},
                                    {"quantize", add_quantize},
