@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures without a window: an RGB image, a PNG writer and a small software rasterizer for characters.
+// Rendering without a window: an RGB image, a PNG writer and a small software rasterizer for characters.
 #ifndef SINEW_CHARACTER_IMAGE_HPP
 #define SINEW_CHARACTER_IMAGE_HPP
 
@@ -28,25 +28,25 @@ struct RenderMark {
 
 struct RenderOptions {
   int width = 900, height = 900;
-  float yaw_degrees = 25.0f, pitch_degrees = 10.0f;  // camera turn about Y (front = +Z) and tilt down
+  float yaw_degrees = 25.0f, pitch_degrees = 10.0f;  // camera rotation about Y (front = +Z) and tilt down
   bool draw_skeleton = true;
   Axis up = Axis::kY;
   std::vector<uint8_t> red_joints;  // [J] 1: it and the bone to its parent are red; empty: none
   std::vector<RenderMark> marks;
-  Vec3 focus;              // with focus_radius > 0: the middle of the picture instead of the whole mesh,
-  float focus_radius = 0;  //   and how far it shows around it, in the mesh's units
+  Vec3 focus;              // with focus_radius > 0: center of the picture instead of the whole mesh,
+  float focus_radius = 0;  //   and the shown radius, in the mesh's units
 };
 
-// One color per joint, spread over hue; the same joint index always gets the same color.
+// Returns the color of a joint index, spread over hue.
 std::array<uint8_t, 3> joint_color(size_t joint);
-// Shaded, depth-tested triangles with one color per vertex [V].
+// Draws shaded, depth-tested triangles with one color per vertex [V].
 Image render(const Character& character, const std::vector<std::array<uint8_t, 3>>& vertex_colors,
              const RenderOptions& options = {});
-// Colors blended from the joints' colors by weight.
+// Returns colors blended from the joints' colors by weight.
 std::vector<std::array<uint8_t, 3>> weight_colors(const Character& character);
-// Dark blue (0) to yellow to red (scale) for values such as L1 errors.
+// Returns colors from dark blue (0) to yellow to red (scale) for values such as L1 errors.
 std::vector<std::array<uint8_t, 3>> heat_colors(const std::vector<float>& values, float scale);
-// Side by side, same height.
+// Joins pictures of the same height side by side.
 Image beside(const std::vector<Image>& images);
 
 // Colors of pictures: sRGB bytes to linear light and back, joints' colors, a scale for errors.
