@@ -59,7 +59,7 @@ SINEW_API const char* sinew_character_extensions(uint32_t uses);
  *   character  out, closed by sinew_character_close(); untouched on failure */
 SINEW_API sinew_status sinew_character_open(const char* path, sinew_character** character);
 
-/* Opens a file in memory; the disk is not looked at. Bytes are copied.
+/* Opens a file in memory, without access to the disk. Bytes are copied.
  *   files  the file, then the files beside it (.bin, pictures, .mtl, .rig.txt) under the names that it has for them */
 SINEW_API sinew_status sinew_character_open_files(const sinew_file* files, uint32_t file_count,
                                                   sinew_character** character);

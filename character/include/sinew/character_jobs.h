@@ -643,7 +643,7 @@ SINEW_API sinew_status sinew_character_lod(sinew_character* character, const sin
 
 /* ---- springs ---- */
 
-/* `sinew springs`: names are those of chains, which are those of their first joints; NAME* stands for all that begin with NAME. */
+/* `sinew springs`: a chain has the name of its first joint; NAME* selects all chains whose names begin with NAME. */
 typedef struct sinew_character_springs_options {
   uint32_t struct_size;
   /* 1: finds springs anew instead of the file's own. */

@@ -127,7 +127,7 @@ typedef struct sinew_floor {
 /* Start from SINEW_INIT(sinew_contact_options). Later versions add members at the end, as in sinew_retarget_options. */
 typedef struct sinew_contact_options {
   uint32_t struct_size;    /* sizeof(sinew_contact_options) */
-  float fps;               /* frames a second; 0 = 30 */
+  float fps;               /* frames per second; 0 = 30 */
   sinew_progress progress; /* or null */
   void* progress_user;
   const sinew_floor* floor; /* floor of the target (the source's is level); null: level */

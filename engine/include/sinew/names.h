@@ -12,7 +12,7 @@ extern "C" {
 
 /* Role of a joint. Numbers are never reused. */
 typedef enum sinew_joint_role {
-  SINEW_ROLE_DEFORMS = 0, /* moves the mesh, as far as can be told */
+  SINEW_ROLE_DEFORMS = 0, /* moves the mesh; the default for unknown joints */
   SINEW_ROLE_ROOT = 1,    /* carries the whole rig */
   SINEW_ROLE_CONTROL = 2, /* handle, pole or target that other joints follow */
   SINEW_ROLE_SLOT = 3,    /* attachment point for weapons, hats and other objects */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * Questions and answers: geometry does not always say how an artist binds a part of a mesh. Then the bind asks, and the user's
- * answer goes into the next bind.
+ * Questions and answers: geometry alone does not always decide how an artist binds a part of a mesh. Then the bind
+ * asks, and the user's answer goes into the next bind.
  *
  * A part is a connected piece of the mesh, vertices at one position taken as one. Parts of the same shape, mirrored ones
  * too, are one question: buttons, wheels, eyes. A bind with sinew_bind_options::question_count lists those parts whose

@@ -40,7 +40,7 @@ struct Motion {
   std::string name;  // file stem
   std::vector<MotionJoint> joints;
   std::vector<Clip> clips;
-  std::vector<std::string> notes;  // remarks of the reader for the user, a line each
+  std::vector<std::string> notes;  // notes of the reader for the user, one line each
   bool rest_stands = false;        // the rest pose is known to be a standing pose; else standing_motion() decides
 };
 
