@@ -70,7 +70,7 @@ std::vector<bool> kept_meshes(const Character& character, bool bind_props);
 struct CharacterBind {
   std::vector<std::vector<Influence>> influences;  // [V]; kept meshes follow their joint, or have no weights
   std::vector<uint8_t> confidence;                 // [V] 0..255, see sinew_bind_outputs
-  std::vector<sinew_question> questions;           // by falling gain; with BindOptions::question_count
+  std::vector<sinew_question> questions;           // by descending gain; with BindOptions::question_count
   std::vector<uint32_t> vertex_questions;          // [V] index of a question or SINEW_NO_QUESTION, with the same
   std::vector<uint32_t> vertex_parts;              // [V] connected pieces in any order, with the same
   size_t kept_meshes = 0, folded_tips = 0;

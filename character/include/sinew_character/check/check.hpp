@@ -57,16 +57,17 @@ struct RigCheck {
   size_t errors = 0, warnings = 0, notes = 0;
 };
 
-// Checks a character that has joints; without weights, what can be seen of the skeleton. Findings are the same on every machine.
+// Checks a character with joints; without weights only the skeleton. Findings are the same on every machine.
 //   motion  its clips, whose first joints are the character's; or null
 // Throws Error for a character without joints, with a hierarchy that has a cycle, or with positions or weights that are not finite.
 RigCheck check_rig(const Character& character, const Motion* motion, const CheckOptions& options = {});
 
-// Only what is cheap, for the end of a job: "checked: 0 findings", or how many there are and of which rules.
+// Runs only cheap rules, for the end of a job. Returns "checked: 0 findings", or the number of findings and their
+// rules.
 std::string checked_line(const RigCheck& check);
 
-// What the second version has that the first has not, and the other way round. Findings are the same when rule, joints (by name), pose
-// and clip are.
+// Findings of the second version that the first one does not have, and vice versa. Findings are equal if rule, joints
+// (by name), pose and clip are.
 struct CheckChange {
   std::vector<size_t> added;    // of `now`
   std::vector<size_t> removed;  // of `before`
