@@ -235,7 +235,7 @@ void add_quantize(CLI::App& app) {
   sub->add_option("--calibrate-confidence", s->confidence,
                   "Characters for the confidence table, from many families outside the training data. The table maps "
                   "the share of the strongest joint to how often it is right (sinew-lab eval confidence measures how "
-                  "well it carries over)")
+                  "well it generalizes)")
       ->type_name("DIR");
   sub->add_option("--characters", s->characters, "Number of calibration characters, spread over the folder; 0 = all")
       ->capture_default_str()

@@ -174,7 +174,7 @@ bool make_spring_chains(SpringsOptions* options, Character* character) {
 void swing_clips(const SpringsOptions& options, const std::string& path, bool measure, AnimatedCharacter* out) {
   const SpringsFound found = springs_of(options, path, out->character);
   if (found.springs.chains.empty())
-    throw Error(path + ": nothing of it swings; sinew springs says what was looked at, and --take what to take");
+    throw Error(path + ": no chain swings; list candidates with sinew springs, keep one with --take");
   std::map<std::string, size_t> kinds;
   for (const FoundChain& one : found.chains)
     if (one.kept) ++kinds[spring_kind_text(one.kind)];

@@ -17,7 +17,7 @@ typedef enum sinew_method {
   SINEW_METHOD_HEAT = 1   /* heat fields alone; model may be null */
 } sinew_method;           /* 2: sinew/published.h */
 
-/* Decides which parts (connected pieces of the mesh) are rigid. Artists weight the same geometry in both ways. */
+/* Decides which parts (connected pieces of the mesh) are rigid. Artists bind the same geometry rigidly or softly. */
 typedef enum sinew_rigid_parts {
   SINEW_RIGID_PARTS_AUTO = 0,   /* the model or the heat field decides */
   SINEW_RIGID_PARTS_ALWAYS = 1, /* every part gets one joint: the one with most of its weight */

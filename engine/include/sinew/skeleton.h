@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Skeletons: the one struct that every call takes, and the one enum that says which axis points up. */
+ * Skeletons: the struct that all calls take, and the enum of the up axis. */
 #ifndef SINEW_SKELETON_H
 #define SINEW_SKELETON_H
 

@@ -24,7 +24,7 @@ namespace {
 constexpr uint32_t kMeshEnds = 150, kPointsEnd = 400, kVotesEnd = 800;
 
 static_assert(kMaxRigJoints == SINEW_MAX_RIG_JOINTS && kMaxJointName == SINEW_JOINT_NAME_BYTES,
-              "the header says how much room there has to be");
+              "the limits of the header and of the source are equal");
 
 // A point of the mirror frame in the caller's units. What mirrors there mirrors here, because both sides are the middle and
 // the same length away from it; the middle is 0 where it is that within a step of the grid.

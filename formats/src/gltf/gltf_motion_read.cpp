@@ -97,7 +97,7 @@ class GltfMotionReader {
       if (known[sampler] == 0) track = read_track(name, model(), animation.samplers[sampler], width);
       known[sampler] = 1;
       if (track.width != width)
-        throw Error(name + ": expected a sampler of " + std::to_string(width) + " numbers a key, found one of " +
+        throw Error(name + ": expected a sampler of " + std::to_string(width) + " numbers per key, found one of " +
                     std::to_string(track.width));
       NodeTracks& node = animated_.back()[static_cast<size_t>(channel.target_node)];
       (turns ? node.rotation : channel.target_path == "scale" ? node.scale : node.translation) = &track;

@@ -130,7 +130,7 @@ class NumpyReader {
       fail("at most " + std::to_string(kMostRotations) + " frames times joints", std::to_string(frames) + " frames");
     const NpyArray* const moves = find({"trans", "transl", "smpl_trans"});
     if (moves != nullptr && (moves->rows() != frames || moves->width() != 3))
-      fail("'trans' of 3 numbers a frame", arrays_text());
+      fail("'trans' of 3 numbers per frame", arrays_text());
     const double scale = body_scale();
     motion_.joints = person_joints(model->joints);
     Clip clip;

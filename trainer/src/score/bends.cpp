@@ -39,7 +39,7 @@ const std::vector<Bend>& report_bends() {
       {SINEW_CLASS_FOREARM, "elbow, bent by", 130, false, true, false, 20},
       {SINEW_CLASS_CALF, "knee, bent by", 130, false, false, true, 20},
       {SINEW_CLASS_THIGH, "hip, thigh forward by", 90, false, false, false, 45},
-      {SINEW_CLASS_UPPER_ARM, "shoulder, arm turned by", 75, false, true, false, 20},
+      {SINEW_CLASS_UPPER_ARM, "shoulder, arm rotated by", 75, false, true, false, 20},
       {SINEW_CLASS_HAND, "wrist, twisted by", 150, true, false, false, 20}};
   return bends;
 }

@@ -26,7 +26,7 @@ struct FitOptions {
   Axis up_axis = Axis::kY;
   bool keep_lengths = false;  // bones are rotated and all scaled by one factor
   std::optional<float>
-      floor;  // lowest point of the mesh, for roots on the floor; nullopt: the same distance below the feet as before
+      floor;  // lowest point of the mesh, for roots on the floor; nullopt: unchanged distance below the feet
 };
 
 // How the position of a joint was found.

@@ -41,21 +41,22 @@ struct ControlRig {
   std::vector<int> spine, neck;  // from below
   std::vector<ControlLimb> limbs;
   std::vector<ControlFinger> fingers;
-  std::vector<std::string> notes;  // what is not there, a line each
+  std::vector<std::string> notes;  // missing controls, one line each
 };
 
-// By classes of joints, as limits and profiles have them; knees and elbows point away from where they bend. A character without legs, arms or a
-// trunk has fewer controls, which the notes say. Throws Error for joints that joint_verdicts() refuses.
+// Finds controls by classes of joints, as limits and profiles do; knees and elbows point away from their bend. A
+// character without legs, arms or a torso has fewer controls, with a note. Throws Error for joints that joint_verdicts()
+// rejects.
 ControlRig find_controls(const Character& character);
 
-// The file's text, with a line break at its end.
-//   joints  [J] as they are written: their names and positions
-//   turn    brings the rig's directions there
+// Returns the text of the file, with a final line break.
+//   joints  [J] as written: names and positions
+//   turn    rotation of the rig's directions to those of the written joints
 std::string controls_text(const ControlRig& rig, const std::string& name, const std::vector<Joint>& joints,
                           const Rotation& turn = kNoRotation);
 std::string controls_text(const Character& character);
 
-// The same as GlbOptions::extras: {"sinew_controls": ...}.
+// Returns GlbOptions::extras: {"sinew_controls": ...}.
 std::string controls_extras(const std::string& text);
 
 }  // namespace sinew
