@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Where to look: the doubtful vertices of a bind, selected and colored."""
+"""Show doubt: selects and colors the least certain vertices of a bind."""
 import bpy
 import numpy as np
 
@@ -10,14 +10,14 @@ ATTRIBUTE = "sinew doubt"
 
 
 class SINEW_OT_look(EngineOperator, bpy.types.Operator):
-    """Selects the vertices whose weights are the least sure, and colors all by doubt. Weights stay as they are"""
+    """Select the vertices with the least certain weights, and color all by doubt. Keeps the weights"""
 
     bl_idname = "sinew.look"
-    bl_label = "Where to Look"
+    bl_label = "Show Doubt"
     bl_options = {"REGISTER", "UNDO"}
-    label = "Where to look"
+    label = "Show doubt"
 
-    share: bpy.props.FloatProperty(name="Share", description="Of the vertices that are selected, the least sure ones", default=0.1, min=0.001,
+    share: bpy.props.FloatProperty(name="Share", description="Share of the vertices to select, the least certain ones", default=0.1, min=0.001,
                                    max=1, subtype="FACTOR")
 
     @classmethod
@@ -62,7 +62,7 @@ class SINEW_OT_look(EngineOperator, bpy.types.Operator):
             if mode == "EDIT":
                 with context.temp_override(active_object=item, object=item):
                     bpy.ops.object.mode_set(mode="EDIT")
-        self.report({"INFO"}, f"Where to look: {int(doubtful.sum())} of {joined.own} vertices are selected, the color attribute is {ATTRIBUTE}")
+        self.report({"INFO"}, f"Show doubt: {int(doubtful.sum())} of {joined.own} vertices are selected, the color attribute is {ATTRIBUTE}")
 
 
 def register():

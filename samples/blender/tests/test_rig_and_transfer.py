@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rig, Transfer, Where to Look in Blender, headless."""
+"""Rig, Transfer, Show Doubt in Blender, headless."""
 import os
 import sys
 import unittest
