@@ -135,7 +135,7 @@ class Transfer(unittest.TestCase):
         item.modifiers.new("Armature", "ARMATURE").object = armature
         self.assertEqual(bpy.ops.sinew.transfer(garment=True), {"FINISHED"})
         np.testing.assert_allclose(dense(other, skeleton.names).sum(1), 1, atol=1e-5)
-        with self.assertRaisesRegex(RuntimeError, "Transfer: garment: it lies on its body"):
+        with self.assertRaisesRegex(RuntimeError, "Transfer: garment: does not work with"):
             bpy.ops.sinew.transfer(garment=True, method="biharmonic")
 
 
