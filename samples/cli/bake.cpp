@@ -113,10 +113,11 @@ void add_bake(CLI::App& app) {
   shared_option(sub, "--seed", s->seed)->capture_default_str();
   auto* animation = shared_option(sub, "--animation", s->animation, "The training poses come from it");
   shared_option(sub, "--shapes", s->shapes, "Per bend")->check(CLI::Range(1u, 64u))->capture_default_str();
-  sub->add_option("--error", s->error,
-                  "Threshold for leaving out shapes and displacements: root mean square over the poses")
+  sub->add_option(
+         "--error", s->error,
+         "Threshold for leaving out shapes and displacements: root mean square over the poses, in percent of the size")
       ->check(CLI::Range(0.0, 10.0))
-      ->type_name("PERCENT OF THE SIZE")
+      ->type_name("PERCENT")
       ->capture_default_str();
   add_deform_options(sub, {"volume", "xpbd", "delta-mush"}, "Of the poses that shapes are fitted to. ", &s->deform);
   sub->get_option("--deform")->default_str("volume");

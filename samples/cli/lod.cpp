@@ -111,7 +111,10 @@ void add_lod(CLI::App& app) {
   shared_option(sub, "-o,--output", s->output,
                 "Base name of the levels NAME.lod1, NAME.lod2, ...: " + extensions_text(kWritesWhole))
       ->default_str("CHARACTER.glb");
-  sub->add_option("--levels", s->options.levels, "Number of levels")->check(CLI::Range(1, 8))->capture_default_str();
+  sub->add_option("--levels", s->options.levels, "Number of levels")
+      ->check(CLI::Range(1, 8))
+      ->type_name("N")
+      ->capture_default_str();
   sub->add_option("--triangles", s->options.ratio, "Triangles of a level as a share of the level before")
       ->check(CLI::Range(0.05, 0.95))
       ->type_name("SHARE")

@@ -54,7 +54,7 @@ void add_solver_options(CLI::App* sub, DeformSettings* settings);
 void add_drawn_correction(CLI::App* sub, DeformSettings* settings, const std::string& more = "");
 
 constexpr const char* kClassMeaning =
-    "Body class, where the prediction is wrong: decides which limbs are arms, legs, wings";
+    "Body class, where the prediction is wrong. It decides which limbs are arms, legs, wings";
 
 struct PictureOptions {
   std::string mask, mask_out, units = "figure", body;

@@ -319,7 +319,7 @@ void add_rig_inputs(CLI::App* sub, RigCommandSettings* s) {
   shared_option(sub, "--up", s->up, "auto: y for glTF, else found")
       ->check(CLI::IsMember({"auto", "y", "z"}))
       ->capture_default_str();
-  word_option(sub, "--front", s->front, kFronts, "Direction that the mesh faces; auto: found, at any angle")
+  word_option(sub, "--front", s->front, kFronts, "Direction that the mesh faces. auto: found, at any angle")
       ->type_name("AXIS");
   shared_option(sub, "--png", s->png, "The mesh with its joints, colored by weight");
   shared_flag(sub, "--json", s->json, "Joints with confidences; for a folder, one line per mesh");

@@ -156,8 +156,8 @@ void add_springs(CLI::App& app) {
       ->allow_extra_args(false);
   sub->add_option(
          "--value", s->options.values,
-         "Set one parameter of a chain's joints, NAME:FIELD=X, or scale it, NAME:FIELD=xF: " + spring_fields_text() +
-             ": meters per second, meters, degrees; limit is for animate --springs only; repeatable")
+         "Set a parameter of a chain's joints, NAME:FIELD=X, or scale it, NAME:FIELD=xF; repeatable. Fields: " +
+             spring_fields_text() + ", in meters per second, meters, degrees; limit is for animate --springs only")
       ->type_name("SETTING")
       ->allow_extra_args(false);
   sub->add_flag("--make", s->make,
