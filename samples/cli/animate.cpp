@@ -80,7 +80,7 @@ AnimateOptions animate_options(const AnimateSettings& s) {
   options.up = maybe_axis(s.up_name);
   options.motion_up = maybe_axis(s.motion_up_name);
   options.map_as_drawn = s.deform.as_drawn && is_picture(s.character);
-  // A clip that nobody asked for, and a comparison, are played with a warning where they do not fit.
+  // A default clip or a comparison that does not fit is played with a warning.
   options.force = s.force || s.motions.empty() || options.map_as_drawn;
   options.reference.area_power = s.area_power == 0 ? SINEW_NO_AREA : s.area_power;
   options.reference.falloff = s.falloff == 0 ? SINEW_NO_FALLOFF : static_cast<float>(s.falloff);

@@ -133,7 +133,7 @@ void animate(const sinew_character_animate_options& options, ProgressOfCaller* p
     if (played.file != nullptr)
       open_into(&own);
     else
-      job.force = true;  // nobody asked for it: a warning will do
+      job.force = true;  // a clip that the caller did not request gives only a warning
     motion = &own;
   }
   MotionFile source = motion_of_handle(motion, played, job, made.character);

@@ -11,7 +11,7 @@
 namespace sinew {
 
 struct BodyKind {
-  std::optional<size_t> legs;   // empty: nobody knows
+  std::optional<size_t> legs;   // empty: unknown
   std::optional<bool> upright;  // of bodies with legs and something above them
 };
 

@@ -120,7 +120,7 @@ class HumanLimits {
 
   double side_of(int j) const { return dot(at(j) - frame_.middle, frame_.left) < 0 ? -1 : 1; }
 
-  // As far to the front as to the back where nobody knows which is which.
+  // Makes the limits symmetric if the front is unknown.
   Ends either_way(const Ends& ends) const {
     if (length(frame_.front) > 0) return ends;
     const float most = std::max(-ends.least, ends.most);

@@ -115,7 +115,7 @@ class MapReader {
     double limbs = 0;
     for (const PartKind kind : {PartKind::kLeg, PartKind::kArm, PartKind::kWing})
       limbs = std::max(limbs, reached(kind));
-    // Fish, spiders: where nobody knows the limbs of one, the target's joints count.
+    // Fish, spiders: if the limbs of one body are unknown, the share of the target's joints counts.
     if (!has_limbs(to_) || !has_limbs(from_)) limbs = moved_share();
     if (has_limbs(to_) || has_limbs(from_)) least(limbs, "no legs, arms or wings");
     if (to_.lean() && from_.lean()) {

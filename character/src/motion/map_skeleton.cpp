@@ -143,8 +143,8 @@ MapRig read_map_rig(const std::string& path) {
   return rig;
 }
 
-// Up where nobody says it: along the legs of a body that has two, else y, as nearly all files have it. What the engine finds without either
-// is wrong for one animal in eight and for most fish (F1 of public maps without names 0.855, of y 0.900).
+// Up axis if it is unknown: along the legs of a body with two legs, else y, as in nearly all files. The engine's own
+// guess is wrong for one animal in eight and for most fish (F1 of public maps without names 0.855, of y 0.900).
 Axis found_up(const MapRig& rig, const MapSkeletonOptions& options) {
   MapRig read = rig;
   if (!options.names)

@@ -69,7 +69,7 @@ class StanceFinder {
         classes_(joint_verdicts(map_rig_of(motion).joints).classes),
         all_(moving_.best_frames(1, [](size_t) { return 0.0; })) {}
 
-  // What the body is that the rest pose does not show; false where nobody can tell, and for what does not go upright.
+  // Finds the body from the frames, as the rest pose does not show it. Returns false if it is unknown or not upright.
   bool find_body() {
     const MapRig rig = map_rig_of(motion_);
     const std::optional<UprightBody> named = find_upright_body(rig.joints, limb_classes(rig, {}));
@@ -202,7 +202,7 @@ class StanceFinder {
       else
         swing(joint, side, axes_.left);
     } else if (const int next = next_in_trunk(joint); next >= 0) {
-      // Who dances or runs leans while he stands; below the chest nobody's stance does.
+      // A dancer or runner leans in many frames, but a standing pose does not lean below the chest.
       const Point3 bone = moving_.offset(next);
       const bool below_chest = is_below(body_.chest, joint);
       swing(joint, bone, below_chest ? axes_.up : across(rotate(turn(joint), bone), axes_.left));

@@ -42,7 +42,7 @@ bool is_upright(const UprightBody& body, const std::vector<Point3>& positions);
 
 // Directions of a body in the world at rest, unit vectors, and the middle of its hips.
 struct BodyFrame {
-  Point3 up{}, front{}, left{}, middle{};  // no front: nobody knows
+  Point3 up{}, front{}, left{}, middle{};  // zero front: unknown
 };
 
 // Up from feet to head, front where toes point, else by the sides of names.
@@ -50,9 +50,9 @@ struct BodyFrame {
 BodyFrame body_frame(const std::vector<Joint>& joints, const UprightBody& body, MaybeAxis up);
 
 // To where a calf, else a forearm, goes when its joint bends, across the bone above it: to the side of the bend at rest, else the calf back and the
-// forearm to the front. nullopt where nobody knows.
+// forearm to the front. Returns nullopt if unknown.
 //   along, own  unit vectors along the bone above and along its own
-//   front       of the body; zero: nobody knows
+//   front       of the body; zero: unknown
 std::optional<Point3> bend_side(const Point3& along, const Point3& own, const Point3& front, bool calf);
 
 }  // namespace sinew

@@ -43,8 +43,8 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
 // The task of the networks that predict skin weights: vertex and pair features of that set, and one logit per pair. False for a set or a flag that this build does not have.
 bool bind_task(uint32_t feature_set, ModelTask* task);
 
-// Runs the stages of a plan in the workspace and writes the outputs. Arguments as in sinew_bind(), checked but for what
-// the arrays hold. Nothing is written to the outputs before nothing can fail any more.
+// Runs the stages of a plan in the workspace and writes the outputs. Arguments as in sinew_bind(), already checked
+// except for the contents of arrays. Outputs are written after the last step that can fail.
 //   outputs  the library's own struct, with the caller's arrays
 sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_skeleton& skeleton, void* workspace,
                       size_t workspace_bytes, sinew_bind_outputs* outputs);

@@ -36,7 +36,7 @@ struct Hierarchy {
   // From the caller's rig. SINEW_ERROR_NOT_FINITE, SINEW_ERROR_INDEX, SINEW_ERROR_HIERARCHY.
   sinew_status build(const sinew_skeleton& rig, bool with_names);
 
-  // Where nobody told which joints are ends: all leaves, or none.
+  // If ends are unknown: marks all leaves as ends, or none.
   void take_leaves_as_ends(bool yes);
 
   int32_t kid_count(int32_t joint) const { return kid_offsets[joint + 1] - kid_offsets[joint]; }

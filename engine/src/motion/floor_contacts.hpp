@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Feet, hands, knees, elbows, seat and chest on the floor: of a whole clip, or frame by frame as it comes.
+// Contacts of feet, hands, knees, elbows, seat and chest with the floor, for a whole clip or a stream of frames.
 #ifndef SINEW_MOTION_FLOOR_CONTACTS_HPP
 #define SINEW_MOTION_FLOOR_CONTACTS_HPP
 

@@ -114,8 +114,8 @@ class Limbs {
     return true;
   }
 
-  // The mean of a limb's joints, from below or, of a quadruped, from behind; of what nobody calls either, along the trunk from its
-  // root.
+  // Mean position of a limb's joints: height, or for a quadruped distance from behind; for an unknown kind the depth
+  // of its parent in the tree.
   int64_t how_far(BodyKind kind, uint32_t limb) const {
     if (kind == BodyKind::kAny) return depth(tree_.nodes[limb].parent);
     int64_t sum = 0;

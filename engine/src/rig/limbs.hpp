@@ -39,11 +39,11 @@ bool free_ears(const Heights& heights, LimbVotes& votes, FoldedTree* tree);
 void settle_limbs(LimbVotes& votes, FoldedTree* tree);
 
 // Which limbs of a settled tree are legs by where they are, in a body of that kind: the lowest pair of a biped's, the
-// rearmost pair of a quadruped's; the others are arms. Where a body has one pair alone the votes stay. Where nobody says the
-// kind, and all there is are two pairs of legs, the front one on a spine that hangs on what the rear one hangs on, the front one are
-// arms; limbs of one joint do not count.
-//   votes  in, out: of each joint, not summed; those of a limb's joints for arms and legs go to the one that it is
-// Returns whether a limb is another now than the tree says. The tree is to be grown again then.
+// rearmost pair of a quadruped's; the others are arms. If a body has only one pair, the votes are kept. If the kind
+// is unknown and there are exactly two pairs of legs, with the front pair on a spine that starts at the parent of the
+// rear pair, the front pair are arms; limbs of one joint are ignored.
+//   votes  in, out: of each joint, not summed; a limb's votes for arms and legs are moved to its class
+// Returns whether the class of a limb differs from the tree, which must then be grown again.
 bool steer_limbs(BodyKind kind, FoldedTree* tree, LimbVotes& votes);
 
 }  // namespace sinew::rigging

@@ -12,7 +12,7 @@ namespace sinew {
 namespace {
 
 constexpr uint32_t kRigidAlternatives = 4;
-// Mean L1 in Q16 under which nobody sees a difference: 0.02.
+// Mean L1 in Q16 below which a difference is invisible: 0.02.
 constexpr uint32_t kLeastChange = 1311;
 constexpr uint8_t kNoAnswer = 0xFF;
 constexpr uint32_t kBlends[] = {SINEW_ANSWER_SOFT, SINEW_ANSWER_HARD, SINEW_ANSWER_SOFTER, SINEW_ANSWER_HOST};

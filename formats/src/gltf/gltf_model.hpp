@@ -68,7 +68,7 @@ constexpr double kSamePose = 1e-3;
 // Whether `a` and `b` do the same to the points within `size` of the origin's mesh box, see kSamePose.
 bool same_pose(const Affine& a, const Affine& b, const std::vector<Vec3>& box_corners, double size);
 
-// What a skin's joints do to its vertices while nobody moves them: world x inverse bind matrix.
+// Returns a skin's palette in the file's rest pose: world x inverse bind matrix.
 std::vector<Affine> skin_palette(const std::string& where, const tinygltf::Model& model, const GltfNodes& nodes,
                                  int skin);
 

@@ -354,7 +354,7 @@ class SkinWriter {
     for (const Json& node : document_["nodes"])
       if (node.contains("skin")) used[node["skin"].get<size_t>()] = 1;
     for (size_t s = 0; s < source_.model.skins.size(); ++s) {
-      bool was_used = !keeps_joints_;  // else one that nobody used before is none of ours
+      bool was_used = !keeps_joints_;  // else a skin that was unused is not the character's
       for (const tinygltf::Node& node : source_.model.nodes) was_used = was_used || node.skin == static_cast<int>(s);
       if (!was_used) used[s] = 1;
       if (used[s] == 0 && source_.model.skins[s].inverseBindMatrices >= 0)

@@ -200,7 +200,7 @@ class MaterialWriter {
     aiColor3D color;
     if (from.Get(AI_MATKEY_COLOR_DIFFUSE, color) == AI_SUCCESS) base = {color.r, color.g, color.b, 1};
     float opacity = 1;
-    // 0 is what exporters write who mean the opposite: nobody exports an invisible body.
+    // Exporters that write 0 mean the opposite: an exported body is visible.
     if (from.Get(AI_MATKEY_OPACITY, opacity) == AI_SUCCESS && opacity > 0 && opacity < 1) base[3] = opacity;
     Json material = {{"name", name.C_Str()}};
     const int texture = texture_of(from, {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}, false);

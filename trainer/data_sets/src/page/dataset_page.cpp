@@ -61,7 +61,7 @@ double mean(const Members& members, const std::function<double(const CharacterSt
   return sum / static_cast<double>(members.size());
 }
 
-// Negative when nobody's recall is known: a character without weights has none.
+// Negative if no recall is known: a character without weights has none.
 double mean_recall(const Members& members, size_t k) {
   double sum = 0;
   size_t known = 0;
