@@ -27,7 +27,7 @@ struct BindSettings {
   StyleOptions style;
   bool keep_tips = false, bind_props = false, fit = false;
   bool symmetric = false, confidence = false, no_seams = false;
-  bool cut = false;                  // what has grown together is opened
+  bool cut = false;                  // what has fused is opened
   std::string to_pose;               // rest pose of what is written; empty: as the mesh stands
   CharacterTransform transform;      // where the mesh with its joints is put first
   ProfileSettings profile;           // what it is written for

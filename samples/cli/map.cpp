@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew map: which joint of one skeleton stands for which of another, as text that can be edited and given back.
+// sinew map: which joint of one skeleton represents which of another, as text that can be edited and given back.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -28,7 +28,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kNoEnds = "none";  // of --ends, in place of a file
+constexpr const char* kNoEnds = "none";  // of --ends, instead of a file
 
 struct MapCommandSettings {
   std::string target, source, preset, output = "-", up = "auto", source_up, pins_file, ends_file, png, level, layout,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Groups of options that several commands share: the style of weights, corrections of poses, pictures in place of meshes,
+// Groups of options that several commands share: the style of weights, corrections of poses, pictures instead of meshes,
 // sprites of animated pictures, what another program wants of a file.
 #ifndef SINEW_CLI_OPTION_GROUPS_HPP
 #define SINEW_CLI_OPTION_GROUPS_HPP

@@ -178,7 +178,8 @@ class CharacterBinder {
     }
   }
 
-  // Those of all binds by falling gain, no more than were asked for. A part that most of the mesh belongs to is the body, which no answer is for.
+  // Those of all binds by descending gain, no more than were asked for. A part that most of the mesh belongs to is
+  // the body, which no answer is for.
   void order_questions() {
     std::vector<uint32_t> order;
     for (uint32_t q = 0; q < out_.questions.size(); ++q)

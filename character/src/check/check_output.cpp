@@ -86,7 +86,7 @@ std::string where_shown(const RigFinding& f) {
 
 namespace {
 
-constexpr size_t kToldEach = 3;  // findings of one kind that have a line each; of more only the worst has one
+constexpr size_t kToldEach = 3;  // findings of one kind that have one line each; of more only the worst has one
 
 // "; and 26 more: 'Spine', 'LeftArm', ..." of findings from `begin` to before `end`.
 std::string others_text(const CheckedFile& file, size_t begin, size_t end, const RigFinding& told) {

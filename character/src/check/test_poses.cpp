@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of test poses, and the axes that joints turn about.
+// The table of test poses, and the axes that joints rotate about.
 #include <array>
 #include <cmath>
 
@@ -88,7 +88,7 @@ class Poser {
  private:
   Point3 position(size_t joint) const { return point(facts_.character.joints[joint].position); }
 
-  // The first of its class on its limb, and of a trunk or a tail every one; something below it moves the mesh.
+  // The first of its class on its limb, and of a torso or a tail every one; something below it moves the mesh.
   bool turns(size_t joint) const {
     const uint8_t own = facts_.verdicts.classes[joint];
     if (facts_.verdicts.roles[joint] != SINEW_ROLE_DEFORMS) return false;

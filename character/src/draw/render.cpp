@@ -172,7 +172,7 @@ void fill_triangle(const Corner& a, const Corner& b, const Corner& c, Canvas* ca
   }
 }
 
-// Area-weighted face normals (Newell, so that polygons need not be flat), turned upright.
+// Area-weighted face normals (Newell, so that polygons need not be flat), rotated upright.
 std::vector<V3> face_normals(const Character& c, const Camera& camera) {
   std::vector<V3> normals(c.face_count());
   for (size_t f = 0; f < normals.size(); ++f) {

@@ -21,7 +21,7 @@ double wrapped(double angle) { return angle - 2 * kPi * std::round(angle / (2 * 
 bool is_leg(uint8_t c) { return c >= SINEW_CLASS_HIP && c <= SINEW_CLASS_TOE; }
 bool is_arm(uint8_t c) { return c >= SINEW_CLASS_CLAVICLE && c <= SINEW_CLASS_HAND; }
 
-// The child whose position says where the joint points: along the trunk, else the one with the longest bone.
+// The child whose position says where the joint points: along the torso, else the one with the longest bone.
 std::vector<int> main_children(const Motion& motion, const std::vector<uint8_t>& classes) {
   std::vector<int> out(motion.joints.size(), -1);
   std::vector<double> best(motion.joints.size(), 0);

@@ -12,7 +12,7 @@
 namespace sinew {
 namespace {
 
-constexpr double kTrunkStands = 0.7, kTrunkLies = 0.5;  // sine of the trunk's direction over the horizon
+constexpr double kTrunkStands = 0.7, kTrunkLies = 0.5;  // sine of the torso's direction over the horizon
 constexpr double kFootHeight = 0.2;                     // of the body's height: what is lower stands on the floor
 constexpr double kFootOfFlat = 0.4;
 constexpr double kSameFoot = 0.06;  // of the body's extent

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts by classes of joints, and how the trunk lies.
+// Parts by classes of joints, and how the torso lies.
 #include "motion/body_parts.hpp"
 
 #include <algorithm>

@@ -37,7 +37,7 @@ class BodyParts {
   uint8_t class_of(int joint) const { return classes_[static_cast<size_t>(joint)]; }
   // Names say what at least one joint of a limb is; without them a human body was laid over the skeleton.
   bool named() const { return named_; }
-  // Sine of the trunk's direction over the horizon, from the legs on; empty without legs, or without arms, head and neck.
+  // Sine of the torso's direction over the horizon, from the legs on; empty without legs, or without arms, head and neck.
   const std::optional<double>& lean() const { return lean_; }
   // As given, else along the legs of an upright body, else y.
   Axis up() const { return up_; }

@@ -78,7 +78,7 @@ class MapReader {
   }
   bool is_mapped(int joint) const { return sources_[static_cast<size_t>(joint)] >= 0; }
 
-  // Whether a joint and its source are of limbs that stand for each other.
+  // Whether a joint and its source are of limbs that represent each other.
   bool is_limb_pair(int joint, int source) const {
     const PartKind own = to_.kind_of(joint), its = from_.kind_of(source);
     const bool animal = own == PartKind::kLeg || its == PartKind::kLeg ? !both_upright() : true;

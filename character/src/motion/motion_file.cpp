@@ -24,7 +24,7 @@ namespace sinew {
 
 namespace {
 
-constexpr double kStands = 0.85, kLies = 0.5;             // cosine of what a trunk leans, in the median frame
+constexpr double kStands = 0.85, kLies = 0.5;             // cosine of what a torso leans, in the median frame
 constexpr double kBelowFloor = 0.05, kAboveFloor = 0.15;  // of the body's height: where its lowest joint may be
 
 // A trunk's direction and the joints of one pose.
@@ -108,7 +108,8 @@ std::optional<Motion> motion_on_rest_floor(const Motion& motion) {
 
 namespace {
 
-// Whether a motion would play, how near its kind of body is, how much of both bodies a map from the motion's reaches, how many joints of the rig it moves.
+// Whether a motion would play, how near its kind of body is, how much of both bodies a map from the motion's reaches,
+// how many joints of the rig it moves.
 using Fit = std::tuple<bool, std::ptrdiff_t, float, size_t>;
 Fit fit_of(const Motion& motion, const MapRig& rig, MaybeAxis up) {
   MapSkeletonOptions options;

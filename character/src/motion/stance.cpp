@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A stance from a motion: of upright bodies their own frame where they stand most upright, limbs stretched along their bones, what is left by its
-// mean rotation; of others their typical pose; then the clips against it.
+// A stance from a motion: of upright bodies their own frame where they stand most upright, limbs stretched along
+// their bones, what is left by its mean rotation; of others their typical pose; then the clips against it.
 #include "sinew_character/motion/stance.hpp"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ std::vector<Point3> positions_of(const std::vector<Joint>& joints) {
   return positions;
 }
 
-// The clips against a rest pose whose joints are turned so in the world.
+// The clips against a rest pose whose joints are rotated so in the world.
 Motion against(const Motion& motion, const std::vector<Quaternion>& turns) {
   Motion out = motion;
   const auto above = [&](size_t j) {
@@ -235,7 +235,7 @@ class StanceFinder {
     return joint >= 0;
   }
 
-  // Of a trunk's joint the next one up to the head, where it is not where the joint is.
+  // Of a torso's joint the next one up to the head, where it is not where the joint is.
   int next_in_trunk(int joint) const {
     int at = top();
     if (!is_below(at, joint) || at == joint) return -1;
@@ -312,7 +312,8 @@ MirrorPairs mirror_pairs_of(const MovingJoints& moving, const JointVerdicts& ver
   return pairs.size() < kFewestPairs ? moving.mirror_pairs() : pairs;
 }
 
-// Of bodies on four legs, of birds: their typical pose, where their rest pose is in one line or, by names of sides, no mirror image of itself.
+// Of bodies on four legs, of birds: their typical pose, where their rest pose is in one line or, by names of sides,
+// no mirror image of itself.
 std::optional<Motion> in_typical_pose(const Motion& motion, MaybeAxis up) {
   const MovingJoints moving(motion);
   const std::vector<Joint> rest = rest_joints(motion);

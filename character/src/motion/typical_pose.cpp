@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames in which a trunk stands as it mostly does, their mean as seen from the trunk, and its left and right made alike.
+// Frames in which a torso stands as it mostly does, their mean as seen from the torso, and its left and right made alike.
 #include "motion/typical_pose.hpp"
 
 #include <algorithm>

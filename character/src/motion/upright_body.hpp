@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two legs, two arms and a trunk among the joints of a skeleton, and whether they stand.
+// Two legs, two arms and a torso among the joints of a skeleton, and whether they stand.
 #ifndef SINEW_CHARACTER_MOTION_UPRIGHT_BODY_HPP
 #define SINEW_CHARACTER_MOTION_UPRIGHT_BODY_HPP
 
@@ -49,8 +49,8 @@ struct BodyFrame {
 //   up  of the world: "x", "y", "z", or "auto"
 BodyFrame body_frame(const std::vector<Joint>& joints, const UprightBody& body, MaybeAxis up);
 
-// To where a calf, else a forearm, goes when its joint bends, across the bone above it: to the side of the bend at rest, else the calf back and the
-// forearm to the front. Returns nullopt if unknown.
+// To where a calf, else a forearm, goes when its joint bends, across the bone above it: to the side of the bend at
+// rest, else the calf back and the forearm to the front. Returns nullopt if unknown.
 //   along, own  unit vectors along the bone above and along its own
 //   front       of the body; zero: unknown
 std::optional<Point3> bend_side(const Point3& along, const Point3& own, const Point3& front, bool calf);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Worlds whose axis points down, as those of cameras do: a half turn about another axis.
+// Worlds whose axis points down, as those of cameras do: 180 degrees about another axis.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,7 +15,7 @@ namespace {
 constexpr double kRest = 0.4,
                  kFrames = 0.6;  // cosine between trunk or legs and the axis; many rest poses are no stances
 
-// Of a pose the trunk's direction, and that of the legs from the feet.
+// Of a pose the torso's direction, and that of the legs from the feet.
 struct Stance {
   Point3 trunk, legs;
 };

@@ -17,7 +17,7 @@
 namespace sinew {
 namespace {
 
-// Parts that have grown together move apart: open where they meet. Vertices that this doubles come last. nullopt: there are none.
+// Parts that have fused move apart: open where they meet. Vertices that this doubles come last. nullopt: there are none.
 std::optional<Character> opened(const Character& character) {
   if (character.joints.empty()) return std::nullopt;
   const Seams seams = find_seams(character, character.influences);

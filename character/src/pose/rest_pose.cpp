@@ -23,8 +23,8 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kArmsOfA = 45 * kDegree;   // below the shoulders' line
-constexpr double kMostLean = 10 * kDegree;  // of a trunk that stays as it is
-constexpr double kLean = 50 * kDegree;      // a trunk that leans more is no biped's
+constexpr double kMostLean = 10 * kDegree;  // of a torso that stays as it is
+constexpr double kLean = 50 * kDegree;      // a torso that leans more is no biped's
 constexpr double kFootAlong = 0.1;          // a foot's share along the floor below which it has no direction
 
 std::optional<Point3> direction_of(const Point3& p) {
@@ -32,7 +32,7 @@ std::optional<Point3> direction_of(const Point3& p) {
   return size > 1e-9 ? std::optional<Point3>((1 / size) * p) : std::nullopt;
 }
 
-// The shortest turn of one unit vector onto another; half a turn goes about `axis`.
+// The shortest turn of one unit vector onto another; 180 degrees goes about `axis`.
 Rotation turn_between(const Point3& from, const Point3& to, const Point3& axis) {
   const Point3 across = cross(from, to);
   const double sine = length(across), cosine = dot(from, to);
@@ -156,7 +156,7 @@ void straighten(const Body& body, RestPose::Kind kind, BoneGoals* goals) {
   }
 }
 
-// From the trunk's first joint to its last one below the head; its first joint is `from`.
+// From the torso's first joint to its last one below the head; its first joint is `from`.
 std::optional<Point3> trunk_line(const Body& body, int* from) {
   for (const Limb& limb : body.limbs.limbs) {
     if (limb.kind != LimbKind::kTrunk) continue;
@@ -221,7 +221,7 @@ size_t stand_like(const Body& body, const Body& like, BoneGoals* goals) {
   return matched;
 }
 
-// A foot's bone as its parent left it, turned about the upright axis to the front.
+// A foot's bone as its parent left it, rotated about the upright axis to the front.
 std::optional<Point3> foot_forward(const Body& body, const Point3& bone) {
   const double high = dot(bone, body.up), along = std::sqrt(std::max(0.0, 1 - high * high));
   if (along < kFootAlong) return std::nullopt;

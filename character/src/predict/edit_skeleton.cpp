@@ -135,7 +135,7 @@ class Editor {
     return other == j ? -1 : other;
   }
   bool on_plane(int32_t j) const { return mirror_ && s_.partners[static_cast<size_t>(j)] == j; }
-  // Itself for a joint that stands for both sides.
+  // Itself for a joint that represents both sides.
   int32_t image(int32_t j) const {
     const int32_t other = s_.partners[static_cast<size_t>(j)];
     return other < 0 ? j : other;

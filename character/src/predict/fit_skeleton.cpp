@@ -20,12 +20,12 @@ namespace {
 // A predicted joint stands where makers put it in the mean; `mine` knows its own maker's habits. Shares of its say, chosen on
 // 57 pairs of MakeHuman rigs with predictions (mean distance 2.7 % of the side without them, 1.9 % with them).
 constexpr double kOwnShape = 0.7;   // between two matches: 0 = on the other's chain, 1 = shaped as in `mine`
-constexpr double kOwnHabit = 0.95;  // pelvis, neck and clavicles where a similar copy of the trunk has them
+constexpr double kOwnHabit = 0.95;  // pelvis, neck and clavicles where a similar copy of the torso has them
 constexpr double kOwnLimbRoot = 0.3, kOwnHead = 0.4;      // shoulders and thighs; the head
 constexpr double kOwnReach = 0.8, kOwnForearm = 0.6;      // lengths of the bones to hands and toes; to the elbow
 constexpr double kHabitWeight = 0.05, kHeadWeight = 0.5;  // in the similar copy; shoulders and thighs have 1
 // Where bodies differ, `mine` has less of a say: half at these.
-constexpr double kUnlikeTrunk = 0.3;   // share of the trunk's extent that the similar copy leaves
+constexpr double kUnlikeTrunk = 0.3;   // share of the torso's extent that the similar copy leaves
 constexpr double kUnlikeLength = 0.5;  // natural logarithm of two lengths' ratio
 
 constexpr double kUntouched = 0.7;    // a turn of the whole must fit that much better than none
@@ -93,7 +93,7 @@ class Fitter {
           place(joint_index(limb.mine.joints[knot.mine]), limb.other_points[knot.other], FitHow::kMatched);
   }
 
-  // A predicted joint is the mean of makers' habits: a similar copy of the trunk has the habits of this one.
+  // A predicted joint is the mean of makers' habits: a similar copy of the torso has the habits of this one.
   void blend_trunk() {
     std::vector<size_t> trunk;
     std::vector<double> weights;

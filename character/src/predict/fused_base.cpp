@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A pedestal that has grown together with its figure, by the cross-sections of the whole.
+// A pedestal that has fused with its figure, by the cross-sections of the whole.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -22,7 +22,7 @@ struct Limb {
 };
 
 struct Limbs {
-  std::vector<Limb> limbs;  // the trunk first, from the pelvis to the head, if there is one
+  std::vector<Limb> limbs;  // the torso first, from the pelvis to the head, if there is one
   int pelvis = -1;          // joint, -1 without one
 };
 

@@ -12,7 +12,7 @@ namespace sinew {
 namespace {
 
 struct Link {
-  const char* name;  // @ stands for the side; null: no more links
+  const char* name;  // @ represents the side; null: no more links
   float share;       // of the way from what the chain hangs on to its limb's end
 };
 struct Chain {

@@ -20,7 +20,7 @@ constexpr double kFarthest = 0.1;  // between a part and what it hangs on
 constexpr double kSmall = 0.08;    // a part that goes with another
 constexpr double kOnGround = 0.06;
 constexpr double kWithin = 0.7;  // of a part's box inside another's: it goes with that
-constexpr double kLying = 1.3;   // a trunk that is so many times as long as high
+constexpr double kLying = 1.3;   // a torso that is so many times as long as high
 constexpr size_t kFewestMoving = 4;
 constexpr size_t kMostParts = 300;  // more are a soup, or feathers
 
@@ -52,7 +52,7 @@ class PartTree {
     return true;
   }
 
-  // Where what is small lies from the trunk, along one of the two horizontal axes of the mesh.
+  // Where what is small lies from the torso, along one of the two horizontal axes of the mesh.
   std::optional<std::array<float, 3>> front_of_details() const {
     Point3 sum = {};
     double count = 0;
@@ -149,7 +149,7 @@ class PartTree {
       if (inner.low[a] > outer.high[a] || inner.high[a] < outer.low[a]) return false;
     return volume(common(inner, outer), thin) >= kWithin * volume(inner, thin);
   }
-  // Belts and blankets lie around a trunk; saddles, humps, and a block animal's ears over it.
+  // Belts and blankets lie around a torso; saddles, humps, and a block animal's ears over it.
   bool lies_around(const PartBox& box) const {
     const Point3 middle = box.middle();
     for (const size_t a : {kLeft, kFront})
@@ -191,7 +191,7 @@ class PartTree {
     return low;
   }
 
-  // Of several parts at the front the largest is the head; the others go with it, or with the trunk.
+  // Of several parts at the front the largest is the head; the others go with it, or with the torso.
   void choose_head(const std::vector<size_t>& heads) {
     if (heads.empty()) return;
     const auto smaller = [&](size_t a, size_t b) { return volume(parts_[a].box, 0) < volume(parts_[b].box, 0); };

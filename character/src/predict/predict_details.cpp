@@ -145,7 +145,7 @@ void SkeletonArrays::take(size_t j, const std::string& name, PredictedSkeleton* 
 
 namespace {
 
-// Hands that have fingers, but no thumb among them: a line each.
+// Hands that have fingers, but no thumb among them: one line each.
 void say_thumbs(const PredictedSkeleton& skeleton, std::vector<std::string>* notes) {
   const auto is_finger = [&](size_t j) { return is_finger_class(skeleton.classes[j]); };
   std::vector<uint8_t> fingers(skeleton.joints.size(), 0), thumbs(skeleton.joints.size(), 0);

@@ -94,7 +94,7 @@ class ControlFinder {
     rig_.limbs.push_back(std::move(limb));
   }
 
-  // The joint that toes turn about, elsewhere than the foot's.
+  // The joint that toes rotate about, elsewhere than the foot's.
   int ball_below(int foot) const {
     for (size_t j = 0; j < joints_.size(); ++j) {
       const int joint = static_cast<int>(j);

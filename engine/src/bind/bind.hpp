@@ -34,13 +34,14 @@ struct BindPlan {
 
 // Makes the plan for a mesh of `vertices`, `faces` and `corners` and a skeleton of `joints`.
 //   options  as the caller gave them, of any version, or null: all defaults
-// Returns SINEW_OK; SINEW_ERROR_ARGUMENT where an option is out of its range, is not in this build or contradicts the
+// Returns SINEW_OK; SINEW_ERROR_ARGUMENT where an option is out of range, is not in this build or contradicts the
 // model, or the model is missing; SINEW_ERROR_VERSION where an option is set that this library does not know;
-// SINEW_ERROR_COUNT where a count is out of its range.
+// SINEW_ERROR_COUNT where a count is out of range.
 sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints,
                        const sinew_bind_options* options, BindPlan* plan);
 
-// The task of the networks that predict skin weights: vertex and pair features of that set, and one logit per pair. False for a set or a flag that this build does not have.
+// The task of the networks that predict skin weights: vertex and pair features of that set, and one logit per pair.
+// False for a set or a flag that this build does not have.
 bool bind_task(uint32_t feature_set, ModelTask* task);
 
 // Runs the stages of a plan in the workspace and writes the outputs. Arguments as in sinew_bind(), already checked

@@ -111,7 +111,7 @@ class ContactFinder {
     Vec3d gradients[3];  // of the last three barycentric coordinates
   };
 
-  // False for one that is turned over or nearly flat.
+  // False for one that is rotated over or nearly flat.
   bool measure(Posed* t) const {
     const auto from_origin = [&](int k) { return to_double(input_.nodes[t->nodes[k]].position - t->origin); };
     const Vec3d b = from_origin(1), c = from_origin(2), d = from_origin(3);

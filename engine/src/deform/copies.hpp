@@ -16,7 +16,7 @@ struct PairPoint {
   int16_t position[3];  // Q14, in the cell
 };
 
-// A copy of a cell stands for the triangles in it that belong together; a cell inside the body has one. Corner q of a cell is
+// A copy of a cell represents the triangles in it that belong together; a cell inside the body has one. Corner q of a cell is
 // at x = q / 4, y = q / 2 % 2, z = q % 2.
 struct Copies {
   uint32_t count = 0, surface_count = 0;  // those with triangles come first, by cell

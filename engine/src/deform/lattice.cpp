@@ -319,7 +319,7 @@ class LatticeMaker {
 };
 
 // Cells that the triangles of a face touch, all summed up: of its fan around the first corner, or around the last one, as a
-// face is read that is turned inwards, whichever is more.
+// face is read that is rotated inwards, whichever is more.
 uint64_t face_pairs(const sinew_mesh& mesh, const GridQuantizer& quantizer, const VoxelGrid& grid, uint32_t face) {
   const uint32_t first = mesh.face_offsets != nullptr ? mesh.face_offsets[face] : 3 * face;
   const uint32_t last = mesh.face_offsets != nullptr ? mesh.face_offsets[face + 1] : first + 3;

@@ -25,7 +25,7 @@ void set_axes(Vec3i along, Vec3i (&axes)[3]) {
   constexpr int32_t kOne = 1 << kAxisBits;
   const Vec3l wide = {along.x, along.y, along.z};
   const Vec3i a = unit_vector(wide, kAxisBits);
-  if (a == Vec3i{0, 0, 0} || a.x < -kOne + (kOne >> 10)) {  // none, or straight back: half a turn about y
+  if (a == Vec3i{0, 0, 0} || a.x < -kOne + (kOne >> 10)) {  // none, or straight back: 180 degrees about y
     const int32_t x = a.x < 0 ? -kOne : kOne;
     axes[0] = {x, 0, 0};
     axes[1] = {0, kOne, 0};

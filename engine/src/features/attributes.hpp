@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Attributes as published for skin weights by graph convolutions, in place of the features: no heat weights among them.
+// Attributes as published for skin weights by graph convolutions, instead of the features: no heat weights among them.
 #ifndef SINEW_FEATURES_ATTRIBUTES_HPP
 #define SINEW_FEATURES_ATTRIBUTES_HPP
 

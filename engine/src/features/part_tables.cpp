@@ -52,7 +52,7 @@ void PartTableBuilder::find_box(uint32_t c) {
   t_.thickness = side.z < t_.thickness ? side.z : t_.thickness;
 }
 
-// Where the joints lie, and which of them stand for the part.
+// Where the joints lie, and which of them represent the part.
 void PartTableBuilder::mark_joints(uint32_t c) {
   const uint32_t joints = skeleton_.joint_count, size = mesh_.part_sizes[c];
   const Vec3i lo = parts_.box_min[c], hi = parts_.box_max[c];

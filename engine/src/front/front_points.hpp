@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the network of the front sees: points of the surface in a frame of their own, in which a mesh looks the same however it
-// is turned about the upright axis.
+// is rotated about the upright axis.
 #ifndef SINEW_FRONT_FRONT_POINTS_HPP
 #define SINEW_FRONT_FRONT_POINTS_HPP
 
@@ -66,7 +66,7 @@ inline FrontOffset front_offset(const FrontView& view, uint32_t i) {
   return {view.points[i].position.x - view.mean.x, view.points[i].position.z - view.mean.z};
 }
 
-// The frame's axis, Q14: the long axis turned by `frame` quarters.
+// The frame's axis, Q14: the long axis rotated by `frame` quarters.
 inline FrontOffset frame_axis(const FrontView& view, uint32_t frame) {
   const int64_t x = view.axis_x, z = view.axis_z;
   return frame == 0   ? FrontOffset{x, z}

@@ -14,7 +14,7 @@ constexpr uint32_t kFoldError = kSide * 3 / 100;
 
 enum class Mirroring : uint8_t { kAuto, kAlways, kNever };
 
-// From the mesh's grid to the mirror frame, in quarter turns about y: the plane comes to x = 0, and what faces along +z, +x,
+// From the mesh's grid to the mirror frame, in rotations by 90 degrees about y: the plane comes to x = 0, and what faces along +z, +x,
 // -z or -x (0 to 3 quarters) faces along +z then. Odd quarters have a plane across z.
 struct MirrorFrame {
   bool folded = false;  // the mesh is near enough to its mirror image

@@ -24,7 +24,7 @@ void prefetch(const void* address) {
 #endif
 }
 
-// Keeps a row of kHeatSlots sorted by falling weight, ties by lower joint.
+// Keeps a row of kHeatSlots sorted by descending weight, ties by lower joint.
 void insert(uint16_t joint, uint16_t weight, uint16_t* joints, uint16_t* weights) {
   const auto comes_first = [&](uint32_t slot) {
     return weight > weights[slot] || (weight == weights[slot] && joint < joints[slot]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Chains of joints off the trunk, chains off those, and which of them are mirror images.
+// Chains of joints off the torso, chains off those, and which of them are mirror images.
 #ifndef SINEW_MAPPING_LIMBS_HPP
 #define SINEW_MAPPING_LIMBS_HPP
 
@@ -8,7 +8,7 @@
 namespace sinew::mapping {
 
 constexpr int32_t kMostLimbs = SINEW_MAX_MAP_LIMBS;
-constexpr int32_t kMostSideLimbs = 256;  // that hang on the trunk: what is assigned to each other
+constexpr int32_t kMostSideLimbs = 256;  // that hang on the torso: what is assigned to each other
 constexpr int32_t kMostFingers = 64;     // that are looked at on one hand
 
 // A chain of joints. Its points are its joints' positions, then the position of its only end marker, or of a hand that is no

@@ -73,7 +73,7 @@ void connect(const uint32_t* loose, uint32_t loose_count, const TopologyScratch&
   offsets[count] = used;
 }
 
-// Breadth-first labeling, then ids by falling size and first vertex.
+// Breadth-first labeling, then ids by descending size and first vertex.
 void label_parts(const TopologyScratch& scratch, Mesh* mesh) {
   const uint32_t count = mesh->welded_count;
   for (uint32_t v = 0; v < count; ++v) mesh->part[v] = kNoIndex;

@@ -8,7 +8,7 @@
 
 namespace sinew {
 
-// "vertex" and "pair" below stand for a domain without slots and for the one with slots over the same (model/layers.hpp).
+// "vertex" and "pair" below represent a domain without slots and for the one with slots over the same (model/layers.hpp).
 enum class LayerKind : uint8_t {
   kLinear = 1,        // out = act(W in + b [+ residual]), any domain, row by row
   kRingMean = 2,      // vertex: mean over one-ring neighbors (0 without any).

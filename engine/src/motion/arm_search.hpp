@@ -34,7 +34,7 @@ class ArmSearch {
   // Works with a measuring arena. What open() needs beyond it is given back: no allocation may come between.
   void allocate(Arena& arena, uint32_t vertices, uint32_t triangles);
   // Lists the arms of a scene that is open; it must outlive this. Of an arm with more than `most` vertices, which is above 0, every second
-  // or third ... along their Morton order stands for it.
+  // or third ... along their Morton order represents it.
   void open(const ClipScene& scene, uint32_t most = UINT32_MAX);
 
   uint32_t count() const { return count_; }

@@ -6,7 +6,7 @@ namespace sinew::motion {
 namespace {
 
 constexpr double kFeltFeet = 0.1;    // share of the source's height up to which feet carry
-constexpr double kSteep = 0.04;      // square of the share of its length that a trunk lies level, at which it is steep
+constexpr double kSteep = 0.04;      // square of the share of its length that a torso lies level, at which it is steep
 constexpr double kMostPitch = 0.15;  // about the angle of one round
 constexpr double kStraight = 0.999;  // share of an arm's length that it reaches
 constexpr uint32_t kFloorPasses = 12, kNeedPasses = 4;
@@ -54,7 +54,7 @@ void BodyLift::meet_floor() {
   apply(kNeedPasses);
 }
 
-// x: of all, y: of the trunk's pitch.
+// x: of all, y: of the torso's pitch.
 Vec3d BodyLift::needs_of(uint32_t frame) {
   const FloorPatches& patches = s_.floor_patches;
   bool any = false;
@@ -80,7 +80,7 @@ Vec3d BodyLift::needs_of(uint32_t frame) {
   const double arms = arm_need(frame, rises, &touch);
   const double above = upper.rise() + (1 - upper.weight) * arms;
   const double lift = lower.rise() + (1 - carried) * above;
-  // What is left once all is lifted. Arms that reach the floor then ask for nothing, and where nothing above touches the trunk stays.
+  // What is left once all is lifted. Arms that reach the floor then ask for nothing, and where nothing above touches the torso stays.
   const double left = upper.weight * (upper.rise() - lift) + (1 - upper.weight) * lesser(0, arms - touch * lift);
   const Vec3d trunk = shoulders() - hips();
   const double level = length(cross(trunk, plan_.up)), square = dot(trunk, trunk);

@@ -194,7 +194,7 @@ Vec3d FloorContacts::within_reach(const Limb& limb, Vec3d goal) const {
   return dot(level, level) > square && square > 0 ? first + rise + root(square) * unit(level) : goal;
 }
 
-// smooth: where the joint is over the floor; a hand on it where it was copied, whatever the trunk did since, and lifts: the way back.
+// smooth: where the joint is over the floor; a hand on it where it was copied, whatever the torso did since, and lifts: the way back.
 void FloorContacts::find_flat(const HeldJoint& held) {
   for (uint32_t f = 0; f < s_.in->frames; ++f) {
     s_.load(f);

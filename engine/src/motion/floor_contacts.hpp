@@ -12,7 +12,7 @@ namespace sinew::motion {
 struct FloorScene : ClipScene {
   Vec3d* moves = nullptr;       // [frames x limbs] where ends are to go from where they are
   Vec3d* smooth = nullptr;      // [frames] scratch
-  Vec3d* lifts = nullptr;       // [frames] of the trunk, see BodyLift; then scratch
+  Vec3d* lifts = nullptr;       // [frames] of the torso, see BodyLift; then scratch
   uint8_t* standing = nullptr;  // [frames] scratch
   double* heights = nullptr;    // [frames] scratch
   FloorPatches floor_patches;

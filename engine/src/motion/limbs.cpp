@@ -15,7 +15,7 @@ Vec3d unit_across(Vec3d v, Vec3d u, double least) {
 
 constexpr double kCosine25 = 0.906307787036650, kCosine45 = 0.707106781186548;
 
-// The end's turn against the second bone, as little changed as brings it within a right angle or to `before`.
+// The end's rotate against the second bone, as little changed as brings it within a right angle or to `before`.
 void turn_end(const Limb& limb, double before, sinew_retarget* plan) {
   const Quat second = plan->target_rotations[limb.middle];
   Quat own = conjugate(second) * plan->target_rotations[limb.last];

@@ -32,7 +32,7 @@ inline Vec3d rotate(Quat q, Vec3d v) {
   return v + q.w * t + cross(u, t);
 }
 
-// The shortest turn from one direction to another; half a turn about some axis across where they are opposite, none where
+// The shortest turn from one direction to another; 180 degrees about some axis across where they are opposite, none where
 // one of them has no length.
 inline Quat shortest_arc(Vec3d from, Vec3d to) {
   const Vec3d a = unit(from), b = unit(to);

@@ -10,7 +10,7 @@ class WorldFinder {
   WorldFinder(const RetargetOptions& options, sinew_retarget* plan)
       : options_(options), plan_(*plan), source_(plan->source), target_(plan->target) {}
 
-  // Up to up, then the quarter turn about it after which mapped joints lie nearest to their sources, as seen from their
+  // Up to up, then the quarter rotate about it after which mapped joints lie nearest to their sources, as seen from their
   // middles, then what is left to turn.
   void run() {
     plan_.up = up_of(options_.target_up, false);

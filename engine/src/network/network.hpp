@@ -13,7 +13,7 @@
 namespace sinew {
 
 // What a network runs on, all borrowed. U vertices, K slots each; for a task over joints U joints, which the words
-// vertex, pair and candidate then stand for.
+// vertex, pair and candidate then represent.
 struct NetworkInput {
   uint32_t vertex_count = 0;     // U
   uint32_t candidate_count = 0;  // K

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A coarser mesh in place of a very fine one: the stages after the mesh run on it, and its rows are interpolated back.
+// A coarser mesh instead of a very fine one: the stages after the mesh run on it, and its rows are interpolated back.
 #ifndef SINEW_REDUCE_REDUCTION_HPP
 #define SINEW_REDUCE_REDUCTION_HPP
 

@@ -190,7 +190,7 @@ class Limbs {
       if (begins(j)) side[j] = side_of(j);
     for (uint32_t j = 0; j < tree_.count; ++j)
       if (is_paired_class(tree_.nodes[j].joint_class)) tree_.nodes[j].side = side[first_[j]];
-    // Two that fork from a joint of one of them: the other hangs on the trunk.
+    // Two that fork from a joint of one of them: the other hangs on the torso.
     for (uint32_t j = 0; j < tree_.count; ++j) {
       if (stem_[j] < 0 || side[j] == side[first_[stem_[j]]]) continue;
       const int16_t trunk = tree_.nodes[first_[stem_[j]]].parent;

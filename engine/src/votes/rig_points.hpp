@@ -28,7 +28,7 @@ constexpr uint32_t kFarStep = 6;
 
 // One set. Neighbors by position and medial point together, so that two legs are apart.
 struct PointSet {
-  SurfacePoint* points = nullptr;      // [kSetPoints] as they lie on the mesh; normals are turned outward
+  SurfacePoint* points = nullptr;      // [kSetPoints] as they lie on the mesh; normals are rotated outward
   Vec3i* medial = nullptr;             // [kSetPoints] m, not folded
   int16_t* features = nullptr;         // [kSetPoints x kRigChannels]
   uint32_t* near_neighbors = nullptr;  // [kSetPoints x kNeighbors]

@@ -30,7 +30,7 @@ struct QuestionScratch {
   uint64_t* doubts = nullptr;         // [parts] sum over free vertices, Q16
   Answer* answers = nullptr;          // [parts]
   uint64_t* sums = nullptr;           // [J]
-  uint32_t* asked = nullptr;          // [parts] firsts of parts alike, by falling gain
+  uint32_t* asked = nullptr;          // [parts] firsts of parts alike, by descending gain
 
   bool allocate(Arena& arena, const Counts& counts) {
     (void)alike.allocate(arena, counts);

@@ -196,7 +196,7 @@ struct WideRow {
   }
 };
 
-// The mirror image of a row in place of another; false when nothing of it has a partner.
+// The mirror image of a row instead of another; false when nothing of it has a partner.
 bool store_mirrored(const Symmetry& symmetry, const Rows& from, uint32_t from_vertex, const Rows& to,
                     uint32_t to_vertex) {
   WideRow row;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Acclaim's pair of files: the skeleton (.asf) with bones as directions and lengths, and the frames (.amc). A bone turns about its own begin, by angles
-// in axes of its own.
+// Acclaim's pair of files: the skeleton (.asf) with bones as directions and lengths, and the frames (.amc). A bone
+// rotates about its own begin, by angles in axes of its own.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -21,7 +21,7 @@ namespace sinew {
 namespace {
 
 constexpr double kAcclaimFps = 120,
-                 kInch = 0.0254;  // frames a second and unit of the CMU captures: the files say neither
+                 kInch = 0.0254;  // frames per second and unit of the CMU captures: the files say neither
 
 // A bone; the root is the first, without length.
 struct AcclaimBone {

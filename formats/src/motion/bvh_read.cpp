@@ -240,7 +240,7 @@ class BvhReader {
     }
   }
 
-  // Positions stand in place of the offset, as programs write them; turns apply from the last to the first.
+  // Positions stand instead of the offset, as programs write them; turns apply from the last to the first.
   MotionFrame read_frame() const {
     MotionFrame frame;
     frame.rotations.assign(motion_.joints.size(), kNoRotation4);

@@ -145,7 +145,7 @@ class KeypointsSolver {
     take_rest();
   }
 
-  // What hangs on a part that turns by its sides is where it is in that part's own axes, in the mean.
+  // What hangs on a part that rotates by its sides is where it is in that part's own axes, in the mean.
   void fit_sides() {
     std::vector<Point3> offsets(motion_.joints.size());
     for (const std::vector<Point3>& frame : keypoints_) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Motions in NumPy files: rotations of SMPL, SMPL-H and SMPL-X, joints with positions and rotations, HumanML3D's features, or keypoints alone. No body
-// model is needed.
+// Motions in NumPy files: rotations of SMPL, SMPL-H and SMPL-X, joints with positions and rotations, HumanML3D's
+// features, or keypoints alone. No body model is needed.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -308,8 +308,8 @@ class NumpyReader {
     return nullptr;
   }
 
-  // Of a frame the root's turn about y and its step to the next frame in its own axes (x, z), its height, then the other joints' positions in its axes.
-  // What follows (rotations, velocities, contacts) says the same once more.
+  // Of a frame the root's rotate about y and its step to the next frame in its own axes (x, z), its height, then the
+  // other joints' positions in its axes. What follows (rotations, velocities, contacts) says the same once more.
   void read_features(const NpyArray& features) {
     check_numbers(features);
     check_frames(features.rows(), kFeatureJoints);

@@ -51,7 +51,7 @@ ConfidenceTable fit_confidence(const std::vector<JudgedConfidence>& judged, size
 std::vector<JudgedConfidence> apply_confidence(const std::vector<JudgedConfidence>& judged,
                                                const ConfidenceTable& table);
 // Calibration on families that the table has not seen: fitted on one half of the families, judged on the other and the
-// other way round, both halves together. Families are dealt by falling size: 1st, 4th, 5th, 8th ... and the rest.
+// other way round, both halves together. Families are dealt by descending size: 1st, 4th, 5th, 8th ... and the rest.
 // Throws Error when there are fewer than two families.
 Reliability reliability_across_families(const std::vector<JudgedConfidence>& judged);
 

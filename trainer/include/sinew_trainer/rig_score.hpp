@@ -64,7 +64,7 @@ RigScore score_rig(const ScoredSkeleton& predicted, const ScoredSkeleton& refere
 
 // A reference with head, arms and legs of two bones, and no tail.
 bool is_humanoid(const ScoredSkeleton& reference);
-// What keeps a skeleton from being retargeted, a line each; empty = complete. Of the 15 bones that every humanoid has,
+// What keeps a skeleton from being retargeted, one line each; empty = complete. Of the 15 bones that every humanoid has,
 // pelvis, spine and head must be in the middle (0.01), upper arm, forearm, hand, thigh, calf and foot once on each side,
 // each below the one before, and a pelvis must be the root. x points left; the middle is that of a symmetric skeleton,
 // of others where the root is.

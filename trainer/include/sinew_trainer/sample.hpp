@@ -12,7 +12,7 @@
 namespace sinew {
 
 // The rows of a network's inputs, and who is whose neighbor. Every task's samples begin with it and add what they are trained
-// towards. Copies, all sizes known. For a task over joints, "vertex" stands for a joint everywhere here. A task whose network has no
+// towards. Copies, all sizes known. For a task over joints, "vertex" represents a joint everywhere here. A task whose network has no
 // domain with slots has one slot per vertex, always absent.
 struct NetworkSample {
   NetworkSample() = default;

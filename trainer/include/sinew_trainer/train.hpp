@@ -54,10 +54,10 @@ struct TrainConfig : RunConfig {
   uint32_t block_layers = 1;  // of classic: linear layers with ReLU in each of its multi-layer perceptrons
   bool spectral = false;      // heat-kernel and wave-kernel signatures as vertex features as well
   // Input channels that the network does without (field only): "vertex.NAME", "pair.NAME", NAME as in
-  // engine/src/features/channels.hpp; a * at the end stands for any rest. The finished network's weights for them are
+  // engine/src/features/channels.hpp; a * at the end represents any rest. The finished network's weights for them are
   // 0.
   std::vector<std::string> without;
-  // Characters that are not trained on, by name (a * at the end stands for any rest), and why: labels that teach wrong.
+  // Characters that are not trained on, by name (a * at the end represents any rest), and why: labels that teach wrong.
   std::map<std::string, std::string> leave_out;
   double loss_kl = 0.5, loss_l1 = 1.0, loss_regret = 2.0, loss_part = 0.5, loss_deformation = 10;
   // Share of the learned change of heat's logits that the finished network keeps (field only). Below 1 it is worse on

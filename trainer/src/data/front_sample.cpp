@@ -42,7 +42,7 @@ std::array<double, 2> front_by_head(const RigSource& source, const RigSource::Po
   return {0, along[2] > 0 ? 1.0 : -1.0};  // in its mirror frame
 }
 
-// A direction of the floor's plane from the mean of the right joints to that of the left ones, turned to the front.
+// A direction of the floor's plane from the mean of the right joints to that of the left ones, rotated to the front.
 std::array<double, 2> front_of(const RigSource& source) {
   const RigSource::PosedMesh posed_mesh = source.make_mesh(0, {});
   std::array<double, 3> sums[2] = {};

@@ -105,7 +105,7 @@ namespace {
 
 constexpr int kRays = 12;
 constexpr double kDressReach = 0.25;  // of the longest side: cloth farther from the bone is not around it
-constexpr double kDownTheBone = 0.3;  // beside the joint, where a bend has its creases, but outside of the trunk
+constexpr double kDownTheBone = 0.3;  // beside the joint, where a bend has its creases, but outside of the torso
 
 Vec3d position_of(const Vec3& p) {
   return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};

@@ -146,8 +146,8 @@ Mask either(Mask a, const Mask& b) {
   return a;
 }
 
-// Outlines whose ends do not meet: the least gap whose closing makes a figure of strokes twice as large. A wider one that lets in as much as a trunk beside a head
-// adds what it encloses, and leaves the rest as it was.
+// Outlines whose ends do not meet: the least gap whose closing makes a figure of strokes twice as large. A wider one
+// that lets in as much as a torso beside a head adds what it encloses, and leaves the rest as it was.
 void close_strokes(const Mask& domain, Foreground* out) {
   const size_t ink = count_of(out->mask.inside) - count_of(out->likeness.values);
   if (ink == 0) return;

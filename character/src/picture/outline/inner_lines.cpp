@@ -137,7 +137,7 @@ class InkPaths {
   std::vector<uint32_t> from_, steps_, reached_;
 };
 
-// Up to its first corner: where it turns by 50 degrees within 2 * `reach` pixels, another line goes on.
+// Up to its first corner: where it rotates by 50 degrees within 2 * `reach` pixels, another line goes on.
 void end_at_corner(uint32_t width, size_t reach, std::vector<uint32_t>* way) {
   constexpr float kCosine = 0.643f;
   const auto towards = [&](size_t from, size_t to) {
@@ -161,7 +161,8 @@ struct Search {
   uint32_t reach;            // pixels, of a widest stroke: what is nearer than that is one point
 };
 
-// The longest lines without a corner of one part of the inner ink, each from where it leaves the outline's stroke: slits in `figure`. How many.
+// The longest lines without a corner of one part of the inner ink, each from where it leaves the outline's stroke:
+// slits in `figure`. How many.
 //   inside, out  ways through `inner`, and from there out of the figure
 size_t cut_part(const Search& search, const std::vector<uint32_t>& anchors, InkPaths* inside, InkPaths* out,
                 Mask* inner, Mask* figure) {

@@ -54,7 +54,7 @@ void spread_parabolas(Grid<float>* grid) {
 }
 
 Grid<float> squared_distance(const Mask& mask, bool value) {
-  // A frame of one pixel stands for what lies outside.
+  // A frame of one pixel represents what lies outside.
   Grid<float> framed(mask.width + 2, mask.height + 2, value ? 0.0f : kFar);
   for (uint32_t y = 0; y < mask.height; ++y)
     for (uint32_t x = 0; x < mask.width; ++x)

@@ -84,7 +84,7 @@ std::vector<Chunk> chunks_of(const std::vector<uint8_t>& png) {
   return chunks;
 }
 
-// Frame control: the whole picture, shown for so long, in place of what was there.
+// Frame control: the whole picture, shown for so long, instead of what was there.
 std::vector<uint8_t> frame_control(uint32_t number, const SpriteFrame& frame) {
   std::vector<uint8_t> data;
   put32(number, &data);

@@ -222,7 +222,7 @@ Character decimate(const Character& character, double ratio) {
 
 namespace {
 
-// The mean of two rows, by falling weight, ties by the lower joint.
+// The mean of two rows, by descending weight, ties by the lower joint.
 std::vector<Influence> mean_row(const std::vector<Influence>& a, const std::vector<Influence>& b) {
   std::map<uint32_t, float> sums;
   for (const Influence& i : a) sums[i.joint] += i.weight / 2;

@@ -35,7 +35,7 @@ struct PlanJoint {
 enum class Build { kSmooth, kCapsules, kBoxes };
 
 struct Limb {
-  std::vector<int> joints;  // from the trunk outwards
+  std::vector<int> joints;  // from the torso outwards
 };
 
 struct Blueprint {

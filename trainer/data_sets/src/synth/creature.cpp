@@ -296,7 +296,7 @@ Body sketch(BodyPlan plan, Sketch* s) {
 Primitive bone_of(const std::vector<Node>& nodes, const Node& end, int joint) {
   const Node& start = nodes[static_cast<size_t>(end.parent)];
   Primitive bone = {joint, start.at, end.at, start.radius * end.start_share, end.radius * end.end_share, end.scale};
-  // From the trunk to a limb: no wider than the limb needs.
+  // From the torso to a limb: no wider than the limb needs.
   if (Sketch::on_plane(start.at) && !Sketch::on_plane(end.at)) bone.ra = std::min(bone.ra, bone.rb * 1.5);
   return bone;
 }

@@ -94,10 +94,10 @@ class Sketch {
 };
 
 struct Body {
-  double height = 1, radius = 0.3;  // of the hips over the floor, of the trunk
+  double height = 1, radius = 0.3;  // of the hips over the floor, of the torso
   std::vector<int> trunk;
   int head = kNoJoint;
-  Point top;  // where the trunk ends
+  Point top;  // where the torso ends
   int chest() const { return trunk.back(); }
 };
 

@@ -32,7 +32,7 @@ double primitive_distance(const Primitive& primitive, Point p);
 double body_distance(const Blueprint& plan, Point p);
 
 // Weights at a point: joints whose primitives are about as near as the nearest one, among its relatives in the tree up
-// to two steps away; at most four, multiples of 1/1000 that sum to 1, sorted by falling weight.
+// to two steps away; at most four, multiples of 1/1000 that sum to 1, sorted by descending weight.
 std::vector<Influence> body_weights(const Blueprint& plan, Point p);
 // The same rounding for any blend: keeps the four largest, drops what is under 1 %, normalizes.
 std::vector<Influence> tidy_weights(std::vector<Influence> row);

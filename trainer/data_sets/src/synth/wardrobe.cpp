@@ -65,7 +65,7 @@ Surface shell(const Surface& body, const std::vector<Point>& normals, const std:
   return surface;
 }
 
-// Weights of cloth that hangs from the trunk at height y: the trunk joints above and below share it.
+// Weights of cloth that hangs from the torso at height y: the torso joints above and below share it.
 std::vector<Influence> trunk_weights(const Blueprint& plan, double y) {
   for (size_t i = plan.trunk.size(); i-- > 1;) {
     const double here = plan.at(plan.trunk[i]).y, below = plan.at(plan.trunk[i - 1]).y;
