@@ -97,7 +97,7 @@ void tell_springs(const SpringsCommandSettings& s, const SpringsFound& found, co
   for (size_t i = 0; i < found.springs.colliders.size(); ++i) {
     const SpringCollider& c = found.springs.colliders[i];
     if (found.errors[i] < 0) continue;
-    std::printf("  %s on %s: %s, radius %.3g, %.0f %% of it off the skin\n", printable(c.name).c_str(),
+    std::printf("  %s on %s: %s, radius %.3g, fit error %.0f %% of it\n", printable(c.name).c_str(),
                 printable(character.joints[c.joint].name).c_str(), shape_text(c.shape), c.radius,
                 100 * found.errors[i]);
   }

@@ -166,13 +166,13 @@ void tell(const TransferCommandSettings& s, const Character& source, const Trans
                printable(done.target.mapped_by).c_str());
   if (r.reference_count > 0) std::fprintf(out, "  %u reference points\n", r.reference_count);
   if (r.bound)
-    std::fprintf(out,
-                 "  %.0f %% transferred, the rest rebound by %s; %s %s differs from a bind by %.2f, %s off by %.2f\n",
-                 100 * r.carried, r.bound_by == SINEW_METHOD_HEAT ? "heat" : "the model",
-                 printable(source.name).c_str(), "on the whole", r.style, "the match is", r.mismatch);
+    std::fprintf(
+        out, "  %.0f %% transferred, the rest rebound by %s; %s differs from a bind by %.2f, the match error is %.2f\n",
+        100 * r.carried, r.bound_by == SINEW_METHOD_HEAT ? "heat" : "the model", printable(source.name).c_str(),
+        r.style, r.mismatch);
   for (size_t p = 0; p < r.parts.size() && p < kMostParts && r.bound; ++p) {
     const sinew_transfer_part& part = r.parts[p];
-    std::fprintf(out, "  part of vertex %u, %u vertices: %.0f %% %s\n", part.vertex, part.vertex_count,
+    std::fprintf(out, "  part of vertex %u, %u vertices, %.0f %% transferred; %s\n", part.vertex, part.vertex_count,
                  100.0 * part.carried_q16 / 65536, reason_text(part.reason));
   }
   if (r.bound && r.parts.size() > kMostParts)

@@ -103,7 +103,7 @@ void tell_parts(const std::string& file, const MapCover& cover, std::vector<std:
     notes->push_back("warning: " + file + ": " + text + "; check the result, and map the joints with --map");
   if (cover.legless) notes->push_back(file + ": the character has no legs, so only arms, torso and head move");
   if (!cover.rigid.empty())
-    notes->push_back(file + ": has nothing like " + cover.rigid + ", so they keep their rest pose");
+    notes->push_back(file + ": has no match for " + cover.rigid + ", which keep their rest pose");
 }
 
 }  // namespace

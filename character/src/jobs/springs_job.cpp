@@ -180,9 +180,9 @@ void swing_clips(const SpringsOptions& options, const std::string& path, bool me
     if (one.kept) ++kinds[spring_kind_text(one.kind)];
   std::string text;
   for (const auto& [kind, count] : kinds)
-    text += (text.empty() ? "" : ", ") + std::to_string(count) + (count == 1 ? " chain of " : " chains of ") + kind;
-  out->motion.notes.push_back(path + ": " + text + " swing, pushed by " +
-                              std::to_string(found.springs.colliders.size()) + " colliders");
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + kind + (count == 1 ? " chain" : " chains");
+  out->motion.notes.push_back(path + ": simulated " + text + " with " + std::to_string(found.springs.colliders.size()) +
+                              " colliders");
   swing_clips(found.springs, measure, out);
 }
 

@@ -149,8 +149,8 @@ std::vector<LimbDoubt> doubtful_limbs(const PredictedSkeleton& skeleton) {
 
 std::string doubts_text(const std::vector<LimbDoubt>& limbs) {
   std::string text;
-  for (const LimbDoubt& one : limbs) text += (text.empty() ? "warning: doubtful: " : ", ") + one.name;
-  return text;
+  for (const LimbDoubt& one : limbs) text += (text.empty() ? "warning: these limbs may be wrong: " : ", ") + one.name;
+  return text.empty() ? text : text + "; check them";
 }
 
 }  // namespace sinew
