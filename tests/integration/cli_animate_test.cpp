@@ -308,7 +308,7 @@ TEST_F(CliAnimate, WhatIsWrongIsOneLineAndLeavesFilesAsTheyWere) {
   expect(2, hero + " --motion swing.bvh -o out.glb --legs", "--legs needs --method reference-points");
   expect(2, hero + " --motion swing.bvh -o out.glb --method reference-points --area-power 5", "--area-power");
   expect(2, hero + " --motion swing.bvh -o out.glb --method reference-points --falloff -1", "--falloff");
-  expect(2, hero + " --motion swing.bvh -o out.glb --start 2 --end 1", "--start 2 is behind --end 1");
+  expect(2, hero + " --motion swing.bvh -o out.glb --start 2 --end 1", "--start 2 is after --end 1");
   expect(2, hero + " --motion swing.bvh -o out.glb --sheet sheet.gif", "sheet.gif");
   expect(2, hero + " -o out.glb", "--motion");
   expect(1, hero + " --motion swing.bvh#run -o out.glb", "expected one of its clips, 'swing', found 'run'");

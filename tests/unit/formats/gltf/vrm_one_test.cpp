@@ -94,7 +94,7 @@ TEST(VrmOne, MetaExpressionsAndViewAreTranslated) {
   ASSERT_EQ(notes.size(), 3u);
   EXPECT_NE(notes[0].find("2 expressions, 2 chains of springs"), std::string::npos) << notes[0];
   EXPECT_NE(notes[1].find("1 MToon"), std::string::npos) << notes[1];
-  EXPECT_NE(notes[2].find("1 changes of materials"), std::string::npos) << notes[2];
+  EXPECT_NE(notes[2].find("1 material changes"), std::string::npos) << notes[2];
 }
 
 TEST(VrmOne, SpringsAreChainsWithEnds) {

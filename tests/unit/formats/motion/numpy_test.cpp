@@ -550,7 +550,7 @@ TEST(Numpy, WhatIsWrongIsOneLine) {
   fails("a.npz",
         zip_of({{"poses.npy", npy_of(shape_of({2, 72}), std::vector<float>(144))},
                 {"trans.npy", npy_of(shape_of({3, 3}), std::vector<float>(9))}}),
-        "'trans' of 3 numbers a frame");
+        "'trans' of 3 numbers per frame");
   fails("a.npz",
         zip_of({{"poses.npy", npy_of(shape_of({2, 72}), std::vector<float>(144))},
                 {"fps.npy", npy_of("()", std::vector<float>{0})}}),

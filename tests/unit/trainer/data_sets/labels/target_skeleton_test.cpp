@@ -220,7 +220,7 @@ TEST(TargetSkeleton, RefusesWhatHasNoTarget) {
   EXPECT_ERROR(broken.target(), "vertex 99 of 4");
   broken = doll;
   broken.character.vertices.assign(4, {1, 1, 1});
-  EXPECT_ERROR(broken.target(), "one place");
+  EXPECT_ERROR(broken.target(), "one position");
   broken = doll;
   broken.joint("a", {0, 0, 0}, 2);
   broken.joint("b", {0, 0, 0}, 1);
