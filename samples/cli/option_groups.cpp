@@ -121,6 +121,7 @@ void add_picture_options(CLI::App* sub, PictureOptions* options) {
       ->type_name("N");
   sub->add_option("--units", options->units,
                   "figure: longest side 1; pixels: picture coordinates, x right, y up from the bottom edge")
+      ->type_name("UNITS")
       ->check(CLI::IsMember({"figure", "pixels"}))
       ->capture_default_str();
   sub->add_flag("--flat", options->flat, "Make a flat card instead of a body as thick as it is wide");
@@ -228,7 +229,7 @@ void add_profile_options(CLI::App* sub, ProfileSettings* settings) {
     about += (about.empty() ? "" : "; ") + std::string(one.about);
   }
   section(sub, "For another program");
-  sub->add_option("--for", settings->profile, "Write for a program or format: " + about)->type_name(names);
+  sub->add_option("--for", settings->profile, "Write for a program or format. " + about)->type_name(names);
   sub->add_flag("--keep-axes", settings->options.keep_axes,
                 "With --for: keep axes, names and roots of the skeleton, as without --for");
   sub->add_option("--author", settings->options.authors,

@@ -351,7 +351,7 @@ void add_shape_options(CLI::App* sub, RigCommandSettings* s) {
 
 void add_models(CLI::App* sub, RigCommandSettings* s) {
   section(sub, "Models and files");
-  shared_option(sub, "--model", s->model, "Of skeletons")->default_str("bundled");
+  shared_option(sub, "--model", s->model, "It predicts skeletons")->default_str("bundled");
   sub->add_option("--bind-model", s->bind_model, "Model of weights")->type_name("FILE")->default_str("bundled");
   sub->add_option("--hands-model", s->hands_model, "Model of hands, for --detail hands or full")
       ->type_name("FILE")
