@@ -114,7 +114,7 @@ void add_rig_study(CLI::App* parent) {
   CLI::App* sub = parent->add_subcommand("rig", "Predict or read skeletons and compare with the reference");
   auto s = std::make_shared<RigEvaluation>();
   add_folder(sub, &s->folder, &s->jobs);
-  shared_option(sub, "--model", s->model, "Of skeletons")->default_str("bundled");
+  shared_option(sub, "--model", s->model, "It predicts skeletons")->default_str("bundled");
   shared_option(sub, "--method", s->method,
                 "shape and regions: without a model; slots: the published method, with its own model; by default votes")
       ->check(CLI::IsMember({"votes", "shape", "regions", "slots"}));
@@ -140,7 +140,8 @@ void add_hands_study(CLI::App* parent) {
   CLI::App* sub = parent->add_subcommand("hands", "Predict fingers and compare with the reference");
   auto s = std::make_shared<HandsEvaluation>();
   add_folder(sub, &s->folder, &s->jobs);
-  shared_option(sub, "--model", s->model, "Of hands; bodies come from the bundled model")->default_str("bundled");
+  shared_option(sub, "--model", s->model, "It predicts hands; bodies come from the bundled model")
+      ->default_str("bundled");
   add_figures(sub, &s->output, &s->json);
   sub->footer("Example:\n  sinew-lab eval hands characters/val");
   sub->callback([s] {

@@ -251,9 +251,11 @@ void add_map_inputs(CLI::App* sub, MapCommandSettings* s) {
       ->check(CLI::IsMember({"high", "low"}));
   shared_flag(sub, "--as-drawn", s->as_drawn, "As published: --method branches --cost sum --no-names");
   word_option(sub, "--cost", s->cost, kBranchesCost,
-              "For --method branches: cost of two branches as the mean or the sum of their joints' costs");
+              "For --method branches: cost of two branches as the mean or the sum of their joints' costs")
+      ->type_name("COST");
   word_option(sub, "--first", s->first, kBranchesFirst,
-              "For --method branches: skeleton whose branches choose one of the other's. both: the cheaper direction");
+              "For --method branches: skeleton whose branches choose one of the other's. both: the cheaper direction")
+      ->type_name("RIG");
   sub->add_flag("--no-names", s->no_names, "Ignore the joints' names");
   sub->add_option("--ends", s->ends_file,
                   "List joints that only end bones, for files without weights. Lines JOINT, or RIG and JOINT with a "
