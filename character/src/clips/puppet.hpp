@@ -21,7 +21,7 @@ Quaternion about_z(double degrees);
 class Puppet {
  public:
   // `skeleton` of skeleton_template(), `prefix` of its names that calls leave out, `without` these joints and all below them,
-  // `spliced` joints alone: their children hang on their parents.
+  // `spliced` joints only: their children become children of their parents.
   Puppet(const std::string& skeleton, std::string prefix, const std::vector<std::string>& without,
          const std::vector<std::string>& spliced);
 

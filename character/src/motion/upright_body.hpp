@@ -27,7 +27,7 @@ struct UprightBody {
   bool has_arms = false;
   int hips = -1, chest = -1;  // where legs meet, where arms meet; without arms the head's parent
   int head = -1;
-  bool sided = false;  // names told left and right
+  bool sided = false;  // left and right come from names
 };
 
 // All of them: legs (thigh, calf, foot), or arms (upper arm, forearm, hand), in the order of their first joints. By classes [J]
@@ -37,7 +37,7 @@ std::vector<UprightLimb> find_limbs(const std::vector<Joint>& joints, const std:
 // By classes [J] (sinew_joint_class); nullopt without two legs below one joint, or without a head or arms above it.
 std::optional<UprightBody> find_upright_body(const std::vector<Joint>& joints, const std::vector<uint8_t>& classes);
 
-// Whether a body stands in a pose: legs below it, head above, left and right apart and mirrored.
+// Returns whether a body is standing in a pose: legs below it, head above, left and right apart and mirrored.
 bool is_upright(const UprightBody& body, const std::vector<Point3>& positions);
 
 // Directions of a body in the world at rest, unit vectors, and the middle of its hips.

@@ -32,7 +32,7 @@ struct PreparedBind {
 // What prepare() is to make ready for.
 enum class PreparePurpose {
   kHeat,          // rows from the heat field: there are neither candidates nor features
-  kDistance,      // the same, with weights by distance in its place
+  kDistance,      // the same, but with weights by distance instead of the network
   kNetwork,       // the network and readers of candidates and heat: everything is there
   kNetworkAlone,  // only the network: candidates and heat are released, and features use their memory
 };

@@ -50,7 +50,7 @@ class Propagation {
   void begin(uint32_t capacity);
   // Offers a label to an inner cell.
   void seed(uint32_t cell, uint32_t label);
-  // Finds the labels of every solid cell. False when cancelled; progress is told `permille`.
+  // Finds the labels of all solid cells. Returns false if cancelled; reports `permille` to progress.
   bool run(const Progress& progress, uint32_t permille);
 
   // A solid cell's number, 0 for others.
@@ -77,7 +77,7 @@ class Propagation {
   static constexpr uint32_t kAllSteps = (1u << kStepCount) - 1;
   struct Step {
     int32_t offset;
-    uint32_t label_step;  // length, already in the place of a label's distance
+    uint32_t label_step;  // length, already in the bits of a label's distance
     uint32_t next;        // bit s: a label that came by this step goes on with step s
   };
 

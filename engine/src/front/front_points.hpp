@@ -11,8 +11,8 @@ namespace sinew::rigging {
 
 constexpr uint32_t kFrontFeatureSet = 5;  // of the rig task
 constexpr uint32_t kFrontPoints = kSetPoints;
-// A mesh is looked at along both directions of the points' long axis in the floor's plane, and across it: the four answers
-// are added up, so that the direction of the axis does not matter.
+// The network sees a mesh along both directions of the points' long axis in the plane of the floor, and across it.
+// The four answers are added, so that the direction of the axis does not matter.
 constexpr uint32_t kFrontFrames = 4;
 
 // Channels of a point, Q13. Lengths are shares of the longest side. "Along" is along the frame's axis, "across" is counted away

@@ -53,7 +53,7 @@ bool find_mirror_frame(const Mesh& mesh, Mirroring mirroring, const int32_t (&mi
                        MirrorFrame* frame);
 // Moves the mesh's vertices and normals into the frame.
 void apply_mirror_frame(const MirrorFrame& frame, Mesh* mesh);
-// Turns a mesh that is in its frame by more quarters, and says so in the frame.
+// Rotates a mesh in its frame by further multiples of 90 degrees, and updates the frame.
 void turn_frame(uint32_t quarters, MirrorFrame* frame, Mesh* mesh);
 
 }  // namespace sinew::rigging

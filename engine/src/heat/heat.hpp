@@ -51,7 +51,7 @@ sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const uint8_
 // Weights by distance alone, the published way instead of stage 4; the room `published` defines it.
 // Fills fields->field[kFieldRule] with weights by the inverse square of the distance to bones. The vertices that are
 // nearest to a bone are a sub-mesh: of the bones, its own, the one above it and those below it have weight there.
-// Neither the surface nor what lies between is looked at.
+// Neither the surface nor what lies between is used.
 //   source_joints  [J] from choose_source_joints(): bones that may have weight
 //   fields         allocated by the caller with the same counts; the other fields stay undefined
 // Returns SINEW_OK or SINEW_ERROR_WORKSPACE. The same bytes on every platform.

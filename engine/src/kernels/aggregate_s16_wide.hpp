@@ -32,7 +32,7 @@ struct MeanDivision {
 static_assert(131073ull * kMostListed * 2 * kMostListed < 1ull << 32, "a mean would be wrong");
 SINEW_INLINE MeanDivision mean_division(uint32_t n) { return {0x80000000u / n + 1, 65537 * n}; }
 
-// Candidate slot of `joint` at a vertex, or k when it is none of its candidates. A joint stands in one slot at most.
+// Candidate slot of `joint` at a vertex, or k when it is none of its candidates. A joint is in at most one slot.
 template <class Isa>
 SINEW_INLINE uint32_t find_slot(const uint16_t* joints, uint32_t k, uint16_t joint) {
   if (k == 8) return Isa::find_of_8(joints, joint);

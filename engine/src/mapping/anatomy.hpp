@@ -27,7 +27,7 @@ struct Anatomy {
   double* x = nullptr;                         // [n] off the mirror plane, left is > 0
   double* height = nullptr;                    // [n] along up
   int8_t* side = nullptr;                      // [n] 1, -1, or 0 = central: trunk, tail, jaw
-  int32_t side_limbs = 0;                      // limbs [0, side_limbs) hang on the torso
+  int32_t side_limbs = 0;                      // limbs [0, side_limbs) are attached to the torso
   int32_t* limb_head = nullptr;                // [n] first of the limbs that hang there, -1 = none
   int32_t* limb_next = nullptr;                // [kMostSideLimbs]
   int32_t others_first = 0, others_count = 0;  // limbs in the plane beside the spine: tail, jaw
@@ -113,9 +113,9 @@ struct Anatomy {
   void open_paths();
   bool is_path_end(int32_t joint) const;
   double path_length(int32_t leaf) const;
-  // Whether the way from the hips to a leaf is that to a pelvis below them, which the legs hang on.
+  // Returns whether the path from the hips to a leaf leads to a pelvis below them, the parent of the legs.
   bool leads_to_legs(int32_t leaf) const;
-  // How much names on the way to a leaf speak for a spine.
+  // Returns how much the names on the path to a leaf indicate a spine.
   double path_names(int32_t leaf) const;
   // Middle of the first points of a pair, ahead.
   double pair_ahead(const LimbPair& pair) const;

@@ -10,7 +10,7 @@
 
 namespace sinew::mapping {
 
-// What the caller wants whatever else is found: source of each target joint and the reverse, kFree where nothing is said.
+// Pairs fixed by the caller: source of each target joint and the reverse, kFree if none is given.
 struct Pins {
   static constexpr int32_t kFree = -2;
   int32_t* source_of = nullptr;  // [target n] a joint, -1 = none, or kFree

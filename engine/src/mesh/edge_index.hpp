@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where an edge stands in the one-ring lists of a mesh.
+// Index of an edge in the one-ring lists of a mesh.
 #ifndef SINEW_MESH_EDGE_INDEX_HPP
 #define SINEW_MESH_EDGE_INDEX_HPP
 

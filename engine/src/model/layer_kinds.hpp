@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kinds of layers and, one row a kind, what everybody but the arithmetic needs to know of them: reader, plan,
-// executor, trainer, quantizer and reports. engine/README.md says how to add one.
+// The kinds of layers, with one row per kind for everything but the arithmetic: reader, plan, executor, trainer,
+// quantizer and reports. engine/README.md explains how to add one.
 #ifndef SINEW_MODEL_LAYER_KINDS_HPP
 #define SINEW_MODEL_LAYER_KINDS_HPP
 

@@ -52,8 +52,9 @@ class ArmSearch {
   ArmDepth deepest(TriangleTree* tree, uint32_t arm, Vec3d moved, double least);
   // The same, but `least` for a point that only lies under the plane of a triangle, outside of the body.
   ArmDepth deepest_inside(TriangleTree* tree, uint32_t arm, Vec3d moved, double least);
-  // Which way out of the body is at p: area normals of triangles without a vertex of any arm, nearer ones more, in shares of what a plane
-  // through p has. It is the slope of the body blurred by `reach`, so it changes little where p does, and is short in the middle.
+  // Direction out of the body at p: area normals of triangles without a vertex of any arm, nearer ones more, in
+  // shares of what a plane through p has. It is the slope of the body blurred by `reach`, so it changes little where
+  // p does, and is short in the middle.
   Vec3d way_out(const TriangleTree& tree, Vec3d p, double reach) const;
   // The mean of the hand's vertices, of the pose that the tree is of; (0, 0, 0) where it has none.
   Vec3d middle_of_hand(const TriangleTree& tree, uint32_t arm) const;
@@ -78,7 +79,7 @@ class ArmSearch {
     double radius = 0;
   };
   struct DepthSearch;
-  static constexpr uint32_t kGroup = 12;  // neighbors that are looked at together
+  static constexpr uint32_t kGroup = 12;  // neighbors that are tested together
   static constexpr uint32_t kMostLeaves = 128,
                             kMostCovers = 64;  // of a group; with more it is searched vertex by vertex
   static constexpr uint8_t kAllArms = 31;
@@ -117,8 +118,8 @@ class ArmSearch {
   }
 
   const ClipScene* scene_ = nullptr;
-  TriangleOrder order_;       // masks: a bit for each arm that has a vertex, the fifth for arms that are not looked at
-  uint8_t* masks_ = nullptr;  // [triangles]
+  TriangleOrder order_;           // masks: a bit for each arm that has a vertex, the fifth for arms that are ignored
+  uint8_t* masks_ = nullptr;      // [triangles]
   MortonScratch scratch_ = {};    // until open() has returned
   uint32_t* vertices_ = nullptr;  // [vertices] of each arm those of the hand, then those of the forearm; thinned out
   uint32_t* near_ = nullptr;      // [vertices] indices into vertices_, of the same ranges, neighbors together

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Retargeting by reference points on the mesh, the published method: every triangle of the posed target says where a joint is to
-// be as seen from it, by the way from the same triangle to the joint in the source, as much longer as the bones
-// between are. The room `published` defines the functions.
+// Retargeting by reference points on the mesh, the published method: every triangle of the posed target proposes a
+// position for a joint: its own position plus the vector from the same triangle to the joint in the source, scaled by
+// the lengths of the bones between. The room `published` defines the functions.
 #ifndef SINEW_MOTION_REFERENCE_POINTS_HPP
 #define SINEW_MOTION_REFERENCE_POINTS_HPP
 

@@ -60,9 +60,9 @@ sinew_status create_plan(const sinew_skeleton& source, const sinew_skeleton& tar
                          const uint8_t* classes, const RetargetOptions& options, void* memory, size_t memory_bytes,
                          sinew_retarget** plan);
 
-// One body may hang on several roots: sets parents and order of a plan's target by its map and classes. What moves as
-// something that hangs on the body in the source hangs on the same here; what nothing moves hangs on the body's
-// nearest joint, and a hand or foot beside its limb on that. `scratch` [2 target joints + 1].
+// A body may consist of several roots: sets parents and order of a plan's target by its map and classes. A root whose
+// source is attached to the body is attached to the same joint here; a root without a source to the body's nearest
+// joint, and a hand or foot beside its limb to that limb. `scratch` [2 target joints + 1].
 void hang_roots(sinew_retarget* plan, uint32_t* scratch);
 
 // The class whose long bone ends at a joint of this class; SINEW_CLASS_OTHER: none does.

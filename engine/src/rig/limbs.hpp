@@ -10,7 +10,8 @@ namespace sinew::rigging {
 // Whether a joint of the second class is the next of an arm or a leg behind one of the first.
 bool continues_limb(uint32_t from, uint32_t to);
 
-// Whether a joint of an arm or a leg would hang on a tail, an ear or hair, or an ear on an arm or a leg.
+// Returns whether a joint of an arm or a leg would be a child of a tail, an ear or hair, or an ear of an arm or a
+// leg.
 bool leaves_limb(uint32_t from, uint32_t to);
 
 // Whether both joints are of paired classes and lie on two sides, further from the plane than 2.5 % of the side. Of a mirrored tree

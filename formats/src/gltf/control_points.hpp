@@ -35,7 +35,7 @@ struct ControlPoints {
 // Of a node that has a mesh. Throws Error naming `whose` for accessors that are broken.
 ControlPoints control_points(const std::string& whose, const tinygltf::Model& model, size_t node);
 
-// [N] 1: a joint of a skin, or what hangs on one without a mesh; without any skin what has no mesh below.
+// [N] 1: a joint of a skin, or its descendant without a mesh; without any skin a node without a mesh below.
 std::vector<char> scene_joints(const tinygltf::Model& model, const GltfNodes& nodes);
 
 // Where a skin's vertices stand: world x inverse bind matrix, which most joints agree on in the pose that the skin was bound in.

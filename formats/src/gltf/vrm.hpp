@@ -36,7 +36,7 @@ struct GltfSource;
 //   joint_nodes  [J]
 // Of VRM 1.0: expressions, look-at, first person and meta of a document that has VRMC_vrm already stay, but for what
 // `vrm` says otherwise; humanoid is the new one. A document with the older extension VRM loses it, see
-// turn_vrm_zero_into_one(). Of 0.x the other way round: expressions and meta of VRMC_vrm become those of 0.x, its
+// turn_vrm_zero_into_one(). For 0.x the reverse: expressions and meta of VRMC_vrm become those of 0.x, its
 // springs are left out. Returns remarks for the user. Throws Error where a required bone is missing or named twice.
 std::vector<std::string> add_vrm(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes,
                                  GltfSource* source);

@@ -15,7 +15,7 @@ namespace sinew {
 // Positions are our own (the bundled skeleton of character, to the centimeter), of no body model.
 std::vector<MotionJoint> person_joints(const std::vector<std::string>& names);
 
-// "left" instead of "right" and the other way round; the name itself where it has no side.
+// Exchanges "left" and "right"; returns the same name if it has no side.
 std::string other_side_of_person(const std::string& name);
 
 // -1 for none.

@@ -47,7 +47,7 @@ Metrics measure(const Character& reference, const std::vector<std::vector<Influe
 // The baseline nearest bone: every vertex rigid to the joint whose bone is nearest. A joint's bones are the segments to
 // its children; a leaf's is a stub along its parent's bone, half as long and at most a tenth of the longest side of the
 // joints' box. Where a bone ends, the joint there is as near as the one that moves the bone: it goes to the deeper
-// joint, then to the lower index. `deforms` [J] says which joints may be bound to (0 = not); empty: all.
+// joint, then to the lower index. `deforms` [J] marks the joints that may be bound to (0 = not); empty: all.
 std::vector<std::vector<Influence>> nearest_bone(const Character& character, const std::vector<uint8_t>& deforms = {});
 
 struct Scores {

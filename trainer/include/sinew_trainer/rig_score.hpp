@@ -32,7 +32,8 @@ ScoredSkeleton scored_skeleton(const std::vector<Joint>& joints, double side);
 
 // Of one character, or a mean over several. All joints count, bone ends too. NaN: there was nothing to count.
 struct RigScore {
-  double j2j = 0;  // mean distance from predicted to nearest reference joints and the other way round, halved sum
+  double j2j =
+      0;  // mean of the distances from predicted to nearest reference joints and from reference to nearest predicted joints
   double j2b = 0;  // the same from joints to points on the other's bones, which are 0.005 apart
   double b2b = 0;  // the same from points on bones to points on bones
   // Pairs of predicted and reference joints, one to one, at most 0.05 apart: as many as can be, as near as can be.

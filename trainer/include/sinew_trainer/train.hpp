@@ -18,7 +18,7 @@ namespace sinew {
 
 class Ranks;  // ranks.hpp
 
-// What a run of any task can be told.
+// Options of a run of any task.
 struct RunConfig {
   std::string optimizer = "adamw";  // "adamw", "adam", "sgd"
   double learning_rate = 1.5e-3, weight_decay = 0.02, momentum = 0.9, clip = 1.0, dropout = 0.05;
@@ -43,7 +43,7 @@ struct RunConfig {
   std::map<std::string, double> family_shares;  // of all draws, for families that are not to follow that rule
 };
 
-// What a run for skin weights can be told; read from and written to JSON (unknown keys are an Error). The defaults are
+// Options of a run for skin weights; read from and written to JSON (unknown keys are an Error). The defaults are
 // those of the first runs; trainer/configs/field.json, which trained the bundled model, names what it has otherwise.
 struct TrainConfig : RunConfig {
   std::string architecture = "field";

@@ -53,7 +53,7 @@ class SlotTask : public RigConfigTask {
   std::vector<std::string> loss_names() const override;
   std::vector<double> loss(const NetworkSample& sample, const std::vector<float>& outputs,
                            std::vector<float>* d_outputs) const override;
-  // The total, as drawn: training stops when it no longer falls.
+  // The total, as drawn: training stops when it stops falling.
   std::string score_name() const override { return "total"; }
   double score(const NetworkSample& sample, const std::vector<float>& outputs) const override;
   // Every joint at the middle of the floor, nothing present, nothing connected.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a training run is told of the thing to learn. The run itself draws samples, steps and keeps the best weights; it knows
-// no skin weights.
+// The task of a training run. The run itself draws samples, steps and keeps the best weights, independent of the
+// task.
 #ifndef SINEW_TRAINER_RUN_TASK_HPP
 #define SINEW_TRAINER_RUN_TASK_HPP
 

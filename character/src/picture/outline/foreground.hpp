@@ -11,8 +11,8 @@
 
 namespace sinew::picture {
 
-// What the background of a picture looks like, told from pixels that are likely to be some: a color that changes smoothly, with ruled lines; or, where
-// that does not fit, a few flat colors.
+// Model of a picture's background, estimated from pixels that probably belong to it: a color that changes smoothly,
+// with ruled lines; or, where that does not fit, a few flat colors.
 class Background {
  public:
   //   samples  indices of pixels; a share of them, of less than half, may be no background. At least one
@@ -51,7 +51,7 @@ struct Foreground {
   bool drawn = false;  // outlines on paper: the figure is what they enclose
 };
 
-// `domain` says which pixels there are; the others are neither.
+// `domain` marks the valid pixels; others are neither.
 Foreground find_foreground(const Grid<Lab>& colors, const Mask& domain);
 
 // The same for one part of what was found, beside strokes of other things: an outline drawing is filled. False where it is none, unchanged then.

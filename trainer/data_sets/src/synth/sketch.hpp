@@ -13,7 +13,7 @@
 
 namespace sinew::synth {
 
-// A joint or, with `tip`, only the end of its parent's bone. The bone that ends here has the shape that is told here.
+// A joint or, with `tip`, only the end of its parent's bone. The bone that ends here has this shape.
 struct Node {
   std::string name;
   int parent = kNoJoint;
