@@ -120,7 +120,7 @@ void add_motion_file(const AnimateSettings& s, const MotionChoice& choice, const
     add_motion(animate_options(s), input, steps, out);
 }
 
-// What a folder has that is no motion, or none for this character, is left out and told.
+// Files of a folder that are not motions, or do not fit the character, are skipped with a note.
 void add_motions(const AnimateSettings& s, const std::atomic<bool>& stop, Animated* out) {
   std::string first_error;
   const std::vector<std::string> own = {out->picture ? default_clip(out->picture->body) : ""};
@@ -145,7 +145,7 @@ void add_motions(const AnimateSettings& s, const std::atomic<bool>& stop, Animat
 // A picture's clips alone.
 bool is_loop(const AnimateSettings& s) { return is_picture(s.character) && has_extension(s.output, ".apng"); }
 
-// What needs no file to be told. Of a folder the one that is written into is made later.
+// Errors that can be reported without reading files. The output folder of a folder is created later.
 void check_settings(const AnimateSettings& s, bool of_folder) {
   const bool picture = is_picture(s.character);
   if (!s.vat.empty()) {

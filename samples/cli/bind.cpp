@@ -23,7 +23,7 @@ namespace {
 struct BindCommandSettings {
   BindSettings one;
   std::string model, method, report, format;
-  unsigned jobs = 0;  // 0: not said
+  unsigned jobs = 0;  // 0: not given
   bool json = false;
 };
 

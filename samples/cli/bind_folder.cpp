@@ -116,7 +116,7 @@ class FolderReporter {
     progress_.step();
     for (; next_ < done_.size() && ready_[next_]; ++next_) tell(done_[next_]);
   }
-  // When all are told.
+  // After all are reported.
   std::vector<BoundRow> rows() const {
     std::vector<BoundRow> rows;
     for (const FinishedTask& done : done_) rows.push_back(done.row);

@@ -49,7 +49,7 @@ void check_settings(const CheckCommandSettings& s) {
     throw UsageError("--against compares one file with an older version; give one file");
 }
 
-// One file; what cannot be read is told and counted, the others go on.
+// Checks one file; a file that cannot be read is reported and counted, the others continue.
 std::optional<CheckedFile> look(const CheckCommandSettings& s, const std::optional<CheckGate>& gate,
                                 const FoundCharacter& found, Progress* progress) {
   CheckOptions options;

@@ -30,7 +30,7 @@ struct DatasetStatsCommandSettings {
   bool json = false, no_recall = false;
 };
 
-// Of one character; what cannot be read is told in `failure`.
+// Figures of one character; `failure` has the error if it cannot be read.
 std::optional<CharacterStats> stats_of(const DatasetStatsCommandSettings& s, const FoundCharacter& found,
                                        const std::vector<uint32_t>& candidate_counts, std::string* failure) {
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Binds every character in every way, measures, prints and writes the figures.
+// Binds every character with every variant, measures, prints and writes the figures.
 #include "eval_weights.hpp"
 
 #include <algorithm>
@@ -59,7 +59,7 @@ class Evaluation {
     });
   }
 
-  // One character, bound in every way.
+  // One character, bound with every variant.
   struct BoundCharacter {
     std::unique_ptr<Sample> sample;  // of the variants that need one
     std::vector<Prediction> predictions;

@@ -217,7 +217,7 @@ void inspect_contents(const InspectCommandSettings& s) {
 void run_inspect(const InspectCommandSettings& s) {
   if (s.path == "bundled" || has_extension(s.path, ".sinew")) return inspect_model(s);
   if (has_use(s.path, kReadsSkeleton) || has_use(s.path, kReadsMesh) || s.path == "-") return inspect_contents(s);
-  read_file(s.path);  // a missing file is told as such, not as an unknown kind
+  read_file(s.path);  // reports a missing file as such, not as an unknown kind
   if (is_checkpoint(s.path)) return inspect_checkpoint(s);
   throw Error(s.path + ": expected a mesh (" + extensions_text(kReadsMesh) + "), a motion (" +
               extensions_text(kReadsMotion) + "), a rig (.rig.txt), a checkpoint or a model (.sinew)" + remedy(s.path));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A character and a glTF, told by sinew inspect.
+// Text and JSON of a character and a glTF for sinew inspect.
 #include "inspect_parts.hpp"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 namespace sinew::cli {
 namespace {
 
-// A command of sinew-lab says where it is.
+// Error for a command of sinew-lab.
 std::vector<std::string> read_words(const CLI::App&, std::vector<std::string> words) {
   if (!words.empty() && is_lab_command(words[0]))
     throw UsageError(words[0] + " is a command of sinew-lab (training and evaluation): sinew-lab " + words[0] + " ...");

@@ -104,7 +104,7 @@ void show_layers(const QuantizedModel& model) {
   }
 }
 
-// Writes the model, reads it again, and says how it differs from the float network.
+// Writes the model, reads it again, and prints its difference from the float network.
 //   parts       the networks in the file, whose layers are listed
 //   difference  of the model from the float network, in words
 //   next        the command that uses the model

@@ -119,8 +119,8 @@ class SeamFinder {
     return pieces;
   }
 
-  // Drops the lines that are none: short ones, those over a bulge, and those behind which nothing hangs any more, where
-  // a joint's parent is elsewhere than the part that it is grown on.
+  // Drops lines that are not seams: short ones, those over a bulge, and those without a connection behind them, where
+  // a joint's parent is elsewhere than the part that it is fused with.
   void keep_seams() {
     const std::vector<uint32_t> piece = pieces();
     std::vector<uint32_t> kept;

@@ -117,7 +117,7 @@ std::string check_text(const CheckedFile& file) {
   for (const size_t i : file.change.added) is_new[i] = 1;
   if (file.score) text += print("; score %.1f of 100", *file.score);
   for (size_t i = 0; i < check.findings.size();) {
-    size_t end = i + 1;  // of those that are told by one line
+    size_t end = i + 1;  // of those in one line
     while (end < check.findings.size() && check.findings[end].rule == check.findings[i].rule &&
            check.findings[end].severity == check.findings[i].severity && is_new[end] == is_new[i])
       ++end;

@@ -136,7 +136,7 @@ class ClipCheck {
     findings_->add("foot-float", std::move(floats));
   }
 
-  // Of feet that stand, against the ground: which moves where a clip stays in its place.
+  // Speed of planted feet relative to the ground, which moves if a clip stays in place.
   void slides() {
     struct Stance {
       size_t foot, frame;

@@ -30,7 +30,7 @@ constexpr double kAgree = 0.6;             // L1 up to which neighbors agree wit
 constexpr double kDisagree = 1.7;          // L1 from which a vertex has nothing in common with them
 constexpr size_t kTwinVertices = 8;        // vertices of the twin that make an idle joint suspicious
 constexpr double kClearlyOtherSide = 0.3;  // of the distance between two twins
-constexpr double kSamePosition = 1e-3;     // joints nearer to each other cannot be told apart
+constexpr double kSamePosition = 1e-3;     // joints nearer to each other are indistinguishable
 constexpr double kSharedVertices = 0.4;    // of the vertices on such joints: the rig, not a detail
 constexpr double kMoreThanTwin = 0.3;      // weight beyond the twin's; less is a skirt that follows both legs
 
@@ -269,8 +269,8 @@ class Labels {
         add("idle-twin", j, twins_[j], {});
   }
 
-  // Joints with vertices that stand where another child of their parent with vertices does: position and hierarchy do not
-  // say which of them holds what, so a character that has many of them teaches nothing.
+  // Joints with vertices at the position of a sibling with vertices: position and hierarchy do not decide which of
+  // them holds what, so a character with many of them is useless for training.
   void shared_positions() {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, side = 0;
     for (const Vec3& p : c_.vertices) {
@@ -373,7 +373,7 @@ std::vector<uint32_t> mirror_twins(const Character& character) {
   for (const std::vector<int32_t>* const others : {&verdicts.partners, &verdicts.images}) {
     for (uint32_t j = 0; j < count && !any; ++j) {
       const int32_t other = (*others)[j];
-      if (other >= 0 && (*others)[static_cast<size_t>(other)] == static_cast<int32_t>(j))  // both must say so
+      if (other >= 0 && (*others)[static_cast<size_t>(other)] == static_cast<int32_t>(j))  // both must agree
         twins[j] = static_cast<uint32_t>(other);
     }
     for (uint32_t j = 0; j < count; ++j) any = any || twins[j] != j;

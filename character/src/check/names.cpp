@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What joints are called against what they hang on, which side they lie on and where a body has such joints.
+// Compares joint names with their parents, their sides and their positions on a body.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -76,7 +76,8 @@ void order(const RigFacts& facts, Findings* findings) {
     if (!facts.is_single(j) || !facts.is_single(static_cast<size_t>(above))) continue;
     const LimbRank up = limb_rank(facts.verdicts.classes[static_cast<size_t>(above)]);
     const int side = facts.verdicts.sides[j], their_side = facts.verdicts.sides[static_cast<size_t>(above)];
-    // A foreleg hangs on a shoulder. What ends a chain may be called after all of it: IKBackLeg under BackLowerLeg.
+    // A foreleg is a child of a shoulder. The end of a chain may be named after the whole chain: IKBackLeg under
+    // BackLowerLeg.
     if (own.limb == Limb::kLeg && facts.verdicts.classes[static_cast<size_t>(above)] == SINEW_CLASS_CLAVICLE) continue;
     std::string why;
     if (own.limb == up.limb && own.rank < up.rank && !facts.tree.children[j].empty())
@@ -85,7 +86,8 @@ void order(const RigFacts& facts, Findings* findings) {
       why = "which is another limb";
     else if (own.limb == up.limb && side != 0 && their_side != 0 && side != their_side)
       why = "which is on the other side";
-    // A joint in the middle is no limb that another one could hang on wrongly: a robot's base, the one shoulder of a horse.
+    // A joint in the middle is not a limb, so it cannot be a wrong parent: a robot's base, the one shoulder of a
+    // horse.
     if (why.empty() || (their_side == 0 && up.limb != Limb::kHead)) continue;
     RigFinding finding;
     finding.joint = static_cast<int>(j);

@@ -109,7 +109,7 @@ class PoseCheck {
     }
   }
 
-  // Of what hangs on each joint that rotates against all that does not hang on its parent.
+  // Intersections of the descendants of each rotating joint with everything that does not follow its parent.
   void crossings(const TestPose& pose, const Character& posed) {
     for (const size_t joint : pose.joints) {
       const int parent = facts_.character.joints[joint].parent;

@@ -17,7 +17,7 @@ double signed_sum(const std::vector<Influence>& row) {
   return sum;
 }
 
-// Meshes that have no skin, and hang on a joint or stand still, are no mistake.
+// Meshes without a skin that follow a joint or do not move are correct.
 std::vector<uint8_t> props_of(const Character& c) {
   std::vector<uint8_t> props(c.vertices.size(), 0);
   if (c.vertex_meshes.size() != c.vertices.size()) return props;

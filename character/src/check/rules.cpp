@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The one table of what is looked for. A rule is a row here and the call of Findings::add() that names it.
-// Bounds were chosen on families of train with `sinew-lab eval check`; no family of val or val2 was looked at.
+// The table of rules. A rule is a row here and a call of Findings::add() with its name. Bounds were chosen on
+// families of train with `sinew-lab eval check`, without val and val2.
 #include "sinew_character/check/check.hpp"
 #include "sinew_formats/error.hpp"
 

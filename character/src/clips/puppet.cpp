@@ -15,7 +15,7 @@ namespace {
 
 double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
 
-// Parents first. What hangs on a spliced joint hangs on its parent then.
+// Parents first. Children of a spliced joint become children of its parent.
 std::vector<Joint> joints_of(const std::string& skeleton, const std::set<std::string>& without,
                              const std::set<std::string>& spliced) {
   std::vector<Joint> kept;

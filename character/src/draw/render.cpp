@@ -247,7 +247,7 @@ void darken_occluded(const Camera& camera, Canvas* canvas) {
         if (other <= 0) continue;
         const float plane = own + slope_x * dx + slope_y * dy;
         if (plane <= 0) continue;
-        // How far the other point stands in front of the plane, in radii of the mesh.
+        // Distance of the other point in front of the plane, in radii of the mesh.
         const float rise = 1 / plane - 1 / other;
         const float reach = r * camera.pixel_size();
         const float steep = rise / std::max(reach, 1e-4f);

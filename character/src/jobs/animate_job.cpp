@@ -38,7 +38,7 @@ std::vector<Clip> chosen_clips(const AnimateOptions& s, const std::string& file,
   return chosen;
 }
 
-// By the method; the motion's own body, if it has one, says what touches what.
+// By the method; the motion's body, if it has one, gives the contacts.
 void set_method(const AnimateOptions& s, const std::string& file, const std::optional<Character>& source,
                 AnimatedCharacter* out, Retargeter* retargeter) {
   const bool as_copied = s.method == AnimateMethod::kCopy || s.method == AnimateMethod::kNodeOffsets;
@@ -84,7 +84,7 @@ MotionMap map_of(const AnimateOptions& s, const MapRig& target, const MapRig& fr
   return map;
 }
 
-// Says so where the user wants it played as it is.
+// Adds a note if the user plays it anyway.
 void refuse_misfit(const AnimateOptions& s, const MotionInput& input, const MotionMap& map, const MapRig& target,
                    std::vector<std::string>* notes) {
   if (map.cover.share >= kLeastCover) return;

@@ -52,7 +52,7 @@ namespace {
 
 using Rows = std::vector<std::vector<Influence>>;
 
-// [J] joints that may get weight, by their names and positions: the weights themselves are what is looked at.
+// [J] joints that may get weight, by their names and positions, since the weights are what is scored.
 std::vector<char> usable_joints(const Character& character) {
   std::vector<char> usable;
   for (const uint8_t flags : choose_joints(character, JointsFrom::kNames).flags)

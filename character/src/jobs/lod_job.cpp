@@ -22,7 +22,8 @@ namespace {
 
 constexpr size_t kMostSamples = 2000;
 constexpr double kMissed = 1.25,
-                 kFewTriangles = 8;  // a level with more than so many times the wanted triangles and some is told
+                 kFewTriangles =
+                     8;  // a level with more than this factor times the requested triangles, plus some, gets a warning
 
 using Triangles = std::vector<std::array<uint32_t, 3>>;
 

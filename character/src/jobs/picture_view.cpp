@@ -16,7 +16,7 @@ namespace {
 
 // Near limbs lie before the body and far ones behind it, by this share of the longest side.
 constexpr float kLayer = 0.006f;
-// Below it a class is hardly likelier than the next one, and the user is told both.
+// Below this ratio a class is hardly more probable than the next one, and the note has both.
 constexpr float kUnsureClass = 0.5f;
 
 std::vector<PictureView> views_of(BodyClass body, bool given) {

@@ -54,7 +54,7 @@ void say_direction(const RigJobOptions& job, const PredictedSkeleton& skeleton, 
 // What the votes know little of may be a hand: below that spread none of the training characters' hands is.
 constexpr float kHandSpread = 0.055f;
 
-// A hand in the place of a body, told as the guess that it is.
+// A hand without a body, with a note that it is a guess.
 bool put_lone_hand(const RigModels& models, const SkeletonOptions& options, Character* character,
                    PredictedSkeleton* skeleton) {
   std::optional<LoneHand> hand = find_lone_hand(*character, *models.hands, options);

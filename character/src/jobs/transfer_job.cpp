@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-// The source's skeleton in the place of the one that is predicted for the mesh.
+// The source's skeleton, fitted to the one that is predicted for the mesh.
 void fit_source_skeleton(const Character& source, const TransferTargetOptions& options, Character* character) {
   SkeletonOptions predict;
   predict.model = options.rig_model();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Legs by names; else the groups of joints near the floor that hang on limbs, tails aside.
+// Finds legs by names; else as groups of joints near the floor that end limbs, without tails.
 #include "motion/body_kind.hpp"
 
 #include <algorithm>

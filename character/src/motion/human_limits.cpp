@@ -157,7 +157,7 @@ class HumanLimits {
     ball(j, limit, own, cross(along, unit(*to)), along);
   }
 
-  //   bone, side  in the world at rest; `straight` is where the bone points where angles are 0, the rest pose unless given
+  //   bone, side  in the world at rest; `straight` is the bone's direction at angle 0, by default that of the rest pose
   void ball(int j, const Ball& ends, const Point3& bone, const Point3& side, const Point3& straight = {}) {
     const Quaternion zero = length(straight) > 0 ? rotation_between(bone, straight) : kNoRotation4;
     Point3 own = rotate(conjugate(zero), side);

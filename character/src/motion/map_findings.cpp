@@ -125,13 +125,13 @@ class MapReader {
     }
   }
 
-  // Where nobody knows the parts.
+  // If the parts are unknown.
   std::vector<std::string> few_joints() const {
     if (3 * moved() >= 2 * std::min(source_.joints.size(), target_.joints.size())) return {};
     return {"only " + std::to_string(moved()) + " of its " + std::to_string(target_.joints.size()) + " joints move"};
   }
 
-  // Limbs of the source that move nothing: where names do not say what the target's are.
+  // Limbs of the source that move nothing, if the target's limbs have no class by name.
   std::vector<std::string> idle_limbs() const {
     std::vector<std::string> texts;
     for (const BodyPart& part : from_.all()) {
@@ -223,7 +223,7 @@ class MapReader {
 
   struct Finding {
     const BodyPart* part;
-    std::string singular, plural;  // what is said of one, and of both of a pair
+    std::string singular, plural;  // text for one, and for both of a pair
   };
 
   std::optional<Finding> finding_of(const BodyPart& part) const {

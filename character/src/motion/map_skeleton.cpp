@@ -66,12 +66,12 @@ MapRig rig_in_stance(const Motion& motion) { return map_source_of(motion, nullpt
 MapRig rig_of_scene(const std::string& path) {
   try {
     Character character;
-    read_skeleton(path, false, &character);  // says what is wrong with a file without joints
+    read_skeleton(path, false, &character);  // reports a file without joints
     return map_rig_of(read_gltf(path));
   } catch (const Error&) {
     try {
       return rig_in_stance(read_motion(path));
-    } catch (const Error&) {  // what is wrong with it as a skeleton is told
+    } catch (const Error&) {  // its error as a skeleton is reported
     }
     throw;
   }

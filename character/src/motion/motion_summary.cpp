@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A motion's rest pose: whether a body stands in it, which way is up, how its arms are held.
+// Describes a motion's rest pose: whether it is a standing pose, the up axis, the arms.
 #include "sinew_character/motion/motion_summary.hpp"
 
 #include <algorithm>

@@ -218,7 +218,7 @@ class UrdfReader {
   std::vector<UrdfJoint> joints_;
 };
 
-// Turns by quarters, the nearer ones first: none, z up to y up, then all others.
+// Rotations by multiples of 90 degrees, the smallest first: none, z up to y up, then all others.
 std::vector<Quaternion> quarter_turns() {
   const double quarter = 3.14159265358979323846 / 2;
   std::vector<Quaternion> turns = {kNoRotation4, axis_rotation(0, -quarter)};

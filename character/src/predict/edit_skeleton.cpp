@@ -155,7 +155,7 @@ class Editor {
     if (on_plane(j)) plane_.move_there(&position);
     if (other >= 0) place_with_ends(other, image(position));
     place_with_ends(j, position);
-    // A joint that was moved by itself has no mirror image any more.
+    // A joint that was moved alone loses its mirror image.
     if (!mirror_) forget_partner(j);
   }
 

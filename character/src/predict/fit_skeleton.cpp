@@ -17,7 +17,7 @@
 namespace sinew {
 namespace {
 
-// A predicted joint stands where makers put it in the mean; `mine` knows its own maker's habits. Shares of its say, chosen on
+// A predicted joint is at the mean position of all makers; `mine` has its own maker's habits. Shares of it, chosen on
 // 57 pairs of MakeHuman rigs with predictions (mean distance 2.7 % of the side without them, 1.9 % with them).
 constexpr double kOwnShape = 0.7;   // between two matches: 0 = on the other's chain, 1 = shaped as in `mine`
 constexpr double kOwnHabit = 0.95;  // pelvis, neck and clavicles where a similar copy of the torso has them
@@ -210,7 +210,7 @@ class Fitter {
     return above;
   }
 
-  // Which bones say how a joint turns: to the next of its chain, and to the chains that begin on it.
+  // Bones that determine a joint's rotation: to the next of its chain, and to the chains that begin at it.
   void link_bones() {
     for (const MatchedLimb& limb : matches_.limbs()) {
       const std::vector<int>& joints = limb.mine.joints;
@@ -236,7 +236,7 @@ class Fitter {
     }
   }
 
-  // The other's hand ends in a bone end, mine in fingers: the middle of their ends says where it points.
+  // The other's hand ends in a bone end, mine in fingers: it points to the center of their ends.
   void link_open_end(const MatchedLimb& limb) {
     const Knot last = limb.knots.back();
     if (last.mine >= limb.mine.joints.size() || last.other + 1 >= limb.other_points.size()) return;
@@ -270,7 +270,7 @@ class Fitter {
     return known_[a] && known_[b] && before > 0 ? length(positions_[b] - positions_[a]) / before : whole_.scale;
   }
 
-  // Parents first: frames of bones, and what hangs on them without a match.
+  // Parents first: frames of bones, and of their children without a match.
   void carry() {
     for (const size_t j : order_) {
       const int above = parent(j);
@@ -334,7 +334,7 @@ class Fitter {
     }
   }
 
-  // Every bone turned as it was fitted and as long as before, all by one scale; from the pelvis outwards.
+  // Every bone with its fitted rotation and its original length times one scale, from the pelvis outwards.
   void keep_lengths() {
     double above = 0, below = 0;
     for (size_t j = 0; j < count(); ++j) {

@@ -91,7 +91,8 @@ class LimbFinder {
     return found;
   }
 
-  // The lowest joint that all the body hangs on, or the pelvis nearest below it: roots on the floor are called so too.
+  // The lowest common ancestor of the body, or the pelvis nearest below it, as roots on the floor may be called
+  // pelvis too.
   void find_pelvis() {
     std::vector<int> body;
     for (size_t j = 0; j < count(); ++j)
@@ -106,7 +107,8 @@ class LimbFinder {
       if (s_.classes[j] != SINEW_CLASS_PELVIS || s_.ends[j] != 0) continue;
       size_t carried = 0;
       for (const int one : body) carried += hangs_on(one, joint) ? 1 : 0;
-      // What carries a little less than the one above it is still the pelvis: feet of inverse kinematics hang on roots.
+      // A joint that carries slightly less than its parent is still the pelvis: feet for inverse kinematics are
+      // children of roots.
       const bool better = best < 0 || (depth(joint) > deepest ? 2 * carried > most && carried > 0 : carried > 2 * most);
       if (!better) continue;
       best = joint;
@@ -184,7 +186,7 @@ class LimbFinder {
     return best;
   }
 
-  // Arms and legs in pieces: feet that hang on a root go on where the calf ends.
+  // Arms and legs in pieces: feet that are children of a root continue at the end of the calf.
   void join_pieces() {
     for (size_t a = 0; a < out_.limbs.size(); ++a) {
       for (size_t b = 0; b < out_.limbs.size(); ++b) {

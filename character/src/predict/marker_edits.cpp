@@ -13,10 +13,10 @@ namespace {
 
 struct Link {
   const char* name;  // @ represents the side; null: no more links
-  float share;       // of the way from what the chain hangs on to its limb's end
+  float share;       // of the path from the chain's parent to its limb's end
 };
 struct Chain {
-  const char* root;  // null: what the neck or the head hangs on
+  const char* root;  // null: the parent of the neck or the head
   std::array<Link, 4> links;
 };
 constexpr Chain kChains[] = {{nullptr, {{{"@Arm", 0.25f}, {"@ForeArm", 0.62f}, {"@Hand", 1}, {nullptr, 0}}}},

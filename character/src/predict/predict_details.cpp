@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Details of a skeleton, whose arrays go through sinew_rig_details() and come back longer: fingers first, since props hang on hands.
+// Adds details to a skeleton by sinew_rig_details(): fingers first, since props are children of hands.
 #include "sinew_character/predict/predict_details.hpp"
 
 #include <algorithm>

@@ -121,7 +121,7 @@ int called_by(const PredictedSkeleton& skeleton, const Limb& limb) {
 }  // namespace
 
 std::vector<LimbDoubt> limb_doubts(const PredictedSkeleton& skeleton) {
-  // Sides are told by where joints lie across the mirror plane.
+  // Sides come from the positions of joints across the mirror plane.
   const MirrorPlane plane(skeleton);
   LabeledSkeleton labeled = {skeleton.joints, skeleton.classes, skeleton.ends};
   for (Joint& joint : labeled.joints) joint.position.x = plane.distance(joint.position);

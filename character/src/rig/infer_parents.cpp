@@ -20,7 +20,7 @@ double edge_cost(const Joint& a, const ReadName& at_a, const Joint& b, const Rea
   const bool row = at_a.stem == at_b.stem && at_a.side == at_b.side && at_a.own_number >= 0 && at_b.own_number >= 0 &&
                    std::abs(at_a.own_number - at_b.own_number) == 1;
   if (row) return distance * 0.25;
-  if (at_a.side != at_b.side) return distance * 1.2;  // the middle hangs on the middle
+  if (at_a.side != at_b.side) return distance * 1.2;  // joints in the middle have parents in the middle
   return at_a.side != 0 ? distance * 0.9 : distance;
 }
 

@@ -50,7 +50,7 @@ Picture PictureFiles::find(const std::string& name) {
       }
       return at->second = std::move(bytes);
     } catch (const Error&) {
-      break;  // told as missing
+      break;  // reported as missing
     }
   }
   notes_->push_back(title + ": picture " + shown + " was not found, so the output lacks it; put it beside the file");

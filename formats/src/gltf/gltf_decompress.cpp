@@ -84,7 +84,7 @@ std::optional<std::vector<uint8_t>> decompress_gltf(const std::string& path, con
   CompressedGltf gltf;
   gltf.path = path;
   gltf.document = Json::parse(text.begin(), text.end(), nullptr, false);
-  if (!gltf.document.is_object()) return std::nullopt;  // the loader says what is wrong with it
+  if (!gltf.document.is_object()) return std::nullopt;  // the loader reports the error
   try {
     std::string found;
     for (const char* name : kCompressions) {

@@ -104,8 +104,8 @@ class GltfMotionReader {
     }
   }
 
-  // The skin's joints first; then animated nodes above or below them. Without a skin all animated nodes and what hangs on
-  // them without a mesh.
+  // The skin's joints first; then animated nodes above or below them. Without a skin all animated nodes and their
+  // descendants without a mesh.
   void choose_joints() {
     joint_of_node_.assign(model().nodes.size(), -1);
     std::vector<std::string> names;

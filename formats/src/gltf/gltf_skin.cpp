@@ -95,7 +95,7 @@ class SkinWriter {
     return number;
   }
 
-  // A rigid part that hangs on its joint needs no skin; neither does what nothing is bound to.
+  // A rigid part that is a child of its joint needs no skin; neither does what nothing is bound to.
   bool stays(size_t first, size_t last, int node) const {
     const bool skinned = source_.model.nodes[static_cast<size_t>(node)].skin >= 0;
     const int carrier = skinned || !keeps_joints_ ? -1 : joint_at_or_above(node);

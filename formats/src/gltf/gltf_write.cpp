@@ -83,7 +83,7 @@ std::optional<Springs> springs_left(const std::string& path, const Character& ch
   }
 }
 
-// A glTF has y up: the roots of every scene hang on a node that turns z to it.
+// A glTF has y up: the roots of every scene become children of a node that rotates z to y.
 void raise_z(GltfJoints* joints, Json* document) {
   constexpr double kHalf = 0.70710678118654752440;
   std::map<size_t, size_t> raised;  // roots that several scenes show

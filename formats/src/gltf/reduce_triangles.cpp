@@ -109,8 +109,8 @@ class Reducer {
     return vectors[3 * a] * b[0] + vectors[3 * a + 1] * b[1] + vectors[3 * a + 2] * b[2];
   }
 
-  // [all vertices] the first vertex of its primitive that is the same: at one place with one row of weights, and alike in what else it has, or
-  // whatever else it has.
+  // [all vertices] the first vertex of its primitive with the same position and weights, and either with the same
+  // other attributes or with any.
   std::vector<unsigned> same_vertices(bool whatever) {
     std::vector<unsigned> same(welded_.size());
     copies_.assign(welded_.size(), {});
@@ -133,7 +133,8 @@ class Reducer {
     return same;
   }
 
-  // Corners of the triangles that are left, first vertices alone: the simplifier takes others at one place for a seam, used or not.
+  // Corners of the triangles that are left, first vertices alone: the simplifier treats others at the same position
+  // as a seam, used or not.
   std::vector<unsigned> simplified(const std::vector<unsigned>& same, size_t wanted) const {
     std::vector<unsigned> firsts, number(same.size(), 0), joined;
     std::vector<float> positions;

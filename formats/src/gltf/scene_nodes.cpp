@@ -101,8 +101,8 @@ class NodeFinder {
     }
   }
 
-  // Assimp says a bone's name alone. Of several nodes with that name it is one that is no mesh, no locator and, of those, the one that stands where the
-  // bone was bound.
+  // Assimp has only a bone's name. Of several nodes with that name it is one that is not a mesh or locator, at the
+  // position where the bone was bound.
   size_t node_of(const aiBone& bone, const aiMesh& mesh, size_t mesh_node) const {
     const auto [begin, end] = all_by_name_.equal_range(bone.mName.C_Str());
     if (begin == end)
@@ -163,7 +163,7 @@ class NodeFinder {
             !(node.meshes_below && nodes_[static_cast<size_t>(node.parent)].parent < 0 && node.node->mNumChildren == 0);
       else if (node.bones_below)  // hips without weights: the branches meet there
         node.joint = below_bone[n] != 0 || (fbx ? !node.not_a_joint : branches[n] > 1 && !node.meshes_below);
-      else  // leaves, and what they hang on
+      else  // leaves and their ancestors
         node.joint = nodes_[static_cast<size_t>(node.parent)].joint && !node.meshes_below && !node.not_a_joint;
     }
     for (size_t n = 0; n < nodes_.size(); ++n)

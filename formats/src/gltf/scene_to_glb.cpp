@@ -338,7 +338,7 @@ const aiScene* import(const std::string& path, bool names_for_people, Assimp::Im
   importer->SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
   importer->SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   importer->SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, names_for_people);
-#ifdef AI_CONFIG_IMPORT_FBX_IGNORE_UP_AXIS_DIRECTION  // Assimp after 5.2 turns it itself unless told not to
+#ifdef AI_CONFIG_IMPORT_FBX_IGNORE_UP_AXIS_DIRECTION  // Assimp after 5.2 rotates it by default
   importer->SetPropertyBool(AI_CONFIG_IMPORT_FBX_IGNORE_UP_AXIS_DIRECTION, true);
 #endif
   const aiScene* scene = importer->ReadFile(path, aiProcess_Triangulate);
@@ -374,7 +374,7 @@ std::vector<uint8_t> scene_to_glb(const std::string& path, std::vector<std::stri
   if (file.empty()) throw Error(path + ": expected a scene, found an empty file");
   if (has_extension(path, ".dae")) check_collada_lists(path, file);
   try {
-    Assimp::Importer importer;  // here: a library that is missing says so, and one that is there is loaded once
+    Assimp::Importer importer;              // here: a missing library is reported, and an available one is loaded once
     importer.SetIOHandler(new SceneFiles);  // the importer deletes it
     SceneBytes scene = convert_in_child(path, file_kind(path)->name, scene_limits(file.size()),
                                         [&] { return convert_scene(path, &importer); });

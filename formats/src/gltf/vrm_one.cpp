@@ -58,7 +58,7 @@ Json nodes_with_mesh(const Json& document, const Json& mesh) {
   return found;
 }
 
-// A color or the place of a texture; false for a property of a shader that 1.0 has no word for.
+// Converts a color or a texture transform; false for a shader property without an equivalent in 1.0.
 bool add_material_bind(const Json& value, const Json& document, Json* expression) {
   const std::string property = text_in(value, "propertyName");
   const std::vector<double> target = value.value("targetValue", std::vector<double>());

@@ -26,7 +26,7 @@ std::string joined_authors(const VrmData& vrm) {
   return authors;
 }
 
-// What is not said is what the specification has as the strictest.
+// Missing permissions are the strictest of the specification.
 Json zero_meta(const VrmData& vrm) {
   const Words allow = {{"true", "Allow"}};
   const auto text = [&](const char* key) {

@@ -33,7 +33,7 @@ struct AcclaimBone {
   int parent = -1;
 };
 
-// Turns about the axes that the letters of `order` name, the first letter first.
+// Rotations about the axes in `order`, the first letter first.
 Quaternion rotation_in_order(const std::string& order, const Point3& radians) {
   Quaternion out = kNoRotation4;
   for (const char axis : order) {

@@ -195,8 +195,8 @@ class BvhReader {
     if (!clip.frames.empty()) motion_.clips.push_back(std::move(clip));
   }
 
-  // A few frames without all of their numbers: those at the end are left out, those between others are interpolated. More of
-  // them, or the first, say that the channels are not those of the frames.
+  // A few frames without all of their numbers: those at the end are left out, those between others are interpolated.
+  // If there are more of them, or the first is incomplete, the channels do not match the frames.
   void mend_incomplete(const std::vector<IncompleteFrame>& incomplete, Clip* clip) {
     constexpr size_t kMostShare = 50;  // one frame in so many, and always one
     const IncompleteFrame& first = incomplete[0];

@@ -145,7 +145,7 @@ class KeypointsSolver {
     take_rest();
   }
 
-  // What hangs on a part that rotates by its sides is where it is in that part's own axes, in the mean.
+  // A child of a part that is oriented by its sides has its mean position in that part's axes.
   void fit_sides() {
     std::vector<Point3> offsets(motion_.joints.size());
     for (const std::vector<Point3>& frame : keypoints_) {

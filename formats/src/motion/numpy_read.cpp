@@ -163,7 +163,8 @@ class NumpyReader {
     return scaling->values[0];
   }
 
-  // By how many numbers a frame has: no two models and forms have as many. Keypoints of their own say how many a rotation has.
+  // By the number of values per frame, which is unique for each model and form. Separate keypoints give the number
+  // per rotation.
   std::pair<const BodyModel*, size_t> model_of(size_t width, const std::vector<const NpyArray*>& arrays) const {
     const size_t said = arrays.size() > 1 ? arrays[0]->width() : 0;
     for (const BodyModel& model : body_models())

@@ -269,7 +269,7 @@ class VmdReader {
     return above == switches->second.begin() || std::prev(above)->second;
   }
 
-  // The ankle goes to its IK bone, which hangs on a parent on the floor and that on the root, and turns as the bone does.
+  // The ankle moves to its IK bone, a child of a parent on the floor below the root, and rotates like the bone.
   void put_foot(const std::string& side, size_t f, MotionFrame* frame) const {
     const auto index = [&](const char* joint) {
       return static_cast<size_t>(joint_named(motion_.joints, side + joint));

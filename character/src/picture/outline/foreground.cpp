@@ -11,7 +11,7 @@ namespace {
 
 // Shadows are darker by up to so much, of nearly the same hue, and begin softly.
 constexpr float kDarkestShadow = 30, kShadowStep = 0.8f;
-// A shadow's blurred light cannot be told within so many pixels of what throws it.
+// The blur of a shadow cannot be measured within this many pixels of the object.
 constexpr uint32_t kShadowGap = 4;
 // A part that only a wider gap's closing encloses is one, where the figure grows by so much. Less is what lies between legs.
 constexpr float kNewPart = 1.35f;

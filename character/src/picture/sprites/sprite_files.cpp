@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames as files: an animated PNG by libpng, and a sheet with the JSON that says where each frame lies.
+// Frames as files: an animated PNG by libpng, and a sheet with a JSON of the frames' positions.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -154,7 +154,7 @@ std::vector<uint8_t> encode_loop(const std::vector<SpriteFrame>& frames) {
   return out;
 }
 
-// Frames on one sheet, and the JSON that says where each lies.
+// Frames on one sheet, and a JSON of their positions.
 SpriteSheet sprite_sheet(const std::vector<SpriteFrame>& frames, const std::string& image) {
   picture::check_frames(frames);
   const uint32_t w = frames[0].pixels.width, h = frames[0].pixels.height, count = static_cast<uint32_t>(frames.size());
