@@ -74,7 +74,7 @@ void find_starts(const Skeleton& skeleton, const Vec3i* tips, const VoxelGrid& g
 struct Around {
   uint32_t count;
   uint32_t cells[8];  // numbers in the propagation
-  uint32_t costs[8];  // in the place of a label's distance
+  uint32_t costs[8];  // in the bits of a label's distance
 
   void find(const Propagation& p, Vec3i position) {
     const VoxelGrid& grid = p.grid;
@@ -115,7 +115,7 @@ SINEW_ONCE uint32_t nearest_labels(const Propagation& p, Vec3i position, uint32_
     const uint32_t last = p.labels(around.cells[i])[per_cell - 1] + around.costs[i];
     if (last < farthest) farthest = last;
   }
-  // Most labels name a joint that another cell has named: slots by a joint's low bits say where it is.
+  // Most labels name a joint that another cell has named: slots by a joint's low bits hold its index.
   constexpr uint32_t kEntries = 64;
   constexpr uint8_t kNone = 0xFF;
   uint8_t entries[kEntries];

@@ -204,7 +204,7 @@ void Propagation::offer(uint32_t number, uint32_t label, uint8_t arrival) {
   } else if (cell.found < capacity_) {
     ++cell.found;
   } else {
-    grid_index = capacity_ - 1;  // takes the place of the farthest
+    grid_index = capacity_ - 1;  // replaces the farthest
   }
   for (; grid_index > 0 && labels[grid_index - 1] > label; --grid_index) {
     labels[grid_index] = labels[grid_index - 1];

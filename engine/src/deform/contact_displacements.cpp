@@ -11,7 +11,7 @@ constexpr int kRounds = 10;
 constexpr uint32_t kRings = 3;          // around what touches, which they reach
 constexpr double kSmoothing = 0.6;      // of a round: share of the neighbors' mean
 constexpr double kBoneYields = 0.3;     // of what other nodes do
-constexpr double kLeastSquares = 0.25;  // a vertex that hangs on few nodes does not carry them away
+constexpr double kLeastSquares = 0.25;  // a vertex that depends on few nodes does not drag them along
 constexpr double kShare = 1.0 / (1 << kShareBits);
 
 class DisplacementMaker {

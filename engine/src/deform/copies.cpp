@@ -19,7 +19,7 @@ int16_t to_q14(double x) {
   return static_cast<int16_t>(scaled < 0 ? 0 : scaled > 16384 ? 16384 : static_cast<int32_t>(scaled));
 }
 
-// What is known of a patch while its cell is looked at.
+// State of a patch while its cell is processed.
 struct Patch {
   WeightRow row;
   Vec3l point;   // sum over its triangles, grid units

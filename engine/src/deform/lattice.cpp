@@ -144,7 +144,7 @@ class LatticeMaker {
     }
   }
 
-  // Neighbors of every node, both ways, ascending and once each.
+  // Neighbors of every node, in both directions, ascending and unique.
   void connect(uint32_t* offsets, uint32_t* members) {
     const uint32_t count = lattice_.node_count;
     for (uint32_t n = 0; n <= count; ++n) offsets[n] = 0;

@@ -97,7 +97,7 @@ void find_twist(uint32_t j, PosedJoints* posed) {
   const Vec3d axis = -1.0 * joint.to_parent;
   const double along = rotation.x * axis.x + rotation.y * axis.y + rotation.z * axis.z;
   const double square = rotation.w * rotation.w + along * along;
-  if (square < 1e-3) return;  // 180 degrees across: no twist can be told
+  if (square < 1e-3) return;  // 180 degrees across: the twist is undefined
   const double inverse = reciprocal_root(square);
   double w = rotation.w * inverse, s = along * inverse;
   if (w < 0) {

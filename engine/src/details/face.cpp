@@ -91,7 +91,7 @@ bool is_below(const GivenSkeleton& s, int32_t j, uint32_t head) {
   return false;
 }
 
-// Whether the head's own bone, or one of those that hang on it, comes nearer to p than all others.
+// Returns whether the head's own bone, or one of its descendants, is nearer to p than all others.
 bool belongs_to(const GivenSkeleton& s, uint32_t head, Vec3i p) {
   const auto squared = [&](Vec3i a, Vec3i b) {
     const Vec3i d = nearest_on_segment(a, b, p) - p;

@@ -209,7 +209,7 @@ class Cutter {
       const uint32_t number = loop_of_[find_root(above_, a)];
       if (number == kNoIndex || crop_.mesh.triangle_count == most_triangles_) return;
       uint32_t* const cap = crop_.mesh.triangles + size_t{3} * crop_.mesh.triangle_count++;
-      cap[0] = b;  // the other way round than the triangle that has the edge
+      cap[0] = b;  // in the opposite direction of the triangle with the edge
       cap[1] = a;
       cap[2] = mesh_.welded_count + crop_.surface_vertices + number;
     });

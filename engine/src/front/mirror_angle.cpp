@@ -101,7 +101,7 @@ void match(const AngleScratch& s, uint32_t tenths, Plane* plane) {
   matches.fit(plane);
 }
 
-// The better of what was measured on the way.
+// The better of the measured angles.
 Plane refined(const AngleScratch& s, uint32_t tenths, Plane start) {
   Plane best;
   for (uint32_t round = 0; round <= kPointRounds; ++round) {

@@ -282,7 +282,7 @@ bool HeatSolver::keep_batch(const HeatLane& lane, uint32_t begin, uint32_t end, 
   return tame;
 }
 
-// What was too small to be looked at, and rounding where the sources pull weakly, is divided out.
+// Ignored small values, and rounding where the sources are weak, are divided out.
 bool HeatSolver::close_totals(uint32_t begin, uint32_t end) {
   for (uint32_t k = begin; k < end; ++k) {
     if (abs64(total_[k] - kFrontOne) > kFrontOne / 256) return false;

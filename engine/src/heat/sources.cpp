@@ -148,7 +148,7 @@ class SourceFinder {
     }
     memset(known_, 0, list_.count);
   }
-  // Leaves only those to be looked at that may be within `limit`.
+  // Keeps only those that may be within `limit`.
   void gather(uint64_t limit) {
     uint32_t count = 0;
     for (uint32_t b = 0; b < list_.count; ++b) {

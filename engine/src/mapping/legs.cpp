@@ -216,7 +216,7 @@ void Anatomy::climb_to_trunk() {
   if (central == 0) climb_to_chest();
 }
 
-// A rig that begins at the chest: nothing but legs hangs on the pelvis, arms and head on what carries it.
+// A rig that begins at the chest: only legs are children of the pelvis; arms and head are children of its parent.
 void Anatomy::climb_to_chest() {
   const Hierarchy& r = *rig;
   int32_t from = hip;

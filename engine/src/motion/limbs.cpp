@@ -101,7 +101,7 @@ void move_limb(const Limb& limb, Vec3d goal, Vec3d wanted_middle, sinew_retarget
   if (dot(side, side) == 0) side = unit_across(b - a, u, 1e-4 * upper);
   if (dot(side, side) == 0) side = unit_across(b - a, unit(c - a), 1e-6 * upper);  // as it is bent now
   side = unit_across(side, u, 1e-6);
-  if (dot(side, side) == 0) return;  // straight: nothing says which way it bends
+  if (dot(side, side) == 0) return;  // straight: the bend direction is unknown
   double cosine = (upper * upper + reach * reach - lower * lower) / (2 * upper * reach);
   cosine = cosine > 1 ? 1 : cosine < -1 ? -1 : cosine;
   const Vec3d middle = a + upper * (cosine * u + root(1 - cosine * cosine) * side);

@@ -68,8 +68,8 @@ bool keeps_length(const sinew_retarget& plan, uint32_t t) {
   }
 }
 
-// How far a joint's source has moved in its parent, where the two parents belong together: feet that hang on the root,
-// and bones that stretch.
+// Translation of a joint's source in its parent, if the two parents match: feet that are children of the root, and
+// bones that stretch.
 Vec3d left_position(const sinew_retarget& plan, uint32_t t) {
   constexpr double kRounding = 1e-4;  // of a leg: what numbers in files leave, which is no stretching
   const int32_t joint = plan.map[t], parent = plan.map[plan.target.parents[t]];
@@ -81,7 +81,7 @@ Vec3d left_position(const sinew_retarget& plan, uint32_t t) {
   return stretches && !plan.translations && !plan.same_rig && keeps_length(plan, t) ? Vec3d{0, 0, 0} : left;
 }
 
-// Feet and hands that hang elsewhere go where their limbs end, with what hangs on them.
+// Feet and hands outside their limbs move to the ends of these, with their children.
 void carry_ends(sinew_retarget* plan) {
   const MotionRig& rig = plan->target;
   for (uint32_t t = 0; t < rig.count; ++t) {
@@ -196,7 +196,7 @@ void load_target(sinew_retarget* plan, const float* rotations, const float* tran
       rotation = above * rotation;
       position = plan->target_positions[parent] + rotate(above, position);
     }
-    // Turns against the rest pose are kept; children need the parent's own again, which the product gives.
+    // Rotations relative to the rest pose are kept; children need the parent's full rotation, which is the product.
     plan->target_rotations[t] = rotation * conjugate(rig.rotations[t]);
     plan->target_positions[t] = position;
   }

@@ -66,8 +66,8 @@ class WorldFinder {
     return {0, up.y < 0 ? -1.0 : 1.0, 0};
   }
 
-  // Turns about up so that where legs begin lies as in the target, for a file that stands at no quarter. Legs begin at mirror images
-  // whatever the pose; within 3 degrees bodies are as they were measured.
+  // Rotates about the up axis to align the starts of the legs with the target's, for a file at another heading than
+  // multiples of 90 degrees. Legs start at mirrored positions in any pose; up to 3 degrees are measurement noise.
   void face_front() {
     constexpr double kStraight = 0.05;  // tangent of what is no turn
     if (!plan_.has_legs) return;

@@ -151,7 +151,7 @@ RigJoint make_joint(const SlotJoints& joints, const SlotTree& tree, uint32_t i, 
   return joint;
 }
 
-// Where a point says that a slot's joint is. Below 2^22.
+// Position of a slot's joint as predicted by a point. Below 2^22.
 Vec3i pointed(const SurfacePoint& point, const int16_t* slot_row) {
   constexpr int kToGrid = kGridBits - kLogitBits - 4;
   static_assert(kRigOffsetScale == 16, "an offset's scale in bits");

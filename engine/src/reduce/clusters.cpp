@@ -109,7 +109,7 @@ bool Clusters::allocate(Arena& arena, const Counts& counts, uint32_t most) {
 
 void find_clusters(const Mesh& mesh, uint32_t most, const Threads& threads, Clusters* clusters) {
   // Every part may have one cluster more than its share. Where that would leave too little to share, the largest
-  // parts (they come first) divide half of the clusters, and the others are not cut any more.
+  // parts (they come first) divide half of the clusters, and the others are not divided further.
   const uint32_t quarter = most / 4;
   const bool crowded = mesh.part_count >= most - quarter;
   const uint32_t cut = crowded && quarter < mesh.part_count ? quarter : mesh.part_count;

@@ -79,7 +79,7 @@ class Coverage {
     }
   }
 
-  // To where the body is deepest, as far from the bones as before.
+  // Moves to the deepest position in the body at the same distance from the bones.
   uint32_t center_of(uint32_t cell) const {
     for (uint32_t i = 0; i < 16; ++i) {
       uint32_t best = cell;

@@ -24,7 +24,7 @@ struct CellRegion {
   uint16_t begin = kNoDistance, end = 0;  // ways of its first and last cell
   uint16_t far = 0;                       // of the last cell that is reached through it
   bool on_plane = false, kept = false;
-  uint8_t branches = 0;  // kept regions that hang on it
+  uint8_t branches = 0;  // number of kept child regions
   int16_t node = -1;     // of the tree, where it became one
 
   Vec3i middle() const { return round_div(sum, count); }

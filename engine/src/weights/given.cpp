@@ -32,7 +32,7 @@ bool float_q16(float value, uint32_t* out) {
 void add_row(const uint16_t* joints, const uint32_t* weights, uint32_t count, uint32_t vertex, const Rows& rows) {
   uint64_t sum = 0;
   for (uint32_t i = 0; i < count; ++i) sum += weights[i];
-  // A point with thousands of vertices is no mesh any more; the sums stop before they overflow.
+  // A point with thousands of vertices is not a valid mesh; the sums stop before they overflow.
   constexpr uint32_t kFull = 1u << 30;
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t share = static_cast<uint32_t>((static_cast<uint64_t>(weights[i]) * kGivenSum + sum / 2) / sum);

@@ -169,7 +169,7 @@ struct WideRow {
       if (mirrored_too) add(partner[joint], rows.weights_of(vertex)[i]);
     }
   }
-  // Falling weight; of equal weights partners lie side by side.
+  // By descending weight; of equal weights partners are adjacent.
   void sort(const uint16_t* partner) {
     const auto rank = [&](uint32_t i) {
       const uint32_t joint = joints[i], other = partner[joint];
