@@ -23,7 +23,7 @@ set(sinew_picture_sources
 # Renders, textures and HTML pages, which need libpng.
 set(sinew_draw_sources
   crowd/vertex_textures
-  draw/colour
+  draw/color
   draw/image
   draw/pose_frame
   draw/render

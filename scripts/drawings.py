@@ -36,17 +36,17 @@ def ellipse(cx, cy, rx, ry):
 
 
 def draw(width, height, shapes, background, ink=2.2):
-    """Each shape (distance, colour or None for a stroke of ink alone) over the ones before, its outline with it."""
+    """Each shape (distance, color or None for a stroke of ink alone) over the ones before, its outline with it."""
     n = SUPER
     y, x = np.mgrid[0 : height * n, 0 : width * n]
     x, y = (x + 0.5) / n, (y + 0.5) / n
-    colour = background(x, y)
+    color = background(x, y)
     for distance, fill in shapes:
         d = distance(x, y)
-        colour[d < ink] = (*INK, 255)
+        color[d < ink] = (*INK, 255)
         if fill is not None:
-            colour[d < 0] = (*fill, 255)
-    sums = colour.reshape(height, n, width, n, 4).astype(float)
+            color[d < 0] = (*fill, 255)
+    sums = color.reshape(height, n, width, n, 4).astype(float)
     alpha = sums[..., 3:].sum((1, 3))
     rgb = (sums[..., :3] * sums[..., 3:]).sum((1, 3)) / np.maximum(alpha, 1)
     return np.concatenate([rgb, alpha / (n * n)], 2).round().astype(np.uint8)
@@ -61,8 +61,8 @@ def png(path, pixels, alpha):
     path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(raw, 9)) + chunk(b"IEND", b""))
 
 
-def flat(colour):
-    return lambda x, y: np.broadcast_to(np.array(colour, np.uint8), (*x.shape, 4)).copy()
+def flat(color):
+    return lambda x, y: np.broadcast_to(np.array(color, np.uint8), (*x.shape, 4)).copy()
 
 
 def ruled(x, y):

@@ -113,14 +113,14 @@ def drawn(character, kind, rng):
     yaw, up = np.radians(direction(kind, rng))
     turn = np.array([[np.cos(yaw), 0, np.sin(yaw)], [0, 1, 0], [-np.sin(yaw), 0, np.cos(yaw)]])
     tilt = np.array([[1, 0, 0], [0, np.cos(up), -np.sin(up)], [0, np.sin(up), np.cos(up)]])
-    flat, centres = ((tilt @ turn) @ samples.T).T[:, :2], ((tilt @ turn) @ places.T).T[:, :2]
+    flat, centers = ((tilt @ turn) @ samples.T).T[:, :2], ((tilt @ turn) @ places.T).T[:, :2]
     spread = rng.choice([0, 6, 14, 25, 40], p=[0.2, 0.2, 0.25, 0.2, 0.15])
     angles = np.radians(rng.normal(0, 1, len(places)) * spread) * (rng.random(len(places)) < 0.6)
     at = np.zeros((len(places), 2, 3))
     for j in order:
         c, s = np.cos(angles[j]), np.sin(angles[j])
         r = np.array([[c, -s], [s, c]])
-        own = np.concatenate([r, (centres[j] - r @ centres[j])[:, None]], 1)
+        own = np.concatenate([r, (centers[j] - r @ centers[j])[:, None]], 1)
         if j in parents:
             above = at[parents[j]]
             own = np.concatenate([above[:, :2] @ own[:, :2], (above[:, :2] @ own[:, 2] + above[:, 2])[:, None]], 1)

@@ -129,7 +129,7 @@ else
   echo "   godot3-server is not installed: the plug-in was not tried"
 fi
 
-step "models, licences, checksums"
+step "models, licenses, checksums"
 cp samples/data/sinew_{default,rig,hands}.{sinew,md} "$out"
 cp package/copyright "$out/LICENSES.txt"
 (cd "$out" && sha256sum -- * >SHA256SUMS)

@@ -68,7 +68,7 @@ else
   # Several sources of the engine as one, here and in conformance. Engine, formats and quant: what reads files from strangers. The trainer under sanitizers is `cmake --preset dev` by hand.
   # shellcheck disable=SC2046  # two arguments
   phase "sanitizer build" build sanitize -DSINEW_UNITY=ALL $(with_clang)
-  # Without the data folder, which is large, and comparisons with solvers of Eigen, which are slow unoptimised (label reference): those cases ran above.
+  # Without the data folder, which is large, and comparisons with solvers of Eigen, which are slow unoptimized (label reference): those cases ran above.
   phase "sanitizer tests" env SINEW_SHARED_DIR=none ctest --test-dir build/sanitize --output-on-failure -j "$jobs" -LE 'slow|tools'
 fi
 echo "all tests passed"

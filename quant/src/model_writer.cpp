@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lays the tables and parameter blocks of a model file one behind the other; the last step of quantising.
+// Lays the tables and parameter blocks of a model file one behind the other; the last step of quantizing.
 #include "sinew_quant/model_writer.hpp"
 
 #include <algorithm>

@@ -357,7 +357,7 @@ class ModelQuantizer {
 
 [[noreturn]] void refuse(sinew_status status) {
   throw Error("quantize: the engine refuses the model (" + std::string(sinew_status_text(status)) +
-              "); is the checkpoint of this version's feature set and layer rules?");
+              "); check that the checkpoint has this version's feature set and layer rules");
 }
 
 // The engine wants 8-byte aligned bytes; a vector's are, as operator new aligns for every fundamental type.
@@ -395,8 +395,8 @@ std::vector<uint8_t> with_confidence(const std::vector<uint8_t>& model, const st
   sinew_model checked;
   if (sinew_model_open(bytes.data(), bytes.size(), &checked) != SINEW_OK) {
     throw Error(
-        "confidence: the engine refuses the table; expected 2 to 64 entries with rising shares and hits that do "
-        "not fall, found " +
+        "confidence: the engine refuses the table; expected 2 to 64 entries with ascending shares and hits that do not "
+        "decrease, found " +
         std::to_string(entries.size()));
   }
   return bytes;

@@ -80,7 +80,7 @@ AnimateOptions animate_options(const AnimateSettings& s) {
   options.up = maybe_axis(s.up_name);
   options.motion_up = maybe_axis(s.motion_up_name);
   options.map_as_drawn = s.deform.as_drawn && is_picture(s.character);
-  // A clip that nobody asked for, and a comparison, are played with a warning where they do not fit.
+  // A default clip or a comparison that does not fit is played with a warning.
   options.force = s.force || s.motions.empty() || options.map_as_drawn;
   options.reference.area_power = s.area_power == 0 ? SINEW_NO_AREA : s.area_power;
   options.reference.falloff = s.falloff == 0 ? SINEW_NO_FALLOFF : static_cast<float>(s.falloff);
@@ -120,7 +120,7 @@ void add_motion_file(const AnimateSettings& s, const MotionChoice& choice, const
     add_motion(animate_options(s), input, steps, out);
 }
 
-// What a folder has that is no motion, or none for this character, is left out and told.
+// Files of a folder that are not motions, or do not fit the character, are skipped with a note.
 void add_motions(const AnimateSettings& s, const std::atomic<bool>& stop, Animated* out) {
   std::string first_error;
   const std::vector<std::string> own = {out->picture ? default_clip(out->picture->body) : ""};
@@ -145,35 +145,35 @@ void add_motions(const AnimateSettings& s, const std::atomic<bool>& stop, Animat
 // A picture's clips alone.
 bool is_loop(const AnimateSettings& s) { return is_picture(s.character) && has_extension(s.output, ".apng"); }
 
-// What needs no file to be told. Of a folder the one that is written into is made later.
+// Errors that can be reported without reading files. The output folder of a folder is created later.
 void check_settings(const AnimateSettings& s, bool of_folder) {
   const bool picture = is_picture(s.character);
   if (!s.vat.empty()) {
     check_vat_folder(s.vat);
-    if (is_loop(s)) throw UsageError("--vat writes a mesh, and " + s.output + " is a picture that moves; write a .glb");
+    if (is_loop(s)) throw UsageError("--vat writes a mesh, but " + s.output + " is an animated picture; write a .glb");
     if (s.output.empty() && (!s.profile.profile.empty() || !s.profile.controls.empty()))
-      throw UsageError("--for and --controls say how -o is written, and there is none; textures have no skeleton");
+      throw UsageError("--for and --controls change the file of -o, which is missing; --vat textures have no skeleton");
   }
   if (s.motions.empty() && !picture)
     throw UsageError("--motion is required" + (has_use(s.character, kReadsMesh) ? "" : remedy(s.character)));
   if (!picture)
     refuse_given({{"--class", !s.picture.body.empty()}, {"--cut", s.picture.cut}, {"--depth", s.depth}},
-                 " is for pictures (" + picture_files() + "), and " + s.character + " is none");
+                 " is for pictures (" + picture_files() + "), but " + s.character + " is not one");
   if (is_loop(s)) {
     if (!s.sprites.loop.empty() || !s.profile.profile.empty() || !s.profile.controls.empty())
-      throw UsageError(s.output +
-                       ": is a picture that moves, without a character: leave --loop, --for and --controls out, "
-                       "or write a .glb");
+      throw UsageError(
+          s.output +
+          ": an animated picture holds no character; leave out --loop, --for and --controls, or write a .glb");
   } else if ((!of_folder && !s.output.empty()) || has_extension(s.output, ".apng")) {
     check_output(s.output, kWritesMotion);
   }
   check_sprite_options(s.sprites, s.character);
   if (!s.sheet.empty()) check_output(s.sheet, {".png"});
-  if (!(s.from <= s.to)) throw UsageError(print("--start %g is behind --end %g", s.from, s.to));
+  if (!(s.from <= s.to)) throw UsageError(print("--start %g is after --end %g", s.from, s.to));
   if (is_motion_alone(s.output) && !s.profile.controls.empty())
-    throw UsageError(s.output + ": a clip alone has no character that --controls could be of; write a .glb");
+    throw UsageError(s.output + ": a clip alone has no character for --controls; write a .glb");
   if (!s.deform.method.empty() && is_motion_alone(s.output) && s.sheet.empty() && s.vat.empty())
-    throw UsageError(s.output + ": a clip alone has no mesh that --deform could correct; write a .glb, or a --sheet");
+    throw UsageError(s.output + ": a clip alone has no mesh for --deform to correct; write a .glb, or a --sheet");
 }
 
 // Reads, moves and writes one character.
@@ -185,9 +185,8 @@ Animated animate_one(const AnimateSettings& s, const std::atomic<bool>& stop) {
   Animated animated = read_animated(s);
   add_motions(s, stop, &animated);
   if (has_extension(s.output, ".bvh") && animated.motion.clips.size() != 1)
-    throw UsageError(s.output + ": a BVH holds one clip, and there are " +
-                     std::to_string(animated.motion.clips.size()) +
-                     "; say which with --motion FILE#CLIP, or write a .glb");
+    throw UsageError(s.output + ": a BVH holds one clip, found " + std::to_string(animated.motion.clips.size()) +
+                     "; choose one with --motion FILE#CLIP, or write a .glb");
   if (s.springs) swing_clips({}, s.character, s.report, &animated);
   if (deform && !alone && !s.output.empty()) bake_clips(*deform, s.shapes, counted("corrected poses", stop), &animated);
   if (std::string note = checked_note(animated.character, &animated.motion); !note.empty())
@@ -207,7 +206,7 @@ Animated animate_one(const AnimateSettings& s, const std::atomic<bool>& stop) {
                            deformer ? &*deformer : nullptr);
   if (!s.vat.empty())
     animated.vat = vertex_animation(stem_of(s.character), animated, deform, counted("poses for textures", stop));
-  if (stop) throw Error(s.output + ": cannot write, the work was interrupted");
+  if (stop) throw Error(s.output + ": cannot write, the job was interrupted");
   if (animated.vat) write_vat(s.vat, *animated.vat);
   if (alone) {
     write_clips(s.output, animated.character, animated.motion);
@@ -228,7 +227,7 @@ void run_animate_folder(AnimateSettings s, const std::atomic<bool>& stop) {
                 {"--vat", !s.vat.empty()},
                 {"--loop", !s.sprites.loop.empty()},
                 {"--controls", !s.profile.controls.empty()}},
-               " is for one character, and " + s.character + " is a folder");
+               " takes one character, but " + s.character + " is a folder");
   const std::string output = s.output;
   const std::vector<FolderFile> files = folder_files(s.character, output, "." + s.format, true);
   const auto settings_of = [&s](const FolderFile& file) {
@@ -268,50 +267,48 @@ void run_animate(const AnimateSettings& s) {
 
 void add_animate_inputs(CLI::App* sub, AnimateSettings* s) {
   sub->add_option("character", s->character,
-                  "Skinned file, NAME.obj with NAME.rig.txt beside it, a bare mesh, a picture of a character (" +
-                      picture_files() + "), or a folder of them. What has no skeleton gets one first; " + mesh_files())
+                  "Skinned file, NAME.obj with NAME.rig.txt, bare mesh, picture of a character (" + picture_files() +
+                      "), or a folder of them. A mesh without a skeleton is rigged first. " + mesh_files())
       ->required()
       ->type_name("CHARACTER|DIR");
-  sub->add_option(
-         "--motion", s->motions,
-         "Motion: all animations of a file or the one behind #, of every file of a folder, or a clip that ships: "
-         "builtin:walk or builtin:walk:lively, builtin: lists them; may be repeated. A picture has one of its class "
-         "unless given. " +
-             motion_files())
+  sub->add_option("--motion", s->motions,
+                  "Motion to play: all animations of a file, FILE#CLIP for one of them, all files of a folder, or a "
+                  "built-in clip (builtin:walk, builtin:walk:lively; builtin: lists them); repeatable. Required, "
+                  "except for pictures, which get a built-in clip of their class. " +
+                      motion_files())
       ->type_name("FILE[#CLIP]|FOLDER")
       ->allow_extra_args(false);
-  shared_option(
-      sub, "-o,--output", s->output,
-      "The character with its new animations, clips alone as .bvh or .vrma, a picture's clips as .apng, for a folder "
-      "another folder; may be left out with --vat: " +
-          extensions_text(kWritesMotion));
-  shared_option(sub, "--map", s->map, "By anatomy and names unless given");
+  shared_option(sub, "-o,--output", s->output,
+                "The character with its new animations; a clip alone as .bvh or .vrma; an animated picture as .apng; a "
+                "folder for a folder. Optional with --vat. " +
+                    extensions_text(kWritesMotion));
+  shared_option(sub, "--map", s->map, "By default joints are matched by anatomy and names");
   shared_word_option(
       sub, "--method", s->method, kAnimateMethod,
-      "copy: every joint rotates as its source does, rest poses aligned; contacts: then feet stay where they "
-      "stand, arms stay out of the body, and where the motion has a body of the same mesh, hands keep in touch "
-      "with it; stream: the same without a look ahead, each frame of those before it alone, as a capture or a game has "
-      "it; reference-points: the published method, by points of both bodies, and node-offsets: the published "
-      "alignment of joints, which stretches bones, both for comparison; auto: contacts");
+      "copy: copy joint rotations between aligned rest poses; contacts: copy, then keep planted feet in place, arms "
+      "out of the body, and hands in contact if the motion file has a body with the same mesh; stream: contacts from "
+      "past frames only, as for live capture; auto: contacts. For comparison, as published: reference-points (points "
+      "on both bodies), node-offsets (joint alignment, which stretches bones)");
   sub->add_option("--sheet", s->sheet, "Also draw frames of every clip side by side")->type_name("FILE");
   add_vat_option(sub, &s->vat);
-  shared_option(sub, "--up", s->up_name, "For the character")
+  shared_option(sub, "--up", s->up_name, "Of the character")
       ->check(CLI::IsMember({"auto", "x", "y", "z"}))
       ->capture_default_str();
-  shared_option(sub, "--from-up", s->motion_up_name, "For the motions; -y: y points down")
+  shared_option(sub, "--from-up", s->motion_up_name, "Of the motion; -y: y points down")
       ->check(CLI::IsMember({"auto", "x", "y", "z", "-x", "-y", "-z"}))
       ->capture_default_str();
-  shared_option(sub, "--layout", s->layout, motion_layouts() + ". Guessed by their count unless given");
-  shared_option(sub, "--actor", s->actor, "The first unless given, where all are alike");
+  shared_option(sub, "--layout", s->layout, motion_layouts() + ". By default chosen by the number of keypoints");
+  shared_option(sub, "--actor", s->actor, "Required if the actors differ; otherwise the first one");
   sub->add_flag(
       "--measure", s->report,
-      "Say for every limb what the method changed. Copied and then: frames in the body or under the floor, "
-      "contacts, sliding, frames out of the natural range. With --springs: how much of what swings is in the body");
+      "Report what the method changed on each limb. Before and after: frames in the body or under the floor, contacts, "
+      "sliding, frames outside the natural range. With --springs: how much of the swinging mesh enters the body");
   sub->add_flag("--force", s->force,
-                "Play a motion that does not fit the character, such as a person's on a horse. Refused unless given");
+                "Play a motion that does not fit the character. Such as a person's motion on a horse, which is an "
+                "error by default");
   std::vector<std::string> formats = format_names(kWritesMotion);
   formats.emplace_back("apng");
-  shared_option(sub, "--format", s->format, "With a folder; apng is for pictures")
+  shared_option(sub, "--format", s->format, "For a folder; apng is for pictures")
       ->check(CLI::IsMember(formats))
       ->capture_default_str();
   shared_flag(sub, "--json", s->json);
@@ -319,71 +316,68 @@ void add_animate_inputs(CLI::App* sub, AnimateSettings* s) {
 
 void add_clip_options(CLI::App* sub, AnimateSettings* s) {
   section(sub, "The clip");
-  sub->add_flag("--in-place", s->in_place, "Stay above where the character stands at rest");
-  sub->add_flag(
-      "--translations", s->translations,
-      "Spine, arms and legs stretch as the motion's do. Elsewhere than between equal rigs they keep their lengths "
-      "unless given");
-  sub->add_option(
-         "--limits", s->limits,
-         "How far joints may turn, contacts or not. A robot's .urdf, a text file of lines hinge, ball and fixed "
-         "(formats/spec/limits.md), or human: what bodies can do")
+  sub->add_flag("--in-place", s->in_place, "Keep the character above its rest position");
+  sub->add_flag("--translations", s->translations,
+                "Stretch the spine, arms and legs as in the motion. By default they keep their lengths unless the rigs "
+                "are equal");
+  sub->add_option("--limits", s->limits,
+                  "Rotation limits of joints, for every --method: a robot's .urdf, a text file with lines hinge, ball "
+                  "and fixed (formats/spec/limits.md), or human (limits of the human body)")
       ->type_name("FILE|human");
-  sub->add_option("--fps", s->fps, "Frames a second. As many as the motion has unless given")
+  sub->add_option("--fps", s->fps, "Frames per second. By default those of the motion")
       ->check(CLI::Range(0.1, 1000.0))
       ->type_name("N");
-  sub->add_option("--start", s->from, "First second of the motion")->check(CLI::NonNegativeNumber)->type_name("T");
-  sub->add_option("--end", s->to, "Last second of the motion")->check(CLI::NonNegativeNumber)->type_name("T");
-  sub->add_flag("--springs", s->springs, "Hair, tails, ears and skirts swing in it, as sinew springs says");
-  sub->add_flag("--range,!--no-range", s->range,
-                "Contacts keep knees and elbows in their natural range, or not. They do unless told");
+  sub->add_option("--start", s->from, "First second of the motion to play")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("T");
+  sub->add_option("--end", s->to, "Last second of the motion to play")->check(CLI::NonNegativeNumber)->type_name("T");
+  sub->add_flag("--springs", s->springs, "Simulate hair, tails, ears and skirts as springs, as found by sinew springs");
+  sub->add_flag("--range,!--no-range", s->range, "Keep knees and elbows in their natural range, with contacts [on]");
 }
 
 // --area-power, --falloff, --own-limb and --legs.
 std::vector<CLI::Option*> add_reference_options(CLI::App* sub, AnimateSettings* s) {
   section(sub, "Reference points");
   return {
-      sub->add_option("--area-power", s->area_power, "A triangle's influence grows with its area to this power")
+      sub->add_option("--area-power", s->area_power, "Exponent of a triangle's area in its influence")
           ->check(CLI::Range(0, 4))
           ->type_name("N")
           ->capture_default_str(),
-      sub->add_option("--falloff", s->falloff,
-                      "Influence falls by exp(-(distance / so many heights of the body)^2); 0: not at all")
+      sub->add_option("--falloff", s->falloff, "Falloff of influence, exp(-(distance / (X * body height))^2); 0: none")
           ->check(CLI::Range(0.0, 100.0))
           ->type_name("X")
           ->capture_default_str(),
-      sub->add_flag("--own-limb,!--no-own-limb", s->own_limb,
-                    "Triangles of the limb itself count, or not. They do not unless told"),
-      sub->add_flag("--legs", s->legs, "Knees and ankles as well. Feet leave the floor by it"),
-      sub->add_flag("--head", s->head, "The head as well"),
-      sub->add_flag("--torso", s->torso, "Torso joints lie as the source's do, not as its turns bend them"),
-      sub->add_flag("--source-points", s->source_points, "Reference points of the source's body, not the target's")};
+      sub->add_flag("--own-limb,!--no-own-limb", s->own_limb, "Count the triangles of the limb itself [off]"),
+      sub->add_flag("--legs", s->legs, "Include knees and ankles. Feet may leave the floor"),
+      sub->add_flag("--head", s->head, "Include the head"),
+      sub->add_flag("--torso", s->torso, "Copy directions between torso joints, instead of rotations"),
+      sub->add_flag("--source-points", s->source_points,
+                    "Take reference points on the source's body instead of the target's")};
 }
 
 void add_corrections(CLI::App* sub, AnimateSettings* s) {
   section(sub, "Corrections");
-  add_deform_options(sub, {"volume", "xpbd", "delta-mush"}, "The file gets morph targets and their weights over time. ",
-                     &s->deform);
-  shared_option(sub, "--shapes", s->shapes, "A clip")->check(CLI::Range(1u, 256u))->capture_default_str();
+  add_deform_options(sub, {"volume", "xpbd", "delta-mush"},
+                     "Write corrections as morph targets with animated weights. ", &s->deform);
+  shared_option(sub, "--shapes", s->shapes, "Per clip")->check(CLI::Range(1u, 256u))->capture_default_str();
   add_solver_options(sub, &s->deform);
-  add_drawn_correction(
-      sub, &s->deform,
-      "; with --method reference-points: one sum over all triangles of the source's body, the limb's own "
-      "too, for legs, head and torso as well, and nothing is pushed out; with a picture: a skeleton of its regions and "
-      "a map by branches, without a model");
+  add_drawn_correction(sub, &s->deform,
+                       "; with --method reference-points: one sum over all triangles of the source's body, including "
+                       "the limb's own, for legs, head and torso too, without pushing out; with a picture: a skeleton "
+                       "of its regions and a map by branches, without a model");
 }
 
 }  // namespace
 
 void add_animate(CLI::App& app) {
-  CLI::App* sub = app.add_subcommand("animate", "Play motion of another skeleton on a character");
+  CLI::App* sub = app.add_subcommand("animate", "Retarget a motion onto a character");
   auto s = std::make_shared<AnimateSettings>();
   add_animate_inputs(sub, s.get());
   add_clip_options(sub, s.get());
   add_picture_options(sub, &s->picture);
   add_picture_class(sub, &s->picture);
   shared_flag(sub, "--cut", s->picture.cut, kPictureCut);
-  sub->add_flag("--depth", s->depth, "Bones of a picture's character leave its plane as the motion's do");
+  sub->add_flag("--depth", s->depth, "Let a picture's bones leave the picture plane as in the motion");
   add_sprite_options(sub, &s->sprites);
   add_corrections(sub, s.get());
   const std::vector<CLI::Option*> of_reference = add_reference_options(sub, s.get());
@@ -401,13 +395,13 @@ void add_animate(CLI::App& app) {
     check_picture_options(*sub, s->character);
     for (const CLI::Option* option : of_reference)
       if (option->count() > 0 && s->method != AnimateMethod::kReferencePoints)
-        throw UsageError(option->get_name() + " goes with --method reference-points");
+        throw UsageError(option->get_name() + " needs --method reference-points");
     for (const CLI::Option* option : of_reference)
       if (option->count() > 0 && s->deform.as_drawn)
-        throw UsageError("--as-drawn says how reference points count: leave " + option->get_name() + " out");
+        throw UsageError("--as-drawn fixes how reference points count: leave " + option->get_name() + " out");
     if (s->deform.as_drawn && s->method != AnimateMethod::kReferencePoints && s->deform.method != "xpbd" &&
         !is_picture(s->character))
-      throw UsageError("--as-drawn goes with a picture, --method reference-points or --deform xpbd");
+      throw UsageError("--as-drawn needs a picture, --method reference-points or --deform xpbd");
     run_animate(*s);
   });
 }

@@ -84,27 +84,26 @@ void tell_animated(const AnimateSettings& s, const Animated& animated) {
     return;
   }
   const size_t joints = animated.character.joints.size();
-  if (animated.rigged)
-    std::printf("%s: had no skeleton and got one of %zu joints\n", printable(s.character).c_str(), joints);
+  if (animated.rigged) std::printf("%s: rigged first, %zu joints\n", printable(s.character).c_str(), joints);
   for (const AnimatedClip& one : animated.animated_clips) {
-    std::printf("%s, %s: %zu frames, %.4g a second; %zu of %zu joints move by %s\n", printable(one.file).c_str(),
+    std::printf("%s, %s: %zu frames, %.4g per second; %zu of %zu joints mapped by %s\n", printable(one.file).c_str(),
                 printable(one.clip).c_str(), one.frames, 1 / one.frame_time, one.mapped, joints,
                 printable(one.map).c_str());
     if (s.report) tell_report(animated.character, one.report);
     if (s.springs)
-      std::printf(one.springs.loops ? "  %zu joints swing; the loop closes within %.2f degrees after %zu rounds\n"
+      std::printf(one.springs.loops ? "  %zu joints swing; the loop closes within %.2f degrees after %zu passes\n"
                                     : "  %zu joints swing\n",
                   one.springs.joints, one.springs.gap, one.springs.passes);
     if (one.swing)
-      std::printf("  of %zu vertices that swing %.2f %% come into the body, without springs %.2f %%\n",
-                  one.swing->vertices, 100 * one.swing->swung.share, 100 * one.swing->rigid.share);
+      std::printf("  %zu swinging vertices: %.2f %% enter the body, %.2f %% without springs\n", one.swing->vertices,
+                  100 * one.swing->swung.share, 100 * one.swing->rigid.share);
   }
   for (const AnimatedClip& one : animated.animated_clips)
     if (!s.deform.method.empty() && !s.output.empty())
-      std::printf("  %s: %zu shapes, %.3f %% of the size from the corrected poses, linear skinning alone %.3f %%\n",
+      std::printf("  %s: %zu shapes, %.3f %% of the size off the corrected poses, %.3f %% with linear skinning alone\n",
                   printable(one.clip).c_str(), one.shapes, 100 * one.error.baked, 100 * one.error.linear);
   for (const std::string& note : animated.motion.notes) std::printf("  %s\n", printable(note).c_str());
-  if (animated.vat) tell_vat(s.vat, *animated.vat, s.in_place ? "" : " (--in-place keeps it on its spot)");
+  if (animated.vat) tell_vat(s.vat, *animated.vat, s.in_place ? "" : " ; --in-place keeps it in place");
   if (!s.output.empty()) std::printf("wrote %s\n", printable(s.output).c_str());
 }
 

@@ -17,15 +17,15 @@ using Json = nlohmann::ordered_json;
 
 void add_vat_option(CLI::App* sub, std::string* folder) {
   sub->add_option("--vat", *folder,
-                  "For crowds: write all clips as vertex animation textures, which shaders play without a skeleton: "
-                  "NAME.vat.json, its pictures, and a mesh that reads them (samples/crowd has the shaders)")
+                  "Write all clips as vertex animation textures for crowds. Shaders play them without a skeleton: "
+                  "NAME.vat.json, its textures, and a mesh that reads them (samples/crowd has the shaders)")
       ->type_name("DIR");
 }
 
 void check_vat_folder(const std::string& folder) {
   std::error_code ignored;
   if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored))
-    throw UsageError("--vat " + folder + ": is a file; name a folder for the textures");
+    throw UsageError("--vat " + folder + ": is a file, expected a folder for the textures");
 }
 
 void write_vat(const std::string& folder, const VatResult& vat) {
@@ -62,12 +62,13 @@ void tell_vat(const std::string& folder, const VatResult& vat, const std::string
   for (const VatClip& clip : vat.clips) {
     const auto share = [&](double meters) { return vat.height > 0 ? 100 * meters / vat.height : 0; };
     std::printf(
-        "  %s: %.2f MB; from skinning at most %.3f mm (%.4f %% of the height) in frames, mean %.3f mm; half way "
-        "between two %.2f mm (%.3f %%), mean %.3f mm; %s\n",
+        "  %s: %.2f MB; at frames at most %.3f mm (%.4f %% of the height) off skinning, mean %.3f mm; halfway between "
+        "frames %.2f mm (%.3f %%), mean %.3f mm; %s\n",
         printable(clip.name).c_str(), static_cast<double>(clip.bytes) / 1e6, 1000 * clip.at_frames.largest,
         share(clip.at_frames.largest), 1000 * clip.at_frames.mean, 1000 * clip.between_frames.largest,
         share(clip.between_frames.largest), 1000 * clip.between_frames.mean,
-        clip.loops ? "loops" : print("no loop, its ends are %.0f mm apart%s", 1000 * clip.gap, remedy.c_str()).c_str());
+        clip.loops ? "loops"
+                   : print("does not loop: its ends are %.0f mm apart%s", 1000 * clip.gap, remedy.c_str()).c_str());
   }
   for (const NamedBytes& file : vat.files)
     std::printf("wrote %s\n", printable((fs::path(folder) / file.path).string()).c_str());

@@ -20,7 +20,7 @@ void write_vat(const std::string& folder, const VatResult& vat);
 // The member "vat" of formats/spec/animate.schema.json.
 nlohmann::ordered_json vat_json(const std::string& folder, const VatResult& vat);
 // On standard output.
-//   remedy  what a clip that is no loop is told
+//   remedy  added to the line of a clip that does not loop
 void tell_vat(const std::string& folder, const VatResult& vat, const std::string& remedy);
 
 }  // namespace sinew::cli

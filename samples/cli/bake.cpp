@@ -46,7 +46,7 @@ void tell(const BakeCommandSettings& s, const BakedCharacter& baked) {
                  {"animations", morphs.clips.size()},
                  {"poses", baked.learnt_poses},
                  {"held_out_poses", baked.held_out_poses},
-                 {"error", error(baked.learnt)}};
+                 {"error", error(baked.learned)}};
     if (baked.held_out_poses > 0) json["held_out_error"] = error(baked.held_out);
     std::printf("%s\n", json_line(json).c_str());
     return;
@@ -54,10 +54,10 @@ void tell(const BakeCommandSettings& s, const BakedCharacter& baked) {
   std::printf("%s: %zu shapes for %zu bends from %zu poses\n", printable(s.character).c_str(), morphs.shapes.size(),
               morphs.drivers.size(), baked.learnt_poses);
   const auto say = [](const char* which, size_t count, const BakeError& e) {
-    std::printf("  %s (%zu poses): %.3f %% of the size from the corrected pose, linear skinning alone %.3f %%\n", which,
-                count, 100 * e.baked, 100 * e.linear);
+    std::printf("  %s (%zu poses): %.3f %% of the size off the corrected pose, %.3f %% with linear skinning alone\n",
+                which, count, 100 * e.baked, 100 * e.linear);
   };
-  say("learnt", baked.learnt_poses, baked.learnt);
+  say("learned", baked.learnt_poses, baked.learned);
   if (baked.held_out_poses > 0) say("held out", baked.held_out_poses, baked.held_out);
   if (!morphs.clips.empty()) std::printf("  %zu animations play the shapes\n", morphs.clips.size());
   std::printf("wrote %s\n", printable(s.output).c_str());
@@ -86,7 +86,7 @@ void run_bake(const BakeCommandSettings& s) {
       return !stop;
     };
   });
-  if (stop) throw Error(s.output + ": cannot write, the work was interrupted");
+  if (stop) throw Error(s.output + ": cannot write, the job was interrupted");
   GlbOptions options;
   options.keep_skin = true;
   write_gltf_morphs(s.output, character, options, baked.morphs);
@@ -96,29 +96,30 @@ void run_bake(const BakeCommandSettings& s) {
 }  // namespace
 
 void add_bake(CLI::App& app) {
-  CLI::App* sub = app.add_subcommand("bake", "Corrected bends as morph targets, for programs without sinew");
+  CLI::App* sub = app.add_subcommand("bake", "Bake corrected bends into morph targets, for programs without sinew");
   auto s = std::make_shared<BakeCommandSettings>();
-  sub->add_option("character", s->character, "Skinned file, or NAME.obj with NAME.rig.txt beside it. " + mesh_files())
+  sub->add_option("character", s->character, "Skinned file, or NAME.obj with NAME.rig.txt. " + mesh_files())
       ->required()
       ->type_name("CHARACTER");
   shared_option(sub, "-o,--output", s->output,
-                "The character with its shapes, what drives them, and their weights in its animations: " +
+                "The character with its shapes, their drivers, and their weights in its animations: " +
                     extensions_text(kWritesWhole))
       ->required();
-  sub->add_option("--poses", s->poses, "Poses to learn from: random ones, or frames of --animation")
+  sub->add_option("--poses", s->poses, "Number of training poses: random ones, or frames of --animation")
       ->check(CLI::Range(1u, 10000u))
       ->type_name("N")
       ->capture_default_str();
   shared_option(sub, "--limit", s->limit)->check(CLI::Range(1.0, 180.0))->capture_default_str();
   shared_option(sub, "--seed", s->seed)->capture_default_str();
-  auto* animation = shared_option(sub, "--animation", s->animation, "It is learnt from");
-  shared_option(sub, "--shapes", s->shapes, "A bend")->check(CLI::Range(1u, 64u))->capture_default_str();
-  sub->add_option("--error", s->error,
-                  "Leave out shapes and moves that change a vertex by less, root mean square over the poses")
+  auto* animation = shared_option(sub, "--animation", s->animation, "The training poses come from it");
+  shared_option(sub, "--shapes", s->shapes, "Per bend")->check(CLI::Range(1u, 64u))->capture_default_str();
+  sub->add_option(
+         "--error", s->error,
+         "Threshold for leaving out shapes and displacements: root mean square over the poses, in percent of the size")
       ->check(CLI::Range(0.0, 10.0))
-      ->type_name("PERCENT OF THE SIZE")
+      ->type_name("PERCENT")
       ->capture_default_str();
-  add_deform_options(sub, {"volume", "xpbd", "delta-mush"}, "That is what the shapes learn. ", &s->deform);
+  add_deform_options(sub, {"volume", "xpbd", "delta-mush"}, "Of the poses that shapes are fitted to. ", &s->deform);
   sub->get_option("--deform")->default_str("volume");
   shared_flag(sub, "--json", s->json);
   add_solver_options(sub, &s->deform);

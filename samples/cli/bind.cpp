@@ -23,17 +23,17 @@ namespace {
 struct BindCommandSettings {
   BindSettings one;
   std::string model, method, report, format;
-  unsigned jobs = 0;  // 0: not said
+  unsigned jobs = 0;  // 0: not given
   bool json = false;
 };
 
 // What changes the mesh needs a file that has one.
 void check_mesh_changes(const BindSettings& one) {
   if (one.cut && one.symmetric)
-    throw UsageError("--symmetric keeps both sides alike to the last bit and looks for no seams: leave --cut out");
-  if (one.cut && one.no_seams) throw UsageError("--cut opens seams: leave --no-seams out");
+    throw UsageError("--symmetric keeps both sides equal to the last bit and looks for no seams: leave out --cut");
+  if (one.cut && one.no_seams) throw UsageError("--cut opens seams: leave out --no-seams");
   if ((one.cut || !one.to_pose.empty()) && !has_use(one.output, kWritesWithMesh))
-    throw UsageError("--cut and --to-pose change the mesh, and rig.txt has none: write a .glb");
+    throw UsageError("--cut and --to-pose change the mesh, and rig.txt holds none; write a .glb");
 }
 
 // The options that no bind can be done with.
@@ -42,12 +42,13 @@ void check_bind(const BindCommandSettings& s) {
   if (!s.one.png.empty()) check_output(s.one.png, {".png"});
   if (!s.one.png_confidence.empty()) check_output(s.one.png_confidence, {".png"});
   if (!s.one.save_style.empty()) check_output(s.one.save_style, {".style"});
-  if (s.one.ask && s.one.mesh == "-") throw UsageError("--ask and the mesh both want standard input");
+  if (s.one.ask && s.one.mesh == "-")
+    throw UsageError("--ask and the mesh both read standard input; give the mesh as a file");
   if (s.one.ask && s.one.output == "-")
-    throw UsageError("--ask writes pictures beside the output: give it a file name");
+    throw UsageError("--ask writes pictures beside the output; give the output a file name");
   check_mesh_changes(s.one);
   if (s.one.output == "-" && s.json)
-    throw UsageError("-o - and --json both want standard output: give the weights a file name");
+    throw UsageError("-o - and --json both write to standard output; give the weights a file name");
 }
 
 // --joints takes a word or a file.
@@ -75,7 +76,7 @@ LoadedBinder load_binder(const BindCommandSettings& s) {
 
 void refuse_folder_options(const BindCommandSettings& s) {
   refuse_given({{"--jobs", s.jobs > 0}, {"--report", !s.report.empty()}, {"--format", !s.format.empty()}},
-               " is for a folder of meshes, and " + s.one.mesh + " is none");
+               " needs a folder of meshes, and " + s.one.mesh + " is not a folder");
 }
 
 void check_folder(const BindCommandSettings& s) {
@@ -88,12 +89,12 @@ void check_folder(const BindCommandSettings& s) {
                 {"--save-style", !s.one.save_style.empty()},
                 {"--controls", !s.one.profile.controls.empty()},
                 {"--changes without --json", s.one.compare && !s.json}},
-               " is for one mesh, and " + s.one.mesh + " is a folder");
-  if (s.one.output.empty()) throw UsageError(s.one.mesh + " is a folder: say with -o OUTDIR where its files go");
+               " takes one mesh, but " + s.one.mesh + " is a folder");
+  if (s.one.output.empty()) throw UsageError(s.one.mesh + " is a folder; give -o OUTDIR for its files");
   std::error_code ignored;
   const bool is_file = has_use(s.one.output, kWritesSkin) || std::filesystem::is_regular_file(s.one.output, ignored);
   if (s.one.output == "-" || is_file)
-    throw UsageError("-o " + s.one.output + ": " + s.one.mesh + " is a folder, expected a folder for its files");
+    throw UsageError("-o " + s.one.output + ": " + s.one.mesh + " is a folder, expected -o to name a folder too");
   if (!s.report.empty()) check_output(s.report, {".html", ".htm"});
 }
 
@@ -134,107 +135,98 @@ void run_bind(BindCommandSettings s) {
 
 // What most binds need.
 void add_bind_inputs(CLI::App* sub, BindCommandSettings* s) {
-  sub->add_option(
-         "mesh", s->one.mesh,
-         "Mesh, or a folder: every mesh in it and below it. " + mesh_files() + ", or - for an OBJ on standard input")
+  sub->add_option("mesh", s->one.mesh,
+                  "Mesh, or a folder with all its subfolders. " + mesh_files() + ", or - for an OBJ on standard input")
       ->required()
       ->type_name("MESH|DIR");
   shared_option(sub, "--skeleton", s->one.skeleton,
-                skeleton_files() +
-                    ". Not needed when the mesh has its own; in a folder, NAME.rig.txt beside NAME.obj is "
-                    "found");
-  shared_option(
-      sub, "-o,--output", s->one.output,
-      skin_output_text("for a folder another folder, which gets NAME.glb for every mesh, below the same sub-folders"))
+                skeleton_files() + ". By default that of the mesh; in a folder, NAME.rig.txt beside NAME.obj");
+  shared_option(sub, "-o,--output", s->one.output,
+                skin_output_text("for a folder, a folder that gets NAME.glb for each mesh, with the same subfolders"))
       ->default_str("MESH.bound.glb");
   shared_option(sub, "--model", s->model)->default_str("bundled");
   shared_option(sub, "--method", s->method,
-                "heat: heat fields alone, no model; model: the network; distance: by distance to bones, the published "
-                "way, for comparison")
+                "heat: heat diffusion without a model; model: the network; distance: distance to bones, the published "
+                "method, for comparison")
       ->check(CLI::IsMember({"heat", "model", "distance"}));
   shared_option(sub, "--joints", s->one.joints,
-                "own: mesh by mesh those that have weight in the file already; names: not controls, slots, roots and "
-                "what stands beside the mesh; all; or a file with the joints that deform, one name per line; own for a "
+                "own: joints that already have weight in the file, per mesh; names: all but controls, slots, roots and "
+                "joints beside the mesh; all; or a file of deforming joints, one name per line. By default own for a "
                 "skinned file, else names");
   add_influences(sub, s->one.influences);
-  sub->add_flag("--fit", s->one.fit, "Scale, rotate and move a skeleton in other units or beside the mesh");
+  sub->add_flag("--fit", s->one.fit,
+                "Scale, rotate and move a skeleton that has other units or stands beside the mesh");
   sub->add_flag("--symmetric", s->one.symmetric,
-                "Mirror images get mirrored weights, to the last bit. Says so when the character has no mirror plane "
-                "x = c");
-  sub->add_option("--like", s->one.like,
-                  "A bound character as an example of style. Its weights are carried over where they fit and steer the "
-                  "rest")
+                "Give mirrored vertices mirrored weights, equal to the last bit. Reports a character without a mirror "
+                "plane x = c");
+  sub->add_option(
+         "--like", s->one.like,
+         "Bound character as an example of style. Its weights are transferred where they fit, and guide the rest")
       ->type_name("SOURCE");
 }
 
 void add_outputs(CLI::App* sub, BindCommandSettings* s) {
-  sub->add_flag(
-      "--ask", s->one.ask,
-      "Ask about parts in doubt on the terminal. With a picture of each beside the output; 3 questions unless "
-      "--questions says otherwise");
-  shared_option(sub, "--png", s->one.png, "The mesh with its joints, coloured by weight");
-  shared_flag(sub, "--json", s->json, "With a folder one line of JSON for every mesh");
+  sub->add_flag("--ask", s->one.ask,
+                "Ask on the terminal about parts in doubt. Draws each part beside the output; 3 questions, or as many "
+                "as --questions");
+  shared_option(sub, "--png", s->one.png, "The mesh with its joints, colored by weight");
+  shared_flag(sub, "--json", s->json, "For a folder, one line per mesh");
   add_style_options(sub, &s->one.style);
 }
 
 void add_mesh_changes(CLI::App* sub, BindCommandSettings* s) {
-  section(sub, "What becomes of the mesh");
+  section(sub, "Changes to the mesh");
   shared_flag(sub, "--cut", s->one.cut);
-  sub->add_flag("--no-seams", s->one.no_seams,
-                "Weight may cross where parts have grown together, as the engine alone has it");
-  shared_option(sub, "--to-pose", s->one.to_pose,
-                "The mesh follows and its bends keep their volume; what has grown together is cut first, a file's own "
-                "joints move with it");
+  sub->add_flag("--no-seams", s->one.no_seams, "Let weight cross seams where parts are fused, as in the engine alone");
+  shared_option(
+      sub, "--to-pose", s->one.to_pose,
+      "The mesh follows, its bends keep their volume; fused parts are cut first, and a file's own joints move along");
 }
 
 void add_artists_words(CLI::App* sub, BindCommandSettings* s) {
-  section(sub, "Joints and weights that are given");
-  sub->add_option("--never", s->one.never, "Joints that must get no weight, one name per line")->type_name("FILE");
+  section(sub, "Given joints and weights");
+  sub->add_option("--never", s->one.never, "Joints that must not get weight, one name per line")->type_name("FILE");
   sub->add_flag("--keep-tips", s->one.keep_tips,
-                "Joints that only end a chain keep the weight they get. By default their parents have it");
+                "Let joints that only end a chain keep their weight. By default it goes to their parents");
   sub->add_flag("--bind-props", s->one.bind_props,
-                "Bind meshes without a skin too, also where they hang on joints or others have skins");
+                "Also bind meshes without a skin. Even where they are attached to joints, or other meshes have skins");
   shared_option(sub, "--lock", s->one.lock);
-  sub->add_option(
-         "--hints", s->one.hints,
-         "Weights of some vertices, which are kept and steer those around them. A .rig.txt with skin lines for "
-         "these alone, or a glTF of the same mesh whose other vertices have none")
+  sub->add_option("--hints", s->one.hints,
+                  "Given weights of some vertices, kept and used to guide their neighbors. A .rig.txt with skin lines "
+                  "for these only, or a glTF of the same mesh where only these have weights")
       ->type_name("FILE");
-  section(sub, "Parts to ask about");
+  section(sub, "Questions about parts");
   shared_option(sub, "--questions", s->one.questions, "Lists them with alternatives for --answer")
       ->check(CLI::Range(1, static_cast<int>(SINEW_MAX_QUESTIONS)));
-  sub->add_option(
-         "--answer", s->one.answers,
-         "What a part moves with. rigid:JOINT, soft (as heat flows), hard (each vertex with its strongest "
-         "joint), softer, host (as what it lies on) or proposed. PART is the number that --questions prints, or "
-         "any vertex of the part; equal and mirrored parts get the same")
+  sub->add_option("--answer", s->one.answers,
+                  "Choose what a part moves with. rigid:JOINT, soft (as heat diffuses), hard (each vertex with its "
+                  "strongest joint), softer, host (as the surface below it) or proposed. PART is the number that "
+                  "--questions prints, or any vertex of the part; equal and mirrored parts get the same answer")
       ->type_name("PART=ANSWER");
-  sub->add_option("--style", s->one.studio_style,
-                  "Style file: parts like those that it has answers for are answered without asking. For folders too")
+  sub->add_option("--style", s->one.studio_style, "Style file whose answers apply to similar parts. Also for folders")
       ->type_name("FILE.style");
   sub->add_option(
          "--save-style", s->one.save_style,
-         "Keep the answers for other characters of the same kind. Those of --ask and --answer, behind those of "
-         "--style")
+         "Save the answers for characters of the same kind. Those of --style, then those of --ask and --answer")
       ->type_name("FILE.style");
 }
 
 void add_bind_rest(CLI::App* sub, BindCommandSettings* s) {
-  section(sub, "What is told");
+  section(sub, "Reports");
   sub->add_flag(
       "--changes", s->one.compare,
-      "List the ten joints whose vertices changed most from the weights that the file (or the skeleton's) has");
+      "List the ten joints whose vertices changed most from the weights of the file (or of the skeleton's file)");
   sub->add_flag("--confidence", s->one.confidence,
-                "Also write how sure each vertex is, 0 to 1, as the attribute _CONFIDENCE of a .glb");
+                "Also write the confidence of each vertex, 0 to 1, as attribute _CONFIDENCE of a .glb");
   shared_option(sub, "--png-confidence", s->one.png_confidence, "Scaled to this character");
-  section(sub, "A folder of meshes");
+  section(sub, "Folders");
   add_jobs(sub, s->jobs)->default_str("1");
-  shared_option(sub, "--report", s->report, "A picture and a row of every mesh");
+  shared_option(sub, "--report", s->report, "A picture and a row per mesh");
   shared_option(sub, "--format", s->format)->check(CLI::IsMember(format_names(kWritesSkin)))->default_str("glb");
-  section(sub, "The rest");
+  section(sub, "Other options");
   shared_option(sub, "--up", s->one.up)->check(CLI::IsMember({"y", "z"}))->capture_default_str();
   shared_option(sub, "--threads", s->one.threads,
-                "On one mesh, each with some memory of its own; the same bytes for any N")
+                "For one mesh, each with its own memory; the result is the same for any N")
       ->check(CLI::Range(1, static_cast<int>(SINEW_MAX_THREADS)))
       ->capture_default_str();
 }
@@ -242,7 +234,7 @@ void add_bind_rest(CLI::App* sub, BindCommandSettings* s) {
 }  // namespace
 
 void add_bind(CLI::App& app) {
-  CLI::App* sub = app.add_subcommand("bind", "Predict the skin weights of a mesh for a skeleton");
+  CLI::App* sub = app.add_subcommand("bind", "Predict skin weights of a mesh for a skeleton");
   auto s = std::make_shared<BindCommandSettings>();
   add_bind_inputs(sub, s.get());
   add_outputs(sub, s.get());

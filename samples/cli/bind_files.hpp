@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files bound, apart from the command line: one read, bound, written and told in numbers; or every mesh of a folder.
+// Binding of files, without the command line: reads, binds, writes and summarizes one file, or every mesh of a
+// folder.
 #ifndef SINEW_CLI_BIND_FILES_HPP
 #define SINEW_CLI_BIND_FILES_HPP
 
@@ -27,7 +28,7 @@ struct BindSettings {
   StyleOptions style;
   bool keep_tips = false, bind_props = false, fit = false;
   bool symmetric = false, confidence = false, no_seams = false;
-  bool cut = false;                  // what has grown together is opened
+  bool cut = false;                  // what has fused is opened
   std::string to_pose;               // rest pose of what is written; empty: as the mesh stands
   CharacterTransform transform;      // where the mesh with its joints is put first
   ProfileSettings profile;           // what it is written for
@@ -59,9 +60,9 @@ struct FolderSettings {
   bool json = false;               // JSON Lines instead of text
 };
 
-// Writes output_folder/RELATIVE/NAME.glb for folder/RELATIVE/NAME.*, and tells of every file in the order of their
-// names. A file that fails is told on stderr and does not stop the others; then throws Error at the end. Throws Error
-// before any work when outputs would replace inputs or each other.
+// Writes output_folder/RELATIVE/NAME.glb for folder/RELATIVE/NAME.*, and reports every file in the order of names. A
+// failed file is reported on stderr and does not stop the others; throws Error at the end. Throws Error before any
+// work when outputs would replace inputs or each other.
 void bind_folder(const FolderSettings& settings, const Binder& binder);
 
 }  // namespace sinew::cli

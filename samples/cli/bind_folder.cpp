@@ -64,7 +64,7 @@ std::vector<uint8_t> picture_of(const Character& character, const BindSettings& 
   view.width = view.height = kPicture;
   view.draw_skeleton = false;
   view.up = axis_of(settings.up);
-  return encode_png(render(character, weight_colours(character), view));
+  return encode_png(render(character, weight_colors(character), view));
 }
 
 FinishedTask failure(const Task& task, const std::string& why) {
@@ -89,7 +89,7 @@ FinishedTask bind_task(const FolderSettings& s, const Binder& binder, const Task
   } catch (const UsageError&) {
     throw;  // the same for every file
   } catch (const std::bad_alloc&) {
-    return failure(task, task.mesh + ": out of memory; fewer --jobs need less");
+    return failure(task, task.mesh + ": out of memory; use fewer --jobs");
   } catch (const std::exception& error) {
     return failure(task, error.what());
   }
@@ -116,7 +116,7 @@ class FolderReporter {
     progress_.step();
     for (; next_ < done_.size() && ready_[next_]; ++next_) tell(done_[next_]);
   }
-  // When all are told.
+  // After all are reported.
   std::vector<BoundRow> rows() const {
     std::vector<BoundRow> rows;
     for (const FinishedTask& done : done_) rows.push_back(done.row);

@@ -49,8 +49,8 @@ void set_flags(const BindSettings& settings, const Character& character, std::ve
 std::vector<uint8_t> read_locks(const BindSettings& settings, const Character& character) {
   if (settings.lock.empty()) return {};
   if (character.influences.empty()) {
-    throw Error(settings.lock + ": vertices can keep only weights they have, and neither " + settings.mesh +
-                " nor its skeleton file brings any");
+    throw Error(settings.lock + ": --lock keeps weights of the file, but neither " + settings.mesh +
+                " nor its skeleton file has any");
   }
   return read_vertex_locks(settings.lock, character);
 }
@@ -70,7 +70,7 @@ std::optional<Character> read_like(const BindSettings& settings) {
   if (settings.like.empty()) return std::nullopt;
   Character source = read_character(settings.like);
   if (source.joints.empty() || source.influences.empty())
-    throw Error(settings.like + ": --like needs a bound character, and this one has no skin weights");
+    throw Error(settings.like + ": --like needs a bound character, found no skin weights");
   return source;
 }
 
@@ -108,7 +108,7 @@ BindJobOptions job_options(const BindSettings& settings, const Binder& binder, c
 void draw(const BindSettings& settings, const Character& character, const std::vector<uint8_t>& confidence) {
   RenderOptions view;
   view.up = axis_of(settings.up);
-  if (!settings.png.empty()) write_file(settings.png, encode_png(render(character, weight_colours(character), view)));
+  if (!settings.png.empty()) write_file(settings.png, encode_png(render(character, weight_colors(character), view)));
   if (settings.png_confidence.empty()) return;
   // Red is the least sure vertex of this character: a table of measured hits has few low entries.
   constexpr float kLeastScale = 0.1f;
@@ -116,10 +116,10 @@ void draw(const BindSettings& settings, const Character& character, const std::v
   for (const uint8_t c : confidence) doubt.push_back(1.0f - static_cast<float>(c) / 255.0f);
   float largest = kLeastScale;
   for (const float d : doubt) largest = std::max(largest, d);
-  write_file(settings.png_confidence, encode_png(render(character, heat_colours(doubt, largest), view)));
+  write_file(settings.png_confidence, encode_png(render(character, heat_colors(doubt, largest), view)));
 }
 
-BindSummary summarise(const BindSettings& settings, const Binder& binder, const Character& character,
+BindSummary summarize(const BindSettings& settings, const Binder& binder, const Character& character,
                       const CharacterBind& result) {
   BindSummary summary;
   summary.mesh = settings.mesh;
@@ -140,7 +140,7 @@ BindSummary summarise(const BindSettings& settings, const Binder& binder, const 
   return summary;
 }
 
-// What the file says before it is bound anew.
+// What the file says before it is rebound.
 struct WeightsBefore {
   std::vector<std::vector<Influence>> rows;
   std::vector<uint8_t> kept;  // [V] locked, or of an attached mesh; or empty
@@ -181,7 +181,7 @@ CharacterBind bind_and_ask(const BindSettings& settings, const Character& charac
     if (!typed.empty()) result = job->bind(given, settings.questions);
   }
   if (!settings.save_style.empty())
-    write_style(settings.save_style, job->learnt(std::move(style), said, settings.save_style));
+    write_style(settings.save_style, job->learned(std::move(style), said, settings.save_style));
   return result;
 }
 
@@ -213,7 +213,7 @@ BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool prog
   if (settings.confidence) character.confidence = result.confidence;
   write_as(settings.profile, settings.output, character, &character.notes);
   draw(settings, character, result.confidence);
-  BindSummary summary = summarise(settings, binder, character, result);
+  BindSummary summary = summarize(settings, binder, character, result);
   summary.locked_vertices = locked.size() - static_cast<size_t>(std::count(locked.begin(), locked.end(), 0));
   summary.answers = answers.given.size();
   summary.answers_by_style = answers.by_style;

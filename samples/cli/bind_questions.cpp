@@ -18,13 +18,13 @@ constexpr std::array<uint8_t, 3> kAsked = {240, 120, 20}, kRest = {170, 175, 185
 
 void draw_question(const Character& character, const CharacterBind& bound, size_t number, Axis up,
                    const std::string& path) {
-  std::vector<std::array<uint8_t, 3>> colours(character.vertices.size(), kRest);
+  std::vector<std::array<uint8_t, 3>> colors(character.vertices.size(), kRest);
   RenderOptions front, back;
-  for (size_t v = 0; v < colours.size(); ++v)
-    if (bound.vertex_questions[v] == number) colours[v] = kAsked;
+  for (size_t v = 0; v < colors.size(); ++v)
+    if (bound.vertex_questions[v] == number) colors[v] = kAsked;
   front.up = back.up = up;
   back.yaw_degrees += 180.0f;
-  write_file(path, encode_png(beside({render(character, colours, front), render(character, colours, back)})));
+  write_file(path, encode_png(beside({render(character, colors, front), render(character, colors, back)})));
 }
 
 // What was typed as an answer; false where it is none, with the reason on `out`.
@@ -74,7 +74,7 @@ std::vector<PartQuestion> part_questions(const Character& character, const Chara
 
 std::string question_text(const PartQuestion& part) {
   std::string text = print("part %u", part.vertex);
-  if (part.parts > 1) text += print(", %u alike", part.parts);
+  if (part.parts > 1) text += print(", %u equal ones", part.parts);
   text += print(", %u vertices: %.0f %% %s, %.0f %% in doubt; ", part.vertices, 100 * part.share, part.joint.c_str(),
                 100 * part.doubt);
   for (size_t a = 0; a < part.alternatives.size(); ++a) text += (a == 0 ? "" : ", ") + part.alternatives[a].first;
@@ -99,14 +99,14 @@ std::vector<sinew_answer> ask(const Character& character, const CharacterBind& b
     const std::string path = picture + ".question" + std::to_string(q + 1) + ".png";
     draw_question(character, bound, q, up, path);
     out << print("\nquestion %zu of %zu, orange in %s: %u vertices", q + 1, parts.size(), path.c_str(), part.vertices);
-    if (part.parts > 1) out << print(" in %u parts alike", part.parts);
-    out << print("\nproposed: %.0f %% %s. How does it move?\n", 100 * part.share, part.joint.c_str());
+    if (part.parts > 1) out << print(" in %u equal parts", part.parts);
+    out << print("\nproposed: %.0f %% %s. What does it move with?\n", 100 * part.share, part.joint.c_str());
     for (size_t a = 0; a < part.alternatives.size(); ++a)
       out << print("  %zu  %s\n", a + 1, part.alternatives[a].first.c_str());
     sinew_answer answer;
     std::string typed;
     do {
-      out << "a number, rigid:JOINT for any joint, Enter = as proposed, q = no more questions: " << std::flush;
+      out << "number, rigid:JOINT for any joint, Enter = as proposed, q = no more questions: " << std::flush;
       if (!std::getline(in, typed) || typed == "q") {
         out << "\n";
         return answers;

@@ -76,7 +76,7 @@ WeightsReplaced compare_weights(const std::vector<Joint>& joints, const std::vec
 
 std::string replaced_text(const WeightsReplaced& replaced) {
   if (replaced.vertices == 0) return "";
-  return print("replaced the weights of %s vertices; they were L1 %.2f away", thousands(replaced.vertices).c_str(),
+  return print("replaced the weights of %s vertices (mean L1 difference %.2f)", thousands(replaced.vertices).c_str(),
                replaced.l1);
 }
 
@@ -146,7 +146,7 @@ void count_weights(const Character& character, BindSummary* summary) {
 
 std::string doubts_text(const Doubts& doubts) {
   if (doubts.vertices.empty()) return "";
-  return print("look first at %zu vertices (the least sure tenth; %.0f %% sure on average), mostly on ",
+  return print("check first: %zu vertices (the least certain tenth; %.0f %% confidence on average), mostly on ",
                doubts.vertices.size(), 100 * doubts.sure) +
          joined(doubts.joints);
 }
@@ -156,7 +156,7 @@ std::vector<std::string> summary_lines(const BindSummary& s) {
   lines.push_back(print("%s: %zu vertices, %zu faces, %zu joints (%zu used)", s.name.c_str(), s.vertices, s.faces,
                         s.joints, s.joints_used));
   if (s.locked_vertices > 0 && s.locked_vertices == s.vertices)
-    lines.push_back(print("all weights are kept, %.2f influences per vertex", s.mean_influences));
+    lines.push_back(print("kept all weights, %.2f influences per vertex", s.mean_influences));
   else
     lines.push_back(print("bound with %s in %.3f s, %.1f MB workspace (%.1f MB used), %.2f influences per vertex",
                           s.method.c_str(), s.seconds, static_cast<double>(s.workspace_bytes) / 1e6,
@@ -166,22 +166,22 @@ std::vector<std::string> summary_lines(const BindSummary& s) {
     const std::vector<std::string> changes = change_lines(s.replaced);
     lines.insert(lines.end(), changes.begin(), changes.end());
   } else if (s.compare) {
-    lines.push_back("nothing to compare with: the file had no weights");
+    lines.push_back("nothing to compare with: the file has no weights");
   }
   lines.insert(lines.end(), s.notes.begin(), s.notes.end());
   if (s.symmetric && s.symmetric_vertices > 0) {
     lines.push_back(print("%zu of %zu vertices mirrored", s.symmetric_vertices, s.vertices));
   } else if (s.symmetric) {
-    lines.push_back("not symmetric: too few vertices or joints have a mirror image, nothing was mirrored");
+    lines.push_back("not symmetric: too few vertices or joints have a mirror image; no weights were mirrored");
   }
   if (!s.doubts.vertices.empty()) lines.push_back(doubts_text(s.doubts));
   if (s.answers > 0)
     lines.push_back(
-        print("answers about parts taken: %zu, of these from the style file: %zu", s.answers, s.answers_by_style));
+        print("answers about parts: %zu applied, %zu of them from the style file", s.answers, s.answers_by_style));
   for (const PartQuestion& part : s.questions) lines.push_back(question_text(part));
   if (!s.questions.empty())
-    lines.push_back(print("answer with --answer %u=%s and so on, any joint: --answer %u=rigid:JOINT",
-                          s.questions[0].vertex, s.questions[0].alternatives[0].first.c_str(), s.questions[0].vertex));
+    lines.push_back(print("answer with --answer %u=%s, or --answer %u=rigid:JOINT for any joint", s.questions[0].vertex,
+                          s.questions[0].alternatives[0].first.c_str(), s.questions[0].vertex));
   std::string written = s.output == "-" ? "standard output" : s.output;
   for (const std::string& picture : {s.png, s.png_confidence, s.style})
     written += picture.empty() ? "" : " and " + picture;

@@ -96,7 +96,7 @@ struct BindSummary {
   std::string style;                                               // file that they were written to; empty: none
   std::vector<std::pair<std::string, std::string>> left_out;       // joints that may get no weight, and why
   nlohmann::ordered_json seams = nlohmann::ordered_json::array();  // seams_json()
-  std::vector<std::string> notes;  // what the user should know about this file, a line each
+  std::vector<std::string> notes;  // what the user should know about this file, one line each
 };
 
 //   confidence  [V] 0..255; weights are character.influences

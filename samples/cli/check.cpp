@@ -42,14 +42,14 @@ void list_rules() {
 }
 
 void check_settings(const CheckCommandSettings& s) {
-  if (s.inputs.empty()) throw UsageError("expected files or folders to check");
+  if (s.inputs.empty()) throw UsageError("expected files or folders to check, found none");
   if (!s.sarif.empty()) check_output(s.sarif, {".sarif", ".json"});
   if (!s.report.empty()) check_output(s.report, {".html", ".htm"});
   if (!s.against.empty() && s.inputs.size() != 1)
-    throw UsageError("--against is for one file: it is the older version of it");
+    throw UsageError("--against compares one file with an older version; give one file");
 }
 
-// One file; what cannot be read is told and counted, the others go on.
+// Checks one file; a file that cannot be read is reported and counted, the others continue.
 std::optional<CheckedFile> look(const CheckCommandSettings& s, const std::optional<CheckGate>& gate,
                                 const FoundCharacter& found, Progress* progress) {
   CheckOptions options;
@@ -95,38 +95,37 @@ void run_check(const CheckCommandSettings& s) {
   }
   if (!s.sarif.empty()) write_text_file(s.sarif, check_sarif(files));
   if (!s.report.empty()) write_text_file(s.report, check_html(files));
-  if (broken > 0) throw Error(print("%zu of %zu files could not be checked", broken, inputs.size()));
-  if (failed > 0) throw GateError(print("%zu of %zu files do not pass %s", failed, inputs.size(), s.gate.c_str()));
+  if (broken > 0) throw Error(print("%zu of %zu files could not be read; see above", broken, inputs.size()));
+  if (failed > 0)
+    throw GateError(print("%zu of %zu files do not pass %s; see above", failed, inputs.size(), s.gate.c_str()));
 }
 
 }  // namespace
 
 void add_check(CLI::App& app) {
   CLI::App* sub =
-      app.add_subcommand("check", "Whether rigs hold: weights, joints, names, matrices, test poses, animations");
+      app.add_subcommand("check", "Check weights, joints, names, matrices, test poses and animations of rigs");
   auto s = std::make_shared<CheckCommandSettings>();
-  sub->add_option("inputs", s->inputs, "Characters, and folders of them. " + mesh_files())->type_name("FILE|DIR");
-  shared_flag(sub, "--json", s->json, "A line for every file");
+  sub->add_option("inputs", s->inputs, "Characters, or folders of them. " + mesh_files())->type_name("FILE|DIR");
+  shared_flag(sub, "--json", s->json, "One line per file");
   sub->add_option("--sarif", s->sarif, "Also write all findings as SARIF 2.1.0, for code review")->type_name("FILE");
-  shared_option(sub, "--report", s->report, "A picture of every finding");
+  shared_option(sub, "--report", s->report, "A picture per finding");
   sub->add_option("--gate", s->gate,
-                  "Exit status 3 where a file has more than this profile lets through. JSON: most, ignore, bounds")
+                  "Exit with status 3 if a file has more findings than this profile allows. JSON: most, ignore, bounds")
       ->type_name("PROFILE.json");
   sub->add_option("--against", s->against,
-                  "An older version of the file: says what is new and what is gone; a gate counts what is new")
+                  "Older version of the file: report new and fixed findings. A gate then counts new ones only")
       ->type_name("OLD");
   sub->add_flag("--no-poses", s->no_poses, "Leave out the test poses");
-  sub->add_flag(
-      "--score", s->score,
-      "Also how near the weights are to those of three methods, 0 to 100. For weights that a program made: an "
-      "artist's own way costs points");
-  sub->add_flag("--rules", s->rules, "List what is looked for, with bounds");
+  sub->add_flag("--score", s->score,
+                "Score the weights by similarity to those of three methods, 0 to 100. For weights made by a program; "
+                "an artist's own style lowers the score");
+  sub->add_flag("--rules", s->rules, "List all rules with their bounds");
   sub->footer(
-      "Examples:\n  sinew check hero.glb --report hero.check.html\n"
-      "  sinew check characters --json --gate studio.json --sarif check.sarif\n"
-      "  sinew check new.glb --against old.glb\n\n"
-      "Errors break a character, warnings show in some motion, notes are to look at. Exit status 0 whatever is\n"
-      "found, 1 where a file cannot be read, 3 with --gate.");
+      "Examples:\n  sinew check hero.glb --report hero.check.html\n  sinew check characters --json --gate studio.json "
+      "--sarif check.sarif\n  sinew check new.glb --against old.glb\n\nAn error breaks the character, a warning shows "
+      "in some motion, a note deserves a look. Exit status: 0 whatever is\nfound, 1 if a file cannot be read, 3 if "
+      "--gate fails.");
   sub->callback([s] { run_check(*s); });
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The subcommands: a function each, which declares its options and says what runs when it is chosen; how a program of them
-// runs, and how help texts look.
+// The subcommands: one function each, which declares its options and its callback; the program that runs them, and
+// the layout of help texts.
 #ifndef SINEW_CLI_COMMANDS_HPP
 #define SINEW_CLI_COMMANDS_HPP
 
@@ -20,7 +20,7 @@ namespace sinew::cli {
 
 struct Command {
   const char* name;
-  void (*add)(CLI::App&);  // declares its options and says what runs when it is chosen
+  void (*add)(CLI::App&);  // declares its options and its callback
 };
 
 struct Program {

@@ -34,8 +34,8 @@ struct CrossvalCommandSettings {
 LogitsFunction engine_runner(const FloatNetwork& network, const std::vector<const Sample*>& samples) {
   std::vector<Sample> copies;
   for (const Sample* sample : samples) copies.push_back(*sample);
-  const QuantizedModel quantised = quantize(network, calibrate(network, copies), {});
-  std::shared_ptr<LoadedModel> model = model_from_bytes(quantised.bytes, "the quantised network");
+  const QuantizedModel quantized = quantize(network, calibrate(network, copies), {});
+  std::shared_ptr<LoadedModel> model = model_from_bytes(quantized.bytes, "the quantized network");
   return [model](const Sample& sample) { return engine_logits(model->model, sample); };
 }
 
@@ -50,8 +50,8 @@ void run_crossval(CrossvalCommandSettings s) {
   if (s.options.data_dir.empty())
     throw UsageError("DIR is required: a folder of FAMILY__NAME.obj with .rig.txt, or of .glb files");
   if (Ranks().size() > 1)
-    throw UsageError("crossval runs its folds side by side without mpirun; on several machines give each its --fold");
-  if (s.steps > 0 && s.options.minutes > 0) throw UsageError("--steps and --minutes exclude each other");
+    throw UsageError("crossval runs its folds in parallel without mpirun; on several machines give each its --fold");
+  if (s.steps > 0 && s.options.minutes > 0) throw UsageError("--steps and --minutes exclude each other; give one");
   TrainConfig config;
   if (!s.config.empty()) config = parse_train_config(read_text_file(s.config), s.config);
   if (s.steps > 0) config.steps = s.steps;
@@ -67,55 +67,55 @@ void run_crossval(CrossvalCommandSettings s) {
   const CrossvalReport report = crossval(config, s.options);
   if (!report.seeds.empty()) std::printf("%s", crossval_markdown(report).c_str());
   if (*s.options.stop) {
-    throw Error("stopped; go on with: sinew-lab crossval ... -o " + s.options.folder + " --resume");
+    throw Error("stopped; continue with: sinew-lab crossval ... -o " + s.options.folder + " --resume");
   }
 }
 
 }  // namespace
 
 void add_crossval(CLI::App& app) {
-  CLI::App* sub = app.add_subcommand("crossval", "Train with families left out and measure on them; compare such runs");
+  CLI::App* sub =
+      app.add_subcommand("crossval", "Train with families left out and evaluate on them; compare such runs");
   auto s = std::make_shared<CrossvalCommandSettings>();
   CrossvalOptions& o = s->options;
   o.threads = std::max(1u, std::thread::hardware_concurrency());
   sub->add_option("dir", o.data_dir, "Folder of FAMILY__NAME.obj + .rig.txt pairs and .glb files")->type_name("DIR");
-  shared_option(sub, "-o,--output", o.folder, "A folder for checkpoints and figures")->default_str("crossval-CONFIG");
+  shared_option(sub, "-o,--output", o.folder, "Folder for checkpoints and figures")->default_str("crossval-CONFIG");
   shared_option(sub, "--config", s->config);
-  sub->add_option("--folds", o.fold_count, "Parts that the family groups are dealt to")
+  sub->add_option("--folds", o.fold_count, "Number of parts of the family groups")
       ->check(CLI::Range(2, 1000))
       ->capture_default_str()
       ->type_name("N");
-  shared_option(sub, "--groups", s->groups, "Unless given: mh_* together, others by name without digits at its end");
-  shared_option(sub, "--val", o.val_dir, "One more run per seed, which leaves nothing out, is measured on them");
-  shared_flag(sub, "--resume", o.resume, "In FOLDER: finished folds stay, stopped ones continue");
-  shared_option(sub, "--steps", s->steps, "Of each fold; the configuration's unless given")->check(CLI::PositiveNumber);
-  shared_option(sub, "--minutes", o.minutes, "Of each fold; by steps unless given")->check(CLI::PositiveNumber);
+  shared_option(sub, "--groups", s->groups, "By default mh_* together, others by name without trailing digits");
+  shared_option(sub, "--val", o.val_dir, "Evaluate on them an additional run per seed that leaves nothing out");
+  shared_flag(sub, "--resume", o.resume, "Of FOLDER: keep finished folds, continue stopped ones");
+  shared_option(sub, "--steps", s->steps, "Per fold; by default the configuration's")->check(CLI::PositiveNumber);
+  shared_option(sub, "--minutes", o.minutes, "Per fold; by default limited by steps")->check(CLI::PositiveNumber);
   sub->add_option("--compare", s->compare, "Print one table of finished runs: FOLDERs or their crossval.json")
       ->type_name("RUN");
-  section(sub, "What is run");
+  section(sub, "Choice of runs");
   sub->add_option(
          "--leave-out", o.leave_out,
-         "Deal only the groups of this mean of --groups to folds, train on all others always. All groups unless "
-         "given")
+         "Deal out only the groups of this mean of --groups, and train on all others always. By default all groups")
       ->type_name("MEAN");
   sub->add_option("--reuse", o.from,
-                  "Take the networks of this finished run with the configuration's correction, train nothing")
+                  "Reuse the networks of this finished run with the configuration's correction, without training")
       ->type_name("RUN");
-  sub->add_option("--seeds", o.seed_count, "Runs of every fold: the configuration's seed and those after it")
+  sub->add_option("--seeds", o.seed_count, "Number of runs per fold: the configuration's seed and the next ones")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str()
       ->type_name("N");
-  sub->add_option("--fold", o.only_fold, "Only this fold, from 1. All unless given")
+  sub->add_option("--fold", o.only_fold, "Run only this fold, from 1. By default all")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
-  sub->add_flag("--int16", s->int16, "Measure the quantised network in the engine's arithmetic, not float");
-  section(sub, "The rest");
+  sub->add_flag("--int16", s->int16, "Evaluate the quantized network in the engine's arithmetic, not float");
+  section(sub, "Other options");
   shared_option(sub, "--cache", o.cache_dir)->default_str("FOLDER/cache");
-  shared_option(sub, "--threads", o.threads, "Of all folds together")->check(CLI::Range(1, 256))->capture_default_str();
-  sub->add_option("--at-once", o.at_once, "Folds side by side. One per thread unless given")
+  shared_option(sub, "--threads", o.threads, "Total of all folds")->check(CLI::Range(1, 256))->capture_default_str();
+  sub->add_option("--at-once", o.at_once, "Number of folds to run in parallel. By default one per thread")
       ->check(CLI::Range(1, 256))
       ->type_name("N");
-  shared_option(sub, "--label", o.label, "The configuration's unless given");
+  shared_option(sub, "--label", o.label, "By default the configuration's");
   shared_flag(sub, "--quiet", o.quiet);
   sub->footer(
       "FOLDER gets crossval.md, crossval.csv and crossval.json; the table goes to standard output.\n"

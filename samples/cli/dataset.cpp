@@ -39,7 +39,7 @@ void synthesize_all(const SynthesizeSettings& s) {
   const bool one_file = has_use(s.output, kWritesWithMesh);
   if (one_file) {
     if (chosen.size() * s.count != 1)
-      throw UsageError("one output file holds one character: give --plan and no --count, or a folder as output");
+      throw UsageError("one output file holds one character; give --plan and no --count, or a folder as output");
     check_output(s.output, kWritesWithMesh);
   } else {
     make_folder(s.output);
@@ -62,27 +62,26 @@ void synthesize_all(const SynthesizeSettings& s) {
 }
 
 void add_synthesize(CLI::App* parent) {
-  CLI::App* sub = parent->add_subcommand("synthesize", "Make characters with exact weights from a seed");
+  CLI::App* sub = parent->add_subcommand("synthesize", "Make synthetic characters with exact weights from a seed");
   auto s = std::make_shared<SynthesizeSettings>();
-  shared_option(sub, "-o,--output", s->output, "A folder, or one file: " + extensions_text(kWritesWithMesh))
-      ->required();
+  shared_option(sub, "-o,--output", s->output, "Folder, or one file: " + extensions_text(kWritesWithMesh))->required();
   std::vector<std::string> plans = {"characters", "creatures", "all"};
   for (BodyPlan plan : kBodyPlans) plans.push_back(body_plan_name(plan));
   for (BodyPlan plan : kCreaturePlans) plans.push_back(body_plan_name(plan));
-  sub->add_option("--plan", s->plan, "Body plan; \"characters\" are the five that wear clothes, \"creatures\" the rest")
+  sub->add_option("--plan", s->plan, "Body plan; \"characters\": the five with clothes, \"creatures\": the others")
       ->type_name("PLAN")
       ->check(CLI::IsMember(plans))
       ->capture_default_str();
-  shared_option(sub, "--seed", s->seed, "Of the first one")->capture_default_str();
-  sub->add_option("--count", s->count, "Characters per plan, from seed on")
+  shared_option(sub, "--seed", s->seed, "Of the first character")->capture_default_str();
+  sub->add_option("--count", s->count, "Characters per plan, with consecutive seeds")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str()
       ->type_name("N");
-  sub->add_option("--resolution", s->resolution, "Voxels along the longest side")
+  sub->add_option("--resolution", s->resolution, "Number of voxels along the longest side")
       ->check(CLI::Range(24, 256))
       ->capture_default_str()
       ->type_name("N");
-  sub->add_flag("--no-clothing", s->no_clothing, "Bodies only");
+  sub->add_flag("--no-clothing", s->no_clothing, "Make bodies without clothes");
   sub->footer(
       "Examples:\n  sinew-lab dataset synthesize --count 20 -o made\n  sinew-lab dataset synthesize --plan biped "
       "--seed 2 -o "
@@ -93,7 +92,7 @@ void add_synthesize(CLI::App* parent) {
 }  // namespace
 
 void add_dataset(CLI::App& app) {
-  CLI::App* sub = app.add_subcommand("dataset", "Check, show, divide, convert, decimate and make characters");
+  CLI::App* sub = app.add_subcommand("dataset", "Check, describe, split, convert, decimate and make characters");
   sub->require_subcommand(1);
   sub->footer("Example:\n  sinew-lab dataset stats characters/train");
   add_dataset_check(sub);

@@ -74,7 +74,7 @@ Vec3 middle_of(const Character& character, const std::vector<uint32_t>& vertices
   return {(low.x + high.x) / 2, (low.y + high.y) / 2, (low.z + high.z) / 2};
 }
 
-// The flagged vertices ringed on the weights as colours: from the front, from behind, and the largest finding from
+// The flagged vertices ringed on the weights as colors: from the front, from behind, and the largest finding from
 // near. Nothing when no finding names a vertex.
 void write_picture(const std::string& path, const Character& character, const CheckReport& report) {
   const CheckFinding* largest = nullptr;
@@ -92,20 +92,20 @@ void write_picture(const std::string& path, const Character& character, const Ch
   size_t at = 0;
   for (const uint32_t v : marked)
     if (at++ % step == 0) options.marks.push_back({character.vertices[v]});
-  const auto colours = weight_colours(character);
-  std::vector<Image> images = {render(character, colours, options)};
+  const auto colors = weight_colors(character);
+  std::vector<Image> images = {render(character, colors, options)};
   options.yaw_degrees += 180;
-  images.push_back(render(character, colours, options));
+  images.push_back(render(character, colors, options));
   float size = 0, radius = 0;
   std::vector<uint32_t> everything(character.vertices.size());
   for (uint32_t v = 0; v < everything.size(); ++v) everything[v] = v;
-  const Vec3 centre = middle_of(character, everything, &size);
+  const Vec3 center = middle_of(character, everything, &size);
   options.focus = middle_of(character, largest->vertices, &radius);
   options.focus_radius = std::max(1.4f * radius, 0.15f * size);
   // From the side on which it lies.
-  const float dx = options.focus.x - centre.x, dz = options.focus.z - centre.z;
+  const float dx = options.focus.x - center.x, dz = options.focus.z - center.z;
   options.yaw_degrees = std::hypot(dx, dz) > 0.02f * size ? std::atan2(dx, dz) * 57.29578f : 25.0f;
-  images.push_back(render(character, colours, options));
+  images.push_back(render(character, colors, options));
   write_file(path, encode_png(beside(images)));
 }
 
@@ -174,21 +174,21 @@ void run_dataset_check(const DatasetCheckCommandSettings& s) {
 }  // namespace
 
 void add_dataset_check(CLI::App* parent) {
-  CLI::App* sub = parent->add_subcommand("check", "Look for defects of meshes, skeletons and weights");
+  CLI::App* sub = parent->add_subcommand("check", "Find defects of meshes, skeletons and weights");
   auto s = std::make_shared<DatasetCheckCommandSettings>();
-  sub->add_option("inputs", s->inputs, "Meshes, characters and folders of them, sub-folders too")
+  sub->add_option("inputs", s->inputs, "Meshes, characters, or folders of them with subfolders")
       ->required()
       ->type_name("FILE|DIR");
-  shared_flag(sub, "--json", s->json, "A line for every character, with all vertices of findings about weights");
-  sub->add_option("--pictures", s->pictures, "Folder for a picture of every character with suspicious vertices, ringed")
+  shared_flag(sub, "--json", s->json, "One line per character, with all vertices of findings about weights");
+  sub->add_option("--pictures", s->pictures,
+                  "Folder for a picture of each character with its suspicious vertices ringed")
       ->type_name("DIR");
   sub->footer(
-      "Example:\n  sinew-lab dataset check characters/train hero.glb --pictures suspicious\n\n"
-      "Suspicious weights are warnings: far-weight (a joint across the body while another is near), island (a patch\n"
-      "bound across the body), odd-vertex (its neighbours agree on something else), left-right (the place of the\n"
-      "joint's mirror twin), idle-twin (no weight, but the twin has some), shared-place (joints at one place\n"
-      "hold much of the mesh; leave such characters out of training).\n"
-      "Exit status 1 when any character has an error.");
+      "Example:\n  sinew-lab dataset check characters/train hero.glb --pictures suspicious\n\nSuspicious weights are "
+      "warnings: far-weight (a joint across the body while another is near), island (a patch\nbound across the body), "
+      "odd-vertex (its neighbors agree on another joint), left-right (at the position of the\njoint's mirror twin), "
+      "idle-twin (no weight, but the twin has some), shared-position (joints at one position\nhold much of the mesh; "
+      "leave such characters out of training).\nExit status 1 if any character has an error.");
   sub->callback([s] { run_dataset_check(*s); });
 }
 

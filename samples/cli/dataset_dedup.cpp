@@ -53,7 +53,7 @@ void dedup(const DedupSettings& s) {
   std::set<size_t> dropped;
   for (const DuplicateGroup& group : groups) {
     Json members = Json::array();
-    if (!s.json) std::printf("%zu characters with one mesh\n", group.members.size());
+    if (!s.json) std::printf("%zu characters with the same mesh\n", group.members.size());
     for (const DuplicateGroup::Member& m : group.members) {
       const bool first = m.index == group.members[0].index;
       const bool drop = m.like != m.index || (s.one_per_mesh && !first);
@@ -81,8 +81,8 @@ void dedup(const DedupSettings& s) {
   }
   if (s.json) return;
   std::printf(
-      "%zu characters, %zu groups with one mesh, %zu to drop%s\n", found.size(), groups.size(), dropped.size(),
-      s.output.empty() ? "" : print(", %zu placed in ", found.size() - dropped.size()).append(s.output).c_str());
+      "%zu characters, %zu groups with the same mesh, %zu to drop%s\n", found.size(), groups.size(), dropped.size(),
+      s.output.empty() ? "" : print(", %zu written to ", found.size() - dropped.size()).append(s.output).c_str());
 }
 
 struct SplitSettings {
@@ -99,7 +99,7 @@ void refuse_filled(const fs::path& folder) {
 }
 
 void split(const SplitSettings& s) {
-  if (!s.groups.empty() && s.by != "family") throw UsageError("--groups belongs to --by family");
+  if (!s.groups.empty() && s.by != "family") throw UsageError("--groups needs --by family");
   std::optional<FamilyGroups> groups;
   if (!s.groups.empty()) groups = read_family_groups(s.groups);
   const std::vector<FoundCharacter> found = characters_in(s.folder);
@@ -138,29 +138,30 @@ void split(const SplitSettings& s) {
 }  // namespace
 
 void add_dataset_dedup(CLI::App* parent) {
-  CLI::App* sub = parent->add_subcommand("dedup", "Find copies: same character, or same mesh with another skeleton");
+  CLI::App* sub =
+      parent->add_subcommand("dedup", "Find copies: the same character, or the same mesh with another skeleton");
   auto s = std::make_shared<DedupSettings>();
   sub->add_option("inputs", s->inputs,
-                  "Characters and folders of them, sub-folders too; the first of several copies is kept")
+                  "Characters, or folders of them with subfolders. Of several copies the first is kept")
       ->required()
       ->type_name("FILE|DIR");
-  shared_option(sub, "-o,--output", s->output, "A folder for one of each, as hard links where possible");
-  sub->add_flag("--one-per-mesh", s->one_per_mesh, "Keep one of characters whose mesh alone is the same, too");
-  shared_flag(sub, "--json", s->json, "A line for every group with one mesh");
+  shared_option(sub, "-o,--output", s->output, "Folder for one of each group, as hard links where possible");
+  sub->add_flag("--one-per-mesh", s->one_per_mesh, "Also drop characters that share only the mesh");
+  shared_flag(sub, "--json", s->json, "One line per group with the same mesh");
   sub->footer(
-      "Examples:\n  sinew-lab dataset dedup characters/train -o characters/unique\n"
-      "  sinew-lab dataset dedup characters/train characters/val      # does val hold a copy of train?\n\n"
-      "Meshes are compared after moving and scaling, weights by joints at the same place. Near: positions within 1 %\n"
-      "of the size and weights within an L1 of 0.05 on average. Nothing is ever deleted.");
+      "Examples:\n  sinew-lab dataset dedup characters/train -o characters/unique\n  sinew-lab dataset dedup "
+      "characters/train characters/val      # does val hold a copy of train?\n\nMeshes are compared after translation "
+      "and scaling, weights by joints at the same position. Near copies: positions\nwithin 1 % of the size and a mean "
+      "L1 of weights within 0.05. Nothing is deleted.");
   sub->callback([s] { dedup(*s); });
 }
 
 void add_dataset_split(CLI::App* parent) {
-  CLI::App* sub = parent->add_subcommand("split", "Divide a folder into train and val, families together");
+  CLI::App* sub = parent->add_subcommand("split", "Split a folder into train and val, families together");
   auto s = std::make_shared<SplitSettings>();
-  sub->add_option("dir", s->folder, "Folder of FAMILY__NAME characters, sub-folders too")->required()->type_name("DIR");
+  sub->add_option("dir", s->folder, "Folder of FAMILY__NAME characters, with subfolders")->required()->type_name("DIR");
   sub->add_option("--val-share", s->share,
-                  "Share of the characters for validation. Whole units come as close as they can")
+                  "Share of the characters for validation. Whole families come as close as possible")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str()
       ->type_name("X");
@@ -170,14 +171,13 @@ void add_dataset_split(CLI::App* parent) {
       ->capture_default_str();
   shared_option(sub, "--groups", s->groups, "As for crossval: {\"groups\": {\"group\": [\"family\", ...], ...}}");
   shared_option(sub, "--seed", s->seed)->capture_default_str();
-  sub->add_flag("--lists", s->lists, "Write OUT/train.txt and OUT/val.txt with paths instead of folders");
+  sub->add_flag("--lists", s->lists, "Write paths to OUT/train.txt and OUT/val.txt instead of folders");
   shared_option(sub, "-o,--output", s->output,
-                "A folder for train and val: hard links, copies where links are not possible")
+                "Folder for train and val: hard links, or copies where links are impossible")
       ->required();
   sub->footer(
       "Example:\n  sinew-lab dataset split characters --val-share 0.1 --groups trainer/configs/groups.json -o "
-      "divided\n\n"
-      "Look for copies first (sinew-lab dataset dedup): they would sit on both sides.");
+      "divided\n\nFind copies first (sinew-lab dataset dedup); otherwise they end up on both sides.");
   sub->callback([s] { split(*s); });
 }
 

@@ -30,7 +30,7 @@ struct DatasetStatsCommandSettings {
   bool json = false, no_recall = false;
 };
 
-// Of one character; what cannot be read is told in `failure`.
+// Figures of one character; `failure` has the error if it cannot be read.
 std::optional<CharacterStats> stats_of(const DatasetStatsCommandSettings& s, const FoundCharacter& found,
                                        const std::vector<uint32_t>& candidate_counts, std::string* failure) {
   try {
@@ -42,7 +42,7 @@ std::optional<CharacterStats> stats_of(const DatasetStatsCommandSettings& s, con
       RenderOptions options;
       options.width = options.height = s.picture;
       options.draw_skeleton = false;
-      one.png = encode_png(render(character, weight_colours(character), options));
+      one.png = encode_png(render(character, weight_colors(character), options));
     }
     return one;
   } catch (const Error& error) {
@@ -84,22 +84,21 @@ void stats(const DatasetStatsCommandSettings& s) {
 }  // namespace
 
 void add_dataset_stats(CLI::App* parent) {
-  CLI::App* sub = parent->add_subcommand("stats", "Sizes, influences and candidates' recall of the families; a page");
+  CLI::App* sub = parent->add_subcommand("stats", "Print sizes, influences and candidate recall of families");
   auto s = std::make_shared<DatasetStatsCommandSettings>();
   s->jobs = std::max(1u, std::thread::hardware_concurrency());
-  sub->add_option("dir", s->folder, "Folder of FAMILY__NAME characters, sub-folders too")->required()->type_name("DIR");
-  shared_option(sub, "-o,--output", s->page,
-                "One page (PAGE.html) with plots and a picture of every character, with its warnings");
-  sub->add_option("--picture-size", s->picture, "Side of the pictures in pixels")
+  sub->add_option("dir", s->folder, "Folder of FAMILY__NAME characters, with subfolders")->required()->type_name("DIR");
+  shared_option(sub, "-o,--output", s->page, "Plots and a picture of each character with its warnings");
+  sub->add_option("--picture-size", s->picture, "Side length of the pictures in pixels")
       ->check(CLI::Range(64, 1024))
       ->capture_default_str()
       ->type_name("N");
-  sub->add_flag("--no-recall", s->no_recall, "Leave out how much weight lies on 6, 8, 12 and 16 candidates (quicker)");
+  sub->add_flag("--no-recall", s->no_recall, "Leave out the recall of 6, 8, 12 and 16 candidates (faster)");
   add_jobs(sub, s->jobs)->capture_default_str();
-  shared_flag(sub, "--json", s->json, "Each size is [smallest, median, largest]");
+  shared_flag(sub, "--json", s->json, "Sizes are [smallest, median, largest]");
   sub->footer(
-      "Example:\n  sinew-lab dataset stats characters/train -o train.html\n\n"
-      "Recall: the share of the reference weight on the K joints that the network may choose from, grid 64.");
+      "Example:\n  sinew-lab dataset stats characters/train -o train.html\n\nRecall: share of the reference weight on "
+      "the K joints that the network may choose from, at grid 64.");
   sub->callback([s] { stats(*s); });
 }
 

@@ -31,9 +31,9 @@ struct DatasetConvertCommandSettings {
 
 void convert_one(const DatasetConvertCommandSettings& s) {
   check_output(s.output, kWritesCharacter, true);
-  if (!s.format.empty()) throw UsageError("--format is for a folder of characters, and " + s.input + " is none");
+  if (!s.format.empty()) throw UsageError("--format needs a folder of characters, and " + s.input + " is not a folder");
   if (has_extension(s.input, ".obj") && has_extension(s.skeleton, ".obj"))
-    throw UsageError("--skeleton " + s.skeleton + ": an OBJ holds no skeleton");
+    throw UsageError("--skeleton " + s.skeleton + ": an OBJ holds no skeleton; expected a .rig.txt");
   Character character = read_any(s.input);
   if (!s.skeleton.empty()) read_skeleton(s.skeleton, true, &character);
   if (s.ratio > 0) character = decimate(character, s.ratio);
@@ -66,7 +66,7 @@ std::vector<std::string> set_paths(const DatasetConvertCommandSettings& s, const
     paths.push_back((fs::path(s.output) / (set_name(one) + extension)).string());
     const auto [other, is_new] = input_of.emplace(paths.back(), one.path);
     if (!is_new)
-      throw Error(other->second + " and " + one.path + " would both become " + paths.back() + "; rename one");
+      throw Error(other->second + " and " + one.path + " would both become " + paths.back() + "; rename one of them");
   }
   return paths;
 }
@@ -77,11 +77,11 @@ void refuse_output_inside(const DatasetConvertCommandSettings& s) {
   const fs::path in = fs::weakly_canonical(fs::absolute(s.input), ignored);
   const std::string below = fs::weakly_canonical(fs::absolute(s.output), ignored).lexically_relative(in).string();
   if (below.empty() || below.rfind("..", 0) != 0)
-    throw UsageError("-o " + s.output + ": lies inside " + s.input + "; give a folder outside");
+    throw UsageError("-o " + s.output + ": lies inside " + s.input + "; give another folder");
 }
 
 void convert_folder(const DatasetConvertCommandSettings& s) {
-  if (!s.skeleton.empty()) throw UsageError("--skeleton is for one character, and " + s.input + " is a folder");
+  if (!s.skeleton.empty()) throw UsageError("--skeleton takes one character, but " + s.input + " is a folder");
   refuse_output_inside(s);
   const std::vector<FoundCharacter> found = characters_in(s.input);
   const std::vector<std::string> paths = set_paths(s, found);
@@ -91,8 +91,7 @@ void convert_folder(const DatasetConvertCommandSettings& s) {
   for (size_t i = 0; i < found.size(); ++i) {
     try {
       Character character = read_character(found[i].path);
-      if (character.influences.empty())
-        throw Error(found[i].path + ": has no skin weights, so nothing is learnt from it");
+      if (character.influences.empty()) throw Error(found[i].path + ": has no skin weights to train on");
       character.name = stem_of(paths[i]);
       write_character(paths[i], character);
       progress.say(stdout, print("%s: %zu vertices, %zu joints from ", printable(paths[i]).c_str(),
@@ -121,18 +120,18 @@ std::string written_files() {
 
 void add_dataset_convert(CLI::App* parent) {
   CLI::App* sub =
-      parent->add_subcommand("convert", "Write characters in another format: one, or a folder for training");
+      parent->add_subcommand("convert", "Convert characters to another format: one, or a folder for training");
   auto s = std::make_shared<DatasetConvertCommandSettings>();
   sub->add_option("input", s->input,
-                  "Character, or a folder of them, sub-folders too. " + mesh_files() +
+                  "Character, or a folder of them with subfolders. " + mesh_files() +
                       "; NAME.rig.txt beside NAME.obj is read too")
       ->required()
       ->type_name("IN|DIR");
   shared_option(sub, "output,-o,--output", s->output,
-                written_files() + "; for a folder a folder, which gets FAMILY__NAME for FAMILY/NAME")
+                written_files() + "; for a folder, a folder that gets FAMILY__NAME for FAMILY/NAME")
       ->required();
   shared_option(sub, "--skeleton", s->skeleton, "With its weights");
-  shared_option(sub, "--format", s->format, "With a folder; obj comes with .rig.txt")
+  shared_option(sub, "--format", s->format, "For a folder; obj comes with .rig.txt")
       ->check(CLI::IsMember(format_names(kWritesWithMesh)))
       ->default_str("obj");
   sub->footer(
@@ -142,7 +141,7 @@ void add_dataset_convert(CLI::App* parent) {
 }
 
 void add_dataset_decimate(CLI::App* parent) {
-  CLI::App* sub = parent->add_subcommand("decimate", "Write a character with fewer vertices, weights carried along");
+  CLI::App* sub = parent->add_subcommand("decimate", "Reduce the vertices of a character, with its weights");
   auto s = std::make_shared<DatasetConvertCommandSettings>();
   sub->add_option("input", s->input, "Character. " + mesh_files() + "; NAME.rig.txt beside NAME.obj is read too")
       ->required()
@@ -179,9 +178,11 @@ std::vector<std::string> output_paths(const DatasetTargetCommandSettings& s, con
   for (const FoundCharacter& one : found) {
     paths.push_back((fs::path(s.output) / (one.name + ".rig.txt")).string());
     if (input_folders.count(folder_of(paths.back())) > 0)
-      throw UsageError("-o " + s.output + ": " + paths.back() + " would lie among the inputs; give another folder");
+      throw UsageError("-o " + s.output + ": " + paths.back() + " lies among the inputs; give another folder");
     const auto [other, is_new] = input_of.emplace(paths.back(), one.path);
-    if (!is_new) throw UsageError(one.path + " and " + other->second + " would both become " + paths.back());
+    if (!is_new)
+      throw UsageError(one.path + " and " + other->second + " would both become " + paths.back() +
+                       "; rename one of them");
   }
   return paths;
 }
@@ -223,23 +224,23 @@ void make_targets(const DatasetTargetCommandSettings& s) {
 }  // namespace
 
 void add_dataset_target(CLI::App* parent) {
-  CLI::App* sub = parent->add_subcommand("target", "Write the target skeletons that eval rig compares with");
+  CLI::App* sub = parent->add_subcommand("target", "Write the reference skeletons of eval rig");
   auto s = std::make_shared<DatasetTargetCommandSettings>();
-  sub->add_option("inputs", s->inputs, "Rigged characters and folders of them, sub-folders too")
+  sub->add_option("inputs", s->inputs, "Rigged characters, or folders of them with subfolders")
       ->required()
       ->type_name("FILE|DIR");
   shared_option(sub, "-o,--output", s->output,
-                "A folder for NAME.rig.txt of each: joints and their hierarchy, no weights")
+                "Folder for a NAME.rig.txt of each: joints and hierarchy without weights")
       ->required();
   shared_option(sub, "--detail", s->detail,
-                "body: what eval rig compares with; hands: with the fingers that eval hands compares with")
+                "body: the reference of eval rig; hands: with fingers, the reference of eval hands")
       ->check(CLI::IsMember({"body", "hands"}))
       ->capture_default_str();
   sub->footer(
-      "Example:\n  sinew-lab dataset target characters/val -o targets\n\n"
-      "The target skeleton has the joints that move the body: fingers, faces and twist bones belong to their parents,\n"
-      "joints without a 0.2 % share of the mesh are left out, joints at one place are one. Every leaf has a bone end,\n"
-      "a joint NAME_end below it.");
+      "Example:\n  sinew-lab dataset target characters/val -o targets\n\nThe reference skeleton has the joints that "
+      "move the body: fingers, faces and twist bones are merged into their\nparents, joints with less than a 0.2 % "
+      "share of the mesh are left out, joints at one position are merged. Each leaf\nhas a bone end, a joint NAME_end "
+      "below it.");
   sub->callback([s] { make_targets(*s); });
 }
 

@@ -61,7 +61,7 @@ void add_reliability(const WeightsEvaluation& s, const WeightsFigures& figures, 
   // A checkpoint has no table yet; what counts is the confidence with one, on families that it was not fitted on.
   if (s.checkpoint.empty() || figures.scores[figures.main].families.size() <= 1) return;
   data->reliability = reliability_across_families(judged);
-  data->confidence = "the strongest joint's share through a table that was fitted on the other half of the families";
+  data->confidence = "the strongest joint's share through a table fitted on the other half of the families";
 }
 
 void add_rows(const WeightsEvaluation& s, const WeightsFigures& figures, ReportData* data) {
@@ -136,7 +136,7 @@ void write_weights_report(const WeightsEvaluation& s, const WeightsFigures& figu
   draw_bends(figures, &data);
   draw_cloth(s, figures, &data);
   write_text_file(s.report, report_html(data));
-  if (data.variants.size() > 1) std::printf("%s\n", quantisation_table_markdown(data).c_str());
+  if (data.variants.size() > 1) std::printf("%s\n", quantization_table_markdown(data).c_str());
 }
 
 }  // namespace sinew::cli

@@ -28,7 +28,7 @@ namespace {
 
 std::vector<Joint> read_prediction(const fs::path& path) {
   std::error_code ignored;
-  if (!fs::exists(path, ignored)) throw Error(path.string() + ": there is no such prediction");
+  if (!fs::exists(path, ignored)) throw Error(path.string() + ": no such prediction");
   Character predicted;
   read_skeleton(path.string(), false, &predicted);
   return predicted.joints;
@@ -54,7 +54,7 @@ struct MeasuredRig {
 };
 
 double measure_owned(const Character& character, const TargetSkeleton& target, const PredictedSkeleton& skeleton,
-                     const LabelledSkeleton& labels, const sinew_model* weights) {
+                     const LabeledSkeleton& labels, const sinew_model* weights) {
   BindOptions options;
   options.method = SINEW_METHOD_MODEL;
   options.model = weights;
@@ -107,9 +107,9 @@ MeasuredRig measure_one(const FoundCharacter& found, const RigEvaluation& evalua
     measured.humanoid = is_humanoid(reference);
     if (measured.humanoid) measured.gaps = humanoid_gaps(skeleton);
     if (weights != nullptr) {
-      const LabelledSkeleton labels = predictor.folder.empty()
-                                          ? LabelledSkeleton{joints, prediction.classes, prediction.ends}
-                                          : label_skeleton(joints);
+      const LabeledSkeleton labels = predictor.folder.empty()
+                                         ? LabeledSkeleton{joints, prediction.classes, prediction.ends}
+                                         : label_skeleton(joints);
       measured.owned = measure_owned(character, target, prediction, labels, weights);
     }
     if (!evaluation.report.empty()) {
@@ -133,7 +133,7 @@ void tell_float(const RigEvaluation& evaluation, const std::vector<FoundCharacte
     same += measured[i].same_tree ? 1 : 0;
   }
   const size_t count = rows.size();
-  const RigScores exact = summarise(std::move(rows));
+  const RigScores exact = summarize(std::move(rows));
   std::fprintf(
       evaluation.json ? stderr : stdout,
       "\nfloat, %s: J2J %.3f / %.3f, int16 %.3f / %.3f (x 100, characters / families); the same tree on %zu of %zu "
@@ -154,7 +154,7 @@ FloatNetwork votes_of(const std::string& checkpoint) {
 void evaluate_rigs(const RigEvaluation& evaluation) {
   std::error_code ignored;
   if (!evaluation.predictions.empty() && !fs::is_directory(evaluation.predictions, ignored))
-    throw Error(evaluation.predictions + ": expected a folder of predicted NAME.rig.txt, found no such folder");
+    throw Error(evaluation.predictions + ": expected a folder of predicted NAME.rig.txt, found none");
   Predictor predictor;
   predictor.folder = evaluation.predictions;
   if (evaluation.method == "slots") {
@@ -183,7 +183,7 @@ void evaluate_rigs(const RigEvaluation& evaluation) {
   std::vector<std::pair<std::string, RigScore>> rows;
   for (size_t i = 0; i < found.size(); ++i)
     if (measured[i].failure.empty()) rows.emplace_back(found[i].name, measured[i].score);
-  RigScores scores = summarise(std::move(rows));
+  RigScores scores = summarize(std::move(rows));
   for (size_t i = 0; i < found.size(); ++i) {
     if (!measured[i].failure.empty())
       scores.failures[found[i].name] = measured[i].failure;

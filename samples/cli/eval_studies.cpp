@@ -153,7 +153,7 @@ void count_alarms(const RigCheck& check, CheckFigures* f) {
   f->broken = f->broken || check.errors > 0;
 }
 
-// The walk is ours: what is found in it is told apart from the artist's file.
+// The walk is added by this study: its findings are separate from those of the artist's file.
 void count_clip_alarms(const RigCheck& check, CheckFigures* f) {
   for (const RigFinding& finding : check.findings)
     if (!finding.clip.empty()) ++f->alarms[finding.rule->name];

@@ -55,8 +55,8 @@ void study_confidence(const ConfidenceStudy& study);
 // Confidences of every character of the folder without a table.
 std::vector<JudgedConfidence> judge_folder(const ConfidenceStudy& study);
 
-// Damages every rig of a folder in every way that `sinew check` should find, one at a time, and prints the share that is found, and how often a
-// rule has findings on untouched ones.
+// Damages every rig of a folder with each kind of damage that `sinew check` should find, one at a time, and prints
+// the share that is found, and how often a rule has findings on untouched rigs.
 //   names  true: also every miss and every alarm by name
 void study_check(const std::string& folder, unsigned jobs, bool names);
 

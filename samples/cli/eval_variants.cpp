@@ -87,7 +87,7 @@ Variant peer_variant(const std::string& name_and_folder) {
       for (const Influence& i : row) {
         const auto found = index.find(predicted.joints[i.joint].name);
         if (found == index.end())
-          throw Error(path + ": binds to the joint " + predicted.joints[i.joint].name + ", which the character lacks");
+          throw Error(path + ": binds to joint " + predicted.joints[i.joint].name + ", which the character lacks");
         prediction.rows.back().push_back({found->second, i.weight});
       }
     }
@@ -131,14 +131,14 @@ std::vector<Variant> checkpoint_variants(const WeightsEvaluation& s) {
     QuantizeOptions options;
     options.weight_bits = bits;
     options.activation_bits = std::min(bits, options.activation_bits);
-    const QuantizedModel quantised = quantize(network, calibration, options);
-    std::shared_ptr<LoadedModel> model = model_from_bytes(quantised.bytes, "the quantised network");
+    const QuantizedModel quantized = quantize(network, calibration, options);
+    std::shared_ptr<LoadedModel> model = model_from_bytes(quantized.bytes, "the quantized network");
     Variant variant;
     variant.label = bits == 16 ? "int16 model" : std::to_string(bits) + " bits";
     variant.bits = bits;
     // The file format keeps 16 bits; fewer are counted as if weights were packed.
     variant.size_bytes =
-        quantised.bytes.size() - static_cast<size_t>(model->model.parameter_count) * static_cast<size_t>(16 - bits) / 8;
+        quantized.bytes.size() - static_cast<size_t>(model->model.parameter_count) * static_cast<size_t>(16 - bits) / 8;
     variant.candidates = network.candidate_count;
     variant.grid = network.grid_size;
     variant.feature_set = network.feature_set;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Binds every character in every way, measures, prints and writes the figures.
+// Binds every character with every variant, measures, prints and writes the figures.
 #include "eval_weights.hpp"
 
 #include <algorithm>
@@ -59,7 +59,7 @@ class Evaluation {
     });
   }
 
-  // One character, bound in every way.
+  // One character, bound with every variant.
   struct BoundCharacter {
     std::unique_ptr<Sample> sample;  // of the variants that need one
     std::vector<Prediction> predictions;
@@ -131,7 +131,7 @@ class Evaluation {
     for (Variant& variant : figures_.variants) {
       std::sort(variant.figures.begin(), variant.figures.end(),
                 [](const auto& a, const auto& b) { return a.first < b.first; });
-      figures_.scores.push_back(summarise(variant.figures));
+      figures_.scores.push_back(summarize(variant.figures));
       figures_.scores.back().failures = figures_.failures;
     }
     if (!s_.predictions.empty()) write_status();

@@ -31,7 +31,7 @@ struct WeightsEvaluation {
   std::string label;               // of the first column
   unsigned influences = 4, jobs = 1;
   bool known = false, against_nearest = false;
-  bool json = false;  // all figures on standard output, in place of the table
+  bool json = false;  // all figures on standard output, instead of the table
 };
 
 using Rows = std::vector<std::vector<Influence>>;

@@ -47,7 +47,7 @@ std::string wrapped(const std::string& text) {
   return out + line + "\n";
 }
 
-// Examples, indented, stay as they are; what is said around them is broken where the screen ends.
+// Indented examples are unchanged; the text around them is wrapped to the screen.
 std::string footer_text(const std::string& footer) {
   std::string out, paragraph;
   const auto end_paragraph = [&] {

@@ -34,7 +34,7 @@ struct InspectCommandSettings {
 std::string feature_set_text(uint32_t set) {
   return std::to_string(set & ~kFeatureFlags) +
          ((set & kAttributesFlag) != 0
-              ? ", the published attributes alone: positions, normals, curvatures, Laplacian, distances to joints"
+              ? ", published attributes only: positions, normals, curvatures, Laplacian, distances to joints"
               : "") +
          ((set & kSpectralFlag) != 0 ? ", with spectral signatures" : "");
 }
@@ -177,7 +177,7 @@ Contents contents_of(const std::string& path) {
   Contents contents;
   bool has_mesh = !is_motion_alone(path);
   if (is_gltf(path)) {
-    contents.gltf = summarise_gltf(path);
+    contents.gltf = summarize_gltf(path);
     has_mesh = std::any_of(contents.gltf->meshes.begin(), contents.gltf->meshes.end(),
                            [](const GltfMeshSummary& mesh) { return mesh.in_scene && mesh.vertices > 0; });
   }
@@ -217,29 +217,27 @@ void inspect_contents(const InspectCommandSettings& s) {
 void run_inspect(const InspectCommandSettings& s) {
   if (s.path == "bundled" || has_extension(s.path, ".sinew")) return inspect_model(s);
   if (has_use(s.path, kReadsSkeleton) || has_use(s.path, kReadsMesh) || s.path == "-") return inspect_contents(s);
-  read_file(s.path);  // a missing file is told as such, not as an unknown kind
+  read_file(s.path);  // reports a missing file as such, not as an unknown kind
   if (is_checkpoint(s.path)) return inspect_checkpoint(s);
-  throw Error(s.path + ": neither a mesh (" + extensions_text(kReadsMesh) + "), a motion (" +
-              extensions_text(kReadsMotion) + "), a rig (.rig.txt), a checkpoint nor a model (.sinew)" +
-              remedy(s.path));
+  throw Error(s.path + ": expected a mesh (" + extensions_text(kReadsMesh) + "), a motion (" +
+              extensions_text(kReadsMotion) + "), a rig (.rig.txt), a checkpoint or a model (.sinew)" + remedy(s.path));
 }
 
 }  // namespace
 
 void add_inspect(CLI::App& app) {
-  CLI::App* sub = app.add_subcommand("inspect", "Say what is in a mesh, character, motion, checkpoint or model");
+  CLI::App* sub = app.add_subcommand("inspect", "Describe a mesh, character, motion, checkpoint or model");
   auto s = std::make_shared<InspectCommandSettings>();
   sub->add_option("file", s->path,
-                  "A mesh, rig, character, motion, checkpoint or model. " + mesh_files() + ", " + skeleton_files() +
+                  "Mesh, rig, character, motion, checkpoint or model. " + mesh_files() + ", " + skeleton_files() +
                       "; bundled = the model built into the program")
       ->required()
       ->type_name("FILE");
   shared_flag(sub, "--json", s->json);
   sub->footer(
-      "Examples:\n  sinew inspect hero.glb\n  sinew inspect walk.npz\n\n"
-      "Of a motion: joints, frames, rate, which way is up, the rest pose, and what had to be guessed.\n"
-      "Of a glTF also: meshes and their skins, materials, images, animations, morph targets, extensions, and whether\n"
-      "the inverse bind matrices agree with where the nodes stand now.");
+      "Examples:\n  sinew inspect hero.glb\n  sinew inspect walk.npz\n\nFor a motion: joints, frames, frame rate, up "
+      "axis, rest pose, and guesses.\nFor a glTF also: meshes and their skins, materials, images, animations, morph "
+      "targets, extensions, and whether\nthe inverse bind matrices agree with the current node transforms.");
   sub->callback([s] { run_inspect(*s); });
 }
 

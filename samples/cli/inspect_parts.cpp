@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A character and a glTF, told by sinew inspect.
+// Text and JSON of a character and a glTF for sinew inspect.
 #include "inspect_parts.hpp"
 
 #include <algorithm>
@@ -157,7 +157,7 @@ void print_skin(const GltfSkinSummary& skin) {
   if (skin.joints_apart == 0) {
     std::printf("    rest pose is the bind pose (largest deviation %.2g %% of the size)\n", 100 * skin.deviation);
   } else {
-    std::printf("    rest pose is not the bind pose: %zu joints stand elsewhere, at most %.1f %% of the size (%s)\n",
+    std::printf("    rest pose is not the bind pose: %zu joints differ, at most %.1f %% of the size (%s)\n",
                 skin.joints_apart, 100 * skin.deviation, skin.farthest.c_str());
   }
 }
@@ -178,8 +178,8 @@ void print_motion(const Motion& motion) {
   const RestSummary rest = rest_summary(motion);
   std::printf("clips         %zu\n", motion.clips.size());
   for (const Clip& clip : motion.clips)
-    std::printf("  %s  %zu frames, %.4g a second, %.2f s\n", clip.name.c_str(), clip.frames.size(), 1 / clip.frame_time,
-                seconds_of(clip));
+    std::printf("  %s  %zu frames, %.4g per second, %.2f s\n", clip.name.c_str(), clip.frames.size(),
+                1 / clip.frame_time, seconds_of(clip));
   std::printf("up            %s\nrest pose     %s\n", rest.up ? up_of(rest).c_str() : "unknown", rest.pose.c_str());
   for (const std::string& note : motion.notes) std::printf("note          %s\n", note.c_str());
 }

@@ -53,9 +53,9 @@ void run_lod(LodCommandSettings s) {
   if (s.output.empty()) s.output = stem_of(s.character) + (s.one_file ? ".lods.glb" : container_of(s.profile));
   check_output(s.output, kWritesWhole);
   if (s.one_file && !has_extension(s.output, ".glb"))
-    throw UsageError("--one-file writes a .glb, and " + s.output + " is none");
+    throw UsageError("--one-file writes a .glb, but " + s.output + " is not one");
   if (s.one_file && s.options.joints)
-    throw UsageError("--one-file: levels of one file have one skeleton, leave --fewer-joints out");
+    throw UsageError("--one-file: levels in one file share a skeleton; leave out --fewer-joints");
   const Character character = open_character(s.character).character;
   std::vector<LodLevel> levels = levels_of_detail(s.options, character);
   std::vector<std::vector<uint8_t>> glbs;
@@ -105,22 +105,25 @@ void run_lod(LodCommandSettings s) {
 
 void add_lod(CLI::App& app) {
   CLI::App* sub =
-      app.add_subcommand("lod", "Levels of detail: fewer triangles, with weights, shapes, seams and materials");
+      app.add_subcommand("lod", "Make levels of detail: fewer triangles, with weights, shapes, seams and materials");
   auto s = std::make_shared<LodCommandSettings>();
   sub->add_option("character", s->character, "Bound character. " + mesh_files())->required()->type_name("CHARACTER");
   shared_option(sub, "-o,--output", s->output,
-                "NAME.lod1, NAME.lod2, ... of this name: " + extensions_text(kWritesWhole))
+                "Base name of the levels NAME.lod1, NAME.lod2, ...: " + extensions_text(kWritesWhole))
       ->default_str("CHARACTER.glb");
-  sub->add_option("--levels", s->options.levels, "How many")->check(CLI::Range(1, 8))->capture_default_str();
-  sub->add_option("--triangles", s->options.ratio, "Of a level, as a share of the one before")
+  sub->add_option("--levels", s->options.levels, "Number of levels")
+      ->check(CLI::Range(1, 8))
+      ->type_name("N")
+      ->capture_default_str();
+  sub->add_option("--triangles", s->options.ratio, "Triangles of a level as a share of the level before")
       ->check(CLI::Range(0.05, 0.95))
       ->type_name("SHARE")
       ->capture_default_str();
   sub->add_flag("--fewer-joints", s->options.joints,
-                "Level 2 has the joints of sinew simplify --level high, further ones of low");
+                "Reduce joints: level 2 as sinew simplify --level high, later ones as low");
   sub->add_flag("--one-file", s->one_file,
-                "The character and its levels in one .glb, as the extension MSFT_lod has them: CHARACTER.lods.glb");
-  shared_flag(sub, "--json", s->json, "A line for every level");
+                "Write the character and its levels into one .glb as extension MSFT_lod: CHARACTER.lods.glb");
+  shared_flag(sub, "--json", s->json, "One line per level");
   add_profile_options(sub, &s->profile);
   sub->footer(
       "Examples:\n  sinew lod hero.glb\n  sinew lod hero.glb --levels 4 --triangles 0.4 --fewer-joints -o "

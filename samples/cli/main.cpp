@@ -9,23 +9,20 @@
 namespace sinew::cli {
 namespace {
 
-// A command of sinew-lab says where it is.
+// Error for a command of sinew-lab.
 std::vector<std::string> read_words(const CLI::App&, std::vector<std::string> words) {
   if (!words.empty() && is_lab_command(words[0]))
-    throw UsageError(words[0] + " is a command of sinew-lab, which trains and measures: sinew-lab " + words[0] +
-                     " ...");
+    throw UsageError(words[0] + " is a command of sinew-lab (training and evaluation): sinew-lab " + words[0] + " ...");
   return words;
 }
 
 const Program& sinew_program() {
   static const Program program = {
       "sinew",
-      "Rigs, binds and animates characters with small int16 networks.",
-      "Example:\n  sinew bind hero.obj --skeleton hero.rig.txt -o hero.glb --png hero.png\n"
-      "Every subcommand has its own --help. Exit status: 0 done, 1 the job failed, 2 wrong usage,\n"
-      "3 done, but --gate found it wanting. sinew-lab trains and measures.\n"
-      "SINEW_KERNEL=ref|avx2|avxvnni|vnni in the environment chooses the instructions; results never\n"
-      "depend on it.",
+      "Auto-rigging, skin weights and retargeting for character meshes.",
+      "Example:\n  sinew rig hero.obj -o hero.glb --png hero.png\nExit status: 0 done, 1 failed, 2 wrong usage, 3 "
+      "done but --gate failed. sinew-lab trains and evaluates.\nThe environment variable "
+      "SINEW_KERNEL=ref|avx2|avxvnni|vnni selects the instructions; results are\nthe same for each.",
       {{"rig", add_rig},
        {"bind", add_bind},
        {"transfer", add_transfer},

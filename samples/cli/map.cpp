@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew map: which joint of one skeleton stands for which of another, as text that can be edited and given back.
+// sinew map: which joint of one skeleton represents which of another, as text that can be edited and given back.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -28,7 +28,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kNoEnds = "none";  // of --ends, in place of a file
+constexpr const char* kNoEnds = "none";  // of --ends, instead of a file
 
 struct MapCommandSettings {
   std::string target, source, preset, output = "-", up = "auto", source_up, pins_file, ends_file, png, level, layout,
@@ -92,7 +92,7 @@ std::vector<sinew_map_pin> read_pins(const MapCommandSettings& s, const MapRig& 
     }
     for (const sinew_map_pin& other : said)
       if (other.target == pin.target || (pin.source >= 0 && other.source == pin.source))
-        throw UsageError("--set " + text + ": one of its joints has another --set; give each joint once");
+        throw UsageError("--set " + text + ": this joint has a --set already; give each joint once");
     said.push_back(pin);
   }
   for (const sinew_map_pin& pin : said) {
@@ -141,35 +141,36 @@ void tell(const MapCommandSettings& s, const MapRig& target, const MapRig& sourc
                1e3 * map.seconds, map.method == SINEW_MAP_BRANCHES ? ", by branches" : "");
   if (map.method != SINEW_MAP_BRANCHES && map.certainty < kDoubtfulSides)
     std::fprintf(out,
-                 "  warning: which way is front is not sure (%.0f %%), left and right may be exchanged; "
-                 "--set with one pair of a side settles it\n",
+                 "  warning: the front of the rig is uncertain (%.0f %%), so left and right may be exchanged; give one "
+                 "pair of a side with --set\n",
                  100 * static_cast<double>(map.certainty));
   if (cover.share < kLeastCover)
-    std::fprintf(out, "  warning: %s: its motion does not fit, sinew animate would refuse it without --force\n",
+    std::fprintf(out, "  warning: %s: the motion does not fit; sinew animate refuses it without --force\n",
                  cover.missing.c_str());
   for (const std::string& warning : cover.warnings) std::fprintf(out, "  warning: %s\n", printable(warning).c_str());
   if (!cover.rigid.empty()) std::fprintf(out, "  %s stay rigid\n", printable(cover.rigid).c_str());
   for (size_t j = 0; j < target.joints.size(); ++j)
     if (map.sources[j] < 0 && map.reasons[j] != SINEW_MAP_END)
-      std::fprintf(out, "  %s: none, %s\n", printable(target.joints[j].name).c_str(), map_reason_text(map.reasons[j]));
+      std::fprintf(out, "  %s: no source, %s\n", printable(target.joints[j].name).c_str(),
+                   map_reason_text(map.reasons[j]));
   if (s.output != "-") std::fprintf(out, "wrote %s\n", printable(s.output).c_str());
 }
 
 // What the command line leaves open follows from what it says.
 MapCommandSettings settled(MapCommandSettings s) {
   if (s.source.empty() == s.preset.empty())
-    throw UsageError("give the other skeleton with --from FILE, or the names of a standard rig with --to NAME");
+    throw UsageError("give the other skeleton with --from FILE, or the joint names of a standard rig with --to NAME");
   if (!s.preset.empty()) s.source = "template:" + s.preset;
   if (s.source_up.empty()) s.source_up = s.source.rfind("template:", 0) == 0 ? "y" : s.up;
   if (s.as_drawn) {
-    if (s.method == SINEW_MAP_SINEW) throw UsageError("--as-drawn is --method branches: leave --method sinew out");
+    if (s.method == SINEW_MAP_SINEW) throw UsageError("--as-drawn is --method branches: leave out --method sinew");
     s.method = SINEW_MAP_BRANCHES;
     s.cost = SINEW_BRANCHES_SUM;
     s.no_names = true;
   }
   if (s.method != SINEW_MAP_BRANCHES)
     refuse_given({{"--cost", s.cost != SINEW_BRANCHES_MEAN}, {"--first", s.first != SINEW_BRANCHES_BOTH}},
-                 " is for --method branches; found --method " + kMapMethod[s.method]);
+                 " needs --method branches; found --method " + kMapMethod[s.method]);
   if (s.output != "-") check_output(s.output, {".txt", ".map", ".json"});
   if (!s.png.empty()) check_output(s.png, {".png"});
   return s;
@@ -225,64 +226,62 @@ void run_map(const MapCommandSettings& given) {
 }
 
 void add_map_inputs(CLI::App* sub, MapCommandSettings* s) {
-  sub->add_option(
-         "target", s->target,
-         "Skeleton whose joints get a source. " + skeleton_files() + ", .obj with its .rig.txt, or template:NAME")
+  sub->add_option("target", s->target,
+                  "Skeleton to map. " + skeleton_files() + ", .obj with its .rig.txt, or template:NAME")
       ->required()
       ->type_name("TARGET");
-  sub->add_option("--from", s->source, "Skeleton where the sources are, the same kinds of files")->type_name("SOURCE");
-  sub->add_option("--to", s->preset, "In place of --from: the names of a standard rig. See sinew rig --list-templates")
+  sub->add_option("--from", s->source, "Skeleton with the sources, in the same kinds of files")->type_name("SOURCE");
+  sub->add_option("--to", s->preset, "Names of a standard rig, instead of --from. See sinew rig --list-templates")
       ->type_name("NAME");
   shared_option(sub, "-o,--output", s->output,
-                "Lines TARGET_JOINT SOURCE_JOINT, - for none: .txt, .map, or .json with confidence and reasons; - is "
-                "standard output")
+                "Output: lines TARGET_JOINT SOURCE_JOINT, - for none: .txt, .map, or .json with confidence and "
+                "reasons; - is standard output")
       ->capture_default_str();
-  shared_option(sub, "--map", s->pins_file, "It is kept, such as an edited one; joints without a line are found anew");
-  sub->add_option("--set", s->pins, "Keep this pair, and let the rest follow; - for no source. Any number of times")
+  shared_option(sub, "--map", s->pins_file,
+                "Keeps the lines of this map, such as an edited one; other joints are matched");
+  sub->add_option("--set", s->pins, "Keep this pair and match the rest; - for no source; repeatable")
       ->type_name("JOINT=SOURCE_JOINT")
       ->allow_extra_args(false);
   shared_word_option(sub, "--method", s->method, kMapMethod,
-                     "sinew: by anatomy; branches: the published method, for comparison; auto: sinew, and branches for "
+                     "sinew: by anatomy; branches: the published method, for comparison; auto: sinew, or branches for "
                      "nearly equal rigs without a body");
-  sub->add_option(
-         "--at-level", s->level,
-         "Map what both skeletons keep at a level of sinew simplify. low: made at the high level, then reduced")
+  sub->add_option("--at-level", s->level,
+                  "Map the joints that both skeletons keep at a level of sinew simplify. low is made from high")
       ->type_name("high|low")
       ->check(CLI::IsMember({"high", "low"}));
   shared_flag(sub, "--as-drawn", s->as_drawn, "As published: --method branches --cost sum --no-names");
   word_option(sub, "--cost", s->cost, kBranchesCost,
-              "--method branches: two branches cost the mean or the sum of their joints' costs");
+              "For --method branches: cost of two branches as the mean or the sum of their joints' costs")
+      ->type_name("COST");
   word_option(sub, "--first", s->first, kBranchesFirst,
-              "--method branches: whose branches choose one of the other skeleton's each; both: the cheaper way");
-  sub->add_flag("--no-names", s->no_names, "Do not read the joints' names");
-  sub->add_option(
-         "--ends", s->ends_file,
-         "Joints that only end bones, for files without weights. A file of lines JOINT, or RIG and JOINT with a "
-         "tab; none: do not read from the skin weights which they are")
+              "For --method branches: skeleton whose branches choose one of the other's. both: the cheaper direction")
+      ->type_name("RIG");
+  sub->add_flag("--no-names", s->no_names, "Ignore the joints' names");
+  sub->add_option("--ends", s->ends_file,
+                  "List joints that only end bones, for files without weights. Lines JOINT, or RIG and JOINT with a "
+                  "tab; none: do not derive them from the skin weights")
       ->type_name("FILE|none");
-  shared_option(sub, "--up", s->up, "auto: along the legs of a body with two, else y")
+  shared_option(sub, "--up", s->up, "auto: along the legs of a body with two legs, else y")
       ->check(CLI::IsMember({"x", "y", "z", "auto"}))
       ->capture_default_str();
-  shared_option(sub, "--from-up", s->source_up, "The source; -y: y points down. As --up unless given")
+  shared_option(sub, "--from-up", s->source_up, "Of the source; -y: y points down. By default as --up")
       ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z", "auto"}));
-  shared_option(sub, "--png", s->png, "Both skeletons, what stands for each other in one colour");
-  shared_option(sub, "--layout", s->layout, motion_layouts() + ". Guessed by their count unless given");
-  shared_option(sub, "--actor", s->actor, "The first unless given, where all are alike");
+  shared_option(sub, "--png", s->png, "Both skeletons, with matching joints in one color");
+  shared_option(sub, "--layout", s->layout, motion_layouts() + ". By default chosen by the number of keypoints");
+  shared_option(sub, "--actor", s->actor, "Required if the actors differ; otherwise the first one");
   shared_flag(sub, "--json", s->json, "With confidence and reasons");
 }
 
 }  // namespace
 
 void add_map(CLI::App& app) {
-  CLI::App* sub = app.add_subcommand("map", "Find out which joint of a skeleton stands for which of another");
+  CLI::App* sub = app.add_subcommand("map", "Match the joints of a skeleton to those of another");
   auto s = std::make_shared<MapCommandSettings>();
   add_map_inputs(sub, s.get());
   sub->footer(
-      "Examples:\n  sinew map hero.glb --from walk.glb -o hero.map\n"
-      "  sinew map hero.glb --from walk.glb --map hero.map --set LeftHand=hand_l -o hero.map\n"
-      "  sinew map hero.glb --to mixamo --png map.png\n\n"
-      "Confidence is 1 for what is sure. A rig that does not show its front may get its sides exchanged:\n"
-      "one --set turns all of it.");
+      "Examples:\n  sinew map hero.glb --from walk.glb -o hero.map\n  sinew map hero.glb --from walk.glb --map "
+      "hero.map --set LeftHand=hand_l -o hero.map\n  sinew map hero.glb --to mixamo --png map.png\n\nConfidence 1 is "
+      "certain. The sides of a rig whose front is uncertain may be exchanged: one --set of a side\ncorrects them all.");
   sub->callback([s] { run_map(*s); });
 }
 

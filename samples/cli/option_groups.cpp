@@ -21,17 +21,17 @@ namespace sinew::cli {
 void add_style_options(CLI::App* sub, StyleOptions* style) {
   section(sub, "Style");
   word_option(sub, "--rigid-parts", style->rigid_parts, kRigidParts,
-              "Whether connected parts move with one joint each. always: toys, robots, armour; never: no part does "
-              "unless the heat field says so; auto: the model decides")
+              "When connected parts move with one joint each. always: toys, robots, armor; never: only where the heat "
+              "field does so; auto: the model decides")
       ->type_name("WHEN");
   sub->add_option("--softness", style->softness,
-                  "How softly weights blend between joints: 2 twice as softly, 0.5 harder")
+                  "Softness of the blend between joints: 2 twice as soft, 0.5 half as soft")
       ->type_name("X")
       ->check(CLI::Range(0.25, 4.0))
       ->capture_default_str();
   sub->add_option("--surface-vertices", style->surface_vertices,
-                  "A mesh of more vertices is bound on a surface reduced to so many. Its weights are interpolated: "
-                  "faster, in less memory")
+                  "Bind larger meshes on a surface reduced to N vertices. Weights are then interpolated, which takes "
+                  "less time and memory")
       ->check(CLI::Range(16, static_cast<int>(SINEW_MAX_VERTICES)))
       ->capture_default_str()
       ->type_name("N");
@@ -39,7 +39,7 @@ void add_style_options(CLI::App* sub, StyleOptions* style) {
 
 void apply_style(const StyleOptions& style, BindOptions* options) {
   if (options->method != SINEW_METHOD_MODEL && style.softness != 1)
-    throw UsageError("--softness is for the model's weights: leave it out with --method heat or distance");
+    throw UsageError("--softness needs the model's weights: leave it out with --method heat or distance");
   options->rigid_parts = style.rigid_parts;
   options->surface_vertices = style.surface_vertices;
   options->softness_percent = static_cast<uint32_t>(std::lround(style.softness * 100));
@@ -69,7 +69,7 @@ std::optional<sinew_deform_options> deform_options(const DeformSettings& setting
     throw UsageError("--no-smoothing, --stiffness, --tet-weights and --as-drawn need --deform xpbd");
   options.as_drawn = settings.as_drawn ? 1 : 0;
   if (options.as_drawn != 0 && (settings.body_contact || settings.tet_weights != SINEW_TET_WEIGHTS_SKIN))
-    throw UsageError("--as-drawn has contact and weights of its own: leave --body-contact and --tet-weights out");
+    throw UsageError("--as-drawn has its own contact and weights: leave out --body-contact and --tet-weights");
   if (settings.no_smoothing) options.without = SINEW_WITHOUT_SMOOTHING;
   options.energy = static_cast<uint32_t>(std::lround(1000 * settings.stiffness));
   options.tet_weights = settings.tet_weights;
@@ -83,8 +83,8 @@ void add_deform_options(CLI::App* sub, const std::vector<std::string>& methods, 
                         DeformSettings* settings) {
   shared_option(sub, "--deform", settings->method,
                 what +
-                    "volume: bends keep their volume and do not pass through themselves; xpbd: the published "
-                    "correction by position-based dynamics; delta-mush: smoothed, with the details of the rest shape")
+                    "volume: bends keep their volume without self-intersection; xpbd: the published position-based "
+                    "dynamics; delta-mush: smoothing that keeps the details of the rest shape")
       ->check(CLI::IsMember(methods));
 }
 
@@ -95,7 +95,7 @@ void add_solver_options(CLI::App* sub, DeformSettings* settings) {
       ->check(CLI::Range(1u, SINEW_MAX_DEFORM_ROUNDS))
       ->default_str("20, xpbd 60, delta-mush 5");
   shared_flag(sub, "--body-contact", settings->body_contact,
-              "An arm keeps out of the torso, a thigh out of the belly and the other thigh");
+              "Arms keep out of the torso, thighs out of the belly and of each other");
   shared_option(sub, "--stiffness", settings->stiffness)
       ->check(CLI::Range(0.001, SINEW_MAX_DEFORM_ENERGY / 1000.0))
       ->default_str("0.2");
@@ -104,32 +104,33 @@ void add_solver_options(CLI::App* sub, DeformSettings* settings) {
 }
 
 void add_drawn_correction(CLI::App* sub, DeformSettings* settings, const std::string& more) {
-  shared_flag(
-      sub, "--as-drawn", settings->as_drawn,
-      "With --deform xpbd: a Laplacian smooths bends and none is inflated to its volume, tetrahedra have weights by "
-      "distance, all contact is the solver's" +
-          more);
+  shared_flag(sub, "--as-drawn", settings->as_drawn,
+              "For --deform xpbd: bends are smoothed by a Laplacian and not inflated, tetrahedra get weights by "
+              "distance, all contact is left to the solver" +
+                  more);
 }
 
 void add_picture_options(CLI::App* sub, PictureOptions* options) {
   section(sub, "Pictures");
-  sub->add_option("--mask", options->mask, "A picture that is bright where the figure is. Found unless given")
+  sub->add_option("--mask", options->mask, "Mask of the figure, bright inside. By default found in the picture")
       ->type_name("FILE");
-  sub->add_option("--mask-out", options->mask_out, "The figure that was found, white on black")->type_name("FILE.png");
-  sub->add_option("--figure", options->figure, "Of several figures, from left to right. The largest unless given")
+  sub->add_option("--mask-out", options->mask_out, "Write the mask that was found, white on black")
+      ->type_name("FILE.png");
+  sub->add_option("--figure", options->figure, "Number of the figure, from left to right. By default the largest")
       ->check(CLI::Range(1u, 99u))
       ->type_name("N");
   sub->add_option("--units", options->units,
-                  "figure: its longest side is 1; pixels: places are the picture's, x right, y up from the bottom edge")
+                  "figure: longest side 1; pixels: picture coordinates, x right, y up from the bottom edge")
+      ->type_name("UNITS")
       ->check(CLI::IsMember({"figure", "pixels"}))
       ->capture_default_str();
-  sub->add_flag("--flat", options->flat, "A card instead of a body as thick as it is wide");
+  sub->add_flag("--flat", options->flat, "Make a flat card instead of a body as thick as it is wide");
   sub->add_flag("--whole", options->whole,
-                "Leave arms that are drawn against the body in one piece with it. They are cut free unless given");
+                "Do not cut free arms that are drawn against the body. They are cut by default");
 }
 
 void add_picture_class(CLI::App* sub, PictureOptions* options) {
-  sub->add_option("--class", options->body, std::string(kClassMeaning) + ". Found unless given")
+  sub->add_option("--class", options->body, std::string(kClassMeaning) + ". By default found")
       ->type_name("KIND")
       ->check(CLI::IsMember(body_class_words()));
 }
@@ -140,12 +141,12 @@ void check_picture_options(const CLI::App& sub, const std::string& path) {
   if (std::filesystem::is_directory(path, ignored)) {
     for (const char* option : {"--mask", "--mask-out", "--figure"})
       if (sub.get_option(option)->count() > 0)
-        throw UsageError(std::string(option) + " is for one picture, and " + path + " is a folder");
+        throw UsageError(std::string(option) + " takes one picture, but " + path + " is a folder");
     return;
   }
   for (const char* option : {"--mask", "--mask-out", "--figure", "--units", "--flat", "--whole"})
     if (sub.get_option(option)->count() > 0)
-      throw UsageError(std::string(option) + " is for pictures (" + picture_files() + "), and " + path + " is none");
+      throw UsageError(std::string(option) + " is for pictures (" + picture_files() + "), but " + path + " is not one");
 }
 
 PictureJobOptions picture_job(const PictureOptions& options) {
@@ -188,18 +189,18 @@ constexpr uint32_t kSpriteSide = 256;  // pixels
 
 void add_sprite_options(CLI::App* sub, SpriteSettings* settings) {
   sub->add_option("--sprites", settings->count,
-                  "A sheet of so many frames a clip for 2D engines, NAME.sprites.png with NAME.sprites.json beside the "
-                  "output (a JSON hash as of TexturePacker and Aseprite)")
+                  "Number of frames per clip in a sprite sheet for 2D engines. Written beside the output: "
+                  "NAME.sprites.png with NAME.sprites.json (a JSON hash as of TexturePacker and Aseprite)")
       ->check(CLI::Range(1u, 512u))
       ->type_name("N");
-  sub->add_option("--loop", settings->loop, "The clips as an animated PNG that plays for ever")->type_name("FILE.png");
+  sub->add_option("--loop", settings->loop, "Write the clips as an endless animated PNG")->type_name("FILE.png");
 }
 
 void check_sprite_options(const SpriteSettings& settings, const std::string& path) {
   if (!settings.loop.empty()) check_output(settings.loop, {".png", ".apng"});
   if (is_picture(path)) return;
   refuse_given({{"--sprites", settings.count > 0}, {"--loop", !settings.loop.empty()}},
-               " is for pictures, and " + path + " is none");
+               " is for pictures, but " + path + " is not one");
 }
 
 std::vector<NamedBytes> sprite_files(const SpriteSettings& settings, const std::string& output,
@@ -228,27 +229,28 @@ void add_profile_options(CLI::App* sub, ProfileSettings* settings) {
     about += (about.empty() ? "" : "; ") + std::string(one.about);
   }
   section(sub, "For another program");
-  sub->add_option("--for", settings->profile, "Write what a program or format wants. " + about)->type_name(names);
+  sub->add_option("--for", settings->profile, "Write for a program or format. " + about)->type_name(names);
   sub->add_flag("--keep-axes", settings->options.keep_axes,
-                "With --for: axes, names and roots of the skeleton stay as they are, as they do without --for");
+                "With --for: keep axes, names and roots of the skeleton, as without --for");
   sub->add_option("--author", settings->options.authors,
-                  "With --for vrm, vrm0: who made it; may be repeated. [the file's own, else unknown, with a warning]")
+                  "With --for vrm, vrm0: author; repeatable. [the file's own, else unknown, with a warning]")
       ->type_name("NAME")
       ->allow_extra_args(false);
-  sub->add_option("--licence,--license", settings->options.licence,
-                  "With --for vrm, vrm0: what others may do. In the format's words, "
-                  "creditNotation=required,commercialUsage=corporation, or a web address; "
-                  "what is not said is not allowed")
+  sub->add_option("--license,--licence", settings->options.license,
+                  "With --for vrm, vrm0: permissions in the format's terms, "
+                  "creditNotation=required,commercialUsage=corporation, or a web address. Permissions that are not "
+                  "given are denied")
       ->type_name("KEY=VALUE,...");
   sub->add_option("--title", settings->options.title,
-                  "With --for vrm, vrm0: the character's name. The file's unless given")
+                  "With --for vrm, vrm0: name of the character. By default the file's")
       ->type_name("NAME");
 }
 
 void add_controls_option(CLI::App* sub, ProfileSettings* settings) {
-  sub->add_option("--controls", settings->controls,
-                  "Also write which joints controls of an animator move: legs, arms, feet, spine, head, fingers "
-                  "(formats/spec/controls.md). The Blender add-on makes them; a glTF has it in its extras as well")
+  sub->add_option(
+         "--controls", settings->controls,
+         "Also write the joints of animator controls: legs, arms, feet, spine, head, fingers "
+         "(formats/spec/controls.md). The Blender add-on builds the controls; a glTF stores them in its extras too")
       ->type_name("FILE.controls.json");
 }
 
@@ -256,8 +258,8 @@ void settle_profile(const ProfileSettings& settings, std::string* to_pose) {
   const ProfileOptions& said = settings.options;
   if (!settings.controls.empty()) check_output(settings.controls, {".json"});
   if (settings.profile.empty()) {
-    if (!said.authors.empty() || !said.licence.empty() || !said.title.empty() || said.keep_axes)
-      throw UsageError("--author, --licence, --title and --keep-axes go with --for");
+    if (!said.authors.empty() || !said.license.empty() || !said.title.empty() || said.keep_axes)
+      throw UsageError("--author, --license, --title and --keep-axes need --for");
   } else {
     try {
       const Profile& profile = profile_named(settings.profile);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Groups of options that several commands share: the style of weights, corrections of poses, pictures in place of meshes,
+// Groups of options that several commands share: the style of weights, corrections of poses, pictures instead of meshes,
 // sprites of animated pictures, what another program wants of a file.
 #ifndef SINEW_CLI_OPTION_GROUPS_HPP
 #define SINEW_CLI_OPTION_GROUPS_HPP
@@ -54,7 +54,7 @@ void add_solver_options(CLI::App* sub, DeformSettings* settings);
 void add_drawn_correction(CLI::App* sub, DeformSettings* settings, const std::string& more = "");
 
 constexpr const char* kClassMeaning =
-    "What kind of body it is, where it is taken for another: which limbs are arms, legs, wings";
+    "Body class, where the prediction is wrong. It decides which limbs are arms, legs, wings";
 
 struct PictureOptions {
   std::string mask, mask_out, units = "figure", body;
@@ -63,7 +63,7 @@ struct PictureOptions {
 };
 // Of --cut, which a command may have for meshes as well.
 constexpr const char* kPictureCut =
-    "Of pictures along lines that are drawn into the figure from its outline, as a guess: a leg before a leg";
+    "Cut pictures along lines drawn into the figure from its outline, such as one leg in front of the other";
 // Without --class, which a command may have for meshes as well.
 void add_picture_options(CLI::App* sub, PictureOptions* options);
 void add_picture_class(CLI::App* sub, PictureOptions* options);

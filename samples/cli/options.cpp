@@ -24,53 +24,54 @@ std::string skin_output_text(const std::string& more) {
 namespace {
 
 constexpr OptionWord kWords[] = {
-    {"--actor", "NAME|N", "Of a file of several people: the root's name or number"},
-    {"--animation", "NAME", "One of the file's own animations, by name or number"},
-    {"--as-drawn", "", "The method as published, without what is ours"},
+    {"--actor", "NAME|N", "Actor of a file with several people: name of the root, or number"},
+    {"--animation", "NAME", "Animation of the file, by name or number"},
+    {"--as-drawn", "", "Use the method as published, without sinew's changes"},
     {"--body-contact", "", "Keep arms and thighs out of the body, for volume and xpbd"},
     {"--cache", "DIR", "Folder for computed features"},
-    {"--calibrate", "DIR", "Characters that the ranges of integers are measured on"},
-    {"--cells", "N", "Cells of the lattice along the longest side, for volume and xpbd"},
+    {"--calibrate", "DIR", "Characters that the integer ranges are measured on"},
+    {"--cells", "N", "Number of lattice cells along the longest side, for volume and xpbd"},
     {"--checkpoint", "FILE", "Float checkpoint of sinew-lab train"},
-    {"--config", "FILE", "Settings that differ from the defaults, as JSON"},
-    {"--cut", "", "Open what has grown together as a slit: vertices along it are doubled"},
-    {"--deform", "METHOD", "How vertices follow their joints"},
-    {"--detail", "DETAIL", "How much of the body has joints"},
-    {"--format", "FORMAT", "What to write where several files come out"},
-    {"--from-up", "AXIS", "Axis that points up in the other file"},
+    {"--config", "FILE", "Configuration that differs from the defaults, as JSON"},
+    {"--cut", "", "Cut fused parts open as a slit; the vertices along it are doubled"},
+    {"--deform", "METHOD", "Deformation of vertices by their joints"},
+    {"--detail", "DETAIL", "Extent of the skeleton"},
+    {"--format", "FORMAT", "Format of the output files"},
+    {"--from-up", "AXIS", "Up axis of the other file"},
     {"--groups", "FILE", "Families that stay together, as JSON"},
-    {"--influences", "N", "Most joints per vertex"},
-    {"--jobs", "N", "Files at the same time; the same bytes for any N"},
-    {"--joints", "JOINTS", "Which joints may get weight: own, names, all"},
-    {"--json", "", "Print what was done as JSON"},
-    {"--label", "TEXT", "Name in tables"},
-    {"--layout", "NAME", "Which joints places alone are, of .npy and .npz"},
-    {"--limit", "DEGREES", "Largest angle by which a random pose rotates a joint"},
-    {"--lock", "FILE|all", "Vertices that keep the weights they have: all, or one 0-based index per line"},
-    {"--map", "FILE", "Which joint is which: lines TARGET_JOINT SOURCE_JOINT, - for none"},
-    {"--method", "METHOD", "Which method does it"},
-    {"--minutes", "N", "Stop after so many minutes"},
-    {"--model", "FILE", "Model file, or bundled = the one in the program"},
-    {"--no-smoothing", "", "Leave bends as they are solved, for xpbd"},
-    {"--output", "OUT", "What to write"},
+    {"--influences", "N", "Maximum number of joints per vertex"},
+    {"--jobs", "N", "Number of files in parallel; the result is the same for any N"},
+    {"--joints", "JOINTS", "Joints that may get weight: own, names, all"},
+    {"--json", "", "Print the result as JSON"},
+    {"--label", "TEXT", "Label in tables"},
+    {"--layout", "NAME", "Keypoint layout of a .npy or .npz file"},
+    {"--limit", "DEGREES", "Maximum rotation of a joint in a random pose"},
+    {"--lock", "FILE|all", "Vertices that keep their weights: all, or one 0-based index per line"},
+    {"--map", "FILE", "Joint map: lines TARGET_JOINT SOURCE_JOINT, - for none"},
+    {"--method", "METHOD", "Method"},
+    {"--minutes", "N", "Stop after this many minutes"},
+    {"--model", "FILE", "Model file, or bundled = the built-in model"},
+    {"--no-smoothing", "", "Leave bends as the solver returns them, for xpbd"},
+    {"--output", "OUT", "Output file"},
     {"--png", "FILE", "Also draw a picture"},
-    {"--png-confidence", "FILE", "Also draw where to look: dark blue = sure, red = least sure"},
-    {"--questions", "N", "How many parts to ask about, those whose answers are worth most"},
-    {"--quiet", "", "No progress and no last words"},
-    {"--release", "CKPT", "Also write the float weights alone, without the state of the run"},
+    {"--png-confidence", "FILE", "Also draw the confidence: dark blue = high, red = low"},
+    {"--questions", "N", "Number of parts to ask about, most useful first"},
+    {"--quiet", "", "Print nothing but errors"},
+    {"--release", "CKPT", "Also write the float weights alone, without the training state"},
     {"--report", "PAGE.html", "Also write a page with tables and pictures"},
-    {"--resume", "", "Go on with a stopped run, with the same result"},
-    {"--rounds", "N", "Rounds of the solver or, for delta-mush, of smoothing"},
-    {"--seed", "N", "Seed of what is drawn at random; the same seed gives the same everywhere"},
-    {"--shapes", "N", "Most morph targets, a bend or a clip"},
-    {"--skeleton", "FILE", "Skeleton of another file"},
-    {"--steps", "N", "Steps of training"},
-    {"--stiffness", "K", "Of the springs in the lattice's tetrahedra, for xpbd"},
-    {"--tet-weights", "SOURCE", "Where the lattice's tetrahedra have their weights from, for xpbd: skin, distance"},
-    {"--threads", "N", "Threads at work"},
+    {"--resume", "", "Continue a stopped run, with the same result"},
+    {"--rounds", "N", "Number of iterations of the solver or, for delta-mush, of smoothing"},
+    {"--seed", "N", "Random seed; a seed gives the same result on every machine"},
+    {"--shapes", "N", "Maximum number of morph targets"},
+    {"--skeleton", "FILE", "Skeleton from another file"},
+    {"--steps", "N", "Number of training steps"},
+    {"--stiffness", "K", "Stiffness of the springs in the lattice's tetrahedra, for xpbd"},
+    {"--tet-weights", "SOURCE", "Weights of the lattice's tetrahedra, for xpbd: skin, distance"},
+    {"--threads", "N", "Number of threads"},
     {"--to-pose", "POSE",
-     "Put into a rest pose: t, a, or a file whose skeleton stands so; none: as it stands, also where --for has a pose"},
-    {"--up", "AXIS", "Axis that points up"},
+     "Rest pose to put the result into: t, a, or a file with a skeleton in that pose; none: as it is, even if --for "
+     "has a pose"},
+    {"--up", "AXIS", "Up axis"},
     {"--val", "DIR", "Characters for validation"},
 };
 
@@ -103,16 +104,16 @@ CLI::Option* add_jobs(CLI::App* sub, unsigned& jobs, const std::string& more) {
 }
 
 void add_transform_options(CLI::App* sub, CharacterTransform* transform) {
-  section(sub, "Where the mesh is, before anything else");
+  section(sub, "Transform of the mesh, before everything else");
   sub->add_option("--turn", transform->turns,
-                  "A quarter turn about an axis, x brings y to z; may be repeated, one after the other")
+                  "Rotate by 90 degrees about an axis, x rotates y to z; repeatable, in order")
       ->type_name("AXIS")
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
-  sub->add_option("--height", transform->height, "Scaled to be so tall, along y, with --up z along z")
-      ->type_name("METRES")
+  sub->add_option("--height", transform->height, "Scale to this height, along y, or along z with --up z")
+      ->type_name("METERS")
       ->check(CLI::PositiveNumber);
-  sub->add_flag("--floor", transform->floor, "The lowest vertex at 0");
+  sub->add_flag("--floor", transform->floor, "Move the lowest vertex to height 0");
 }
 
 }  // namespace sinew::cli

@@ -80,7 +80,7 @@ void section(CLI::App* sub, const std::string& heading);
 CLI::Option* add_influences(CLI::App* sub, unsigned& count);
 CLI::Option* add_jobs(CLI::App* sub, unsigned& jobs, const std::string& more = "");
 
-// Where a mesh is turned and put, under a heading of its own.
+// Where a mesh is rotated and put, under a heading of its own.
 void add_transform_options(CLI::App* sub, CharacterTransform* transform);
 
 }  // namespace sinew::cli

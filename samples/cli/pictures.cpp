@@ -17,11 +17,11 @@
 namespace sinew::cli {
 namespace {
 
-using Colour = std::array<uint8_t, 3>;
+using Color = std::array<uint8_t, 3>;
 
 constexpr int kPictureWidth = 700, kPictureHeight = 900, kRim = 40;
 constexpr float kYaw = 0.45f, kPitch = 0.17f;  // radians
-constexpr Colour kPaper = {255, 255, 255}, kAlone = {190, 190, 190};
+constexpr Color kPaper = {255, 255, 255}, kAlone = {190, 190, 190};
 
 struct Spot {
   float x, y;
@@ -35,27 +35,27 @@ class Panel {
     image_.rgb.assign(size_t{3} * kPictureWidth * kPictureHeight, kPaper[0]);
   }
 
-  void disc(Spot at, float radius, Colour colour) {
+  void disc(Spot at, float radius, Color color) {
     for (int y = static_cast<int>(at.y - radius); y <= static_cast<int>(at.y + radius) + 1; ++y) {
       for (int x = static_cast<int>(at.x - radius); x <= static_cast<int>(at.x + radius) + 1; ++x) {
         const float dx = static_cast<float>(x) - at.x, dy = static_cast<float>(y) - at.y;
-        if (dx * dx + dy * dy <= radius * radius) put(x, y, colour);
+        if (dx * dx + dy * dy <= radius * radius) put(x, y, color);
       }
     }
   }
-  void line(Spot from, Spot to, float radius, Colour colour) {
+  void line(Spot from, Spot to, float radius, Color color) {
     const int steps = 1 + static_cast<int>(std::max(std::fabs(to.x - from.x), std::fabs(to.y - from.y)));
     for (int i = 0; i <= steps; ++i) {
       const float t = static_cast<float>(i) / static_cast<float>(steps);
-      disc({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)}, radius, colour);
+      disc({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)}, radius, color);
     }
   }
   Image take() { return std::move(image_); }
 
  private:
-  void put(int x, int y, Colour colour) {
+  void put(int x, int y, Color color) {
     if (x < 0 || y < 0 || x >= kPictureWidth || y >= kPictureHeight) return;
-    std::copy(colour.begin(), colour.end(), image_.rgb.begin() + 3 * (static_cast<long>(y) * kPictureWidth + x));
+    std::copy(color.begin(), color.end(), image_.rgb.begin() + 3 * (static_cast<long>(y) * kPictureWidth + x));
   }
   Image image_;
 };
@@ -84,19 +84,19 @@ std::vector<Spot> project(const MapRig& rig, MaybeAxis up) {
   return spots;
 }
 
-Image draw(const MapRig& rig, MaybeAxis up, const std::vector<Colour>& colours) {
+Image draw(const MapRig& rig, MaybeAxis up, const std::vector<Color>& colors) {
   Panel panel;
   const std::vector<Spot> spots = project(rig, up);
   for (const bool alone : {true, false}) {  // what is mapped lies on top
     for (size_t j = 0; j < spots.size(); ++j) {
-      if ((colours[j] == kAlone) != alone) continue;
+      if ((colors[j] == kAlone) != alone) continue;
       const int parent = rig.joints[j].parent;
-      if (parent >= 0) panel.line(spots[static_cast<size_t>(parent)], spots[j], 1.6f, colours[j]);
+      if (parent >= 0) panel.line(spots[static_cast<size_t>(parent)], spots[j], 1.6f, colors[j]);
     }
   }
   for (const bool alone : {true, false}) {
     for (size_t j = 0; j < spots.size(); ++j)
-      if ((colours[j] == kAlone) == alone) panel.disc(spots[j], alone ? 3.0f : 5.0f, colours[j]);
+      if ((colors[j] == kAlone) == alone) panel.disc(spots[j], alone ? 3.0f : 5.0f, colors[j]);
   }
   return panel.take();
 }
@@ -105,10 +105,10 @@ Image draw(const MapRig& rig, MaybeAxis up, const std::vector<Colour>& colours) 
 
 Image draw_map(const MapRig& target, MaybeAxis target_up, const MapRig& source, MaybeAxis source_up,
                const MappedSkeleton& map) {
-  std::vector<Colour> left(target.joints.size(), kAlone), right(source.joints.size(), kAlone);
+  std::vector<Color> left(target.joints.size(), kAlone), right(source.joints.size(), kAlone);
   for (size_t j = 0; j < left.size(); ++j) {
     if (map.sources[j] < 0) continue;
-    left[j] = joint_colour(j);
+    left[j] = joint_color(j);
     right[static_cast<size_t>(map.sources[j])] = left[j];
   }
   return beside({draw(target, target_up, left), draw(source, source_up, right)});
@@ -123,7 +123,7 @@ constexpr int kSide = 300;
 
 Image motion_sheet(const Character& character, const Motion& motion, Axis up, CharacterDeformer* deformer,
                    const PictureFile* picture) {
-  const auto colours = picture != nullptr ? picture_colours(*picture, character) : weight_colours(character);
+  const auto colors = picture != nullptr ? picture_colors(*picture, character) : weight_colors(character);
   RenderOptions view;
   view.width = view.height = kSide;
   view.draw_skeleton = false;
@@ -145,7 +145,7 @@ Image motion_sheet(const Character& character, const Motion& motion, Axis up, Ch
     std::vector<Image> row;
     for (size_t i = 0; i < columns; ++i) {
       view.focus = frame.middles[i];
-      row.push_back(render(poses[i], colours, view));
+      row.push_back(render(poses[i], colors, view));
     }
     Image line = beside(row);
     if (sheet.width < line.width) {  // the first row, or one with more frames than those above

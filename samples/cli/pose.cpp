@@ -68,8 +68,8 @@ Character deformed(const PoseCommandSettings& s, const Character& character, con
   PosedCharacter posed = pose_character(character, palette, options, s.deform.method == "dual-quaternion");
   if (!posed.corrected) {
     std::fprintf(stderr,
-                 "warning: %s: the matrices are not rotations with one common scale, so the pose is plain linear "
-                 "skinning\n",
+                 "warning: %s: skinning matrices with shear or unequal scales; the pose is linear skinning, without "
+                 "volume correction. Use rotations with one scale\n",
                  character.name.c_str());
   }
   return std::move(posed.character);
@@ -90,8 +90,7 @@ std::vector<Affine> turned_palette(const PoseCommandSettings& s, const Character
 // A moment of one of the file's own animations.
 std::vector<Affine> animated_palette(const PoseCommandSettings& s, const Character& character, std::string* what) {
   if (character.gltf == nullptr)
-    throw Error(s.character +
-                ": has no animations; expected a file that can: " + extensions_text(kReadsWhole | kReadsMotion));
+    throw Error(s.character + ": has no animations; expected one of " + extensions_text(kReadsWhole | kReadsMotion));
   return clip_palette(read_gltf_motion(s.character), s.character, s.animation, s.time, character.joints.size(), what);
 }
 
@@ -108,7 +107,7 @@ std::vector<Affine> chosen_palette(const PoseCommandSettings& s, const Character
   }
   size_t turned = 0;
   const std::vector<Affine> palette = turned_palette(s, character, &turned);
-  *what = std::to_string(turned) + " joints turned";
+  *what = std::to_string(turned) + " joints rotated";
   return palette;
 }
 
@@ -117,15 +116,15 @@ void run_pose(const PoseCommandSettings& s) {
           int{!s.to_pose.empty()} !=
       1)
     throw UsageError(
-        "give one of --random SEED, --animation NAME, --matrices FILE.pose, --to-pose POSE, and --joint NAME=rx,ry,rz "
-        "as often as needed");
+        "give one of --random SEED, --animation NAME, --matrices FILE.pose, --to-pose POSE, and any number of --joint "
+        "NAME=rx,ry,rz");
   (void)deform_options(s.deform);
   std::vector<std::string> outputs = extensions_of(kWritesMesh);
   outputs.emplace_back(".png");
   check_output(s.output, outputs);
   const Character character = read_character(s.character);
   if (character.joints.empty() || character.influences.empty()) {
-    throw Error(s.character + ": has no skin weights to pose; bind it first with sinew bind");
+    throw Error(s.character + ": has no skin weights; bind it first with sinew bind");
   }
   std::string what;
   const std::vector<Affine> palette = chosen_palette(s, character, &what);
@@ -133,7 +132,7 @@ void run_pose(const PoseCommandSettings& s) {
   if (has_extension(s.output, ".png")) {
     RenderOptions view;
     view.up = axis_of(s.up);
-    write_file(s.output, encode_png(render(posed, weight_colours(posed), view)));
+    write_file(s.output, encode_png(render(posed, weight_colors(posed), view)));
   } else {
     write_obj(s.output, posed);
   }
@@ -145,25 +144,25 @@ void run_pose(const PoseCommandSettings& s) {
 void add_pose(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("pose", "Pose a bound character");
   auto s = std::make_shared<PoseCommandSettings>();
-  sub->add_option("character", s->character, "Skinned file, or NAME.obj with NAME.rig.txt beside it. " + mesh_files())
+  sub->add_option("character", s->character, "Skinned file, or NAME.obj with NAME.rig.txt. " + mesh_files())
       ->required()
       ->type_name("CHARACTER");
   shared_option(sub, "-o,--output", s->output, extensions_text(kWritesMesh) + " or .png")->required();
   auto* seed = sub->add_option("--random", s->seed, "Rotate every joint but the roots at random")->type_name("SEED");
-  shared_option(sub, "--limit", s->limit, "About each axis, with --random")
+  shared_option(sub, "--limit", s->limit, "About each axis, for --random")
       ->check(CLI::Range(0.0, 180.0))
       ->capture_default_str()
       ->needs(seed);
-  sub->add_option("--joint", s->rotations, "Rotate one joint about x, then y, then z, in degrees; may be repeated")
+  sub->add_option("--joint", s->rotations, "Rotate a joint about x, then y, then z, in degrees; repeatable")
       ->type_name("NAME=rx,ry,rz")
       ->allow_extra_args(false);
   auto* animation = shared_option(sub, "--animation", s->animation);
-  sub->add_option("--time", s->time, "Second of the animation")
+  sub->add_option("--time", s->time, "Time in the animation, in seconds")
       ->check(CLI::NonNegativeNumber)
       ->needs(animation)
       ->type_name("T");
   sub->add_option("--matrices", s->matrices,
-                  "A pose of skinning matrices (rest to posed space), a line a joint. pose NAME m00 m01 ... m23")
+                  "Pose by skinning matrices (rest to posed space), one line per joint. pose NAME m00 m01 ... m23")
       ->type_name("FILE.pose");
   shared_option(sub, "--to-pose", s->to_pose);
   add_deform_options(sub, {"linear", "dual-quaternion", "volume", "xpbd", "delta-mush"},

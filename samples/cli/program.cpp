@@ -60,8 +60,8 @@ std::string complaint(const CLI::App& app, const std::vector<std::string>& words
   return unknown_command(app, words).value_or(plain_bound(error)) + see_help(app);
 }
 
-// The options of all commands are a millisecond of the program's start, so only the one that is asked for declares its own; all do for
-// the list of them, and to say that a word is none.
+// The options of all commands are a millisecond of the program's start, so only the requested command declares its
+// own; all do for the list of commands and for an unknown word.
 void add_commands(const std::vector<Command>& commands, const std::string& first_word, CLI::App& app) {
   const auto asked = [&](const Command& command) { return command.name == first_word; };
   const bool all = first_word != "--version" && std::none_of(commands.begin(), commands.end(), asked);

@@ -38,7 +38,7 @@ struct QuantizeCommandSettings {
   // What the integers are measured on beside float, and a remark where ranges are of the same characters.
   const std::string& measured_on() const { return compared.empty() ? folder : compared; }
   const char* remark() const {
-    return compared.empty() ? ", the calibrated ones among them (--held-out DIR: others)" : "";
+    return compared.empty() ? ", including the calibrated ones (--held-out DIR: others)" : "";
   }
   unsigned characters = 40;
   double correction = 0;  // 0 = the checkpoint's
@@ -48,7 +48,7 @@ struct QuantizeCommandSettings {
 
 // Returns what was done, a line.
 std::string add_confidence(const QuantizeCommandSettings& s, std::vector<uint8_t>* bytes) {
-  const std::unique_ptr<LoadedModel> plain = model_from_bytes(*bytes, "the quantised network");
+  const std::unique_ptr<LoadedModel> plain = model_from_bytes(*bytes, "the quantized network");
   const std::vector<JudgedConfidence> judged =
       judge_folder({s.confidence, &plain->model, 4, std::max(1u, std::thread::hardware_concurrency())});
   std::vector<ConfidenceEntry> entries;
@@ -104,7 +104,7 @@ void show_layers(const QuantizedModel& model) {
   }
 }
 
-// Writes the model, reads it again, and says how it differs from the float network.
+// Writes the model, reads it again, and prints its difference from the float network.
 //   parts       the networks in the file, whose layers are listed
 //   difference  of the model from the float network, in words
 //   next        the command that uses the model
@@ -134,7 +134,7 @@ void quantize_slots(const QuantizeCommandSettings& s, const FloatNetwork& networ
     const SlotDifference d = compare_slots(network, model, s.measured_on(), kCompared);
     return print(
         "joints move by %.5f of the longest side (at most %.5f), %.2f %% of the slots and %.2f %% of the connections "
-        "stay as they are; %zu characters compared%s",
+        "are unchanged; %zu characters compared%s",
         d.mean, d.most, 100 * d.same_presence, 100 * d.same_connections, d.characters, s.remark());
   };
   finish(s, network, with_second_network(joints.bytes, connections.bytes), {joints, connections}, ModelUse::kSlotJoints,
@@ -168,7 +168,7 @@ void quantize_votes(const QuantizeCommandSettings& s, const FloatNetwork& networ
 void quantize_rig(const QuantizeCommandSettings& s, const FloatNetwork& network) {
   if (!s.confidence.empty() || s.correction > 0)
     throw UsageError(s.checkpoint +
-                     " predicts skeletons: --calibrate-confidence and --correction are for skin weights");
+                     " predicts skeletons, but --calibrate-confidence and --correction are for skin weights");
   if (network.architecture == "slots") return quantize_slots(s, network);
   if (network.feature_set == sinew::rigging::kFrontFeatureSet) return quantize_front(s, network);
   quantize_votes(s, network);
@@ -184,7 +184,7 @@ void quantize_weights(const QuantizeCommandSettings& s, const FloatNetwork& netw
         s.compared.empty() ? std::vector<Sample>() : load_samples_of(s.compared, s.characters, network);
     const Loss loss = measure_loss(network, integers, s.compared.empty() ? samples : others);
     return print(
-        "%.2f %% of the vertices go to another joint (at most %.2f %%, %s), %.2f %% of the weights differ by more than "
+        "%.2f %% of the vertices change their joint (at most %.2f %%, %s), %.2f %% of the weights differ by more than "
         "1/255\ncalibrated on %zu characters, compared on %zu%s\n%s",
         100 * loss.all.flip_share(), 100 * loss.worst_flips, loss.worst.c_str(), 100 * (1 - loss.all.close_share()),
         samples.size(), loss.characters, s.remark(), confidence.c_str());
@@ -196,8 +196,9 @@ void quantize_weights(const QuantizeCommandSettings& s, const FloatNetwork& netw
 // A model stays as it is but for its table of confidences.
 void fit_model(const QuantizeCommandSettings& s) {
   if (s.confidence.empty() || !s.folder.empty() || !s.release.empty())
-    throw UsageError(s.checkpoint +
-                     " is a model already: all that can change is its table, with --calibrate-confidence DIR alone");
+    throw UsageError(
+        s.checkpoint +
+        " is a model already: only its confidence table can change, with --calibrate-confidence DIR alone");
   std::vector<uint8_t> bytes = read_file(s.checkpoint);
   (void)model_from_bytes(bytes, s.checkpoint);
   const std::string confidence = add_confidence(s, &bytes);
@@ -208,7 +209,8 @@ void fit_model(const QuantizeCommandSettings& s) {
 void run_quantize(const QuantizeCommandSettings& s) {
   check_output(s.output, {".sinew"});
   if (has_extension(s.checkpoint, ".sinew")) return fit_model(s);
-  if (s.folder.empty()) throw UsageError("--calibrate DIR is needed: the characters that the ranges are measured on");
+  if (s.folder.empty())
+    throw UsageError("--calibrate DIR is required: the characters that the integer ranges are measured on");
   Checkpoint checkpoint = read_checkpoint(s.checkpoint);
   if (checkpoint.network.task == kTaskRig) return quantize_rig(s, checkpoint.network);
   if (s.correction > 0) change_correction(s.correction, s.checkpoint, &checkpoint);
@@ -218,38 +220,36 @@ void run_quantize(const QuantizeCommandSettings& s) {
 }  // namespace
 
 void add_quantize(CLI::App& app) {
-  CLI::App* sub = app.add_subcommand("quantize", "Turn a checkpoint into an int16 model");
+  CLI::App* sub = app.add_subcommand("quantize", "Quantize a checkpoint to an int16 model");
   auto s = std::make_shared<QuantizeCommandSettings>();
   sub->add_option("checkpoint", s->checkpoint,
                   "Checkpoint of sinew-lab train. Or a model, with --calibrate-confidence alone")
       ->required()
       ->type_name("CKPT");
-  shared_option(sub, "-o,--output", s->output, "A model (.sinew)")->required();
+  shared_option(sub, "-o,--output", s->output, "Model (.sinew)")->required();
   shared_option(sub, "--calibrate", s->folder);
   sub->add_option(
          "--held-out", s->compared,
-         "Characters to measure the integers on beside float; those of --calibrate unless given, whose ranges are "
-         "known")
+         "Characters for comparing the integers with float. By default those of --calibrate, whose ranges are known")
       ->type_name("DIR");
-  sub->add_option(
-         "--calibrate-confidence", s->confidence,
-         "Characters outside the training data, of many families, for the table of confidence. The model "
-         "learns from them how often its strongest joint is right (sinew-lab eval confidence tells how well that "
-         "carries over)")
+  sub->add_option("--calibrate-confidence", s->confidence,
+                  "Characters for the confidence table, from many families outside the training data. The table maps "
+                  "the share of the strongest joint to how often it is right (sinew-lab eval confidence measures how "
+                  "well it generalizes)")
       ->type_name("DIR");
-  sub->add_option("--characters", s->characters, "Characters to calibrate on, spread over the folder; 0 = all")
+  sub->add_option("--characters", s->characters, "Number of calibration characters, spread over the folder; 0 = all")
       ->capture_default_str()
       ->type_name("N");
   sub->add_option("--correction", s->correction,
-                  "Share of what was learnt beside heat, instead of the one it was trained with. Less is better on "
-                  "families that training never saw, more on those it saw")
+                  "Share of the learned correction of heat, instead of the trained one. Less is better on families "
+                  "outside the training data, more on those inside")
       ->check(CLI::Range(0.01, 1.0))
       ->type_name("X");
-  sub->add_option("--margin", s->options.margin, "Ranges are the largest value seen times this")
+  sub->add_option("--margin", s->options.margin, "Ranges are the largest observed value times this")
       ->check(CLI::Range(1.0, 16.0))
       ->capture_default_str()
       ->type_name("X");
-  sub->add_option("--bits", s->options.weight_bits, "Bits a weight keeps; under 16 to study the error")
+  sub->add_option("--bits", s->options.weight_bits, "Bits per weight; below 16 for studying the error")
       ->check(CLI::IsMember({16, 12, 10, 8}))
       ->capture_default_str()
       ->type_name("N");

@@ -183,7 +183,7 @@ void tell(const RigCommandSettings& s, const RiggedInput& rigged, const std::str
   size_t joints = 0;
   for (const uint8_t end : skeleton.ends) joints += end == 0 ? 1 : 0;
   if (rigged.fitted)
-    std::fprintf(out, "%s: %s fitted, %zu of its %zu joints by what they are, the others with them\n",
+    std::fprintf(out, "%s: fitted %s, %zu of its %zu joints by anatomy, the others along with them\n",
                  printable(mesh).c_str(), printable(s.skeleton).c_str(), rigged.fitted->matched,
                  rigged.fitted->joints.size());
   std::fprintf(out, "%s: %zu joints and %zu bone ends, %s; %.0f ms%s\n", printable(mesh).c_str(), joints,
@@ -216,17 +216,17 @@ void write_rigged(const RigCommandSettings& s, const std::string& output, Rigged
   if (rigged.picture) view.yaw_degrees = view.pitch_degrees = 0;
   view.up = rigged.skeleton.up_axis;
   view.red_joints = doubtful_joints(rigged);
-  const auto colours = rigged.character.influences.empty()
-                           ? heat_colours(std::vector<float>(rigged.character.vertices.size(), 0.0f), 1.0f)
-                           : weight_colours(rigged.character);
-  write_file(s.png, encode_png(render(rigged.character, colours, view)));
+  const auto colors = rigged.character.influences.empty()
+                          ? heat_colors(std::vector<float>(rigged.character.vertices.size(), 0.0f), 1.0f)
+                          : weight_colors(rigged.character);
+  write_file(s.png, encode_png(render(rigged.character, colors, view)));
 }
 
 void run_rig_folder(const RigCommandSettings& s) {
-  if (s.output.empty()) throw UsageError(s.mesh + " is a folder: say with -o OUTDIR where its files go");
+  if (s.output.empty()) throw UsageError(s.mesh + " is a folder; give -o OUTDIR for its files");
   refuse_given(
       {{"--png", !s.png.empty()}, {"--prediction", !s.prediction.empty()}, {"--controls", !s.profile.controls.empty()}},
-      " is for one mesh, and " + s.mesh + " is a folder");
+      " takes one mesh, but " + s.mesh + " is a folder");
   check_skeleton_source(s.skeleton);
   const std::vector<FolderFile> files = folder_files(s.mesh, s.output, "." + s.format, true);
   const Models models = load_models(s);
@@ -251,61 +251,57 @@ void run_rig_folder(const RigCommandSettings& s) {
   if (!s.json) std::printf("wrote %zu files to %s\n", files.size(), printable(s.output).c_str());
   if (wanting > 0)
     throw GateError(std::to_string(wanting) + " of " + std::to_string(files.size()) +
-                    " meshes do not pass the gate, see above; their files are written");
+                    " meshes fail the gate, see above; their files are written");
 }
 
 void run_rig(RigCommandSettings s) {
   settle_profile(s.profile, &s.to_pose);
   if (s.mirror && s.no_mirror) throw UsageError("--mirror and --no-mirror: give one of the two");
-  if (s.keep_lengths && s.skeleton.empty())
-    throw UsageError("--keep-lengths is for a skeleton of your own: give --skeleton");
-  if (!s.to_pose.empty() && s.no_bind) throw UsageError("--to-pose moves the mesh by its weights: leave --no-bind out");
-  if (s.cut && s.no_bind && !is_picture(s.mesh)) throw UsageError("--cut finds seams by weights: leave --no-bind out");
+  if (s.keep_lengths && s.skeleton.empty()) throw UsageError("--keep-lengths needs your own skeleton; give --skeleton");
+  if (!s.to_pose.empty() && s.no_bind) throw UsageError("--to-pose moves the mesh by its weights: leave out --no-bind");
+  if (s.cut && s.no_bind && !is_picture(s.mesh)) throw UsageError("--cut finds seams by weights: leave out --no-bind");
   if (!s.hands_model.empty() && s.detail == SkeletonDetail::kBody)
-    throw UsageError("--hands-model is for fingers: give --detail hands or full");
+    throw UsageError("--hands-model needs --detail hands or full");
   const std::string& front = kFronts[s.front];
   if (s.front != SINEW_FRONT_AUTO && front[1] == s.up[0])
-    throw UsageError("--front " + front + " is up by --up " + s.up + ": give an axis across it");
+    throw UsageError("--front " + front + " is along --up " + s.up + ": give a horizontal axis");
   if (is_picture(s.mesh))
     refuse_given({{"--up", s.up != "auto"},
                   {"--front", s.front != SINEW_FRONT_AUTO},
                   {"--prediction", !s.prediction.empty()},
                   {"--turn, --height or --floor", !is_identity(s.transform)}},
-                 " is for meshes, and " + s.mesh + " is a picture");
+                 " are for meshes, but " + s.mesh + " is a picture");
   if (!s.prediction.empty() && !is_identity(s.transform))
-    throw UsageError("--prediction stands where the mesh does: leave --turn, --height and --floor out");
-  if (!s.prediction.empty() && !s.model.empty())
-    throw UsageError("--prediction and --model: a skeleton that is given is not predicted");
+    throw UsageError("--prediction uses the coordinates of the mesh: leave out --turn, --height and --floor");
+  if (!s.prediction.empty() && !s.model.empty()) throw UsageError("--prediction replaces the model: leave out --model");
   std::error_code ignored;
   if (std::filesystem::is_directory(s.mesh, ignored)) return run_rig_folder(s);
   if (s.output.empty()) s.output = stem_of(s.mesh) + ".rigged" + container_of(s.profile);
   check_output(s.output, kWritesSkin, true);
   if (!s.png.empty()) check_output(s.png, {".png"});
   if (s.output == "-" && s.json)
-    throw UsageError("-o - and --json both want standard output: give the skeleton a file name");
+    throw UsageError("-o - and --json both write to standard output; give the skeleton a file name");
   if (s.cut && !has_use(s.output, kWritesWithMesh) && !is_picture(s.mesh))
-    throw UsageError("--cut changes the mesh, and rig.txt has none: write a .glb");
+    throw UsageError("--cut changes the mesh, and rig.txt holds none; write a .glb");
   check_skeleton_source(s.skeleton);
   RiggedInput rigged = rig_one(s, load_models(s), s.mesh);
   write_rigged(s, s.output, &rigged);
   tell(s, rigged, s.mesh, s.output, s.output == "-" ? stderr : stdout);
-  if (!rigged.gate.empty())
-    throw GateError(s.mesh + ": does not pass the gate: " + rigged.gate.front() + "; what is written needs a look");
+  if (!rigged.gate.empty()) throw GateError(s.mesh + ": fails the gate: " + rigged.gate.front() + "; check the output");
 }
 
 // What most meshes need.
 void add_rig_inputs(CLI::App* sub, RigCommandSettings* s) {
   sub->add_option("mesh", s->mesh,
-                  "Mesh, a picture of a character (" + picture_files() +
-                      "), or a folder: every mesh in it and below it, or every picture where it has no mesh. " +
+                  "Mesh, picture of a character (" + picture_files() +
+                      "), or a folder: all meshes in it and its subfolders, or all pictures if there are no meshes. " +
                       mesh_files() + ", or - for an OBJ on standard input")
       ->required()
       ->type_name("MESH|PICTURE|DIR");
-  shared_option(sub, "-o,--output", s->output, skin_output_text("for a folder another folder"))
+  shared_option(sub, "-o,--output", s->output, skin_output_text("for a folder, a folder"))
       ->default_str("MESH.rigged.glb");
   shared_option(sub, "--skeleton", s->skeleton,
-                "It is put into the mesh, with its own names and hierarchy, where the predicted one is: " +
-                    skeleton_files() + " or template:NAME");
+                "Fitted into the mesh, with its own names and hierarchy: " + skeleton_files() + " or template:NAME");
   sub->add_flag_callback(
       "--list-templates",
       [] {
@@ -313,57 +309,57 @@ void add_rig_inputs(CLI::App* sub, RigCommandSettings* s) {
           std::printf("template:%-12s %s\n", one.name.c_str(), one.about.c_str());
         throw CLI::Success();
       },
-      "List the skeletons that --skeleton knows by name");
-  shared_word_option(
-      sub, "--detail", s->detail, kCharacterDetail,
-      "body: down to the hands; hands: with fingers, where the mesh shows some; full: with eyes that are loose "
-      "balls and a jaw, too");
+      "List the built-in skeletons for --skeleton");
+  shared_word_option(sub, "--detail", s->detail, kCharacterDetail,
+                     "body: down to the hands; hands: also fingers, where the mesh has them; full: also a jaw, and "
+                     "eyes that are separate spheres");
   add_method_options(sub, &s->method);
-  sub->add_flag("--no-bind", s->no_bind, "The skeleton alone, without weights");
+  sub->add_flag("--no-bind", s->no_bind, "Write the skeleton only, without weights");
   add_influences(sub, s->influences);
   shared_option(sub, "--up", s->up, "auto: y for glTF, else found")
       ->check(CLI::IsMember({"auto", "y", "z"}))
       ->capture_default_str();
-  word_option(sub, "--front", s->front, kFronts, "Where the mesh faces, in its own axes; auto: found, at any angle")
+  word_option(sub, "--front", s->front, kFronts, "Direction that the mesh faces. auto: found, at any angle")
       ->type_name("AXIS");
-  shared_option(sub, "--png", s->png, "The mesh with its joints, coloured by weight");
-  shared_flag(sub, "--json", s->json, "Joints with confidences; with a folder one line for every mesh");
-  sub->add_flag(
-      "--gate", s->gate,
-      "For pipelines: exit status 3 where the votes doubt, joints are unsure of their parents, vertices have no "
-      "weight, or the mesh tears in a test pose. Files are written all the same");
+  shared_option(sub, "--png", s->png, "The mesh with its joints, colored by weight");
+  shared_flag(sub, "--json", s->json, "Joints with confidences; for a folder, one line per mesh");
+  sub->add_flag("--gate", s->gate,
+                "Exit with status 3 if the result is doubtful, for pipelines: doubtful votes, joints with uncertain "
+                "parents, vertices without weight, or a mesh that tears in a test pose. Files are written anyway");
 }
 
 void add_shape_options(CLI::App* sub, RigCommandSettings* s) {
-  section(sub, "What the skeleton has");
-  sub->add_flag("--mirror", s->mirror, "Make both sides alike even where the mesh is not");
-  sub->add_flag("--no-mirror", s->no_mirror, "Find both sides apart even where the mesh is its own mirror image");
-  sub->add_option("--spine", s->spine, "Spine joints between the hips and the neck. As the model says unless given")
+  section(sub, "Skeleton");
+  sub->add_flag("--mirror", s->mirror, "Make both sides equal even if the mesh is not symmetric");
+  sub->add_flag("--no-mirror", s->no_mirror, "Predict the sides separately even if the mesh is symmetric");
+  sub->add_option("--spine", s->spine,
+                  "Number of spine joints between the hips and the neck. By default the model decides")
       ->check(CLI::Range(1, 16))
       ->type_name("N");
-  sub->add_flag("--no-toes", s->no_toes, "Feet without toe joints");
-  sub->add_flag("--no-ends", s->no_ends, "No NAME_end joints where chains end");
+  sub->add_flag("--no-toes", s->no_toes, "Leave out toe joints");
+  sub->add_flag("--no-ends", s->no_ends, "Leave out NAME_end joints at chain ends");
   shared_flag(sub, "--cut", s->cut, kPictureCut);
   shared_option(
       sub, "--to-pose", s->to_pose,
-      "The mesh follows, its bends keep their volume, and what is written is bound in that pose; what has grown "
-      "together is cut first");
+      "The mesh follows, its bends keep their volume, and the result is bound in that pose; fused parts are cut first");
   sub->add_flag("--keep-lengths", s->keep_lengths,
-                "With --skeleton: rotate its bones and scale them all alike, instead of each by itself");
+                "With --skeleton: rotate its bones and scale them all by one factor");
   sub->add_option("--prediction", s->prediction,
-                  "Take the skeleton of this file in place of the model's answer. Its names say what joints are")
+                  "Use the skeleton of this file instead of a prediction. Its names determine the anatomy")
       ->type_name("FILE");
 }
 
 void add_models(CLI::App* sub, RigCommandSettings* s) {
   section(sub, "Models and files");
-  shared_option(sub, "--model", s->model, "Of skeletons")->default_str("bundled");
+  shared_option(sub, "--model", s->model, "It predicts skeletons")->default_str("bundled");
   sub->add_option("--bind-model", s->bind_model, "Model of weights")->type_name("FILE")->default_str("bundled");
-  sub->add_option("--hands-model", s->hands_model, "With --detail hands or full: model of hands")
+  sub->add_option("--hands-model", s->hands_model, "Model of hands, for --detail hands or full")
       ->type_name("FILE")
       ->default_str("bundled");
-  sub->add_option("--front-model", s->front_model, "Model of fronts")->type_name("FILE")->default_str("bundled");
-  shared_option(sub, "--format", s->format, "With a folder")
+  sub->add_option("--front-model", s->front_model, "Model of the front direction")
+      ->type_name("FILE")
+      ->default_str("bundled");
+  shared_option(sub, "--format", s->format, "For a folder")
       ->check(CLI::IsMember(format_names(kWritesSkin)))
       ->capture_default_str();
 }
@@ -371,7 +367,7 @@ void add_models(CLI::App* sub, RigCommandSettings* s) {
 }  // namespace
 
 void add_rig(CLI::App& app) {
-  CLI::App* sub = app.add_subcommand("rig", "Make a skeleton for a bare mesh, and bind the mesh to it");
+  CLI::App* sub = app.add_subcommand("rig", "Make a skeleton for a bare mesh and bind the mesh to it");
   auto s = std::make_shared<RigCommandSettings>();
   add_rig_inputs(sub, s.get());
   add_picture_options(sub, &s->picture);
@@ -384,16 +380,12 @@ void add_rig(CLI::App& app) {
   add_profile_options(sub, &s->profile);
   add_controls_option(sub, &s->profile);
   sub->footer(
-      "Examples:\n  sinew rig hero.obj -o hero.glb --png hero.png\n"
-      "  sinew rig hero.obj --skeleton template:mixamo -o hero.glb\n"
-      "  sinew rig drawing.png -o drawing.glb\n"
-      "  sinew rig meshes -o rigged\n\n"
-      "  sinew rig hero.obj --no-bind -o hero.rig.txt && sinew bind hero.obj --skeleton hero.rig.txt\n"
-      "  sinew rig hero.obj --move LeftHand=0.7,1.4,0 --add Tail=Hips:0,0.9,-0.2 --remove Spine2\n"
-      "  sinew rig machine.obj --method shape -o machine.glb\n"
-      "  sinew rig hero.obj --detail hands --for vrm --author \"Ann Artist\" -o hero.vrm\n"
-      "Edits apply in their order, to both sides alike where the skeleton is symmetric (--no-mirror: to one),\n"
-      "before the mesh is bound.");
+      "Examples:\n  sinew rig hero.obj -o hero.glb --png hero.png\n  sinew rig hero.obj --skeleton template:mixamo -o "
+      "hero.glb\n  sinew rig drawing.png -o drawing.glb\n  sinew rig meshes -o rigged\n\n  sinew rig hero.obj "
+      "--no-bind -o hero.rig.txt && sinew bind hero.obj --skeleton hero.rig.txt\n  sinew rig hero.obj --move "
+      "LeftHand=0.7,1.4,0 --add Tail=Hips:0,0.9,-0.2 --remove Spine2\n  sinew rig machine.obj --method shape -o "
+      "machine.glb\n  sinew rig hero.obj --detail hands --for vrm --author \"Ann Artist\" -o hero.vrm\nEdits apply in "
+      "order, before binding, and to both sides if the skeleton is symmetric (--no-mirror: to one).");
   sub->callback([s, edits, sub] {
     check_method(*sub, s->method);
     check_picture_options(*sub, s->mesh);

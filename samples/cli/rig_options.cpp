@@ -16,25 +16,24 @@
 namespace sinew::cli {
 
 void add_method_options(CLI::App* sub, MethodOptions* options) {
-  shared_word_option(
-      sub, "--method", options->method, kCharacterRigMethod,
-      "votes: points of the surface vote for bones; shape: joints along the middle line of the mesh, without a "
-      "model; auto: votes, of a flat mesh those for its outline, or the solid parts of a mesh that is made of "
-      "them; for comparison, as published: slots, joints in fixed slots and a matrix of connections, and regions, "
-      "boxes around pieces of the surface, whose contacts are collapsed to a tree");
+  shared_word_option(sub, "--method", options->method, kCharacterRigMethod,
+                     "votes: surface points vote for bones; shape: joints along the medial axis of the mesh, without a "
+                     "model; auto: votes, or for a flat mesh its outline, or for a mesh of solid parts its parts. For "
+                     "comparison, as published: slots (joints in fixed slots and a matrix of connections) and regions "
+                     "(boxes around surface patches, whose contacts are collapsed to a tree)");
   word_option(sub, "--class", options->category, kCategory, kClassMeaning)->type_name("KIND");
 }
 
 void check_method(const CLI::App& sub, const MethodOptions& options) {
   const auto given = [&](const char* option) { return sub.get_option(option)->count() > 0; };
   if (options.extracts() && given("--class"))
-    throw UsageError("--class steers what a model says: leave --method " +
+    throw UsageError("--class steers the model: leave --method " +
                      kCharacterRigMethod[static_cast<size_t>(options.method)] + " out");
   if (given("--class") && given("--prediction"))
-    throw UsageError("--class steers a prediction: leave --prediction out, whose names say what joints are");
+    throw UsageError("--class steers a prediction: leave out --prediction, whose names determine the anatomy");
   if (!options.slots()) return;
   for (const char* option : {"--mirror", "--spine", "--prediction"})
-    if (given(option)) throw UsageError(std::string(option) + " does not go with --method slots");
+    if (given(option)) throw UsageError(std::string(option) + " needs another method than --method slots");
 }
 
 EditOptions::EditOptions(CLI::App* sub) : sub_(sub) {
@@ -43,13 +42,14 @@ EditOptions::EditOptions(CLI::App* sub) : sub_(sub) {
     CLI::Option* option = sub->add_option(name, *texts, about)->type_name(form)->allow_extra_args(false);
     options_.push_back({kind, option, std::move(texts)});
   };
-  add(EditKind::kMove, "--move", "JOINT=X,Y,Z", "Put a joint there, its mirror image likewise");
+  add(EditKind::kMove, "--move", "JOINT=X,Y,Z", "Move a joint there, and its mirror twin likewise");
   add(EditKind::kAt, "--at", "JOINT=X,Y,Z",
-      "A joint is there, as LeftHand; it is added where it was not found, with what is between it and the body");
-  add(EditKind::kAdd, "--add", "NAME=PARENT:X,Y,Z", "A new joint; NAME_end is a bone end");
-  add(EditKind::kRemove, "--remove", "JOINT", "Take a joint out; its children go to its parent");
-  add(EditKind::kParent, "--parent", "JOINT=OTHER", "Hang a joint on another");
-  add(EditKind::kRename, "--rename", "JOINT=NAME", "Give a joint another name");
+      "Give the position of a joint, such as LeftHand. If it was not found, it is added with the joints between it and "
+      "the body");
+  add(EditKind::kAdd, "--add", "NAME=PARENT:X,Y,Z", "Add a joint; NAME_end is a bone end");
+  add(EditKind::kRemove, "--remove", "JOINT", "Remove a joint; its children move to its parent");
+  add(EditKind::kParent, "--parent", "JOINT=OTHER", "Change the parent of a joint");
+  add(EditKind::kRename, "--rename", "JOINT=NAME", "Rename a joint");
 }
 
 std::vector<SkeletonEdit> EditOptions::in_order() const {

@@ -37,8 +37,7 @@ SimplifyOptions parse_level(const SimplifyCommandSettings& s) {
   const bool digits =
       !s.level.empty() && s.level.size() < 6 && s.level.find_first_not_of("0123456789") == std::string::npos;
   options.joints = digits ? static_cast<uint32_t>(std::stoul(s.level)) : 0;
-  if (options.joints == 0)
-    throw UsageError("--level " + s.level + ": expected high, low or how many joints are to be left");
+  if (options.joints == 0) throw UsageError("--level " + s.level + ": expected high, low or a number of joints");
   return options;
 }
 
@@ -46,7 +45,7 @@ SimplifyOptions parse_level(const SimplifyCommandSettings& s) {
 Character read_input(const SimplifyCommandSettings& s) {
   const bool text = has_extension(s.rig, ".txt");
   if (!s.mesh.empty()) {
-    if (!text) throw UsageError("--mesh is for a skeleton of its own file; " + s.rig + " has its mesh in it");
+    if (!text) throw UsageError("--mesh is for a skeleton without a mesh, but " + s.rig + " has one");
     Character character = read_mesh(s.mesh);
     read_skeleton(s.rig, true, &character);
     return character;
@@ -63,7 +62,7 @@ Character read_input(const SimplifyCommandSettings& s) {
 
 // The file's own animations; none in files of other kinds.
 std::optional<Motion> own_animations(const SimplifyCommandSettings& s) {
-  if (has_extension(s.rig, ".txt") || has_extension(s.rig, ".obj") || summarise_gltf(s.rig).animations.empty())
+  if (has_extension(s.rig, ".txt") || has_extension(s.rig, ".obj") || summarize_gltf(s.rig).animations.empty())
     return std::nullopt;
   return read_gltf_motion(s.rig);
 }
@@ -73,7 +72,7 @@ void run_simplify(const SimplifyCommandSettings& s) {
   settle_profile(s.profile, nullptr);
   check_output(s.output, kWritesCharacter, true);
   if (s.output == "-" && s.json)
-    throw UsageError("-o - and --json both want standard output: give the skeleton a file name");
+    throw UsageError("-o - and --json both write to standard output; give the skeleton a file name");
   Character character = read_input(s);
   if (character.vertices.empty() && s.output != "-" && !has_extension(s.output, ".rig.txt"))
     throw UsageError(s.output + ": " + s.rig + " has no mesh; expected -o OUT.rig.txt, or --mesh MESH.obj beside it");
@@ -102,10 +101,9 @@ void run_simplify(const SimplifyCommandSettings& s) {
     return;
   }
   std::FILE* const out = s.output == "-" ? stderr : stdout;
-  std::fprintf(out, "%s: %zu of %zu joints are left\n", printable(s.rig).c_str(), character.joints.size(),
-               before.size());
+  std::fprintf(out, "%s: kept %zu of %zu joints\n", printable(s.rig).c_str(), character.joints.size(), before.size());
   if (options.joints > 0 && character.joints.size() > options.joints)
-    std::fprintf(out, "  roots and joints that are kept are more than %u\n", options.joints);
+    std::fprintf(out, "  roots and joints of --keep are more than %u\n", options.joints);
   for (const std::string& note : notes) std::fprintf(out, "  %s\n", printable(note).c_str());
   if (s.output != "-") std::fprintf(out, "wrote %s\n", printable(s.output).c_str());
 }
@@ -113,10 +111,9 @@ void run_simplify(const SimplifyCommandSettings& s) {
 }  // namespace
 
 void add_simplify(CLI::App& app) {
-  CLI::App* sub = app.add_subcommand("simplify", "Leave out joints: levels of detail of a skeleton, weights with it");
+  CLI::App* sub = app.add_subcommand("simplify", "Reduce the joints of a skeleton: levels of detail, with weights");
   auto s = std::make_shared<SimplifyCommandSettings>();
-  sub->add_option("rig", s->rig,
-                  "Skinned file, NAME.obj with NAME.rig.txt beside it, or a .rig.txt alone. " + mesh_files())
+  sub->add_option("rig", s->rig, "Skinned file, NAME.obj with NAME.rig.txt, or a .rig.txt alone. " + mesh_files())
       ->required()
       ->type_name("RIG");
   shared_option(sub, "-o,--output", s->output,
@@ -124,18 +121,16 @@ void add_simplify(CLI::App& app) {
       ->required();
   sub->add_option(
          "--level", s->level,
-         "How much is left: high, low, or a number of joints. high: bone ends, and twists, helpers and faces at "
-         "branches, where animations move by less than 1 % of the height without them; low: all of these, fingers and "
-         "small parts. Pelvis, spine, head, arms, legs, hands and feet stay, and go last for a number")
+         "Level of detail: high, low, or a number of joints. high: without bone ends, and without twists, helpers and "
+         "face branches that animations move by less than 1 % of the height; low: also without fingers and small "
+         "parts. Pelvis, spine, head, arms, legs, hands and feet stay; a number removes them last")
       ->type_name("high|low|N")
       ->capture_default_str();
-  sub->add_option("--keep", s->keep, "A joint that stays; may be repeated")
-      ->type_name("JOINT")
-      ->allow_extra_args(false);
+  sub->add_option("--keep", s->keep, "Keep a joint; repeatable")->type_name("JOINT")->allow_extra_args(false);
   shared_flag(sub, "--as-drawn", s->as_drawn,
-              "Its conditions take any joint, whatever its name or the animations say, and limbs go");
-  sub->add_option("--mesh", s->mesh, "The mesh that a .rig.txt alone has weights for")->type_name("MESH");
-  shared_flag(sub, "--json", s->json, "One line: which joint became part of which");
+              "Apply its conditions to any joint, whatever its name or the animations; limbs may go");
+  sub->add_option("--mesh", s->mesh, "Mesh that the weights of a .rig.txt belong to")->type_name("MESH");
+  shared_flag(sub, "--json", s->json, "One line: which joint was merged into which");
   add_profile_options(sub, &s->profile);
   sub->footer(
       "Examples:\n  sinew simplify hero.glb --level low -o hero.far.glb\n"

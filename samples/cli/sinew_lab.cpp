@@ -33,18 +33,17 @@ std::vector<std::string> read_words(const CLI::App& app, std::vector<std::string
 }
 
 const Program& lab_program() {
-  static const Program program = {
-      "sinew-lab",
-      "Trains, quantizes and measures the networks of sinew.",
-      "Example:\n  sinew-lab train characters/train --val characters/val -o studio.ckpt --minutes 30\n"
-      "Every subcommand has its own --help. Exit status: 0 done, 1 the job failed, 2 wrong usage.",
-      {{"train", add_train},
-       {"crossval", add_crossval},
-       {"quantize", add_quantize},
-       {"dataset", add_dataset},
-       {"eval", add_eval}},
-      read_words,
-      is_reported_elsewhere};
+  static const Program program = {"sinew-lab",
+                                  "Train, quantize and evaluate the networks of sinew.",
+                                  "Example:\n  sinew-lab train characters/train --val characters/val -o studio.ckpt "
+                                  "--minutes 30\nExit status: 0 done, 1 failed, 2 wrong usage.",
+                                  {{"train", add_train},
+                                   {"crossval", add_crossval},
+                                   {"quantize", add_quantize},
+                                   {"dataset", add_dataset},
+                                   {"eval", add_eval}},
+                                  read_words,
+                                  is_reported_elsewhere};
   return program;
 }
 

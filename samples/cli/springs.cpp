@@ -88,16 +88,16 @@ void tell_springs(const SpringsCommandSettings& s, const SpringsFound& found, co
       ++kept;
       joints += one.chain.turning_joints();
     }
-    std::printf("  %s %s: %s, %zu joints, %.3g long, certainty %.0f %%: %s\n", one.kept ? "+" : "-",
+    std::printf("  %s %s: %s, %zu joints, length %.3g, probability %.0f %%: %s\n", one.kept ? "+" : "-",
                 printable(one.chain.name).c_str(), spring_kind_text(one.kind), one.chain.turning_joints(), one.length,
                 100 * static_cast<double>(one.certainty), printable(one.reason).c_str());
   }
-  std::printf("%s: %zu of %zu chains are kept, %zu joints swing, %zu colliders\n", printable(s.character).c_str(), kept,
+  std::printf("%s: kept %zu of %zu chains, %zu joints swing, %zu colliders\n", printable(s.character).c_str(), kept,
               found.chains.size(), joints, found.springs.colliders.size());
   for (size_t i = 0; i < found.springs.colliders.size(); ++i) {
     const SpringCollider& c = found.springs.colliders[i];
     if (found.errors[i] < 0) continue;
-    std::printf("  %s on %s: %s, radius %.3g, the skin is off by %.0f %% of it\n", printable(c.name).c_str(),
+    std::printf("  %s on %s: %s, radius %.3g, fit error %.0f %% of it\n", printable(c.name).c_str(),
                 printable(character.joints[c.joint].name).c_str(), shape_text(c.shape), c.radius,
                 100 * found.errors[i]);
   }
@@ -117,8 +117,7 @@ void run_springs(const SpringsCommandSettings& s) {
                                  animated.character.notes.end());
   notes.insert(notes.end(), found.notes.begin(), found.notes.end());
   if (animated.rigged)
-    notes.insert(notes.begin(),
-                 "had no skeleton and got one of " + std::to_string(animated.character.joints.size()) + " joints");
+    notes.insert(notes.begin(), "rigged first, " + std::to_string(animated.character.joints.size()) + " joints");
   if (!s.output.empty()) {
     GlbOptions glb;
     glb.keep_skin = !animated.rigged && !made;
@@ -134,38 +133,37 @@ void run_springs(const SpringsCommandSettings& s) {
 }  // namespace
 
 void add_springs(CLI::App& app) {
-  CLI::App* sub =
-      app.add_subcommand("springs", "Find what swings, hair, tails, ears, skirts, with colliders, and write it");
+  CLI::App* sub = app.add_subcommand(
+      "springs", "Find hair, tails, ears and skirts that swing, with colliders, and write them as springs");
   auto s = std::make_shared<SpringsCommandSettings>();
-  sub->add_option("character", s->character,
-                  "Skinned file, or a bare mesh, which gets a skeleton first. " + mesh_files())
+  sub->add_option("character", s->character, "Skinned file, or a bare mesh, which is rigged first. " + mesh_files())
       ->required()
       ->type_name("CHARACTER");
   shared_option(sub, "-o,--output", s->output,
                 "The character with its springs (VRMC_springBone), " + extensions_text(kWritesSprings) +
-                    ". Prints what it finds unless given");
+                    ". By default only prints the result");
   sub->add_option("--take", s->options.keep,
-                  "A chain that is kept although it is not sure, or beside the file's own; NAME* are all that begin "
-                  "so; may be repeated")
+                  "Keep a chain despite a low probability, or beside the file's own; NAME* for all that begin with "
+                  "NAME; repeatable")
       ->type_name("NAME")
       ->allow_extra_args(false);
-  sub->add_option("--drop", s->options.drop, "A chain that is left out; may be repeated")
+  sub->add_option("--drop", s->options.drop, "Leave out a chain; repeatable")
       ->type_name("NAME")
       ->allow_extra_args(false);
   sub->add_option("--preset", s->options.presets,
-                  "Numbers of another kind for a chain: " + spring_kinds_text() + "; may be repeated")
+                  "Use the parameters of another kind for a chain: " + spring_kinds_text() + "; repeatable")
       ->type_name("NAME=KIND")
       ->allow_extra_args(false);
-  sub->add_option("--value", s->options.values,
-                  "One number for a chain's joints, NAME:FIELD=X, or F times what each has, NAME:FIELD=xF: " +
-                      spring_fields_text() +
-                      ": meters a second, meters, degrees; limit is for animate --springs alone; may be repeated")
+  sub->add_option(
+         "--value", s->options.values,
+         "Set a parameter of a chain's joints, NAME:FIELD=X, or scale it, NAME:FIELD=xF; repeatable. Fields: " +
+             spring_fields_text() + ", in meters per second, meters, degrees; limit is for animate --springs only")
       ->type_name("SETTING")
       ->allow_extra_args(false);
   sub->add_flag("--make", s->make,
-                "Lay chains of joints into skirts, coats and capes that have none, and bind them to these");
-  sub->add_flag("--replace", s->options.replace, "Find springs anew in place of the file's own");
-  shared_flag(sub, "--json", s->json, "One line: chains with reasons and numbers, colliders with how well they fit");
+                "Make chains of joints for skirts, coats and capes without any, and bind the mesh to them");
+  sub->add_flag("--replace", s->options.replace, "Find springs anew instead of the file's own");
+  shared_flag(sub, "--json", s->json, "One line: chains with reasons and parameters, colliders with their fit");
   add_profile_options(sub, &s->profile);
   sub->footer(
       "Examples:\n  sinew springs hero.vrm\n"

@@ -27,7 +27,7 @@ void refuse_given(const GivenOptions& options, const std::string& why) {
 void check_output(const std::string& path, const std::vector<std::string>& extensions, bool stream_allowed) {
   if (path == "-") {
     if (stream_allowed) return;
-    throw UsageError("this output cannot go to standard output: give a file name");
+    throw UsageError("this output cannot go to standard output; give a file name");
   }
   std::string known;
   for (const std::string& extension : extensions) {
@@ -53,8 +53,8 @@ void check_output(const std::string& path, uint32_t uses, bool stream_allowed) {
 
 Character read_mesh_and_skeleton(const std::string& mesh, const std::string& skeleton, bool with_skin) {
   if (has_extension(mesh, ".txt")) {
-    throw UsageError(
-        mesh + " is a skeleton, but a mesh is expected here: give the mesh first and the skeleton with --skeleton");
+    throw UsageError(mesh +
+                     " is a skeleton, but a mesh is expected; give the mesh first and the skeleton with --skeleton");
   }
   if (has_extension(skeleton, ".obj")) {
     throw UsageError("--skeleton " + skeleton + ": an OBJ holds no skeleton; expected " +
@@ -172,7 +172,7 @@ bool has_rig_beside(const std::string& mesh) {
 void make_folder(const std::string& path) {
   std::error_code failed;
   fs::create_directories(path, failed);
-  if (failed || !fs::is_directory(path)) throw Error(path + ": cannot make this folder: " + failed.message());
+  if (failed || !fs::is_directory(path)) throw Error(path + ": cannot create this folder: " + failed.message());
 }
 
 void check_failed(size_t failed, size_t count, const std::string& things, const std::string& first) {
@@ -276,7 +276,7 @@ std::vector<FolderFile> folder_files(const std::string& folder, const std::strin
   std::vector<std::string> meshes = list_meshes(folder);
   if (meshes.empty() && or_pictures) meshes = list_files(folder, kReadsPicture);
   if (meshes.empty())
-    throw Error(folder + ": no mesh " + (or_pictures ? "and no picture " : "") + "in it nor below it; expected " +
+    throw Error(folder + ": no mesh " + (or_pictures ? "and no picture " : "") + "in it or its subfolders; expected " +
                 extensions_text(kReadsMesh) + (or_pictures ? ", " + extensions_text(kReadsPicture) : ""));
   std::set<std::string> inputs;
   for (const std::string& mesh : meshes) inputs.insert(real_path(mesh));
@@ -289,9 +289,10 @@ std::vector<FolderFile> folder_files(const std::string& folder, const std::strin
     file.mesh = mesh;
     file.output = (fs::path(output_folder) / name.parent_path() / (stem_of(mesh) + extension)).string();
     const auto [first, fresh] = taken.emplace(file.output, mesh);
-    if (!fresh) throw Error(first->second + " and " + mesh + " would both become " + file.output + "; rename one");
+    if (!fresh)
+      throw Error(first->second + " and " + mesh + " would both become " + file.output + "; rename one of them");
     if (inputs.count(real_path(file.output)) != 0)
-      throw Error(file.output + ": is a link to one of the inputs, which are not replaced; give another folder");
+      throw Error(file.output + ": is a link to an input, which is never replaced; give another folder");
     files.push_back(std::move(file));
   }
   return files;

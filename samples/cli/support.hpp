@@ -62,7 +62,7 @@ struct FoundCharacter {
 std::vector<FoundCharacter> characters_in(const std::string& folder);
 Character read_found(const FoundCharacter& found);
 
-// Files as they are; a folder stands for its characters and those of the folders below it. Throws Error for a folder
+// Files as they are; a folder represents its characters and those of the folders below it. Throws Error for a folder
 // without any.
 std::vector<FoundCharacter> expand(const std::vector<std::string>& inputs);
 // A bare mesh is a character without joints.

@@ -92,8 +92,8 @@ void run_rig(const TrainCommandSettings& s, TrainOptions options, Ranks* ranks) 
     return;
   }
   if (s.cache_only)
-    throw UsageError("--cache-only: samples of --task " + s.task +
-                     " are made by the run itself, which keeps them in --cache; leave it out");
+    throw UsageError("--cache-only: the run itself makes the samples of --task " + s.task +
+                     " , and keeps them in --cache; leave it out");
   check_output(options.output, {".sinewckpt", ".ckpt"});
   options.stop = &stop_on_signals();
   train_rig(config, options);
@@ -130,52 +130,53 @@ void run_train(const TrainCommandSettings& s) {
   if (s.options.data_dir.empty() && !s.print_config)
     throw UsageError("DIR is required: a folder of NAME.obj with NAME.rig.txt, or of .glb files");
   if (s.cache_only && s.options.cache_dir.empty()) throw UsageError("--cache-only needs --cache DIR");
-  if (!s.shard.empty() && !s.cache_only) throw UsageError("--shard belongs to --cache-only");
+  if (!s.shard.empty() && !s.cache_only) throw UsageError("--shard needs --cache-only");
   if (!s.shard.empty()) parse_shard(s.shard);
   if (s.options.output.empty() && !s.print_config && !s.cache_only) throw UsageError("-o CKPT is required");
   if (!s.release.empty()) {
     check_output(s.release, {".sinewckpt", ".ckpt"});
     if (s.release == s.options.output)
-      throw UsageError("--release: give another file than -o, which --resume goes on from");
+      throw UsageError("--release: give another file than -o, which --resume continues from");
   }
   if (s.options.resume && !s.options.init.empty())
-    throw UsageError("--resume goes on from -o, --init starts anew: give one of them");
+    throw UsageError("--resume continues -o, --init starts anew; give one of them");
   Ranks ranks;
   ranks.together([&] { run_ranks(s, &ranks); });
 }
 
 void add_train_inputs(CLI::App* sub, TrainCommandSettings* s) {
-  sub->add_option("dir", s->options.data_dir, "Folder of NAME.obj + NAME.rig.txt pairs and .glb files, sub-folders too")
+  sub->add_option("dir", s->options.data_dir, "Folder of NAME.obj + NAME.rig.txt pairs and .glb files, with subfolders")
       ->type_name("DIR");
   sub->add_option("--task", s->task,
-                  "What is learnt: bind = skin weights, rig = a skeleton for a bare mesh, front = where a mesh faces")
+                  "Network to train: bind = skin weights, rig = a skeleton for a bare mesh, front = the direction that "
+                  "a mesh faces")
       ->type_name("TASK")
       ->check(CLI::IsMember({"bind", "rig", "front"}))
       ->capture_default_str();
   shared_option(sub, "-o,--output", s->options.output,
-                "A checkpoint (.sinewckpt or .ckpt); the log goes beside it as .csv");
+                "Checkpoint (.sinewckpt or .ckpt), with its log beside it as .csv");
   shared_option(sub, "--val", s->options.val_dir, "The best checkpoint is chosen on them");
-  shared_option(sub, "--config", s->config, "With --resume: those of CKPT unless given");
-  shared_option(sub, "--minutes", s->options.minutes, "By steps unless given")->check(CLI::PositiveNumber);
-  shared_option(sub, "--steps", s->steps, "The configuration's unless given")->check(CLI::PositiveNumber);
+  shared_option(sub, "--config", s->config, "With --resume: by default those of CKPT");
+  shared_option(sub, "--minutes", s->options.minutes, "By default limited by steps")->check(CLI::PositiveNumber);
+  shared_option(sub, "--steps", s->steps, "By default the configuration's")->check(CLI::PositiveNumber);
   shared_flag(sub, "--resume", s->options.resume, "From the checkpoint -o");
   sub->add_option("--init", s->options.init, "Start from the weights of this checkpoint or model (.sinew)")
       ->type_name("FILE");
 }
 
 CLI::Option* add_rest(CLI::App* sub, TrainCommandSettings* s) {
-  sub->add_flag("--print-config", s->print_config, "Print all settings as JSON and stop");
+  sub->add_flag("--print-config", s->print_config, "Print the configuration as JSON and stop");
   shared_flag(sub, "--quiet", s->options.quiet);
   section(sub, "Features");
   shared_option(sub, "--cache", s->options.cache_dir)->default_str("CKPT.cache");
   sub->add_flag("--cache-only", s->cache_only,
-                "Fill --cache for DIR and --val and stop; any number of processes at once");
-  sub->add_option("--shard", s->shard, "With --cache-only: begin with the I-th of N parts. One part unless given")
+                "Fill --cache for DIR and --val and stop; any number of processes in parallel");
+  sub->add_option("--shard", s->shard, "With --cache-only: begin with part I of N. By default one part")
       ->type_name("I/N");
-  section(sub, "The rest");
+  section(sub, "Other options");
   shared_option(sub, "--release", s->release);
   return shared_option(sub, "--threads", s->options.threads,
-                       "Under mpirun of each rank, by default the cores shared out")
+                       "Per rank under mpirun; by default the cores divided by the ranks")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
 }
@@ -189,13 +190,11 @@ void add_train(CLI::App& app) {
   add_train_inputs(sub, s.get());
   CLI::Option* const threads = add_rest(sub, s.get());
   sub->footer(
-      "Example:\n  sinew-lab train characters/train --val characters/val -o run.sinewckpt --minutes 60\n"
-      "then\n  sinew-lab quantize run.sinewckpt --calibrate characters/train -o run.sinew\n\n"
-      "Ranks share each batch and give the same checkpoint as one; they need the same files:\n"
-      "  mpirun -n 2 sinew-lab train characters/train -o run.sinewckpt\n"
-      "Features from two processes at once:\n"
-      "  sinew-lab train characters/train --cache cache --cache-only --shard 1/2 &\n"
-      "  sinew-lab train characters/train --cache cache --cache-only --shard 2/2");
+      "Example:\n  sinew-lab train characters/train --val characters/val -o run.sinewckpt --minutes 60\nthen\n  "
+      "sinew-lab quantize run.sinewckpt --calibrate characters/train -o run.sinew\n\nSeveral ranks share each batch "
+      "and give the same checkpoint as one; all need the same files:\n  mpirun -n 2 sinew-lab train characters/train "
+      "-o run.sinewckpt\nFeatures from two processes in parallel:\n  sinew-lab train characters/train --cache cache "
+      "--cache-only --shard 1/2 &\n  sinew-lab train characters/train --cache cache --cache-only --shard 2/2");
   sub->callback([s, threads] {
     s->threads_given = threads->count() > 0;
     run_train(*s);

@@ -42,17 +42,17 @@ struct TransferCommandSettings {
 const char* reason_text(uint32_t reason) {
   switch (reason) {
     case SINEW_TRANSFER_STYLE:
-      return "carried over: the source's weights differ from a bind's, and the match is good";
+      return "transferred: the source's weights differ from a bind, and the match is good";
     case SINEW_TRANSFER_MISMATCH:
-      return "bound anew: the match is off by more than the source's weights differ from a bind's";
+      return "rebound: the match error exceeds the difference between the source's weights and a bind";
     case SINEW_TRANSFER_PLAIN:
-      return "bound anew: the source's weights are what a bind gives";
+      return "rebound: the source's weights equal a bind";
     case SINEW_TRANSFER_NEAR:
-      return "carried over: it lies on the body";
+      return "transferred: it lies on the body";
     case SINEW_TRANSFER_FAR:
-      return "bound anew: it lies away from the body";
+      return "rebound: it lies away from the body";
     case SINEW_TRANSFER_NO_MATCH:
-      return "bound anew: nothing of the source matches it";
+      return "rebound: nothing of the source matches it";
     case SINEW_TRANSFER_KEPT:
       return "kept: locked";
     default:
@@ -81,7 +81,7 @@ sinew_vertex_pair parse_pair(const std::string& text, const Character& source, c
 std::vector<uint8_t> read_locks(const TransferCommandSettings& s, const std::string& path, const Character& character) {
   if (s.lock.empty()) return {};
   if (character.influences.empty())
-    throw Error(s.lock + ": vertices can keep only weights they have, and " + path + " brings none for its skeleton");
+    throw Error(s.lock + ": --lock keeps weights of the file, but " + path + " has none for its skeleton");
   return read_vertex_locks(s.lock, character);
 }
 
@@ -167,16 +167,16 @@ void tell(const TransferCommandSettings& s, const Character& source, const Trans
   if (r.reference_count > 0) std::fprintf(out, "  %u reference points\n", r.reference_count);
   if (r.bound)
     std::fprintf(
-        out, "  %.0f %% carried over, the rest bound anew by %s; %s %s differs from a bind by %.2f, %s off by %.2f\n",
+        out, "  %.0f %% transferred, the rest rebound by %s; %s differs from a bind by %.2f, the match error is %.2f\n",
         100 * r.carried, r.bound_by == SINEW_METHOD_HEAT ? "heat" : "the model", printable(source.name).c_str(),
-        "on the whole", r.style, "the match is", r.mismatch);
+        r.style, r.mismatch);
   for (size_t p = 0; p < r.parts.size() && p < kMostParts && r.bound; ++p) {
     const sinew_transfer_part& part = r.parts[p];
-    std::fprintf(out, "  part of vertex %u, %u vertices: %.0f %% %s\n", part.vertex, part.vertex_count,
+    std::fprintf(out, "  part of vertex %u, %u vertices, %.0f %% transferred; %s\n", part.vertex, part.vertex_count,
                  100.0 * part.carried_q16 / 65536, reason_text(part.reason));
   }
   if (r.bound && r.parts.size() > kMostParts)
-    std::fprintf(out, "  and %zu smaller parts; --json tells of all\n", r.parts.size() - kMostParts);
+    std::fprintf(out, "  and %zu smaller parts; --json lists all\n", r.parts.size() - kMostParts);
   for (const std::string& note : done.target.character.notes) std::fprintf(out, "  %s\n", printable(note).c_str());
   std::fprintf(out, "  %.0f ms", 1e3 * r.seconds);
   if (output != "-") std::fprintf(out, ", wrote %s", printable(output).c_str());
@@ -188,11 +188,11 @@ void write_one(const TransferCommandSettings& s, const std::string& output, Tran
   write_as(s.profile, output, character, &character.notes);
   RenderOptions view;
   view.up = axis_of(s.up);
-  if (!s.png.empty()) write_file(s.png, encode_png(render(character, weight_colours(character), view)));
+  if (!s.png.empty()) write_file(s.png, encode_png(render(character, weight_colors(character), view)));
   if (s.png_confidence.empty()) return;
   std::vector<float> doubt;
   for (const uint8_t c : done->result.confidence) doubt.push_back(1.0f - static_cast<float>(c) / 255.0f);
-  write_file(s.png_confidence, encode_png(render(character, heat_colours(doubt, 0.5f), view)));
+  write_file(s.png_confidence, encode_png(render(character, heat_colors(doubt, 0.5f), view)));
 }
 
 // What goes where: one file for one target, a folder for several.
@@ -203,15 +203,15 @@ std::vector<std::string> outputs_of(const TransferCommandSettings& s) {
     check_output(output, kWritesSkin, true);
     return {output};
   }
-  if (s.output.empty()) throw UsageError("several targets: say with -o OUTDIR where their files go");
+  if (s.output.empty()) throw UsageError("several targets need a folder; give -o OUTDIR");
   refuse_given({{"--png", !s.png.empty()},
                 {"--lock", !s.lock.empty()},
                 {"--png-confidence", !s.png_confidence.empty()},
                 {"--pair", !s.pairs.empty()}},
-               " is for one target, and there are several");
+               " takes one target, found several");
   std::error_code ignored;
   if (!std::filesystem::is_directory(s.output, ignored))
-    throw Error("-o " + s.output + ": there are several targets, expected a folder for their files; create it first");
+    throw Error("-o " + s.output + ": expected a folder for the files of several targets; create it first");
   std::vector<std::string> outputs;
   std::set<std::string> taken;
   for (const std::string& target : s.targets) {
@@ -239,15 +239,14 @@ void check_inputs_stay(const TransferCommandSettings& s, const std::vector<std::
 
 void check_transfer(const TransferCommandSettings& s) {
   if (s.method == SINEW_TRANSFER_BIHARMONIC && s.from.garment)
-    throw UsageError("--garment and --method biharmonic: a garment lies on its body, give auto, nearest or rebind");
+    throw UsageError("--garment does not work with --method biharmonic; use auto, nearest or rebind");
   if (s.method != SINEW_TRANSFER_BIHARMONIC && (!s.pairs.empty() || s.as_drawn))
-    throw UsageError("--pair and --as-drawn are for --method biharmonic");
+    throw UsageError("--pair and --as-drawn need --method biharmonic");
   if (s.from.garment && !(s.from.skeleton.empty() && s.from.map.empty()))
-    throw UsageError("--garment has the skeleton of the source: leave out --skeleton and --map");
+    throw UsageError("--garment uses the skeleton of the source: leave out --skeleton and --map");
   if (s.from.garment && !s.source_up.empty() && s.source_up != s.up)
-    throw UsageError("--garment lies in the space of the source: leave out --from-up");
-  if (s.from.garment && !s.lock.empty())
-    throw UsageError("--garment takes weights of none of its own: leave out --lock");
+    throw UsageError("--garment uses the axes of the source: leave out --from-up");
+  if (s.from.garment && !s.lock.empty()) throw UsageError("--garment ignores weights of the target: leave out --lock");
   if (s.pairs.size() > SINEW_MAX_TRANSFER_PAIRS)
     throw UsageError(std::to_string(s.pairs.size()) + " pairs, at most " + std::to_string(SINEW_MAX_TRANSFER_PAIRS));
   if (s.heat && !s.model.empty()) throw UsageError("--heat uses no model: leave out --model");
@@ -261,11 +260,11 @@ void run_transfer(const TransferCommandSettings& s) {
   const std::vector<std::string> outputs = outputs_of(s);
   check_inputs_stay(s, outputs);
   if (outputs[0] == "-" && s.json)
-    throw UsageError("-o - and --json both want standard output: give the weights a file name");
+    throw UsageError("-o - and --json both write to standard output; give the weights a file name");
   const Character source = read_character(s.source);
   if (source.influences.empty())
     throw Error(s.source +
-                ": has no weights to carry over; expected a bound character: a file with a skin, or NAME.obj with a "
+                ": has no weights to transfer; expected a bound character: a file with a skin, or NAME.obj with a "
                 "NAME.rig.txt beside it that has skin lines");
   std::unique_ptr<LoadedModel> model;
   const bool binds = s.method == SINEW_TRANSFER_AUTO || s.method == SINEW_TRANSFER_REBIND;
@@ -290,51 +289,50 @@ void run_transfer(const TransferCommandSettings& s) {
 
 void add_transfer_inputs(CLI::App* sub, TransferCommandSettings* s) {
   sub->add_option("source", s->source,
-                  "Bound character: a skinned file, or NAME.obj with NAME.rig.txt beside it. " + mesh_files())
+                  "Bound character: a skinned file, or NAME.obj with NAME.rig.txt. " + mesh_files())
       ->required()
       ->type_name("SOURCE");
-  sub->add_option("targets", s->targets, "Meshes that get weights. " + mesh_files())->required()->type_name("TARGET");
-  shared_option(sub, "-o,--output", s->output, skin_output_text("for several targets a folder"))
+  sub->add_option("targets", s->targets, "Meshes to bind. " + mesh_files())->required()->type_name("TARGET");
+  shared_option(sub, "-o,--output", s->output, skin_output_text("for several targets, a folder"))
       ->default_str("TARGET.transferred.glb");
   shared_option(sub, "--skeleton", s->from.skeleton,
                 "For the targets: " + skeleton_files() +
-                    "; unless given the target's own or the NAME.rig.txt beside NAME.obj, else the source's, fitted");
+                    "; by default the target's own or the NAME.rig.txt beside NAME.obj, else the source's, fitted");
   shared_option(sub, "--map", s->from.map,
-                "As sinew map writes it; unless given joints of equal names, else found by anatomy");
-  sub->add_flag(
-      "--garment", s->from.garment,
-      "The targets are worn by the source: same space, same skeleton. Near the body its weights, far from it a "
-      "bind of the dressed whole");
+                "As written by sinew map; by default joints of equal names, else matched by anatomy");
+  sub->add_flag("--garment", s->from.garment,
+                "The targets are worn by the source: same space, same skeleton. They get the body's weights near it, "
+                "and a bind of the dressed character elsewhere");
   shared_word_option(sub, "--method", s->method, kTransferMethod,
-                     "auto: a balance of nearest and rebind, vertex by vertex; nearest: the source's weights alone; "
+                     "auto: nearest or rebind, whichever suits each vertex; nearest: the source's weights alone; "
                      "biharmonic: by distances along the surface; rebind: by the binder that suits the source");
   add_influences(sub, s->influences);
-  shared_option(sub, "--png", s->png, "The target with its joints, coloured by weight");
-  shared_flag(sub, "--json", s->json, "A line for every target");
+  shared_option(sub, "--png", s->png, "The target with its joints, colored by weight");
+  shared_flag(sub, "--json", s->json, "One line per target");
 }
 
 void add_transfer_rest(CLI::App* sub, TransferCommandSettings* s) {
   section(sub, "Biharmonic");
   sub->add_option("--pair", s->pairs,
-                  "With --method biharmonic: vertex V of the source is vertex W of the target. Give at least four")
+                  "With --method biharmonic: vertex V of the source matches vertex W of the target. Give at least four")
       ->type_name("V=W")
       ->allow_extra_args(false);
   shared_flag(sub, "--as-drawn", s->as_drawn,
-              "With --method biharmonic: distances to all reference points, in their own scale, count alike");
+              "With --method biharmonic: distances to all reference points, unscaled, with equal weight");
   section(sub, "Models");
-  shared_option(sub, "--model", s->model, "It binds")->default_str("bundled");
-  sub->add_flag("--heat", s->heat, "Bind by heat alone, without a model");
+  shared_option(sub, "--model", s->model, "For rebinding")->default_str("bundled");
+  sub->add_flag("--heat", s->heat, "Rebind by heat diffusion, without a model");
   sub->add_option("--rig-model", s->from.rig_model, "Model of skeletons for targets without one")
       ->type_name("FILE")
       ->default_str("bundled");
-  section(sub, "The rest");
+  section(sub, "Other options");
   shared_option(sub, "--lock", s->lock);
   shared_option(sub, "--up", s->up)->check(CLI::IsMember({"y", "z"}))->capture_default_str();
-  shared_option(sub, "--from-up", s->source_up, "The source; as --up unless given")->check(CLI::IsMember({"y", "z"}));
-  shared_option(sub, "--format", s->format, "With several targets")
+  shared_option(sub, "--from-up", s->source_up, "Of the source; by default as --up")->check(CLI::IsMember({"y", "z"}));
+  shared_option(sub, "--format", s->format, "For several targets")
       ->check(CLI::IsMember(format_names(kWritesSkin)))
       ->capture_default_str();
-  shared_option(sub, "--threads", s->threads, "On one mesh; the same bytes for any N")
+  shared_option(sub, "--threads", s->threads, "For one mesh; the result is the same for any N")
       ->check(CLI::Range(1, static_cast<int>(SINEW_MAX_THREADS)))
       ->capture_default_str();
   shared_option(sub, "--png-confidence", s->png_confidence);
@@ -344,7 +342,7 @@ void add_transfer_rest(CLI::App* sub, TransferCommandSettings* s) {
 }  // namespace
 
 void add_transfer(CLI::App& app) {
-  CLI::App* sub = app.add_subcommand("transfer", "Carry the weights of a finished character to other meshes");
+  CLI::App* sub = app.add_subcommand("transfer", "Transfer the weights of a finished character to other meshes");
   auto s = std::make_shared<TransferCommandSettings>();
   add_transfer_inputs(sub, s.get());
   add_transfer_rest(sub, s.get());

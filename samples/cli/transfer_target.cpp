@@ -12,7 +12,7 @@ namespace sinew::cli {
 
 TransferTarget TargetReader::read(const std::string& path) {
   if (has_extension(path, ".txt"))
-    throw UsageError(path + " is a skeleton, but a mesh is expected as a target: give its skeleton with --skeleton");
+    throw UsageError(path + " is a skeleton, but a mesh is expected as a target; give its skeleton with --skeleton");
   Character mesh = read_mesh(path);
   TransferTargetOptions options;
   options.path = path;

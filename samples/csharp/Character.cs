@@ -8,12 +8,12 @@ using System.Text;
 
 namespace Sinew
 {
-    /// <summary>What jobs share.</summary>
+    /// <summary>Options of all jobs.</summary>
     public class JobSettings
     {
         /// <summary>1 to 64; the bytes are the same for any number.</summary>
         public int Threads = 1;
-        /// <summary>Gets a share of work done, 0 to 1, on the calling thread. Returns true to stop, as in C.</summary>
+        /// <summary>Called with the share of the work that is done, 0 to 1, on the calling thread. Returns true to stop, as in C.</summary>
         public Func<float, bool> Progress;
     }
 
@@ -36,7 +36,7 @@ namespace Sinew
         public double[] Translations;
     }
 
-    /// <summary>A character. Any number may be worked on at the same time, each by one thread at a time. What failed changed nothing.</summary>
+    /// <summary>A character. Any number may be used at the same time, each by one thread at a time. A failed call changes nothing.</summary>
     public sealed partial class Character : IDisposable
     {
         IntPtr handle_;
@@ -76,7 +76,7 @@ namespace Sinew
         // ---- files
 
         /// <summary>Opens a file of any format that the command reads.</summary>
-        /// <exception cref="SinewException">It cannot be read; the message names it.</exception>
+        /// <exception cref="SinewException">The file cannot be read; the message has its name.</exception>
         public static Character Open(string path)
         {
             CheckLibrary();
@@ -85,7 +85,7 @@ namespace Sinew
             return new Character(handle);
         }
 
-        /// <summary>The same from memory: the first file is opened, the others lie beside it.</summary>
+        /// <summary>The same from memory: the first file is opened, the others are beside it.</summary>
         public static Character Open(params NamedFile[] files)
         {
             CheckLibrary();
@@ -103,8 +103,8 @@ namespace Sinew
             return new Character(handle);
         }
 
-        /// <summary>Opens a drawing or a photograph of a character, PNG or JPEG. Rig() gives it a skeleton in the picture's plane; Animate() does so
-        /// where it has none, and plays a clip of its class where no motion is given.</summary>
+        /// <summary>Opens a drawing or a photograph of a character, PNG or JPEG. Rig() gives it a skeleton in the picture plane; Animate() does so
+        /// if it has none, and plays a built-in clip of its class if no motion is given.</summary>
         public static Character OpenPicture(string path, PictureSettings settings = null)
         {
             CheckLibrary();
@@ -114,8 +114,8 @@ namespace Sinew
             return new Character(handle);
         }
 
-        /// <summary>What was found in the picture that it is of.</summary>
-        /// <exception cref="SinewException">It is of none.</exception>
+        /// <summary>Result of reading the picture of this character.</summary>
+        /// <exception cref="SinewException">The character is not from a picture.</exception>
         public PictureInfo Picture
         {
             get
@@ -129,7 +129,7 @@ namespace Sinew
             }
         }
 
-        /// <summary>Of arrays, which are copied. Mesh or skeleton may be null.</summary>
+        /// <summary>Creates a character from arrays, which are copied. Mesh or skeleton may be null.</summary>
         public static Character Create(Mesh mesh, Skeleton skeleton)
         {
             CheckLibrary();
@@ -155,7 +155,7 @@ namespace Sinew
             using (var pins = new Pins()) Check(Native.sinew_character_save(Handle, pins.Of(path)), handle_, "save");
         }
 
-        /// <summary>What Save(name) would write, the file itself first.</summary>
+        /// <summary>The files that Save(name) would write, the main file first.</summary>
         public NamedFile[] Write(string name)
         {
             using (var pins = new Pins())
@@ -175,7 +175,7 @@ namespace Sinew
             }
         }
 
-        /// <summary>Remarks of the reader and of the jobs, a line each.</summary>
+        /// <summary>Notes and warnings of the reader and the jobs, one line each.</summary>
         public string Notes { get { return Text(Native.sinew_character_notes(Handle)); } }
 
         // ---- arrays
@@ -193,7 +193,7 @@ namespace Sinew
 
         public string Name { get { return Text(Arrays().name); } }
 
-        /// <summary>A copy of the mesh; null for a skeleton alone.</summary>
+        /// <summary>A copy of the mesh; null for a skeleton only.</summary>
         public Mesh Mesh
         {
             get
@@ -208,7 +208,7 @@ namespace Sinew
             }
         }
 
-        /// <summary>A copy of the skeleton; null for a mesh alone.</summary>
+        /// <summary>A copy of the skeleton; null for a mesh only.</summary>
         public Skeleton Skeleton
         {
             get
@@ -221,7 +221,7 @@ namespace Sinew
             }
         }
 
-        /// <summary>Weights as the engine has them; null without any.</summary>
+        /// <summary>Weights in the engine's format; null without weights.</summary>
         public Skin Skin
         {
             get
@@ -241,7 +241,7 @@ namespace Sinew
             }
         }
 
-        /// <summary>What each joint is for, as retargeting has it.</summary>
+        /// <summary>Class of each joint, as used by retargeting.</summary>
         public JointClass[] JointClasses
         {
             get
@@ -252,7 +252,7 @@ namespace Sinew
             }
         }
 
-        /// <summary>Another skeleton for the mesh; weights go.</summary>
+        /// <summary>Replaces the skeleton and removes the weights.</summary>
         public void SetSkeleton(Skeleton skeleton)
         {
             skeleton.Check();
@@ -260,7 +260,7 @@ namespace Sinew
                 Check(Native.sinew_character_set_skeleton(Handle, pins.Of(Engine.View(skeleton, pins))), handle_, "skeleton");
         }
 
-        /// <summary>The skeleton of another character, with its weights where the mesh is the same.</summary>
+        /// <summary>Replaces the skeleton by that of another character, with its weights if the mesh is the same.</summary>
         public void TakeSkeleton(Character other, bool withWeights = false)
         {
             Check(Native.sinew_character_take_skeleton(Handle, other.Handle, withWeights ? 1u : 0), handle_, "skeleton");
@@ -300,7 +300,7 @@ namespace Sinew
             }
         }
 
-        /// <summary>A clip; its first joints are the character's, others that move stand behind them.</summary>
+        /// <summary>A clip; its first joints are the character's, followed by other animated nodes.</summary>
         public MotionClip Clip(int index)
         {
             var clip = new Native.sinew_character_clip { struct_size = Size<Native.sinew_character_clip>() };
@@ -333,7 +333,7 @@ namespace Sinew
 
         // ---- jobs
 
-        /// <summary>Leaves joints out; asDrawn: by the published conditions alone. Returns the joint, of those before, that each is part of now.</summary>
+        /// <summary>Removes joints; asDrawn: by the published conditions only. Returns the index (before) of the joint that each joint was merged into.</summary>
         public uint[] Simplify(bool low = false, int jointCount = 0, bool asDrawn = false, params string[] keep)
         {
             var into = new uint[Arrays().joint_count];

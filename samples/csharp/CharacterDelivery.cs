@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Of characters (Character.cs) what another program asks for: names of profiles and rules, controls, levels of detail.
+// Output of characters (Character.cs) for other programs: names of profiles and rules, controls, levels of detail.
 // sinew/character.h is the reference.
 using System;
 using System.Runtime.InteropServices;
 
 namespace Sinew
 {
-    /// <summary>A copy with fewer triangles, and how far it is from the whole character, shares of the height.</summary>
+    /// <summary>A copy with fewer triangles, and its error relative to the whole character, in shares of the height.</summary>
     public sealed class LevelOfDetail
     {
         public Character Character;
         public int TriangleCount;
-        /// <summary>Largest distance at rest; the largest and the mean in the worst of the poses that bodies are bent in.</summary>
+        /// <summary>Largest distance at rest; the largest and the mean in the worst test pose.</summary>
         public double RestError, PosedError, MeanError;
     }
 
@@ -20,7 +20,7 @@ namespace Sinew
         /// <summary>Names for ProfileSettings.Profile.</summary>
         public static string[] Profiles { get { return Text(Native.sinew_character_profiles()).Split(' '); } }
 
-        /// <summary>Which joints an animator's controls move: JSON (formats/spec/controls.md) of the skeleton as it would be saved, as `--controls`
+        /// <summary>Joints of an animator's controls: JSON (formats/spec/controls.md) of the skeleton as it would be saved, as `--controls`
         /// writes it.</summary>
         public string Controls
         {
@@ -34,8 +34,8 @@ namespace Sinew
 
         /// <summary>Copies of a bound character with fewer and fewer triangles, each to be disposed of.</summary>
         /// <param name="levels">1 to 8</param>
-        /// <param name="ratio">triangles of a level, as a share of the one before, 0.05 to 0.95</param>
-        /// <param name="fewerJoints">level 2 has the joints of Simplify(), further ones of its low level</param>
+        /// <param name="ratio">triangles of a level as a share of the level before, 0.05 to 0.95</param>
+        /// <param name="fewerJoints">reduces joints: level 2 as Simplify(), later ones as its low level</param>
         public LevelOfDetail[] Levels(int levels = 3, double ratio = 0.5, bool fewerJoints = false)
         {
             if (levels < 1 || levels > Native.MAX_LOD_LEVELS) throw new ArgumentException("levels: expected 1 to " + Native.MAX_LOD_LEVELS);

@@ -17,7 +17,7 @@ namespace Sinew
                 throw new ArgumentException("translations: expected " + 3 * frameJoints_ + " numbers");
         }
 
-        /// <summary>Keypoints of a person's joints alone, as a motion: its skeleton is learnt from these frames, which are its clip; a second or two are
+        /// <summary>Keypoints of a person's joints alone, as a motion: its skeleton is learned from these frames, which are its clip; a second or two are
         /// best. With its Skeleton as a RetargetStream's source, KeypointsFrame() makes what RetargetStream.Frame() takes.</summary>
         /// <param name="layout">"smpl24", "humanml3d22", "lafan22", "smplh52", "smplx55", "coco17", "h36m17", "h36m32", "kinect25", "openpose25" or "mediapipe33"</param>
         /// <param name="frames">[frames][3 x keypoints of the layout] any unit</param>

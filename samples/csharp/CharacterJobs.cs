@@ -17,7 +17,7 @@ namespace Sinew
         public string License;
         /// <summary>Title of a VRM; null: the character's name</summary>
         public string Title;
-        /// <summary>Authors of a VRM; null: those of its file, else "unknown", which a note says</summary>
+        /// <summary>Authors of a VRM; null: those of its file, else "unknown" with a note</summary>
         public string[] Authors;
         /// <summary>A glTF has the text of controls() in its extras</summary>
         public bool Controls;
@@ -34,13 +34,13 @@ namespace Sinew
     /// <summary>sinew_character_transform_options of C; what is not set is its default.</summary>
     public sealed class TransformSettings
     {
-        /// <summary>Quarter turns about the origin, one after the other: "x", "-x", "y", ...</summary>
+        /// <summary>Rotations by 90 degrees about an axis through the origin, in order: "x", "-x", "y", ...</summary>
         public string[] Turns;
         /// <summary>Height in meters along up; 0 = unchanged</summary>
         public double Height;
         /// <summary>The lowest vertex is moved to 0 along up</summary>
         public bool Floor;
-        /// <summary>After the turns; 0 = Y</summary>
+        /// <summary>After the rotations; 0 = Y</summary>
         public Up Up;
 
         internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
@@ -54,13 +54,13 @@ namespace Sinew
     /// <summary>sinew_character_check_options of C; what is not set is its default.</summary>
     public sealed class CheckSettings
     {
-        /// <summary>The mesh is not posed: no tears, lost volume, flips, crossings</summary>
+        /// <summary>No test poses: no tears, lost volume, flips, crossings</summary>
         public bool Poses = true;
-        /// <summary>Animations are not looked at</summary>
+        /// <summary>Ignores animations</summary>
         public bool Clips = true;
-        /// <summary>The result has a score</summary>
+        /// <summary>Computes the score</summary>
         public bool Score;
-        /// <summary>Rules that get other bounds</summary>
+        /// <summary>Rules with other bounds</summary>
         public Dictionary<string, double> Bounds;
 
         internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
@@ -77,41 +77,41 @@ namespace Sinew
     public sealed class CharacterBindSettings : JobSettings
     {
         public Method Method;
-        /// <summary>1..12 influences a vertex; 0 = 4</summary>
+        /// <summary>1..12 influences per vertex; 0 = 4</summary>
         public int Influences;
         /// <summary>0 = Y</summary>
         public Up Up;
         public JointsFrom Joints;
         public RigidParts RigidParts;
-        /// <summary>25..400, 200 blends twice as softly; 0 = 100</summary>
+        /// <summary>25..400, 200 = twice as soft; 0 = 100</summary>
         public int SoftnessPercent;
-        /// <summary>A mesh of more vertices is bound on a surface reduced to so many; 0 = 32768</summary>
+        /// <summary>Larger meshes are bound on a surface reduced to this many vertices; 0 = 32768</summary>
         public int SurfaceVertices;
-        /// <summary>Joints that only end a chain keep the weight they get</summary>
+        /// <summary>Joints that only end a chain keep their weight</summary>
         public bool KeepTips;
         /// <summary>Meshes without a skin are bound too</summary>
         public bool BindProps;
-        /// <summary>A skeleton in other units or beside the mesh is brought into it</summary>
+        /// <summary>Scales, rotates and moves a skeleton that has other units or stands beside the mesh</summary>
         public bool Fit;
-        /// <summary>Mirrored vertices get mirrored rows</summary>
+        /// <summary>Mirrored vertices get mirrored weights</summary>
         public bool Symmetric;
-        /// <summary>A saved .glb has the confidence as _CONFIDENCE</summary>
+        /// <summary>A saved .glb has the confidence as attribute _CONFIDENCE</summary>
         public bool KeepConfidence;
         /// <summary>JOINT_NEVER, JOINT_DEFORMS (if any has it, no other deforms); or null</summary>
         public byte[] JointFlags;
-        /// <summary>Not 0: keeps the weights it has; or null</summary>
+        /// <summary>Not 0: the vertex keeps its weights; or null</summary>
         public byte[] Locked;
-        /// <summary>Not 0: keeps the weights it has, which steer their surroundings; or null</summary>
+        /// <summary>Not 0: the vertex keeps its weights, which guide its surroundings; or null</summary>
         public byte[] Hinted;
-        /// <summary>Weights of some vertices of the same mesh, joints by name, in place of hinted; or null</summary>
+        /// <summary>Weights of some vertices of the same mesh, joints by name, instead of hinted; or null</summary>
         public Character Hints;
-        /// <summary>A bound character whose weights are carried over where they fit; or null</summary>
+        /// <summary>A bound character whose weights are transferred where they fit; or null</summary>
         public Character Like;
-        /// <summary>A .style file that answers what it knows</summary>
+        /// <summary>A .style file with answers about similar parts</summary>
         public string Style;
-        /// <summary>Rest pose of the result: "t", "a", or a file whose skeleton stands so; null: as it stands. Cuts, too</summary>
+        /// <summary>Rest pose of the result: "t", "a", or a file with a skeleton in that pose; null: unchanged. Implies cut</summary>
         public string ToPose;
-        /// <summary>What has grown together is opened, its vertices doubled; the new ones come last</summary>
+        /// <summary>Fused parts are cut open; doubled vertices are appended</summary>
         public bool Cut;
         /// <summary>Bytes of .sinew files in place of the bundled models; or null.</summary>
         public byte[] Model;
@@ -138,39 +138,38 @@ namespace Sinew
         public CharacterRigMethod Method;
         public CharacterDetail Detail;
         public Mirror Mirror;
-        /// <summary>0 = found, or as the file's format says</summary>
+        /// <summary>0 = by the file format, else found</summary>
         public Up Up;
         /// <summary>0 = found</summary>
         public Front Front;
-        /// <summary>What kind of body it is; 0 = as the model says</summary>
+        /// <summary>Body class; 0 = as predicted</summary>
         public Category Category;
-        /// <summary>1..16; 0 = as the model says</summary>
+        /// <summary>1..16 spine joints; 0 = as predicted</summary>
         public int SpineCount;
-        /// <summary>Feet have no toe joints</summary>
+        /// <summary>No toe joints</summary>
         public bool Toes = true;
-        /// <summary>Chains have no NAME_end joints</summary>
+        /// <summary>No NAME_end joints at chain ends</summary>
         public bool Ends = true;
-        /// <summary>The skeleton alone, without weights</summary>
+        /// <summary>The skeleton only, without weights</summary>
         public bool Bind = true;
-        /// <summary>With a skeleton, its bones are turned and all scaled alike</summary>
+        /// <summary>With a skeleton, its bones are rotated and all scaled by one factor</summary>
         public bool KeepLengths;
-        /// <summary>The result is measured; what fails is a note that begins with "gate: "</summary>
+        /// <summary>Checks the result; each failure is a note that begins with "gate: "</summary>
         public bool Gate;
-        /// <summary>A file, or template:NAME, that is put into the mesh</summary>
+        /// <summary>A file, or template:NAME, whose skeleton is fitted into the mesh</summary>
         public string Skeleton;
-        /// <summary>A character whose skeleton is put into the mesh; or null</summary>
+        /// <summary>A character whose skeleton is fitted into the mesh; or null</summary>
         public Character SkeletonCharacter;
-        /// <summary>Of the bind: 1..12 influences a vertex; 0 = 4</summary>
+        /// <summary>Bind: 1..12 influences per vertex; 0 = 4</summary>
         public int Influences;
         public RigidParts RigidParts;
-        /// <summary>Of the bind: 25..400, 200 blends twice as softly; 0 = 100</summary>
+        /// <summary>Bind: 25..400, 200 = twice as soft; 0 = 100</summary>
         public int SoftnessPercent;
-        /// <summary>Of the bind: a mesh of more vertices is bound on a surface reduced to so many; 0 = 32768</summary>
+        /// <summary>Bind: larger meshes are bound on a surface reduced to this many vertices; 0 = 32768</summary>
         public int SurfaceVertices;
-        /// <summary>Of the bind: rest pose of the result: "t", "a", or a file whose skeleton stands so; null: as it stands. Cuts,
-        /// too</summary>
+        /// <summary>Bind: rest pose of the result: "t", "a", or a file with a skeleton in that pose; null: unchanged. Implies cut</summary>
         public string ToPose;
-        /// <summary>Of the bind: what has grown together is opened, its vertices doubled; the new ones come last</summary>
+        /// <summary>Bind: fused parts are cut open; doubled vertices are appended</summary>
         public bool Cut;
         /// <summary>Bytes of .sinew files in place of the bundled models; or null.</summary>
         public byte[] Model, HandsModel, FrontModel;
@@ -195,17 +194,17 @@ namespace Sinew
     public sealed class CharacterMapSettings
     {
         public MapMethod Method;
-        /// <summary>Joints' names are not read</summary>
+        /// <summary>Ignores joint names</summary>
         public bool Names = true;
-        /// <summary>Bone ends are not read</summary>
+        /// <summary>Ignores bone ends</summary>
         public bool Ends = true;
-        /// <summary>0 = along the legs of a body that has two, else Y</summary>
+        /// <summary>0 = along the legs of a body with two legs, else Y</summary>
         public Up TargetUp;
-        /// <summary>As with target_up 0, whatever it is</summary>
+        /// <summary>Guesses the up axis, as with target_up 0</summary>
         public bool GuessUp;
-        /// <summary>Pairs that are kept</summary>
+        /// <summary>Pairs to keep</summary>
         public Native.sinew_map_pin[] Pins;
-        /// <summary>A map whose lines are kept</summary>
+        /// <summary>A map file whose pairs are kept</summary>
         public string PinsFile;
         /// <summary>Of "branches"</summary>
         public BranchesFirst First;
@@ -213,9 +212,10 @@ namespace Sinew
         public BranchesCost Cost;
         /// <summary>Of the motion; 0 = found</summary>
         public Up SourceUp;
-        /// <summary>Layout of keypoints (.npy, .npz): "smpl24", ...; null: guessed by their count</summary>
+        /// <summary>Layout of keypoints (.npy, .npz): "smpl24", ...; null: chosen by the number of keypoints</summary>
         public string Layout;
-        /// <summary>Of a file of several people, by the root's name or number; null: the first where all are alike</summary>
+        /// <summary>Actor of a file with several people, by name of the root or number; null: the first, if all have equal
+        /// skeletons</summary>
         public string Actor;
 
         internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
@@ -235,79 +235,80 @@ namespace Sinew
         public AnimateMethod Method;
         /// <summary>Knees and elbows may leave their natural range</summary>
         public bool Range = true;
-        /// <summary>Stays above where it stands at rest</summary>
+        /// <summary>Keeps the character above its rest position</summary>
         public bool InPlace;
         /// <summary>Of the character; 0 = found</summary>
         public Up TargetUp;
-        /// <summary>Most morph targets a clip; 0 = 16</summary>
+        /// <summary>Maximum number of morph targets per clip; 0 = 16</summary>
         public int Shapes;
-        /// <summary>Limbs are measured before and after</summary>
+        /// <summary>Measures limbs before and after</summary>
         public bool Report;
-        /// <summary>Plays a motion that does not fit, such as a person's on a horse; else an error</summary>
+        /// <summary>Plays a motion that does not fit, such as a person's on a horse; 0: that is an error</summary>
         public bool Force;
-        /// <summary>Bones stretch as the source's do, as in sinew_retarget_options</summary>
+        /// <summary>Bones stretch like the source's, as in sinew_retarget_options</summary>
         public bool Translations;
-        /// <summary>Bones of a picture's character leave its plane as the motion's do</summary>
+        /// <summary>Bones of a picture's character may leave the picture plane</summary>
         public bool Depth;
-        /// <summary>Pairs that a found map keeps</summary>
+        /// <summary>Pairs to keep in a map that is found</summary>
         public Native.sinew_map_pin[] Pins;
         /// <summary>A map file; null: found</summary>
         public string Map;
-        /// <summary>Joint of the motion or -1, in place of a map; or null</summary>
+        /// <summary>Joint of the motion or -1, instead of a map; or null</summary>
         public int[] Sources;
-        /// <summary>What joints stay within, contacts or not: a .urdf, a file of formats/spec/limits.md, or "human" for what bodies can do;
-        /// null: the natural range alone</summary>
+        /// <summary>Rotation limits of joints, for every method: a .urdf, a file of formats/spec/limits.md, or "human"; null: only the
+        /// natural range of knees and elbows</summary>
         public string Limits;
-        /// <summary>Hair, tails, ears and skirts swing in the clips, by the springs of the character, see springs()</summary>
+        /// <summary>Simulates the character's springs (hair, tails, ears, skirts) in the clips, see springs()</summary>
         public bool Springs;
         /// <summary>Of the motion; 0 = found</summary>
         public Up MotionUp;
-        /// <summary>Layout of keypoints (.npy, .npz): "smpl24", ...; null: guessed by their count</summary>
+        /// <summary>Layout of keypoints (.npy, .npz): "smpl24", ...; null: chosen by the number of keypoints</summary>
         public string Layout;
-        /// <summary>Of a file of several people, by the root's name or number; null: the first where all are alike</summary>
+        /// <summary>Actor of a file with several people, by name of the root or number; null: the first, if all have equal
+        /// skeletons</summary>
         public string Actor;
-        /// <summary>By name or number; null: all</summary>
+        /// <summary>Clip by name or number; null: all</summary>
         public string Clip;
-        /// <summary>Frames a second; 0 = as the motion has</summary>
+        /// <summary>Frames per second; 0 = as in the motion</summary>
         public double Fps;
-        /// <summary>First second that is played</summary>
+        /// <summary>First second to play</summary>
         public double From;
-        /// <summary>Last second that is played; 0 = the end</summary>
+        /// <summary>Last second to play; 0 = the end</summary>
         public double To;
-        /// <summary>Animate makes morph targets of corrections, VOLUME and above; bake takes no other. 0 = none, linear blending or VOLUME,
-        /// as the call says</summary>
+        /// <summary>Animate makes morph targets for corrections (VOLUME and above), which bake requires. 0 = none, linear blending or
+        /// VOLUME, depending on the call</summary>
         public PoseDeform Deform;
-        /// <summary>Of the deformer; 0 = its own</summary>
+        /// <summary>Lattice cells of the deformer; 0 = its default</summary>
         public int Cells;
-        /// <summary>Of the deformer; 0 = its own</summary>
+        /// <summary>Iterations of the deformer; 0 = its default</summary>
         public int Rounds;
-        /// <summary>With VOLUME or XPBD, limbs keep out of the body</summary>
+        /// <summary>For VOLUME and XPBD, limbs keep out of the body</summary>
         public bool BodyContact;
-        /// <summary>Of "xpbd"</summary>
+        /// <summary>For "xpbd"</summary>
         public TetWeights TetWeights;
-        /// <summary>Bends are not smoothed, of SINEW_POSE_XPBD</summary>
+        /// <summary>Bends are not smoothed, for SINEW_POSE_XPBD</summary>
         public bool Smoothing = true;
         /// <summary>"xpbd" as published, see sinew/deform.h</summary>
         public bool DeformAsDrawn;
-        /// <summary>Of "xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2</summary>
+        /// <summary>Stiffness of the springs in the lattice's tetrahedra, 0.001 to 1000, for "xpbd"; 0 = 0.2</summary>
         public double Stiffness;
         /// <summary>Reference points: n, 1 .. 4, or NO_AREA for 0; 0 = 3</summary>
         public int AreaPower;
-        /// <summary>Reference points: triangles of the limb itself have influence as well</summary>
+        /// <summary>Reference points: triangles of the limb itself have influence too</summary>
         public bool OwnLimb;
-        /// <summary>Reference points: knees and ankles move as well</summary>
+        /// <summary>Reference points: also corrects knees and ankles</summary>
         public bool Legs;
-        /// <summary>Reference points: d: influence also falls by exp(-(distance / (d * source's height))^2); 0 = 0.05, which is
-        /// ours</summary>
+        /// <summary>Reference points: d: influence also falls by exp(-(distance / (d * source's height))^2); 0 = 0.05 (added by
+        /// sinew)</summary>
         public float Falloff;
-        /// <summary>Reference points: the head moves as well</summary>
+        /// <summary>Reference points: also corrects the head</summary>
         public bool Head;
-        /// <summary>Reference points: torso joints lie as the source's do, each seen from the one before; 0: they turn as copied</summary>
+        /// <summary>Reference points: copies directions between torso joints; 0: copies their rotations</summary>
         public bool Torso;
-        /// <summary>Reference points: reference points are the source's, in the size of the target; 0: the target's</summary>
+        /// <summary>Reference points: reference points of the source's body, scaled to the target; 0: of the target's body</summary>
         public bool SourcePoints;
-        /// <summary>Reference points: as published: one sum over all triangles, the limb's own too; knees, ankles, head and torso as well;
-        /// the source's reference points; no falloff, no push-out. own_limb to source_points say nothing then</summary>
+        /// <summary>Reference points: as published: one sum over all triangles, including the limb's own; knees, ankles, head and torso
+        /// too; the source's reference points; no falloff, no push-out. own_limb to source_points are ignored</summary>
         public bool AsDrawn;
         /// <summary>Bytes of .sinew files in place of the bundled models; or null.</summary>
         public byte[] Model, HandsModel, FrontModel;
@@ -344,26 +345,26 @@ namespace Sinew
         public double[] Rotations;
         /// <summary>Row-major 3x4, rest to posed space; or null</summary>
         public double[] Matrices;
-        /// <summary>Of the character's own, by name or number</summary>
+        /// <summary>Clip of the character, by name or number</summary>
         public string Clip;
-        /// <summary>Second of the clip</summary>
+        /// <summary>Time in the clip, in seconds</summary>
         public double Time;
-        /// <summary>Animate makes morph targets of corrections, VOLUME and above; bake takes no other. 0 = none, linear blending or VOLUME,
-        /// as the call says</summary>
+        /// <summary>Animate makes morph targets for corrections (VOLUME and above), which bake requires. 0 = none, linear blending or
+        /// VOLUME, depending on the call</summary>
         public PoseDeform Deform;
-        /// <summary>Of the deformer; 0 = its own</summary>
+        /// <summary>Lattice cells of the deformer; 0 = its default</summary>
         public int Cells;
-        /// <summary>Of the deformer; 0 = its own</summary>
+        /// <summary>Iterations of the deformer; 0 = its default</summary>
         public int Rounds;
-        /// <summary>With VOLUME or XPBD, limbs keep out of the body</summary>
+        /// <summary>For VOLUME and XPBD, limbs keep out of the body</summary>
         public bool BodyContact;
-        /// <summary>Of "xpbd"</summary>
+        /// <summary>For "xpbd"</summary>
         public TetWeights TetWeights;
-        /// <summary>Bends are not smoothed, of SINEW_POSE_XPBD</summary>
+        /// <summary>Bends are not smoothed, for SINEW_POSE_XPBD</summary>
         public bool Smoothing = true;
         /// <summary>"xpbd" as published, see sinew/deform.h</summary>
         public bool DeformAsDrawn;
-        /// <summary>Of "xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2</summary>
+        /// <summary>Stiffness of the springs in the lattice's tetrahedra, 0.001 to 1000, for "xpbd"; 0 = 0.2</summary>
         public double Stiffness;
         public int Threads = 1;
 
@@ -386,21 +387,21 @@ namespace Sinew
     public sealed class CharacterTransferSettings : JobSettings
     {
         public TransferMethod Method;
-        /// <summary>1..12 influences a vertex; 0 = 4</summary>
+        /// <summary>1..12 influences per vertex; 0 = 4</summary>
         public int Influences;
         /// <summary>0 = Y</summary>
         public Up TargetUp;
         /// <summary>0 = Y</summary>
         public Up SourceUp;
-        /// <summary>The target is worn by the source</summary>
+        /// <summary>The source wears the target</summary>
         public bool Garment;
-        /// <summary>As its paper says, of "biharmonic"</summary>
+        /// <summary>"biharmonic" as published</summary>
         public bool AsDrawn;
-        /// <summary>Binds by heat alone, without a model</summary>
+        /// <summary>Binds by heat only, without a model</summary>
         public bool Heat;
-        /// <summary>Of "biharmonic"</summary>
+        /// <summary>Reference points of "biharmonic"</summary>
         public Native.sinew_vertex_pair[] Pairs;
-        /// <summary>Not 0: the target's vertex keeps the weights it has; or null</summary>
+        /// <summary>Not 0: the target's vertex keeps its weights; or null</summary>
         public byte[] Locked;
         /// <summary>A map file; null: found</summary>
         public string Map;
@@ -422,18 +423,18 @@ namespace Sinew
     /// <summary>sinew_character_springs_options of C; what is not set is its default.</summary>
     public sealed class SpringsSettings
     {
-        /// <summary>Finds springs anew in place of the file's own</summary>
+        /// <summary>Finds springs anew instead of the file's own</summary>
         public bool Replace;
-        /// <summary>Chains that are kept although they are not sure, or beside the file's own</summary>
+        /// <summary>Chains to keep despite a low probability, or in addition to the file's own</summary>
         public string[] Take;
-        /// <summary>Chains that are left out</summary>
+        /// <summary>Chains to leave out</summary>
         public string[] Drop;
-        /// <summary>NAME=KIND: numbers of another kind, hair, long-hair, skirt, tail, ear, cape, bust or ribbon</summary>
+        /// <summary>NAME=KIND: parameters of another kind, hair, long-hair, skirt, tail, ear, cape, bust or ribbon</summary>
         public string[] Presets;
-        /// <summary>NAME:FIELD=X, one number of a chain's joints, or NAME:FIELD=xF, F times what each has: stiffness, gravity, drag, radius
-        /// or limit</summary>
+        /// <summary>NAME:FIELD=X sets a parameter of a chain's joints, NAME:FIELD=xF scales it by F: stiffness, gravity, drag, radius or
+        /// limit</summary>
         public string[] Values;
-        /// <summary>Chains of joints are laid into skirts, coats and capes that have none, and these are bound to them</summary>
+        /// <summary>Makes chains of joints in skirts, coats and capes that have none, and binds these to them</summary>
         public bool Make;
 
         internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
@@ -449,34 +450,35 @@ namespace Sinew
     /// <summary>sinew_character_bake_options of C; what is not set is its default.</summary>
     public sealed class BakeSettings
     {
-        /// <summary>Poses to learn from; 0 = 1500</summary>
+        /// <summary>Number of training poses; 0 = 1500</summary>
         public int Poses;
-        /// <summary>Most weights that drive a bend, each of which has one or two morph targets; 0 = 8</summary>
+        /// <summary>Maximum number of driving weights per bend, each with one or two morph targets; 0 = 8</summary>
         public int Shapes;
-        /// <summary>Of the random poses; 0 = 1</summary>
+        /// <summary>Seed of the random poses; 0 = 1</summary>
         public ulong Seed;
-        /// <summary>Largest angle in degrees; 0 = 60</summary>
+        /// <summary>Maximum angle in degrees; 0 = 60</summary>
         public double Limit;
-        /// <summary>Learns from a clip of the character's own; null: random poses</summary>
+        /// <summary>Clip of the character to train on; null: random poses</summary>
         public string Clip;
-        /// <summary>What may be left out of a vertex's moves, root mean square over the poses, a share of the size; 0 = 0.002</summary>
+        /// <summary>Threshold for leaving out displacements of vertices: root mean square over the poses as a share of the size; 0 =
+        /// 0.002</summary>
         public double Error;
-        /// <summary>Animate makes morph targets of corrections, VOLUME and above; bake takes no other. 0 = none, linear blending or VOLUME,
-        /// as the call says</summary>
+        /// <summary>Animate makes morph targets for corrections (VOLUME and above), which bake requires. 0 = none, linear blending or
+        /// VOLUME, depending on the call</summary>
         public PoseDeform Deform;
-        /// <summary>Of the deformer; 0 = its own</summary>
+        /// <summary>Lattice cells of the deformer; 0 = its default</summary>
         public int Cells;
-        /// <summary>Of the deformer; 0 = its own</summary>
+        /// <summary>Iterations of the deformer; 0 = its default</summary>
         public int Rounds;
-        /// <summary>With VOLUME or XPBD, limbs keep out of the body</summary>
+        /// <summary>For VOLUME and XPBD, limbs keep out of the body</summary>
         public bool BodyContact;
-        /// <summary>Of "xpbd"</summary>
+        /// <summary>For "xpbd"</summary>
         public TetWeights TetWeights;
-        /// <summary>Bends are not smoothed, of SINEW_POSE_XPBD</summary>
+        /// <summary>Bends are not smoothed, for SINEW_POSE_XPBD</summary>
         public bool Smoothing = true;
         /// <summary>"xpbd" as published, see sinew/deform.h</summary>
         public bool DeformAsDrawn;
-        /// <summary>Of "xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2</summary>
+        /// <summary>Stiffness of the springs in the lattice's tetrahedra, 0.001 to 1000, for "xpbd"; 0 = 0.2</summary>
         public double Stiffness;
         public Func<float, bool> Progress;
 
@@ -496,17 +498,17 @@ namespace Sinew
     public sealed class PictureSettings
     {
         public BodyClass BodyClass;
-        /// <summary>Which of several figures, from left to right, from 1 on; 0: the largest</summary>
+        /// <summary>Number of the figure, from left to right, starting at 1; 0: the largest</summary>
         public int Figure;
         /// <summary>A flat card instead of a body as thick as it is wide</summary>
         public bool Flat;
-        /// <summary>Positions are the picture's pixels, x right, y up from the bottom edge; else the longest side is 1</summary>
+        /// <summary>Positions in pixels, x right, y up from the bottom edge; 0: the longest side is 1</summary>
         public bool Pixels;
-        /// <summary>A picture that is bright where the figure is, as a file or the name of one in memory; null: found</summary>
+        /// <summary>Mask of the figure, bright inside: a file, or the name of one in memory; null: found</summary>
         public string Mask;
-        /// <summary>The figure as picture_info has it, in place of what is found</summary>
+        /// <summary>Outline of the figure as in picture_info; null: found</summary>
         public float[][] Outline;
-        /// <summary>The figure is opened along lines that are drawn into it from its outline, as a guess</summary>
+        /// <summary>Cuts the figure along lines drawn into it from its outline</summary>
         public bool Cut;
 
         internal IntPtr Options(Pins pins, Watch watch, Native.sinew_character_arrays sizes)
@@ -528,7 +530,7 @@ namespace Sinew
         public string Rule;
         /// <summary>One line of English</summary>
         public string What;
-        /// <summary>One line: what to do</summary>
+        /// <summary>One line: the remedy</summary>
         public string Cure;
         /// <summary>Test pose in which it shows; "": none</summary>
         public string Pose;
@@ -536,22 +538,22 @@ namespace Sinew
         public string Clip;
         /// <summary>Time in the clip</summary>
         public double Seconds;
-        /// <summary>What was measured</summary>
+        /// <summary>Measured value</summary>
         public double Value;
         /// <summary>The value above which it is a finding</summary>
         public double Bound;
-        /// <summary>Ascending; null where it is about joints or clips</summary>
+        /// <summary>Ascending; null for a finding about joints or clips</summary>
         public int[] Vertices;
         public CheckSeverity Severity;
-        /// <summary>Joint that it is about; -1: none</summary>
+        /// <summary>Joint of the finding; -1: none</summary>
         public int Joint;
-        /// <summary>Joint that it is compared with; -1: none</summary>
+        /// <summary>Joint for comparison; -1: none</summary>
         public int Other;
         /// <summary>Mesh of all its vertices; -1: none, or several</summary>
         public int Mesh;
-        /// <summary>Where to look, in the mesh's units</summary>
+        /// <summary>Position of the finding, in the mesh's units</summary>
         public float[] Position;
-        /// <summary>How far around the position to look</summary>
+        /// <summary>Radius of the finding around the position</summary>
         public float Radius;
 
         internal static Finding Of(IntPtr at, Native.sinew_character_arrays sizes)
@@ -567,7 +569,7 @@ namespace Sinew
     /// <summary>sinew_character_check_result of C.</summary>
     public sealed class CheckResult
     {
-        /// <summary>Findings of each severity</summary>
+        /// <summary>Number of findings of each severity</summary>
         public int Errors;
         public int Warnings;
         public int Notes;
@@ -575,7 +577,7 @@ namespace Sinew
         public Finding[] Findings;
         /// <summary>"checked: 0 findings"</summary>
         public string Line;
-        /// <summary>0..100, how near the weights are to those of three methods; -1 where it was not asked for</summary>
+        /// <summary>0..100, similarity of the weights to those of three methods; -1 if not requested</summary>
         public double? Score;
 
         internal static IntPtr Room(Pins pins)
@@ -595,7 +597,7 @@ namespace Sinew
     /// <summary>sinew_character_left_out of C.</summary>
     public sealed class LeftOutJoint
     {
-        /// <summary>"control", "no weight in the file", ..</summary>
+        /// <summary>Reason: "control", "no weight in the file", ..</summary>
         public string Why;
         public int Joint;
 
@@ -609,9 +611,9 @@ namespace Sinew
     /// <summary>sinew_character_seam of C.</summary>
     public sealed class Seam
     {
-        /// <summary>The joints that most of it lies between</summary>
+        /// <summary>The joints on its two sides</summary>
         public int[] Joints;
-        /// <summary>Its middle</summary>
+        /// <summary>Its center</summary>
         public float[] Position;
         public float Length;
 
@@ -626,24 +628,24 @@ namespace Sinew
     /// <summary>sinew_character_bind_result of C.</summary>
     public sealed class CharacterBindResult
     {
-        /// <summary>With symmetric: vertices that have a mirror image</summary>
+        /// <summary>With symmetric: number of vertices with a mirror image</summary>
         public int SymmetricVertices;
-        /// <summary>Meshes that stay attached to one joint</summary>
+        /// <summary>Number of meshes that stay attached to one joint</summary>
         public int KeptMeshes;
-        /// <summary>Joints that gave their weight to their parents</summary>
+        /// <summary>Number of joints that gave their weight to their parents</summary>
         public int FoldedTips;
-        /// <summary>Answers by the style file</summary>
+        /// <summary>Number of answers from the style file</summary>
         public int AnswersByStyle;
-        /// <summary>In sinew_bind()</summary>
+        /// <summary>Duration of sinew_bind()</summary>
         public double Seconds;
         public long WorkspaceBytes;
-        /// <summary>Joints that may get no weight</summary>
+        /// <summary>Joints that must not get weight</summary>
         public LeftOutJoint[] LeftOut;
-        /// <summary>Of the weights, as in `sinew bind --json`</summary>
+        /// <summary>Hash of the weights, as in `sinew bind --json`</summary>
         public string Hash;
         /// <summary>Longest first</summary>
         public Seam[] Seams;
-        /// <summary>With cut or to_pose</summary>
+        /// <summary>With cut or to_pose: number of doubled vertices</summary>
         public int DoubledVertices;
 
         internal static IntPtr Room(Pins pins)
@@ -667,7 +669,7 @@ namespace Sinew
     /// <summary>sinew_character_doubt of C.</summary>
     public sealed class LimbDoubt
     {
-        /// <summary>Joint that the limb is called by: LeftArm, RightUpLeg, Tail</summary>
+        /// <summary>Joint that names the limb: LeftArm, RightUpLeg, Tail</summary>
         public string Name;
         /// <summary>Probability that the limb is wrong, 0..1</summary>
         public float Doubt;
@@ -682,34 +684,34 @@ namespace Sinew
     /// <summary>sinew_character_rig_result of C.</summary>
     public sealed class CharacterRigResult
     {
-        /// <summary>The skeleton is its own mirror image</summary>
+        /// <summary>The skeleton is symmetric</summary>
         public bool Mirrored;
-        /// <summary>With a skeleton: its joints that have a counterpart in the prediction</summary>
+        /// <summary>With a skeleton: number of its joints that match the prediction</summary>
         public int Matched;
-        /// <summary>N: joints of the arrays below</summary>
+        /// <summary>N: number of joints of the arrays below</summary>
         public int JointCount;
-        /// <summary>How far off the votes think they are, see sinew_rig_outputs</summary>
+        /// <summary>Estimated error of the votes, see sinew_rig_outputs</summary>
         public float Spread;
-        /// <summary>With a skeleton: how much larger it became</summary>
+        /// <summary>With a skeleton: its scale factor</summary>
         public double Scale;
         public double Seconds;
         public double BindSeconds;
         /// <summary>A bone end</summary>
         public byte[] Ends;
-        /// <summary>0..1</summary>
+        /// <summary>Confidence of positions, 0..1</summary>
         public float[] Confidence;
-        /// <summary>0..1</summary>
+        /// <summary>Confidence of parents, 0..1</summary>
         public float[] ParentConfidence;
-        /// <summary>Unit vector in which the mesh faces</summary>
+        /// <summary>Unit vector of the front direction</summary>
         public float[] Front;
         /// <summary>Y or Z</summary>
         public Up Up;
-        /// <summary>0..1, see sinew_rig_outputs; below 0.7 a coin toss</summary>
+        /// <summary>0..1, see sinew_rig_outputs; uncertain below 0.7</summary>
         public float FrontConfidence;
         public float UpConfidence;
         /// <summary>Longest first</summary>
         public Seam[] Seams;
-        /// <summary>Limbs by falling doubt; of votes</summary>
+        /// <summary>Limbs by descending doubt; for votes</summary>
         public LimbDoubt[] Doubtful;
 
         internal static IntPtr Room(Pins pins)
@@ -735,13 +737,13 @@ namespace Sinew
     {
         /// <summary>That was used</summary>
         public MapMethod Method;
-        /// <summary>J of the target</summary>
+        /// <summary>J: number of joints of the target</summary>
         public int JointCount;
-        /// <summary>Joints with a source</summary>
+        /// <summary>Number of joints with a source</summary>
         public int Mapped;
-        /// <summary>0..1, of front, sides and trunk</summary>
+        /// <summary>0..1, certainty of front, sides and torso</summary>
         public float Certainty;
-        /// <summary>0..1, how much of both bodies it reaches; below 0.5 animate() refuses it</summary>
+        /// <summary>0..1, share of both bodies that is mapped; below 0.5 animate() rejects it</summary>
         public float Cover;
         public double Seconds;
         /// <summary>Joint of the source, -1 = none</summary>
@@ -780,7 +782,7 @@ namespace Sinew
         public int DeepFrames;
         /// <summary>With a contact</summary>
         public int ContactFrames;
-        /// <summary>Elbow or knee is out of its natural range by more than a degree</summary>
+        /// <summary>With elbow or knee out of its natural range by more than a degree</summary>
         public int RangeFrames;
         /// <summary>Mean over frames</summary>
         public float Depth;
@@ -801,35 +803,35 @@ namespace Sinew
     /// <summary>sinew_character_animate_result of C.</summary>
     public sealed class AnimateResult
     {
-        /// <summary>Clips that were added</summary>
+        /// <summary>Number of clips that were added</summary>
         public int ClipCount;
         /// <summary>Index of the first of them, for get_clip()</summary>
         public int FirstClip;
-        /// <summary>Joints that move</summary>
+        /// <summary>Number of joints with a source</summary>
         public int Mapped;
-        /// <summary>It was a bare mesh</summary>
+        /// <summary>A bare mesh was rigged first</summary>
         public bool Rigged;
-        /// <summary>Morph targets that were added</summary>
+        /// <summary>Number of morph targets that were added</summary>
         public int ShapeCount;
-        /// <summary>0..1, of front and sides, and no more than how much of both bodies the map reaches</summary>
+        /// <summary>0..1, certainty of front and sides, at most the share of both bodies that is mapped</summary>
         public float Certainty;
-        /// <summary>With report: limbs in both arrays below</summary>
+        /// <summary>With report: number of limbs in both arrays below</summary>
         public int LimbCount;
         /// <summary>With report</summary>
         public LimbQuality[] LimbsBefore;
         /// <summary>With report</summary>
         public LimbQuality[] LimbsAfter;
-        /// <summary>"anatomy and names"</summary>
+        /// <summary>How the map was found: "anatomy and names", ..</summary>
         public string MappedBy;
         /// <summary>The map that was used: joint of the motion, -1 = none</summary>
         public int[] Sources;
         public byte[] Reasons;
-        /// <summary>A mere end, which never turns</summary>
+        /// <summary>A bone end, which does not rotate</summary>
         public byte[] SourceEnds;
-        /// <summary>Joints of the motion, a line each, '\n' between two</summary>
+        /// <summary>Names of the joints of the motion, one per line</summary>
         public string SourceNames;
         public byte[] SpotKinds;
-        /// <summary>See sinew_contact_spot, as the errors</summary>
+        /// <summary>Positions, see sinew_contact_spot</summary>
         public float[] SpotPositions;
         public float[] SpotErrors;
 
@@ -862,14 +864,14 @@ namespace Sinew
         public int VertexCount;
         /// <summary>Of the larger share</summary>
         public TransferReason Reason;
-        /// <summary>Share of its weights that was carried over, 65536 = all; the rest was bound anew</summary>
+        /// <summary>Share of its weights that was transferred, 65536 = all; the rest was rebound</summary>
         public double Carried;
-        /// <summary>How far the source's weights there are from a bind's: sum over joints of the difference, mean over the vertices,
-        /// 0..131072. 0 where nothing was bound</summary>
+        /// <summary>Difference between the source's weights there and a bind: sum over joints, mean over the vertices, 0..131072. 0 if
+        /// nothing was bound</summary>
         public double Style;
-        /// <summary>The same between a bind of the target and the source's bind carried over: how far the match is off</summary>
+        /// <summary>The same between a bind of the target and the transferred bind of the source: the match error</summary>
         public double Mismatch;
-        /// <summary>Mean distance of its vertices from the source as it was laid over the target, longest sides of the target</summary>
+        /// <summary>Mean distance of its vertices from the aligned source, in longest sides of the target</summary>
         public double Distance;
 
         internal static TransferPart Of(IntPtr at, Native.sinew_character_arrays sizes)
@@ -884,20 +886,20 @@ namespace Sinew
     /// <summary>sinew_character_transfer_result of C.</summary>
     public sealed class CharacterTransferResult
     {
-        /// <summary>Joints of the source</summary>
+        /// <summary>Number of source joints that were mapped</summary>
         public int MappedJoints;
-        /// <summary>The target had no skeleton and has the source's</summary>
+        /// <summary>The target had no skeleton and got the source's</summary>
         public bool Fitted;
-        /// <summary>Something was bound anew</summary>
+        /// <summary>A part was rebound</summary>
         public bool Bound;
         public Method BoundBy;
-        /// <summary>As in sinew_transfer_outputs, and the two below</summary>
+        /// <summary>As in sinew_transfer_outputs; so are style and mismatch</summary>
         public double Carried;
         public double Style;
         public double Mismatch;
         public double Seconds;
         public string MappedBy;
-        /// <summary>By falling size</summary>
+        /// <summary>By descending size</summary>
         public TransferPart[] Parts;
 
         internal static IntPtr Room(Pins pins)
@@ -918,21 +920,21 @@ namespace Sinew
     /// <summary>sinew_character_springs_result of C.</summary>
     public sealed class SpringsResult
     {
-        /// <summary>Chains that are kept</summary>
+        /// <summary>Number of chains that are kept</summary>
         public int ChainCount;
-        /// <summary>Joints that swing</summary>
+        /// <summary>Number of joints that swing</summary>
         public int JointCount;
-        /// <summary>Spheres and capsules that push them</summary>
+        /// <summary>Number of spheres and capsules that push them</summary>
         public int ColliderCount;
-        /// <summary>The first of these are the file's own</summary>
+        /// <summary>Number of the file's own chains, which come first</summary>
         public int OwnCount;
         /// <summary>Kept</summary>
         public byte[] Kept;
         /// <summary>0..1</summary>
         public float[] Certainties;
-        /// <summary>Names of the proposals, a line each, '\n' between two</summary>
+        /// <summary>Names of the proposals, one per line</summary>
         public string Names;
-        /// <summary>Kinds of the proposals, a line each, '\n' between two</summary>
+        /// <summary>Kinds of the proposals, one per line</summary>
         public string Kinds;
 
         internal static IntPtr Room(Pins pins)
@@ -958,10 +960,10 @@ namespace Sinew
         public int MovedVertices;
         public int LearntPoses;
         public int HeldOutPoses;
-        /// <summary>Of the poses that were learnt, shares of the size, and the one below</summary>
+        /// <summary>Error in the training poses as a share of the size, with linear skinning; the next member with the shapes</summary>
         public double LinearError;
         public double BakedError;
-        /// <summary>Of other poses, and the one below</summary>
+        /// <summary>The same in other poses</summary>
         public double HeldOutLinearError;
         public double HeldOutBakedError;
 
@@ -982,18 +984,18 @@ namespace Sinew
     /// <summary>sinew_character_picture_info of C.</summary>
     public sealed class PictureInfo
     {
-        /// <summary>Pixels, of the picture as it is seen</summary>
+        /// <summary>Pixels of the picture as displayed</summary>
         public int Width;
         public int Height;
-        /// <summary>Figures in the picture</summary>
+        /// <summary>Number of figures in the picture</summary>
         public int FigureCount;
-        /// <summary>The one that was taken, from 1 on</summary>
+        /// <summary>The figure that was taken, starting at 1</summary>
         public int Figure;
         /// <summary>0 before it is rigged</summary>
         public BodyClass BodyClass;
         /// <summary>0 before it is rigged</summary>
         public PictureView View;
-        /// <summary>0..1, of class and view together; 0 before it is rigged</summary>
+        /// <summary>0..1, certainty of class and view together; 0 before it is rigged</summary>
         public float Certainty;
         /// <summary>Pixels, x right, y down from the top left corner</summary>
         public float[][] Outline;
@@ -1027,8 +1029,8 @@ namespace Sinew
             }
         }
 
-        /// <summary>Turns and scales the character as a whole: mesh, joints, the file's own animations. Weights stay. A picture, a
-        /// character without a mesh, and one to which a call has added clips or morph targets are an error.</summary>
+        /// <summary>Rotates and scales the whole character: mesh, joints, the file's own animations. Weights stay. A picture, a character
+        /// without a mesh, and one to which a call has added clips or morph targets are an error.</summary>
         public void Transform(TransformSettings settings)
         {
             using (var pins = new Pins())
@@ -1039,8 +1041,8 @@ namespace Sinew
             }
         }
 
-        /// <summary>Looks for faults of the skeleton, the weights, the matrices and the animations; changes nothing. A character without
-        /// joints is an error.</summary>
+        /// <summary>Finds faults of the skeleton, the weights, the matrices and the animations; changes nothing. A character without joints
+        /// is an error.</summary>
         public CheckResult Check(CheckSettings settings = null)
         {
             settings = settings ?? new CheckSettings();
@@ -1068,7 +1070,7 @@ namespace Sinew
             }
         }
 
-        /// <summary>Makes a skeleton for a mesh and binds the mesh to it. A skeleton that the character has is replaced.</summary>
+        /// <summary>Makes a skeleton for a mesh and binds the mesh to it. It replaces the character's skeleton.</summary>
         public CharacterRigResult Rig(CharacterRigSettings settings = null)
         {
             settings = settings ?? new CharacterRigSettings();
@@ -1082,9 +1084,9 @@ namespace Sinew
             }
         }
 
-        /// <summary>Finds the joint of the source for each joint of the target. Changes neither; the result's arrays are the target's. The
-        /// source is read as Animate() reads a motion: in a stance that is guessed where its rest pose is none. Joints of its motion beside
-        /// its own (animated nodes without skin) are counted behind them.</summary>
+        /// <summary>Finds the source joint of each target joint. Changes neither character; the result belongs to the target. The source is
+        /// read as in Animate(): if its rest pose is not a standing pose, one is guessed from its frames. Animated nodes without skin are
+        /// counted after its joints.</summary>
         public CharacterMap Map(Character source, CharacterMapSettings settings = null)
         {
             settings = settings ?? new CharacterMapSettings();
@@ -1127,7 +1129,7 @@ namespace Sinew
             }
         }
 
-        /// <summary>Carries the weights of a bound character to the target's mesh, which keeps its skeleton or gets the source's,
+        /// <summary>Transfers the weights of a bound character to the target's mesh. A target without a skeleton gets the source's,
         /// fitted.</summary>
         public CharacterTransferResult Transfer(Character source, CharacterTransferSettings settings = null)
         {
@@ -1143,8 +1145,8 @@ namespace Sinew
             }
         }
 
-        /// <summary>Finds what swings on a bound character, hair, tails, ears and skirts, with colliders. They are saved with it
-        /// (VRMC_springBone), and played by Animate().</summary>
+        /// <summary>Finds hair, tails, ears and skirts that swing on a bound character, with colliders. The springs are saved with it
+        /// (VRMC_springBone) and simulated by Animate().</summary>
         public SpringsResult Springs(SpringsSettings settings = null)
         {
             settings = settings ?? new SpringsSettings();
@@ -1158,7 +1160,7 @@ namespace Sinew
             }
         }
 
-        /// <summary>Adds morph targets that correct bends, with what drives them, which are saved with the character.</summary>
+        /// <summary>Adds morph targets that correct bends, with their drivers, which are saved with the character.</summary>
         public BakeResult Bake(BakeSettings settings = null)
         {
             settings = settings ?? new BakeSettings();

@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: MIT
-// Motion of one skeleton on another as it comes (sinew/motion_stream.h), for captures and games.
+// Streaming retargeting (sinew/motion_stream.h), for captures and games.
 using System;
 using System.Runtime.InteropServices;
 
 namespace Sinew
 {
-    /// <summary>What a stream is asked to do. What is not set is the engine's default.</summary>
+    /// <summary>Options of a stream. Unset members have the engine's defaults.</summary>
     public sealed class StreamSettings
     {
-        /// <summary>Frames a second.</summary>
+        /// <summary>Frames per second.</summary>
         public float Fps = 30;
         /// <summary>Height of a standing ankle of the source; null: its own at rest.</summary>
         public float? Ground;
-        /// <summary>False: nothing is held on the floor; knees and elbows may leave their natural range.</summary>
+        /// <summary>False: no contacts with the floor; knees and elbows may leave their natural range.</summary>
         public bool Contacts = true, Range = true;
-        /// <summary>The target stays above where it stands.</summary>
+        /// <summary>The target stays above its rest position.</summary>
         public bool InPlace;
-        /// <summary>Lengths of the target per length of the source; 0: by their legs.</summary>
+        /// <summary>Target length per source length; 0: from the legs.</summary>
         public float Scale;
-        /// <summary>[target joints] sinew_joint_class; null: by names, by those of the sources or by a human body.</summary>
+        /// <summary>[target joints] sinew_joint_class; null: derived from names, from those of the sources or from a human body.</summary>
         public byte[] Classes;
-        /// <summary>The target's mesh (triangles) with its weights, whose skin is to be on the floor, and which hands do not go
-        /// through; null: its joints.</summary>
+        /// <summary>The target's mesh (triangles) with its weights, for contacts of its skin with the floor and hands;
+        /// null: its joints.</summary>
         public Mesh Body;
         public Skin BodySkin;
-        /// <summary>The mesh that moves, of the same vertices: hands touch Body as they touch it. null: nobody knows.</summary>
+        /// <summary>The source's mesh, with the same vertices, for contacts of hands with the body. null: none.</summary>
         public Mesh SourceBody;
         public Skin SourceBodySkin;
     }
@@ -39,7 +39,7 @@ namespace Sinew
 
         /// <param name="map">[target joints] joint of the source, or -1.</param>
         /// <exception cref="ArgumentException">An array has another length than it says.</exception>
-        /// <exception cref="SinewException">The engine refuses the call.</exception>
+        /// <exception cref="SinewException">The engine rejects the call.</exception>
         public RetargetStream(Skeleton source, Skeleton target, int[] map, StreamSettings settings = null)
         {
             settings = settings ?? new StreamSettings();
@@ -92,7 +92,7 @@ namespace Sinew
             }
         }
 
-        /// <summary>Forgets the frames before.</summary>
+        /// <summary>Resets the stream: the next frame is its first.</summary>
         public void Restart()
         {
             if (memory_.Address == IntPtr.Zero) throw new ObjectDisposedException(nameof(RetargetStream));

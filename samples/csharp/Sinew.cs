@@ -10,14 +10,14 @@ using System.Text;
 
 namespace Sinew
 {
-    /// <summary>What the engine says against a call, in one line. Status is the sinew_status.</summary>
+    /// <summary>A failed call of the engine, with one line of text. Status is the sinew_status.</summary>
     public class SinewException : Exception
     {
         public int Status { get; }
         public SinewException(string message, int status = 0) : base(message) { Status = status; }
     }
 
-    /// <summary>The progress function asked to stop. Nothing was changed.</summary>
+    /// <summary>The progress function stopped the call. Nothing was changed.</summary>
     public sealed class CancelledException : SinewException
     {
         public CancelledException(string message) : base(message, Native.ERROR_CANCELLED) { }
@@ -29,7 +29,7 @@ namespace Sinew
         readonly Block bytes_, model_;
 
         /// <param name="file">Bytes of a model for skin weights, such as sinew_default.sinew.</param>
-        /// <exception cref="SinewException">The engine refuses the bytes.</exception>
+        /// <exception cref="SinewException">The engine rejects the bytes.</exception>
         public static Model ForWeights(byte[] file) { return new Model(file, Native.sinew_model_open, "skin weights"); }
         /// <param name="file">Bytes of a model for skeletons, such as sinew_rig.sinew.</param>
         public static Model ForSkeletons(byte[] file)
@@ -80,7 +80,7 @@ namespace Sinew
         public float[] Positions;
         /// <summary>[corners] vertex indices.</summary>
         public uint[] FaceVertices;
-        /// <summary>[faces + 1] where each face begins in FaceVertices; null: all are triangles.</summary>
+        /// <summary>[faces + 1] start of each face in FaceVertices; null: all are triangles.</summary>
         public uint[] FaceOffsets;
 
         public int VertexCount { get { return Positions.Length / 3; } }
@@ -121,32 +121,32 @@ namespace Sinew
         }
     }
 
-    /// <summary>What a bind is asked to do. What is not set is the engine's default.</summary>
+    /// <summary>Options of a bind. Unset members have the engine's defaults.</summary>
     public sealed class BindSettings
     {
-        /// <summary>1 to 12 joints a vertex.</summary>
+        /// <summary>1 to 12 joints per vertex.</summary>
         public int Influences = 4;
         public bool ZUp, Symmetric;
         public RigidParts RigidParts;
-        /// <summary>25 to 400: 200 blends twice as softly.</summary>
+        /// <summary>25 to 400: softness, 200 is twice as soft.</summary>
         public int SoftnessPercent = 100;
         /// <summary>[vertices] non-zero: the vertex keeps its row of Keep; or null.</summary>
         public byte[] Locked;
-        /// <summary>[vertices] non-zero: the vertex keeps its row of Keep, and its surroundings follow; or null.</summary>
+        /// <summary>[vertices] non-zero: the vertex keeps its row of Keep, which guides its surroundings; or null.</summary>
         public byte[] Hints;
-        /// <summary>Rows of locked and hinted vertices, of as many influences.</summary>
+        /// <summary>Rows of locked and hinted vertices, with the same number of influences.</summary>
         public Skin Keep;
-        /// <summary>Gets a share of work done, 0 to 1, on the calling thread. Returns true to stop, as in C.</summary>
+        /// <summary>Called with the share of the work that is done, 0 to 1, on the calling thread. Returns true to stop, as in C.</summary>
         public Func<float, bool> Progress;
     }
 
-    /// <summary>Skin weights: for every vertex so many joints by falling weight; a row sums to exactly 65535.</summary>
+    /// <summary>Skin weights: a fixed number of joints per vertex, by descending weight; a row sums to exactly 65535.</summary>
     public sealed class Skin
     {
         public int Influences;
         /// <summary>[vertices x Influences]</summary>
         public ushort[] Joints, Weights;
-        /// <summary>[vertices] how sure the strongest joint is, 0 to 255 = 0 to 100 %.</summary>
+        /// <summary>[vertices] confidence of the strongest joint, 0 to 255 = 0 to 100 %.</summary>
         public byte[] Confidence;
     }
 
@@ -154,7 +154,7 @@ namespace Sinew
     {
         public bool ZUp, Toes = true, Ends = true;
         public Mirror Mirror;
-        /// <summary>1 to 16 joints between pelvis and neck; 0 as the model says.</summary>
+        /// <summary>1 to 16 joints between pelvis and neck; 0: as predicted.</summary>
         public int SpineCount;
         public Func<float, bool> Progress;
     }
@@ -167,10 +167,10 @@ namespace Sinew
         public byte[] Classes;
         /// <summary>[joints] the mirror image's index, itself on the plane, or -1.</summary>
         public int[] Partners;
-        /// <summary>[joints] how sure the place is, 0 to 1.</summary>
+        /// <summary>[joints] confidence of the position, 0 to 1.</summary>
         public float[] Confidence;
         public bool Mirrored;
-        /// <summary>How far off the joints are thought to be, share of the longest side: above 0.09 is a guess.</summary>
+        /// <summary>Estimated error of the joints, share of the longest side: a guess above 0.09.</summary>
         public float Spread;
     }
 
@@ -180,9 +180,9 @@ namespace Sinew
 
         static bool checked_;
 
-        /// <summary>Compares the library that was loaded with Native.cs, once; models and characters do so by themselves.</summary>
-        /// <exception cref="SinewException">It is of another version, or has other structs.</exception>
-        /// <exception cref="DllNotFoundException">It is not there.</exception>
+        /// <summary>Compares the loaded library with Native.cs, once; models and characters do so automatically.</summary>
+        /// <exception cref="SinewException">The library has another version, or other structs.</exception>
+        /// <exception cref="DllNotFoundException">The library was not found.</exception>
         public static void CheckLibrary()
         {
             if (checked_) return;
@@ -208,7 +208,7 @@ namespace Sinew
 
         /// <summary>Predicts skin weights: the bytes that the command gives for the same character and settings.</summary>
         /// <exception cref="ArgumentException">An array has another length than it says.</exception>
-        /// <exception cref="SinewException">The engine refuses the call.</exception>
+        /// <exception cref="SinewException">The engine rejects the call.</exception>
         /// <exception cref="CancelledException">Progress returned true.</exception>
         public static Skin Bind(Model model, Mesh mesh, Skeleton skeleton, BindSettings settings = null)
         {
@@ -259,7 +259,7 @@ namespace Sinew
             return skin;
         }
 
-        /// <summary>Predicts a skeleton for a bare mesh. What it gives, Bind takes as it is.</summary>
+        /// <summary>Predicts a skeleton for a bare mesh. Bind takes the result without changes.</summary>
         public static RiggedSkeleton Rig(Model model, Mesh mesh, RigSettings settings = null)
         {
             if (model == null) throw new ArgumentNullException(nameof(model));
@@ -372,7 +372,7 @@ namespace Sinew
         }
     }
 
-    /// <summary>A progress function as C calls it. What it throws is thrown when the call is over.</summary>
+    /// <summary>A progress function for C. Its exceptions are rethrown when the call returns.</summary>
     sealed class Watch
     {
         readonly Func<float, bool> progress_;
@@ -410,12 +410,12 @@ namespace Sinew
         }
     }
 
-    /// <summary>Arrays that stay where they are for the time of a call.</summary>
+    /// <summary>Arrays pinned for the duration of a call.</summary>
     sealed class Pins : IDisposable
     {
         readonly List<GCHandle> handles_ = new List<GCHandle>();
 
-        /// <summary>Where an array's elements are, or a boxed struct of Native; null stays null.</summary>
+        /// <summary>Address of an array's elements, or of a boxed struct of Native; null stays null.</summary>
         public IntPtr Of(object array)
         {
             if (array == null) return IntPtr.Zero;
@@ -424,13 +424,13 @@ namespace Sinew
             return handle.AddrOfPinnedObject();
         }
 
-        /// <summary>Where a text is, UTF-8 with a 0 behind it; null stays null.</summary>
+        /// <summary>Address of a text, UTF-8, zero-terminated; null stays null.</summary>
         public IntPtr Of(string text)
         {
             return text == null ? IntPtr.Zero : Of((object)Encoding.UTF8.GetBytes(text + "\0"));
         }
 
-        /// <summary>Where the addresses of texts are; null stays null.</summary>
+        /// <summary>Address of an array of text addresses; null stays null.</summary>
         public IntPtr Of(string[] texts)
         {
             if (texts == null) return IntPtr.Zero;

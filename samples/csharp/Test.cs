@@ -301,9 +301,9 @@ static class Test
             Require(strict.Findings.Length > told.Findings.Length, "bounds of the user's own");
             foreach (Finding finding in strict.Findings)
                 Require(Array.IndexOf(Character.CheckRules, finding.Rule) >= 0 && finding.What != "" && finding.Position.Length == 3, "a finding says what and where");
-            Expect<SinewException>("no rule", () => one.Check(new CheckSettings { Bounds = new Dictionary<string, double> { { "none", 1 } } }));
+            Expect<SinewException>("unknown rule", () => one.Check(new CheckSettings { Bounds = new Dictionary<string, double> { { "none", 1 } } }));
             Expect<SinewException>("expected x, y, z", () => one.Transform(new TransformSettings { Turns = new[] { "up" } }));
-            Expect<SinewException>("no profile", () => one.SetProfile(new ProfileSettings { Profile = "none" }));
+            Expect<SinewException>("unknown profile", () => one.SetProfile(new ProfileSettings { Profile = "none" }));
             Require(Array.IndexOf(Character.Profiles, "mixamo") >= 0, "profiles");
         }
         using (Character one = Character.Open(output))

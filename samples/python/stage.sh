@@ -37,7 +37,7 @@ name=$(basename "$library")
 case $name in *.so*) name=${name%%.so*}.so ;; esac
 cp -L "$library" "$folder/data/$name"
 cp "$root"/samples/data/sinew_{default,rig,hands,front}.{sinew,md} "$folder/data"
-# What the library needs and not every Linux has, with its licences; the library's RPATH is the folder that it is in.
+# What the library needs and not every Linux has, with its licenses; the library's RPATH is the folder that it is in.
 if [ "$name" = libsinew_character.so ]; then
   ldd "$library" | awk '$2 == "=>" && $3 ~ /^\// { print $1, $3 }' | while read -r needed path; do
     case $needed in libc.so* | libm.so* | libstdc++.so* | libgcc_s.so* | libpthread.so* | libdl.so* | librt.so* | libz.so*) continue ;; esac

@@ -119,7 +119,7 @@ def _counts(member: Member) -> List[str]:
 
 def _value(member: Member, counts: List[str], enums: Dict[str, Optional[List[str]]]) -> Value:
     one, text = member.type, member.comment
-    doc, optional = _doc(text), "null" in text or "-1 where" in text
+    doc, optional = _doc(text), "null" in text or "-1 if" in text
     if one.kind == "function":
         return Value(member.name, "progress", doc)
     if one.kind == "opaque":

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Voxels are the engine's; the shortest paths run through buckets (Dial 1969) over the 26 neighbours, one joint at a
+// Voxels are the engine's; the shortest paths run through buckets (Dial 1969) over the 26 neighbors, one joint at a
 // time, as the paper says.
 #include "geodesic_voxel.hpp"
 

@@ -26,8 +26,8 @@ function subdivided(text, times) {
       return middles.get(key);
     };
     faces = faces.flatMap((face) => {
-      const centre = middle(face);
-      return face.map((v, c) => [v, between(v, face[(c + 1) % face.length]), centre, between(face.at(c - 1), v)]);
+      const center = middle(face);
+      return face.map((v, c) => [v, between(v, face[(c + 1) % face.length]), center, between(face.at(c - 1), v)]);
     });
   }
   return [...points.map((p) => `v ${p.map((x) => x.toFixed(6)).join(" ")}`), ...faces.map((face) => `f ${face.map((v) => v + 1).join(" ")}`), ""].join("\n");
@@ -102,9 +102,9 @@ async function measureEdits() {
   const from = await page.evaluate(() => sinewPage.view.jointOnScreen(sinewPage.view.selected));
   await page.evaluate(() => {
     const { view } = sinewPage;
-    const show = view.setColours.bind(view);
+    const show = view.setColors.bind(view);
     window.updates = 0;
-    view.setColours = (colours) => (++window.updates, show(colours));
+    view.setColors = (colors) => (++window.updates, show(colors));
   });
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The Markdown pages: links, lengths, commands and options; and each guide done from top to bottom.
+# The Markdown pages: links, lengths, commands and options; words of help, messages, headers and pages; each guide done from top to bottom.
 find_package(Python3 COMPONENTS Interpreter)
 if(NOT Python3_FOUND)
   message(STATUS "sinew: no test of the Markdown pages: it needs python3; scripts/test.sh installs it")
@@ -8,12 +8,14 @@ endif()
 set(docs ${CMAKE_SOURCE_DIR}/tests/docs)
 add_test(NAME docs_markdown COMMAND ${Python3_EXECUTABLE} ${docs}/markdown.py ${CMAKE_SOURCE_DIR})
 add_test(NAME docs_checks COMMAND ${Python3_EXECUTABLE} ${docs}/docs_test.py)
-set_tests_properties(docs_markdown docs_checks PROPERTIES LABELS unit)
+add_test(NAME docs_words COMMAND ${Python3_EXECUTABLE} ${docs}/words.py ${CMAKE_SOURCE_DIR})
+set_tests_properties(docs_markdown docs_checks docs_words PROPERTIES LABELS unit)
 if(NOT TARGET sinew_lab_cli)
   return()
 endif()
 add_test(NAME docs_commands COMMAND ${Python3_EXECUTABLE} ${docs}/commands.py ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR})
-set_tests_properties(docs_commands PROPERTIES LABELS integration)
+add_test(NAME docs_help COMMAND ${Python3_EXECUTABLE} ${docs}/words.py ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR})
+set_tests_properties(docs_commands docs_help PROPERTIES LABELS integration)
 
 # A guide's own cmake builds and a compiler at run time are what `tools` stands for.
 file(GLOB guides CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR} ${CMAKE_SOURCE_DIR}/docs/*.md)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""markdown.py, commands.py and guide.py find what they are for: on small trees that break each rule once."""
+"""markdown.py, commands.py, words.py and guide.py find what they are for: on small trees that break each rule once."""
 import contextlib
 import io
 import pathlib
@@ -13,6 +13,7 @@ import commands
 import guide
 import markdown
 import pages
+import words
 
 FENCE = "```"
 KNOWN = {
@@ -79,6 +80,26 @@ class Docs(unittest.TestCase):
 
     def found(self, text):
         return self.faults("docs/c.md", text, lambda root, all_pages: commands.check_commands(root, all_pages, KNOWN))
+
+    def test_words(self):
+        good = "/* The position of a joint; a warning is given.\n * Rotations are local. */\nint turned;  // one line each\n"
+        self.assertEqual(self.faults("formats/include/b.hpp", good, lambda root, _: words.check_headers(root)), [])
+        for text, fault in (
+            ("/* The user is told. */", "1: 'told'"),
+            ("/* A joint that\n * hangs on another. */", "2: 'hangs on'"),
+            ("int a;\n// The rest is looked\n// at later.", "2: 'looked at'"),
+            ("// This is now a warning.", "1: 'is now'"),
+        ):
+            self.assertIn("engine/include/sinew/a.h:" + fault, self.faults("engine/include/sinew/a.h", text + "\n", lambda root, _: words.check_headers(root))[0], text)
+        for text, count in (('fail("a frame rate", "none");', 0), ('throw Error("which way is " "up");', 1), ('f("a way", "/*");  // told\n', 0), ('f("100 frames "\n  "a second");', 1)):
+            self.assertEqual(len(self.faults("samples/cli/c.cpp", text + "\n", lambda root, _: words.check_messages(root))), count, text)
+        for text, count in (("Weights are now exact, as before.", 2), ("It is now exact.", 1), ("It no longer fails.", 1), ("A tool is used to draw.", 0), ("`is now`", 0)):
+            self.assertEqual(len(self.faults("docs/d.md", text + "\n", lambda root, _: words.check_pages(root))), count, text)
+        for text, count in (("colors, neighbors and 3 meters", 0), ("a neighbour", 1), ("kNeighbours", 1), ("quantising", 1), ("a promise, an analysis, a likeness", 0), ("learnt_poses", 0)):
+            self.assertEqual(len(self.faults("engine/src/e.cpp", text + "\n", lambda root, _: words.check_spelling(root))), count, text)
+        screens = {("sinew",): "a\n" * 40, ("sinew", "rig"): "a\n" * 41, ("sinew", "bind"): "a" * 101 + "\n"}
+        found = words.check_help(list(screens), screens.get)[0]
+        self.assertEqual([fault[:fault.index(":")] for fault in found], ["sinew rig --help", "sinew bind --help"])
 
     def guide_ends(self, text):
         """The status of a guide, and what it said."""

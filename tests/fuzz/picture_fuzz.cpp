@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fuzz target: pictures of strangers, down to their meshes. PNG and JPEG by their first bytes; all others are a side, and colours of pixels.
+// Fuzz target: pictures of strangers, down to their meshes. PNG and JPEG by their first bytes; all others are a side, and colors of pixels.
 #include <cmath>
 #include <memory>
 #include <string>
@@ -23,9 +23,9 @@ sinew::PictureFile picture_of(const uint8_t* data, size_t size) {
   out.pixels.width = 1 + bytes.u8() % 64u;
   out.pixels.height = 1 + bytes.u8() % 64u;
   for (size_t p = 0; p < size_t{out.pixels.width} * out.pixels.height; ++p) {
-    const uint8_t colour = bytes.u8();  // 2 bits a channel
-    for (const int shift : {6, 4, 2}) out.pixels.rgba.push_back(static_cast<uint8_t>((colour >> shift & 3) * 85));
-    out.pixels.rgba.push_back((colour & 3) == 3 ? 0 : 255);
+    const uint8_t color = bytes.u8();  // 2 bits a channel
+    for (const int shift : {6, 4, 2}) out.pixels.rgba.push_back(static_cast<uint8_t>((color >> shift & 3) * 85));
+    out.pixels.rgba.push_back((color & 3) == 3 ? 0 : 255);
   }
   return out;
 }

@@ -430,7 +430,7 @@ TEST_F(CharacterC, RefusesWhatAnotherMethodTakes) {
   sinew_character_map_options map = SINEW_INIT(sinew_character_map_options);
   sinew_character_map_result mapped = SINEW_INIT(sinew_character_map_result);
   map.branches_cost = SINEW_BRANCHES_SUM;
-  refused(sinew_character_map(caped.get(), source.get(), &map, &mapped), "branches_first and branches_cost: ");
+  refused(sinew_character_map(caped.get(), source.get(), &map, &mapped), "branches_first and branches_cost need");
   map.method = SINEW_MAP_BRANCHES;
   map.branches_first = SINEW_BRANCHES_SOURCE + 1;
   refused(sinew_character_map(caped.get(), source.get(), &map, &mapped), "branches_first: ");
@@ -443,7 +443,7 @@ TEST_F(CharacterC, RefusesWhatAnotherMethodTakes) {
   deform.stiffness = 0.2;
   pose.deform = &deform;
   refused(sinew_character_pose(caped.get(), &pose, &posed),
-          "stiffness, tet_weights, deform_as_drawn and SINEW_WITHOUT_SMOOTHING: ");
+          "stiffness, tet_weights, deform_as_drawn and SINEW_WITHOUT_SMOOTHING need");
   deform.without = SINEW_WITHOUT_TOES;
   refused(sinew_character_pose(caped.get(), &pose, &posed), "without: ");
   deform = SINEW_INIT(sinew_character_deformation);

@@ -45,7 +45,7 @@ TEST_F(CliHands, WithoutFingersTheSkeletonIsThatOfTheBody) {
   const std::string mesh = kData + "/biped__robed.obj";  // its arms end in stubs
   good("rig " + mesh + " --no-bind -o body.rig.txt");
   const Outcome made = good("rig " + mesh + " --no-bind --detail hands -o hands.rig.txt");
-  EXPECT_NE(made.out.find("no hand with fingers"), std::string::npos) << made.out;
+  EXPECT_NE(made.out.find("no hand with separate fingers"), std::string::npos) << made.out;
   EXPECT_EQ(slurp(in("hands.rig.txt")), slurp(in("body.rig.txt")));
 }
 
@@ -64,7 +64,7 @@ TEST_F(CliHands, FullDetailAddsEyesAndAJawWhereThereAreEyes) {
       "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 1 2 0\nv 0 0 1\nv 1 0 1\nv 0 2 1\nv 1 2 1\n"
       "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
   const Outcome none = good("rig box.obj --no-bind --detail full -o none.rig.txt");
-  EXPECT_NE(none.out.find("no head with eyes"), std::string::npos) << none.out;
+  EXPECT_NE(none.out.find("no head with separate eyes"), std::string::npos) << none.out;
   good("rig box.obj --no-bind -o body.rig.txt");
   EXPECT_EQ(slurp(in("none.rig.txt")), slurp(in("body.rig.txt")));
 

@@ -99,7 +99,7 @@ TEST_F(CliMap, MotionsAreReadAsAnimateReadsThem) {
   const Json json = Json::parse(good("map " + kRobed + " --from builtin:walk --json").out);
   EXPECT_GE(json["cover"].get<double>(), 0.5);
   const Outcome misfit = good("map " + kRobed + " --from builtin:quadruped/walk");
-  EXPECT_NE(misfit.error.find("sinew animate would refuse it without --force"), std::string::npos) << misfit.error;
+  EXPECT_NE(misfit.error.find("sinew animate refuses it without --force"), std::string::npos) << misfit.error;
   EXPECT_NE(bad(1, "map " + kRobed + " --from builtin:walk --layout smpl24").error.find("leave it out"),
             std::string::npos);
   EXPECT_NE(bad(1, "animate " + kData + "/biped__robot.obj --motion builtin:walk --layout smpl24 -o a.glb")

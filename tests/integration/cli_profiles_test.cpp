@@ -105,7 +105,7 @@ TEST_F(CliProfiles, UsdIsWrittenAndNotRead) {
   const std::string package = read_text_file(in("b.usdz"));  // stored, so its layer is plain text in it
   EXPECT_NE(package.find("def SkelAnimation \"walk\""), std::string::npos);
   EXPECT_NE(package.find("mixamorig:LeftForeArm"), std::string::npos);
-  const std::string remedy = "this is USD, which sinew writes but does not read: export glTF or FBX";
+  const std::string remedy = "sinew writes USD but does not read it: export glTF or FBX";
   for (const char* words : {"bind a.usda -o x.glb", "rig a.usda -o x.glb",
                             "animate a.usda --motion builtin:walk -o x.glb", "animate a.glb --motion b.usdz -o x.glb",
                             "bind a.glb --skeleton a.usda -o x.glb", "map a.usda --from a.glb", "inspect b.usdz"}) {

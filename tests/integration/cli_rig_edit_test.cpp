@@ -64,7 +64,7 @@ TEST_F(CliRigEdit, AMeshIsTurnedScaledAndPutOnTheFloor) {
   }
   EXPECT_NEAR(low, 0, 1e-6f);
   EXPECT_NEAR(high, 0.5f, 1e-5f);
-  EXPECT_NE(bad(2, rig_ + "--floor").error.find("--prediction stands where the mesh does"), std::string::npos);
+  EXPECT_NE(bad(2, rig_ + "--floor").error.find("--prediction uses the coordinates of the mesh"), std::string::npos);
   bad(2, "rig " + kRobed + " --turn w");
   EXPECT_NE(bad(2, "rig " + kRobed + " --height 0").error.find("--height: Value 0, expected a number above 0"),
             std::string::npos);
@@ -134,7 +134,7 @@ TEST_F(CliRigEdit, TemplatesAreListedFittedAndEdited) {
   EXPECT_GE(json["matched"], 17);
   EXPECT_EQ(json["joints"].size(), 63u);
   EXPECT_EQ(json["symmetric"], true);
-  EXPECT_NE(good(rig_ + "--skeleton template:spider").out.find("have no like in this mesh"), std::string::npos);
+  EXPECT_NE(good(rig_ + "--skeleton template:spider").out.find("match nothing in this mesh"), std::string::npos);
   good(rig_);
   const auto body = out();
   good(rig_ + "--skeleton template:mixamo --keep-lengths");

@@ -136,7 +136,7 @@ TEST_F(CliRig, AVehicleHasJointsForItsWheels) {
   const Character made = read_character(in("cart.glb"));
   ASSERT_EQ(made.joints.size(), 5u);
   for (const auto& row : made.influences) EXPECT_EQ(row.size(), 1u) << "parts move as wholes";
-  EXPECT_NE(bad(1, "rig cart.obj --class vehicle --method votes -o other.glb").error.find("leave the method out"),
+  EXPECT_NE(bad(1, "rig cart.obj --class vehicle --method votes -o other.glb").error.find("leave out the method"),
             std::string::npos);
 }
 
@@ -155,7 +155,7 @@ TEST_F(CliRig, ABodyOfSolidPartsHasAJointForEachThatMoves) {
   add({0, 0.55f, -0.6f}, {0.06f, 0.06f, 0.15f});
   write_obj(in("boxes.obj"), dog);
   const Outcome told = good("rig boxes.obj --up y --front +z -o boxes.glb");
-  ASSERT_NE(told.out.find("taken for a body of solid parts, a guess: 7 joints"), std::string::npos) << told.out;
+  ASSERT_NE(told.out.find("taken as a body of solid parts, a guess: 7 joints"), std::string::npos) << told.out;
   const Character made = read_character(in("boxes.glb"));
   std::map<std::string, Vec3> at;
   for (const Joint& joint : made.joints) at[joint.name] = joint.position;
@@ -191,8 +191,7 @@ TEST_F(CliRig, GroundAndBackdropAreNoPartOfTheBody) {
   with_box("wall.obj", {-9 * size, box.low.y, box.low.z - size}, {9 * size, 9 * size, box.low.z});
   for (const char* file : {"slab.obj", "wall.obj"}) {
     const Outcome told = good(std::string("rig ") + file + " -o rigged.glb");
-    EXPECT_NE(told.out.find("taken for ground, a pedestal or a backdrop, a guess: 8 of"), std::string::npos)
-        << told.out;
+    EXPECT_NE(told.out.find("taken as ground, a pedestal or a backdrop, a guess: 8 of"), std::string::npos) << told.out;
     const Character made = read_character(in("rigged.glb"));
     for (const Joint& joint : made.joints) {
       EXPECT_GT(joint.position.y, box.low.y - 0.1f * size) << file << ' ' << joint.name;

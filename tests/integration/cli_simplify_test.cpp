@@ -98,7 +98,7 @@ TEST_F(CliSimplify, RigMakesASkeletonOfTheShapeAlone) {
 }
 
 TEST_F(CliSimplify, WrongCallsSayWhatIsWrong) {
-  EXPECT_NE(bad(2, "simplify " + kRobed + " --level few -o o.glb").error.find("high, low or how many"),
+  EXPECT_NE(bad(2, "simplify " + kRobed + " --level few -o o.glb").error.find("high, low or a number"),
             std::string::npos);
   bad(2, "simplify " + kRobed + " --level 0 -o o.glb");
   bad(2, "simplify " + kRobed + " -o o.png");

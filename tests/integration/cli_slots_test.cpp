@@ -84,10 +84,11 @@ TEST_F(CliSlots, TrainingStopsWhenTheTotalNoLongerFalls) {
       R"({"architecture": "slots", "width": 8, "variants": 0, "synthetic": 0, "batch": 1, "steps": 400,
           "validate_every": 5, "learning_rate": 1e-12, "patience": 2})");
   const Outcome run = good(train("--val set"));
-  EXPECT_NE(run.error.find("total no longer falls (patience 2): stopped at step 15"), std::string::npos) << run.error;
+  EXPECT_NE(run.error.find("total has stopped falling (patience 2): stopped at step 15"), std::string::npos)
+      << run.error;
   const std::string log = slurp(in("slots.ckpt.csv"));
   EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 4) << log;
-  EXPECT_NE(good(train("--val set --resume")).error.find("no longer falls"), std::string::npos);
+  EXPECT_NE(good(train("--val set --resume")).error.find("has stopped falling"), std::string::npos);
   EXPECT_EQ(slurp(in("slots.ckpt.csv")), log);
 }
 
@@ -103,7 +104,8 @@ TEST_F(CliSlots, TrainingStopsBelowAPresetTotal) {
 
 TEST_F(CliSlots, WrongUsage) {
   const std::string rig = "rig set/biped__robot.obj --method slots ";
-  EXPECT_NE(bad(2, rig + "--model x.sinew --spine 3").error.find("--spine does not go with"), std::string::npos);
+  EXPECT_NE(bad(2, rig + "--model x.sinew --spine 3").error.find("--spine needs another method than"),
+            std::string::npos);
   EXPECT_NE(bad(2, rig + "--model x.sinew --class crab").error.find("--class"), std::string::npos);
   EXPECT_NE(bad(2, "rig set/biped__robot.obj --method shape --class biped").error.find("--class steers"),
             std::string::npos);
@@ -126,7 +128,7 @@ TEST_F(CliSlots, WrongUsage) {
 }
 
 TEST_F(CliSlots, AMeshThatIsNoBodyIsTold) {
-  const std::string warning = "warning: this mesh resembles little";
+  const std::string warning = "warning: this mesh is unlike";
   put(in("point.obj"), "v 0 0 0\n");
   put(in("sheet.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   put(in("cube.obj"),

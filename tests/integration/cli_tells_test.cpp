@@ -37,7 +37,7 @@ TEST_F(CliTells, WhatIsInAGltf) {
   const std::string text = good("inspect hero.glb").out;
   EXPECT_TRUE(has(text, "  strip  10 vertices, 1 primitive, skin skin_0\n")) << text;
   EXPECT_TRUE(has(text, "  sword  3 vertices, 1 primitive, no skin, attached to joint knee\n")) << text;
-  EXPECT_TRUE(has(text, "rest pose is not the bind pose: 1 joints stand elsewhere")) << text;
+  EXPECT_TRUE(has(text, "rest pose is not the bind pose: 1 joints differ")) << text;
   const json told = json::parse(good("inspect hero.glb --json").out);
   EXPECT_EQ(told["kind"], "character");
   EXPECT_EQ(told["joints"][1]["name"], "knee");
@@ -129,7 +129,7 @@ TEST_F(CliTells, WhatBecameOfOldWeights) {
   EXPECT_GE(replaced["joints"][0]["l1"], replaced["joints"][1]["l1"]);
 
   const std::string plain = good("bind " + kCaped + " --method heat -o new.glb").out;
-  EXPECT_TRUE(has(plain, "replaced the weights of 2,355 vertices; they were L1 0.")) << plain;
+  EXPECT_TRUE(has(plain, "replaced the weights of 2,355 vertices (mean L1 difference 0.")) << plain;
   EXPECT_FALSE(has(plain, "mean L1")) << plain;
   const std::string table = good("bind " + kCaped + " --method heat -o new.glb --changes").out;
   EXPECT_TRUE(has(table, "\n  joint")) << table;
@@ -146,12 +146,12 @@ TEST_F(CliTells, WhatBecameOfOldWeights) {
   put(in("lock.txt"), "0\n7\n");
   EXPECT_TRUE(has(good(pair + " --lock lock.txt").out, "replaced the weights of 848 vertices"));
   const std::string kept = good(pair + " --lock all").out;
-  EXPECT_TRUE(has(kept, "all weights are kept") && !has(kept, "bound with") && !has(kept, "replaced") &&
+  EXPECT_TRUE(has(kept, "kept all weights") && !has(kept, "bound with") && !has(kept, "replaced") &&
               !has(kept, "no weight"))
       << kept;
   put(in("bare.rig.txt"), "joints a 0 0 0\nroot a\n");
   EXPECT_TRUE(has(good("bind " + kSnake + " --skeleton bare.rig.txt --method heat -o bare.glb --changes").out,
-                  "nothing to compare with: the file had no weights"));
+                  "nothing to compare with: the file has no weights"));
 }
 
 TEST_F(CliTells, WhatToDoNext) {
@@ -163,7 +163,7 @@ TEST_F(CliTells, WhatToDoNext) {
   EXPECT_TRUE(has(trained, "\nnext: sinew-lab quantize run.sinewckpt --calibrate set -o run.sinew\n")) << trained;
   const std::string made = good("quantize run.sinewckpt --calibrate set -o run.sinew").out;
   EXPECT_EQ(made.rfind("run.sinew: " + std::to_string(fs::file_size(in("run.sinew"))) + " bytes; ", 0), 0u) << made;
-  EXPECT_TRUE(has(made, " of the vertices go to another joint (at most ")) << made;
+  EXPECT_TRUE(has(made, " of the vertices change their joint (at most ")) << made;
   EXPECT_TRUE(has(made, "\nnext: sinew-lab eval set --model run.sinew\n")) << made;
   EXPECT_EQ(good("quantize run.sinewckpt --calibrate set -o run.sinew --quiet").out, "");
 }

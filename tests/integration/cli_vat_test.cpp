@@ -46,7 +46,7 @@ TEST_F(CliVat, ClipsBecomeTexturesAMeshAndALayout) {
   EXPECT_EQ(files(), 1u);  // the folder alone
   const std::string said = good("animate " + kRobed + " --motion builtin:walk --in-place --vat crowd").out;
   for (const char* part :
-       {"walk: ", " MB; from skinning at most 0.0", "half way between", "; loops", "wrote crowd/biped__robed.vat.json"})
+       {"walk: ", " MB; at frames at most 0.0", "halfway between", "; loops", "wrote crowd/biped__robed.vat.json"})
     EXPECT_NE(said.find(part), std::string::npos) << part << " in:\n" << said;
 }
 
@@ -82,12 +82,12 @@ TEST_F(CliVat, WrongCallsSayWhat) {
   for (const auto& [words, part] : std::vector<std::pair<std::string, std::string>>{
            {walk, "--output is required"},
            {"animate " + kRobed + " --vat crowd", "--motion is required"},
-           {walk + "--vat taken", "taken: is a file; name a folder"},
-           {walk + "--vat /proc/crowd", "/proc/crowd: cannot make this folder"},
+           {walk + "--vat taken", "taken: is a file, expected a folder"},
+           {walk + "--vat /proc/crowd", "/proc/crowd: cannot create this folder"},
            {walk + "--vat crowd --for unreal", "--for and --controls"},
            {"animate bare.obj --motion builtin:walk --vat crowd", "no skin weights"},
            {"animate " + kData + "/drawing__child.png --vat crowd -o child.apng", "write a .glb"},
-           {"animate " + kData + " --motion builtin:walk --vat crowd -o out", "--vat is for one character"}}) {
+           {"animate " + kData + " --motion builtin:walk --vat crowd -o out", "--vat takes one character"}}) {
     const Outcome outcome = run(words);
     EXPECT_NE(outcome.status, 0) << words;
     EXPECT_NE(outcome.error.find(part), std::string::npos) << words << "\n" << outcome.error;

@@ -69,7 +69,7 @@ TEST_F(CrossvalRun, EveryFamilyIsMeasuredOnceByARunThatNeverSawItsGroup) {
     EXPECT_EQ(seed.val[0].family, "four");
     for (const CrossvalFamily& family : seed.families) {
       EXPECT_GT(family.figures.l1, 0);
-      EXPECT_NE(family.figures.l1, family.figures.heat_l1) << "nothing was learnt";
+      EXPECT_NE(family.figures.l1, family.figures.heat_l1) << "nothing was learned";
     }
   }
   EXPECT_EQ(report.seeds[0].families[0].figures.heat_l1, report.seeds[1].families[0].figures.heat_l1);
@@ -133,7 +133,7 @@ TEST_F(CrossvalRun, AnotherShareOfTheCorrectionNeedsNoTraining) {
   EXPECT_ERROR(crossval(little, o), "another configuration: steps");
   o.folder = folder_.file("others");
   o.fold_count = 2;
-  EXPECT_ERROR(crossval(config_, o), "its folds are others");
+  EXPECT_ERROR(crossval(config_, o), "its folds differ");
 }
 
 TEST_F(CrossvalRun, GoesOnAfterAStopWithTheSameFigures) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // run_network against a plain interpreter of the layer list: the same integers for every list, tile size and mesh;
-// workspace as measured; cancel and full workspace as documented; quantised against float.
+// workspace as measured; cancel and full workspace as documented; quantized against float.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -96,7 +96,7 @@ TEST(Executor, EqualsInterpreterOnRandomLists) {
   EXPECT_GT(distinct, 75u);
 }
 
-TEST(Executor, EqualsInterpreterOnQuantisedNetworks) {
+TEST(Executor, EqualsInterpreterOnQuantizedNetworks) {
   for (const bool field : {true, false}) {
     const uint32_t k = 8;
     const FloatNetwork network = field ? field_like(3, k, 16, 2) : classic_like(4, k, 24);
@@ -168,7 +168,7 @@ TEST(Executor, ReportsAndCancelsBetweenRoundsOfTiles) {
 }
 
 // Logit signal-to-noise against float64 and the difference of the probabilities after softmax.
-TEST(Executor, QuantisedFieldKeepsTheFloatLogits) {
+TEST(Executor, QuantizedFieldKeepsTheFloatLogits) {
   const uint32_t k = 8;
   double worst_db = 1e9;
   for (uint32_t seed = 1; seed <= 3; ++seed) {

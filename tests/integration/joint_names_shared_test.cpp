@@ -79,7 +79,7 @@ TEST(SharedJointNames, AgreeWithLabels) {
       }
     }
   }
-  std::printf("%zu of %zu classes, %zu of %zu sides as labelled\n", right, told, right_side, sided);
+  std::printf("%zu of %zu classes, %zu of %zu sides as labeled\n", right, told, right_side, sided);
   EXPECT_GE(told, 10000u);
   EXPECT_GE(static_cast<double>(right), 0.98 * static_cast<double>(told));
   EXPECT_GE(static_cast<double>(right_side), 0.99 * static_cast<double>(sided));

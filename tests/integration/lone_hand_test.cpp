@@ -142,7 +142,7 @@ TEST_F(LoneHands, TheRigJobSaysThatItGuesses) {
   const RiggedCharacter rigged = rig_character(mesh_of(hand(-1)), job, models);
   EXPECT_EQ(fingers(rigged.skeleton).size(), 5u);
   ASSERT_EQ(rigged.character.notes.size(), 1u);
-  EXPECT_NE(rigged.character.notes[0].find("hand without a body, and its side is a coin toss"), std::string::npos)
+  EXPECT_NE(rigged.character.notes[0].find("hand without a body, and its side is uncertain"), std::string::npos)
       << rigged.character.notes[0];
   job.method = RigMethod::kVotes;
   job.detail = SkeletonDetail::kBody;

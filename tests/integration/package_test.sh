@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The Debian packages of a build, sinew and sinew-dev, unpacked in an empty folder: control fields, which files are in which, licences, manual page,
+# The Debian packages of a build, sinew and sinew-dev, unpacked in an empty folder: control fields, which files are in which, licenses, manual page,
 # completion; the command binds there with its own model; CMake and pkg-config find library and model, also after the folder moved.
 #   package_test.sh SOURCE_DIR BUILD_DIR WORK_DIR
 set -euo pipefail

@@ -127,7 +127,7 @@ TEST_F(PictureC, WhatIsWrongIsALine) {
   options.body_class = 0;
   options.figure = 2;
   EXPECT_EQ(sinew_character_open_picture(kChild.c_str(), &options, &none), SINEW_ERROR_INPUT);
-  EXPECT_NE(std::string(sinew_character_error(nullptr)).find("there is no figure 2"), std::string::npos);
+  EXPECT_NE(std::string(sinew_character_error(nullptr)).find("no figure 2"), std::string::npos);
   EXPECT_EQ(none, nullptr);
   const Handle snake = open(kSnake);
   sinew_character_picture_info info = SINEW_INIT(sinew_character_picture_info);

@@ -93,7 +93,7 @@ TEST(RigYardstick, EveryFigureAgrees) {
                               "' --json '" + work.file("theirs.json") + "' >/dev/null";
   ASSERT_EQ(std::system(command.c_str()), 0) << command;
   const auto theirs = nlohmann::json::parse(std::ifstream(work.file("theirs.json")));
-  const auto ours = nlohmann::json::parse(rig_scores_json(summarise(rows)));
+  const auto ours = nlohmann::json::parse(rig_scores_json(summarize(rows)));
   double largest = 0;
   for (const char* part : {"families", "characters_mean", "families_mean"})
     compare(ours[part], theirs[part], part, &largest);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A network is not only bind's: a tiny task over joints and pairs of joints trains, is quantised, and runs in the engine.
-// For every joint: how far its farthest neighbour lies, how much the joints tied to it weigh on average, and the heaviest of
+// A network is not only bind's: a tiny task over joints and pairs of joints trains, is quantized, and runs in the engine.
+// For every joint: how far its farthest neighbor lies, how much the joints tied to it weigh on average, and the heaviest of
 // those two steps away.
 #include <gtest/gtest.h>
 
@@ -218,7 +218,7 @@ std::vector<float> run_engine(const FloatNetwork& network, const std::vector<uin
   return real;
 }
 
-TEST(SecondTask, TrainsIsQuantisedAndRuns) {
+TEST(SecondTask, TrainsIsQuantizedAndRuns) {
   Scene scene;
   const Checkpoint trained = scene.train();
   EXPECT_EQ(trained.network.task, kTask);
@@ -293,8 +293,8 @@ TEST(SecondTask, OtherTasksRefuseItsModel) {
   task.output.domain = Domain::kVertex;
   EXPECT_EQ(open_model(file.data(), bytes.size(), task, &model), SINEW_ERROR_MODEL_LAYOUT) << "over vertices";
   task = model_task(network);
-  task.far_neighbours = false;
-  EXPECT_EQ(open_model(file.data(), bytes.size(), task, &model), SINEW_ERROR_MODEL_LAYOUT) << "no far neighbours";
+  task.far_neighbors = false;
+  EXPECT_EQ(open_model(file.data(), bytes.size(), task, &model), SINEW_ERROR_MODEL_LAYOUT) << "no far neighbors";
 }
 
 TEST(SecondTask, ARunForAnotherTaskDoesNotStartFromItsWeights) {

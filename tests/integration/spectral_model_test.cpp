@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A network that asks for spectral channels, from sample to bind: features, float network, quantised model, C API.
+// A network that asks for spectral channels, from sample to bind: features, float network, quantized model, C API.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ TEST(SpectralModel, SampleHasTheChannelsBehindTheOthers) {
   EXPECT_GT(sum / (int64_t{plain.vertices} * kSpectralChannels), 100);
 }
 
-TEST(SpectralModel, QuantisedAndBound) {
+TEST(SpectralModel, QuantizedAndBound) {
   const std::vector<Sample> samples = {make_sample(character(), 8, 64, kSpectralFlag)};
   FloatNetwork network = make_classic(8, 64, 3, kSpectralFlag);
   EXPECT_EQ(network.feature_set, kFeatureSet | kSpectralFlag);

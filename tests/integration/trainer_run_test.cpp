@@ -95,7 +95,7 @@ TEST_F(TrainerRun, CharactersThatTheConfigurationLeavesOutAreNotDrawn) {
   EXPECT_EQ(load_training_set(config_, options("run.ckpt")).families, std::vector<std::string>{"two"});
 }
 
-TEST_F(TrainerRun, TwoCharactersAreLearntByHeart) {
+TEST_F(TrainerRun, TwoCharactersAreLearnedByHeart) {
   config_.field.width = 32;
   config_.field.rounds = 2;
   config_.steps = 400;
@@ -110,7 +110,7 @@ TEST_F(TrainerRun, TwoCharactersAreLearntByHeart) {
     heat += sample_l1(sample, sample.heat, 4) / 2;
   }
   EXPECT_LT(l1, 0.05) << "heat: " << heat;
-  EXPECT_GT(heat, 2 * l1) << "heat is as good, so nothing had to be learnt";
+  EXPECT_GT(heat, 2 * l1) << "heat is as good, so nothing had to be learned";
 }
 
 TEST_F(TrainerRun, ResumingEqualsNotStoppingAndThreadsChangeNothing) {

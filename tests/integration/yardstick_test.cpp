@@ -143,7 +143,7 @@ TEST(Yardstick, EveryFigureAgrees) {
   };
   const nlohmann::json theirs = run_yardstick(""), kept = run_yardstick("--ends keep --poses 1");
   for (const std::string& method : methods) {
-    const Scores scores = summarise(measured[method]);
+    const Scores scores = summarize(measured[method]);
     const size_t compared = compare(without_file_figure(nlohmann::json::parse(scores_json(method, scores)).at(method)),
                                     theirs.at(method), method);
     EXPECT_GT(compared, 15 * scores.characters.size()) << "hardly anything was compared";

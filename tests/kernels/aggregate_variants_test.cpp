@@ -50,26 +50,26 @@ TEST_P(AggregateVariant, RingsEqualReference) {
     std::vector<int16_t> values((size_t{vertices} * k - 1) * stride + channels);
     for (int16_t& value : values) value = any_value(&random, round % 5 == 0);
     const uint32_t count = round % 7 == 0 ? random.below(200) : random.below(12);
-    std::vector<uint32_t> neighbours(count);
-    for (uint32_t& u : neighbours) u = random.below(vertices);
+    std::vector<uint32_t> neighbors(count);
+    for (uint32_t& u : neighbors) u = random.below(vertices);
     const RowsView rows = {values.data(), stride};
     const uint16_t joint = static_cast<uint16_t>(random.below(joint_count));
     const auto compare = [&](auto call, const char* what) {
       std::vector<int16_t> want(channels + 1, kGuard), got = want;
       call(reference_, want.data());
       call(variant_, got.data());
-      ASSERT_EQ(got, want) << what << ": channels " << channels << " neighbours " << count << " k " << k << " round "
+      ASSERT_EQ(got, want) << what << ": channels " << channels << " neighbors " << count << " k " << k << " round "
                            << round;
     };
-    compare([&](const Kernels& x, int16_t* o) { x.ring_mean_vertex(rows, channels, neighbours.data(), count, o); },
+    compare([&](const Kernels& x, int16_t* o) { x.ring_mean_vertex(rows, channels, neighbors.data(), count, o); },
             "mean, vertex");
-    compare([&](const Kernels& x, int16_t* o) { x.ring_max_vertex(rows, channels, neighbours.data(), count, o); },
+    compare([&](const Kernels& x, int16_t* o) { x.ring_max_vertex(rows, channels, neighbors.data(), count, o); },
             "max, vertex");
     compare([&](const Kernels& x,
-                int16_t* o) { x.ring_mean_pair(rows, channels, joints.data(), k, joint, neighbours.data(), count, o); },
+                int16_t* o) { x.ring_mean_pair(rows, channels, joints.data(), k, joint, neighbors.data(), count, o); },
             "mean, pair");
     compare([&](const Kernels& x,
-                int16_t* o) { x.ring_max_pair(rows, channels, joints.data(), k, joint, neighbours.data(), count, o); },
+                int16_t* o) { x.ring_max_pair(rows, channels, joints.data(), k, joint, neighbors.data(), count, o); },
             "max, pair");
     if (HasFatalFailure()) return;
   }
@@ -79,7 +79,7 @@ TEST_P(AggregateVariant, RingsEqualReference) {
 TEST_P(AggregateVariant, MeansOfEveryCountAreExact) {
   Random random(22);
   for (uint32_t n = 1; n <= 64; ++n) {
-    const std::vector<uint32_t> neighbours = [&] {
+    const std::vector<uint32_t> neighbors = [&] {
       std::vector<uint32_t> list(n);
       for (uint32_t i = 0; i < n; ++i) list[i] = i;
       return list;
@@ -97,8 +97,8 @@ TEST_P(AggregateVariant, MeansOfEveryCountAreExact) {
       }
     }
     std::vector<int16_t> want(kChannels), got(kChannels);
-    reference_.ring_mean_vertex({values.data(), kChannels}, kChannels, neighbours.data(), n, want.data());
-    variant_.ring_mean_vertex({values.data(), kChannels}, kChannels, neighbours.data(), n, got.data());
+    reference_.ring_mean_vertex({values.data(), kChannels}, kChannels, neighbors.data(), n, want.data());
+    variant_.ring_mean_vertex({values.data(), kChannels}, kChannels, neighbors.data(), n, got.data());
     ASSERT_EQ(got, want) << n << " rows";
   }
 }

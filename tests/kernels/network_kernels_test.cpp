@@ -90,32 +90,32 @@ TEST(RoundMean, IsHalfUpEverywhere) {
   EXPECT_EQ(round_mean(-3, 2), -1);
 }
 
-TEST(RingKernels, ManyNeighboursDoNotOverflow) {
+TEST(RingKernels, ManyNeighborsDoNotOverflow) {
   const uint32_t count = 70000, channels = 67;  // beyond what int32 sums hold, and more than one chunk of channels
   std::vector<int16_t> values(channels, -32767);
-  const std::vector<uint32_t> neighbours(count, 0);
+  const std::vector<uint32_t> neighbors(count, 0);
   std::vector<int16_t> out(channels + 1, kGuard);
-  ring_mean_vertex_s16_ref({values.data(), channels}, channels, neighbours.data(), count, out.data());
+  ring_mean_vertex_s16_ref({values.data(), channels}, channels, neighbors.data(), count, out.data());
   EXPECT_EQ(out, [&] {
     auto want = values;
     want.push_back(kGuard);
     return want;
   }());
   const uint16_t joints[1] = {5};
-  ring_mean_pair_s16_ref({values.data(), channels}, channels, joints, 1, 5, neighbours.data(), count, out.data());
+  ring_mean_pair_s16_ref({values.data(), channels}, channels, joints, 1, 5, neighbors.data(), count, out.data());
   EXPECT_EQ(out[66], -32767);
-  ring_mean_pair_s16_ref({values.data(), channels}, channels, joints, 1, 6, neighbours.data(), count, out.data());
+  ring_mean_pair_s16_ref({values.data(), channels}, channels, joints, 1, 6, neighbors.data(), count, out.data());
   EXPECT_EQ(out[66], 0);
 }
 
 TEST(RingKernels, MaximumOfNegativesIsNotZero) {
   const std::vector<int16_t> values = {-5, -9, -3, -20};
-  const uint32_t neighbours[2] = {0, 1};
+  const uint32_t neighbors[2] = {0, 1};
   int16_t out[2];
-  ring_max_vertex_s16_ref({values.data(), 2}, 2, neighbours, 2, out);
+  ring_max_vertex_s16_ref({values.data(), 2}, 2, neighbors, 2, out);
   EXPECT_EQ(out[0], -3);
   EXPECT_EQ(out[1], -9);
-  ring_max_vertex_s16_ref({values.data(), 2}, 2, neighbours, 0, out);
+  ring_max_vertex_s16_ref({values.data(), 2}, 2, neighbors, 0, out);
   EXPECT_EQ(out[0], 0);
 }
 

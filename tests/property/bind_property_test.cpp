@@ -525,7 +525,7 @@ TEST(BindProperty, HintsOnNothingChangeNothingAndOnAllKeepAll) {
   }
 }
 
-// A tube with three joints, all of it given to the joint at its far end by one painted ring: the ring's neighbours
+// A tube with three joints, all of it given to the joint at its far end by one painted ring: the ring's neighbors
 // follow, an island without a hint does not move by a bit.
 TEST(BindProperty, HintsSteerTheirSurroundings) {
   Random random(5);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Types of one name in one namespace, in two files: undefined behaviour as soon as one program has both. Linkers do not tell.
+"""Types of one name in one namespace, in two files: undefined behavior as soon as one program has both. Linkers do not tell.
 
   type_names.py SOURCE_DIR     prints each such pair; exits with 1 when there is one
 """
@@ -21,7 +21,7 @@ TYPE = {"struct", "class", "union", "enum"}
 
 
 def name_of_head(head):
-    """The name of the type that these tokens define before its brace, or None: a function, an initialiser, a specialisation."""
+    """The name of the type that these tokens define before its brace, or None: a function, an initializer, a specialization."""
     depth = 0  # of template<...>
     for i, token in enumerate(head):
         if token == "<":

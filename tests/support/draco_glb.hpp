@@ -20,7 +20,7 @@
 #include "make_glb.hpp"
 
 // Primitives of float and byte attributes with 16-bit indices. Draco's sequential coding keeps the order of the
-// vertices and, without quantisation, their bits.
+// vertices and, without quantization, their bits.
 inline GlbBuilder draco_packed(const GlbBuilder& plain, bool sequential = true) {
   GlbBuilder packed;
   packed.document = plain.document;

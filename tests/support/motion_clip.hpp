@@ -91,7 +91,7 @@ struct PlayedClip {
     const sinew_motion_body own = target_body.view();
     sinew_motion_body other = {};
     if (source_body != nullptr) other = source_body->view();
-    other.triangles = nullptr;  // nobody looks at them
+    other.triangles = nullptr;  // unused
     other.triangle_count = 0;
     const sinew_motion_clip clip = view();
     size_t bytes = 0;

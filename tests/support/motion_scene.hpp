@@ -37,7 +37,7 @@ struct MotionScene {
   }
   Vec3d at(size_t j) const { return vec(&positions[3 * j]); }
   Quat rest(size_t j) const {
-    return rotations.empty() ? sinew::motion::kNoRotation : sinew::motion::normalised(quat(&rotations[4 * j]));
+    return rotations.empty() ? sinew::motion::kNoRotation : sinew::motion::normalized(quat(&rotations[4 * j]));
   }
   uint32_t add(Vec3d p, int32_t parent, uint8_t joint_class) {
     positions.insert(positions.end(), {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
@@ -137,7 +137,7 @@ inline Pose random_pose(const MotionScene& scene, uint32_t seed, double most, Ve
   const auto draw = [&] { return most * (static_cast<double>(random()) / 2147483648.0 - 1); };
   Pose pose = rest_pose(scene);
   for (uint32_t j = 0; j < scene.count(); ++j) {
-    const Quat turn = sinew::motion::normalised({std::sin(draw() / 2), std::sin(draw() / 2), std::sin(draw() / 2), 1});
+    const Quat turn = sinew::motion::normalized({std::sin(draw() / 2), std::sin(draw() / 2), std::sin(draw() / 2), 1});
     const Vec3d position = vec(&pose.translations[3 * j]);
     pose.set(j, quat(&pose.rotations[4 * j]) * turn, scene.parents[j] < 0 ? position + way : position);
   }

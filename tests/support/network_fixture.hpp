@@ -154,7 +154,7 @@ void interpret_layer(const Layer& layer, const std::vector<Buffer>& shapes, cons
     const uint32_t v = static_cast<uint32_t>(pair_out ? row / k : row);
     const auto same_joint = [&](size_t other) { return !pair_in || g.joints[other] == g.joints[row]; };
     const auto vertex_of = [&](size_t other) { return static_cast<uint32_t>(pair_in ? other / k : other); };
-    const auto is_neighbour = [&](uint32_t u) {
+    const auto is_neighbor = [&](uint32_t u) {
       return std::binary_search(g.col_indices.begin() + g.row_offsets[v], g.col_indices.begin() + g.row_offsets[v + 1],
                                 u);
     };
@@ -170,7 +170,7 @@ void interpret_layer(const Layer& layer, const std::vector<Buffer>& shapes, cons
       case LayerKind::kRingMean:
       case LayerKind::kRingMax:
         reduce(layer.kind == LayerKind::kRingMean, 0, out(row),
-               [&](size_t o) { return same_joint(o) && is_neighbour(vertex_of(o)); });
+               [&](size_t o) { return same_joint(o) && is_neighbor(vertex_of(o)); });
         break;
       case LayerKind::kPartMean: {
         const uint32_t part = g.part[v], size = g.part_offsets[part + 1] - g.part_offsets[part];
@@ -275,7 +275,7 @@ inline std::vector<int16_t> run_integer(const IntegerModel& model, const Graph& 
   return logits;
 }
 
-// Back from bytes, so that a quantised network can be interpreted.
+// Back from bytes, so that a quantized network can be interpreted.
 inline IntegerModel parse_model(const std::vector<uint8_t>& bytes) {
   const ModelTables tables(bytes.data());
   IntegerModel model;

@@ -31,7 +31,7 @@ inline Sample random_sample(const RandomSampleOptions& o) {
   s.inputs = {{o.vertex_features, {}}, {o.pair_features, {}}};
   s.part_count = o.part_count;
   s.joints = o.joints;
-  // Part c owns the vertices v with v % part_count == c; neighbours are the next and the third next of the same
+  // Part c owns the vertices v with v % part_count == c; neighbors are the next and the third next of the same
   // part.
   s.row_offsets = {0};
   const auto linked = [&](uint32_t v, uint32_t u) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a glTF's vertices stand while nobody moves its joints: nodes, inverse bind matrices and weights as every viewer
-// takes them.
+// Computes a glTF's vertices in its rest pose from nodes, inverse bind matrices and weights, like any viewer.
 #ifndef SINEW_TESTS_REST_POSE_HPP
 #define SINEW_TESTS_REST_POSE_HPP
 

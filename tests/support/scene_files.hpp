@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A character as FBX and as COLLADA, both as text: a strip of 4 quads, 2 wide and 4 high, hip and knee with weights, a
-// tip without, a mesh that hangs on the knee. Z is up; FBX counts in centimetres, COLLADA in steps of 0.01 m. The same strip,
+// tip without, a mesh that hangs on the knee. Z is up; FBX counts in centimeters, COLLADA in steps of 0.01 m. The same strip,
 // 1 wide, without the hanging mesh, as DirectX, OGRE, Blitz3D and MilkShape (Y up), MD5 and Valve SMD (Z up).
 #ifndef SINEW_TESTS_SCENE_FILES_HPP
 #define SINEW_TESTS_SCENE_FILES_HPP
@@ -160,7 +160,7 @@ inline std::string moving_dae() {
            " 0 0 0 1</matrix>";
   };
   return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
-         "version=\"1.4.1\">\n<asset><unit name=\"centimetre\" meter=\"0.01\"/><up_axis>Z_UP</up_axis></asset>\n"
+         "version=\"1.4.1\">\n<asset><unit name=\"centimeter\" meter=\"0.01\"/><up_axis>Z_UP</up_axis></asset>\n"
          "<library_animations>\n" +
          animation("bend", track("bend", "hip", "0.5 1.5", hip + " " + hip) +
                                track("bend", "knee", "0.5 1.5", knee + " " + bent)) +

@@ -26,12 +26,12 @@ void put_chunk(std::vector<uint8_t>* out, const std::string& kind, const std::ve
 
 }  // namespace
 
-std::vector<uint8_t> png_bytes(uint32_t width, uint32_t height, int depth, int colour_type,
+std::vector<uint8_t> png_bytes(uint32_t width, uint32_t height, int depth, int color_type,
                                const std::vector<uint8_t>& rows, const std::vector<uint8_t>& palette) {
   std::vector<uint8_t> out = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'}, header, packed = {0x78, 0x01};
   put(&header, width);
   put(&header, height);
-  header.insert(header.end(), {static_cast<uint8_t>(depth), static_cast<uint8_t>(colour_type), 0, 0, 0});
+  header.insert(header.end(), {static_cast<uint8_t>(depth), static_cast<uint8_t>(color_type), 0, 0, 0});
   put_chunk(&out, "IHDR", header);
   if (!palette.empty()) put_chunk(&out, "PLTE", palette);
   const size_t row = height > 0 ? rows.size() / height : 0;

@@ -18,15 +18,15 @@ using Rgba = std::array<uint8_t, 4>;
 constexpr Rgba kWhite = {255, 255, 255, 255}, kInk = {30, 28, 34, 255}, kRed = {200, 60, 50, 255},
                kClear = {0, 0, 0, 0};
 
-template <typename ColourAt>
-PictureFile picture_of(uint32_t width, uint32_t height, const ColourAt& colour_at) {
+template <typename ColorAt>
+PictureFile picture_of(uint32_t width, uint32_t height, const ColorAt& color_at) {
   PictureFile out;
   out.name = "picture";
   out.pixels.width = width;
   out.pixels.height = height;
   for (uint32_t y = 0; y < height; ++y)
     for (uint32_t x = 0; x < width; ++x) {
-      const Rgba c = colour_at(static_cast<int>(x), static_cast<int>(y));
+      const Rgba c = color_at(static_cast<int>(x), static_cast<int>(y));
       out.pixels.rgba.insert(out.pixels.rgba.end(), c.begin(), c.end());
     }
   out.bytes = std::make_shared<const std::vector<uint8_t>>();
@@ -49,9 +49,9 @@ double overlap(const Mask& mask, const Inside& inside) {
 }
 
 // Of stored blocks and right checksums, so that any size is cheap: rows of filter 0.
-//   colour_type  0 grey, 2 RGB, 3 palette, 6 RGBA, as in a PNG
-//   palette      RGB triples, for colour_type 3
-std::vector<uint8_t> png_bytes(uint32_t width, uint32_t height, int depth, int colour_type,
+//   color_type  0 gray, 2 RGB, 3 palette, 6 RGBA, as in a PNG
+//   palette      RGB triples, for color_type 3
+std::vector<uint8_t> png_bytes(uint32_t width, uint32_t height, int depth, int color_type,
                                const std::vector<uint8_t>& rows, const std::vector<uint8_t>& palette = {});
 
 }  // namespace sinew::test

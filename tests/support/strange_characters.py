@@ -193,14 +193,14 @@ def write_all(folder):
         out.node(name, mesh=mesh, skin=body.add_skin(out, nodes, names))
     keep("two_skins", out)
 
-    out = Glb()  # centimetres in an armature of 0.01
+    out = Glb()  # centimeters in an armature of 0.01
     armature = out.node("Armature", scale=[0.01, 0.01, 0.01])
     nodes = body.add_joints(out, armature, 0.01)
     mesh = out.mesh("body", body.positions, body.triangles, *body.influences(body.names))
     skin = body.add_skin(out, nodes, body.names, 0.01)
     out.node("body", mesh=mesh, skin=skin)
     out.node("belt", nodes["hips"], mesh=out.mesh("belt", *box(0, 0, 0, 12.0)))
-    keep("centimetres", out)
+    keep("centimeters", out)
 
     foreign = Body()  # names of another alphabet, with spaces
     renamed = {n: f"骨 {i} ü" for i, n in enumerate(foreign.names)}
@@ -209,7 +209,7 @@ def write_all(folder):
     foreign.rows = {v: [(w, renamed[n]) for w, n in row] for v, row in foreign.rows.items()}
     keep("names", skinned(foreign)[0])
 
-    mirrored = Body()  # modelled to the right, shown by a node of scale -1
+    mirrored = Body()  # modeled to the right, shown by a node of scale -1
     out = Glb()
     armature = out.node("Mirrored", scale=[-1, 1, 1])
     nodes = mirrored.add_joints(out, armature)

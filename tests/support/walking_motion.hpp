@@ -77,7 +77,7 @@ inline Motion with_axes(const Motion& motion, const std::function<Quaternion(siz
     out.joints[j].offset = rotate(above(j), motion.joints[j].offset);
     for (Clip& clip : out.clips)
       for (MotionFrame& frame : clip.frames) {
-        frame.rotations[j] = normalised(multiply(above(j), multiply(frame.rotations[j], conjugate(turns[j]))));
+        frame.rotations[j] = normalized(multiply(above(j), multiply(frame.rotations[j], conjugate(turns[j]))));
         frame.translations[j] = rotate(above(j), frame.translations[j]);
       }
   }
@@ -87,7 +87,7 @@ inline Motion with_random_axes(const Motion& motion, uint32_t seed = 1) {
   test::Random random(seed);
   return with_axes(motion, [&](size_t) {
     const auto part = [&] { return 2 * random.uniform() - 1; };
-    return normalised({part(), part(), part(), part()});
+    return normalized({part(), part(), part(), part()});
   });
 }
 // All bones along x at rest, as programs write them whose joints have their bones there.

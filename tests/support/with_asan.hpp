@@ -12,7 +12,7 @@
 #endif
 
 namespace sinew_test {
-// There one case of so many is enough: what the code does wrong with memory it does in each, and the comparisons themselves, unoptimised, take the time.
+// There one case of so many is enough: what the code does wrong with memory it does in each, and the comparisons themselves, unoptimized, take the time.
 #if defined(SINEW_WITH_ASAN)
 constexpr unsigned kEveryWithAsan = 4;
 #else

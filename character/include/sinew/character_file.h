@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * Characters from files, memory and arrays, and back: include sinew/character.h, which says what all calls share. */
+ * Characters from files, memory and arrays, and back: include sinew/character.h, which describes what all calls
+ * share. */
 #ifndef SINEW_CHARACTER_FILE_H
 #define SINEW_CHARACTER_FILE_H
 
@@ -28,13 +29,13 @@ SINEW_API size_t sinew_character_struct_size(const char* name);
 
 /* A file in memory. */
 typedef struct sinew_file {
-  /* Its extension says what it is: "hero.glb". */
+  /* Name with the extension of its format: "hero.glb". */
   const char* name;
   const void* bytes;
   size_t size_bytes;
 } sinew_file;
 
-/* What a kind of file can be used for. */
+/* Uses of a file format. */
 typedef enum sinew_file_use {
   SINEW_READ_MESH = 1,        /* a mesh, with or without a skeleton */
   SINEW_READ_SKELETON = 2,    /* joints */
@@ -46,8 +47,8 @@ typedef enum sinew_file_use {
   SINEW_READ_PICTURE = 256    /* a drawing or a photograph: sinew_character_open_picture() */
 } sinew_file_use;
 
-/* Returns the extensions of files that have all of these uses, a space between two: ".obj .gltf .glb". For file dialogs.
- * Static; "" where no file has them.
+/* Returns the extensions of files that have all of these uses, separated by spaces: ".obj .gltf .glb". For file
+ * dialogs. Static; "" where no file has them.
  *   uses  bits of sinew_file_use */
 SINEW_API const char* sinew_character_extensions(uint32_t uses);
 
@@ -58,7 +59,7 @@ SINEW_API const char* sinew_character_extensions(uint32_t uses);
  *   character  out, closed by sinew_character_close(); untouched on failure */
 SINEW_API sinew_status sinew_character_open(const char* path, sinew_character** character);
 
-/* Opens a file in memory; the disk is not looked at. Bytes are copied.
+/* Opens a file in memory, without access to the disk. Bytes are copied.
  *   files  the file, then the files beside it (.bin, pictures, .mtl, .rig.txt) under the names that it has for them */
 SINEW_API sinew_status sinew_character_open_files(const sinew_file* files, uint32_t file_count,
                                                   sinew_character** character);
@@ -97,17 +98,18 @@ SINEW_API sinew_status sinew_character_copy(const sinew_character* from, sinew_c
 SINEW_API void sinew_character_close(sinew_character* character);
 
 /* Saves by the extension: .glb; .gltf with NAME.bin beside it; .fbx; .vrm where the input was one; .obj with NAME.rig.txt
- * where there are joints; .rig.txt; .bvh of the one clip; .vrma of all clips, for any VRM. A glTF keeps everything of its input that was not changed. */
+ * where there are joints; .rig.txt; .bvh of the one clip; .vrma of all clips, for any VRM. A glTF keeps everything in
+ * its input that was not changed. */
 SINEW_API sinew_status sinew_character_save(sinew_character* character, const char* path);
 
 /* Saves to memory.
- *   name        its extension says what is written: "hero.glb"
+ *   name        with the extension of its format: "hero.glb"
  *   files       out: what sinew_character_save() would write, the file itself first
  *   file_count  out */
 SINEW_API sinew_status sinew_character_write(sinew_character* character, const char* name, const sinew_file** files,
                                              uint32_t* file_count);
 
-/* `--for`: what another program expects of a file. */
+/* `--for`: options for the file of another program. */
 typedef struct sinew_character_profile_options {
   uint32_t struct_size;
   /* 1: axes, names and roots of the skeleton stay as they are. */
@@ -118,7 +120,7 @@ typedef struct sinew_character_profile_options {
   const char* license;
   /* Title of a VRM; null = the character's name. */
   const char* title;
-  /* [author_count] Authors of a VRM; null: those of its file, else "unknown", which a note says. */
+  /* [author_count] Authors of a VRM; null: those of its file, else "unknown" with a note. */
   const char* const* authors;
   uint32_t author_count;
   /* 1: a glTF has the text of sinew_character_controls() in its extras. */
@@ -130,7 +132,7 @@ typedef struct sinew_character_profile_options {
  * sinew_character_notes() as files are written. An unknown profile is SINEW_ERROR_INPUT. */
 SINEW_API sinew_status sinew_character_set_profile(sinew_character* character,
                                                    const sinew_character_profile_options* options);
-/* Returns the names of the profiles, a space between two. Static. */
+/* Returns the names of the profiles, separated by spaces. Static. */
 SINEW_API const char* sinew_character_profiles(void);
 
 /* `--controls`: lists the joints that an animator's controls move, in the skeleton as it would be saved.
@@ -200,7 +202,7 @@ SINEW_API sinew_status sinew_character_skin(const sinew_character* character, ui
 /* Classifies each joint as retargeting does.  classes  out [J] sinew_joint_class */
 SINEW_API sinew_status sinew_character_joint_classes(const sinew_character* character, uint8_t* classes);
 
-/* Returns remarks of the reader and the jobs for the user, one a line; "" for none. */
+/* Returns notes and warnings of the reader and the jobs for the user, one per line; "" for none. */
 SINEW_API const char* sinew_character_notes(sinew_character* character);
 
 /* Replaces the skeleton and removes the weights.  skeleton  as in sinew_character_create() */
@@ -254,18 +256,18 @@ SINEW_API sinew_status sinew_character_add_clip(sinew_character* character, cons
 typedef struct sinew_character_transform_options {
   uint32_t struct_size;
   uint32_t turn_count;
-  /* [turn_count] Quarter turns about the origin, one after the other: "x", "-x", "y", ...; or null. */
+  /* [turn_count] Rotations by 90 degrees about an axis through the origin, in order: "x", "-x", "y", ...; or null. */
   const char* const* turns;
   /* Height in meters along up; 0 = unchanged. */
   double height;
   /* 1: the lowest vertex is moved to 0 along up. */
   uint32_t floor;
-  /* sinew_up: after the turns; 0 = Y. */
+  /* sinew_up after the rotations; 0 = Y. */
   uint32_t up;
 } sinew_character_transform_options;
 
-/* Turns and scales the character as a whole: mesh, joints, the file's own animations. Weights stay. A picture, a character
- * without a mesh, and one to which a call has added clips or morph targets are SINEW_ERROR_INPUT. */
+/* Rotates and scales the whole character: mesh, joints, the file's own animations. Weights stay. A picture, a
+ * character without a mesh, and one to which a call has added clips or morph targets are SINEW_ERROR_INPUT. */
 SINEW_API sinew_status sinew_character_transform(sinew_character* character,
                                                  const sinew_character_transform_options* options);
 

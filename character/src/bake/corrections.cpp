@@ -17,7 +17,7 @@ Eigen::MatrixXf moves_before_skinning(const Character& character, const std::vec
   constexpr double kRidge = 2e-2;  // with 3e-3 a skirt's held out error was 0.443 of linear skinning's, with this 0.427
   if (character.influences.size() != character.vertices.size())
     throw Error(character.name + ": has no skin weights to bake; bind it first with sinew bind");
-  if (poses.empty()) throw Error(character.name + ": cannot bake, there is no pose to learn from");
+  if (poses.empty()) throw Error(character.name + ": cannot bake, there is no pose to train on");
   CharacterDeformer deformer(character, deform);
   const Morphs none;
   Eigen::MatrixXf moves(static_cast<Eigen::Index>(poses.size()),
@@ -38,7 +38,7 @@ Eigen::MatrixXf moves_before_skinning(const Character& character, const std::vec
       moves.block<1, 3>(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(3 * v)) =
           normal.llt().solve(rotation.transpose() * lack).cast<float>().transpose();
     }
-    if (!progress()) throw Error(character.name + ": the work was interrupted");
+    if (!progress()) throw Error(character.name + ": the job was interrupted");
   }
   return moves;
 }
@@ -63,7 +63,7 @@ BakeError bake_error(const Character& character, const Morphs& morphs, const std
     add(morphed_pose(character, morphs,
                      weights != nullptr ? weights->at(p) : shape_weights(character.joints, morphs, poses[p]), poses[p]),
         &baked);
-    if (!progress()) throw Error(character.name + ": the work was interrupted");
+    if (!progress()) throw Error(character.name + ": the job was interrupted");
   }
   const double size = static_cast<double>(box_of(character.vertices).longest_side());
   const double count = static_cast<double>(poses.size() * character.vertices.size());

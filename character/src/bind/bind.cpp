@@ -21,7 +21,7 @@ namespace {
 //   joints, weights  out [V x N], rows that are not given stay as they are
 void fill_given(const Character& character, const BindOptions& options, uint16_t* joints, uint16_t* weights) {
   if (character.influences.size() != character.vertices.size()) {
-    throw Error(character.name + ": vertices are locked or hints, but the mesh has no weights of its own to keep");
+    throw Error(character.name + ": cannot lock vertices or take hints, the mesh has no weights");
   }
   const size_t n = options.influence_count;
   for (size_t v = 0; v < character.vertices.size(); ++v) {
@@ -48,7 +48,7 @@ uint32_t kernel_from_environment() {
     if (runs) runnable += (runnable.empty() ? "" : ", ") + std::string(sinew_kernel_name(kernel));
   }
   throw Error(std::string("SINEW_KERNEL=") + wanted +
-              ": this build or this processor has no such kernels; expected one of " + runnable);
+              ": this build or processor lacks these kernels; expected one of " + runnable);
 }
 
 BindResult bind(const Character& character, const BindOptions& options) {
@@ -82,7 +82,7 @@ BindResult bind(const Character& character, const BindOptions& options) {
   const Workspace workspace(result.workspace_bytes);
   if (workspace.size() < result.workspace_bytes) {
     throw OutOfMemory(character.name + ": no memory for a workspace of " +
-                      std::to_string(result.workspace_bytes / 1000000) + " MB in one piece");
+                      std::to_string(result.workspace_bytes / 1000000) + " MB in one block");
   }
   const size_t n = options.influence_count;
   result.joints.resize(character.vertices.size() * n);

@@ -58,9 +58,8 @@ class CharacterBinder {
     } else {
       const MeshPart part = part_without(whole_, left_out_);
       if (part.vertices.empty())
-        throw Error(
-            whole_.name + ": all " + std::to_string(kept_.size()) +
-            " meshes are attached to joints without a skin, nothing is left to bind; bind them with --bind-props");
+        throw Error(whole_.name + ": all " + std::to_string(kept_.size()) +
+                    " meshes are attached to joints without a skin, so there is none to bind; add --bind-props");
       bind_sets(part.character, part.vertices);
       follow_carriers();
     }
@@ -179,7 +178,8 @@ class CharacterBinder {
     }
   }
 
-  // Those of all binds by falling gain, no more than were asked for. A part that most of the mesh belongs to is the body, which no answer is for.
+  // Those of all binds by descending gain, no more than were asked for. A part that most of the mesh belongs to is
+  // the body, which no answer is for.
   void order_questions() {
     std::vector<uint32_t> order;
     for (uint32_t q = 0; q < out_.questions.size(); ++q)

@@ -70,7 +70,7 @@ void choose_by_names(const Character& character, JointChoice* choice) {
   for (size_t j = 0; j < roles.size(); ++j) {
     const std::optional<bool>& deforms = character.joints[j].deforms;
     if (deforms) {
-      if (!*deforms) leave_out("does not deform, says the file", j, choice);
+      if (!*deforms) leave_out("does not deform in the file", j, choice);
     } else if (roles[j] == SINEW_ROLE_END) {
       choice->tips.push_back(j);
     } else if (roles[j] < SINEW_ROLE_END && roles[j] != SINEW_ROLE_DEFORMS) {
@@ -91,12 +91,12 @@ void apply_joint_flags(const std::vector<uint8_t>& joint_flags, JointChoice* cho
     std::fill(choice->set_of_mesh.begin(), choice->set_of_mesh.end(), SIZE_MAX);
     for (size_t j = 0; j < joint_flags.size(); ++j)
       if ((joint_flags[j] & SINEW_JOINT_DEFORMS) == 0 || (joint_flags[j] & SINEW_JOINT_NEVER) != 0)
-        choice->left_out.push_back({j, "not among the joints that deform, as asked"});
+        choice->left_out.push_back({j, "not among the given joints"});
     return;
   }
   for (size_t j = 0; j < joint_flags.size(); ++j) {
     if ((joint_flags[j] & SINEW_JOINT_NEVER) == 0) continue;
-    if ((choice->flags[j] & SINEW_JOINT_NEVER) == 0) choice->left_out.push_back({j, "never deforms, as asked"});
+    if ((choice->flags[j] & SINEW_JOINT_NEVER) == 0) choice->left_out.push_back({j, "excluded"});
     choice->flags[j] |= joint_flags[j];
     choice->tips.erase(std::remove(choice->tips.begin(), choice->tips.end(), j), choice->tips.end());
   }

@@ -116,7 +116,7 @@ class SeamCutter {
     return at->second;
   }
 
-  // Doubled vertices get the mean row of what they now hang on.
+  // Doubled vertices get the mean row of their new part.
   void weigh(size_t before) {
     for (const auto& [vertex, copy] : doubles_) {
       std::map<uint32_t, float> sums;

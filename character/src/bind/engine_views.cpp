@@ -45,7 +45,7 @@ SkeletonView::SkeletonView(const std::vector<Joint>& joints) {
 void check_bindable(const Character& character) {
   if (character.vertices.empty()) throw Error(character.name + ": the mesh has no vertices");
   if (character.joints.empty()) {
-    throw Error(character.name + ": there is no skeleton; give one with --skeleton or use a file that has a skin");
+    throw Error(character.name + ": no skeleton; give one with --skeleton or use a file that has a skin");
   }
   if (character.joints.size() > SINEW_MAX_JOINTS) {
     throw Error(character.name + ": " + std::to_string(character.joints.size()) + " joints, at most " +

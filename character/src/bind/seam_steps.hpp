@@ -67,8 +67,8 @@ class SkeletonPaths {
   size_t joint_count() const { return positions_.size(); }
   // The nearest point on the bones of `joint`: segments to its children, of a leaf half its parent's bone on.
   BonePoint nearest(uint32_t joint, const Point3& from) const;
-  // Along the bones; straight from limb to limb where both hang on one joint, so that hierarchies in which all limbs hang on a root at
-  // the floor are as good as others. Negative where nothing joins them.
+  // Along the bones; straight from limb to limb if both have the same parent, so that hierarchies in which a root at
+  // the floor is the parent of all limbs work too. Negative where nothing joins them.
   double length(const BonePoint& a, const BonePoint& b) const;
   // Whether parts of the body that move apart meet where these two are near: the path is longer than 15 % of the size, and than two and
   // a half times the straight way.

@@ -72,7 +72,7 @@ class SeamFinder {
     return crosses;
   }
 
-  // Groups of crossing edges whose ends are the same or neighbours.
+  // Groups of crossing edges whose ends are the same or neighbors.
   std::vector<std::vector<uint32_t>> lines() const {
     std::vector<std::vector<uint32_t>> lines;
     std::vector<char> crosses = which_cross();
@@ -119,8 +119,8 @@ class SeamFinder {
     return pieces;
   }
 
-  // Drops the lines that are none: short ones, those over a bulge, and those behind which nothing hangs any more, where
-  // a joint's parent is elsewhere than the part that it is grown on.
+  // Drops lines that are not seams: short ones, those over a bulge, and those without a connection behind them, where
+  // a joint's parent is elsewhere than the part that it is fused with.
   void keep_seams() {
     const std::vector<uint32_t> piece = pieces();
     std::vector<uint32_t> kept;
@@ -209,9 +209,9 @@ std::string seams_text(const std::vector<Joint>& joints, const Seams& seams, siz
     text += (pairs.empty() ? "" : ", ") + pair;
     pairs.push_back(std::move(pair));
   }
-  return "grown together: " + text + "; no weight crosses there, " +
-         (doubled > 0 ? "and it was opened: " + std::to_string(doubled) + " vertices were doubled"
-                      : std::string("--cut opens it"));
+  return "fused parts at " + text + "; no weight crosses there, " +
+         (doubled > 0 ? "and the mesh was cut open: " + std::to_string(doubled) + " vertices were doubled"
+                      : std::string("--cut opens the mesh there"));
 }
 
 size_t keep_apart(const Character& character, const Seams& seams, const std::vector<uint8_t>& keep, WeightRows* rows) {

@@ -88,11 +88,12 @@ void fold_row(const std::vector<uint32_t>& takes, std::vector<Influence>* row) {
                                  sinew_status status) {
   if (status == SINEW_ERROR_RANGE && options.method == SINEW_TRANSFER_BIHARMONIC)
     throw Error(target.name +
-                ": fewer than four places were found that both meshes have; give pairs of vertices, at least four");
+                ": found fewer than four positions that match on both meshes; give at least four pairs of vertices");
   if (status == SINEW_ERROR_RANGE)
-    throw Error(source.name + ": none of its weights belong to a joint that " + target.name + " has a joint for");
+    throw Error(source.name + ": no joint with weights maps to a joint of " + target.name);
   if (status == SINEW_ERROR_COUNT && options.method == SINEW_TRANSFER_BIHARMONIC)
-    throw Error(target.name + " or " + source.name + ": too large or too tangled for biharmonic distances; at most " +
+    throw Error(target.name + " or " + source.name +
+                ": too large or too tangled for biharmonic distances; expected at most " +
                 std::to_string(SINEW_MAX_BIHARMONIC_VERTICES) + " vertices");
   throw Error(source.name + " to " + target.name + ": " + sinew_status_text(status));
 }
@@ -155,7 +156,7 @@ TransferResult transfer(const Character& source, const Character& target, const 
   Workspace workspace(result.workspace_bytes);
   if (workspace.size() < result.workspace_bytes)
     throw OutOfMemory(target.name + ": no memory for a workspace of " +
-                      std::to_string(result.workspace_bytes / 1000000) + " MB in one piece");
+                      std::to_string(result.workspace_bytes / 1000000) + " MB in one block");
   const size_t n = options.influence_count, vertices = target.vertices.size();
   Skin<uint16_t> out;
   if (!options.locked.empty()) {

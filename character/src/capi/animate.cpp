@@ -21,7 +21,7 @@ AnimateOptions job_of(const sinew_character_animate_options& options, const sine
   check_without(options.without, SINEW_WITHOUT_RANGE);
   if (!std::isfinite(source.fps + source.from + source.to) || source.fps < 0 || source.from < 0 || source.to < 0 ||
       (source.to != 0 && source.to < source.from))
-    throw Failure(SINEW_ERROR_ARGUMENT, "fps, from, to: expected 0 or more, and to behind from");
+    throw Failure(SINEW_ERROR_ARGUMENT, "fps, from, to: expected 0 or more, with to after from");
   AnimateOptions job;
   job.character = file_of(character);
   job.up = maybe_axis(options.target_up);
@@ -124,7 +124,7 @@ void animate(const sinew_character_animate_options& options, ProgressOfCaller* p
   AnimateOptions job = job_of(options, played, *target);
   std::shared_ptr<const PictureCharacter> picture = target->picture;
   if (options.depth != 0 && picture == nullptr)
-    throw Failure(SINEW_ERROR_ARGUMENT, "depth: is for characters of pictures, and this is none");
+    throw Failure(SINEW_ERROR_ARGUMENT, "depth: needs a character of a picture");
   AnimatedCharacter made = start(*target, options, progress, &picture);
   sinew_character own;  // a file's, or a picture's clip
   if (motion == nullptr) {
@@ -133,7 +133,7 @@ void animate(const sinew_character_animate_options& options, ProgressOfCaller* p
     if (played.file != nullptr)
       open_into(&own);
     else
-      job.force = true;  // nobody asked for it: a warning will do
+      job.force = true;  // a clip that the caller did not request gives only a warning
     motion = &own;
   }
   MotionFile source = motion_of_handle(motion, played, job, made.character);
@@ -164,7 +164,7 @@ void animate(const sinew_character_animate_options& options, ProgressOfCaller* p
   if (deform) bake_clips(*deform, options.shapes == 0 ? 16 : options.shapes, steps, &made);
   for (MorphClip& clip : made.morphs.clips) clip.animation += target->clips.size();
   if (deform && !target->morphs.shapes.empty())
-    throw Error(made.character.name + ": has corrective shapes already; animate it before they are baked");
+    throw Error(made.character.name + ": has corrective shapes already; animate it before baking");
   for (const std::string& note : made.motion.notes) made.character.notes.push_back(note);
   if (const std::string note = checked_note(made.character, &made.motion); !note.empty())
     made.character.notes.push_back(note);

@@ -58,8 +58,8 @@ void bake(const sinew_character_bake_options& options, ProgressOfCaller* progres
   for (const MorphShape& shape : baked.morphs.shapes) filled.moved_vertices += count32(shape.vertices.size());
   filled.learnt_poses = count32(baked.learnt_poses);
   filled.held_out_poses = count32(baked.held_out_poses);
-  filled.linear_error = baked.learnt.linear;
-  filled.baked_error = baked.learnt.baked;
+  filled.linear_error = baked.learned.linear;
+  filled.baked_error = baked.learned.baked;
   filled.held_out_linear_error = baked.held_out.linear;
   filled.held_out_baked_error = baked.held_out.baked;
   character->morphs = std::move(baked.morphs);

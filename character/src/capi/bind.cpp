@@ -126,7 +126,7 @@ void bind(const sinew_character_bind_options& options, ProgressOfCaller* progres
   } else {
     binder.method = options.method;
     if (job_options.softness_percent != 100)
-      throw Error("softness_percent is for the model's weights: leave it out with heat or distance");
+      throw Error("softness_percent needs the model's weights: leave it out with heat or distance");
   }
   BindJob job(job_options, binder, &character);
   std::vector<sinew_answer> answers;

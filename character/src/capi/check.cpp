@@ -18,7 +18,8 @@ CheckOptions options_from(const sinew_character_check_options& given) {
   for (uint32_t b = 0; b < given.bound_count; ++b) {
     need(given.bound_rules[b] != nullptr, "bound_rules");
     if (std::isnan(given.bounds[b]))
-      throw Failure(SINEW_ERROR_NOT_FINITE, std::string("bounds: that of ") + given.bound_rules[b] + " is no number");
+      throw Failure(SINEW_ERROR_NOT_FINITE,
+                    std::string("bounds: the value of ") + given.bound_rules[b] + " is not a number");
     options.bounds[given.bound_rules[b]] = given.bounds[b];
   }
   return options;

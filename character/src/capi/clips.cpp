@@ -129,8 +129,7 @@ sinew_status sinew_character_add_clip(sinew_character* character, const sinew_ch
     need(character != nullptr, "character");
     need(clip != nullptr, "clip");
     const sinew_character_clip given = options_of(clip);
-    if (character->character.joints.empty())
-      throw Error(character->character.name + ": has no skeleton that a clip could move");
+    if (character->character.joints.empty()) throw Error(character->character.name + ": has no skeleton to animate");
     character->clips.push_back(clip_of(given, character->character.joints.size()));
     character->clip_views.clear();
   });

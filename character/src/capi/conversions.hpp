@@ -35,17 +35,17 @@ inline std::optional<sinew_deform_options> corrections_of(const sinew_character_
   constexpr double kThousandths = 1000;
   if (options.stiffness != 0 &&
       !(options.stiffness >= 1 / kThousandths && options.stiffness <= SINEW_MAX_DEFORM_ENERGY / kThousandths))
-    throw Failure(SINEW_ERROR_ARGUMENT, "stiffness: expected 0.001 to 1000, or 0 for the method's own");
+    throw Failure(SINEW_ERROR_ARGUMENT, "stiffness: expected 0.001 to 1000, or 0 for the default");
   check_at_most("deform_as_drawn", options.deform_as_drawn, 1);
   if (method != SINEW_POSE_XPBD &&
       (options.stiffness != 0 || options.tet_weights != 0 || options.without != 0 || options.deform_as_drawn != 0))
     throw Failure(SINEW_ERROR_ARGUMENT,
-                  "stiffness, tet_weights, deform_as_drawn and SINEW_WITHOUT_SMOOTHING: are for SINEW_POSE_XPBD");
+                  "stiffness, tet_weights, deform_as_drawn and SINEW_WITHOUT_SMOOTHING need SINEW_POSE_XPBD");
   if (options.body_contact != 0 && method != SINEW_POSE_VOLUME && method != SINEW_POSE_XPBD)
-    throw Failure(SINEW_ERROR_ARGUMENT, "body_contact: is for SINEW_POSE_VOLUME and SINEW_POSE_XPBD");
+    throw Failure(SINEW_ERROR_ARGUMENT, "body_contact needs SINEW_POSE_VOLUME or SINEW_POSE_XPBD");
   if (method < SINEW_POSE_VOLUME) {
     if (options.cells != 0 || options.rounds != 0)
-      throw Failure(SINEW_ERROR_ARGUMENT, "cells and rounds: are for poses that are corrected");
+      throw Failure(SINEW_ERROR_ARGUMENT, "cells and rounds need a corrected pose, SINEW_POSE_VOLUME or above");
     return std::nullopt;
   }
   sinew_deform_options out = SINEW_INIT(sinew_deform_options);

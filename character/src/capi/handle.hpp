@@ -159,13 +159,13 @@ sinew_status guarded(const sinew_character* character, Work&& work,
   } catch (const OutOfMemory& error) {
     return fail(character, SINEW_ERROR_MEMORY, error.what());
   } catch (const std::bad_alloc&) {
-    return fail(character, SINEW_ERROR_MEMORY, "there is no memory for this");
+    return fail(character, SINEW_ERROR_MEMORY, "not enough memory");
   } catch (const std::length_error&) {
-    return fail(character, SINEW_ERROR_MEMORY, "there is no memory for this");
+    return fail(character, SINEW_ERROR_MEMORY, "not enough memory");
   } catch (const std::exception& error) {
     return fail(character, status_of(SINEW_ERROR_INPUT), error.what());
   } catch (...) {
-    return fail(character, SINEW_ERROR_INPUT, "an unknown failure");
+    return fail(character, SINEW_ERROR_INPUT, "unknown failure");
   }
 }
 
@@ -186,7 +186,9 @@ Options options_of(const Options* given) {
   std::memcpy(&options, given, std::min<size_t>(given->struct_size, sizeof options));
   const auto* bytes = reinterpret_cast<const uint8_t*>(given);
   for (size_t i = sizeof options; i < given->struct_size; ++i)
-    if (bytes[i] != 0) throw Failure(SINEW_ERROR_VERSION, "options: this library is older than one that is set");
+    if (bytes[i] != 0)
+      throw Failure(SINEW_ERROR_VERSION,
+                    "options: a member is set that this library does not know; update the library");
   return options;
 }
 
@@ -213,7 +215,8 @@ inline void check_at_most(const char* what, uint32_t value, uint32_t most) {
 
 // `known`: the bits of sinew_without that the call takes.
 inline void check_without(uint32_t without, uint32_t known) {
-  if ((without & ~known) != 0) throw Failure(SINEW_ERROR_ARGUMENT, "without: has a bit that this call does not take");
+  if ((without & ~known) != 0)
+    throw Failure(SINEW_ERROR_ARGUMENT, "without: contains a bit that this call does not take");
 }
 
 // A caller's pins name joints of both skeletons; a source may be -1, none.

@@ -56,8 +56,9 @@ sinew_status sinew_character_keypoints_frame(const sinew_character* character, c
     need(keypoints != nullptr, "keypoints");
     need(rotations != nullptr && translations != nullptr, "rotations, translations");
     if (character->keypoints == nullptr)
-      throw Failure(SINEW_ERROR_ARGUMENT,
-                    "keypoints: the character is of none; sinew_character_open_keypoints() makes one");
+      throw Failure(
+          SINEW_ERROR_ARGUMENT,
+          "keypoints: the character is not made from keypoints; make one with sinew_character_open_keypoints()");
     const MotionFrame frame = character->keypoints->next(keypoints_row(keypoints, keypoint_count));
     put_values(frame.rotations, rotations);
     put_values(frame.translations, translations);

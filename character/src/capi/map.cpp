@@ -12,7 +12,7 @@ namespace {
 
 // As `sinew map` reads the file: ends of a motion are its End Sites, ends of a rig.txt alone are in its weights.
 MapRig rig_of_handle(const sinew_character& from) {
-  if (from.character.joints.empty()) throw Error(from.character.name + ": expected a skeleton, found a mesh alone");
+  if (from.character.joints.empty()) throw Error(from.character.name + ": expected a skeleton, found only a mesh");
   MapRig rig = map_rig_of(from.character);
   if (from.same_skin && from.character.vertices.empty() && !from.path.empty()) {
     const FilesOf scope(from);
@@ -50,7 +50,7 @@ void map(const sinew_character_map_options& options, const sinew_character* from
   check_at_most("branches_first", options.branches_first, SINEW_BRANCHES_SOURCE);
   check_at_most("branches_cost", options.branches_cost, SINEW_BRANCHES_SUM);
   if (options.method != SINEW_MAP_BRANCHES && (options.branches_first != 0 || options.branches_cost != 0))
-    throw Failure(SINEW_ERROR_ARGUMENT, "branches_first and branches_cost: are for SINEW_MAP_BRANCHES");
+    throw Failure(SINEW_ERROR_ARGUMENT, "branches_first and branches_cost need SINEW_MAP_BRANCHES");
   check_at_most("target_up", options.target_up, SINEW_UP_Z);
   check_without(options.without, SINEW_WITHOUT_NAMES | SINEW_WITHOUT_ENDS);
   const sinew_motion_source motion = options_of(options.source);

@@ -94,9 +94,9 @@ std::vector<Joint> joints_of(const sinew_skeleton* given) {
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
       throw Failure(SINEW_ERROR_NOT_FINITE, "skeleton: joint " + name + " is not finite");
     if (skeleton.parents[j] < -1 || skeleton.parents[j] >= static_cast<int32_t>(count))
-      throw Failure(SINEW_ERROR_INDEX, "skeleton: the parent of joint " + name + " is no joint");
+      throw Failure(SINEW_ERROR_INDEX, "skeleton: the parent of joint " + name + " does not exist");
     if (name.empty() || !taken.insert(name).second)
-      throw Error("skeleton: expected a name of its own for joint " + std::to_string(j) + ", found '" + name + "'");
+      throw Error("skeleton: expected a unique name for joint " + std::to_string(j) + ", found '" + name + "'");
     joints[j].name = name;
     joints[j].position = {p[0], p[1], p[2]};
     joints[j].parent = skeleton.parents[j];
@@ -133,7 +133,7 @@ void changed(sinew_character* character) {
 void check_nothing_added(const sinew_character& character) {
   if (!character.clips.empty() || !character.morphs.shapes.empty())
     throw Error(character.character.name +
-                ": has clips or morph targets that no file contains yet; save the character and open that file");
+                ": has clips or morph targets that are not saved yet; save it and open that file");
 }
 
 }  // namespace sinew

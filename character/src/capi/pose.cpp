@@ -21,7 +21,7 @@ std::vector<Affine> by_angles(const Character& character, const double* angles) 
     rotation.z = angles[3 * j + 2];
     if (!std::isfinite(rotation.x + rotation.y + rotation.z))
       throw Failure(SINEW_ERROR_NOT_FINITE,
-                    "angles: joint " + character.joints[j].name + " has one that is not finite");
+                    "angles: joint " + character.joints[j].name + " has an angle that is not finite");
     if (rotation.x != 0 || rotation.y != 0 || rotation.z != 0) rotations.push_back(rotation);
   }
   return pose_palette(character, rotations);
@@ -34,7 +34,8 @@ std::vector<Affine> by_rotations(const Character& character, const double* rotat
     const double* q = rotations + 4 * j;
     const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     if (!std::isfinite(length) || !(length > 0))
-      throw Failure(SINEW_ERROR_NOT_FINITE, "rotations: joint " + character.joints[j].name + " has none of length 1");
+      throw Failure(SINEW_ERROR_NOT_FINITE,
+                    "rotations: joint " + character.joints[j].name + " has no rotation of length 1");
     frame.rotations.push_back({q[0] / length, q[1] / length, q[2] / length, q[3] / length});
     frame.translations.push_back(motion.joints[j].offset);
   }
@@ -77,7 +78,8 @@ void pose(const sinew_character_pose_options& options, sinew_character* from, si
   PosedCharacter done = pose_character(character, palette, corrections, dual_quaternion);
   if (!done.corrected)
     done.character.notes.push_back(
-        "warning: the matrices are not rotations with one common scale, so the pose is plain linear skinning");
+        "warning: skinning matrices with shear or unequal scales; the pose is linear skinning, without volume "
+        "correction. Use rotations with one scale");
   auto out = std::make_unique<sinew_character>();
   out->character = std::move(done.character);
   out->own_skeleton = from->own_skeleton;

@@ -31,7 +31,7 @@ RigJobOptions job_of(const sinew_character_rig_options& options) {
   check_at_most("category", options.category, SINEW_CATEGORY_VEHICLE);
   if (options.category != 0 &&
       (options.method == SINEW_CHARACTER_RIG_SHAPE || options.method == SINEW_CHARACTER_RIG_REGIONS))
-    throw Failure(SINEW_ERROR_ARGUMENT, "category: steers what a model says, and this method has none");
+    throw Failure(SINEW_ERROR_ARGUMENT, "category: steers the model, but this method has none");
   check_at_most("detail", options.detail, SINEW_CHARACTER_DETAIL_FULL);
   check_at_most("mirror", options.mirror, SINEW_MIRROR_NEVER);
   check_at_most("thread_count", options.thread_count, SINEW_MAX_THREADS);
@@ -64,7 +64,7 @@ RigJobOptions job_of(const sinew_character_rig_options& options) {
   if (options.skeleton != nullptr) job.skeleton = options.skeleton;
   if (options.skeleton_character != nullptr) {
     const sinew_character& own = *options.skeleton_character;
-    if (own.character.joints.empty()) throw Error(own.character.name + ": expected a skeleton, found a mesh alone");
+    if (own.character.joints.empty()) throw Error(own.character.name + ": expected a skeleton, found only a mesh");
     job.skeleton = own.path.empty() ? own.character.name : own.path;
     job.own = own.character.joints;
   }

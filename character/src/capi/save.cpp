@@ -58,7 +58,7 @@ void set_profile(sinew_character* character, const sinew_character_profile_optio
   ProfileOptions options;
   options.keep_axes = given.keep_axes != 0;
   options.controls = given.controls != 0;
-  options.licence = text_of(given.license);
+  options.license = text_of(given.license);
   options.title = text_of(given.title);
   for (uint32_t a = 0; a < given.author_count; ++a) {
     need(given.authors[a] != nullptr, "authors");
@@ -71,7 +71,7 @@ void set_profile(sinew_character* character, const sinew_character_profile_optio
 }
 
 std::string controls_now(const sinew_character& from) {
-  if (from.character.joints.empty()) throw Error(from.character.name + ": has no skeleton that controls could move");
+  if (from.character.joints.empty()) throw Error(from.character.name + ": has no skeleton for controls");
   if (from.profile.empty()) return controls_text(from.character);
   return controls_for_profile(profile_named(from.profile), from.profile_options, from.character);
 }

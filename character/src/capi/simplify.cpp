@@ -72,7 +72,8 @@ void transform_character(const sinew_character_transform_options& options, sinew
   transform.floor = options.floor != 0;
   check_transform(transform);
   const std::string& name = character->character.name;
-  if (character->picture != nullptr) throw Error(name + ": is of a picture, which stays in its plane");
+  if (character->picture != nullptr)
+    throw Error(name + ": is a picture, which stays in its plane; rotate it after saving");
   check_nothing_added(*character);
   const Axis up_axis = up_axis_of("up", options.up == SINEW_UP_AUTO ? uint32_t{SINEW_UP_Y} : options.up);
   const bool same_skin = character->same_skin;

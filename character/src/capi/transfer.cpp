@@ -17,11 +17,11 @@ void check(const sinew_character_transfer_options& options) {
   need(options.pairs != nullptr || options.pair_count == 0, "pairs");
   const bool biharmonic = options.method == SINEW_TRANSFER_BIHARMONIC;
   if (biharmonic && options.garment != 0)
-    throw Failure(SINEW_ERROR_ARGUMENT, "garment: lies on its body, expected another method than biharmonic");
+    throw Failure(SINEW_ERROR_ARGUMENT, "garment: needs another method than biharmonic");
   if (!biharmonic && (options.pair_count != 0 || options.as_drawn != 0))
-    throw Failure(SINEW_ERROR_ARGUMENT, "pairs and as_drawn: are for SINEW_TRANSFER_BIHARMONIC");
+    throw Failure(SINEW_ERROR_ARGUMENT, "pairs and as_drawn need SINEW_TRANSFER_BIHARMONIC");
   if (options.garment != 0 && (options.map != nullptr || options.locked != nullptr))
-    throw Failure(SINEW_ERROR_ARGUMENT, "garment: has the skeleton of the source, expected neither map nor locked");
+    throw Failure(SINEW_ERROR_ARGUMENT, "garment: uses the skeleton of the source, expected neither map nor locked");
 }
 
 TransferOptions job_of(const sinew_character_transfer_options& options, const Character& source,
@@ -75,8 +75,8 @@ void carry(const sinew_character_transfer_options& options, ProgressOfCaller* pr
   check(options);
   const Character& source = from.character;
   if (source.vertices.empty() || source.influences.empty())
-    throw Error(file_of(from) + ": has no weights to carry over; expected a bound character");
-  if (to->character.vertices.empty()) throw Error(file_of(*to) + ": has no mesh that could get weights");
+    throw Error(file_of(from) + ": has no weights to transfer; expected a bound character");
+  if (to->character.vertices.empty()) throw Error(file_of(*to) + ": has no mesh to bind");
   std::unique_ptr<LoadedModel> bind, rig;
   TransferTargetOptions target_options;
   target_options.path = file_of(*to);

@@ -68,7 +68,7 @@ std::string checked_line(const RigCheck& check) {
   }
   for (size_t r = 0; r < rules.size(); ++r)
     line += (r == 0 ? " (" : ", ") + std::to_string(rules[r].second) + " " + rules[r].first;
-  return line + (rules.empty() ? "" : "); sinew check says where");
+  return line + (rules.empty() ? "" : "); sinew check lists them");
 }
 
 std::string checked_note(const Character& character, const Motion* motion) {

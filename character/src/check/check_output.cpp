@@ -86,7 +86,7 @@ std::string where_shown(const RigFinding& f) {
 
 namespace {
 
-constexpr size_t kToldEach = 3;  // findings of one kind that have a line each; of more only the worst has one
+constexpr size_t kToldEach = 3;  // findings of one kind that have one line each; of more only the worst has one
 
 // "; and 26 more: 'Spine', 'LeftArm', ..." of findings from `begin` to before `end`.
 std::string others_text(const CheckedFile& file, size_t begin, size_t end, const RigFinding& told) {
@@ -117,7 +117,7 @@ std::string check_text(const CheckedFile& file) {
   for (const size_t i : file.change.added) is_new[i] = 1;
   if (file.score) text += print("; score %.1f of 100", *file.score);
   for (size_t i = 0; i < check.findings.size();) {
-    size_t end = i + 1;  // of those that are told by one line
+    size_t end = i + 1;  // of those in one line
     while (end < check.findings.size() && check.findings[end].rule == check.findings[i].rule &&
            check.findings[end].severity == check.findings[i].severity && is_new[end] == is_new[i])
       ++end;
@@ -134,7 +134,7 @@ std::string check_text(const CheckedFile& file) {
     i = end;
   }
   for (const size_t i : file.change.removed)
-    text += std::string("\n  gone: ") + file.before->findings[i].rule->name + ": " + file.before->findings[i].what;
+    text += std::string("\n  fixed: ") + file.before->findings[i].rule->name + ": " + file.before->findings[i].what;
   return text;
 }
 

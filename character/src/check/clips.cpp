@@ -83,7 +83,7 @@ class ClipCheck {
       if (at == 0) continue;
       RigFinding finding = finding_at(j, at);
       finding.value = std::round(2 * std::acos(std::min(1.0, worst)) * 180 / std::numbers::pi);
-      finding.what = findings_->quoted(finding.joint) + print(" turns by %.0f degrees within a frame", finding.value);
+      finding.what = findings_->quoted(finding.joint) + print(" rotates by %.0f degrees within a frame", finding.value);
       findings_->add("clip-flip", std::move(finding));
     }
   }
@@ -129,14 +129,14 @@ class ClipCheck {
     RigFinding sinks = finding_at(foot, at), floats = finding_at(foot, 0);
     sinks.value = deepest;
     sinks.what =
-        findings_->quoted(sinks.joint) + print(" goes %.2f of the height deeper than where it stands", deepest);
+        findings_->quoted(sinks.joint) + print(" sinks %.2f of the height below its lowest resting position", deepest);
     findings_->add("foot-sink", std::move(sinks));
     floats.value = lowest;
-    floats.what = print("the feet stay %.2f of the height over where they stand, all the time", lowest);
+    floats.what = print("both feet stay %.2f of the height above their resting height in the whole clip", lowest);
     findings_->add("foot-float", std::move(floats));
   }
 
-  // Of feet that stand, against the ground: which moves where a clip stays in its place.
+  // Speed of planted feet relative to the ground, which moves if a clip stays in place.
   void slides() {
     struct Stance {
       size_t foot, frame;
@@ -172,7 +172,7 @@ class ClipCheck {
       RigFinding finding = finding_at(j, at);
       finding.value = median(&speeds);
       finding.what = findings_->quoted(finding.joint) +
-                     print(" slides by %.2f of the height a second while it stands", finding.value);
+                     print(" slides by %.2f of the height per second while it is planted", finding.value);
       findings_->add("foot-slide", std::move(finding));
     }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Collects findings, says where to look, and sorts them.
+// Collects findings, computes their positions, and sorts them.
 #include "check/findings.hpp"
 
 #include <algorithm>

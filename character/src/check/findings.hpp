@@ -13,7 +13,7 @@
 
 namespace sinew {
 
-// The value of name-order where a joint hangs on another limb; 1 within a limb.
+// Value of name-order for a joint whose parent is in another limb; 1 within a limb.
 constexpr double kOtherLimb = 2;
 
 class Findings {

@@ -58,8 +58,8 @@ void outside(const RigFacts& facts, Findings* findings) {
     finding.joint = static_cast<int>(j);
     finding.value = (inside ? kInside : trunk ? kTrunk : 1) * distance;
     finding.what = findings->quoted(finding.joint) +
-                   print(" lies %.2f of the size from all that it moves, ", distance) +
-                   (inside ? "in another part of the mesh" : "outside of the mesh");
+                   print(" is %.2f of the size away from everything it moves, ", distance) +
+                   (inside ? "in another part of the mesh" : "outside the mesh");
     findings->add("joint-outside", std::move(finding));
   }
 }
@@ -76,8 +76,8 @@ void zero_length(const RigFacts& facts, Findings* findings) {
     finding.joint = static_cast<int>(j);
     finding.other = parent;
     finding.value = 1;
-    finding.what = findings->quoted(finding.joint) + " stands where its parent " + findings->quoted(parent) +
-                   " does, and both move the mesh";
+    finding.what = findings->quoted(finding.joint) + " is at the position of its parent " + findings->quoted(parent) +
+                   ", and both move the mesh";
     findings->add("zero-length", std::move(finding));
   }
 }
@@ -94,7 +94,7 @@ void dead(const RigFacts& facts, Findings* findings) {
     RigFinding finding;
     finding.joint = static_cast<int>(j);
     finding.value = 1;
-    finding.what = findings->quoted(finding.joint) + " moves nothing, but its parent and what hangs on it do";
+    finding.what = findings->quoted(finding.joint) + " moves nothing, but its parent and its children do";
     // Both sides alike, as in creatures whose arms are two bones of a person's three.
     const int32_t twin = facts.verdicts.partners[j];
     findings->add("dead-joint", std::move(finding), twin >= 0 && facts.weight[static_cast<size_t>(twin)] <= 0);

@@ -26,11 +26,11 @@ constexpr double kMuchNearer = 0.3;        // the better joint's distance is bel
 constexpr double kUsualReach = 3;          // times the joint's median distance that are still usual
 constexpr float kNoticeable = 0.2f;        // smaller weights are blur, not labels
 constexpr size_t kOtherBranch = 3;         // steps along the skeleton that count as another branch
-constexpr double kAgree = 0.6;             // L1 up to which neighbours agree with their mean
+constexpr double kAgree = 0.6;             // L1 up to which neighbors agree with their mean
 constexpr double kDisagree = 1.7;          // L1 from which a vertex has nothing in common with them
 constexpr size_t kTwinVertices = 8;        // vertices of the twin that make an idle joint suspicious
 constexpr double kClearlyOtherSide = 0.3;  // of the distance between two twins
-constexpr double kSamePosition = 1e-3;     // joints nearer to each other cannot be told apart
+constexpr double kSamePosition = 1e-3;     // joints nearer to each other are indistinguishable
 constexpr double kSharedVertices = 0.4;    // of the vertices on such joints: the rig, not a detail
 constexpr double kMoreThanTwin = 0.3;      // weight beyond the twin's; less is a skirt that follows both legs
 
@@ -70,7 +70,7 @@ class Labels {
       }
     }
     welded_ = first_at_position(c_);
-    neighbours_ = welded_rings(c_, welded_);
+    neighbors_ = welded_rings(c_, welded_);
     give_leaves_length();
     find_usual_distances();
   }
@@ -214,7 +214,7 @@ class Labels {
       std::vector<uint32_t> patch = {start};
       seen[start] = 1;
       for (size_t k = 0; k < patch.size(); ++k)
-        for (const uint32_t n : neighbours_[patch[k]])
+        for (const uint32_t n : neighbors_[patch[k]])
           if (!seen[n] && dominant_[n] == dominant_[start]) {
             seen[n] = 1;
             patch.push_back(n);
@@ -245,7 +245,7 @@ class Labels {
   void odd_vertices() {
     for (uint32_t v = 0; v < c_.vertices.size(); ++v) {
       if (dominant_[v] == UINT32_MAX) continue;
-      const std::vector<uint32_t>& ring = neighbours_[welded_[v]];
+      const std::vector<uint32_t>& ring = neighbors_[welded_[v]];
       if (ring.size() < 3) continue;
       Row mean;
       for (const uint32_t n : ring)
@@ -269,8 +269,8 @@ class Labels {
         add("idle-twin", j, twins_[j], {});
   }
 
-  // Joints with vertices that stand where another child of their parent with vertices does: position and hierarchy do not
-  // say which of them holds what, so a character that has many of them teaches nothing.
+  // Joints with vertices at the position of a sibling with vertices: position and hierarchy do not decide which of
+  // them holds what, so a character with many of them is useless for training.
   void shared_positions() {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, side = 0;
     for (const Vec3& p : c_.vertices) {
@@ -299,7 +299,7 @@ class Labels {
     }
     if (all == 0 || static_cast<double>(shared) < kSharedVertices * static_cast<double>(all)) return;
     shared_ = static_cast<double>(shared) / static_cast<double>(all);
-    add("shared-place", most.first, most.second, {});
+    add("shared-position", most.first, most.second, {});
   }
 
   std::string describe(const LabelFinding& f) const {
@@ -307,18 +307,17 @@ class Labels {
     if (f.code == "idle-twin")
       return "joint " + joint + " has no weight, but its mirror twin " + better + " holds " +
              std::to_string(strong_vertices_[f.better]) + " vertices";
-    if (f.code == "shared-place")
-      return print(
-                 "%.0f %% of the vertices are bound to joints that stand where another child of their parent does, as ",
-                 100 * shared_) +
-             joint + " and " + better + ": nothing tells which holds what";
+    if (f.code == "shared-position")
+      return print("%.0f %% of the vertices are bound to joints at the position of a sibling, such as ",
+                   100 * shared_) +
+             joint + " and " + better + ": it is ambiguous which holds what";
     const std::string count =
         std::to_string(f.vertices.size()) + (f.vertices.size() == 1 ? " vertex" : " vertices") + " bound to " + joint;
     std::string text;
     if (f.code == "left-right") {
-      text = count + " at the place of its mirror twin " + better;
+      text = count + " at the position of its mirror twin " + better;
     } else if (f.code == "odd-vertex") {
-      text = count + " amid vertices of " + better;
+      text = count + " among vertices of " + better;
     } else {
       double own = 0, near = 0;
       for (const uint32_t v : f.vertices) {
@@ -338,7 +337,7 @@ class Labels {
   std::vector<Row> rows_;
   std::vector<double> usual_;
   double shared_ = 0;  // of the vertices, on joints that share their position
-  std::vector<std::vector<uint32_t>> neighbours_;
+  std::vector<std::vector<uint32_t>> neighbors_;
   std::vector<size_t> strong_vertices_;
   std::vector<uint8_t> has_weight_, flagged_;
   std::map<std::tuple<std::string, uint32_t, uint32_t>, std::vector<uint32_t>> found_;
@@ -374,7 +373,7 @@ std::vector<uint32_t> mirror_twins(const Character& character) {
   for (const std::vector<int32_t>* const others : {&verdicts.partners, &verdicts.images}) {
     for (uint32_t j = 0; j < count && !any; ++j) {
       const int32_t other = (*others)[j];
-      if (other >= 0 && (*others)[static_cast<size_t>(other)] == static_cast<int32_t>(j))  // both must say so
+      if (other >= 0 && (*others)[static_cast<size_t>(other)] == static_cast<int32_t>(j))  // both must agree
         twins[j] = static_cast<uint32_t>(other);
     }
     for (uint32_t j = 0; j < count; ++j) any = any || twins[j] != j;

@@ -42,7 +42,7 @@ void odd_matrices(const RigFacts& facts, const GltfRest& rest, Findings* finding
     finding.value = moved_by(facts, rest.shown[j], j);
     finding.what =
         "the inverse bind matrix of " + findings->quoted(finding.joint) +
-        print(" moves its vertices by %.2f of the size at rest, those of other joints do not", finding.value);
+        print(" moves its vertices by %.2f of the size at rest, unlike those of other joints", finding.value);
     findings->add("bind-matrices", std::move(finding));
   }
 }
@@ -58,8 +58,8 @@ void scales(const RigFacts& facts, const GltfRest& rest, Findings* findings) {
     if (moves && rest.uneven[j] > uneven.value) uneven.value = rest.uneven[j], uneven.joint = static_cast<int>(j);
   }
   if (mirrored.joint >= 0) {
-    mirrored.what = print("%.0f joints are scaled by a negative number, ", mirrored.value) +
-                    findings->quoted(mirrored.joint) + " first";
+    mirrored.what =
+        print("%.0f joints have a negative scale, ", mirrored.value) + findings->quoted(mirrored.joint) + " first";
     findings->add("mirrored-scale", std::move(mirrored));
   }
   if (uneven.joint >= 0) {
@@ -80,10 +80,10 @@ std::string quoted_names(const std::vector<std::string>& names) {
 void beside(const RigFacts& facts, const GltfRest& rest, Findings* findings) {
   RigFinding scaled, skins, meshes;
   scaled.value = std::max(rest.scale, 1 / rest.scale);
-  scaled.what = "node '" + rest.scaled_by + print("' above the skeleton is scaled by %g", rest.scale);
+  scaled.what = "node '" + rest.scaled_by + print("' above the skeleton has scale %g", rest.scale);
   findings->add("scaled-skin", std::move(scaled));
   skins.value = static_cast<double>(rest.unused_skins.size());
-  skins.what = print("%zu skins that no mesh has: ", rest.unused_skins.size()) + quoted_names(rest.unused_skins);
+  skins.what = print("%zu skins without a mesh: ", rest.unused_skins.size()) + quoted_names(rest.unused_skins);
   findings->add("unused-skin", std::move(skins));
   std::vector<std::string> names;
   const Character& c = facts.character;
@@ -98,7 +98,8 @@ void beside(const RigFacts& facts, const GltfRest& rest, Findings* findings) {
     if (stray[c.vertex_meshes[v]] != 0) meshes.vertices.push_back(v);
   meshes.value = static_cast<double>(names.size());
   meshes.what =
-      print("%zu meshes have no skin and hang on no joint, so they stay behind: ", names.size()) + quoted_names(names);
+      print("%zu meshes have no skin and no parent joint, so they do not move with the character: ", names.size()) +
+      quoted_names(names);
   findings->add("stray-mesh", std::move(meshes));
 }
 
@@ -128,7 +129,7 @@ void check_matrices(const RigFacts& facts, Findings* findings) {
   if (!rest->agrees) {
     RigFinding finding;
     finding.value = 1;
-    finding.what = "the inverse bind matrices know no common pose";
+    finding.what = "the inverse bind matrices share no pose";
     findings->add("bind-matrices", std::move(finding));
     return;
   }
@@ -141,8 +142,7 @@ void check_matrices(const RigFacts& facts, Findings* findings) {
   // Rigid parts have no edges between them that could tell.
   const double grown = static_cast<double>(box_of(shown.vertices).longest_side()) / facts.size;
   if (grown > kGrown || grown * kGrown < 1) finding.value = 1;
-  finding.what =
-      print("%.0f %% of the edges are twice or half as long as the file shows the mesh", 100 * finding.value);
+  finding.what = print("%.0f %% of the edges are twice or half as long as in the mesh", 100 * finding.value);
   findings->add("exploded-rest", std::move(finding));
 }
 

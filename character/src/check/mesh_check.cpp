@@ -98,7 +98,7 @@ struct FaceCheck {
       const bool repeats = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
       if (corners.size() < 3 || repeats || !(twice_area(character, corners) > 1e-12 * box.longest * box.longest)) {
         degenerate.add(f);
-        if (corners.size() < 3 || repeats) continue;  // one without area still joins its neighbours
+        if (corners.size() < 3 || repeats) continue;  // one without area still joins its neighbors
       }
       if (!known.insert(std::move(sorted)).second) {
         duplicate.add(f);
@@ -116,7 +116,7 @@ struct EdgeCheck {
   std::map<Edge, size_t> faces_at;
 
   EdgeCheck(const std::vector<std::vector<uint32_t>>& faces, size_t vertex_count) : set_of_(vertex_count) {
-    std::map<Edge, int> balance;  // +1 and -1 for the two directions: 0 where two neighbours agree on the side
+    std::map<Edge, int> balance;  // +1 and -1 for the two directions: 0 where two neighbors agree on the side
     std::iota(set_of_.begin(), set_of_.end(), 0u);
     for (const std::vector<uint32_t>& corners : faces)
       for (size_t c = 0; c < corners.size(); ++c) {
@@ -163,12 +163,12 @@ void check_mesh(const Character& character, const Bounds& box, const BoundaryLoo
   report->duplicate_faces = faces.duplicate.count();
   report->isolated_vertices = isolated.count();
   not_finite.report(Level::kError, "not-finite", "vertices that are not finite", report);
-  faces.broken.report(Level::kError, "bad-faces", "faces that name vertices which do not exist", report);
+  faces.broken.report(Level::kError, "bad-faces", "faces that name vertices that do not exist", report);
   if (character.face_count() == 0)
     report->findings.push_back(
         {Level::kError, "no-faces", 1, "the mesh has " + std::to_string(vertex_count) + " vertices and no faces"});
   edges.non_manifold.report(Level::kWarning, "non-manifold-edges", "edges with more than two faces", report);
-  edges.flipped.report(Level::kWarning, "flipped-faces", "edges whose two faces are turned to different sides", report);
+  edges.flipped.report(Level::kWarning, "flipped-faces", "edges whose two faces have opposite orientation", report);
   faces.degenerate.report(Level::kWarning, "degenerate-faces", "faces without area or with a vertex twice", report);
   faces.duplicate.report(Level::kWarning, "duplicate-faces", "faces that repeat an earlier face", report);
   isolated.report(Level::kWarning, "isolated-vertices", "vertices in no face", report);

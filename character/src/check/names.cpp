@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What joints are called against what they hang on, which side they lie on and where a body has such joints.
+// Compares joint names with their parents, their sides and their positions on a body.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -76,23 +76,25 @@ void order(const RigFacts& facts, Findings* findings) {
     if (!facts.is_single(j) || !facts.is_single(static_cast<size_t>(above))) continue;
     const LimbRank up = limb_rank(facts.verdicts.classes[static_cast<size_t>(above)]);
     const int side = facts.verdicts.sides[j], their_side = facts.verdicts.sides[static_cast<size_t>(above)];
-    // A foreleg hangs on a shoulder. What ends a chain may be called after all of it: IKBackLeg under BackLowerLeg.
+    // A foreleg is a child of a shoulder. The end of a chain may be named after the whole chain: IKBackLeg under
+    // BackLowerLeg.
     if (own.limb == Limb::kLeg && facts.verdicts.classes[static_cast<size_t>(above)] == SINEW_CLASS_CLAVICLE) continue;
     std::string why;
     if (own.limb == up.limb && own.rank < up.rank && !facts.tree.children[j].empty())
-      why = "which such a joint carries";
+      why = "unlike its children";
     else if (own.limb != up.limb && (up.limb == Limb::kArm || up.limb == Limb::kLeg) && own.limb != Limb::kNone)
       why = "which is another limb";
     else if (own.limb == up.limb && side != 0 && their_side != 0 && side != their_side)
       why = "which is on the other side";
-    // A joint in the middle is no limb that another one could hang on wrongly: a robot's base, the one shoulder of a horse.
+    // A joint in the middle is not a limb, so it cannot be a wrong parent: a robot's base, the one shoulder of a
+    // horse.
     if (why.empty() || (their_side == 0 && up.limb != Limb::kHead)) continue;
     RigFinding finding;
     finding.joint = static_cast<int>(j);
     finding.other = above;
     finding.value = own.limb == up.limb && (side == their_side || side == 0 || their_side == 0) ? 1 : kOtherLimb;
     finding.what = findings->quoted(finding.joint) + ", a " + joint_class_text(facts.verdicts.classes[j]) +
-                   " by its name, hangs on " + findings->quoted(above) + ", " + why;
+                   " by its name, is a child of " + findings->quoted(above) + ", " + why;
     findings->add("name-order", std::move(finding));
   }
 }
@@ -177,8 +179,8 @@ void sides(const RigFacts& facts, Findings* findings) {
     finding.joint = static_cast<int>(p.left);
     finding.other = static_cast<int>(p.right);
     finding.value = 1;
-    finding.what = findings->quoted(finding.joint) + " lies where the joints called right are, and " +
-                   findings->quoted(finding.other) + " where the left ones are";
+    finding.what = findings->quoted(finding.joint) + " is on the side of the joints called right, and " +
+                   findings->quoted(finding.other) + " is on the side of the left ones";
     findings->add("sides", std::move(finding));
   }
   const Point3 up = upwards(facts), ahead = facts.bound ? toes_ahead(facts, up) : Point3{};
@@ -186,7 +188,7 @@ void sides(const RigFacts& facts, Findings* findings) {
   if (!(is_left < -0.8)) return;
   RigFinding finding;
   finding.value = static_cast<double>(pairs.size());
-  finding.what = "all joints called left lie on the character's right, by where its toes point";
+  finding.what = "all joints called left are on the character's right, judging by its toes";
   findings->add("sides", std::move(finding));
 }
 
@@ -229,8 +231,8 @@ void against_body(const RigFacts& facts, Findings* findings) {
   RigFinding finding;
   finding.joint = example[0];
   finding.value = worst;
-  finding.what = print("%.0f %% of the limbs' joints lie where a body has other limbs: ", 100 * worst) +
-                 findings->quoted(example[0]) + " where it has " + text;
+  finding.what = print("%.0f %% of the limb joints are in other limbs than their names say: ", 100 * worst) +
+                 findings->quoted(example[0]) + " is in " + text;
   findings->add("name-place", std::move(finding));
 }
 

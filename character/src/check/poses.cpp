@@ -101,8 +101,7 @@ class PoseCheck {
       RigFinding finding;
       finding.joint = static_cast<int>(joint);
       finding.value = area[joint] / all[joint];
-      finding.what =
-          print("%zu faces of ", vertices.size() / 3) + findings_->quoted(finding.joint) + " turn inside out";
+      finding.what = print("%zu faces of ", vertices.size() / 3) + findings_->quoted(finding.joint) + " are inverted";
       unique(&vertices);
       finding.vertices = std::move(vertices);
       finding.pose = pose.name;
@@ -110,7 +109,7 @@ class PoseCheck {
     }
   }
 
-  // Of what hangs on each joint that turns against all that does not hang on its parent.
+  // Intersections of the descendants of each rotating joint with everything that does not follow its parent.
   void crossings(const TestPose& pose, const Character& posed) {
     for (const size_t joint : pose.joints) {
       const int parent = facts_.character.joints[joint].parent;
@@ -139,8 +138,8 @@ class PoseCheck {
       finding.joint = static_cast<int>(joint);
       const size_t added = new_crossings(crossing_pairs(limb, rest), now);
       finding.value = static_cast<double>(added) / static_cast<double>(limb.face_count());
-      finding.what = "what hangs on " + findings_->quoted(finding.joint) +
-                     print(" goes through other parts, %zu pairs of faces", added);
+      finding.what = "a child of " + findings_->quoted(finding.joint) +
+                     print(" passes through other parts, %zu pairs of faces", added);
       finding.pose = pose.name;
       findings_->add("crossing", std::move(finding));
     }

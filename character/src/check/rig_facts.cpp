@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Neighbours, pieces of the surface, strongest joints.
+// Neighbors, pieces of the surface, strongest joints.
 #include "check/rig_facts.hpp"
 
 #include <algorithm>
@@ -17,12 +17,12 @@ namespace {
 bool finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 void check_sound(const Character& c) {
-  if (c.joints.empty()) throw Error(c.name + ": has no skeleton to check; sinew rig makes one");
+  if (c.joints.empty()) throw Error(c.name + ": no skeleton to check; make one with sinew rig");
   for (const Joint& joint : c.joints)
-    if (!finite(joint.position)) throw Error(c.name + ": joint '" + joint.name + "' is at a place that is not finite");
+    if (!finite(joint.position)) throw Error(c.name + ": joint '" + joint.name + "' has a position that is not finite");
   for (size_t v = 0; v < c.vertices.size(); ++v)
     if (!finite(c.vertices[v]))
-      throw Error(c.name + ": vertex " + std::to_string(v) + " is at a place that is not finite");
+      throw Error(c.name + ": vertex " + std::to_string(v) + " has a position that is not finite");
   for (const uint32_t v : c.face_vertices)
     if (v >= c.vertices.size())
       throw Error(c.name + ": a face names vertex " + std::to_string(v) + ", which does not exist");

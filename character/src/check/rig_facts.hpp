@@ -37,7 +37,7 @@ struct RigFacts {
   // Difference of two rows (L1), both brought to a sum of 1: 0..2.
   double difference(uint32_t a, uint32_t b) const;
   bool is_below(size_t joint, size_t above) const;
-  // Part of a body that names or hierarchy know as one: an arm, a leg, the trunk, a head, a tail, a wing.
+  // Part of a body that names or hierarchy know as one: an arm, a leg, the torso, a head, a tail, a wing.
   bool is_body(size_t joint) const;
   // A joint of an arm or a leg that deforms.
   bool is_limb(size_t joint) const;

@@ -70,12 +70,12 @@ std::vector<std::string> gate_failures(const GateFigures& figures, bool bound) {
     if (value > most) failures.push_back(print("%.2g %s, more than %.2g", value, what, most));
   };
   if (figures.usable < static_cast<double>(kDoubtfulUsable))
-    failures.push_back(print("the skeleton can be used with a probability of %.2g, less than %.2g", figures.usable,
+    failures.push_back(print("the skeleton is usable with a probability of %.2g, less than %.2g", figures.usable,
                              static_cast<double>(kDoubtfulUsable)));
   if (figures.front < static_cast<double>(kCoinToss))
-    failures.push_back(print("left is left with a probability of %.2g, less than %.2g", figures.front,
+    failures.push_back(print("left and right are correct with a probability of %.2g, less than %.2g", figures.front,
                              static_cast<double>(kCoinToss)));
-  fail(figures.weak_parents, kMostWeakParents, "of the joints are unsure of their parents");
+  fail(figures.weak_parents, kMostWeakParents, "of the joints have uncertain parents");
   if (!bound) return failures;
   fail(figures.unweighted, kMostUnweighted, "of the vertices have no weight");
   fail(figures.exploded, kMostExploded, "of the edges tear in a test pose");

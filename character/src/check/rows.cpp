@@ -17,7 +17,7 @@ double signed_sum(const std::vector<Influence>& row) {
   return sum;
 }
 
-// Meshes that have no skin, and hang on a joint or stand still, are no mistake.
+// Meshes without a skin that follow a joint or do not move are correct.
 std::vector<uint8_t> props_of(const Character& c) {
   std::vector<uint8_t> props(c.vertices.size(), 0);
   if (c.vertex_meshes.size() != c.vertices.size()) return props;
@@ -49,7 +49,7 @@ void sums(const RigFacts& facts, Findings* findings) {
     if (off > finding.value) finding.value = off, worst_sum = sum;
   }
   finding.what = vertices_text(finding.vertices.size()) +
-                 print(" with weights that add up to something else than 1, %.3f at the worst: ", worst_sum) +
+                 print(" with weights that do not sum to 1, off by up to %.3f: ", worst_sum) +
                  first_of(finding.vertices);
   findings->add("weight-sum", std::move(finding));
 }
@@ -77,7 +77,7 @@ void long_rows(const RigFacts& facts, Findings* findings) {
   }
   finding.what =
       vertices_text(finding.vertices.size()) +
-      print(" of up to %zu joints; the four strongest leave out up to %.0f %%: ", longest, 100 * finding.value) +
+      print(" with up to %zu joints; all but the four strongest weigh up to %.0f %%: ", longest, 100 * finding.value) +
       first_of(finding.vertices);
   findings->add("influences", std::move(finding));
 }
@@ -117,7 +117,7 @@ void cracks(const RigFacts& facts, Findings* findings) {
   for (uint32_t v = 0; v < marked.size(); ++v)
     if (marked[v] != 0) finding.vertices.push_back(v);
   finding.what = vertices_text(finding.vertices.size()) +
-                 " of edges at one place have different weights: " + first_of(finding.vertices);
+                 " of edges at one position have different weights: " + first_of(finding.vertices);
   findings->add("crack", std::move(finding));
 }
 

@@ -37,8 +37,8 @@ void check_begin(const Character& character, const Springs& springs, const Sprin
       }
   }
   if (in == nullptr) return;
-  worst.what = findings->quoted(worst.joint) + " ends in a collider of " + findings->quoted(worst.other) +
-               print(" at rest, by %.0f %% of its radius, and is pushed out of the pose", 100 * worst.value);
+  worst.what = findings->quoted(worst.joint) + " starts in a collider of " + findings->quoted(worst.other) +
+               print(" at rest, by %.0f %% of its radius, so it is pushed out of the pose", 100 * worst.value);
   findings->add("springs-inside", std::move(worst));
 }
 
@@ -67,7 +67,7 @@ void check_spring_chains(const RigFacts& facts, Findings* findings) {
         RigFinding finding;
         finding.joint = static_cast<int>(j);
         finding.value = 1;
-        finding.what = findings->quoted(finding.joint) + " is turned by two chains, " +
+        finding.what = findings->quoted(finding.joint) + " is rotated by two chains, " +
                        springs->chains[static_cast<size_t>(turned_by[j])].name + " and " + chain.name;
         findings->add("springs-shared", std::move(finding));
       }

@@ -23,7 +23,7 @@ void labels(const RigFacts& facts, Findings* findings) {
                                                              {"idle-twin", "dead-joint"}};
   for (LabelFinding& label : check_labels(facts.character)) {
     const auto rule = kRuleOf.find(label.code);
-    if (rule == kRuleOf.end()) continue;  // shared-place is about what a data set teaches
+    if (rule == kRuleOf.end()) continue;  // shared-position is about what a data set teaches
     RigFinding finding;
     finding.joint = static_cast<int>(label.joint);
     finding.other = static_cast<int>(label.better);
@@ -34,10 +34,10 @@ void labels(const RigFacts& facts, Findings* findings) {
   }
 }
 
-// Vertices that no neighbour is like, while their joint is not the nearest: noise, and strokes of a wrong brush.
+// Vertices that no neighbor is like, while their joint is not the nearest: noise, and strokes of a wrong brush.
 void specks(const RigFacts& facts, Findings* findings) {
-  constexpr double kUnlike = 0.8;    // L1 to the neighbour that is most alike
-  constexpr double kClearly = 0.05;  // of the size: so much farther than a neighbour's joint
+  constexpr double kUnlike = 0.8;    // L1 to the neighbor that is most alike
+  constexpr double kClearly = 0.05;  // of the size: so much farther than a neighbor's joint
   RigFinding finding;
   const BoneDistance distance(facts.character);
   for (uint32_t v = 0; v < facts.rings.size(); ++v) {
@@ -53,7 +53,7 @@ void specks(const RigFacts& facts, Findings* findings) {
     if (!nearest) finding.vertices.push_back(v);
   }
   finding.value = static_cast<double>(finding.vertices.size());
-  finding.what = vertices_text(finding.vertices.size()) + " unlike all neighbours: " + first_of(finding.vertices);
+  finding.what = vertices_text(finding.vertices.size()) + " unlike all neighbors: " + first_of(finding.vertices);
   findings->add("speck", std::move(finding));
 }
 
@@ -131,7 +131,7 @@ class Islands {
     finding.joint = static_cast<int>(joint_);
     finding.what = vertices_text(finding.vertices.size()) + print(" with up to %.2f weight for ", finding.value) +
                    findings->quoted(finding.joint) +
-                   " lie apart from all else that it moves: " + first_of(finding.vertices);
+                   " are apart from everything else it moves: " + first_of(finding.vertices);
     findings->add("leak", std::move(finding));
   }
 
@@ -161,7 +161,7 @@ class Islands {
     finding.joint = static_cast<int>(joint_);
     finding.value = static_cast<double>(finding.vertices.size());
     finding.what = vertices_text(finding.vertices.size()) + " bound to " + findings->quoted(finding.joint) +
-                   " far from all else that it moves: " + first_of(finding.vertices);
+                   " far from everything else it moves: " + first_of(finding.vertices);
     findings->add("far-weight", std::move(finding));
   }
 

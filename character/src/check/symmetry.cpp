@@ -54,7 +54,7 @@ void joints(const RigFacts& facts, const Twins& twins, Findings* findings) {
   for (size_t j = 0; j < twins.of.size(); ++j) {
     if (twins.of[j] <= static_cast<int>(j) || facts.verdicts.roles[j] == SINEW_ROLE_CONTROL) continue;
     if (facts.bound && (facts.weight[j] <= 0 || facts.weight[static_cast<size_t>(twins.of[j])] <= 0)) continue;
-    // What hangs on a joint that is off is off with it.
+    // The descendants of a displaced joint are displaced with it.
     const int parent = facts.character.joints[j].parent;
     if (parent >= 0 && twins.of[static_cast<size_t>(parent)] >= 0 &&
         off_image(facts, twins, static_cast<size_t>(parent)) > kAlike)
@@ -64,7 +64,7 @@ void joints(const RigFacts& facts, const Twins& twins, Findings* findings) {
     finding.other = twins.of[j];
     finding.value = off_image(facts, twins, j);
     finding.what = findings->quoted(finding.joint) + " and " + findings->quoted(finding.other) +
-                   print(" are %.3f of the size from each other's mirror images, other twins are alike", finding.value);
+                   print(" are %.3f of the size from each other's mirror images; other twins match", finding.value);
     findings->add("unlike-joints", std::move(finding));
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of test poses, and the axes that joints turn about.
+// The table of test poses, and the axes that joints rotate about.
 #include <array>
 #include <cmath>
 
@@ -32,7 +32,7 @@ const std::vector<PoseRow>& rows() {
   static const std::vector<PoseRow> kRows = {
       {"elbows and knees bent by 90 degrees",
        {{SINEW_CLASS_FOREARM, About::kHinge, k90}, {SINEW_CLASS_CALF, About::kHinge, k90}}},
-      {"arms and legs swung ahead by 60 degrees",
+      {"arms and legs swung forward by 60 degrees",
        {{SINEW_CLASS_UPPER_ARM, About::kSwing, k60}, {SINEW_CLASS_THIGH, About::kSwing, k60}}},
       {"arms and legs swung out by 45 degrees",
        {{SINEW_CLASS_UPPER_ARM, About::kOutward, k45}, {SINEW_CLASS_THIGH, About::kOutward, k45}}},
@@ -45,8 +45,8 @@ const std::vector<PoseRow>& rows() {
        {{SINEW_CLASS_WING, About::kSwing, k45},
         {SINEW_CLASS_TAIL, About::kSwing, k30},
         {SINEW_CLASS_EAR, About::kSwing, k30}}},
-      {"trunk bent by 15 degrees a joint", {{SINEW_CLASS_SPINE, About::kSwing, k15}}},
-      {"hands, neck and trunk twisted",
+      {"torso bent by 15 degrees per joint", {{SINEW_CLASS_SPINE, About::kSwing, k15}}},
+      {"hands, neck and torso twisted",
        {{SINEW_CLASS_HAND, About::kBone, k60},
         {SINEW_CLASS_NECK, About::kBone, k30},
         {SINEW_CLASS_HEAD, About::kBone, k30},
@@ -88,7 +88,7 @@ class Poser {
  private:
   Point3 position(size_t joint) const { return point(facts_.character.joints[joint].position); }
 
-  // The first of its class on its limb, and of a trunk or a tail every one; something below it moves the mesh.
+  // The first of its class on its limb, and of a torso or a tail every one; something below it moves the mesh.
   bool turns(size_t joint) const {
     const uint8_t own = facts_.verdicts.classes[joint];
     if (facts_.verdicts.roles[joint] != SINEW_ROLE_DEFORMS) return false;

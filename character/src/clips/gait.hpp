@@ -57,7 +57,7 @@ std::vector<Block> read_gaits(const std::string& file, const std::string& text);
 // name ends them.
 const TemplateText* gait_texts();
 
-// What couplings refer to: "let" lines by name, later ones in place of earlier ones, then what a variant makes of them.
+// What couplings refer to: "let" lines by name, later ones instead of earlier ones, then what a variant makes of them.
 class Signals {
  public:
   void add(const std::vector<Line>& lines);   // let NAME is SUM

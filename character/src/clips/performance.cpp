@@ -129,7 +129,7 @@ class Performance {
     for (const Leg& leg : legs_) place(leg, phase);
   }
 
-  // A leg that no line puts on the floor is turned joint by joint.
+  // A leg that no line puts on the floor is rotated joint by joint.
   void place(const Leg& leg, double phase) {
     std::vector<const Moved*> lines;
     const Moved* step = nullptr;

@@ -10,7 +10,7 @@ namespace sinew::clips {
 
 Puppet puppet_of(const Block& kind);
 
-// 30 frames a second; the last frame is the first one, where the body travels one cycle on. Where a foot is out of reach the
+// 30 frames per second; the last frame is the first one, where the body travels one cycle on. Where a foot is out of reach the
 // root is lowered in all frames by as much as it takes.
 //   kind     what all clips of this body share
 //   variant  another manner of the clip, or null

@@ -15,7 +15,7 @@ namespace {
 
 double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
 
-// Parents first. What hangs on a spliced joint hangs on its parent then.
+// Parents first. Children of a spliced joint become children of its parent.
 std::vector<Joint> joints_of(const std::string& skeleton, const std::set<std::string>& without,
                              const std::set<std::string>& spliced) {
   std::vector<Joint> kept;
@@ -74,7 +74,7 @@ Quaternion Puppet::world_rotation(int joint) const {
   Quaternion q = kNoRotation4;
   for (; joint >= 0; joint = motion_.joints[static_cast<size_t>(joint)].parent)
     q = multiply(frame_.rotations[static_cast<size_t>(joint)], q);
-  return normalised(q);
+  return normalized(q);
 }
 
 Point3 Puppet::world_position(size_t joint) const {

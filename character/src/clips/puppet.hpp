@@ -21,7 +21,7 @@ Quaternion about_z(double degrees);
 class Puppet {
  public:
   // `skeleton` of skeleton_template(), `prefix` of its names that calls leave out, `without` these joints and all below them,
-  // `spliced` joints alone: their children hang on their parents.
+  // `spliced` joints only: their children become children of their parents.
   Puppet(const std::string& skeleton, std::string prefix, const std::vector<std::string>& without,
          const std::vector<std::string>& spliced);
 
@@ -36,7 +36,7 @@ class Puppet {
 
   void to_rest();
   void move_root(const Point3& shift) { frame_.translations[0] = motion_.joints[0].offset + shift; }
-  void turn(size_t joint, const Quaternion& against_parent) { frame_.rotations[joint] = normalised(against_parent); }
+  void turn(size_t joint, const Quaternion& against_parent) { frame_.rotations[joint] = normalized(against_parent); }
   void turn_in_world(size_t joint, const Quaternion& rotation);
   // Of what the joint's parents turn it by.
   Quaternion carried(size_t joint) const { return world_rotation(motion_.joints[joint].parent); }

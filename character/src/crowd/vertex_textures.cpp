@@ -19,7 +19,7 @@ TextureLayout texture_layout(const std::string& name, size_t vertices, size_t fr
   const size_t rows = (vertices + kMostTextureWidth - 1) / kMostTextureWidth;
   const size_t most_frames = rows == 0 ? 0 : kMostTextureHeight / rows;
   if (vertices == 0 || frames == 0 || frames > most_frames)
-    throw Error(name + ": expected clips of 1 to " + std::to_string(most_frames) + " frames together for textures of " +
+    throw Error(name + ": expected clips of 1 to " + std::to_string(most_frames) + " frames in total for textures of " +
                 std::to_string(kMostTextureWidth) + " x " + std::to_string(kMostTextureHeight) + " with " +
                 std::to_string(vertices) + " vertices, found " + std::to_string(frames) +
                 "; give fewer clips, a lower --fps, or the character with fewer triangles (sinew lod)");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A small software rasteriser: a character from one side, smooth shading with creases, soft occlusion, its skeleton on
+// A small software rasterizer: a character from one side, smooth shading with creases, soft occlusion, its skeleton on
 // top. Everything is drawn at twice the size in linear light and averaged 2 x 2 at the end.
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,7 @@ class Camera {
       low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
-    centre_ = 0.5f * (low + high);
+    center_ = 0.5f * (low + high);
     const float diagonal = std::sqrt(dot(high - low, high - low));
     unit_ = diagonal > 0 ? 2 / diagonal : 1;
 
@@ -86,12 +86,12 @@ class Camera {
   }
   V3 view_direction(V3 world) const { return {dot(world, right_), dot(world, up_), dot(world, towards_)}; }
   V3 upright(const Vec3& p) const { return z_up_ ? V3{p.x, p.z, -p.y} : V3{p.x, p.y, p.z}; }
-  // World length of one pixel at the mesh's centre, in radii of the mesh.
+  // World length of one pixel at the mesh's center, in radii of the mesh.
   float pixel_size() const { return 1 / scale_; }
 
  private:
   ScreenPoint project(const Vec3& vertex) const {
-    const V3 p = unit_ * (upright(vertex) - centre_);
+    const V3 p = unit_ * (upright(vertex) - center_);
     const float distance = kCameraDistance - dot(p, towards_);
     if (distance <= 0) return {0, 0, -1};
     const float shrink = kCameraDistance / distance;
@@ -99,7 +99,7 @@ class Camera {
   }
 
   bool z_up_;
-  V3 towards_, right_, up_, centre_;
+  V3 towards_, right_, up_, center_;
   float unit_ = 1, scale_ = 1, offset_x_ = 0, offset_y_ = 0;
 };
 
@@ -172,7 +172,7 @@ void fill_triangle(const Corner& a, const Corner& b, const Corner& c, Canvas* ca
   }
 }
 
-// Area-weighted face normals (Newell, so that polygons need not be flat), turned upright.
+// Area-weighted face normals (Newell, so that polygons need not be flat), rotated upright.
 std::vector<V3> face_normals(const Character& c, const Camera& camera) {
   std::vector<V3> normals(c.face_count());
   for (size_t f = 0; f < normals.size(); ++f) {
@@ -187,7 +187,7 @@ std::vector<V3> face_normals(const Character& c, const Camera& camera) {
   return normals;
 }
 
-void draw_faces(const Character& c, const std::vector<std::array<uint8_t, 3>>& colours, const Camera& camera,
+void draw_faces(const Character& c, const std::vector<std::array<uint8_t, 3>>& colors, const Camera& camera,
                 Canvas* canvas) {
   const std::vector<V3> normals = face_normals(c, camera);
   std::vector<std::vector<uint32_t>> faces_of(c.vertices.size());
@@ -204,7 +204,7 @@ void draw_faces(const Character& c, const std::vector<std::array<uint8_t, 3>>& c
       V3 normal = normals[f];
       for (uint32_t other : faces_of[v])
         if (other != f && dot(unit(normals[other]), own) > kCreaseCosine) normal = normal + normals[other];
-      corners.push_back({camera(c.vertices[v]), camera.view_direction(unit(normal)), to_linear(colours[v])});
+      corners.push_back({camera(c.vertices[v]), camera.view_direction(unit(normal)), to_linear(colors[v])});
     }
     for (size_t k = 1; k + 1 < corners.size(); ++k) fill_triangle(corners[0], corners[k], corners[k + 1], canvas);
   }
@@ -247,7 +247,7 @@ void darken_occluded(const Camera& camera, Canvas* canvas) {
         if (other <= 0) continue;
         const float plane = own + slope_x * dx + slope_y * dy;
         if (plane <= 0) continue;
-        // How far the other point stands in front of the plane, in radii of the mesh.
+        // Distance of the other point in front of the plane, in radii of the mesh.
         const float rise = 1 / plane - 1 / other;
         const float reach = r * camera.pixel_size();
         const float steep = rise / std::max(reach, 1e-4f);
@@ -284,7 +284,7 @@ float distance_to_segment(float px, float py, const ScreenPoint& a, const Screen
 }
 
 // A line with round ends, a disc when both points are the same. Widths are half widths in samples.
-void draw_capsule(const ScreenPoint& a, const ScreenPoint& b, float radius, const Linear& colour, float opacity,
+void draw_capsule(const ScreenPoint& a, const ScreenPoint& b, float radius, const Linear& color, float opacity,
                   Canvas* canvas) {
   const auto bound = [](float x, int limit) {
     return static_cast<int>(std::clamp(x, 0.0f, static_cast<float>(limit)));
@@ -297,12 +297,12 @@ void draw_capsule(const ScreenPoint& a, const ScreenPoint& b, float radius, cons
     for (int x = x0; x < x1; ++x) {
       if (distance_to_segment(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, a, b) > radius) continue;
       Linear& light = canvas->light[canvas->at(x, y)];
-      for (size_t i = 0; i < 3; ++i) light[i] += opacity * (colour[i] - light[i]);
+      for (size_t i = 0; i < 3; ++i) light[i] += opacity * (color[i] - light[i]);
     }
   }
 }
 
-// Bones as light lines with a dark rim, joints as discs in their colours. Discs shrink where joints are dense
+// Bones as light lines with a dark rim, joints as discs in their colors. Discs shrink where joints are dense
 // (fingers).
 void draw_skeleton(const Character& c, const std::vector<uint8_t>& red_joints, const Camera& camera, Canvas* canvas) {
   std::vector<ScreenPoint> points;
@@ -343,21 +343,21 @@ void draw_skeleton(const Character& c, const std::vector<uint8_t>& red_joints, c
     if (!visible(j)) continue;
     draw_capsule(points[j], points[j], radius[j] + rim, dark, 1, canvas);
     draw_capsule(points[j], points[j], radius[j], bright, 1, canvas);
-    draw_capsule(points[j], points[j], 0.78f * radius[j], is_red(j) ? red : to_linear(joint_colour(j)), 1, canvas);
+    draw_capsule(points[j], points[j], 0.78f * radius[j], is_red(j) ? red : to_linear(joint_color(j)), 1, canvas);
   }
 }
 
-void draw_ring(const ScreenPoint& centre, float inner, float outer, const Linear& colour, float opacity,
+void draw_ring(const ScreenPoint& center, float inner, float outer, const Linear& color, float opacity,
                Canvas* canvas) {
   const auto bound = [](float x, int limit) {
     return static_cast<int>(std::clamp(x, 0.0f, static_cast<float>(limit)));
   };
-  for (int y = bound(centre.y - outer, canvas->height); y < bound(centre.y + outer + 1, canvas->height); ++y) {
-    for (int x = bound(centre.x - outer, canvas->width); x < bound(centre.x + outer + 1, canvas->width); ++x) {
-      const float r = std::hypot(static_cast<float>(x) + 0.5f - centre.x, static_cast<float>(y) + 0.5f - centre.y);
+  for (int y = bound(center.y - outer, canvas->height); y < bound(center.y + outer + 1, canvas->height); ++y) {
+    for (int x = bound(center.x - outer, canvas->width); x < bound(center.x + outer + 1, canvas->width); ++x) {
+      const float r = std::hypot(static_cast<float>(x) + 0.5f - center.x, static_cast<float>(y) + 0.5f - center.y);
       if (r < inner || r > outer) continue;
       Linear& light = canvas->light[canvas->at(x, y)];
-      for (size_t i = 0; i < 3; ++i) light[i] += opacity * (colour[i] - light[i]);
+      for (size_t i = 0; i < 3; ++i) light[i] += opacity * (color[i] - light[i]);
     }
   }
 }
@@ -374,7 +374,7 @@ void draw_marks(const std::vector<RenderMark>& marks, const Camera& camera, Canv
     const bool hidden = canvas->nearness[canvas->at(x, y)] > 1.005f * at.nearness;
     const float opacity = hidden ? 0.3f : 1.0f;
     draw_ring(at, radius - line, radius + line, to_linear({255, 255, 255}), 0.8f * opacity, canvas);
-    draw_ring(at, radius - 0.6f * line, radius + 0.6f * line, to_linear(mark.colour), opacity, canvas);
+    draw_ring(at, radius - 0.6f * line, radius + 0.6f * line, to_linear(mark.color), opacity, canvas);
   }
 }
 
@@ -399,21 +399,21 @@ Image average(const Canvas& canvas) {
 
 }  // namespace
 
-Image render(const Character& character, const std::vector<std::array<uint8_t, 3>>& vertex_colours,
+Image render(const Character& character, const std::vector<std::array<uint8_t, 3>>& vertex_colors,
              const RenderOptions& options) {
   constexpr int largest = 8192;
   if (options.width < 1 || options.height < 1 || options.width > largest || options.height > largest) {
     throw Error("picture: the size must be 1 to " + std::to_string(largest) + " on each side, found " +
                 std::to_string(options.width) + " x " + std::to_string(options.height));
   }
-  if (character.vertices.empty()) throw Error(character.name + ": there is nothing to draw, the mesh has no vertices");
-  if (vertex_colours.size() != character.vertices.size()) {
-    throw Error(character.name + ": a picture needs one colour per vertex, expected " +
-                std::to_string(character.vertices.size()) + ", found " + std::to_string(vertex_colours.size()));
+  if (character.vertices.empty()) throw Error(character.name + ": nothing to draw, the mesh has no vertices");
+  if (vertex_colors.size() != character.vertices.size()) {
+    throw Error(character.name + ": a picture needs one color per vertex, expected " +
+                std::to_string(character.vertices.size()) + ", found " + std::to_string(vertex_colors.size()));
   }
   Canvas canvas(options.width * kSamples, options.height * kSamples);
   const Camera camera(character.vertices, options, canvas.width, canvas.height);
-  draw_faces(character, vertex_colours, camera, &canvas);
+  draw_faces(character, vertex_colors, camera, &canvas);
   darken_occluded(camera, &canvas);
   if (options.draw_skeleton) draw_skeleton(character, options.red_joints, camera, &canvas);
   draw_marks(options.marks, camera, &canvas);

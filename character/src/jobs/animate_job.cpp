@@ -38,7 +38,7 @@ std::vector<Clip> chosen_clips(const AnimateOptions& s, const std::string& file,
   return chosen;
 }
 
-// By the method; the motion's own body, if it has one, says what touches what.
+// By the method; the motion's body, if it has one, gives the contacts.
 void set_method(const AnimateOptions& s, const std::string& file, const std::optional<Character>& source,
                 AnimatedCharacter* out, Retargeter* retargeter) {
   const bool as_copied = s.method == AnimateMethod::kCopy || s.method == AnimateMethod::kNodeOffsets;
@@ -49,12 +49,9 @@ void set_method(const AnimateOptions& s, const std::string& file, const std::opt
     const Retargeter::PointsOf points =
         retargeter->follow_reference_points(s.reference, out->character, source ? &*source : nullptr);
     if (points == Retargeter::PointsOf::kTwoMeshes)
-      out->motion.notes.push_back(file +
-                                  ": has a body of another mesh; its reference points are those that correspond");
+      out->motion.notes.push_back(file + ": its body has another mesh; only corresponding reference points are used");
     if (points == Retargeter::PointsOf::kCapsules)
-      out->motion.notes.push_back(file +
-                                  ": has no body, so reference points are those of capsules round both skeletons, "
-                                  "as thick as limbs of such lengths are");
+      out->motion.notes.push_back(file + ": has no body, so its reference points are on capsules around the bones");
     return;
   }
   if (s.method == AnimateMethod::kStream)
@@ -63,9 +60,8 @@ void set_method(const AnimateOptions& s, const std::string& file, const std::opt
     retargeter->keep_contacts();
   if (s.range) retargeter->keep_range();
   if (s.method == AnimateMethod::kContacts && shared == 0)
-    out->motion.notes.push_back(file +
-                                ": has no body of the character's own mesh, so feet are held and arms kept out of the "
-                                "body, but what hands touched is not known");
+    out->motion.notes.push_back(
+        file + ": has no body with the character's mesh, so hands keep no contacts with the body; feet and arms do");
 }
 
 // The caller's map, a file's, or a found one.
@@ -88,15 +84,15 @@ MotionMap map_of(const AnimateOptions& s, const MapRig& target, const MapRig& fr
   return map;
 }
 
-// Says so where the user wants it played as it is.
+// Adds a note if the user plays it anyway.
 void refuse_misfit(const AnimateOptions& s, const MotionInput& input, const MotionMap& map, const MapRig& target,
                    std::vector<std::string>* notes) {
   if (map.cover.share >= kLeastCover) return;
   const std::string what = input.file + ": does not fit " + target.name + ": " + map.cover.missing + ", " +
                            std::to_string(moved_joints(map)) + " of its " + std::to_string(target.joints.size()) +
                            " joints ";
-  if (!s.force) throw Error(what + "would move; --map FILE says which move as which, --force plays it as it is");
-  notes->push_back("warning: " + what + "move; it is played as it is");
+  if (!s.force) throw Error(what + "would move; map them with --map FILE, or play it anyway with --force");
+  notes->push_back("warning: " + what + "move; the rest keeps its pose");
 }
 
 // What of the body does not move as it should, and what stays as it is.
@@ -104,10 +100,10 @@ void tell_parts(const std::string& file, const MapCover& cover, std::vector<std:
   std::string text;
   for (const std::string& warning : cover.warnings) text += (text.empty() ? "" : "; ") + warning;
   if (!text.empty())
-    notes->push_back("warning: " + file + ": " + text +
-                     "; look at the result, and say with --map which joints move it");
-  if (cover.legless) notes->push_back(file + ": the character has no legs, so arms, trunk and head play alone");
-  if (!cover.rigid.empty()) notes->push_back(file + ": has nothing like " + cover.rigid + ", so they stay rigid");
+    notes->push_back("warning: " + file + ": " + text + "; check the result, and map the joints with --map");
+  if (cover.legless) notes->push_back(file + ": the character has no legs, so only arms, torso and head move");
+  if (!cover.rigid.empty())
+    notes->push_back(file + ": has no match for " + cover.rigid + ", which keep their rest pose");
 }
 
 }  // namespace
@@ -124,8 +120,8 @@ AnimatedCharacter animated_character(Character character, const std::string& pat
   out.motion = motion_of(out.character.joints);
   if (!out.rigged && out.character.gltf != nullptr && found_up(map_rig_of(out.character)) == Axis::kZ)
     out.motion.notes.push_back("warning: " + path +
-                               ": its body stands along z, and up is y in glTF: it lies in every viewer, and so does "
-                               "what is written; sinew bind FILE --lock all --turn -x -o OUT raises it");
+                               ": its body stands along z, but up is y in glTF, so it lies down in every viewer, and "
+                               "so does the output; rotate it with sinew bind FILE --lock all --turn -x -o OUT");
   return out;
 }
 
@@ -142,7 +138,8 @@ void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsO
   const std::optional<Character> body = choice.body ? choice.body() : std::nullopt;
   MapSource read = map_source_of(*choice.motion, body ? &*body : nullptr, out->character.joints, s.motion_up);
   if (read.standing)
-    out->motion.notes.push_back(choice.file + ": its rest pose is no stance, so one was guessed from how it moves");
+    out->motion.notes.push_back(
+        choice.file + ": its rest pose is not a standing pose, so one was guessed from its frames; check the result");
   const Motion& source = read.standing ? *read.standing : *choice.motion;
   const std::vector<Clip> clips = chosen_clips(s, choice.file, choice.clip, source);
   MapRig target = map_rig_of(out->character), &from = read.rig;
@@ -174,10 +171,10 @@ void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsO
   }
   out->certainty = std::min(map.certainty, map.cover.share);
   if (map.certainty < kDoubtfulSides)
-    out->motion.notes.push_back(choice.file + print(": which way is front is not sure (%.0f %%), left and right may be "
-                                                    "exchanged; one pair of the map settles it "
-                                                    "(sinew map --set, and --map takes what it writes)",
-                                                    100 * static_cast<double>(map.certainty)));
+    out->motion.notes.push_back(choice.file +
+                                print(": the front is uncertain (%.0f %%), so left and right may be exchanged; fix one "
+                                      "pair with sinew map --set and give the map with --map",
+                                      100 * static_cast<double>(map.certainty)));
   for (const std::string& note : source.notes) out->motion.notes.push_back(choice.file + ": " + note);
 }
 

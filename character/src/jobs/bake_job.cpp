@@ -13,13 +13,13 @@ constexpr size_t kHeldOut = 10;
 
 // Poses to learn from, and others to be measured by.
 struct Poses {
-  std::vector<Palette> learnt, held_out;
+  std::vector<Palette> learned, held_out;
 };
 
 Poses chosen_poses(const BakeJobOptions& s, const Character& character, const Motion& motion) {
   Poses poses;
   if (!s.animation) {
-    poses.learnt = random_palettes(character, s.poses, s.limit, s.seed);
+    poses.learned = random_palettes(character, s.poses, s.limit, s.seed);
     poses.held_out = random_palettes(character, kHeldOut, s.limit, s.seed + 1);
     return poses;
   }
@@ -29,12 +29,12 @@ Poses chosen_poses(const BakeJobOptions& s, const Character& character, const Mo
     const Palette palette = motion_palette(motion, clip.frames[f], character.joints.size());
     // Ten frames at even distances, none of a clip too short to spare them.
     const bool spared = frames >= 3 * kHeldOut && (f * kHeldOut) / frames != ((f + 1) * kHeldOut) / frames;
-    (spared ? poses.held_out : poses.learnt).push_back(palette);
+    (spared ? poses.held_out : poses.learned).push_back(palette);
   }
-  if (poses.learnt.size() > s.poses) {  // evenly thinned
+  if (poses.learned.size() > s.poses) {  // evenly thinned
     std::vector<Palette> thinned;
-    for (size_t p = 0; p < s.poses; ++p) thinned.push_back(poses.learnt[p * poses.learnt.size() / s.poses]);
-    poses.learnt = std::move(thinned);
+    for (size_t p = 0; p < s.poses; ++p) thinned.push_back(poses.learned[p * poses.learned.size() / s.poses]);
+    poses.learned = std::move(thinned);
   }
   return poses;
 }
@@ -56,24 +56,22 @@ BakedCharacter bake_character(const Character& character, const OwnMotion& own, 
   if (character.joints.empty() || character.influences.empty())
     throw Error(job.character + ": has no skin weights to bake; bind it first with sinew bind");
   if (job.animation && own.motion.clips.empty())
-    throw Error(job.character + ": has no animation to learn from; leave --animation out, or see sinew animate");
+    throw Error(job.character + ": has no animation to bake; leave out --animation, or add one with sinew animate");
   const Poses poses = chosen_poses(job, character, own.motion);
   BakeSettings settings;
   settings.deform = job.deform;
   settings.shapes_per_bend = job.shapes;
   settings.error = job.error;
-  const BakeProgress step = steps(2 * poses.learnt.size() + poses.held_out.size());
+  const BakeProgress step = steps(2 * poses.learned.size() + poses.held_out.size());
   BakedCharacter baked;
-  baked.morphs = bake_bends(character, poses.learnt, settings, step);
+  baked.morphs = bake_bends(character, poses.learned, settings, step);
   if (baked.morphs.shapes.empty()) {
-    throw Error(
-        job.character +
-        ": has nothing to bake: nothing bends in the poses, so linear skinning loses nothing; expected vertices "
-        "or faces that follow two joints");
+    throw Error(job.character +
+                ": nothing to bake: no joint bends in the poses; expected vertices or faces that follow two joints");
   }
-  baked.learnt_poses = poses.learnt.size();
+  baked.learnt_poses = poses.learned.size();
   baked.held_out_poses = poses.held_out.size();
-  baked.learnt = bake_error(character, baked.morphs, poses.learnt, job.deform, step);
+  baked.learned = bake_error(character, baked.morphs, poses.learned, job.deform, step);
   if (!poses.held_out.empty()) baked.held_out = bake_error(character, baked.morphs, poses.held_out, job.deform, step);
   play_in_animations(own, character, &baked.morphs);
   return baked;

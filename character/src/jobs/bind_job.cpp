@@ -44,7 +44,7 @@ void set_hints(const BindHints& painted, Character* character, std::vector<uint8
     (*hints)[v] = 1;
     ++count;
   }
-  if (count == 0) throw Error(painted.name + ": paints no vertex; expected weights (skin lines) for some of them");
+  if (count == 0) throw Error(painted.name + ": has weights of no vertex; expected skin lines for some vertices");
 }
 
 // Weights of `job.like` that fit become hints.
@@ -80,9 +80,9 @@ void add_hints_like(const BindJobOptions& job, const Binder& binder, Character* 
   if (count == 0) hints->clear();
   character->notes.push_back(
       "like " + source.name + ": " + std::to_string(mapped_count(mapping)) + " joints mapped by " + mapped_by +
-      print(", %.0f %% of the vertices keep its weights and steer the others",
+      print(", %.0f %% of the vertices keep its weights and guide the others",
             100.0 * static_cast<double>(count) / static_cast<double>(character->vertices.size())) +
-      (count == 0 ? ": it does not fit, or is what a bind gives anyway" : ""));
+      (count == 0 ? ": does not fit, or equals what sinew bind gives anyway" : ""));
 }
 
 // Joints that the user binds vertices to, by hints and by answers.
@@ -106,9 +106,9 @@ void bring_into_mesh(bool mend, Character* character) {
   if (!fit) return;
   if (mend) {
     apply_skeleton_fit(*fit, &character->joints);
-    character->notes.push_back(fit->what + "; --fit has mended that");
+    character->notes.push_back(fit->what + "; corrected by --fit");
   } else {
-    character->notes.push_back("warning: " + fit->what + ", so that the weights are hardly right; --fit mends that");
+    character->notes.push_back("warning: " + fit->what + ", so the weights are probably wrong; correct it with --fit");
   }
 }
 
@@ -180,8 +180,8 @@ CharacterBind BindJob::bind(const std::vector<sinew_answer>& answers, uint32_t q
   restore_joints(answered_joints(character, options.hints, answers), job_.joint_flags, &choice_);
   for (const sinew_answer& answer : answers) {
     if (answer.kind == SINEW_ANSWER_RIGID && (choice_.flags[answer.joint] & SINEW_JOINT_NEVER) != 0)
-      throw Error("answer rigid:" + character.joints[answer.joint].name + ": --never, or --joints for other joints, " +
-                  "says that this joint gets no weight");
+      throw Error("answer rigid:" + character.joints[answer.joint].name + ": --never or --joints " +
+                  "excludes this joint");
   }
   ThreadPool pool(options.thread_count);
   options.parallel_for = ThreadPool::parallel_for;
@@ -212,15 +212,14 @@ std::vector<sinew_answer> BindJob::answers_of(const Style& style) {
   return answer_by_style(style, *character_, {asked.questions, asked.vertex_parts, job_.up_axis}, choice_.flags);
 }
 
-Style BindJob::learnt(Style style, const std::vector<sinew_answer>& answers, const std::string& path) {
+Style BindJob::learned(Style style, const std::vector<sinew_answer>& answers, const std::string& path) {
   const JointChoice kept = choice_;
   const CharacterBind& asked = proposed();
   choice_ = kept;
   style.sheets.push_back(learn_style(*character_, {asked.questions, asked.vertex_parts, job_.up_axis}, answers));
   if (style.sheets.back().rules.empty())
     throw Error(path +
-                ": there is no answer to keep; answer parts that are asked about (--ask, or --answer for those that "
-                "--questions lists)");
+                ": no answer to save; answer parts with --ask, or with --answer for those that --questions lists");
   return style;
 }
 
@@ -228,10 +227,10 @@ std::vector<std::string> bind_notes(const Character& character, const JointChoic
   std::vector<std::string> notes;
   if (!choice.left_out.empty())
     notes.push_back(std::to_string(choice.left_out.size()) + " joints get no weight (" +
-                    left_out_text(character, choice) + "); --joints all gives it to all");
+                    left_out_text(character, choice) + "); --joints all lets all have weight");
   if (bound.folded_tips > 0)
     notes.push_back(std::to_string(bound.folded_tips) +
-                    " joints that end chains gave their weight to their parents; --keep-tips keeps it");
+                    " joints at chain ends gave their weight to their parents; --keep-tips keeps it");
   if (bound.kept_meshes > 0)
     notes.push_back(std::to_string(bound.kept_meshes) + " attached meshes kept as they are; --bind-props binds them");
   if (!bound.seams.seams.empty()) notes.push_back(seams_text(character.joints, bound.seams, bound.doubled_vertices));

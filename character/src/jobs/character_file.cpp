@@ -26,7 +26,7 @@ CharacterFile open_obj(const std::string& path) {
   try {
     return {read_character(path), false};
   } catch (const Error& error) {
-    Character character = read_mesh(path);  // says what is wrong with the mesh
+    Character character = read_mesh(path);  // reports the error of the mesh
     character.notes.push_back("left out: " + std::string(error.what()));
     return {std::move(character), true};
   }
@@ -65,7 +65,7 @@ CharacterFile open_character(const std::string& path) {
   if (is_motion_alone(path)) return {skeleton_alone(path), true};
   const FileKind* kind = file_kind(path);
   if (kind == nullptr || kind->reader == FileReader::kNone)
-    return {read_mesh(path), true};  // throws: says which extensions there are
+    return {read_mesh(path), true};  // throws Error that lists the extensions
   switch (kind->reader) {
     case FileReader::kObj:
       return open_obj(path);

@@ -33,7 +33,7 @@ CheckedFile check_file(const std::string& path, const CheckOptions& options) {
   CheckedFile out;
   out.file = path;
   out.character = open_character(path).character;
-  if (out.character.joints.empty()) throw Error(path + ": has no skeleton to check; sinew rig makes one");
+  if (out.character.joints.empty()) throw Error(path + ": no skeleton to check; make one with sinew rig");
   out.motion = motion_in(path, out.character);
   out.check = check_rig(out.character, &out.motion, options);
   return out;
@@ -52,7 +52,7 @@ namespace {
 
 using Rows = std::vector<std::vector<Influence>>;
 
-// [J] joints that may get weight, by their names and positions: the weights themselves are what is looked at.
+// [J] joints that may get weight, by their names and positions, since the weights are what is scored.
 std::vector<char> usable_joints(const Character& character) {
   std::vector<char> usable;
   for (const uint8_t flags : choose_joints(character, JointsFrom::kNames).flags)

@@ -22,7 +22,8 @@ namespace {
 
 constexpr size_t kMostSamples = 2000;
 constexpr double kMissed = 1.25,
-                 kFewTriangles = 8;  // a level with more than so many times the wanted triangles and some is told
+                 kFewTriangles =
+                     8;  // a level with more than this factor times the requested triangles, plus some, gets a warning
 
 using Triangles = std::vector<std::array<uint32_t, 3>>;
 
@@ -131,10 +132,9 @@ std::string missed_text(const Character& whole, size_t left, size_t wanted) {
       piece[root(whole.face_vertices[c])] = root(whole.face_vertices[whole.face_offsets[f]]);
   size_t pieces = 0;
   for (uint32_t v = 0; v < piece.size(); ++v) pieces += piece[v] == v ? 1 : 0;
-  return "warning: " + std::to_string(left) + " triangles are left where " + std::to_string(wanted) +
-         " were wanted: the mesh is " + std::to_string(pieces) +
-         " pieces that are not connected, and neither a piece nor a border can lose its last triangles; join vertices "
-         "in the program that made it";
+  return "warning: " + std::to_string(left) + " triangles are left instead of " + std::to_string(wanted) +
+         ": the mesh has " + std::to_string(pieces) +
+         " separate pieces, each of which keeps its last triangles and borders; join vertices in your modeling program";
 }
 
 class LodBuilder {
@@ -208,7 +208,7 @@ class LodBuilder {
 
 std::vector<LodLevel> levels_of_detail(const LodOptions& options, const Character& character) {
   if (character.vertices.empty() || character.influences.empty() || character.joints.empty())
-    throw Error(character.name + ": expected a mesh that is bound to a skeleton; bind or rig it first");
+    throw Error(character.name + ": expected a mesh bound to a skeleton; bind or rig it first");
   const LodBuilder builder(options, character);
   std::vector<LodLevel> levels;
   for (uint32_t number = 1; number <= options.levels; ++number) levels.push_back(builder.level(number));

@@ -18,7 +18,7 @@ namespace {
 
 bool by_model(const RigJobOptions& job) { return job.method != RigMethod::kShape && job.method != RigMethod::kRegions; }
 
-// One class for what says which limbs there are and for what knows the bodies of pictures.
+// Converts between the category of limbs and the body class of pictures.
 void settle_class(std::optional<BodyClass>* body, RigJobOptions* job) {
   if (job->category != SINEW_CATEGORY_ANY)
     *body = body_of_category(job->category);

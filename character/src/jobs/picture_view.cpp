@@ -16,7 +16,7 @@ namespace {
 
 // Near limbs lie before the body and far ones behind it, by this share of the longest side.
 constexpr float kLayer = 0.006f;
-// Below it a class is hardly likelier than the next one, and the user is told both.
+// Below this ratio a class is hardly more probable than the next one, and the note has both.
 constexpr float kUnsureClass = 0.5f;
 
 std::vector<PictureView> views_of(BodyClass body, bool given) {
@@ -120,7 +120,7 @@ SeenBody see_body(const Character& mesh, const std::optional<BodyClass>& given, 
     const std::string other = toss ? print(", or else as a %s (%.0f %%)", body_class_word(guess.second).c_str(),
                                            100 * static_cast<double>(guess.second_certainty))
                                    : std::string();
-    notes->push_back(print("%sseen as a %s%s%s, a guess (%.0f %%)%s; --class says what it is", toss ? "warning: " : "",
+    notes->push_back(print("%sseen as a %s%s%s, a guess (%.0f %%)%s; choose with --class", toss ? "warning: " : "",
                            body_class_word(out.body).c_str(), by_votes ? " " : "",
                            by_votes ? picture_view_text(out.view) : "", 100 * static_cast<double>(out.certainty),
                            other.c_str()));

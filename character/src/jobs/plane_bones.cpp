@@ -21,7 +21,7 @@ double wrapped(double angle) { return angle - 2 * kPi * std::round(angle / (2 * 
 bool is_leg(uint8_t c) { return c >= SINEW_CLASS_HIP && c <= SINEW_CLASS_TOE; }
 bool is_arm(uint8_t c) { return c >= SINEW_CLASS_CLAVICLE && c <= SINEW_CLASS_HAND; }
 
-// The child whose position says where the joint points: along the trunk, else the one with the longest bone.
+// The child that the joint points to: along the torso, else the one with the longest bone.
 std::vector<int> main_children(const Motion& motion, const std::vector<uint8_t>& classes) {
   std::vector<int> out(motion.joints.size(), -1);
   std::vector<double> best(motion.joints.size(), 0);
@@ -38,7 +38,8 @@ std::vector<int> main_children(const Motion& motion, const std::vector<uint8_t>&
   return out;
 }
 
-// How a joint's bone is looked at: from the front (x, y), or from its side as the character's forward goes to the right (z, y).
+// Projection of a joint's bone: from the front (x, y), or from the side with the character's forward to the right (z,
+// y).
 Direction seen(const Point3& d, bool from_side) { return {from_side ? d[2] : d[0], d[1]}; }
 
 Point3 between(const WorldPose& pose, size_t from, size_t to) {

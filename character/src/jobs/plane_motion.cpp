@@ -34,7 +34,7 @@ bool is_pinned(uint8_t joint_class) {
 
 using Group = std::pair<uint8_t, int>;  // class and side
 
-std::map<Group, std::vector<size_t>> groups_of(const LabelledSkeleton& skeleton) {
+std::map<Group, std::vector<size_t>> groups_of(const LabeledSkeleton& skeleton) {
   std::map<Group, std::vector<size_t>> groups;
   for (size_t j = 0; j < skeleton.joints.size(); ++j)
     if (skeleton.ends[j] == 0 && is_pinned(skeleton.classes[j]))
@@ -44,7 +44,7 @@ std::map<Group, std::vector<size_t>> groups_of(const LabelledSkeleton& skeleton)
 
 }  // namespace
 
-std::vector<sinew_map_pin> pins_by_class(const LabelledSkeleton& target, const LabelledSkeleton& source) {
+std::vector<sinew_map_pin> pins_by_class(const LabeledSkeleton& target, const LabeledSkeleton& source) {
   std::vector<sinew_map_pin> pins;
   const auto sources = groups_of(source);
   for (const auto& [group, joints] : groups_of(target)) {

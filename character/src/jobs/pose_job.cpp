@@ -14,7 +14,7 @@ std::vector<Affine> clip_palette(const Motion& motion, const std::string& file, 
   const Clip& clip = find_clip(motion, file, name);
   const double seconds = static_cast<double>(clip.frames.size() - 1) * clip.frame_time;
   if (time > seconds + 1e-6)
-    throw Error(file + print(": --time %g is behind the end of the animation, which lasts %g seconds", time, seconds));
+    throw Error(file + print(": --time %g is after the end of the animation, which lasts %g seconds", time, seconds));
   if (what != nullptr) *what = print("%s at %g of %g seconds", clip.name.c_str(), time, seconds);
   return motion_palette(motion, frame_at(clip, time), joint_count);
 }

@@ -45,17 +45,16 @@ void say_direction(const RigJobOptions& job, const PredictedSkeleton& skeleton, 
   const bool front =
       job.front == SINEW_FRONT_AUTO && skeleton.front_confidence > 0 && skeleton.front_confidence < kCoinToss;
   if (!up && !front) return;
-  notes->push_back(std::string("warning: ") + (up ? "which axis is up" : "which way is front") +
-                   (up && front ? ", and which way is front," : "") +
-                   " is a coin toss for this mesh, so left and right may be exchanged; say it with " +
-                   (up ? "--up y or z" : "") + (up && front ? " and " : "") +
-                   (front ? "--front, as in --front +z" : ""));
+  notes->push_back(std::string("warning: ") + (up ? "the up axis" : "the front") +
+                   (up && front ? " and the front" : "") +
+                   " of this mesh is uncertain, so left and right may be exchanged; give " + (up ? "--up y or z" : "") +
+                   (up && front ? " and " : "") + (front ? "--front, as in --front +z" : ""));
 }
 
 // What the votes know little of may be a hand: below that spread none of the training characters' hands is.
 constexpr float kHandSpread = 0.055f;
 
-// A hand in the place of a body, told as the guess that it is.
+// A hand without a body, with a note that it is a guess.
 bool put_lone_hand(const RigModels& models, const SkeletonOptions& options, Character* character,
                    PredictedSkeleton* skeleton) {
   std::optional<LoneHand> hand = find_lone_hand(*character, *models.hands, options);
@@ -65,10 +64,10 @@ bool put_lone_hand(const RigModels& models, const SkeletonOptions& options, Char
   hand->skeleton.spread = skeleton->spread;
   *skeleton = std::move(hand->skeleton);
   character->notes.push_back(
-      std::string("warning: this mesh is taken for a ") + (hand->right ? "right" : "left") + " hand without a body" +
-      (hand->thumb ? "" : ", in which no thumb was found") +
-      (hand->side_known ? "" : ", and its side is a coin toss: a right one turned over looks the same") +
-      "; --method votes looks for a body instead");
+      std::string("warning: this mesh looks like a ") + (hand->right ? "right" : "left") + " hand without a body" +
+      (hand->thumb ? "" : ", without a thumb") +
+      (hand->side_known ? "" : ", and its side is uncertain: a right hand turned over looks the same") +
+      "; look for a body with --method votes");
   return true;
 }
 
@@ -86,9 +85,9 @@ void leave_scenery_out(const SkeletonOptions& options, Character* character, Pre
     body.seconds += skeleton->seconds;
     if (!fused && (!body.usable || *body.usable < *skeleton->usable + kSceneryGain)) continue;
     const auto vertices = std::count(scenery.begin(), scenery.end(), uint8_t{1});
-    character->notes.push_back("taken for ground, a pedestal or a backdrop, a guess: " + std::to_string(vertices) +
+    character->notes.push_back("taken as ground, a pedestal or a backdrop, a guess: " + std::to_string(vertices) +
                                " of " + std::to_string(scenery.size()) +
-                               " vertices; they have no joints and go with the root");
+                               " vertices; they follow the root without joints of their own");
     *skeleton = std::move(body);
     skeleton->scenery = std::move(scenery);
     return;
@@ -109,7 +108,7 @@ PredictedSkeleton skeleton_of_parts(PartSkeleton parts, Axis up) {
 
 // Machines on wheels: no model says anything of them.
 PredictedSkeleton vehicle_for_job(const RigJobOptions& job, Character* character) {
-  if (job.method != RigMethod::kAuto) throw Error("a vehicle's joints are found by its parts: leave the method out");
+  if (job.method != RigMethod::kAuto) throw Error("a vehicle's joints are found from its parts; leave out the method");
   constexpr std::array<float, 3> kFronts[] = {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
   std::optional<std::array<float, 3>> front;
   if (job.front != SINEW_FRONT_AUTO) front = kFronts[job.front - SINEW_FRONT_PLUS_Z];
@@ -118,13 +117,12 @@ PredictedSkeleton vehicle_for_job(const RigJobOptions& job, Character* character
   made.up_confidence = job.up ? 1 : kCoinToss;
   made.front_confidence = front ? 1 : kCoinToss;
   const size_t moving = made.joints.size() - 1;
-  character->notes.push_back(moving == 0
-                                 ? "warning: no wheel, turret or door is a part of its own here, so the vehicle has "
-                                   "one joint; cut it into parts "
-                                   "where it moves"
-                                 : "a vehicle of " + std::to_string(moving) +
-                                       " moving parts; what they are is a guess by their shapes and where they are" +
-                                       (front ? "" : ", and so is the front; say it with --front, as in --front +z"));
+  character->notes.push_back(
+      moving == 0
+          ? "warning: no wheel, turret or door is a separate part, so the vehicle has one joint; separate the parts "
+            "that move"
+          : "a vehicle of " + std::to_string(moving) + " moving parts, guessed from their shapes and positions" +
+                (front ? "" : "; the front is a guess too, give it with --front, as in --front +z"));
   return made;
 }
 
@@ -159,26 +157,25 @@ bool take_parts(const RigJobOptions& job, Character* character, PredictedSkeleto
   *skeleton = std::move(made);
   const auto moving = std::count(skeleton->ends.begin(), skeleton->ends.end(), uint8_t{0});
   character->notes.push_back(
-      "taken for a body of solid parts, a guess: " + std::to_string(moving) +
-      " joints where parts touch, named by where they are; --method votes looks for another one");
+      "taken as a body of solid parts, a guess: " + std::to_string(moving) +
+      " joints at the contacts of parts, named by position; look for another body with --method votes");
   say_direction(job, *skeleton, &character->notes);
   return true;
 }
 
 // What the skeleton has besides a body: fingers, and a face.
-LabelledSkeleton add_details(const RigJobOptions& job, const sinew_model& hands, RiggedCharacter* rigged) {
+LabeledSkeleton add_details(const RigJobOptions& job, const sinew_model& hands, RiggedCharacter* rigged) {
   SkeletonOptions options;
   options.up_axis = rigged->skeleton.up_axis;
   for (std::string& note : predict_details(rigged->character, job.detail, hands, options, &rigged->skeleton))
     rigged->character.notes.push_back(std::move(note));
-  LabelledSkeleton found = {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
+  LabeledSkeleton found = {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
   for (uint8_t& one : found.classes)
     if (is_finger_class(one) || is_face_class(one) || is_prop_class(one)) one = kClassDetail;
   return found;
 }
 
-void put_own(const RigJobOptions& job, const RigModels& models, const LabelledSkeleton& found,
-             RiggedCharacter* rigged) {
+void put_own(const RigJobOptions& job, const RigModels& models, const LabeledSkeleton& found, RiggedCharacter* rigged) {
   FitOptions options;
   options.up_axis = rigged->skeleton.up_axis;
   options.keep_lengths = job.keep_lengths;
@@ -192,7 +189,7 @@ void put_own(const RigJobOptions& job, const RigModels& models, const LabelledSk
   rigged->fitted = fit_own_skeleton(own, job.skeleton, found, options, rigged->character, &rigged->skeleton);
   if (2 * rigged->fitted->matched < rigged->fitted->matchable)
     rigged->character.notes.push_back("warning: most joints of " + job.skeleton +
-                                      " have no like in this mesh; look at them before using them");
+                                      " match nothing in this mesh; check them before use");
 }
 
 // Parts move as wholes. False where the skeleton is another one than that of the parts.
@@ -311,20 +308,17 @@ PredictedSkeleton predict_for_job(const RigJobOptions& job, const RigModels& mod
   if (job.method == RigMethod::kAuto && !told && skeleton.spread > kNoBodySpread) {
     skeleton = root_alone(*character, skeleton);
     character->notes.push_back(
-        "warning: this mesh is taken for no body, a guess, so it has one joint; --class vehicle finds wheels and "
-        "doors, --method "
-        "shape lays joints along the middle line, --method votes gives the model's guess");
+        "warning: this mesh matches no body, a guess, so it has one joint; find wheels and doors with --class vehicle, "
+        "joints along the medial axis with --method shape, or the model's guess with --method votes");
   } else if (job.method == RigMethod::kSlots && skeleton.spread > kDoubtfulSlots) {
     character->notes.push_back(
-        "warning: this mesh resembles little that the model knows; look at the joints before using them, or try "
-        "--method shape");
+        "warning: this mesh is unlike the training data, so joints may be wrong; check them, or try --method shape");
   } else if (skeleton.usable && *skeleton.usable < kDoubtfulUsable) {
     character->notes.push_back(
-        "warning: this mesh resembles little that the model knows: the skeleton can be used with a probability of " +
-        std::to_string(std::lround(100 * *skeleton.usable)) +
-        " %; look at the joints before using them, or try --method shape");
+        "warning: this mesh is unlike the training data, so its joints may be wrong (usable with a probability of " +
+        std::to_string(std::lround(100 * *skeleton.usable)) + " %); check them, or try --method shape");
   } else if (options.method == SINEW_RIG_VOTES && weak_parents(skeleton) > kMostGuessed) {
-    character->notes.push_back("warning: most joints guess what they hang on; look at the hierarchy before using it");
+    character->notes.push_back("warning: most parents of joints are guesses; check the hierarchy");
   }
   say_direction(job, skeleton, &character->notes);
   return skeleton;
@@ -332,16 +326,16 @@ PredictedSkeleton predict_for_job(const RigJobOptions& job, const RigModels& mod
 
 RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool by_names, const RigJobOptions& job,
                               const RigModels& models) {
-  if (!job.to_pose.empty() && !job.bind) throw Error("another rest pose needs weights: bind the mesh as well");
-  if (job.cut && !job.bind) throw Error("seams are found by weights: bind the mesh as well");
+  if (!job.to_pose.empty() && !job.bind) throw Error("another rest pose needs weights; leave out --no-bind");
+  if (job.cut && !job.bind) throw Error("seams need weights; leave out --no-bind");
   const std::optional<RestPose> pose =
       job.to_pose.empty() ? std::nullopt : std::optional<RestPose>(read_rest_pose(job.to_pose));
   RiggedCharacter rigged;
   rigged.character = std::move(mesh);
   rigged.skeleton = std::move(predicted);
-  LabelledSkeleton found =
-      by_names ? label_skeleton(rigged.skeleton.joints)
-               : LabelledSkeleton{rigged.skeleton.joints, rigged.skeleton.classes, rigged.skeleton.ends};
+  LabeledSkeleton found = by_names
+                              ? label_skeleton(rigged.skeleton.joints)
+                              : LabeledSkeleton{rigged.skeleton.joints, rigged.skeleton.classes, rigged.skeleton.ends};
   Character& character = rigged.character;
   character.up = rigged.skeleton.up_axis;
   if (job.detail != SkeletonDetail::kBody) found = add_details(job, *models.hands, &rigged);

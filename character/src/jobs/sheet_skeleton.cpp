@@ -59,7 +59,7 @@ std::optional<PredictedSkeleton> sheet_skeleton(const RigJobOptions& job, const 
   bodies.hands = nullptr;
   std::optional<BodyClass> body;
   if (job.category != SINEW_CATEGORY_ANY) body = body_of_category(job.category);
-  character->notes.push_back("this mesh is flat, so its joints are those of its outline, as of a picture");
+  character->notes.push_back("this mesh is flat, so its joints come from its outline, as for a picture");
   SeenBody seen =
       see_body(drawing.round_mesh(), body, class_of_outline(drawing.figure().mask), job, bodies, &character->notes);
   PredictedSkeleton made = std::move(seen.skeleton);

@@ -174,15 +174,15 @@ bool make_spring_chains(SpringsOptions* options, Character* character) {
 void swing_clips(const SpringsOptions& options, const std::string& path, bool measure, AnimatedCharacter* out) {
   const SpringsFound found = springs_of(options, path, out->character);
   if (found.springs.chains.empty())
-    throw Error(path + ": nothing of it swings; sinew springs says what was looked at, and --take what to take");
+    throw Error(path + ": no chain swings; list candidates with sinew springs, keep one with --take");
   std::map<std::string, size_t> kinds;
   for (const FoundChain& one : found.chains)
     if (one.kept) ++kinds[spring_kind_text(one.kind)];
   std::string text;
   for (const auto& [kind, count] : kinds)
-    text += (text.empty() ? "" : ", ") + std::to_string(count) + (count == 1 ? " chain of " : " chains of ") + kind;
-  out->motion.notes.push_back(path + ": " + text + " swing, pushed by " +
-                              std::to_string(found.springs.colliders.size()) + " colliders");
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + kind + (count == 1 ? " chain" : " chains");
+  out->motion.notes.push_back(path + ": simulated " + text + " with " + std::to_string(found.springs.colliders.size()) +
+                              " colliders");
   swing_clips(found.springs, measure, out);
 }
 

@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-// The source's skeleton in the place of the one that is predicted for the mesh.
+// The source's skeleton, fitted to the one that is predicted for the mesh.
 void fit_source_skeleton(const Character& source, const TransferTargetOptions& options, Character* character) {
   SkeletonOptions predict;
   predict.model = options.rig_model();
@@ -29,8 +29,8 @@ void fit_source_skeleton(const Character& source, const TransferTargetOptions& o
   character->joints = fitted.joints;
   if ((predicted.usable && *predicted.usable < kDoubtfulUsable) || 2 * fitted.matched < fitted.matchable)
     character->notes.push_back("warning: the skeleton of " + source.name +
-                               " was fitted to a mesh that resembles little that the model knows; look at its joints, "
-                               "or give a skeleton with --skeleton");
+                               " was fitted to a mesh unlike the training data, so its joints may be wrong; check "
+                               "them, or give a skeleton with --skeleton");
 }
 
 }  // namespace

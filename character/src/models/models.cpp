@@ -72,14 +72,14 @@ std::unique_ptr<LoadedModel> load_model(const std::string& path, ModelUse use) {
   };
   const Bundled bundled =
       use == ModelUse::kRig
-          ? Bundled{kBundledRigModel, kBundledRigModelSize, "no bundled model of skeletons: give --model"}
+          ? Bundled{kBundledRigModel, kBundledRigModelSize, "no bundled model of skeletons; give --model"}
       : use == ModelUse::kHands
-          ? Bundled{kBundledHandsModel, kBundledHandsModelSize, "no bundled model of hands: give --hands-model"}
+          ? Bundled{kBundledHandsModel, kBundledHandsModelSize, "no bundled model of hands; give --hands-model"}
       : use == ModelUse::kSlotJoints
-          ? Bundled{kBundledSlotsModel, kBundledSlotsModelSize, "no bundled model of slots: give --model"}
+          ? Bundled{kBundledSlotsModel, kBundledSlotsModelSize, "no bundled model of slots; give --model"}
       : use == ModelUse::kFront
-          ? Bundled{kBundledFrontModel, kBundledFrontModelSize, "no bundled model of fronts: give --front-model"}
-          : Bundled{kBundledModel, kBundledModelSize, "no bundled model: give --model or --method heat"};
+          ? Bundled{kBundledFrontModel, kBundledFrontModelSize, "no bundled model of fronts; give --front-model"}
+          : Bundled{kBundledModel, kBundledModelSize, "no bundled model; give --model or --method heat"};
   if (bundled.size == 0) throw Error(bundled.missing);
   auto loaded = std::make_unique<LoadedModel>();
   const sinew_status status = open_for(use, bundled.bytes, bundled.size, &loaded->model);

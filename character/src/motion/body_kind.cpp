@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Legs by names; else the groups of joints near the floor that hang on limbs, tails aside.
+// Finds legs by names; else as groups of joints near the floor that end limbs, without tails.
 #include "motion/body_kind.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace sinew {
 namespace {
 
-constexpr double kTrunkStands = 0.7, kTrunkLies = 0.5;  // sine of the trunk's direction over the horizon
+constexpr double kTrunkStands = 0.7, kTrunkLies = 0.5;  // sine of the torso's direction over the horizon
 constexpr double kFootHeight = 0.2;                     // of the body's height: what is lower stands on the floor
 constexpr double kFootOfFlat = 0.4;
 constexpr double kSameFoot = 0.06;  // of the body's extent

@@ -11,11 +11,11 @@
 namespace sinew {
 
 struct BodyKind {
-  std::optional<size_t> legs;   // empty: nobody knows
+  std::optional<size_t> legs;   // empty: unknown
   std::optional<bool> upright;  // of bodies with legs and something above them
 };
 
-// By the names of its joints, and by how many limbs stand on the floor at rest where it is known which way is up.
+// From the names of its joints, and from the number of limbs on the floor at rest if the up axis is known.
 BodyKind body_kind(const MapRig& rig, const BodyParts& parts);
 
 // 0 where what is known of both agrees; else a gait of the one is none of the other, the less the larger.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts by classes of joints, and how the trunk lies.
+// Parts by classes of joints, and how the torso lies.
 #include "motion/body_parts.hpp"
 
 #include <algorithm>
@@ -117,7 +117,7 @@ std::string BodyParts::text(const BodyPart& part) const {
   const uint8_t first = class_of(part.joints[0]);
   switch (part.kind) {
     case PartKind::kTrunk:
-      return "the trunk";
+      return "the torso";
     case PartKind::kHead:
       return "the head";
     case PartKind::kTail:

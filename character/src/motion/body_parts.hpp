@@ -21,7 +21,7 @@ inline bool is_limb(PartKind kind) {
 
 struct BodyPart {
   PartKind kind = PartKind::kNone;
-  int side = 0;             // 1 left, -1 right, 0 in the middle or not said
+  int side = 0;             // 1 left, -1 right, 0 in the middle or unknown
   std::vector<int> joints;  // without ends, parents first
 };
 
@@ -35,9 +35,9 @@ class BodyParts {
   PartKind kind_of(int joint) const { return kinds_[static_cast<size_t>(joint)]; }
   int side_of(int joint) const { return sides_[static_cast<size_t>(joint)]; }
   uint8_t class_of(int joint) const { return classes_[static_cast<size_t>(joint)]; }
-  // Names say what at least one joint of a limb is; without them a human body was laid over the skeleton.
+  // At least one limb joint is classified by name; otherwise a human body was fitted to the skeleton.
   bool named() const { return named_; }
-  // Sine of the trunk's direction over the horizon, from the legs on; empty without legs, or without arms, head and neck.
+  // Sine of the torso's direction over the horizon, from the legs on; empty without legs, or without arms, head and neck.
   const std::optional<double>& lean() const { return lean_; }
   // As given, else along the legs of an upright body, else y.
   Axis up() const { return up_; }

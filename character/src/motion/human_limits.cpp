@@ -41,8 +41,7 @@ class HumanLimits {
       : joints_(target.joints), classes_(limb_classes(target, up)), next_(joints_.size(), -1) {
     const std::optional<UprightBody> body = find_upright_body(joints_, classes_);
     if (!body || !body->has_arms)
-      throw Error(target.name +
-                  ": has no human body that limits could be for: expected two arms, two legs and a trunk");
+      throw Error(target.name + ": human limits need a human body; expected two arms, two legs and a torso");
     body_ = *body;
     frame_ = body_frame(joints_, body_, up);
     for (size_t j = joints_.size(); j-- > 0;) find_next(static_cast<int>(j));
@@ -121,7 +120,7 @@ class HumanLimits {
 
   double side_of(int j) const { return dot(at(j) - frame_.middle, frame_.left) < 0 ? -1 : 1; }
 
-  // As far to the front as to the back where nobody knows which is which.
+  // Makes the limits symmetric if the front is unknown.
   Ends either_way(const Ends& ends) const {
     if (length(frame_.front) > 0) return ends;
     const float most = std::max(-ends.least, ends.most);
@@ -158,7 +157,7 @@ class HumanLimits {
     ball(j, limit, own, cross(along, unit(*to)), along);
   }
 
-  //   bone, side  in the world at rest; `straight` is where the bone points where angles are 0, the rest pose unless given
+  //   bone, side  in the world at rest; `straight` is the bone's direction at angle 0, by default that of the rest pose
   void ball(int j, const Ball& ends, const Point3& bone, const Point3& side, const Point3& straight = {}) {
     const Quaternion zero = length(straight) > 0 ? rotation_between(bone, straight) : kNoRotation4;
     Point3 own = rotate(conjugate(zero), side);

@@ -12,7 +12,7 @@ namespace sinew {
 namespace {
 
 constexpr const char* kLines =
-    "'hinge JOINT X Y Z LEAST MOST', 'ball JOINT X Y Z X Y Z' and three LEAST MOST, or 'fixed JOINT'";
+    "'hinge JOINT X Y Z MIN MAX', 'ball JOINT X Y Z X Y Z' and three MIN MAX, or 'fixed JOINT'";
 
 class LimitLines {
  public:
@@ -65,9 +65,9 @@ class LimitLines {
   void take_range(size_t word, size_t which, sinew_joint_limit* limit) const {
     const float least = number(word), most = number(word + 1);
     if (!(least >= -180 && most <= 180 && least <= most) || (which > 0 && (least > 0 || most < 0)))
-      lines_.fail(
-          which > 0 ? "a swing's least -180 to 0 and most 0 to 180" : "degrees from -180 to 180, the least first",
-          lines_.line());
+      lines_.fail(which > 0 ? "a swing with a minimum of -180 to 0 and a maximum of 0 to 180"
+                            : "degrees from -180 to 180, the minimum first",
+                  lines_.line());
     limit->least[which] = least;
     limit->most[which] = most;
   }

@@ -41,17 +41,17 @@ const char* map_reason_text(uint8_t reason) {
     case SINEW_MAP_PINNED:
       return "as asked";
     case SINEW_MAP_NO_COUNTERPART:
-      return "the source has nothing like it";
+      return "the source has no match";
     case SINEW_MAP_FEWER_JOINTS:
       return "the source has fewer joints there";
     case SINEW_MAP_END:
-      return "the end of a bone";
+      return "end of a bone";
     case SINEW_MAP_OUTSIDE:
       return "beside the body";
     case SINEW_MAP_TAKEN:
-      return "its source went to another joint, or would have crossed another's way";
+      return "its source matched another joint, or the pairs would cross";
     case SINEW_MAP_BESIDE_LIMITS:
-      return "more limbs than are looked at";
+      return "too many limbs; only the first ones are mapped";
     default:
       return "";
   }

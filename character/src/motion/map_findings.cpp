@@ -43,8 +43,8 @@ class MapReader {
     MapCover cover = read_parts();
     cover.kinds_apart = difference(to_kind_, from_kind_);
     if (cover.kinds_apart > 0)
-      cover.warnings.insert(cover.warnings.begin(),
-                            "the motion is that of " + text_of(from_kind_) + ", the character is " + text_of(to_kind_));
+      cover.warnings.insert(cover.warnings.begin(), "the motion is that of " + text_of(from_kind_) +
+                                                        ", the character's is " + text_of(to_kind_));
     return cover;
   }
 
@@ -78,7 +78,7 @@ class MapReader {
   }
   bool is_mapped(int joint) const { return sources_[static_cast<size_t>(joint)] >= 0; }
 
-  // Whether a joint and its source are of limbs that stand for each other.
+  // Whether a joint and its source are of limbs that represent each other.
   bool is_limb_pair(int joint, int source) const {
     const PartKind own = to_.kind_of(joint), its = from_.kind_of(source);
     const bool animal = own == PartKind::kLeg || its == PartKind::kLeg ? !both_upright() : true;
@@ -115,23 +115,23 @@ class MapReader {
     double limbs = 0;
     for (const PartKind kind : {PartKind::kLeg, PartKind::kArm, PartKind::kWing})
       limbs = std::max(limbs, reached(kind));
-    // Fish, spiders: where nobody knows the limbs of one, the target's joints count.
+    // Fish, spiders: if the limbs of one body are unknown, the share of the target's joints counts.
     if (!has_limbs(to_) || !has_limbs(from_)) limbs = moved_share();
     if (has_limbs(to_) || has_limbs(from_)) least(limbs, "no legs, arms or wings");
     if (to_.lean() && from_.lean()) {
       const double a = *to_.lean(), b = *from_.lean();
       const double cosine = a * b + std::sqrt(std::max(0.0, 1 - a * a)) * std::sqrt(std::max(0.0, 1 - b * b));
-      least(std::max(0.0, cosine), "one goes upright, the other does not");
+      least(std::max(0.0, cosine), "one is upright, the other is not");
     }
   }
 
-  // Where nobody knows the parts.
+  // If the parts are unknown.
   std::vector<std::string> few_joints() const {
     if (3 * moved() >= 2 * std::min(source_.joints.size(), target_.joints.size())) return {};
     return {"only " + std::to_string(moved()) + " of its " + std::to_string(target_.joints.size()) + " joints move"};
   }
 
-  // Limbs of the source that move nothing: where names do not say what the target's are.
+  // Limbs of the source that move nothing, if the target's limbs have no class by name.
   std::vector<std::string> idle_limbs() const {
     std::vector<std::string> texts;
     for (const BodyPart& part : from_.all()) {
@@ -223,7 +223,7 @@ class MapReader {
 
   struct Finding {
     const BodyPart* part;
-    std::string singular, plural;  // what is said of one, and of both of a pair
+    std::string singular, plural;  // text for one, and for both of a pair
   };
 
   std::optional<Finding> finding_of(const BodyPart& part) const {
@@ -248,13 +248,13 @@ class MapReader {
     const size_t movers = movers_of(part);
     if (idle && movers == 0) {
       if (from_.all().empty() || (part.kind != PartKind::kLeg && part.kind != PartKind::kArm)) return std::nullopt;
-      return Finding{&part, "does not move, as the motion has none", "do not move, as the motion has none"};
+      return Finding{&part, "has no motion in the source", "have no motion in the source"};
     }
     if (mapped == 0 && !idle && movers > 0 && part.kind == PartKind::kHead)
-      return Finding{&part, "moves with the neck alone", ""};
+      return Finding{&part, "moves with the neck", ""};
     if (idle && (needed || part.kind == PartKind::kTail)) return Finding{&part, "does not move", "do not move"};
     if (bends_elsewhere(part))
-      return Finding{&part, "bends at other joints than the motion's", "bend at other joints than the motion's"};
+      return Finding{&part, "bends at other joints than in the motion", "bend at other joints than in the motion"};
     if (is_limb(part.kind) && 2 * any_mapped < std::min(own, movers))  // a leg of one joint may move a shoulder
       return Finding{&part, "hardly moves, " + std::to_string(mapped) + " of its " + std::to_string(own) + " joints",
                      "hardly move, " + std::to_string(mapped) + " of " + std::to_string(own) + " joints each"};

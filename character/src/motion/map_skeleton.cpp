@@ -66,12 +66,12 @@ MapRig rig_in_stance(const Motion& motion) { return map_source_of(motion, nullpt
 MapRig rig_of_scene(const std::string& path) {
   try {
     Character character;
-    read_skeleton(path, false, &character);  // says what is wrong with a file without joints
+    read_skeleton(path, false, &character);  // reports a file without joints
     return map_rig_of(read_gltf(path));
   } catch (const Error&) {
     try {
       return rig_in_stance(read_motion(path));
-    } catch (const Error&) {  // what is wrong with it as a skeleton is told
+    } catch (const Error&) {  // its error as a skeleton is reported
     }
     throw;
   }
@@ -143,8 +143,8 @@ MapRig read_map_rig(const std::string& path) {
   return rig;
 }
 
-// Up where nobody says it: along the legs of a body that has two, else y, as nearly all files have it. What the engine finds without either
-// is wrong for one animal in eight and for most fish (F1 of public maps without names 0.855, of y 0.900).
+// Up axis if it is unknown: along the legs of a body with two legs, else y, as in nearly all files. The engine's own
+// guess is wrong for one animal in eight and for most fish (F1 of public maps without names 0.855, of y 0.900).
 Axis found_up(const MapRig& rig, const MapSkeletonOptions& options) {
   MapRig read = rig;
   if (!options.names)
@@ -194,7 +194,7 @@ MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const Ma
   Workspace workspace(result.workspace_bytes);
   if (workspace.size() < result.workspace_bytes)
     throw OutOfMemory(target.name + ": no memory for a workspace of " +
-                      std::to_string(result.workspace_bytes / 1000000) + " MB in one piece");
+                      std::to_string(result.workspace_bytes / 1000000) + " MB in one block");
   JointMap map;
   const auto begin = std::chrono::steady_clock::now();
   check(map_joints(to, from, settings, &workspace, &map));

@@ -60,7 +60,7 @@ std::optional<MotionFile> read_motion_in(const MapSourceRequest& request, const 
     return read_motion_for(motion, target);
   } catch (const OutOfMemory&) {
     throw;
-  } catch (const Error&) {  // read_map_rig() says what is wrong with it as a skeleton
+  } catch (const Error&) {  // read_map_rig() reports its error as a skeleton
     return std::nullopt;
   }
 }

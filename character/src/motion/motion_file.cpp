@@ -24,7 +24,7 @@ namespace sinew {
 
 namespace {
 
-constexpr double kStands = 0.85, kLies = 0.5;             // cosine of what a trunk leans, in the median frame
+constexpr double kStands = 0.85, kLies = 0.5;             // cosine of what a torso leans, in the median frame
 constexpr double kBelowFloor = 0.05, kAboveFloor = 0.15;  // of the body's height: where its lowest joint may be
 
 // A trunk's direction and the joints of one pose.
@@ -96,11 +96,11 @@ std::optional<Motion> motion_on_rest_floor(const Motion& motion) {
       for (MotionFrame& frame : clip.frames)
         for (size_t j = 0; j < out.joints.size(); ++j) {
           if (out.joints[j].parent >= 0) continue;
-          frame.rotations[j] = normalised(multiply(raise, frame.rotations[j]));
+          frame.rotations[j] = normalized(multiply(raise, frame.rotations[j]));
           frame.translations[j] = rotate(raise, frame.translations[j]);
         }
     out.notes.push_back(std::string("its rest pose has ") + "xyz"[up] + " up and its frames have " + "xyz"[axis] +
-                        " up; they were turned upright, which is a guess");
+                        " up; they were rotated upright, a guess");
     return out;
   }
   return std::nullopt;
@@ -108,7 +108,8 @@ std::optional<Motion> motion_on_rest_floor(const Motion& motion) {
 
 namespace {
 
-// Whether a motion would play, how near its kind of body is, how much of both bodies a map from the motion's reaches, how many joints of the rig it moves.
+// Whether a motion would play, how near its kind of body is, how much of both bodies a map from the motion's reaches,
+// how many joints of the rig it moves.
 using Fit = std::tuple<bool, std::ptrdiff_t, float, size_t>;
 Fit fit_of(const Motion& motion, const MapRig& rig, MaybeAxis up) {
   MapSkeletonOptions options;
@@ -153,7 +154,7 @@ MotionFile read_motion_for(const MotionRequest& request, const MapRig& rig) {
   if (down) {
     file = {turned_over(std::move(file.motion), *down), false};
     if (!request.down)
-      file.motion.notes.push_back(std::string("its body stands upside down, so -") + "xyz"[axis_index(*down)] +
+      file.motion.notes.push_back(std::string("its body is upside down, so -") + "xyz"[axis_index(*down)] +
                                   " was taken as up");
   }
   if (std::optional<Motion> level = motion_on_rest_floor(file.motion)) file.motion = std::move(*level);

@@ -30,7 +30,7 @@ MotionMap map_motion(const MapRig& target, const MapRig& source, const MapSkelet
   map.cover = map_cover(target, options.target_up, source, options.source_up, map.sources);
   if (!map_file.empty()) map.cover.share = 1;  // what the user says is not doubted
   if (std::all_of(map.sources.begin(), map.sources.end(), [](int s) { return s < 0; }))
-    throw Error(target.name + ": no joint moves as one of " + source.name + " by " + map.how +
+    throw Error(target.name + ": no joint maps to one of " + source.name + " by " + map.how +
                 (map_file.empty() ? "; give --map FILE with lines TARGET_JOINT SOURCE_JOINT" : ""));
   return map;
 }
@@ -65,9 +65,9 @@ JointMapping find_joint_map(const Character& source, const std::string& map, con
   for (size_t t = 0; t < found.sources.size(); ++t)
     if (found.sources[t] >= 0) mapping[static_cast<size_t>(found.sources[t])] = static_cast<int32_t>(t);
   if (mapped_count(mapping) == 0)
-    throw Error(path + ": none of its " + std::to_string(target.joints.size()) + " joints stands for a joint of " +
+    throw Error(path + ": none of its " + std::to_string(target.joints.size()) + " joints maps to a joint of " +
                 source.name + " (" + target.joints.front().name + ", " + source.joints.front().name +
-                "); say with --map FILE which joint is which");
+                "); map them with --map FILE");
   return mapping;
 }
 

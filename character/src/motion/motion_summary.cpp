@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A motion's rest pose: whether a body stands in it, which way is up, how its arms are held.
+// Describes a motion's rest pose: whether it is a standing pose, the up axis, the arms.
 #include "sinew_character/motion/motion_summary.hpp"
 
 #include <algorithm>
@@ -39,12 +39,12 @@ std::string pose_of_arms(const UprightBody& body, const std::vector<Point3>& at,
 RestSummary rest_summary(const Motion& motion) {
   const MapRig rig = map_rig_of(motion);
   const std::optional<UprightBody> body = find_upright_body(rig.joints, limb_classes(rig, {}));
-  if (!body) return {std::nullopt, "no body with two legs was found in it"};
+  if (!body) return {std::nullopt, "found no body with two legs"};
   std::vector<Point3> rest;
   for (const Joint& joint : rig.joints) rest.push_back(point(joint.position));
   if (!is_upright(*body, rest))
-    return {std::nullopt, standing_motion(motion) ? "does not stand; a stance is taken from the frames"
-                                                  : "does not stand, nor do its frames tell a stance"};
+    return {std::nullopt, standing_motion(motion) ? "not standing; a standing pose is taken from the frames"
+                                                  : "not standing, nor in the frames"};
   const Point3 up = body_frame(rig.joints, *body, {}).up;
   return {axis_of(up), pose_of_arms(*body, rest, up)};
 }

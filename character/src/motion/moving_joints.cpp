@@ -21,7 +21,7 @@ Quaternion mean_of(const std::vector<Quaternion>& all) {
       const double sign = dot(q, mean) < 0 ? -1 : 1;
       for (size_t i = 0; i < 4; ++i) sum[i] += sign * q[i];
     }
-    mean = normalised(sum);
+    mean = normalized(sum);
   }
   return mean;
 }

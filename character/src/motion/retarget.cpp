@@ -61,7 +61,7 @@ struct FrameArrays {
       Point3 p{};
       for (size_t i = 0; i < 4; ++i) q[i] = static_cast<double>(rotations_at(f)[4 * j + i]);
       for (size_t i = 0; i < 3; ++i) p[i] = static_cast<double>(translations_at(f)[3 * j + i]);
-      out.rotations.push_back(normalised(q));
+      out.rotations.push_back(normalized(q));
       out.translations.push_back(p);
     }
     return out;
@@ -240,7 +240,7 @@ Clip Retargeter::run(const Clip& clip, const std::function<bool()>& keep_going, 
   float ground = 0;
   check(sinew_retarget_ground(plan_, heights.data(), heights.size(), &ground));
   const auto go_on = [&] {
-    if (keep_going && !keep_going()) throw Error(name_ + ": cannot go on, the work was interrupted");
+    if (keep_going && !keep_going()) throw Error(name_ + ": the job was interrupted");
   };
   for (size_t f = 0; f < frames; ++f) {
     go_on();

@@ -33,7 +33,7 @@ std::vector<uint8_t> kept_joints(const SimplifyOptions& options, const Character
       found = true;
       keep[j] = 1;
     }
-    if (!found) throw Error(c.name + ": no joint is called " + name + ", which is to be kept");
+    if (!found) throw Error(c.name + ": unknown joint " + name + "to keep");
   }
   for (const uint32_t j : options.keep_joints) keep.at(j) = 1;
   return keep;
@@ -98,7 +98,7 @@ std::vector<uint32_t> merged(const MapRig& rig, const MapSkeletonOptions& option
   std::vector<uint32_t> into;
   const float* shares = rig.surfaces.shares.empty() ? nullptr : rig.surfaces.shares.data();
   const sinew_status status = simplify(view.skeleton, shares, keep.data(), settings, &workspace, &into);
-  if (status != SINEW_OK) throw Error(rig.name + ": cannot be simplified for a map, " + sinew_status_text(status));
+  if (status != SINEW_OK) throw Error(rig.name + ": cannot simplify for a map, " + sinew_status_text(status));
   return into;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A stance from a motion: of upright bodies their own frame where they stand most upright, limbs stretched along their bones, what is left by its
-// mean rotation; of others their typical pose; then the clips against it.
+// A stance from a motion: of upright bodies their own frame where they stand most upright, limbs stretched along
+// their bones, what is left by its mean rotation; of others their typical pose; then the clips against it.
 #include "sinew_character/motion/stance.hpp"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ std::vector<Point3> positions_of(const std::vector<Joint>& joints) {
   return positions;
 }
 
-// The clips against a rest pose whose joints are turned so in the world.
+// The clips against a rest pose whose joints are rotated so in the world.
 Motion against(const Motion& motion, const std::vector<Quaternion>& turns) {
   Motion out = motion;
   const auto above = [&](size_t j) {
@@ -54,7 +54,7 @@ Motion against(const Motion& motion, const std::vector<Quaternion>& turns) {
   for (Clip& clip : out.clips)
     for (MotionFrame& frame : clip.frames)
       for (size_t j = 0; j < out.joints.size(); ++j) {
-        frame.rotations[j] = normalised(multiply(above(j), multiply(frame.rotations[j], conjugate(turns[j]))));
+        frame.rotations[j] = normalized(multiply(above(j), multiply(frame.rotations[j], conjugate(turns[j]))));
         frame.translations[j] = rotate(above(j), frame.translations[j]);
       }
   return out;
@@ -69,7 +69,7 @@ class StanceFinder {
         classes_(joint_verdicts(map_rig_of(motion).joints).classes),
         all_(moving_.best_frames(1, [](size_t) { return 0.0; })) {}
 
-  // What the body is that the rest pose does not show; false where nobody can tell, and for what does not go upright.
+  // Finds the body from the frames, as the rest pose does not show it. Returns false if it is unknown or not upright.
   bool find_body() {
     const MapRig rig = map_rig_of(motion_);
     const std::optional<UprightBody> named = find_upright_body(rig.joints, limb_classes(rig, {}));
@@ -202,7 +202,7 @@ class StanceFinder {
       else
         swing(joint, side, axes_.left);
     } else if (const int next = next_in_trunk(joint); next >= 0) {
-      // Who dances or runs leans while he stands; below the chest nobody's stance does.
+      // A dancer or runner leans in many frames, but a standing pose does not lean below the chest.
       const Point3 bone = moving_.offset(next);
       const bool below_chest = is_below(body_.chest, joint);
       swing(joint, bone, below_chest ? axes_.up : across(rotate(turn(joint), bone), axes_.left));
@@ -235,7 +235,7 @@ class StanceFinder {
     return joint >= 0;
   }
 
-  // Of a trunk's joint the next one up to the head, where it is not where the joint is.
+  // Of a torso's joint the next one up to the head, where it is not where the joint is.
   int next_in_trunk(int joint) const {
     int at = top();
     if (!is_below(at, joint) || at == joint) return -1;
@@ -312,7 +312,8 @@ MirrorPairs mirror_pairs_of(const MovingJoints& moving, const JointVerdicts& ver
   return pairs.size() < kFewestPairs ? moving.mirror_pairs() : pairs;
 }
 
-// Of bodies on four legs, of birds: their typical pose, where their rest pose is in one line or, by names of sides, no mirror image of itself.
+// Of bodies on four legs, of birds: their typical pose, where their rest pose is in one line or, by names of sides,
+// no mirror image of itself.
 std::optional<Motion> in_typical_pose(const Motion& motion, MaybeAxis up) {
   const MovingJoints moving(motion);
   const std::vector<Joint> rest = rest_joints(motion);

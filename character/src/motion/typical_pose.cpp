@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames in which a trunk stands as it mostly does, their mean as seen from the trunk, and its left and right made alike.
+// Frames with the most frequent orientation of the torso, their mean relative to the torso, and its symmetrization.
 #include "motion/typical_pose.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ Point3 normal_of(const MirrorPairs& pairs, const std::vector<Point3>& positions)
   return normal;
 }
 
-// Of the frames in which the root stands as it mostly does, the tallest.
+// The tallest of the frames with the most frequent orientation of the root.
 std::vector<size_t> typical_frames(const MovingJoints& moving, int root, const Point3& up) {
   constexpr double kSame = 0.9;  // cosine
   std::vector<Point3> ups;

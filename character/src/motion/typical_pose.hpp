@@ -19,7 +19,7 @@ double asymmetry(const MirrorPairs& pairs, const std::vector<Point3>& positions)
 // Whether nearly all bones lie along one direction, as in files whose joints have their bones along x: no body with limbs is at rest so.
 bool is_in_one_line(const std::vector<MotionJoint>& joints);
 
-// [J] rotations in the world: the mean over the tallest of the frames in which the trunk stands as it mostly does.
+// [J] rotations in the world: the mean over the tallest of the frames in which the torso stands as it mostly does.
 //   pairs  mirror images, parents first
 //   up     of the motion's world, a unit vector
 std::vector<Quaternion> typical_pose(const MovingJoints& moving, const MirrorPairs& pairs, const Point3& up);

@@ -146,7 +146,7 @@ std::optional<UprightBody> find_upright_body(const std::vector<Joint>& joints, c
 bool is_upright(const UprightBody& body, const std::vector<Point3>& positions) {
   constexpr double kStretched = 0.5;  // of a limb's length, the least that it reaches
   constexpr double kAbove = 0.4;      // of a leg, the chest or the head over the hips
-  constexpr double kLean = 0.25;      // tangent of a trunk's lean, the most
+  constexpr double kLean = 0.25;      // tangent of a torso's lean, the most
   constexpr double kApart = 0.03;     // of a leg, where legs begin
   constexpr double kMirrored = 0.06;  // of a leg, mean distance from mirror images: of 278 rigs at rest 0.050 at most
   const auto at = [&](int joint) { return positions[static_cast<size_t>(joint)]; };

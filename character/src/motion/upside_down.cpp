@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Worlds whose axis points down, as those of cameras do: a half turn about another axis.
+// Worlds whose axis points down, as those of cameras do: 180 degrees about another axis.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,7 +15,7 @@ namespace {
 constexpr double kRest = 0.4,
                  kFrames = 0.6;  // cosine between trunk or legs and the axis; many rest poses are no stances
 
-// Of a pose the trunk's direction, and that of the legs from the feet.
+// Of a pose the torso's direction, and that of the legs from the feet.
 struct Stance {
   Point3 trunk, legs;
 };
@@ -35,7 +35,7 @@ Motion turned_over(Motion motion, Axis down) {
   for (MotionJoint& joint : motion.joints) joint.offset = rotate(turn, joint.offset);
   for (Clip& clip : motion.clips)
     for (MotionFrame& frame : clip.frames) {
-      for (Quaternion& q : frame.rotations) q = normalised(multiply(multiply(turn, q), conjugate(turn)));
+      for (Quaternion& q : frame.rotations) q = normalized(multiply(multiply(turn, q), conjugate(turn)));
       for (Point3& t : frame.translations) t = rotate(turn, t);
     }
   return motion;

@@ -127,7 +127,7 @@ class UrdfReader {
     while (std::optional<Tag> tag = tags_.next()) {
       if (tag->name.substr(0, 6) == "xacro:")
         throw Error(path_ + ":" + std::to_string(tag->line) +
-                    ": is a macro of xacro; expected a plain URDF, which `xacro FILE > OUT.urdf` makes");
+                    ": is a xacro macro; expected a plain URDF, as written by `xacro FILE > OUT.urdf`");
       if (tag->opens) {
         if (open.empty() && tag->name != "robot") tags_.fail(tag->line, "<robot>", tag->name);
         if (open.size() == 1 && tag->name == "joint") joint = begin(*tag);
@@ -218,7 +218,7 @@ class UrdfReader {
   std::vector<UrdfJoint> joints_;
 };
 
-// Turns by quarters, the nearer ones first: none, z up to y up, then all others.
+// Rotations by multiples of 90 degrees, the smallest first: none, z up to y up, then all others.
 std::vector<Quaternion> quarter_turns() {
   const double quarter = 3.14159265358979323846 / 2;
   std::vector<Quaternion> turns = {kNoRotation4, axis_rotation(0, -quarter)};
@@ -261,7 +261,7 @@ Quaternion world_turn(const std::string& path, const Pairs& pairs, const MapRig&
   constexpr double kSamePose = 0.01;  // of the squared size
   if (least > kSamePose)
     throw Error(path + ": the joints of " + target.name +
-                " stand otherwise than the robot's at zero, so its axes mean nothing there; expected the robot itself");
+                " are at other positions than the robot's at zero, so its axes do not apply; give the robot itself");
   return best;
 }
 
@@ -301,7 +301,8 @@ std::vector<sinew_joint_limit> urdf_joint_limits(const std::string& path, const 
     if (urdf->type == "floating" || urdf->type == "planar") continue;
     if (urdf->type == "revolute" && (!urdf->has_limit || !(urdf->least <= urdf->most)))
       throw Error(path + ":" + std::to_string(urdf->line) + ": expected <limit lower=\"...\" upper=\"...\"> of joint " +
-                  in_quotes(urdf->name) + ", found " + (urdf->has_limit ? "a lower end above the upper one" : "none"));
+                  in_quotes(urdf->name) + ", found " +
+                  (urdf->has_limit ? "a lower limit above the upper one" : "none"));
     limits.push_back(limit_of(*urdf, joint, turn));
   }
   if (limits.empty()) throw Error(path + ": expected revolute joints, found none that " + target.name + " has");

@@ -11,7 +11,7 @@
 namespace sinew::html {
 namespace {
 
-constexpr size_t kSeries = 8;  // colours of the style sheet
+constexpr size_t kSeries = 8;  // colors of the style sheet
 
 constexpr const char* kStyle = R"css(
 :root { color-scheme: light dark; --page: #f7f7f8; --card: #ffffff; --text: #1d2026; --soft: #5d6470; --rule: #dfe2e7; --warn: #b4561c;
@@ -102,9 +102,7 @@ std::string count(size_t value) {
   return digits;
 }
 
-std::string colour(size_t series) {
-  return std::string("var(--s").append(std::to_string(series % kSeries)).append(")");
-}
+std::string color(size_t series) { return std::string("var(--s").append(std::to_string(series % kSeries)).append(")"); }
 
 std::string image(const std::vector<uint8_t>& png, const std::string& alt, bool lazy) {
   return std::string("<img") + (lazy ? " loading=\"lazy\"" : "") + " alt=\"" + escape(alt) +
@@ -114,7 +112,7 @@ std::string image(const std::vector<uint8_t>& png, const std::string& alt, bool 
 std::string legend(const std::vector<std::string>& labels) {
   std::string out = "<div class=\"legend\">";
   for (size_t i = 0; i < labels.size(); ++i)
-    out += "<span><i class=\"key\" style=\"background:" + colour(i) + "\"></i>" + escape(labels[i]) + "</span>";
+    out += "<span><i class=\"key\" style=\"background:" + color(i) + "\"></i>" + escape(labels[i]) + "</span>";
   return out + "</div>\n";
 }
 

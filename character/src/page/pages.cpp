@@ -50,16 +50,16 @@ std::string bind_html(const std::string& folder, const std::string& method, cons
     return "<div><b>" + value + "</b><span>" + what + "</span></div>";
   };
   std::string out = "<h1>Bound: " + html::escape(folder) + "</h1>\n<p class=\"soft\">With " + html::escape(method) +
-                    ". One colour per joint, blended by weight.</p>\n<div class=\"figures\">" +
+                    ". One color per joint, blended by weight.</p>\n<div class=\"figures\">" +
                     figure(html::count(rows.size() - failed), "files bound") +
                     figure(html::count(failed), failed == 1 ? "file failed" : "files failed") +
                     figure(html::count(doubted), doubted == 1 ? "file with doubts" : "files with doubts") +
                     figure(html::count(vertices), "vertices") +
-                    figure(html::number(seconds, 1) + " s", "of binding, added up") + "</div>\n";
+                    figure(html::number(seconds, 1) + " s", "of binding in total") + "</div>\n";
   out += html::card(
       "Files",
       html::table(
-          {{"", true}, {"file", true}, {"vertices"}, {"joints"}, {"with weight"}, {"seconds"}, {"to look at", true}},
+          {{"", true}, {"file", true}, {"vertices"}, {"joints"}, {"with weight"}, {"seconds"}, {"to check", true}},
           table));
   return html::page("Bound: " + folder, out);
 }
@@ -102,7 +102,7 @@ std::string file_card(const CheckedFile& file) {
   std::string note = print("%zu vertices, %zu joints, %zu clips", file.character.vertices.size(),
                            file.character.joints.size(), file.motion.clips.size());
   for (const std::string& line : file.failures) note += "; gate: " + line;
-  for (const size_t i : file.change.removed) note += "; gone: " + file.before->findings[i].what;
+  for (const size_t i : file.change.removed) note += "; fixed: " + file.before->findings[i].what;
   const std::string content =
       rows.empty() ? "<p>0 findings</p>"
                    : html::table({{"", true}, {"", true}, {"rule", true}, {"value"}, {"bound"}, {"what", true}}, rows);
@@ -127,13 +127,13 @@ Image finding_picture(const CheckedFile& file, const RigFinding& finding) {
     options.focus = middle(box);
     options.focus_radius = std::max(1.3F * box.longest_side(), 0.18F * whole.longest_side());
     // From the side on which it lies.
-    const Vec3 centre = middle(whole);
-    const float dx = options.focus.x - centre.x, dz = options.focus.z - centre.z;
+    const Vec3 center = middle(whole);
+    const float dx = options.focus.x - center.x, dz = options.focus.z - center.z;
     if (std::hypot(dx, dz) > 0.05F * whole.longest_side()) options.yaw_degrees = std::atan2(dx, dz) * 57.29578F;
   }
   const size_t step = 1 + positions.size() / kMostRings;  // thousands of rings would hide what they mark
   for (size_t i = 0; i < positions.size(); i += step) options.marks.push_back({positions[i]});
-  return render(shown, weight_colours(shown), options);
+  return render(shown, weight_colors(shown), options);
 }
 
 std::string check_html(const std::vector<CheckedFile>& files) {

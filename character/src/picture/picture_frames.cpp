@@ -94,10 +94,10 @@ std::vector<SpriteFrame> picture_frames(const PictureFile& picture, const Charac
     const size_t more = seconds_of(clip, options.count).size();
     if (shots.size() + more > kMostShots)
       throw Error(picture.name + ": expected " + std::to_string(kMostShots) + " frames at most, found " +
-                  std::to_string(shots.size() + more) + "; take fewer clips or frames");
+                  std::to_string(shots.size() + more) + "; use fewer clips or frames");
     add_shots(character, motion, clip, deformer, options.count, &shots);
   }
-  if (shots.empty()) throw Error(picture.name + ": there is no clip to draw");
+  if (shots.empty()) throw Error(picture.name + ": no clip to draw");
   Box all = box_of(shots[0].posed.vertices);
   for (const Shot& shot : shots) {
     const Box box = box_of(shot.posed.vertices);

@@ -94,7 +94,7 @@ double BendVolumes::volume(const Part& part, const std::vector<float>& positions
         const Point3 p = point(positions, v) - from;
         for (size_t i = 0; i < 3; ++i) middle[i] += p[i] / (2.0 * static_cast<double>(hole.size()));
       }
-    for (const Edge& edge : hole)  // the other way round than the triangle has it
+    for (const Edge& edge : hole)  // in the opposite direction of the triangle
       sum += dot(middle, cross(point(positions, edge[1]) - from, point(positions, edge[0]) - from));
   }
   return sum / 6;

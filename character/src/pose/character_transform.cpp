@@ -64,16 +64,16 @@ void check_transform(const CharacterTransform& transform) {
   for (const std::string& turn : transform.turns) {
     const std::string axis = turn.substr(turn.rfind('-', 0) == 0 ? 1 : 0);
     if (axis != "x" && axis != "y" && axis != "z")
-      throw Error("turn " + in_quotes(turn) + ": expected x, y, z, -x, -y or -z");
+      throw Error("rotation " + in_quotes(turn) + ": expected x, y, z, -x, -y or -z");
   }
   if (!(transform.height >= 0) || std::isinf(transform.height))
-    throw Error("height: expected metres above 0, as in 1.75");
+    throw Error("height: expected meters above 0, as in 1.75");
 }
 
 Character transformed(Character character, const CharacterTransform& transform, Axis up_axis) {
   if (is_identity(transform)) return character;
   check_transform(transform);
-  if (character.vertices.empty()) throw Error(character.name + ": has no mesh to turn or to scale");
+  if (character.vertices.empty()) throw Error(character.name + ": has no mesh to rotate or scale");
   Affine m = kIdentity;
   for (const std::string& turn : transform.turns) m = multiply(quarter(turn), m);
   if (transform.height > 0) {
@@ -81,7 +81,7 @@ Character transformed(Character character, const CharacterTransform& transform, 
     const double scale = transform.height / (high - low);
     if (!std::isfinite(scale))
       throw Error(character.name + ": is flat along " + (up_axis == Axis::kZ ? "z" : "y") +
-                  ", which shall be its height; turn it upright first");
+                  ", so that height is 0; rotate it upright first");
     m = multiply({scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0}, m);
   }
   if (transform.floor) m[4 * axis_index(up_axis) + 3] -= reach(character, m, up_axis)[0];

@@ -17,7 +17,7 @@
 namespace sinew {
 namespace {
 
-// Parts that have grown together move apart: open where they meet. Vertices that this doubles come last. nullopt: there are none.
+// Parts that have fused move apart: open where they meet. Vertices that this doubles come last. nullopt: there are none.
 std::optional<Character> opened(const Character& character) {
   if (character.joints.empty()) return std::nullopt;
   const Seams seams = find_seams(character, character.influences);
@@ -38,7 +38,7 @@ CharacterDeformer::CharacterDeformer(const Character& character, const sinew_def
   const EngineViews views(open ? *open : character, {});
   const sinew_skin skin = {arrays.joints.data(), arrays.weights.data(), arrays.influences, SINEW_WEIGHT_UNORM16};
   const sinew_status status = deformer_.create(views.mesh, views.skeleton, skin, options);
-  if (status != SINEW_OK) throw Error(name_ + ": cannot be deformed: " + sinew_status_text(status));
+  if (status != SINEW_OK) throw Error(name_ + ": cannot deform: " + sinew_status_text(status));
   all_positions_.resize(arrays.positions.size());
   positions_.resize(3 * character.vertices.size());
 }
@@ -54,8 +54,7 @@ const std::vector<float>& CharacterDeformer::pose(const std::vector<Affine>& pal
   sinew_deform_outputs outputs = SINEW_INIT(sinew_deform_outputs);
   outputs.positions = all_positions_.data();
   const sinew_status status = deformer_.pose(matrices_.data(), &outputs);
-  if (status == SINEW_ERROR_NOT_FINITE)
-    throw Error(name_ + ": a matrix of the pose is not finite; look at where it comes from");
+  if (status == SINEW_ERROR_NOT_FINITE) throw Error(name_ + ": a matrix of the pose is not finite; correct the pose");
   if (status != SINEW_OK) throw Error(name_ + ": posing failed: " + sinew_status_text(status));
   corrected_ = outputs.corrected != 0;
   std::copy_n(all_positions_.begin(), positions_.size(), positions_.begin());

@@ -24,7 +24,7 @@ Point3 rest_position(const Joint& joint) {
 
 // One row for the C API: the strongest `slots` influences as unorm16 with sum 65535. The rounding remainder (at most
 // half a step per slot) goes to the largest, which holds at least 65535 / 12. A row without weight is left as it is.
-void quantise_row(const std::vector<Influence>& row, size_t slots, uint16_t* joints, uint16_t* weights) {
+void quantize_row(const std::vector<Influence>& row, size_t slots, uint16_t* joints, uint16_t* weights) {
   std::vector<Influence> kept;
   for (const Influence& influence : row)
     if (influence.weight > 0) kept.push_back(influence);
@@ -56,7 +56,7 @@ JointTree joint_tree(const Character& character) {
   const size_t left = joint_count - tree.parents_first.size();
   if (left != 0)
     throw Error(character.name + ": the joint parents form a cycle (" + std::to_string(left) +
-                " joints hang on it); give every joint a way to a root");
+                " descendants); give every joint a path to a root");
   return tree;
 }
 
@@ -79,7 +79,7 @@ std::vector<Affine> pose_palette(const Character& character, const std::vector<J
   std::vector<Rotation> local(character.joints.size(), kNoRotation);
   for (const JointRotation& rotation : rotations) {
     if (rotation.joint >= character.joints.size()) {
-      throw Error(character.name + ": a pose turns joint " + std::to_string(rotation.joint) + ", but there are " +
+      throw Error(character.name + ": a pose rotates joint " + std::to_string(rotation.joint) + ", but there are " +
                   std::to_string(character.joints.size()) + " joints");
     }
     const Rotation rx = axis_rotation({1, 0, 0}, rotation.x * kRadiansPerDegree);
@@ -118,7 +118,7 @@ SkinArrays skin_arrays(const Character& character) {
   arrays.joints.resize(vertex_count * slots);
   arrays.weights.resize(vertex_count * slots);
   for (size_t v = 0; v < vertex_count; ++v)
-    quantise_row(character.influences[v], slots, arrays.joints.data() + v * slots, arrays.weights.data() + v * slots);
+    quantize_row(character.influences[v], slots, arrays.joints.data() + v * slots, arrays.weights.data() + v * slots);
   arrays.positions.reserve(3 * vertex_count);
   for (const Vec3& p : character.vertices) arrays.positions.insert(arrays.positions.end(), {p.x, p.y, p.z});
   return arrays;

@@ -23,8 +23,8 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kArmsOfA = 45 * kDegree;   // below the shoulders' line
-constexpr double kMostLean = 10 * kDegree;  // of a trunk that stays as it is
-constexpr double kLean = 50 * kDegree;      // a trunk that leans more is no biped's
+constexpr double kMostLean = 10 * kDegree;  // of a torso that stays as it is
+constexpr double kLean = 50 * kDegree;      // a torso that leans more is no biped's
 constexpr double kFootAlong = 0.1;          // a foot's share along the floor below which it has no direction
 
 std::optional<Point3> direction_of(const Point3& p) {
@@ -32,7 +32,7 @@ std::optional<Point3> direction_of(const Point3& p) {
   return size > 1e-9 ? std::optional<Point3>((1 / size) * p) : std::nullopt;
 }
 
-// The shortest turn of one unit vector onto another; half a turn goes about `axis`.
+// The shortest turn of one unit vector onto another; 180 degrees goes about `axis`.
 Rotation turn_between(const Point3& from, const Point3& to, const Point3& axis) {
   const Point3 across = cross(from, to);
   const double sine = length(across), cosine = dot(from, to);
@@ -42,11 +42,11 @@ Rotation turn_between(const Point3& from, const Point3& to, const Point3& axis) 
 
 // A skeleton with its limbs and its own axes.
 struct Body {
-  const LabelledSkeleton& skeleton;
+  const LabeledSkeleton& skeleton;
   Point3 up = {}, left = {}, front = {};
   Limbs limbs;
 
-  Body(const LabelledSkeleton& s, Axis up_axis, const std::string& whose) : skeleton(s) {
+  Body(const LabeledSkeleton& s, Axis up_axis, const std::string& whose) : skeleton(s) {
     up[axis_index(up_axis)] = 1;
     const JointVerdicts verdicts = joint_verdicts(s.joints);
     // Where limbs begin, which a pose moves least; else all that has a side.
@@ -59,7 +59,7 @@ struct Body {
         sides ? direction_of(sides->between - dot(sides->between, up) * up) : std::nullopt;
     if (!across)
       throw Error(whose +
-                  ": its joints' names do not tell left from right, so its stance is not known; expected names like "
+                  ": its joints' names do not tell left from right, so its rest pose is unknown; expected names like "
                   "LeftArm and RightArm");
     left = *across;
     front = cross(left, up);
@@ -156,7 +156,7 @@ void straighten(const Body& body, RestPose::Kind kind, BoneGoals* goals) {
   }
 }
 
-// From the trunk's first joint to its last one below the head; its first joint is `from`.
+// From the torso's first joint to its last one below the head; its first joint is `from`.
 std::optional<Point3> trunk_line(const Body& body, int* from) {
   for (const Limb& limb : body.limbs.limbs) {
     if (limb.kind != LimbKind::kTrunk) continue;
@@ -177,8 +177,8 @@ void put_upright(const Body& body, const RestPose& pose, BoneGoals* goals) {
   const double lean = std::acos(std::clamp(dot(*line, body.up), -1.0, 1.0));
   if (lean > kLean)
     throw Error("the pose " + pose.name +
-                " is for characters that stand upright, and this trunk does not; give a file that "
-                "stands as it shall, or none for the pose that it has");
+                " needs an upright character, but this torso is not; give a file in the pose you want, or none to keep "
+                "the pose");
   if (lean > kMostLean) (*goals)[joint_index(from)] = {line, body.up};
 }
 
@@ -221,7 +221,7 @@ size_t stand_like(const Body& body, const Body& like, BoneGoals* goals) {
   return matched;
 }
 
-// A foot's bone as its parent left it, turned about the upright axis to the front.
+// A foot's bone as its parent left it, rotated about the upright axis to the front.
 std::optional<Point3> foot_forward(const Body& body, const Point3& bone) {
   const double high = dot(bone, body.up), along = std::sqrt(std::max(0.0, 1 - high * high));
   if (along < kFootAlong) return std::nullopt;
@@ -318,18 +318,18 @@ RestPose read_rest_pose(const std::string& text) {
   return pose;
 }
 
-std::vector<Affine> rest_pose_palette(const LabelledSkeleton& skeleton, const RestPose& pose, Axis up_axis) {
+std::vector<Affine> rest_pose_palette(const LabeledSkeleton& skeleton, const RestPose& pose, Axis up_axis) {
   const Body body(skeleton, up_axis, "the skeleton");
   BoneGoals goals(skeleton.joints.size());
   if (pose.kind == RestPose::Kind::kLike) {
     const Body like(pose.like, up_axis, pose.name);
     if (stand_like(body, like, &goals) == 0)
-      throw Error(pose.name + ": none of its limbs has a like in this skeleton, so it shows no stance for it");
+      throw Error(pose.name + ": none of its limbs matches this skeleton, so it gives no rest pose");
   } else {
     if (!has_arms(body))
       throw Error("the pose " + pose.name +
-                  " is for characters with arms, and the skeleton has none by its names; give a file "
-                  "that stands as it shall, or none for the pose that it has");
+                  " needs a character with arms, but no joint names one; give a file in the pose you want, or none to "
+                  "keep the pose");
     straighten(body, pose.kind, &goals);
     put_upright(body, pose, &goals);
   }

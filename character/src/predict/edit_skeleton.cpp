@@ -126,7 +126,7 @@ class Editor {
     std::string text;
     for (size_t i = 0; i < near.size() && i < 3; ++i)
       if (i == 0 || near[i].first <= near[0].first + 1) text += (i == 0 ? "" : ", ") + s_.joints[near[i].second].name;
-    throw Error("the skeleton has no joint " + in_quotes(name) + "; near it: " + text);
+    throw Error("unknown joint " + in_quotes(name) + "; near it: " + text);
   }
 
   // The other joint that an edit is about, or -1.
@@ -135,7 +135,7 @@ class Editor {
     return other == j ? -1 : other;
   }
   bool on_plane(int32_t j) const { return mirror_ && s_.partners[static_cast<size_t>(j)] == j; }
-  // Itself for a joint that stands for both sides.
+  // Itself for a joint that represents both sides.
   int32_t image(int32_t j) const {
     const int32_t other = s_.partners[static_cast<size_t>(j)];
     return other < 0 ? j : other;
@@ -155,7 +155,7 @@ class Editor {
     if (on_plane(j)) plane_.move_there(&position);
     if (other >= 0) place_with_ends(other, image(position));
     place_with_ends(j, position);
-    // A joint that was moved by itself has no mirror image any more.
+    // A joint that was moved alone loses its mirror image.
     if (!mirror_) forget_partner(j);
   }
 
@@ -202,14 +202,14 @@ class Editor {
     if (name.empty()) throw Error("a joint needs a name; expected --add NAME=PARENT:X,Y,Z or --rename JOINT=NAME");
     for (const char c : name)
       if (static_cast<unsigned char>(c) <= ' ' || c == 127)
-        throw Error("the joint name " + in_quotes(name) + " has a blank in it; rig.txt allows none");
-    if (find(name)) throw Error("the skeleton has a joint " + in_quotes(name) + " already; choose another name");
+        throw Error("the joint name " + in_quotes(name) + " contains a space, which rig.txt does not allow");
+    if (find(name)) throw Error("the skeleton already has a joint " + in_quotes(name) + "; choose another name");
   }
 
   void check_parent(int32_t parent) const {
     if (is_end(parent))
       throw Error("the bone end " + in_quotes(s_.joints[static_cast<size_t>(parent)].name) +
-                  " moves nothing and carries no joints; take " +
+                  " moves nothing and has no joints; use " +
                   in_quotes(s_.joints[static_cast<size_t>(s_.joints[static_cast<size_t>(parent)].parent)].name) +
                   " as the parent");
   }
@@ -233,8 +233,9 @@ class Editor {
     Vec3 position = edit.position;
     const bool near_plane = std::fabs(plane_.distance(position)) <= kOnPlane * longest_side();
     if (mirror_ && other_name == edit.joint && partner(parent) >= 0)
-      throw Error("the joint " + in_quotes(edit.joint) + " goes on both sides, as its parent " + in_quotes(edit.other) +
-                  " is; give it a name with a side, as in LeftWing, or edit one side alone (--no-mirror)");
+      throw Error("the joint " + in_quotes(edit.joint) + " exists on both sides, like its parent " +
+                  in_quotes(edit.other) +
+                  "; give it a name with a side, as in LeftWing, or edit one side with --no-mirror");
     const bool stands_on_plane = mirror_ && other_name == edit.joint && near_plane;
     if (stands_on_plane) plane_.move_there(&position);
     const int32_t j = append(edit.joint, parent, position, end);
@@ -287,10 +288,10 @@ class Editor {
     for (int32_t above = parent, steps = 0; above >= 0; above = joint(above).parent, ++steps)
       if (above == j || steps > static_cast<int32_t>(count()))
         throw Error("the parent of " + in_quotes(edit.joint) + " cannot be " + in_quotes(edit.other) +
-                    ", which hangs on it: that would be a cycle; move " + in_quotes(edit.other) + " first");
+                    ", its descendant: that would be a cycle; move " + in_quotes(edit.other) + " first");
     if (on_plane(j) && partner(parent) >= 0)
-      throw Error("the joint " + in_quotes(edit.joint) + " is on the mirror plane and cannot hang on " +
-                  in_quotes(edit.other) + " beside it; edit one side alone (--no-mirror)");
+      throw Error("the joint " + in_quotes(edit.joint) + " is on the mirror plane, so its parent cannot be " +
+                  in_quotes(edit.other) + " beside it; edit one side with --no-mirror");
     s_.parent_confidence[static_cast<size_t>(j)] = 1;
     if (other >= 0) s_.parent_confidence[static_cast<size_t>(other)] = 1;
   }

@@ -12,7 +12,7 @@
 
 namespace sinew {
 
-// Whether names say that some joints are fingers.
+// Returns whether some joints are fingers by name.
 bool has_fingers(const std::vector<Joint>& joints);
 bool is_lone_hand(const PredictedSkeleton& skeleton);  // fingers, a hand, at most a forearm
 
@@ -25,8 +25,8 @@ size_t fit_fingers(const PredictedSkeleton& found, FittedSkeleton* fitted);
 std::optional<FittedSkeleton> fit_lone_hand(const std::vector<Joint>& own, const PredictedSkeleton& found);
 
 // Bones of chains that nothing of the mesh spoke for (FitHow::kCarried) become so short, by tenths to a tenth, that they end in it or within
-// 2 % of its longest side from a vertex; both of a mirrored pair alike. What matched joints hang on stays. Returns how many bones became
-// shorter.
+// 2 % of its longest side from a vertex; both of a mirrored pair alike. Parents of matched joints are unchanged.
+// Returns the number of shortened bones.
 size_t keep_inside(const Character& mesh, FittedSkeleton* fitted);
 
 }  // namespace sinew

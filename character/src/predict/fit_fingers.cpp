@@ -18,14 +18,14 @@ namespace sinew {
 namespace {
 
 constexpr size_t kFingers = 5;
-constexpr size_t kFewestFingers = 3;  // that say how a hand lies
+constexpr size_t kFewestFingers = 3;  // that give the orientation of a hand
 
 struct Hand {
   size_t joint = 0;
   std::array<std::vector<size_t>, kFingers> fingers;  // from the palm outward, a bone end at last where there is one
 };
 
-// The hand above a finger's joint; where none is called so, what its finger hangs on; -1: nothing.
+// The ancestor hand of a finger's joint; without one, the parent of the finger; -1: none.
 int hand_above(const std::vector<Joint>& joints, const std::vector<uint8_t>& classes, size_t finger) {
   int palm = -1;
   for (int above = joints[finger].parent; above >= 0; above = joints[joint_index(above)].parent) {
@@ -35,7 +35,7 @@ int hand_above(const std::vector<Joint>& joints, const std::vector<uint8_t>& cla
   return palm;
 }
 
-// [H] by the joint that fingers hang on. Bones of the palm belong to their fingers.
+// [H] by the parent of the fingers. Palm bones belong to their fingers.
 std::vector<Hand> hands_of(const std::vector<Joint>& joints, const std::vector<uint8_t>& classes) {
   std::map<size_t, std::array<std::map<size_t, size_t>, kFingers>> depths;  // of hands' fingers' joints
   for (size_t j = 0; j < joints.size(); ++j) {

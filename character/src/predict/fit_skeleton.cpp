@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fits a labelled skeleton to another: turn the whole, match chains, place them, carry the rest with their bones.
+// Fits a labeled skeleton to another: turn the whole, match chains, place them, carry the rest with their bones.
 #include "sinew_character/predict/fit_skeleton.hpp"
 
 #include <algorithm>
@@ -17,22 +17,22 @@
 namespace sinew {
 namespace {
 
-// A predicted joint stands where makers put it in the mean; `mine` knows its own maker's habits. Shares of its say, chosen on
+// A predicted joint is at the mean position of all makers; `mine` has its own maker's habits. Shares of it, chosen on
 // 57 pairs of MakeHuman rigs with predictions (mean distance 2.7 % of the side without them, 1.9 % with them).
 constexpr double kOwnShape = 0.7;   // between two matches: 0 = on the other's chain, 1 = shaped as in `mine`
-constexpr double kOwnHabit = 0.95;  // pelvis, neck and clavicles where a similar copy of the trunk has them
+constexpr double kOwnHabit = 0.95;  // pelvis, neck and clavicles where a similar copy of the torso has them
 constexpr double kOwnLimbRoot = 0.3, kOwnHead = 0.4;      // shoulders and thighs; the head
 constexpr double kOwnReach = 0.8, kOwnForearm = 0.6;      // lengths of the bones to hands and toes; to the elbow
 constexpr double kHabitWeight = 0.05, kHeadWeight = 0.5;  // in the similar copy; shoulders and thighs have 1
 // Where bodies differ, `mine` has less of a say: half at these.
-constexpr double kUnlikeTrunk = 0.3;   // share of the trunk's extent that the similar copy leaves
+constexpr double kUnlikeTrunk = 0.3;   // share of the torso's extent that the similar copy leaves
 constexpr double kUnlikeLength = 0.5;  // natural logarithm of two lengths' ratio
 
 constexpr double kUntouched = 0.7;    // a turn of the whole must fit that much better than none
 constexpr double kFloorShare = 0.04;  // of the height: a root at most that high above the lowest joint is on the floor
 
 // Rest pose with the whole skeleton turned.
-LabelledSkeleton turned_skeleton(LabelledSkeleton s, const Rotation& rotation) {
+LabeledSkeleton turned_skeleton(LabeledSkeleton s, const Rotation& rotation) {
   for (Joint& joint : s.joints) joint.position = to_vec3(turned(rotation, point(joint.position)));
   return s;
 }
@@ -40,7 +40,7 @@ LabelledSkeleton turned_skeleton(LabelledSkeleton s, const Rotation& rotation) {
 // `mine` already stands as `other` does.
 class Fitter {
  public:
-  Fitter(const LabelledSkeleton& mine, const LabelledSkeleton& other, const FitOptions& options, uint32_t across)
+  Fitter(const LabeledSkeleton& mine, const LabeledSkeleton& other, const FitOptions& options, uint32_t across)
       : mine_(mine),
         other_(other),
         options_(options),
@@ -93,7 +93,7 @@ class Fitter {
           place(joint_index(limb.mine.joints[knot.mine]), limb.other_points[knot.other], FitHow::kMatched);
   }
 
-  // A predicted joint is the mean of makers' habits: a similar copy of the trunk has the habits of this one.
+  // A predicted joint is the mean of makers' habits: a similar copy of the torso has the habits of this one.
   void blend_trunk() {
     std::vector<size_t> trunk;
     std::vector<double> weights;
@@ -210,7 +210,7 @@ class Fitter {
     return above;
   }
 
-  // Which bones say how a joint turns: to the next of its chain, and to the chains that begin on it.
+  // Bones that determine a joint's rotation: to the next of its chain, and to the chains that begin at it.
   void link_bones() {
     for (const MatchedLimb& limb : matches_.limbs()) {
       const std::vector<int>& joints = limb.mine.joints;
@@ -236,7 +236,7 @@ class Fitter {
     }
   }
 
-  // The other's hand ends in a bone end, mine in fingers: the middle of their ends says where it points.
+  // The other's hand ends in a bone end, mine in fingers: it points to the center of their ends.
   void link_open_end(const MatchedLimb& limb) {
     const Knot last = limb.knots.back();
     if (last.mine >= limb.mine.joints.size() || last.other + 1 >= limb.other_points.size()) return;
@@ -270,7 +270,7 @@ class Fitter {
     return known_[a] && known_[b] && before > 0 ? length(positions_[b] - positions_[a]) / before : whole_.scale;
   }
 
-  // Parents first: frames of bones, and what hangs on them without a match.
+  // Parents first: frames of bones, and of their children without a match.
   void carry() {
     for (const size_t j : order_) {
       const int above = parent(j);
@@ -334,7 +334,7 @@ class Fitter {
     }
   }
 
-  // Every bone turned as it was fitted and as long as before, all by one scale; from the pelvis outwards.
+  // Every bone with its fitted rotation and its original length times one scale, from the pelvis outwards.
   void keep_lengths() {
     double above = 0, below = 0;
     for (size_t j = 0; j < count(); ++j) {
@@ -367,7 +367,7 @@ class Fitter {
     whole_.scale = scale;
   }
 
-  const LabelledSkeleton &mine_, &other_;
+  const LabeledSkeleton &mine_, &other_;
   const FitOptions& options_;
   uint32_t up_;
   LimbMatches matches_;
@@ -395,14 +395,14 @@ std::vector<Rotation> rotations_of_the_whole(Axis up) {
 }
 
 // But for details, which may be on one side alone.
-bool is_symmetric(const LabelledSkeleton& s, const JointMirror& mirror) {
+bool is_symmetric(const LabeledSkeleton& s, const JointMirror& mirror) {
   for (size_t j = 0; j < s.joints.size(); ++j)
     if (mirror.partners[j] < 0 && s.classes[j] != kClassDetail) return false;
   return true;
 }
 
 // Makes the result its own mirror image to the bit, where both skeletons were.
-void make_symmetric(const LabelledSkeleton& mine, const LabelledSkeleton& other, const JointMirror& plane,
+void make_symmetric(const LabeledSkeleton& mine, const LabeledSkeleton& other, const JointMirror& plane,
                     FittedSkeleton* fitted) {
   const JointMirror own = find_joint_mirror(mine.joints);
   if (own.axis != plane.axis || !is_symmetric(mine, own) || !is_symmetric(other, plane)) return;
@@ -433,18 +433,18 @@ void check_tree(const std::vector<Joint>& joints, const char* what) {
 
 }  // namespace
 
-FittedSkeleton fit_skeleton(const LabelledSkeleton& mine, const LabelledSkeleton& other, const FitOptions& options) {
+FittedSkeleton fit_skeleton(const LabeledSkeleton& mine, const LabeledSkeleton& other, const FitOptions& options) {
   if (mine.joints.empty()) throw Error("the skeleton to fit has no joints");
-  if (other.joints.empty()) throw Error("there is no joint to fit the skeleton to");
+  if (other.joints.empty()) throw Error("no joint to fit the skeleton to");
   check_tree(mine.joints, "the skeleton to fit");
   check_tree(other.joints, "the skeleton to fit to");
   const JointMirror other_mirror = find_joint_mirror(other.joints);
   const uint32_t across = other_mirror.axis;
-  LabelledSkeleton best;
+  LabeledSkeleton best;
   double least = INFINITY;
   for (const Rotation& rotation : rotations_of_the_whole(options.up_axis)) {
     const bool none = rotation == kNoRotation;
-    LabelledSkeleton candidate = none ? mine : turned_skeleton(mine, rotation);
+    LabeledSkeleton candidate = none ? mine : turned_skeleton(mine, rotation);
     Similar ignored;
     double misfit = LimbMatches(candidate, other, across).misfit(&ignored);
     if (none) misfit *= kUntouched;
@@ -453,8 +453,7 @@ FittedSkeleton fit_skeleton(const LabelledSkeleton& mine, const LabelledSkeleton
     best = std::move(candidate);
   }
   if (!std::isfinite(least))
-    throw Error(
-        "fewer than two joints of the skeleton match those of the mesh: the names say too little of what they are");
+    throw Error("fewer than two joints of the skeleton match those of the mesh; rename its joints by anatomy");
   FittedSkeleton fitted = Fitter(best, other, options, across).fit();
   make_symmetric(best, other, other_mirror, &fitted);
   return fitted;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A pedestal that has grown together with its figure, by the cross-sections of the whole.
+// A pedestal that has fused with its figure, by the cross-sections of the whole.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 constexpr uint32_t kCells = 72;        // along the longest side
 constexpr uint32_t kBlur = 2;          // layers between the base's edge and what stands on it
 constexpr double kMostHigh = 0.35;     // of the whole
-constexpr double kLeastWide = 0.2;     // of its height, both ways across
+constexpr double kLeastWide = 0.2;     // of its height, in both horizontal directions
 constexpr double kEven = 0.5;          // of the largest section of a base, the smallest
 constexpr double kDrop = 0.55;         // of that, the largest section right above it
 constexpr double kLeastConvex = 0.92;  // of its convex hull: two feet are not

@@ -10,21 +10,21 @@
 
 namespace sinew {
 
-LabelledSkeleton label_skeleton(const std::vector<Joint>& joints) {
+LabeledSkeleton label_skeleton(const std::vector<Joint>& joints) {
   JointVerdicts verdicts = joint_verdicts(joints);
-  LabelledSkeleton labelled;
-  labelled.joints = joints;
+  LabeledSkeleton labeled;
+  labeled.joints = joints;
   for (size_t j = 0; j < joints.size(); ++j) {
     const bool end = verdicts.is_end(j);
     const size_t owner = end ? static_cast<size_t>(joints[j].parent) : j;
     const bool part = verdicts.is_part(owner);
-    labelled.classes.push_back(part ? verdicts.classes[j] : kClassDetail);
-    labelled.ends.push_back(end && part ? 1 : 0);
+    labeled.classes.push_back(part ? verdicts.classes[j] : kClassDetail);
+    labeled.ends.push_back(end && part ? 1 : 0);
   }
-  return labelled;
+  return labeled;
 }
 
-LabelledSkeleton label_skeleton(const PredictedSkeleton& skeleton) {
+LabeledSkeleton label_skeleton(const PredictedSkeleton& skeleton) {
   return {skeleton.joints, skeleton.classes, skeleton.ends};
 }
 
@@ -43,9 +43,9 @@ PredictedSkeleton skeleton_from_joints(const std::vector<Joint>& joints) {
     int& parent = skeleton.joints.back().parent;
     if (parent >= 0) parent = index[static_cast<size_t>(parent)];
   }
-  LabelledSkeleton labelled = label_skeleton(skeleton.joints);
-  skeleton.classes = std::move(labelled.classes);
-  skeleton.ends = std::move(labelled.ends);
+  LabeledSkeleton labeled = label_skeleton(skeleton.joints);
+  skeleton.classes = std::move(labeled.classes);
+  skeleton.ends = std::move(labeled.ends);
   for (uint8_t& one : skeleton.classes)
     if (one == kClassDetail) one = SINEW_CLASS_OTHER;
   for (size_t j = 0; j < joints.size(); ++j) skeleton.joints[j].deforms = skeleton.ends[j] == 0;

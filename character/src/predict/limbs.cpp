@@ -34,7 +34,7 @@ LimbKind kind_of(uint8_t joint_class) {
 
 class LimbFinder {
  public:
-  LimbFinder(const LabelledSkeleton& s, uint32_t across, double plane)
+  LimbFinder(const LabeledSkeleton& s, uint32_t across, double plane)
       : s_(s), across_(across), plane_(plane), core_parents_(count(), -1), below_(count(), 0), used_(count(), false) {
     for (uint32_t axis = 0; axis < 3; ++axis) {
       double low = INFINITY, high = -INFINITY;
@@ -91,7 +91,8 @@ class LimbFinder {
     return found;
   }
 
-  // The lowest joint that all the body hangs on, or the pelvis nearest below it: roots on the floor are called so too.
+  // The lowest common ancestor of the body, or the pelvis nearest below it, as roots on the floor may be called
+  // pelvis too.
   void find_pelvis() {
     std::vector<int> body;
     for (size_t j = 0; j < count(); ++j)
@@ -106,7 +107,8 @@ class LimbFinder {
       if (s_.classes[j] != SINEW_CLASS_PELVIS || s_.ends[j] != 0) continue;
       size_t carried = 0;
       for (const int one : body) carried += hangs_on(one, joint) ? 1 : 0;
-      // What carries a little less than the one above it is still the pelvis: feet of inverse kinematics hang on roots.
+      // A joint that carries slightly less than its parent is still the pelvis: feet for inverse kinematics are
+      // children of roots.
       const bool better = best < 0 || (depth(joint) > deepest ? 2 * carried > most && carried > 0 : carried > 2 * most);
       if (!better) continue;
       best = joint;
@@ -184,7 +186,7 @@ class LimbFinder {
     return best;
   }
 
-  // Arms and legs in pieces: feet that hang on a root go on where the calf ends.
+  // Arms and legs in pieces: feet that are children of a root continue at the end of the calf.
   void join_pieces() {
     for (size_t a = 0; a < out_.limbs.size(); ++a) {
       for (size_t b = 0; b < out_.limbs.size(); ++b) {
@@ -216,7 +218,7 @@ class LimbFinder {
     limb->side = sum > 0 ? 1 : -1;
   }
 
-  const LabelledSkeleton& s_;
+  const LabeledSkeleton& s_;
   uint32_t across_;
   double plane_, extent_ = 0;
   std::vector<int> core_parents_;  // [J] the nearest joint above that is no detail
@@ -227,7 +229,7 @@ class LimbFinder {
 
 }  // namespace
 
-Limbs find_limbs(const LabelledSkeleton& skeleton, uint32_t across, double plane) {
+Limbs find_limbs(const LabeledSkeleton& skeleton, uint32_t across, double plane) {
   return LimbFinder(skeleton, across, plane).find();
 }
 

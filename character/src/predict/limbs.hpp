@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The chains of a labelled skeleton (trunk, arms, legs, tails and so on, each from the body outwards), and which of two skeletons' match.
+// The chains of a labeled skeleton (trunk, arms, legs, tails and so on, each from the body outwards), and which of two skeletons' match.
 #ifndef SINEW_CHARACTER_PREDICT_LIMBS_HPP
 #define SINEW_CHARACTER_PREDICT_LIMBS_HPP
 
@@ -22,12 +22,12 @@ struct Limb {
 };
 
 struct Limbs {
-  std::vector<Limb> limbs;  // the trunk first, from the pelvis to the head, if there is one
+  std::vector<Limb> limbs;  // the torso first, from the pelvis to the head, if there is one
   int pelvis = -1;          // joint, -1 without one
 };
 
 // `across` is the component that tells sides apart, counted from `plane`.
-Limbs find_limbs(const LabelledSkeleton& skeleton, uint32_t across, double plane);
+Limbs find_limbs(const LabeledSkeleton& skeleton, uint32_t across, double plane);
 
 // Which chains, and which of their joints, are the same in two skeletons.
 struct Similar {
@@ -50,7 +50,7 @@ struct MatchedLimb {
 // All matches of two skeletons that stand alike.
 class LimbMatches {
  public:
-  LimbMatches(const LabelledSkeleton& mine, const LabelledSkeleton& other, uint32_t across);
+  LimbMatches(const LabeledSkeleton& mine, const LabeledSkeleton& other, uint32_t across);
 
   const std::vector<MatchedLimb>& limbs() const { return limbs_; }
   int pelvis() const { return pelvis_; }  // of mine, -1 without one

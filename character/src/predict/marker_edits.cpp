@@ -12,11 +12,11 @@ namespace sinew {
 namespace {
 
 struct Link {
-  const char* name;  // @ stands for the side; null: no more links
-  float share;       // of the way from what the chain hangs on to its limb's end
+  const char* name;  // @ represents the side; null: no more links
+  float share;       // of the path from the chain's parent to its limb's end
 };
 struct Chain {
-  const char* root;  // null: what the neck or the head hangs on
+  const char* root;  // null: the parent of the neck or the head
   std::array<Link, 4> links;
 };
 constexpr Chain kChains[] = {{nullptr, {{{"@Arm", 0.25f}, {"@ForeArm", 0.62f}, {"@Hand", 1}, {nullptr, 0}}}},
@@ -39,8 +39,8 @@ const Joint* find(const std::vector<Joint>& joints, const std::string& name) {
 const Joint& chain_root(const std::vector<Joint>& joints, const Chain& chain, const std::string& wanted) {
   if (chain.root != nullptr) {
     if (const Joint* root = find(joints, chain.root)) return *root;
-    throw Error(in_quotes(wanted) + " hangs on " + in_quotes(chain.root) +
-                ", which the skeleton lacks; place that first");
+    throw Error(in_quotes(wanted) + " is a child of " + in_quotes(chain.root) +
+                ", which the skeleton lacks; set that first");
   }
   for (const char* name : {"Neck", "Head"}) {
     const Joint* above = find(joints, name);
@@ -50,7 +50,8 @@ const Joint& chain_root(const std::vector<Joint>& joints, const Chain& chain, co
   for (const Joint& one : joints)
     if (one.name.rfind("Spine", 0) == 0 && one.name.find("_end") == std::string::npos) last = &one;
   if (last == nullptr)
-    throw Error(in_quotes(wanted) + " hangs on the spine, which the skeleton lacks; place Hips or add it by --add");
+    throw Error(in_quotes(wanted) +
+                " is a child of the spine, which the skeleton lacks; set Hips, or add it with --add");
   return *last;
 }
 
@@ -86,10 +87,9 @@ std::vector<SkeletonEdit> marker_edits(const std::vector<Joint>& joints, const S
       return edits;
     }
   }
-  throw Error("the skeleton has no joint " + in_quotes(marker.joint) +
-              ", and a marker makes only Arm, ForeArm, Hand, UpLeg, Leg, Foot, ToeBase, Ear and Wing, with Left or "
-              "Right before "
-              "them, Neck, Head, Hair and Tail; take --add for others");
+  throw Error("unknown joint " + in_quotes(marker.joint) +
+              "; new joints can be Arm, ForeArm, Hand, UpLeg, Leg, Foot, ToeBase, Ear and Wing, with Left or Right "
+              "before them, Neck, Head, Hair and Tail; use --add for others");
 }
 
 }  // namespace sinew

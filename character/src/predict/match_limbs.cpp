@@ -30,7 +30,7 @@ double size_of(const std::vector<Joint>& joints) {
 // All matches of two skeletons that stand alike.
 class Matcher {
  public:
-  Matcher(const LabelledSkeleton& mine, const LabelledSkeleton& other, uint32_t across)
+  Matcher(const LabeledSkeleton& mine, const LabeledSkeleton& other, uint32_t across)
       : mine_(mine),
         other_(other),
         a_(find_limbs(mine, across, static_cast<double>(mirror_plane(mine.joints, across)))),
@@ -47,7 +47,7 @@ class Matcher {
 
  private:
   // Middle and spread of the joints that are no details.
-  static std::pair<Point3, double> middle_of(const LabelledSkeleton& s) {
+  static std::pair<Point3, double> middle_of(const LabeledSkeleton& s) {
     Point3 sum = {};
     double n = 0, spread = 0;
     for (const bool second : {false, true}) {
@@ -70,7 +70,7 @@ class Matcher {
     const auto [to, to_spread] = middle_of(other_);
     Similar rough;
     if (from_spread > 0 && to_spread > 0) {
-      const auto count = [](const LabelledSkeleton& s) {
+      const auto count = [](const LabeledSkeleton& s) {
         double n = 0;
         for (size_t j = 0; j < s.joints.size(); ++j) n += s.classes[j] != kClassDetail && s.ends[j] == 0 ? 1 : 0;
         return std::sqrt(n);
@@ -159,10 +159,10 @@ class Matcher {
     }
   }
 
-  static bool is_end(const LabelledSkeleton& s, int j) { return s.ends[joint_index(j)] != 0; }
+  static bool is_end(const LabeledSkeleton& s, int j) { return s.ends[joint_index(j)] != 0; }
 
   // The first joint of a class, or the chain's length.
-  static size_t first_of(const LabelledSkeleton& s, const Limb& limb, uint8_t wanted) {
+  static size_t first_of(const LabeledSkeleton& s, const Limb& limb, uint8_t wanted) {
     for (size_t i = 0; i < limb.joints.size(); ++i)
       if (s.classes[joint_index(limb.joints[i])] == wanted && !is_end(s, limb.joints[i])) return i;
     return limb.joints.size();
@@ -217,7 +217,7 @@ class Matcher {
     points->push_back(last + (last - before));
   }
 
-  const LabelledSkeleton &mine_, &other_;
+  const LabeledSkeleton &mine_, &other_;
   Limbs a_, b_;
   Similar rough_;
   double other_size_ = 0;
@@ -227,7 +227,7 @@ class Matcher {
 
 }  // namespace
 
-LimbMatches::LimbMatches(const LabelledSkeleton& mine, const LabelledSkeleton& other, uint32_t across)
+LimbMatches::LimbMatches(const LabeledSkeleton& mine, const LabeledSkeleton& other, uint32_t across)
     : other_size_(size_of(other.joints)) {
   Matcher matcher(mine, other, across);
   pelvis_ = matcher.pelvis();

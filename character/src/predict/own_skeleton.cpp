@@ -22,7 +22,7 @@ namespace {
 constexpr const char* kTemplate = "template:";
 
 // Eyes and jaws of a template take no weight where the mesh shows none: its head would follow them.
-void rest_faces(const LabelledSkeleton& found, FittedSkeleton* fitted) {
+void rest_faces(const LabeledSkeleton& found, FittedSkeleton* fitted) {
   const std::vector<uint8_t> shown = joint_verdicts(found.joints).classes;
   const std::vector<uint8_t> classes = joint_verdicts(fitted->joints).classes;
   for (size_t j = 0; j < classes.size(); ++j) {
@@ -42,7 +42,7 @@ std::vector<Joint> read_own_skeleton(const std::string& source) {
   return own.joints;
 }
 
-FittedSkeleton fit_into_mesh(const std::vector<Joint>& joints, const LabelledSkeleton& found, FitOptions options,
+FittedSkeleton fit_into_mesh(const std::vector<Joint>& joints, const LabeledSkeleton& found, FitOptions options,
                              const Character& mesh) {
   const uint32_t up = axis_index(options.up_axis);
   float floor = component(mesh.vertices.at(0), up);
@@ -51,7 +51,7 @@ FittedSkeleton fit_into_mesh(const std::vector<Joint>& joints, const LabelledSke
   return fit_skeleton(label_skeleton(joints), found, options);
 }
 
-FittedSkeleton fit_own_skeleton(const std::vector<Joint>& own, const std::string& source, const LabelledSkeleton& found,
+FittedSkeleton fit_own_skeleton(const std::vector<Joint>& own, const std::string& source, const LabeledSkeleton& found,
                                 FitOptions options, const Character& mesh, PredictedSkeleton* skeleton) {
   FittedSkeleton fitted;
   std::optional<FittedSkeleton> hand;

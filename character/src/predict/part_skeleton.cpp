@@ -16,17 +16,17 @@ namespace {
 
 // Shares of the longest side.
 constexpr double kTouch = 0.02;    // between parts that touch
-constexpr double kFarthest = 0.1;  // between a part and what it hangs on
+constexpr double kFarthest = 0.1;  // between a part and its parent
 constexpr double kSmall = 0.08;    // a part that goes with another
 constexpr double kOnGround = 0.06;
 constexpr double kWithin = 0.7;  // of a part's box inside another's: it goes with that
-constexpr double kLying = 1.3;   // a trunk that is so many times as long as high
+constexpr double kLying = 1.3;   // a torso that is so many times as long as high
 constexpr size_t kFewestMoving = 4;
 constexpr size_t kMostParts = 300;  // more are a soup, or feathers
 
 struct SolidPart {
   PartBox box;
-  int parent = -1;   // part that it hangs on
+  int parent = -1;   // parent part
   size_t group = 0;  // part that it goes with, itself for one that moves
   int joint = -1;
 };
@@ -52,7 +52,7 @@ class PartTree {
     return true;
   }
 
-  // Where what is small lies from the trunk, along one of the two horizontal axes of the mesh.
+  // Where what is small lies from the torso, along one of the two horizontal axes of the mesh.
   std::optional<std::array<float, 3>> front_of_details() const {
     Point3 sum = {};
     double count = 0;
@@ -115,7 +115,7 @@ class PartTree {
     }
   }
 
-  // Level by level; a part hangs on the one that it has most in common with. False where one hangs on nothing.
+  // Level by level; the parent of a part is the one with the largest contact. Returns false if a part has none.
   bool hang() {
     std::vector<char> reached(parts_.size(), 0);
     reached[trunk_] = 1;
@@ -149,7 +149,7 @@ class PartTree {
       if (inner.low[a] > outer.high[a] || inner.high[a] < outer.low[a]) return false;
     return volume(common(inner, outer), thin) >= kWithin * volume(inner, thin);
   }
-  // Belts and blankets lie around a trunk; saddles, humps, and a block animal's ears over it.
+  // Belts and blankets lie around a torso; saddles, humps, and a block animal's ears over it.
   bool lies_around(const PartBox& box) const {
     const Point3 middle = box.middle();
     for (const size_t a : {kLeft, kFront})
@@ -174,7 +174,7 @@ class PartTree {
         if (is_within(part.box, parts_[q].box)) part.group = q;
       }
     }
-    for (const size_t p : order_)  // what hangs on a part that goes with another, later found
+    for (const size_t p : order_)  // children of a part that moves with another, found later
       if (p != trunk_ && parts_[p].group != p) parts_[p].group = parts_[parts_[p].group].group;
   }
 
@@ -191,7 +191,7 @@ class PartTree {
     return low;
   }
 
-  // Of several parts at the front the largest is the head; the others go with it, or with the trunk.
+  // Of several parts at the front the largest is the head; the others go with it, or with the torso.
   void choose_head(const std::vector<size_t>& heads) {
     if (heads.empty()) return;
     const auto smaller = [&](size_t a, size_t b) { return volume(parts_[a].box, 0) < volume(parts_[b].box, 0); };
@@ -290,7 +290,7 @@ class PartTree {
   const MeshParts of_;
   const BodyAxes axes_;
   std::vector<SolidPart> parts_;
-  std::vector<size_t> order_;  // parts, what they hang on first
+  std::vector<size_t> order_;  // parts, parents first
   PartBox whole_;
   double size_ = 0;
   size_t trunk_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Details of a skeleton, whose arrays go through sinew_rig_details() and come back longer: fingers first, since props hang on hands.
+// Adds details to a skeleton by sinew_rig_details(): fingers first, since props are children of hands.
 #include "sinew_character/predict/predict_details.hpp"
 
 #include <algorithm>
@@ -72,7 +72,7 @@ SkeletonArrays::SkeletonArrays(const Character& character, const PredictedSkelet
       names_(size_t{SINEW_MAX_RIG_JOINTS} * SINEW_JOINT_NAME_BYTES) {
   const size_t count = skeleton.joints.size();
   if (count > SINEW_MAX_RIG_JOINTS)
-    throw Error(character.name + ": " + what + " are for skeletons of at most " + std::to_string(SINEW_MAX_RIG_JOINTS) +
+    throw Error(character.name + ": " + what + " need a skeleton of at most " + std::to_string(SINEW_MAX_RIG_JOINTS) +
                 " joints, found " + std::to_string(count));
   for (size_t j = 0; j < count; ++j) {
     const Joint& joint = skeleton.joints[j];
@@ -117,7 +117,7 @@ void SkeletonArrays::grow(const Character& character, const SkeletonOptions& opt
   const Workspace workspace(bytes);
   if (workspace.size() < bytes)
     throw OutOfMemory(character.name + ": no memory for a workspace of " + std::to_string(bytes / 1000000) +
-                      " MB in one piece");
+                      " MB in one block");
   const auto begin = std::chrono::steady_clock::now();
   throw_status(character, sinew_rig_details(hands_model, &mesh, detail, &engine_options, workspace.data(),
                                             workspace.size(), &outputs_));
@@ -145,7 +145,7 @@ void SkeletonArrays::take(size_t j, const std::string& name, PredictedSkeleton* 
 
 namespace {
 
-// Hands that have fingers, but no thumb among them: a line each.
+// Hands that have fingers, but no thumb among them: one line each.
 void say_thumbs(const PredictedSkeleton& skeleton, std::vector<std::string>* notes) {
   const auto is_finger = [&](size_t j) { return is_finger_class(skeleton.classes[j]); };
   std::vector<uint8_t> fingers(skeleton.joints.size(), 0), thumbs(skeleton.joints.size(), 0);
@@ -155,7 +155,7 @@ void say_thumbs(const PredictedSkeleton& skeleton, std::vector<std::string>* not
     (skeleton.classes[j] == SINEW_CLASS_THUMB ? thumbs : fingers)[static_cast<size_t>(parent)] = 1;
   }
   for (size_t j = 0; j < skeleton.joints.size(); ++j)
-    if (fingers[j] != 0 && thumbs[j] == 0) notes->push_back(skeleton.joints[j].name + ": no thumb was found");
+    if (fingers[j] != 0 && thumbs[j] == 0) notes->push_back(skeleton.joints[j].name + ": no thumb found");
 }
 
 }  // namespace
@@ -166,11 +166,10 @@ std::vector<std::string> predict_details(const Character& character, SkeletonDet
   if (detail == SkeletonDetail::kBody) return notes;
   const bool fingers = std::any_of(skeleton->classes.begin(), skeleton->classes.end(), is_finger_class);
   if (!fingers && predict_hands(character, hands, options, skeleton) == 0)
-    notes.push_back("no hand with fingers that can be told apart");
+    notes.push_back("no hand with separate fingers");
   say_thumbs(*skeleton, &notes);
   if (detail != SkeletonDetail::kFull) return notes;
-  if (predict_face(character, options, skeleton) == 0)
-    notes.push_back("no head with eyes that are parts of their own, so no joints of a face");
+  if (predict_face(character, options, skeleton) == 0) notes.push_back("no head with separate eyes, so no face joints");
   predict_props(character, options, skeleton);
   return notes;
 }

@@ -42,7 +42,7 @@ PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOpt
   Workspace workspace(result.workspace_bytes);
   if (workspace.size() < result.workspace_bytes) {
     throw OutOfMemory(character.name + ": no memory for a workspace of " +
-                      std::to_string(result.workspace_bytes / 1000000) + " MB in one piece");
+                      std::to_string(result.workspace_bytes / 1000000) + " MB in one block");
   }
   RiggedSkeleton rigged;
   const auto begin = std::chrono::steady_clock::now();
@@ -121,11 +121,11 @@ int called_by(const PredictedSkeleton& skeleton, const Limb& limb) {
 }  // namespace
 
 std::vector<LimbDoubt> limb_doubts(const PredictedSkeleton& skeleton) {
-  // Sides are told by where joints lie across the mirror plane.
+  // Sides come from the positions of joints across the mirror plane.
   const MirrorPlane plane(skeleton);
-  LabelledSkeleton labelled = {skeleton.joints, skeleton.classes, skeleton.ends};
-  for (Joint& joint : labelled.joints) joint.position.x = plane.distance(joint.position);
-  const Limbs limbs = find_limbs(labelled, 0, 0);
+  LabeledSkeleton labeled = {skeleton.joints, skeleton.classes, skeleton.ends};
+  for (Joint& joint : labeled.joints) joint.position.x = plane.distance(joint.position);
+  const Limbs limbs = find_limbs(labeled, 0, 0);
   std::vector<LimbDoubt> doubts;
   for (const Limb& limb : limbs.limbs) {
     if (limb.kind == LimbKind::kTrunk || limb.joints.empty()) continue;
@@ -149,8 +149,8 @@ std::vector<LimbDoubt> doubtful_limbs(const PredictedSkeleton& skeleton) {
 
 std::string doubts_text(const std::vector<LimbDoubt>& limbs) {
   std::string text;
-  for (const LimbDoubt& one : limbs) text += (text.empty() ? "warning: doubtful: " : ", ") + one.name;
-  return text;
+  for (const LimbDoubt& one : limbs) text += (text.empty() ? "warning: these limbs may be wrong: " : ", ") + one.name;
+  return text.empty() ? text : text + "; check them";
 }
 
 }  // namespace sinew

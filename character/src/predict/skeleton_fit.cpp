@@ -70,9 +70,8 @@ constexpr std::array<std::array<double, 9>, 5> kTurns = {{{1, 0, 0, 0, 1, 0, 0, 
                                                           {1, 0, 0, 0, 0, -1, 0, 1, 0},     // Y up to Z up
                                                           {0, 1, 0, -1, 0, 0, 0, 0, 1},     // X up to Y up
                                                           {-1, 0, 0, 0, 1, 0, 0, 0, -1}}};  // the back to the front
-constexpr std::array<const char*, 5> kRotationTexts = {"", "has Z up where the mesh has Y",
-                                                       "has Y up where the mesh has Z", "has X up where the mesh has Y",
-                                                       "looks backwards"};
+constexpr std::array<const char*, 5> kRotationTexts = {"", "has Z up, the mesh Y", "has Y up, the mesh Z",
+                                                       "has X up, the mesh Y", "faces backwards"};
 constexpr std::array<double, 7> kScales = {1, 0.01, 100, 0.001, 1000, 0.0254, 39.37007874};
 
 std::string describe(const SkeletonFit& fit, size_t rotation, bool shifted) {

@@ -24,7 +24,7 @@ std::vector<Joint> parse(const std::string& name, const std::string& text) {
   std::getline(lines, line);
   const auto add = [&](const Joint& joint) {
     if (!index.emplace(joint.name, static_cast<int>(joints.size())).second)
-      throw Error("template " + name + ": the joint " + joint.name + " is there twice");
+      throw Error("template " + name + "occurs twice " + joint.name + " is there twice");
     joints.push_back(joint);
   };
   while (std::getline(lines, line)) {
@@ -35,7 +35,7 @@ std::vector<Joint> parse(const std::string& name, const std::string& text) {
     std::string parent;
     if (!(words >> joint.name >> parent >> joint.position.x >> joint.position.y >> joint.position.z) ||
         index.count(parent) == 0)
-      throw Error("template " + name + ": cannot read the line: " + line);
+      throw Error("template " + name + ": cannot parse the line: " + line);
     joint.parent = index.at(parent);
     add(joint);
     const std::string other = other_side_name(joint.name);
@@ -85,7 +85,7 @@ std::vector<Joint> skeleton_template(const std::string& name) {
     if (name == one->name) return in_branches(parse(name, one->text));
     known += (known.empty() ? "" : ", ") + std::string(one->name);
   }
-  throw Error("there is no template " + name + "; expected one of " + known);
+  throw Error("unknown template " + name + "; expected one of " + known);
 }
 
 }  // namespace sinew

@@ -90,11 +90,11 @@ class ControlFinder {
       limb.pole = -1.0 * unit(across(*to, unit(at(found.end) - at(found.upper))));
     limb.name = name_of(leg ? "leg" : "arm", limb.side);
     if (!(length(limb.pole) > 0))
-      rig_.notes.push_back(limb.name + ": nothing tells to which side it bends; it is straight at rest");
+      rig_.notes.push_back(limb.name + ": its bend direction is unknown, as it is straight at rest; bend it slightly");
     rig_.limbs.push_back(std::move(limb));
   }
 
-  // The joint that toes turn about, elsewhere than the foot's.
+  // The joint that toes rotate about, elsewhere than the foot's.
   int ball_below(int foot) const {
     for (size_t j = 0; j < joints_.size(); ++j) {
       const int joint = static_cast<int>(j);
@@ -186,9 +186,9 @@ class ControlFinder {
                            (legs   ? "arms"
                             : arms ? "legs"
                                    : "legs and no arms") +
-                           " among the joints: no IK for them");
+                           " among the joints, so they get no IK");
     if (rig_.spine.empty() && rig_.head < 0)
-      rig_.notes.push_back("no joint is called a spine or a head: joints turn one by one");
+      rig_.notes.push_back("no joint is called a spine or a head, so joints rotate one by one");
   }
 
   const std::vector<Joint>& joints_;

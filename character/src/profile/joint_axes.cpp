@@ -108,7 +108,7 @@ Rotation of_letters(const char* letters) {
   return r;
 }
 
-// The shortest turn; half a turn goes about the front, that of a bone along the front about the upright axis.
+// The shortest turn; 180 degrees goes about the front, that of a bone along the front about the upright axis.
 Rotation turn_between(const Point3& from, const Point3& to) {
   const Point3 across = cross(from, to);
   const double sine = length(across), cosine = dot(from, to);

@@ -22,7 +22,7 @@ constexpr AxesTable kMixamoAxes = {{{"LUF", "LUF", "U"},
                                     {"RFU", "RFU", "F"}}};
 
 // Unreal's mannequin, as its skeleton comes out of a glTF or FBX (right-handed): x along the bone on the left arm, trunk and right leg, against it
-// on the other side, which is mirrored by behaviour as Maya does it; a foot keeps the leg's axes. Thumbs go with the hand here.
+// on the other side, which is mirrored by behavior as Maya does it; a foot keeps the leg's axes. Thumbs go with the hand here.
 constexpr AxesTable kUnrealAxes = {{{"UBR", "UBR", "U"},
                                     {"LBU", "LFD", "O"},
                                     {"LBU", "LFD", "O"},
@@ -56,7 +56,7 @@ constexpr const char* kFbx = ".fbx";
 
 const std::vector<Profile>& profiles() {
   static const std::vector<Profile> kProfiles = {
-      // Names and axes as above; helpx.adobe.com, Mixamo FAQ: T pose. FBX in centimetres.
+      // Names and axes as above; helpx.adobe.com, Mixamo FAQ: T pose. FBX in centimeters.
       {"mixamo",
        "Mixamo: mixamorig: names, bones along +y, T pose",
        kFbx,
@@ -80,7 +80,7 @@ const std::vector<Profile>& profiles() {
        0},
       // docs.unity3d.com, HumanBodyBones: names; Mecanim reads any axes, wants a T pose and has four influences by default.
       {"unity",
-       "Unity: HumanBodyBones names, axes of the world, T pose",
+       "Unity: HumanBodyBones names, world axes, T pose",
        kFbx,
        "t",
        4,
@@ -91,7 +91,7 @@ const std::vector<Profile>& profiles() {
        0},
       // github.com/vrm-c/vrm-specification, specification/VRMC_vrm-1.0. Axes are free in 1.0; those of the world suit readers of both versions.
       {"vrm",
-       "VRM 1.0: humanoid map, author and licence, T pose",
+       "VRM 1.0: humanoid map, author and license, T pose",
        kVrm,
        "t",
        4,
@@ -156,7 +156,7 @@ const Profile& profile_named(const std::string& name) {
     if (one.name == name) return one;
     known += (known.empty() ? "" : ", ") + std::string(one.name);
   }
-  throw Error("no profile is called " + name + "; there are: " + known);
+  throw Error("unknown profile " + name + "; expected one of " + known);
 }
 
 }  // namespace sinew

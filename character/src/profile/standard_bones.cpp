@@ -138,7 +138,8 @@ std::vector<std::string> vrm_bones(const std::vector<Joint>& joints, const std::
   for (const std::string& bone : vrm_required_bones(zero))
     if (std::find(bones.begin(), bones.end(), bone) == bones.end()) missing += (missing.empty() ? "" : ", ") + bone;
   if (!missing.empty())
-    throw Error(name + ": cannot be a VRM, no joint is its " + missing + "; rename joints, or sinew rig a person");
+    throw Error(name + ": cannot write a VRM, no joint is the " + missing +
+                "; rename joints, or rig a person with sinew rig");
   return bones;
 }
 

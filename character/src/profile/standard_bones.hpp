@@ -16,7 +16,7 @@ namespace sinew {
 struct BodyBone {
   uint8_t joint_class;  // sinew_joint_class
   int side;             // 1 left, -1 right, 0 in the middle
-  uint32_t index;       // along the trunk, the neck or a finger, from the body outwards
+  uint32_t index;       // along the torso, the neck or a finger, from the body outwards
 };
 
 // How many joints of a chain count.
@@ -24,12 +24,13 @@ struct BodyChains {
   size_t trunk = SIZE_MAX, neck = SIZE_MAX;
 };
 
-// [J] by the classes of names; nullopt for joints that are none of these. Of a longer trunk the first, the middle one and the last, of fingers the
-// last three joints.
+// [J] by the classes of names; nullopt for joints that are none of these. Of a longer trunk the first, the middle one
+// and the last, of fingers the last three joints.
 std::vector<std::optional<BodyBone>> body_bones(const std::vector<Joint>& joints, const BodyChains& most = {});
 
-// [J] sinew_joint_standard_name() of the joints that are the convention's bones by the classes of their names, "" of others. Of VRM's trunk,
-// which has three parts, the first, the middle one and the last; of fingers the last three joints.
+// [J] sinew_joint_standard_name() of the joints that are the convention's bones by the classes of their names, "" of
+// others. Of VRM's trunk, which has three parts, the first, the middle one and the last; of fingers the last three
+// joints.
 std::vector<std::string> standard_bones(const std::vector<Joint>& joints, uint32_t naming);
 
 }  // namespace sinew

@@ -71,10 +71,10 @@ class HumanoidClips {
     for (size_t k = 0; k < kept_.size(); ++k) {
       const size_t j = kept_[k];
       const Quaternion against_t = multiply(pose.rotations[j], conjugate(to_t_[j]));
-      worlds.push_back(normalised(multiply(multiply(turn4_, against_t), conjugate(turn4_))));
+      worlds.push_back(normalized(multiply(multiply(turn4_, against_t), conjugate(turn4_))));
       const int above = humanoid.joints[k].parent;
       out.rotations.push_back(
-          above < 0 ? worlds[k] : normalised(multiply(conjugate(worlds[static_cast<size_t>(above)]), worlds[k])));
+          above < 0 ? worlds[k] : normalized(multiply(conjugate(worlds[static_cast<size_t>(above)]), worlds[k])));
       out.translations.push_back(above < 0 ? turned(turn_, pose.positions[j]) : humanoid.joints[k].offset);
     }
     return out;
@@ -100,8 +100,7 @@ Motion humanoid_motion(const Character& character, const Motion& motion) {
 void write_clips(const std::string& path, const Character& character, const Motion& motion) {
   if (has_extension(path, ".vrma")) return write_vrm_animation(path, humanoid_motion(character, motion));
   if (motion.clips.size() != 1)
-    throw Error(path + ": a BVH holds one clip, and there are " + std::to_string(motion.clips.size()) +
-                "; write a .glb");
+    throw Error(path + ": a BVH holds one clip, found " + std::to_string(motion.clips.size()) + "; write a .glb");
   write_bvh(path, motion, motion.clips[0]);
 }
 

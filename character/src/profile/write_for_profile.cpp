@@ -68,7 +68,7 @@ DocumentForm form_of(const Profile& profile, const ProfileOptions& options, cons
   form.turn = turn_of(profile, body_axes(joints));
   const Rotation usual = profile.faces_back ? Rotation{-1, 0, 0, 0, 1, 0, 0, 0, -1} : kNoRotation;
   if (form.turn != usual)
-    notes->push_back(std::string("turned to stand with y up and face ") + (profile.faces_back ? "-z" : "+z"));
+    notes->push_back(std::string("rotated to have y up and face ") + (profile.faces_back ? "-z" : "+z"));
   if (options.keep_axes) return form;
   form.names = profile_names(joints, profile.names);
   const int root = *profile.root == 0 ? -1 : root_of(joints);
@@ -95,8 +95,8 @@ void tell_names(const Profile& profile, const std::vector<Joint>& joints, const 
   size_t own = 0;
   for (size_t j = 0; j < joints.size(); ++j) own += joints[j].name == form.names[j] ? 1 : 0;
   if (2 * own > joints.size() && own < joints.size())
-    notes->push_back(std::to_string(own) + " of " + std::to_string(joints.size()) +
-                     " joints keep their names: " + profile.name + " has none for them, or the same");
+    notes->push_back(std::to_string(own) + " of " + std::to_string(joints.size()) + " joints keep their names: " +
+                     profile.name + " has no names for them, or has two joints with one");
 }
 
 std::string formed_controls(const Character& character, const DocumentForm& form) {
@@ -116,14 +116,14 @@ std::string controls_for_profile(const Profile& profile, const ProfileOptions& o
 }
 
 void check_profile(const Profile& profile, const ProfileOptions& options) {
-  const std::map<std::string, std::string> licence = parse_vrm_licence(options.licence);
+  const std::map<std::string, std::string> license = parse_vrm_license(options.license);
   if (profile.vrm == 0) {
-    if (!options.authors.empty() || !options.licence.empty() || !options.title.empty())
-      throw Error("--author, --licence and --title are for vrm and vrm0");
+    if (!options.authors.empty() || !options.license.empty() || !options.title.empty())
+      throw Error("--author, --license and --title need --for vrm or vrm0");
     return;
   }
-  if (profile.vrm != 1 && licence.count("licenseName") != 0)
-    throw Error("licence licenseName: a word of VRM 0.x; 1.0 has no names of licences, say what is allowed");
+  if (profile.vrm != 1 && license.count("licenseName") != 0)
+    throw Error("license licenseName: a term of VRM 0.x; VRM 1.0 has no license names, give permissions");
 }
 
 std::vector<std::string> write_for_profile(const Profile& profile, const ProfileOptions& options,
@@ -136,7 +136,7 @@ std::vector<std::string> write_for_profile(const Profile& profile, const Profile
     const size_t longer = keep_strongest(profile.influences, &written.influences);
     if (longer > 0) {
       notes.push_back(std::to_string(longer) + " vertices had more than " + std::to_string(profile.influences) +
-                      " influences, which is the most for " + profile.name + ": the weakest went");
+                      " influences, the maximum of " + profile.name + "; the weakest were dropped");
       how.keep_skin = false;
     }
   }
@@ -145,7 +145,7 @@ std::vector<std::string> write_for_profile(const Profile& profile, const Profile
   if (options.controls) how.extras = controls_extras(formed_controls(written, form));
   const FileKind* kind = path == "-" ? nullptr : file_kind(path);
   if (kind == nullptr || kind->reader == FileReader::kRig || kind->reader == FileReader::kObj) {
-    if (profile.vrm != 0) throw Error(path + ": a VRM is one file: write a .vrm or a .glb");
+    if (profile.vrm != 0) throw Error(path + ": a VRM is one file; write a .vrm or a .glb");
     for (size_t j = 0; j < form.names.size(); ++j) written.joints[j].name = form.names[j];
     write_character(path, written, how, morphs);  // has no axes
     return notes;
@@ -153,11 +153,11 @@ std::vector<std::string> write_for_profile(const Profile& profile, const Profile
   VrmData vrm;
   if (profile.vrm != 0) {
     if (!has_extension(path, ".vrm") && !has_extension(path, ".glb"))
-      throw Error(path + ": a VRM is one file: write a .vrm or a .glb");
+      throw Error(path + ": a VRM is one file; write a .vrm or a .glb");
     vrm.file_name = character.name;
     vrm.title = options.title;
     vrm.authors = options.authors;
-    vrm.licence = parse_vrm_licence(options.licence);
+    vrm.license = parse_vrm_license(options.license);
     vrm.zero = profile.vrm == 1;
     vrm.bones = vrm_bones(character.joints, path, vrm.zero);
     form.vrm = &vrm;

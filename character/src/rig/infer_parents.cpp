@@ -20,12 +20,12 @@ double edge_cost(const Joint& a, const ReadName& at_a, const Joint& b, const Rea
   const bool row = at_a.stem == at_b.stem && at_a.side == at_b.side && at_a.own_number >= 0 && at_b.own_number >= 0 &&
                    std::abs(at_a.own_number - at_b.own_number) == 1;
   if (row) return distance * 0.25;
-  if (at_a.side != at_b.side) return distance * 1.2;  // the middle hangs on the middle
+  if (at_a.side != at_b.side) return distance * 1.2;  // joints in the middle have parents in the middle
   return at_a.side != 0 ? distance * 0.9 : distance;
 }
 
 // The middle of a body by its name; otherwise the joint from which the largest branch is smallest.
-size_t choose_root(const std::vector<ReadName>& said, const std::vector<std::vector<size_t>>& neighbours) {
+size_t choose_root(const std::vector<ReadName>& said, const std::vector<std::vector<size_t>>& neighbors) {
   const size_t count = said.size();
   for (const auto& wanted : {+[](const ReadName& name) { return name.root; },
                              +[](const ReadName& name) { return name.part == names::Part::kHips; },
@@ -35,18 +35,18 @@ size_t choose_root(const std::vector<ReadName>& said, const std::vector<std::vec
   }
   std::vector<size_t> order, parent(count, SIZE_MAX), below(count, 1);
   for (size_t j = 0; j < count && order.empty(); ++j)
-    if (!neighbours[j].empty()) order.push_back(j);
+    if (!neighbors[j].empty()) order.push_back(j);
   for (size_t next = 0; next < order.size(); ++next)
-    for (const size_t k : neighbours[order[next]])
+    for (const size_t k : neighbors[order[next]])
       if (k != parent[order[next]]) parent[k] = order[next], order.push_back(k);
   size_t best = 0, smallest = SIZE_MAX;
   for (size_t i = order.size(); i-- > 0;) {
     const size_t j = order[i];
     size_t largest = order.size();
-    for (const size_t k : neighbours[j])
+    for (const size_t k : neighbors[j])
       if (k != parent[j]) below[j] += below[k];
     largest -= below[j];
-    for (const size_t k : neighbours[j])
+    for (const size_t k : neighbors[j])
       if (k != parent[j]) largest = std::max(largest, below[k]);
     if (largest < smallest) smallest = largest, best = j;
   }
@@ -82,7 +82,7 @@ size_t infer_parents(std::vector<Joint>* joints) {
   if (count - tip_count < 4 || tops * 2 <= count - tip_count || count > SINEW_MAX_JOINTS) return 0;
 
   // Prim's tree; the parents that are there cost nothing.
-  std::vector<std::vector<size_t>> neighbours(count);
+  std::vector<std::vector<size_t>> neighbors(count);
   std::vector<double> cost(count, std::numeric_limits<double>::infinity());
   std::vector<size_t> from(count, SIZE_MAX);
   std::vector<char> done = tips;
@@ -90,8 +90,8 @@ size_t infer_parents(std::vector<Joint>* joints) {
   for (size_t step = tip_count; step < count; ++step) {
     done[next] = 1;
     if (from[next] != SIZE_MAX) {
-      neighbours[next].push_back(from[next]);
-      neighbours[from[next]].push_back(next);
+      neighbors[next].push_back(from[next]);
+      neighbors[from[next]].push_back(next);
     }
     size_t nearest = SIZE_MAX;
     for (size_t j = 0; j < count; ++j) {
@@ -105,13 +105,13 @@ size_t infer_parents(std::vector<Joint>* joints) {
   }
 
   // Away from the root; a group of joints that has parents keeps them and is hung up at its top.
-  const size_t root = top_of(*joints, choose_root(said, neighbours));
+  const size_t root = top_of(*joints, choose_root(said, neighbors));
   size_t given = 0;
   std::vector<char> seen(count, 0);
   std::vector<size_t> order = {root};
   seen[root] = 1;
   for (size_t i = 0; i < order.size(); ++i) {
-    for (const size_t k : neighbours[order[i]]) {
+    for (const size_t k : neighbors[order[i]]) {
       if (seen[k] != 0) continue;
       seen[k] = 1;
       order.push_back(k);

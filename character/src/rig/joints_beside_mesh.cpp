@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Joints that stand in the air beside the mesh: poles and targets whose names do not tell.
+// Joints in the air beside the mesh: poles and targets without telling names.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -77,7 +77,8 @@ void find_joints_beside_mesh(const Character& character, std::vector<uint8_t>* r
       up = character.joints[static_cast<size_t>(up)].parent;
     }
   }
-  // What hangs on a limb is a limb, wherever it is: poles and targets hang on roots, on controls or on nothing.
+  // A descendant of a limb is part of the limb, wherever it is: poles and targets are children of roots or controls,
+  // or roots.
   for (size_t j = 0; j < count; ++j) {
     const int parent = character.joints[j].parent;
     if (parent >= 0 && deforms((*roles)[static_cast<size_t>(parent)]) && beside[static_cast<size_t>(parent)] == 0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Neighbours by positions and edges.
+// Neighbors by positions and edges.
 #include "sinew_character/rig/mesh_surface.hpp"
 
 #include <algorithm>
@@ -41,12 +41,12 @@ std::vector<std::vector<uint32_t>> welded_rings(const Character& c, const std::v
   return rings;
 }
 
-std::vector<std::vector<uint32_t>> neighbours_of(const Character& character) {
+std::vector<std::vector<uint32_t>> neighbors_of(const Character& character) {
   const std::vector<uint32_t> positions = first_at_position(character);
-  std::vector<std::vector<uint32_t>> neighbours(positions.size());
+  std::vector<std::vector<uint32_t>> neighbors(positions.size());
   const auto join = [&](uint32_t a, uint32_t b) {
-    neighbours[a].push_back(b);
-    neighbours[b].push_back(a);
+    neighbors[a].push_back(b);
+    neighbors[b].push_back(a);
   };
   for (uint32_t v = 0; v < positions.size(); ++v)
     if (positions[v] != v) join(v, positions[v]);
@@ -55,7 +55,7 @@ std::vector<std::vector<uint32_t>> neighbours_of(const Character& character) {
     for (uint32_t c = first; c < end; ++c)
       join(character.face_vertices[c], character.face_vertices[c + 1 < end ? c + 1 : first]);
   }
-  return neighbours;
+  return neighbors;
 }
 
 // Areas of faces to vertices, of vertices to joints.

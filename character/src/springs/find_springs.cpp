@@ -233,7 +233,7 @@ class SpringFinder {
     // A body that is laid over a rig without names and does not stand upright may be a spider's: there only a lone tail is sure.
     const bool sure = kind == SpringKind::kTail || (knows_legs_ && kind != SpringKind::kRibbon);
     add(joints, kind, sure ? kSureShape : kUnsure,
-        std::string("no map needs it, it ends freely and its skin hangs off the ") + joint_class_text(on));
+        std::string("not part of the body, with a free end and skin off the ") + joint_class_text(on));
   }
   // How many such chains hang on the same joint.
   size_t unnamed_beside(size_t first) const {

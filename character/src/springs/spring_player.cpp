@@ -108,7 +108,7 @@ void SpringPlayer::frame(double seconds, MotionFrame* pose) {
   for (const size_t j : turning_) {
     Quaternion q{};
     for (size_t c = 0; c < 4; ++c) q[c] = static_cast<double>(rotations_[4 * j + c]);
-    pose->rotations[j] = normalised(q);
+    pose->rotations[j] = normalized(q);
   }
 }
 

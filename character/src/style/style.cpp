@@ -114,7 +114,7 @@ Joints joints_of(const Character& character, Axis up_axis) {
   return joints;
 }
 
-// -1 where there is none that may get weight and stands where the rule's joint stood.
+// -1 if no joint that may get weight is at the position of the rule's joint.
 //   joints  joints_of() the character
 int find_joint(const Character& character, const Joints& joints, const std::vector<uint8_t>& flags,
                const StyleRule& rule, bool mirror, uint16_t own) {

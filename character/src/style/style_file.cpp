@@ -25,7 +25,7 @@ uint16_t kind_of(const std::string& name) {
 
 double share(const Json& json, const char* key) {
   const double value = json.at(key).get<double>();
-  if (!(value >= 0 && value <= 2)) throw Error(std::string(key) + " is out of its range");
+  if (!(value >= 0 && value <= 2)) throw Error(std::string(key) + " is out of range");
   return value;
 }
 
@@ -33,7 +33,7 @@ double share(const Json& json, const char* key) {
 std::array<double, 3> position(const Json& json, const char* key) {
   const auto value = json.at(key).get<std::array<double, 3>>();
   for (const double x : value)
-    if (!(x >= -1e6 && x <= 1e6)) throw Error(std::string(key) + " is out of its range");
+    if (!(x >= -1e6 && x <= 1e6)) throw Error(std::string(key) + " is out of range");
   return value;
 }
 
@@ -67,7 +67,7 @@ Style read_style(const std::string& path) {
   try {
     const Json json = Json::parse(text);
     const int version = json.at("sinew_style").get<int>();
-    if (version != kVersion) throw Error("version " + std::to_string(version) + ", this program reads 1");
+    if (version != kVersion) throw Error("version " + std::to_string(version) + ", expected version 1");
     Style style;
     for (const Json& one : json.at("characters")) {
       StyleSheet sheet;
@@ -78,9 +78,9 @@ Style read_style(const std::string& path) {
     }
     return style;
   } catch (const Json::exception& error) {
-    throw Error(path + ": not a style file (expected JSON as sinew bind --save-style writes): " + error.what());
+    throw Error(path + ": expected a style file (JSON as written by sinew bind --save-style): " + error.what());
   } catch (const Error& error) {
-    throw Error(path + ": not a style file that this program knows: " + error.what());
+    throw Error(path + ": unsupported style file: " + error.what());
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Typed C++17 wrapper over sinew.h for programs with a heap: a call takes one line, memory and output arrays are taken care of. Header
-// only. It throws nothing itself and needs no RTTI. All of sinew.h can be used beside it.
+// Typed C++17 wrapper over sinew.h for programs with a heap: one line per call, with memory and output arrays
+// managed. Header only. It throws no exceptions itself and needs no RTTI. All of sinew.h can be used with it.
 //
 //   sinew::Model model;
 //   sinew_status status = model.open_file("model.snw");
@@ -37,11 +37,12 @@
 
 namespace sinew {
 
-// Bytes for sinew_bind() or sinew_rig(), aligned as they want them; grows, never shrinks, freed at the end of its life.
+// Memory for sinew_bind() or sinew_rig() with the required alignment. It grows, never shrinks, and is freed by the
+// destructor.
 class Workspace {
  public:
   Workspace() = default;
-  // size() is 0 where memory is short.
+  // size() is 0 if memory is exhausted.
   explicit Workspace(size_t bytes) { (void)reserve(bytes); }
   ~Workspace() { release(); }
   Workspace(Workspace&& other) noexcept
@@ -54,7 +55,8 @@ class Workspace {
   Workspace(const Workspace&) = delete;
   Workspace& operator=(const Workspace&) = delete;
 
-  // At least so many bytes, whose content is undefined. False where memory is short; what was there is gone then.
+  // Reserves at least this many bytes, whose content is undefined. Returns false if memory is exhausted; the old
+  // content is then lost.
   bool reserve(size_t bytes) noexcept {
     if (bytes <= size_) return true;
     release();
@@ -75,7 +77,7 @@ class Workspace {
   size_t size_ = 0;
 };
 
-// A model with the bytes of its file, aligned as the engine wants them. Moves; cannot be copied.
+// A model with the bytes of its file, aligned for the engine. Movable, not copyable.
 class Model {
  public:
   Model() = default;
@@ -91,13 +93,14 @@ class Model {
   Model& operator=(const Model&) = delete;
 
   // Copies a file's bytes and opens them: with sinew_model_open() for bind(), with sinew_rig_model_open() for rig() and for
-  // sinew_rig_details(). Return what those do; SINEW_ERROR_WORKSPACE where memory is short. On failure there is no model.
+  // sinew_rig_details(). Return what those do; SINEW_ERROR_WORKSPACE if memory is exhausted. On failure there is no
+  // model.
   sinew_status open(const void* bytes, size_t size) { return open_with(sinew_model_open, bytes, size); }
   sinew_status open_rig(const void* bytes, size_t size) { return open_with(sinew_rig_model_open, bytes, size); }
-  // The same of the file itself. SINEW_ERROR_ARGUMENT where it cannot be read.
+  // The same for a file. SINEW_ERROR_ARGUMENT if it cannot be read.
   sinew_status open_file(const char* path) { return open_file_with(sinew_model_open, path); }
   sinew_status open_rig_file(const char* path) { return open_file_with(sinew_rig_model_open, path); }
-  // sinew_model_pack() with its memory taken care of.
+  // sinew_model_pack() with its memory managed.
   sinew_status pack() {
     if (get() == nullptr) return SINEW_ERROR_ARGUMENT;
     size_t bytes = 0;
@@ -106,7 +109,7 @@ class Model {
     if (!packed_.reserve(bytes)) return SINEW_ERROR_WORKSPACE;
     return sinew_model_pack(&model_, packed_.data(), packed_.size());
   }
-  // For bind() and the C functions, valid until the next open() and where the Model is; null without a model.
+  // For bind() and the C functions; valid until the next open() or move of this object; null without a model.
   const sinew_model* get() const { return model_.bytes == nullptr ? nullptr : &model_; }
 
  private:
@@ -165,7 +168,7 @@ struct WeightFormat<float> {
   static constexpr uint32_t value = SINEW_WEIGHT_FLOAT;
 };
 
-// sinew_bind_options that ask for every default; {} where a function takes options.
+// sinew_bind_options with every default; {} where a function takes options.
 struct Options : sinew_bind_options {
   Options() : sinew_bind_options(SINEW_INIT(sinew_bind_options)) {}
   Options(const sinew_bind_options& options) : sinew_bind_options(options) {}
@@ -180,14 +183,15 @@ struct Skin {
   uint32_t symmetric_vertices = 0;      // with options.symmetric
 };
 
-// What a bind asks, see sinew_bind_outputs.
+// Questions of a bind, see sinew_bind_outputs.
 struct QuestionList {
-  std::vector<sinew_question> questions;                 // by falling gain
+  std::vector<sinew_question> questions;                 // by descending gain
   std::vector<uint32_t> vertex_questions, vertex_parts;  // [vertex_count]
 };
 
-// For the functions below. Calls run(Skin<Weight>& rows) with rows of these counts: *skin itself where it has them, else fresh
-// ones that take its place after SINEW_OK. Where *skin is input too (`is_input`) and has others, SINEW_ERROR_ARGUMENT.
+// For the functions below. Calls run(Skin<Weight>& rows) with rows of these counts: *skin itself if its counts match,
+// else new rows that replace it after SINEW_OK. If *skin is input too (`is_input`) and its counts differ, returns
+// SINEW_ERROR_ARGUMENT.
 template <class Weight, class Run>
 sinew_status fill_skin(uint32_t vertex_count, uint32_t influence_count, bool is_input, Skin<Weight>* skin, Run run) {
   const size_t values = static_cast<size_t>(vertex_count) * influence_count;
@@ -201,11 +205,11 @@ sinew_status fill_skin(uint32_t vertex_count, uint32_t influence_count, bool is_
   return status;
 }
 
-// sinew_bind() with the size query, the workspace and the outputs taken care of. options.weight_format is set from
+// sinew_bind() with the size query, the workspace and the outputs managed. options.weight_format is set from
 // Weight. With options.locked or options.hints *skin is input too and must hold vertex_count rows of the wanted
-// influence count (else SINEW_ERROR_ARGUMENT). *confidence gets a value a vertex, unless it is null. With
-// options.question_count *asked must be there (else SINEW_ERROR_ARGUMENT). Returns what sinew_bind() does;
-// SINEW_ERROR_WORKSPACE where memory is short. *skin is untouched on failure, *confidence and *asked are undefined.
+// influence count (else SINEW_ERROR_ARGUMENT). *confidence gets a value per vertex, unless it is null. With
+// options.question_count *asked is required (else SINEW_ERROR_ARGUMENT). Returns what sinew_bind() does;
+// SINEW_ERROR_WORKSPACE if memory is exhausted. *skin is untouched on failure, *confidence and *asked are undefined.
 template <class Weight>
 sinew_status bind(const sinew_model* model, const sinew_mesh& mesh, const sinew_skeleton& skeleton, Options options,
                   Workspace* workspace, Skin<Weight>* skin, std::vector<uint8_t>* confidence = nullptr,
@@ -240,14 +244,14 @@ sinew_status bind(const sinew_model* model, const sinew_mesh& mesh, const sinew_
   return fill_skin(mesh.vertex_count, influences, options.locked != nullptr || options.hints != nullptr, skin, run);
 }
 
-// sinew_rig_options that ask for every default; {} where a function takes settings.
+// sinew_rig_options with every default; {} where a function takes settings.
 struct RigSettings : sinew_rig_options {
   RigSettings() : sinew_rig_options(SINEW_INIT(sinew_rig_options)) {}
   RigSettings(const sinew_rig_options& options) : sinew_rig_options(options) {}
 };
 
 struct JointName {
-  char text[SINEW_JOINT_NAME_BYTES];  // ends with a zero
+  char text[SINEW_JOINT_NAME_BYTES];  // zero-terminated
 };
 
 // A predicted skeleton, see sinew_rig_outputs.
@@ -276,8 +280,8 @@ struct RiggedSkeleton {
   }
 };
 
-// sinew_rig() with the size query, the workspace and the outputs taken care of. Returns what sinew_rig() does;
-// SINEW_ERROR_WORKSPACE where memory is short. *skeleton is untouched on failure.
+// sinew_rig() with the size query, the workspace and the outputs managed. Returns what sinew_rig() does;
+// SINEW_ERROR_WORKSPACE if memory is exhausted. *skeleton is untouched on failure.
 inline sinew_status rig(const sinew_model* model, const sinew_mesh& mesh, const RigSettings& settings,
                         Workspace* workspace, RiggedSkeleton* skeleton) {
   size_t bytes = 0;
@@ -321,14 +325,14 @@ inline sinew_status rig(const sinew_model* model, const sinew_mesh& mesh, const 
   return SINEW_OK;
 }
 
-// sinew_simplify_options that ask for every default; {} where a function takes settings.
+// sinew_simplify_options with every default; {} where a function takes settings.
 struct SimplifySettings : sinew_simplify_options {
   SimplifySettings() : sinew_simplify_options(SINEW_INIT(sinew_simplify_options)) {}
   SimplifySettings(const sinew_simplify_options& options) : sinew_simplify_options(options) {}
 };
 
-// sinew_simplify() with the size query, the workspace and the output taken care of. Returns what sinew_simplify() does;
-// SINEW_ERROR_WORKSPACE where memory is short. *into is untouched on failure.
+// sinew_simplify() with the size query, the workspace and the output managed. Returns what sinew_simplify() does;
+// SINEW_ERROR_WORKSPACE if memory is exhausted. *into is untouched on failure.
 inline sinew_status simplify(const sinew_skeleton& skeleton, const float* areas, const uint8_t* keep,
                              const SimplifySettings& settings, Workspace* workspace, std::vector<uint32_t>* into) {
   size_t bytes = 0;
@@ -342,13 +346,13 @@ inline sinew_status simplify(const sinew_skeleton& skeleton, const float* areas,
   return simplified;
 }
 
-// sinew_map_options that ask for every default; {} where a function takes settings.
+// sinew_map_options with every default; {} where a function takes settings.
 struct MapSettings : sinew_map_options {
   MapSettings() : sinew_map_options(SINEW_INIT(sinew_map_options)) {}
   MapSettings(const sinew_map_options& options) : sinew_map_options(options) {}
 };
 
-// Which joint stands for which, see sinew_map_outputs.
+// Sources of joints, see sinew_map_outputs.
 struct JointMap {
   std::vector<int32_t> sources;      // [target J] -1 = none
   std::vector<uint16_t> confidence;  // [target J]
@@ -356,8 +360,8 @@ struct JointMap {
   uint32_t method = 0, mapped = 0, certainty = 0;
 };
 
-// sinew_map() with the size query, the workspace and the outputs taken care of. Returns what sinew_map() does;
-// SINEW_ERROR_WORKSPACE where memory is short. *map is untouched on failure.
+// sinew_map() with the size query, the workspace and the outputs managed. Returns what sinew_map() does;
+// SINEW_ERROR_WORKSPACE if memory is exhausted. *map is untouched on failure.
 inline sinew_status map_joints(const sinew_skeleton& target, const sinew_skeleton& source, const MapSettings& settings,
                                Workspace* workspace, JointMap* map) {
   size_t bytes = 0;
@@ -381,25 +385,25 @@ inline sinew_status map_joints(const sinew_skeleton& target, const sinew_skeleto
   return SINEW_OK;
 }
 
-// sinew_transfer_options that ask for every default; {} where a function takes settings.
+// sinew_transfer_options with every default; {} where a function takes settings.
 struct TransferSettings : sinew_transfer_options {
   TransferSettings() : sinew_transfer_options(SINEW_INIT(sinew_transfer_options)) {}
   TransferSettings(const sinew_transfer_options& options) : sinew_transfer_options(options) {}
 };
 
-// What a transfer did, see sinew_transfer_outputs.
+// Report of a transfer, see sinew_transfer_outputs.
 struct TransferReport {
   std::vector<uint8_t> confidence;         // [vertex_count]
-  std::vector<sinew_transfer_part> parts;  // by falling size
+  std::vector<sinew_transfer_part> parts;  // by descending size
   std::vector<uint32_t> vertex_parts;      // [vertex_count]
   uint32_t bound_by = 0, carried_q16 = 0, style_q16 = 0, mismatch_q16 = 0, reference_count = 0;
   size_t used_bytes = 0;
 };
 
-// sinew_transfer() with the size query, the workspace and the outputs taken care of. settings.weight_format is set from Weight.
-// With settings.locked *skin is input too and must hold target.vertex_count rows of the wanted influence count (else
-// SINEW_ERROR_ARGUMENT). Returns what sinew_transfer() does; SINEW_ERROR_WORKSPACE where memory is short. *skin and *report, which
-// may be null, are untouched on failure.
+// sinew_transfer() with the size query, the workspace and the outputs managed. settings.weight_format is set from
+// Weight. With settings.locked *skin is input too and must hold target.vertex_count rows of the wanted influence
+// count (else SINEW_ERROR_ARGUMENT). Returns what sinew_transfer() does; SINEW_ERROR_WORKSPACE if memory is
+// exhausted. *skin and *report, which may be null, are untouched on failure.
 template <class Weight>
 sinew_status transfer(const sinew_model* model, const sinew_bound_character& source, const sinew_mesh& target,
                       const sinew_skeleton& skeleton, TransferSettings settings, Workspace* workspace,
@@ -442,13 +446,13 @@ sinew_status transfer(const sinew_model* model, const sinew_bound_character& sou
   return fill_skin(target.vertex_count, influences, settings.locked != nullptr, skin, run);
 }
 
-// sinew_retarget_options that ask for every default; {} where a function takes settings.
+// sinew_retarget_options with every default; {} where a function takes settings.
 struct RetargetSettings : sinew_retarget_options {
   RetargetSettings() : sinew_retarget_options(SINEW_INIT(sinew_retarget_options)) {}
   RetargetSettings(const sinew_retarget_options& options) : sinew_retarget_options(options) {}
 };
 
-// sinew_contact_options that ask for every default; {} where a function takes settings.
+// sinew_contact_options with every default; {} where a function takes settings.
 struct ContactSettings : sinew_contact_options {
   ContactSettings() : sinew_contact_options(SINEW_INIT(sinew_contact_options)) {}
   ContactSettings(const sinew_contact_options& options) : sinew_contact_options(options) {}
@@ -461,8 +465,8 @@ struct ContactSettings : sinew_contact_options {
 //   if (status == SINEW_OK) status = plan.frame(rotations, translations, ground, out_rotations, out_translations);
 class RetargetPlan {
  public:
-  // Size query, memory and sinew_retarget_create(). Returns what they do; SINEW_ERROR_WORKSPACE where memory is short. On
-  // failure there is no plan, and the functions below return SINEW_ERROR_ARGUMENT.
+  // Size query, memory and sinew_retarget_create(). Returns what they do; SINEW_ERROR_WORKSPACE if memory is
+  // exhausted. On failure there is no plan, and the functions below return SINEW_ERROR_ARGUMENT.
   sinew_status make(const sinew_skeleton& source, const sinew_skeleton& target, const int32_t* map,
                     const uint8_t* target_classes, const RetargetSettings& settings = {}) {
     plan_ = nullptr;
@@ -483,7 +487,8 @@ class RetargetPlan {
                      float* out_translations) {
     return sinew_retarget_frame(plan_, rotations, translations, ground, out_rotations, out_translations);
   }
-  // The functions for whole clips, with the size query and the workspace taken care of: SINEW_ERROR_WORKSPACE where memory is short.
+  // Functions for whole clips, with the size query and the workspace managed: SINEW_ERROR_WORKSPACE if
+  // memory is exhausted.
   sinew_status contacts(const sinew_motion_body* source, const sinew_motion_body& target, const sinew_motion_clip& clip,
                         const ContactSettings& settings, Workspace* workspace) {
     const sinew_status status = reserve_contacts(target, clip, workspace);
@@ -495,7 +500,7 @@ class RetargetPlan {
     if (status != SINEW_OK) return status;
     return sinew_retarget_keep_range(plan_, &target, &clip, workspace->data(), workspace->size());
   }
-  // `limbs` has one element a limb afterwards; as it was on failure.
+  // `limbs` gets one element per limb; it is untouched on failure.
   sinew_status measure(const sinew_motion_body* source, const sinew_motion_body& target, const sinew_motion_clip& clip,
                        const ContactSettings& settings, Workspace* workspace, std::vector<sinew_limb_quality>* limbs) {
     sinew_status status = reserve_contacts(target, clip, workspace);
@@ -522,7 +527,7 @@ class RetargetPlan {
   sinew_retarget* plan_ = nullptr;
 };
 
-// sinew_retarget_stream_options that ask for every default; {} where a function takes settings.
+// sinew_retarget_stream_options with every default; {} where a function takes settings.
 struct StreamSettings : sinew_retarget_stream_options {
   StreamSettings() : sinew_retarget_stream_options(SINEW_INIT(sinew_retarget_stream_options)) {}
   StreamSettings(const sinew_retarget_stream_options& options) : sinew_retarget_stream_options(options) {}
@@ -531,8 +536,9 @@ struct StreamSettings : sinew_retarget_stream_options {
 // A sinew_retarget_stream and its memory.
 class RetargetStream {
  public:
-  // Size query, memory and sinew_retarget_stream_create(); body may be null. Returns what they do; SINEW_ERROR_WORKSPACE where
-  // memory is short. On failure there is no stream, and the functions below return SINEW_ERROR_ARGUMENT.
+  // Size query, memory and sinew_retarget_stream_create(); body may be null. Returns what they do;
+  // SINEW_ERROR_WORKSPACE if memory is exhausted. On failure there is no stream, and the functions below return
+  // SINEW_ERROR_ARGUMENT.
   sinew_status make(const sinew_skeleton& source, const sinew_skeleton& target, const int32_t* map,
                     const uint8_t* target_classes, const RetargetSettings& plan_settings, const sinew_motion_body* body,
                     const StreamSettings& settings = {}) {
@@ -559,8 +565,8 @@ class RetargetStream {
 // sinew_springs and its memory.
 class SpringSystem {
  public:
-  // Size query, memory and sinew_springs_create(); options may be null. Returns what they do; SINEW_ERROR_WORKSPACE where memory is
-  // short. On failure there are no springs, and the functions below return SINEW_ERROR_ARGUMENT.
+  // Size query, memory and sinew_springs_create(); options may be null. Returns what they do; SINEW_ERROR_WORKSPACE
+  // if memory is exhausted. On failure there are no springs, and the functions below return SINEW_ERROR_ARGUMENT.
   sinew_status make(const sinew_skeleton& skeleton, const sinew_spring_set& set,
                     const sinew_springs_options* options = nullptr) {
     springs_ = nullptr;
@@ -581,7 +587,7 @@ class SpringSystem {
   sinew_springs* springs_ = nullptr;
 };
 
-// sinew_deform_options that ask for every default; {} where a function takes deform options.
+// sinew_deform_options with every default; {} where a function takes deform options.
 struct DeformOptions : sinew_deform_options {
   DeformOptions() : sinew_deform_options(SINEW_INIT(sinew_deform_options)) {}
   DeformOptions(const sinew_deform_options& options) : sinew_deform_options(options) {}
@@ -590,8 +596,8 @@ struct DeformOptions : sinew_deform_options {
 // A deformer with its memory and a workspace for one pose at a time.
 class Deformer {
  public:
-  // sinew_deform_create() with the size query and the memory taken care of. Returns what they do; SINEW_ERROR_WORKSPACE where
-  // memory is short. On failure there is no deformer.
+  // sinew_deform_create() with the size query and the memory managed. Returns what they do;
+  // SINEW_ERROR_WORKSPACE if memory is exhausted. On failure there is no deformer.
   sinew_status create(const sinew_mesh& mesh, const sinew_skeleton& skeleton, const sinew_skin& skin,
                       const DeformOptions& options) {
     deformer_ = {};

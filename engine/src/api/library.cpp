@@ -17,15 +17,15 @@ const char* sinew_status_text(sinew_status status) {
     case SINEW_OK:
       return "ok";
     case SINEW_ERROR_ARGUMENT:
-      return "a pointer is null or an option is out of its range";
+      return "a pointer is null or an option is out of range";
     case SINEW_ERROR_WORKSPACE:
       return "the workspace is too small or not aligned to 64 bytes";
     case SINEW_ERROR_COUNT:
-      return "too many or no vertices, corners or joints, or fewer than two corners a face";
+      return "no vertices, corners or joints, too many of them, or faces with fewer than two corners";
     case SINEW_ERROR_NOT_FINITE:
       return "a position is NaN or infinite";
     case SINEW_ERROR_INDEX:
-      return "a face names a vertex, or a parent a joint, that does not exist, or a face has fewer than two corners";
+      return "a face names a vertex, or a parent a joint, that does not exist; or a face has fewer than two corners";
     case SINEW_ERROR_HIERARCHY:
       return "the joint parents form a cycle";
     case SINEW_ERROR_NO_JOINT:
@@ -47,17 +47,17 @@ const char* sinew_status_text(sinew_status status) {
     case SINEW_ERROR_MODEL_ALIGNMENT:
       return "the model bytes must start at an address divisible by 8";
     case SINEW_ERROR_RANGE:
-      return "a joint index or weight is out of its range";
+      return "a joint index or weight is out of range";
     case SINEW_ERROR_MODEL_TASK:
-      return "the model is made for another task than this call";
+      return "the model is for another task than this call";
     case SINEW_ERROR_NOT_BUILT:
-      return "this library was built without what is asked for";
+      return "this library was built without the requested feature";
     case SINEW_ERROR_CHAIN:
-      return "joints of a spring chain do not lie below one another, or two chains turn the same joint";
+      return "joints of a spring chain are not a chain of children, or two chains rotate the same joint";
     case SINEW_ERROR_KERNEL:
-      return "this library or this processor lacks the kernels asked for";
+      return "this library or processor lacks the requested kernels";
     case SINEW_ERROR_VERSION:
-      return "an option is set that this library does not know";
+      return "an option is set that this library does not know; the caller is newer than the library";
   }
   return "unknown status";
 }

@@ -20,7 +20,7 @@ constexpr uint32_t kFirstOptionsSize = offsetof(sinew_bind_options, progress_use
 
 uint32_t or_default(uint32_t value, uint32_t fallback) { return value != 0 ? value : fallback; }
 
-// 0 stands for the default wherever an option has one.
+// 0 represents the default wherever an option has one.
 bool is_default_or_in(uint32_t value, uint32_t least, uint32_t most) {
   return value == 0 || (value >= least && value <= most);
 }

@@ -34,17 +34,18 @@ struct BindPlan {
 
 // Makes the plan for a mesh of `vertices`, `faces` and `corners` and a skeleton of `joints`.
 //   options  as the caller gave them, of any version, or null: all defaults
-// Returns SINEW_OK; SINEW_ERROR_ARGUMENT where an option is out of its range, is not in this build or contradicts the
+// Returns SINEW_OK; SINEW_ERROR_ARGUMENT where an option is out of range, is not in this build or contradicts the
 // model, or the model is missing; SINEW_ERROR_VERSION where an option is set that this library does not know;
-// SINEW_ERROR_COUNT where a count is out of its range.
+// SINEW_ERROR_COUNT where a count is out of range.
 sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints,
                        const sinew_bind_options* options, BindPlan* plan);
 
-// The task of the networks that predict skin weights: vertex and pair features of that set, and one logit per pair. False for a set or a flag that this build does not have.
+// The task of the networks that predict skin weights: vertex and pair features of that set, and one logit per pair.
+// False for a set or a flag that this build does not have.
 bool bind_task(uint32_t feature_set, ModelTask* task);
 
-// Runs the stages of a plan in the workspace and writes the outputs. Arguments as in sinew_bind(), checked but for what
-// the arrays hold. Nothing is written to the outputs before nothing can fail any more.
+// Runs the stages of a plan in the workspace and writes the outputs. Arguments as in sinew_bind(), already checked
+// except for the contents of arrays. Outputs are written after the last step that can fail.
 //   outputs  the library's own struct, with the caller's arrays
 sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_skeleton& skeleton, void* workspace,
                       size_t workspace_bytes, sinew_bind_outputs* outputs);

@@ -13,7 +13,7 @@
 namespace sinew {
 namespace {
 
-// To where the arena is now, in front of where they are: all arrays move by the same distance, the first one first.
+// Moves all arrays by the same distance to the arena's current position, which is before theirs, the first one first.
 void move_features(const Mesh& mesh, const Counts& counts, Arena& arena, Features* features) {
   const Features from = *features;
   (void)features->allocate(arena, counts);
@@ -105,7 +105,7 @@ sinew_status make_counts(uint32_t vertices, uint32_t faces, uint32_t corners, ui
                          uint32_t grid, Counts* counts) {
   if (vertices == 0 || vertices > SINEW_MAX_VERTICES || joints == 0 || joints > SINEW_MAX_JOINTS)
     return SINEW_ERROR_COUNT;
-  // A vertex of a closed triangle mesh has about six corners; sixteen times that is no mesh any more.
+  // A vertex of a closed triangle mesh has about six corners; sixteen times that is not a mesh.
   if (corners > 24u * SINEW_MAX_VERTICES || faces > corners / 2) return SINEW_ERROR_COUNT;
   if (candidates < 1 || candidates > SINEW_MAX_CANDIDATES || !is_legal_grid(grid)) return SINEW_ERROR_ARGUMENT;
   *counts = Counts{vertices, faces, corners, joints, candidates, grid};

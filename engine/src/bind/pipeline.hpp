@@ -32,9 +32,9 @@ struct PreparedBind {
 // What prepare() is to make ready for.
 enum class PreparePurpose {
   kHeat,          // rows from the heat field: there are neither candidates nor features
-  kDistance,      // the same, with weights by distance in its place
+  kDistance,      // the same, but with weights by distance instead of the network
   kNetwork,       // the network and readers of candidates and heat: everything is there
-  kNetworkAlone,  // the network and nobody else: candidates and heat are given back, and features lie in their place
+  kNetworkAlone,  // only the network: candidates and heat are released, and features use their memory
 };
 
 // Stages 1 and 2, and the skeleton on the same grid. Both are allocated; scratch is taken from the arena and released.

@@ -17,7 +17,7 @@ uint32_t cell_length(const VoxelGrid& grid, Vec3i v) {
   return static_cast<uint32_t>(length(v) * kCellLength / static_cast<uint64_t>(grid.cell_size));
 }
 
-// Offers a joint to every cell along a segment, with the cell centre's distance to the segment. Parts outside the grid
+// Offers a joint to every cell along a segment, with the cell center's distance to the segment. Parts outside the grid
 // go to the nearest cell, whose distance then holds the gap. `start` is added to all.
 void seed_segment(Vec3i a, Vec3i b, uint32_t joint, uint32_t start, Propagation* p) {
   const Vec3i along = b - a;  // below 2^25 per axis
@@ -31,7 +31,7 @@ void seed_segment(Vec3i a, Vec3i b, uint32_t joint, uint32_t start, Propagation*
     const uint32_t cell = p->grid.cell_of(point);
     if (cell == before) continue;
     before = cell;
-    const Vec3i from_a = p->grid.centre(cell) - a;
+    const Vec3i from_a = p->grid.center(cell) - a;
     // Position along the segment in Q10: |dot| < 2^50, and 2^15 units of a longest segment are no more than its cell.
     const int64_t t = square == 0 ? 0 : clamp32(dot(from_a, along) * 1024 / square, 0, 1024);
     const Vec3i gap = {from_a.x - static_cast<int32_t>((along.x * t) >> 10),
@@ -70,11 +70,11 @@ void find_starts(const Skeleton& skeleton, const Vec3i* tips, const VoxelGrid& g
 }
 
 // The cells a vertex reads, its own and those of the 2 x 2 x 2 block around it that are not outside, and its way from
-// their centres.
+// their centers.
 struct Around {
   uint32_t count;
   uint32_t cells[8];  // numbers in the propagation
-  uint32_t costs[8];  // in the place of a label's distance
+  uint32_t costs[8];  // in the bits of a label's distance
 
   void find(const Propagation& p, Vec3i position) {
     const VoxelGrid& grid = p.grid;
@@ -82,7 +82,7 @@ struct Around {
     const int32_t low[3] = {grid.low.x, grid.low.y, grid.low.z};
     const int32_t strides[3] = {1, grid.size[0], grid.size[0] * grid.size[1]};
     int32_t own = 0, step[3];
-    uint64_t squares[3][2];  // of the way along an axis from the centres of the own and the other cell
+    uint64_t squares[3][2];  // of the way along an axis from the centers of the own and the other cell
     for (int axis = 0; axis < 3; ++axis) {
       const int32_t at = grid.coordinate(axis, value[axis]);
       const int64_t offset = value[axis] - (low[axis] + at * grid.cell_size + grid.cell_size / 2);
@@ -115,7 +115,7 @@ SINEW_ONCE uint32_t nearest_labels(const Propagation& p, Vec3i position, uint32_
     const uint32_t last = p.labels(around.cells[i])[per_cell - 1] + around.costs[i];
     if (last < farthest) farthest = last;
   }
-  // Most labels name a joint that another cell has named: slots by a joint's low bits say where it is.
+  // Most labels name a joint that another cell has named: slots by a joint's low bits hold its index.
   constexpr uint32_t kEntries = 64;
   constexpr uint8_t kNone = 0xFF;
   uint8_t entries[kEntries];

@@ -8,8 +8,8 @@
 
 namespace sinew {
 
-// Fills owners [parts of the mesh]: the joint that owns the part, or kNoJoint. A joint that owns a part is no longer
-// usable afterwards, so that it gets weight nowhere else; rows of the part are the joint alone (weights/finish.hpp).
+// Fills owners [parts of the mesh]: the joint that owns the part, or kNoJoint. A joint that owns a part becomes
+// unusable, so that it gets weight nowhere else; rows of the part are the joint alone (weights/finish.hpp).
 //
 // A usable leaf with a usable parent owns a part whose box's longest side is at most a 32nd of kSide and at most 2.5
 // times the shortest one, if the joint is at most 0.3 of that side from the box's middle (in the largest coordinate), no

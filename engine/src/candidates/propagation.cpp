@@ -204,7 +204,7 @@ void Propagation::offer(uint32_t number, uint32_t label, uint8_t arrival) {
   } else if (cell.found < capacity_) {
     ++cell.found;
   } else {
-    grid_index = capacity_ - 1;  // takes the place of the farthest
+    grid_index = capacity_ - 1;  // replaces the farthest
   }
   for (; grid_index > 0 && labels[grid_index - 1] > label; --grid_index) {
     labels[grid_index] = labels[grid_index - 1];
@@ -240,11 +240,11 @@ void Propagation::offer_solid(uint32_t grid_index, uint32_t label, uint32_t dire
 void Propagation::offer_costly(uint32_t grid_index, uint32_t label, uint32_t directions) {
   for (; directions != 0; directions &= directions - 1) {
     const int direction = low_bit(directions);
-    const uint32_t neighbour = static_cast<uint32_t>(static_cast<int32_t>(grid_index) + steps_[direction].offset);
+    const uint32_t neighbor = static_cast<uint32_t>(static_cast<int32_t>(grid_index) + steps_[direction].offset);
     const uint32_t offered = label + kOutsideFactor * steps_[direction].label_step;
-    if (!enters(neighbour, offered)) continue;
-    uint32_t number = numbers_[neighbour];
-    if (number == 0) number = add_cell(neighbour, kCostly);
+    if (!enters(neighbor, offered)) continue;
+    uint32_t number = numbers_[neighbor];
+    if (number == 0) number = add_cell(neighbor, kCostly);
     if (offered <= at(number).limit) offer(number, offered, static_cast<uint8_t>(direction));
   }
 }
@@ -261,7 +261,7 @@ uint32_t Propagation::directions_beside(uint32_t directions, uint32_t solid, uin
   return kept;
 }
 
-// Passes a label on to the neighbours that the ways lead to: `solid` from one solid cell to others, `costly` where one of
+// Passes a label on to the neighbors that the ways lead to: `solid` from one solid cell to others, `costly` where one of
 // both is outside.
 void Propagation::spread(const Cell& from, uint32_t label, uint8_t arrival, uint32_t solid, uint32_t costly) {
   if (arrival != kEverywhere) {
@@ -379,8 +379,8 @@ void Propagation::leave(Cell* cell) {
   uint32_t open = 0;  // to its nearest label
   for (uint32_t all = kAllSteps & ~cell->solid; all != 0; all &= all - 1) {
     const int direction = low_bit(all);
-    const uint32_t neighbour = static_cast<uint32_t>(static_cast<int32_t>(cell->grid_index) + steps_[direction].offset);
-    if (enters(neighbour, labels[0] + kOutsideFactor * steps_[direction].label_step)) open |= 1u << direction;
+    const uint32_t neighbor = static_cast<uint32_t>(static_cast<int32_t>(cell->grid_index) + steps_[direction].offset);
+    if (enters(neighbor, labels[0] + kOutsideFactor * steps_[direction].label_step)) open |= 1u << direction;
   }
   for (uint32_t k = 0; open != 0 && k < cell->found; ++k) {
     if ((directions[k] & kPassedOn) != 0)

@@ -10,7 +10,7 @@
 namespace sinew {
 
 // Lengths in the grid are counted in fortieths of a cell: chamfer steps 5/7/9 (Borgefors 1986) in eighths of a chamfer
-// unit, so that bones and vertices need not sit at cell centres. A step that touches an outside cell costs four times
+// unit, so that bones and vertices need not sit at cell centers. A step that touches an outside cell costs four times
 // as much.
 constexpr int32_t kCellLength = 40;
 constexpr uint32_t kStepLengths[4] = {0, 40, 56, 72};  // by the number of axes a step moves along
@@ -50,7 +50,7 @@ class Propagation {
   void begin(uint32_t capacity);
   // Offers a label to an inner cell.
   void seed(uint32_t cell, uint32_t label);
-  // Finds the labels of every solid cell. False when cancelled; progress is told `permille`.
+  // Finds the labels of all solid cells. Returns false if cancelled; reports `permille` to progress.
   bool run(const Progress& progress, uint32_t permille);
 
   // A solid cell's number, 0 for others.
@@ -62,8 +62,8 @@ class Propagation {
   uint32_t capacity() const { return capacity_; }
 
  private:
-  // The 26 steps to a cell's neighbours, x fastest. A label that came to a cell c by a step from p need not go on to a
-  // neighbour n that has a way from p beside c, straight or over one other cell q, that is shorter, or as long with a
+  // The 26 steps to a cell's neighbors, x fastest. A label that came to a cell c by a step from p need not go on to a
+  // neighbor n that has a way from p beside c, straight or over one other cell q, that is shorter, or as long with a
   // shorter last step (the pruning rule of Harabor and Grastien 2011, "Online Graph Pruning for Pathfinding on Grid
   // Maps", in three dimensions and with two terrains). Distances stay exact: among the shortest ways to n take one with
   // the shortest last step; its last cell must offer to n.
@@ -77,7 +77,7 @@ class Propagation {
   static constexpr uint32_t kAllSteps = (1u << kStepCount) - 1;
   struct Step {
     int32_t offset;
-    uint32_t label_step;  // length, already in the place of a label's distance
+    uint32_t label_step;  // length, already in the bits of a label's distance
     uint32_t next;        // bit s: a label that came by this step goes on with step s
   };
 

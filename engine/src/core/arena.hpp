@@ -30,7 +30,7 @@ class Arena {
   size_t used() const { return used_; }
   size_t high_water() const { return high_; }
 
-  // Room for count objects of T, 64-byte aligned, uninitialised. Null when measuring or full: check ok() after a group.
+  // Room for count objects of T, 64-byte aligned, uninitialized. Null when measuring or full: check ok() after a group.
   template <class T>
   T* alloc(size_t count) {
     return static_cast<T*>(take(count, sizeof(T)));

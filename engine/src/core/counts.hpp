@@ -30,7 +30,7 @@ struct Counts {
   uint32_t grid = 64;                      // voxel cells along the longest side; 0 = they follow the vertices
   uint32_t feature_flags = 0;              // optional channels, features/features.hpp
   uint32_t surface_vertices = UINT32_MAX;  // a mesh of more is reduced to as many
-  Threads threads = {};                    // `lanes` is a bound like the others; the rest says how to run
+  Threads threads = {};                    // `lanes` is a bound like the others; the other members select how to run
 
   // Fan triangles T: a face of n corners gives n - 2, and none has fewer than two corners.
   uint32_t triangles() const { return corners - 2 * faces; }

@@ -29,7 +29,7 @@ inline sinew_status read_skeleton(const sinew_skeleton* skeleton, sinew_skeleton
   return own->positions != nullptr && own->parents != nullptr ? SINEW_OK : SINEW_ERROR_ARGUMENT;
 }
 
-// *up_axis is 0 for Y, which AUTO stands for, and 1 for Z. SINEW_ERROR_ARGUMENT for all else.
+// *up_axis is 0 for Y, which AUTO represents, and 1 for Z. SINEW_ERROR_ARGUMENT for all else.
 inline sinew_status read_up_axis(uint32_t up, uint32_t* up_axis) {
   if (up != SINEW_UP_AUTO && up != SINEW_UP_Y && up != SINEW_UP_Z) return SINEW_ERROR_ARGUMENT;
   *up_axis = up == SINEW_UP_Z ? 1 : 0;

@@ -35,7 +35,7 @@ void heap_sort(T* data, size_t count, Less less) {
   }
 }
 
-// Sorts numbers ascending. Insertion up to where a heap is faster: most rows are short (a vertex's neighbours, a
+// Sorts numbers ascending. Insertion up to where a heap is faster: most rows are short (a vertex's neighbors, a
 // border).
 template <class T>
 void sort_ascending(T* values, size_t count) {

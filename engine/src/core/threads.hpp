@@ -21,7 +21,7 @@ struct Threads {
   uint32_t lane_count() const { return kHasThreads ? lanes : 1; }
 
   // body(index, lane) for every index in [0, count). Lane l takes l, l + lanes, ...: fixed, so nothing is shared that
-  // threads would have to agree on, and interleaved, so that neighbours of unlike cost are spread. A body writes only
+  // threads would have to agree on, and interleaved, so that neighbors of unlike cost are spread. A body writes only
   // what belongs to its index or its lane, which makes every order of calls the same. Not to be nested.
   template <class Body>
   void each(uint32_t count, const Body& body) const {

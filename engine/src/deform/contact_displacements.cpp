@@ -9,9 +9,9 @@ namespace {
 
 constexpr int kRounds = 10;
 constexpr uint32_t kRings = 3;          // around what touches, which they reach
-constexpr double kSmoothing = 0.6;      // of a round: share of the neighbours' mean
+constexpr double kSmoothing = 0.6;      // of a round: share of the neighbors' mean
 constexpr double kBoneYields = 0.3;     // of what other nodes do
-constexpr double kLeastSquares = 0.25;  // a vertex that hangs on few nodes does not carry them away
+constexpr double kLeastSquares = 0.25;  // a vertex that depends on few nodes does not drag them along
 constexpr double kShare = 1.0 / (1 << kShareBits);
 
 class DisplacementMaker {
@@ -53,7 +53,7 @@ class DisplacementMaker {
     }
   }
 
-  // All nodes at once go towards the mean of their neighbours. Displacements are 0 beyond.
+  // All nodes at once go towards the mean of their neighbors. Displacements are 0 beyond.
   void smooth() {
     for (uint32_t n = 0; n < lattice_.node_count; ++n) out_.sums[n] = {0, 0, 0};
     for (uint32_t i = 0; i < out_.edge_count; ++i) {

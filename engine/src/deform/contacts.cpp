@@ -9,7 +9,7 @@ namespace sinew::deform {
 namespace {
 
 constexpr double kCell = kCellUnits;
-constexpr int32_t kNeighbours =
+constexpr int32_t kNeighbors =
     3 * kCellUnits / 2;               // joints that follow each other touch only farther apart than this at rest
 constexpr double kApart = 3 * kCell;  // and from here on in full
 constexpr double kOtherRow = 1,
@@ -20,7 +20,7 @@ constexpr double kDeep = kCell, kTooDeep = 2 * kCell;  // what lies deeper did n
 constexpr double kShallow = 0.05 * kCell,
                  kSteep = 0.2 * kCell;            // between these the way out begins to tell its direction
 constexpr double kAcross = 0.3, kStraight = 0.8;  // cosine of the way out and the surface's normal
-constexpr double kBorne = 0.08;  // share of a push that neighbours have too, from which it counts in full
+constexpr double kBorne = 0.08;  // share of a push that neighbors have too, from which it counts in full
 constexpr double kLeastYield = 0.05 * (1 << kShareBits);  // of both sides together: bones cannot give way
 constexpr int32_t kLongestCells = 6;                      // of a stretched tetrahedron
 constexpr double kLeastVolume = 0.1;                      // of a tetrahedron, against its volume at rest
@@ -111,7 +111,7 @@ class ContactFinder {
     Vec3d gradients[3];  // of the last three barycentric coordinates
   };
 
-  // False for one that is turned over or nearly flat.
+  // False for one that is rotated over or nearly flat.
   bool measure(Posed* t) const {
     const auto from_origin = [&](int k) { return to_double(input_.nodes[t->nodes[k]].position - t->origin); };
     const Vec3d b = from_origin(1), c = from_origin(2), d = from_origin(3);
@@ -161,12 +161,12 @@ class ContactFinder {
     }
   }
 
-  // Whether all vertices of a bucket move with a tetrahedron, or are its neighbours at rest: most are.
+  // Whether all vertices of a bucket move with a tetrahedron, or are its neighbors at rest: most are.
   bool own_part(const ContactState::Bucket& bucket, const Posed& t) const {
     if (bucket.joint == ContactState::kMixed) return false;
     if (go_together(bucket.joint, t)) return true;
-    return follow(bucket.joint, t.joint) && extent(bucket.high - t.rest_low) < kNeighbours &&
-           extent(t.rest_high - bucket.low) < kNeighbours;
+    return follow(bucket.joint, t.joint) && extent(bucket.high - t.rest_low) < kNeighbors &&
+           extent(t.rest_high - bucket.low) < kNeighbors;
   }
 
   bool go_together(uint32_t joint, const Posed& t) const {
@@ -177,7 +177,7 @@ class ContactFinder {
     const Vec3i p = state_.positions[u];
     if (lattice_.vertices[u].tetrahedron / 5 == t.number / 5 || go_together(joint_of(u), t)) return;
     if (!t.yields && surface_.yields[u] == 0) return;
-    if (extent(surface_.positions[u] - t.rest_low) < kNeighbours && follow(joint_of(u), t.joint)) return;
+    if (extent(surface_.positions[u] - t.rest_low) < kNeighbors && follow(joint_of(u), t.joint)) return;
     const Vec3d from = to_double(p - t.origin);
     double shares[4] = {1, 0, 0, 0};
     for (int k = 0; k < 3; ++k) {
@@ -199,7 +199,7 @@ class ContactFinder {
 
   // How much a vertex and where it came to are apart, 0 to 1: far at rest, or of joints that do not follow each other.
   double apart(uint32_t u, const Posed& t, Vec3d inside) const {
-    const double by_position = ramp(length(to_double(surface_.positions[u]) - inside), kNeighbours, kApart);
+    const double by_position = ramp(length(to_double(surface_.positions[u]) - inside), kNeighbors, kApart);
     if (by_position >= 1 || follow(joint_of(u), t.joint)) return by_position;
     const size_t n = rest_.influence_count, row = rest_.first[u] * n;
     double nearest = 2;
@@ -275,7 +275,7 @@ class ContactFinder {
     return false;
   }
 
-  // Means, less where the neighbours do not touch as well: a lonely one is a mistake more often than a touch.
+  // Means, less where the neighbors do not touch as well: a lonely one is a mistake more often than a touch.
   void finish_pushes() {
     for (uint32_t u = 0; u < rest_.welded_count; ++u) {
       if (state_.pushes[u] <= 0) continue;

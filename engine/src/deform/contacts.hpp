@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contact between parts of the body that are no neighbours: an arm on the torso, a thigh on the belly, one thigh on the other.
+// Contact between parts of the body that are no neighbors: an arm on the torso, a thigh on the belly, one thigh on the other.
 #ifndef SINEW_DEFORM_CONTACTS_HPP
 #define SINEW_DEFORM_CONTACTS_HPP
 
@@ -40,8 +40,9 @@ struct ContactInput {
 };
 
 // Fills pushes and directions: a vertex that lies in a tetrahedron of another part of the body, and the surface that it came through, are to meet half
-// way, or nearer to what gives way less. How deep it lies is measured at rest, where the tetrahedron says that it is: A. McAdams et al., "Efficient
-// elasticity for character skinning with contact and collisions", ACM TOG 30(4), 2011. Returns whether anything touches.
+// way, or nearer to what gives way less. Its depth is measured at rest, at its position in the tetrahedron: A.
+// McAdams et al., "Efficient elasticity for character skinning with contact and collisions", ACM TOG 30(4), 2011.
+// Returns whether anything touches.
 bool find_contacts(const ContactInput& input, ContactState* state);
 
 }  // namespace sinew::deform

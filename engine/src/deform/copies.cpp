@@ -19,7 +19,7 @@ int16_t to_q14(double x) {
   return static_cast<int16_t>(scaled < 0 ? 0 : scaled > 16384 ? 16384 : static_cast<int32_t>(scaled));
 }
 
-// What is known of a patch while its cell is looked at.
+// State of a patch while its cell is processed.
 struct Patch {
   WeightRow row;
   Vec3l point;   // sum over its triangles, grid units
@@ -113,12 +113,12 @@ class CopyMaker {
     return count;
   }
 
-  void measure_pair(uint32_t pair, Vec3i low, Vec3d centre, Patch* patch) {
+  void measure_pair(uint32_t pair, Vec3i low, Vec3d center, Patch* patch) {
     const uint32_t* const at = mesh_.triangles + 3 * static_cast<size_t>(copies_.pair_triangles[pair]);
     const Vec3i corners[3] = {mesh_.positions[at[0]], mesh_.positions[at[1]], mesh_.positions[at[2]]};
     const Vec3d a = to_double(corners[0]), b = to_double(corners[1]), c = to_double(corners[2]);
     double shares[3];
-    nearest_on_triangle(centre, a, b, c, shares);
+    nearest_on_triangle(center, a, b, c, shares);
     const Vec3d p = shares[0] * a + shares[1] * b + shares[2] * c;
     PairPoint& point = copies_.pair_points[pair];
     const double cell = grid_.cell_size;
@@ -141,9 +141,9 @@ class CopyMaker {
     const Vec3i low = {grid_.low.x + at.x * grid_.cell_size, grid_.low.y + at.y * grid_.cell_size,
                        grid_.low.z + at.z * grid_.cell_size};
     const double half = 0.5 * grid_.cell_size;
-    const Vec3d centre = {low.x + half, low.y + half, low.z + half};
+    const Vec3d center = {low.x + half, low.y + half, low.z + half};
     for (uint32_t i = 0; i < count; ++i) patches_[i] = {};
-    for (uint32_t p = begin; p < end; ++p) measure_pair(p, low, centre, patches_ + copies_.pair_copies[p]);
+    for (uint32_t p = begin; p < end; ++p) measure_pair(p, low, center, patches_ + copies_.pair_copies[p]);
     if (count == 1) {  // most cells
       for (uint32_t p = begin; p < end; ++p) add_pair(p);
       patches_[0].row = sum_.take();
@@ -265,7 +265,7 @@ class CopyMaker {
   static bool faces_cell(const VoxelGrid& grid, const Copies& copies, uint32_t copy, uint32_t cell) {
     if (copy >= copies.surface_count) return true;
     if (copies.count_of_cell[copies.cells[copy]] == 1) return true;
-    return dot(copies.normals[copy], grid.centre(cell) - copies.points[copy]) < 0;
+    return dot(copies.normals[copy], grid.center(cell) - copies.points[copy]) < 0;
   }
 };
 
@@ -297,7 +297,7 @@ void join_all(const VoxelGrid& grid, bool everything, Copies* copies) {
   uint32_t* const parents = copies->corners;
   for (uint32_t i = 0; i < 8 * copies->count; ++i) parents[i] = i;
   for (uint32_t a = 0; a < copies->count; ++a) {
-    for (int32_t e = 14; e < 27; ++e) {  // the half of the neighbours that comes later
+    for (int32_t e = 14; e < 27; ++e) {  // the half of the neighbors that comes later
       const int32_t dx = e / 9 - 1, dy = e / 3 % 3 - 1, dz = e % 3 - 1;
       const uint32_t other =
           static_cast<uint32_t>(static_cast<int32_t>(copies->cells[a]) + (dz * grid.size[1] + dy) * grid.size[0] + dx);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cells of the lattice and their copies: what hangs together in a cell, and which copies of neighbouring cells do.
+// Cells of the lattice and their copies: what hangs together in a cell, and which copies of neighboring cells do.
 #ifndef SINEW_DEFORM_COPIES_HPP
 #define SINEW_DEFORM_COPIES_HPP
 
@@ -10,13 +10,13 @@ namespace sinew::deform {
 // Rows that differ by less are one part of the body: 0.75 of 2. From 0.4 to 1.5 bends come out the same.
 constexpr uint32_t kSameRows = 49151;
 
-// Where a triangle is nearest to the centre of a cell that it touches.
+// Where a triangle is nearest to the center of a cell that it touches.
 struct PairPoint {
   int16_t shares[3];    // Q14, of the triangle's corners
   int16_t position[3];  // Q14, in the cell
 };
 
-// A copy of a cell stands for the triangles in it that belong together; a cell inside the body has one. Corner q of a cell is
+// A copy of a cell represents the triangles in it that belong together; a cell inside the body has one. Corner q of a cell is
 // at x = q / 4, y = q / 2 % 2, z = q % 2.
 struct Copies {
   uint32_t count = 0, surface_count = 0;  // those with triangles come first, by cell

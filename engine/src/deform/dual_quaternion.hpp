@@ -46,7 +46,7 @@ inline void add_scaled(DualQuaternion* sum, double s, const DualQuaternion& q) {
   sum->real = sum->real + s * q.real;
   sum->dual = sum->dual + s * q.dual;
 }
-// Moves a point by a sum of motions, normalised. Exactly p for sums of the identity.
+// Moves a point by a sum of motions, normalized. Exactly p for sums of the identity.
 inline Vec3d move(const DualQuaternion& sum, Vec3d p) {
   const double inverse = reciprocal_root(dot(sum.real, sum.real));
   const Quaternion real = inverse * sum.real, dual = inverse * sum.dual;

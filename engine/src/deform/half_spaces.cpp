@@ -27,7 +27,7 @@ BendPlane find_plane(const PosedJoints& posed, uint32_t j) {
   if (length(across) < kLeastNormal) return plane;
   plane.rest_normal = unit(joint.to_parent - joint.to_children);
   plane.normal = unit(across);
-  plane.centre = move(posed.joints[j].motion, joint.position);
+  plane.center = move(posed.joints[j].motion, joint.position);
   const double own = joint.bone_length > 0.3 * joint.parent_length ? joint.bone_length : 0.3 * joint.parent_length;
   plane.reach = kReach * (own < joint.parent_length ? own : joint.parent_length);
   if (fold < kFullFold) plane.slack = plane.reach * (kFullFold - fold) / (kFullFold - kLeastFold);
@@ -50,7 +50,7 @@ bool find_side(const DeformRest& rest, const BendPlane& plane, uint32_t v, HalfS
   const double at_rest = side * dot(plane.rest_normal, from);
   const double least = at_rest > gap ? gap : at_rest < 0 ? at_rest : 0;
   space->normal = side * plane.normal;
-  space->offset = side * dot(plane.normal, plane.centre) + least - plane.slack;
+  space->offset = side * dot(plane.normal, plane.center) + least - plane.slack;
   return true;
 }
 

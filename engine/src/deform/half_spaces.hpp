@@ -27,7 +27,7 @@ inline double outside_by(const HalfSpace& half, Vec3d x) {
 // Fills spaces [V]. planes [J] is scratch.
 struct BendPlane {
   uint32_t joint;
-  Vec3d rest_normal, normal, centre;  // of the plane at rest and posed; it passes the posed joint
+  Vec3d rest_normal, normal, center;  // of the plane at rest and posed; it passes the posed joint
   double reach;                       // 0: the joint does not fold
   double slack;                       // how far beyond the plane vertices may be: it falls to 0 while a fold begins
 };

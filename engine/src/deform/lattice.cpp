@@ -144,7 +144,7 @@ class LatticeMaker {
     }
   }
 
-  // Neighbours of every node, both ways, ascending and once each.
+  // Neighbors of every node, in both directions, ascending and unique.
   void connect(uint32_t* offsets, uint32_t* members) {
     const uint32_t count = lattice_.node_count;
     for (uint32_t n = 0; n <= count; ++n) offsets[n] = 0;
@@ -166,7 +166,7 @@ class LatticeMaker {
       const uint32_t begin = offsets[n], end = offsets[n + 1];
       sort_ascending(members + begin, end - begin);
       offsets[n] = kept;
-      uint32_t last = n;  // no node is its own neighbour
+      uint32_t last = n;  // no node is its own neighbor
       for (uint32_t m = begin; m < end; ++m) {
         const uint32_t other = members[m];
         if (other == last) continue;
@@ -180,13 +180,13 @@ class LatticeMaker {
   // Cells of one parity on every axis have no corner in common. Copies of one cell may, and stay in one piece.
   void cut_pieces() {
     uint32_t taken = 0, pieces = 0;
-    for (uint32_t colour = 0; colour < kColours; ++colour) {
-      lattice_.colour_pieces[colour] = pieces;
+    for (uint32_t color = 0; color < kColors; ++color) {
+      lattice_.color_pieces[color] = pieces;
       uint32_t begin = taken, cell = 0;
       for (uint32_t c = 0; c < copies_.count; ++c) {
         const Vec3i at = cell_coordinates(grid_, copies_.cells[c]);
         if ((static_cast<uint32_t>(at.x & 1) | static_cast<uint32_t>(at.y & 1) << 1 |
-             static_cast<uint32_t>(at.z & 1) << 2) != colour) {
+             static_cast<uint32_t>(at.z & 1) << 2) != color) {
           continue;
         }
         if (taken - begin >= kPieceCopies && copies_.cells[c] != cell) {
@@ -198,7 +198,7 @@ class LatticeMaker {
       }
       if (taken > begin) lattice_.piece_copies[pieces++] = begin;
     }
-    lattice_.colour_pieces[kColours] = pieces;
+    lattice_.color_pieces[kColors] = pieces;
     lattice_.piece_copies[pieces] = taken;
   }
 
@@ -227,7 +227,7 @@ class LatticeMaker {
     lattice_.piece_edges[lattice_.piece_count()] = lattice_.edge_count;
   }
 
-  // Nodes that no triangle is near: the mean of their neighbours, from the outside inwards, then smoothed.
+  // Nodes that no triangle is near: the mean of their neighbors, from the outside inwards, then smoothed.
   void fill(const uint32_t* offsets, const uint32_t* members, uint8_t* known) {
     const auto mean = [&](uint32_t n) {
       bool any = false;
@@ -319,7 +319,7 @@ class LatticeMaker {
 };
 
 // Cells that the triangles of a face touch, all summed up: of its fan around the first corner, or around the last one, as a
-// face is read that is turned inwards, whichever is more.
+// face is read that is rotated inwards, whichever is more.
 uint64_t face_pairs(const sinew_mesh& mesh, const GridQuantizer& quantizer, const VoxelGrid& grid, uint32_t face) {
   const uint32_t first = mesh.face_offsets != nullptr ? mesh.face_offsets[face] : 3 * face;
   const uint32_t last = mesh.face_offsets != nullptr ? mesh.face_offsets[face + 1] : first + 3;
@@ -345,7 +345,7 @@ bool Lattice::allocate(Arena& arena, const LatticeBounds& bounds) {
   nodes = arena.alloc<Vec3i>(bounds.nodes);
   rows = arena.alloc<WeightRow>(bounds.nodes);
   tetrahedra = arena.alloc<uint32_t>(static_cast<size_t>(bounds.copies) * 20);
-  const size_t pieces = bounds.copies / kPieceCopies + kColours + 1;
+  const size_t pieces = bounds.copies / kPieceCopies + kColors + 1;
   copy_order = arena.alloc<uint32_t>(bounds.copies);
   piece_copies = arena.alloc<uint32_t>(pieces);
   piece_edges = arena.alloc<uint32_t>(pieces);

@@ -24,8 +24,8 @@ struct LatticeBounds {
   uint32_t vertices = 0, influences = 0, joints = 0;
 };
 
-constexpr uint32_t kColours = 8;
-constexpr uint32_t kPieceCopies = 32;  // a piece has at least so many, but for the last of a colour
+constexpr uint32_t kColors = 8;
+constexpr uint32_t kPieceCopies = 32;  // a piece has at least so many, but for the last of a color
 
 struct LatticeEdge {
   uint32_t a, b;  // nodes, a < b
@@ -43,17 +43,17 @@ struct Lattice {
   Vec3i* nodes = nullptr;          // [n] rest positions, lattice units from the grid's corner
   WeightRow* rows = nullptr;       // [n]
   uint32_t* tetrahedra = nullptr;  // [t x 4] nodes, positive volume; the fifth of a copy is its large middle one
-  // Copies by the parity of their cells' coordinates, their colour, and cut into pieces: pieces of one colour have no node in
+  // Copies by the parity of their cells' coordinates, their color, and cut into pieces: pieces of one color have no node in
   // common, so that threads may take them side by side.
   uint32_t* copy_order = nullptr;    // [N]
   uint32_t* piece_copies = nullptr;  // [pieces + 1] of copy_order
   uint32_t* piece_edges = nullptr;   // [pieces + 1] of edges
-  uint32_t colour_pieces[kColours + 1] = {};
+  uint32_t color_pieces[kColors + 1] = {};
   LatticeEdge* edges = nullptr;   // each once, of the first copy in that order that has it
   Embedding* vertices = nullptr;  // [U] by welded vertex
 
   bool allocate(Arena& arena, const LatticeBounds& bounds);
-  uint32_t piece_count() const { return colour_pieces[kColours]; }
+  uint32_t piece_count() const { return color_pieces[kColors]; }
 };
 
 // The grid of a mesh and the bounds of its lattice. The grid's corner lies a little more than a cell below the mesh, uneven parts of a cell on each axis, so that

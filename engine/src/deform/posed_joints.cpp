@@ -8,7 +8,7 @@ namespace {
 constexpr double kLargest = 1e15;         // of an element of a matrix
 constexpr double kScaleTolerance = 2e-3;  // of squared lengths, and of cosines between columns
 constexpr double kSameScale = 1e-4;       // closer to 1 is 1: matrices of floats
-// Joints that turn by less than a thousandth of a radian against each other, or move by less than a thousandth of a cell, are
+// Joints that rotate by less than a thousandth of a radian against each other, or move by less than a thousandth of a cell, are
 // one rigid piece.
 constexpr double kSameRotation = 1 - 1.25e-7;
 constexpr double kSameMove = 1e-3;
@@ -71,7 +71,7 @@ uint32_t find_group(const PosedJoints& posed, uint32_t j) {
              : group;
 }
 
-// How near to half a turn a joint is, where the quaternion that it has changes sides.
+// How near to 180 degrees a joint is, where the quaternion that it has changes sides.
 double find_overturn(const PosedJoints& posed, uint32_t j) {
   const RestJoint& joint = posed.rest->skeleton[j];
   if (joint.parent < 0) return 0;
@@ -97,7 +97,7 @@ void find_twist(uint32_t j, PosedJoints* posed) {
   const Vec3d axis = -1.0 * joint.to_parent;
   const double along = rotation.x * axis.x + rotation.y * axis.y + rotation.z * axis.z;
   const double square = rotation.w * rotation.w + along * along;
-  if (square < 1e-3) return;  // half a turn across: no twist can be told
+  if (square < 1e-3) return;  // 180 degrees across: the twist is undefined
   const double inverse = reciprocal_root(square);
   double w = rotation.w * inverse, s = along * inverse;
   if (w < 0) {

@@ -13,8 +13,8 @@ struct PosedJoint {
   DualQuaternion motion;   // its quaternion lies on the parent's side
   DualQuaternion twisted;  // `motion` after all of the child's twist about the bone
   bool twists;             // this joint's bone takes a part of its one child's twist
-  double overturned;       // 0..1: turned by nearly half a turn against the parent, where dual quaternions change sides
-  uint32_t group;          // the joint that this one moves with as one rigid piece: itself, or one above
+  double overturned;  // 0..1: rotated by nearly 180 degrees against the parent, where dual quaternions change sides
+  uint32_t group;     // the joint that this one moves with as one rigid piece: itself, or one above
 };
 
 struct PosedJoints {
@@ -27,8 +27,8 @@ struct PosedJoints {
   bool allocate(Arena& arena, const DeformRest& of);
 };
 
-// Reads a palette [J x 12]. Quaternions go with their parent's along the hierarchy, so that two joints that turned by more than
-// half a turn against each other, by way of joints between them, blend as those do. Returns SINEW_OK or SINEW_ERROR_NOT_FINITE.
+// Reads a palette [J x 12]. Quaternions go with their parent's along the hierarchy, so that two joints that rotated by more than
+// 180 degrees against each other, by way of joints between them, blend as those do. Returns SINEW_OK or SINEW_ERROR_NOT_FINITE.
 sinew_status read_palette(const float* palette, PosedJoints* posed);
 
 // Whether joints move against each other.
@@ -58,7 +58,7 @@ double twist_share(const RestJoint& joint, Vec3d position);
 // Sum of the motions of a row at a position. A row without weights stands still.
 DualQuaternion blend_motions(const PosedJoints& posed, const uint16_t* joints, const uint16_t* weights, uint32_t n,
                              Vec3d position);
-// How far the joints of a row, by falling weight, are overturned against each other: the most of any joint between them.
+// How far the joints of a row, by descending weight, are overturned against each other: the most of any joint between them.
 double row_overturn(const PosedJoints& posed, const uint16_t* joints, const uint16_t* weights, uint32_t n);
 // Dual quaternion blending: L. Kavan, S. Collins, J. Zara, C. O'Sullivan, ACM TOG 27(4), 2008. Overturned joints blend more
 // and more linearly, so that nothing jumps where the quaternions change sides.

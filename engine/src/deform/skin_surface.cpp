@@ -30,7 +30,7 @@ void list_corners(SkinSurface* surface, uint32_t welded_count) {
   for (uint32_t c = corners; c-- > 0;) surface->corner_triangles[--offsets[surface->triangles[c]]] = c / 3;
 }
 
-// Vertices tell the nodes around them, and nodes their neighbours, so that what is near in space but another copy stays apart.
+// Vertices tell the nodes around them, and nodes their neighbors, so that what is near in space but another copy stays apart.
 void find_nearest_vertices(const Lattice& lattice, uint32_t welded_count, SkinSurface* surface) {
   for (uint32_t n = 0; n < lattice.node_count; ++n) surface->nearest[n] = welded_count;
   const auto offer = [&](uint32_t node, uint32_t vertex) {

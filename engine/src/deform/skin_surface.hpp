@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The surface around a lattice at rest: what says how deep a position of the lattice lies inside of the body.
+// The surface around a lattice at rest, for measuring the depth of a lattice position inside the body.
 #ifndef SINEW_DEFORM_SKIN_SURFACE_HPP
 #define SINEW_DEFORM_SKIN_SURFACE_HPP
 
@@ -30,7 +30,7 @@ struct SkinSurface {
   uint32_t* nearest = nullptr;  // [n] vertex that is nearest to a node, along edges of the lattice; U for none
 
   bool allocate(Arena& arena, size_t vertices, size_t triangles, size_t nodes);
-  // A hub of more triangles is looked at through its first ones.
+  // Of a hub with more triangles only the first ones are used.
   uint32_t corners_end(uint32_t vertex) const {
     const uint32_t begin = corner_offsets[vertex], end = corner_offsets[vertex + 1];
     return end - begin > kMostCorners ? begin + kMostCorners : end;

@@ -14,7 +14,7 @@ sinew_status skin_linear(const float* positions, uint32_t vertex_count, const ui
                          uint32_t influence_count, const float* palette, uint32_t joint_count, float* out);
 
 // Method: L. Kavan, S. Collins, J. Zara, C. O'Sullivan, "Geometric Skinning with Approximate Dual Quaternion Blending",
-// ACM TOG 27(4), 2008, algorithm 1. Quaternions are turned to the side of the row's first one, the largest influence.
+// ACM TOG 27(4), 2008, algorithm 1. Quaternions are rotated to the side of the row's first one, the largest influence.
 sinew_status skin_dual_quaternion(const float* positions, uint32_t vertex_count, const uint16_t* joints,
                                   const uint16_t* weights, uint32_t influence_count, const float* palette,
                                   uint32_t joint_count, float* out);

@@ -9,7 +9,7 @@ void find_borders(uint8_t* edge_triangles, DeformRest* rest) {
   for (uint32_t r = 0; r < offsets[rest->welded_count]; ++r) edge_triangles[r] = 0;
   const auto count = [&](uint32_t from, uint32_t to) {
     uint32_t r = offsets[from];
-    while (rest->col_indices[r] != to) ++r;  // there is one: neighbours are those of triangles
+    while (rest->col_indices[r] != to) ++r;  // there is one: neighbors are those of triangles
     if (edge_triangles[r] < 2) ++edge_triangles[r];
   };
   for (uint32_t i = 0; i < 3 * rest->triangle_count; ++i) {

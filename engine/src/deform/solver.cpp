@@ -36,13 +36,13 @@ void add_momentum(bool on, uint32_t count, SolverState* state) {
   }
 }
 
-// Constraints of every piece, colour by colour. begins [pieces + 1].
+// Constraints of every piece, color by color. begins [pieces + 1].
 template <class Solve>
 void each_piece(const Lattice& lattice, const uint32_t* begins, bool backwards, const Threads& threads,
                 const Solve& solve_range) {
-  for (uint32_t i = 0; i < kColours; ++i) {
-    const uint32_t colour = backwards ? kColours - 1 - i : i;
-    const uint32_t first = lattice.colour_pieces[colour], pieces = lattice.colour_pieces[colour + 1] - first;
+  for (uint32_t i = 0; i < kColors; ++i) {
+    const uint32_t color = backwards ? kColors - 1 - i : i;
+    const uint32_t first = lattice.color_pieces[color], pieces = lattice.color_pieces[color + 1] - first;
     const auto piece = [&](uint32_t p, uint32_t) { solve_range(begins[first + p], begins[first + p + 1]); };
     // Fewer are done before threads have begun.
     if (begins[first + pieces] - begins[first] < kWorthThreads) {
@@ -105,7 +105,7 @@ bool SolverState::allocate(Arena& arena, uint32_t node_count, uint32_t tetrahedr
   tetrahedron_flags = arena.alloc<uint8_t>(tetrahedra_most);
   edge_flags = arena.alloc<uint8_t>(edges_most);
   stamps = arena.alloc<uint32_t>(node_count);
-  const size_t pieces = tetrahedra_most / (5 * kPieceCopies) + kColours + 1;
+  const size_t pieces = tetrahedra_most / (5 * kPieceCopies) + kColors + 1;
   piece_tetrahedra = arena.alloc<uint32_t>(pieces);
   piece_edges = arena.alloc<uint32_t>(pieces);
   return arena.ok();

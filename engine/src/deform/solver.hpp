@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Position-based solver of a lattice in integers: soft edges, hard volumes, half spaces of embedded points. The same steps on
-// every target and for any number of threads: colour by colour, in index order.
+// every target and for any number of threads: color by color, in index order.
 #ifndef SINEW_DEFORM_SOLVER_HPP
 #define SINEW_DEFORM_SOLVER_HPP
 

@@ -78,7 +78,7 @@ class VolumePose {
     });
   }
 
-  // Parts of the body that are no neighbours, after the pose is solved.
+  // Parts of the body that are no neighbors, after the pose is solved.
   void keep_apart() {
     for (int pass = 0; pass < kContactPasses; ++pass) {
       if (!find_contacts({posed_, spaces_, positions_, state_.nodes, middle_}, &contacts_)) return;

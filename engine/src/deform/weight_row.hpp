@@ -10,7 +10,7 @@ namespace sinew::deform {
 
 constexpr uint32_t kNodeSlots = 8;
 
-// By falling weight, ties by joint; weights sum to 65535, or are all 0. Slots that are not used have weight 0.
+// By descending weight, ties by joint; weights sum to 65535, or are all 0. Slots that are not used have weight 0.
 struct WeightRow {
   uint16_t joints[kNodeSlots];
   uint16_t weights[kNodeSlots];

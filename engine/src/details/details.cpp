@@ -41,7 +41,7 @@ class KeptSkeleton {
   uint8_t* kept_[kArrays] = {};
 };
 
-// A skeleton that faces between the axes is looked at with its mesh turned to y up and front +z.
+// A skeleton that faces between the axes is processed with its mesh rotated to y up and front +z.
 class TurnedSkeleton {
  public:
   // Returns whether it has to be turned.

@@ -91,7 +91,7 @@ bool is_below(const GivenSkeleton& s, int32_t j, uint32_t head) {
   return false;
 }
 
-// Whether the head's own bone, or one of those that hang on it, comes nearer to p than all others.
+// Returns whether the head's own bone, or one of its descendants, is nearer to p than all others.
 bool belongs_to(const GivenSkeleton& s, uint32_t head, Vec3i p) {
   const auto squared = [&](Vec3i a, Vec3i b) {
     const Vec3i d = nearest_on_segment(a, b, p) - p;
@@ -108,7 +108,7 @@ bool belongs_to(const GivenSkeleton& s, uint32_t head, Vec3i p) {
   return own <= others;
 }
 
-// Where a head is, turned to face +z.
+// Where a head is, rotated to face +z.
 struct Head {
   Vec3i base, tip;
   int64_t length = 0;  // of its bone or its parent's, the longer one
@@ -153,7 +153,7 @@ bool is_bare_head(const GivenSkeleton& s, uint32_t j) {
   return true;
 }
 
-// Balls that lie like eyes, turned to face +z (MirrorFrame::turn), grid units.
+// Balls that lie like eyes, rotated to face +z (MirrorFrame::turn), grid units.
 struct Eyes {
   Vec3i at[2] = {};  // of the balls' middles: left (+x) and right
   int32_t size = 0;  // across a ball; 0: there are none

@@ -25,7 +25,7 @@ void set_axes(Vec3i along, Vec3i (&axes)[3]) {
   constexpr int32_t kOne = 1 << kAxisBits;
   const Vec3l wide = {along.x, along.y, along.z};
   const Vec3i a = unit_vector(wide, kAxisBits);
-  if (a == Vec3i{0, 0, 0} || a.x < -kOne + (kOne >> 10)) {  // none, or straight back: half a turn about y
+  if (a == Vec3i{0, 0, 0} || a.x < -kOne + (kOne >> 10)) {  // none, or straight back: 180 degrees about y
     const int32_t x = a.x < 0 ? -kOne : kOne;
     axes[0] = {x, 0, 0};
     axes[1] = {0, kOne, 0};
@@ -152,7 +152,7 @@ class Cutter {
       crop_.mesh.positions[v] = crop_.frame.to(mesh_.positions[crop_.source[v]]);
   }
 
-  // Where `b` stands among a's neighbours in the whole mesh's one-rings.
+  // Where `b` stands among a's neighbors in the whole mesh's one-rings.
   uint32_t edge(uint32_t a, uint32_t b) const {
     uint32_t low = mesh_.row_offsets[a], high = mesh_.row_offsets[a + 1];
     while (low + 1 < high) {
@@ -209,7 +209,7 @@ class Cutter {
       const uint32_t number = loop_of_[find_root(above_, a)];
       if (number == kNoIndex || crop_.mesh.triangle_count == most_triangles_) return;
       uint32_t* const cap = crop_.mesh.triangles + size_t{3} * crop_.mesh.triangle_count++;
-      cap[0] = b;  // the other way round than the triangle that has the edge
+      cap[0] = b;  // in the opposite direction of the triangle with the edge
       cap[1] = a;
       cap[2] = mesh_.welded_count + crop_.surface_vertices + number;
     });

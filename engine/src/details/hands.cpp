@@ -107,7 +107,7 @@ struct HandVoter {
   }
 };
 
-// Writes fingers behind the caller's joints; the first takes the place of the hand's bone end.
+// Appends fingers to the caller's joints; the first one replaces the hand's bone end.
 class Writer {
  public:
   Writer(const Body& body, const Units& units, uint32_t up_axis, sinew_rig_outputs* outputs)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Attributes as published for skin weights by graph convolutions, in place of the features: no heat weights among them.
+// Attributes as published for skin weights by graph convolutions, instead of the features: no heat weights among them.
 #ifndef SINEW_FEATURES_ATTRIBUTES_HPP
 #define SINEW_FEATURES_ATTRIBUTES_HPP
 
@@ -11,7 +11,7 @@ namespace sinew {
 enum VertexAttribute : uint32_t {
   kAttributePosition = 0,   // 3: twice the position, shares of the mesh's longest side
   kAttributeNormal = 3,     // 3
-  kAttributeLaplacian = 6,  // 3: from the vertex to the mean of its neighbours, share of the mean length of its edges
+  kAttributeLaplacian = 6,  // 3: from the vertex to the mean of its neighbors, share of the mean length of its edges
   kAttributeCurvature = 9,  // 2: mean and Gaussian, of mesh/shape.hpp
   kVertexAttributes = 11
 };

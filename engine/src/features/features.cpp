@@ -163,7 +163,7 @@ class RowBuilder {
     for (uint32_t i = 0; i < soft_.count; ++i) entry(soft_.joints[i]).soft = soft_.weights[i];
   }
 
-  // Heat's joints and the part's favourites first, then the voxel candidates by distance until K are there. What the
+  // Heat's joints and the part's favorites first, then the voxel candidates by distance until K are there. What the
   // rigid answer for a whole part could be must be open to each of its vertices.
   void choose_candidates(uint32_t v) {
     const PartTables& t = tables_;

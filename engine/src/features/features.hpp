@@ -16,7 +16,7 @@ constexpr uint32_t kFeatureSet = 1;  // grows whenever a feature changes its mea
 // A model's feature set is kFeatureSet in its low 16 bits and flags of what it wants beside it in the high ones.
 constexpr uint32_t kSpectralFlag = 1u << 16;  // the channels of spectral/spectral.hpp, behind the others of a vertex
 constexpr uint32_t kAttributesFlag =
-    1u << 17;  // those of features/attributes.hpp in place of all others but the spectral ones
+    1u << 17;  // those of features/attributes.hpp instead of all others but the spectral ones
 constexpr uint32_t kFeatureFlags = kHasExtras ? kSpectralFlag | kAttributesFlag : 0;
 constexpr int kFeatureBits = 13;
 // Buffers of the network that the rows are for.

@@ -43,7 +43,7 @@ void PartTableBuilder::sum_rule_rows(uint32_t c) {
 
 void PartTableBuilder::find_box(uint32_t c) {
   const Vec3i lo = parts_.box_min[c], hi = parts_.box_max[c];
-  t_.centre = {(lo.x + hi.x) / 2, (lo.y + hi.y) / 2, (lo.z + hi.z) / 2};
+  t_.center = {(lo.x + hi.x) / 2, (lo.y + hi.y) / 2, (lo.z + hi.z) / 2};
   const Vec3i side = hi - lo;
   t_.extent = side.x > side.y ? side.x : side.y;
   t_.extent = side.z > t_.extent ? side.z : t_.extent;
@@ -52,7 +52,7 @@ void PartTableBuilder::find_box(uint32_t c) {
   t_.thickness = side.z < t_.thickness ? side.z : t_.thickness;
 }
 
-// Where the joints lie, and which of them stand for the part.
+// Where the joints lie, and which of them represent the part.
 void PartTableBuilder::mark_joints(uint32_t c) {
   const uint32_t joints = skeleton_.joint_count, size = mesh_.part_sizes[c];
   const Vec3i lo = parts_.box_min[c], hi = parts_.box_max[c];
@@ -152,8 +152,8 @@ void PartTableBuilder::make_channels(uint32_t j, uint32_t c) {
   f[kP_joint_in_box] = t_.in_box[j] != 0 ? kOne : 0;
   f[kP_topmost_in_box] = t_.topmost[j] != 0 ? kOne : 0;
   f[kP_deepest_of_part] = t_.deepest[j] != 0 ? kOne : 0;
-  const Vec3i to_centre = t_.centre - skeleton_.positions[j];
-  const uint32_t centre_distance = isqrt64(static_cast<uint64_t>(dot(to_centre, to_centre)));
+  const Vec3i to_center = t_.center - skeleton_.positions[j];
+  const uint32_t centre_distance = isqrt64(static_cast<uint64_t>(dot(to_center, to_center)));
   f[kP_centre_distance] = side_ratio_q13(2 * static_cast<int64_t>(centre_distance));
   f[kP_centre_ratio] = log_q13(static_cast<uint64_t>(centre_distance) + kSoftLength,
                                log2_q16(static_cast<uint64_t>(t_.extent) + kSoftLength), 2);

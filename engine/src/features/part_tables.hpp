@@ -27,7 +27,7 @@ struct alignas(64) PartTables {
   int16_t* vertex = nullptr;   // [kVertexFeatureCount] channels of a vertex that all of the part share, the others 0
   int64_t host_total = 0;
   uint16_t own_top = kNoJoint, host_top = kNoJoint, box_top = kNoJoint;
-  Vec3i centre = {0, 0, 0};
+  Vec3i center = {0, 0, 0};
   int32_t extent = 1, thickness = 1;
   uint32_t contact = 0;  // mean distance of the closest quarter to the host
 

@@ -231,7 +231,7 @@ sinew_status find_parts(const Mesh& mesh, const HeatFields& heat, const Counts& 
     const uint32_t c = mesh.part[v];
     grow(mesh.positions[v], &parts->box_min[c], &parts->box_max[c]);
     parts->source_count[c] += heat.field[kFieldRule].has_source[v];
-    // Around an inner vertex of a manifold there are as many triangles as neighbours; at a boundary one less.
+    // Around an inner vertex of a manifold there are as many triangles as neighbors; at a boundary one less.
     parts->boundary_count[c] += triangles_at[v] != mesh.row_offsets[v + 1] - mesh.row_offsets[v];
   }
   return SINEW_OK;

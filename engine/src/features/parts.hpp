@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stage 5 of a bind: what each part is and what it hangs on.
+// Stage 5 of a bind: classifies each part and finds its parent.
 #ifndef SINEW_FEATURES_PARTS_HPP
 #define SINEW_FEATURES_PARTS_HPP
 

@@ -19,8 +19,8 @@ constexpr int64_t kKnownFront = 11469, kUsualFront = 3277;
 constexpr int32_t kUsualUp = 2358;
 constexpr int64_t kSheetUp = 3072;                // logit in Q10 that a sheet stands,
 constexpr int32_t kSheetDepth = kSide * 6 / 100;  // which is no deeper than that
-// Logit of an answer of length 1, Q10: what decides, and what is told of a mesh without a mirror plane. Fitted on makers that a network
-// trained without (trainer/configs/RESULTS.md).
+// Logit of an answer of length 1, Q10: for the decision, and for the confidence of a mesh without a mirror plane.
+// Fitted on makers that a network trained without (trainer/configs/RESULTS.md).
 constexpr int64_t kSureness = 2816, kLeaningSureness = 1549;
 // Below it the answer is left to the votes.
 constexpr float kClear = 0.7f;

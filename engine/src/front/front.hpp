@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which way a mesh is up and where it faces: the network of the front, then the mesh's own mirror plane at any angle.
+// Finds the up axis and the front of a mesh: by the network of the front, then by the mesh's mirror plane at any
+// angle.
 #ifndef SINEW_FRONT_FRONT_HPP
 #define SINEW_FRONT_FRONT_HPP
 
@@ -11,7 +12,7 @@ namespace sinew::rigging {
 
 // What the network says of one candidate of up.
 struct FrontAnswer {
-  int64_t x = 0, z = 0;  // the front in the floor's plane, Q15; its length says how sure it is
+  int64_t x = 0, z = 0;  // the front in the plane of the floor, Q15; its length is its certainty
   int32_t upright = 0;   // logit, Q10
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the network of the front sees: points of the surface in a frame of their own, in which a mesh looks the same however it
-// is turned about the upright axis.
+// is rotated about the upright axis.
 #ifndef SINEW_FRONT_FRONT_POINTS_HPP
 #define SINEW_FRONT_FRONT_POINTS_HPP
 
@@ -11,8 +11,8 @@ namespace sinew::rigging {
 
 constexpr uint32_t kFrontFeatureSet = 5;  // of the rig task
 constexpr uint32_t kFrontPoints = kSetPoints;
-// A mesh is looked at along both directions of the points' long axis in the floor's plane, and across it: the four answers
-// are added up, so that the direction of the axis does not matter.
+// The network sees a mesh along both directions of the points' long axis in the plane of the floor, and across it.
+// The four answers are added, so that the direction of the axis does not matter.
 constexpr uint32_t kFrontFrames = 4;
 
 // Channels of a point, Q13. Lengths are shares of the longest side. "Along" is along the frame's axis, "across" is counted away
@@ -66,7 +66,7 @@ inline FrontOffset front_offset(const FrontView& view, uint32_t i) {
   return {view.points[i].position.x - view.mean.x, view.points[i].position.z - view.mean.z};
 }
 
-// The frame's axis, Q14: the long axis turned by `frame` quarters.
+// The frame's axis, Q14: the long axis rotated by `frame` quarters.
 inline FrontOffset frame_axis(const FrontView& view, uint32_t frame) {
   const int64_t x = view.axis_x, z = view.axis_z;
   return frame == 0   ? FrontOffset{x, z}

@@ -101,7 +101,7 @@ void match(const AngleScratch& s, uint32_t tenths, Plane* plane) {
   matches.fit(plane);
 }
 
-// The better of what was measured on the way.
+// The better of the measured angles.
 Plane refined(const AngleScratch& s, uint32_t tenths, Plane start) {
   Plane best;
   for (uint32_t round = 0; round <= kPointRounds; ++round) {
@@ -192,7 +192,7 @@ bool find_mirror_angle(const Mesh& mesh, uint32_t up_axis, Heading expected, Are
     plane.at = along(side, round_div(x, kMirrorPoints), round_div(z, kMirrorPoints));
     return plane;
   };
-  // Eighths of half a turn: cosines and sines, Q28.
+  // Eighths of 180 degrees: cosines and sines, Q28.
   constexpr int64_t kTable[kAngles][2] = {{268435456, 0},          {248002075, 102725825}, {189812531, 189812531},
                                           {102725825, 248002075},  {0, 268435456},         {-102725825, 248002075},
                                           {-189812531, 189812531}, {-248002075, 102725825}};

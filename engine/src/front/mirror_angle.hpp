@@ -31,7 +31,7 @@ SurfaceAxis surface_axis(const Mesh& mesh, uint32_t up_axis);
 //   expected  unit vector, or (0, 0) where any will do
 //   normal    out  unit vector, untouched where no plane mirrors the mesh, or six tenths of it near the expected front
 // A plane beside the surface's axis is put there, where the axis is clear; else it is that of the vertices that mirror each
-// other, where they do. So it is the same to the grid however the mesh is turned. Scratch is taken from the arena and
+// other, where they do. So it is the same to the grid however the mesh is rotated. Scratch is taken from the arena and
 // released. Returns arena.ok().
 bool find_mirror_angle(const Mesh& mesh, uint32_t up_axis, Heading expected, Arena& arena, Heading* normal,
                        bool* found);

@@ -14,7 +14,7 @@ constexpr uint32_t kFoldError = kSide * 3 / 100;
 
 enum class Mirroring : uint8_t { kAuto, kAlways, kNever };
 
-// From the mesh's grid to the mirror frame, in quarter turns about y: the plane comes to x = 0, and what faces along +z, +x,
+// From the mesh's grid to the mirror frame, in rotations by 90 degrees about y: the plane comes to x = 0, and what faces along +z, +x,
 // -z or -x (0 to 3 quarters) faces along +z then. Odd quarters have a plane across z.
 struct MirrorFrame {
   bool folded = false;  // the mesh is near enough to its mirror image
@@ -53,7 +53,7 @@ bool find_mirror_frame(const Mesh& mesh, Mirroring mirroring, const int32_t (&mi
                        MirrorFrame* frame);
 // Moves the mesh's vertices and normals into the frame.
 void apply_mirror_frame(const MirrorFrame& frame, Mesh* mesh);
-// Turns a mesh that is in its frame by more quarters, and says so in the frame.
+// Rotates a mesh in its frame by further multiples of 90 degrees, and updates the frame.
 void turn_frame(uint32_t quarters, MirrorFrame* frame, Mesh* mesh);
 
 }  // namespace sinew::rigging

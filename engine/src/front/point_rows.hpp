@@ -22,8 +22,8 @@ struct PointRows {
     offsets = arena.alloc<uint32_t>(kSetPoints + 1);
     return arena.ok();
   }
-  //   neighbours  of each point; 0: none
-  void fill(uint32_t neighbours) {
+  //   neighbors  of each point; 0: none
+  void fill(uint32_t neighbors) {
     part_offsets[0] = 0;
     part_offsets[1] = kSetPoints;
     for (uint32_t i = 0; i < kSetPoints; ++i) {
@@ -31,19 +31,19 @@ struct PointRows {
       part[i] = 0;
       part_vertices[i] = i;
     }
-    for (uint32_t i = 0; i <= kSetPoints; ++i) offsets[i] = i * neighbours;
+    for (uint32_t i = 0; i <= kSetPoints; ++i) offsets[i] = i * neighbors;
   }
-  // Of points without neighbours.
+  // Of points without neighbors.
   NetworkInput input(const int16_t* features) const { return input(features, part_vertices, part_vertices); }
-  NetworkInput input(const int16_t* features, const uint32_t* near_neighbours, const uint32_t* far_neighbours) const {
+  NetworkInput input(const int16_t* features, const uint32_t* near_neighbors, const uint32_t* far_neighbors) const {
     NetworkInput input;
     input.vertex_count = kSetPoints;
     input.candidate_count = 1;
     input.inputs[0] = features;
     input.joints = joints;
     input.row_offsets = input.far_offsets = offsets;
-    input.col_indices = near_neighbours;
-    input.far_indices = far_neighbours;
+    input.col_indices = near_neighbors;
+    input.far_indices = far_neighbors;
     input.part = part;
     input.part_offsets = part_offsets;
     input.part_vertices = part_vertices;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a mesh stands in the caller's axes, and the mesh turned to y up and front +z.
+// Orientation of a mesh in the caller's axes, and its rotation to y up and front +z.
 #ifndef SINEW_FRONT_TURN_HPP
 #define SINEW_FRONT_TURN_HPP
 

@@ -37,7 +37,7 @@ sinew_status plan_front(const sinew_rig_options& options, FrontPlan* plan) {
   plan->given = options.front;
   plan->axes_known = options.axes_known != 0;
   plan->find_up = options.up == SINEW_UP_AUTO && options.front_model != nullptr && !plan->axes_known;
-  // A front along y or z says what is not up.
+  // A front along y or z excludes that axis as up.
   const bool along_y = options.front >= SINEW_FRONT_PLUS_Y;
   const bool along_z = options.front == SINEW_FRONT_PLUS_Z || options.front == SINEW_FRONT_MINUS_Z;
   if ((along_y && options.up == SINEW_UP_Y) || (along_z && options.up == SINEW_UP_Z)) return SINEW_ERROR_ARGUMENT;

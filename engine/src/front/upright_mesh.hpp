@@ -27,7 +27,7 @@ struct UprightMesh {
   uint32_t up_axis = 0;  // of `mesh`
   GridQuantizer quantizer;
   Front front;
-  bool known = false;  // the front was given, or found and no coin toss
+  bool known = false;  // the front was given, or found with certainty
 };
 
 // Builds the mesh in the grid, allocated beforehand. The turned positions stay in the arena. Returns what build_mesh() and

@@ -126,9 +126,9 @@ bool short_of(uint32_t word, int unit, int64_t* out, bool* exact) {
 // The definition, in 320 bits: restoring division, one quotient bit a step.
 int32_t quantize_long(const GridQuantizer& quantizer, uint32_t word, int axis) {
   const WideInt twice_value = shift_left(wide_of(word), 1);
-  const WideInt centred = shift_left(subtract(twice_value, quantizer.sum[axis]), kGridBits);
+  const WideInt centered = shift_left(subtract(twice_value, quantizer.sum[axis]), kGridBits);
   // + side is the half of the rounding; + 2^22 * (2 side) makes every value inside the clamp non-negative.
-  WideInt rest = add(add(centred, quantizer.side), shift_left(quantizer.side, kClampBits + 1));
+  WideInt rest = add(add(centered, quantizer.side), shift_left(quantizer.side, kClampBits + 1));
   if (is_negative(rest)) return -(1 << kClampBits);
   WideInt divisor = shift_left(quantizer.side, kClampBits + 2);
   if (!is_negative(subtract(rest, divisor))) return 1 << kClampBits;
@@ -147,11 +147,11 @@ int32_t quantize_value(const GridQuantizer& quantizer, uint32_t word, int axis) 
   int64_t value = 0;
   bool exact = !kSmallCode && quantizer.short_exact[axis];  // not filled for small code
   if (!kSmallCode && quantizer.short_ok[axis] && short_of(word, quantizer.unit, &value, &exact)) {
-    const int64_t centred = 2 * value - quantizer.short_sum[axis];  // below 2^62 + 2^61
-    if (abs64(centred) <= static_cast<int64_t>(1) << 39) {
+    const int64_t centered = 2 * value - quantizer.short_sum[axis];  // below 2^62 + 2^61
+    if (abs64(centered) <= static_cast<int64_t>(1) << 39) {
       // Flooring moved the numerator by less than 2^21 + 1 and, through the side, by less than 2 |quotient| <= 2^25
       // (|quotient| < 2^24). A remainder farther than 2^26 from both ends therefore proves the quotient.
-      const int64_t numerator = centred * (1 << kGridBits) + quantizer.short_side;
+      const int64_t numerator = centered * (1 << kGridBits) + quantizer.short_side;
       const int64_t divisor = 2 * quantizer.short_side;
       const int64_t quotient = floor_div(numerator, divisor);
       const int64_t rest = numerator - quotient * divisor;

@@ -13,7 +13,7 @@
 namespace sinew {
 
 // The grid. Vertices and joints have integer coordinates; the longest side of the mesh's box is 2^20 units long. The up
-// axis is turned to y. y is 0 at the lowest vertex, x and z are 0 in the middle of the box. Joints may lie outside the
+// axis is rotated to y. y is 0 at the lowest vertex, x and z are 0 in the middle of the box. Joints may lie outside the
 // box: their coordinates are clamped to +-2^22.
 constexpr int kGridBits = 20;
 constexpr int32_t kSide = 1 << kGridBits;  // longest side of the mesh, in units
@@ -25,7 +25,7 @@ struct WideInt {
 };
 
 // Maps floats to the grid: round_half_up((2 value - sum) * 2^20 / (2 side)) per axis, where sum is low + high of the
-// mesh's box for x and z (centred) and twice the low for y (floor at 0); clamped to +-2^22. Exact for every finite
+// mesh's box for x and z (centered) and twice the low for y (floor at 0); clamped to +-2^22. Exact for every finite
 // input.
 struct GridQuantizer {
   uint32_t up_axis;

@@ -14,9 +14,9 @@ namespace sinew {
 constexpr uint32_t kHeatSlots = 16;  // largest joints kept per vertex and field
 enum HeatFieldKind : uint32_t { kFieldRule = 0, kFieldParts = 1, kFieldSoft = 2, kFieldCount = 3 };
 
-// One solved field. Of every vertex the kHeatSlots joints with the largest weights are kept, by falling weight, the
+// One solved field. Of every vertex the kHeatSlots joints with the largest weights are kept, by descending weight, the
 // lower joint first where weights are equal. Weights under 2^-12 are not kept: the slots left over are at the end, with
-// kNoJoint and 0. Weights are those of the solution, neither cut nor normalised.
+// kNoJoint and 0. Weights are those of the solution, neither cut nor normalized.
 struct HeatField {
   uint16_t* joints = nullptr;     // [U x kHeatSlots]
   uint16_t* weights = nullptr;    // [U x kHeatSlots] Q15, 0 .. 32768
@@ -48,9 +48,10 @@ sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const uint8_
                         const Kernels& kernels, const Progress& progress, Arena& arena, HeatFields* fields,
                         const WorkBeside& beside = {});
 
-// Weights by distance alone, the published way in place of stage 4; the room `published` defines it.
-// Fills fields->field[kFieldRule] with weights by the inverse square of the distance to bones. The vertices that are nearest to a bone are a sub-mesh: of
-// the bones, its own, the one above it and those below it have weight there. Neither the surface nor what lies between is looked at.
+// Weights by distance alone, the published way instead of stage 4; the room `published` defines it.
+// Fills fields->field[kFieldRule] with weights by the inverse square of the distance to bones. The vertices that are
+// nearest to a bone are a sub-mesh: of the bones, its own, the one above it and those below it have weight there.
+// Neither the surface nor what lies between is used.
 //   source_joints  [J] from choose_source_joints(): bones that may have weight
 //   fields         allocated by the caller with the same counts; the other fields stay undefined
 // Returns SINEW_OK or SINEW_ERROR_WORKSPACE. The same bytes on every platform.
@@ -58,7 +59,7 @@ sinew_status weigh_by_distance(const Mesh& mesh, const Skeleton& skeleton, const
                                const Counts& counts, Arena& arena, HeatFields* fields);
 
 // Finishes a row as the method heat does. Weights under 0.025 become 0. Weights from there to 0.05 are ramped: they
-// rise linearly from 0 to 0.05. Then the row is normalised to Q15; its sum is 32768 but for rounding. A row without
+// rise linearly from 0 to 0.05. Then the row is normalized to Q15; its sum is 32768 but for rounding. A row without
 // weights becomes its nearest joint with 32768.
 //   joints, weights  out [kHeatSlots], kNoJoint and 0 where unused
 // Returns the number of slots used, at least 1.

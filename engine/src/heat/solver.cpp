@@ -24,7 +24,7 @@ void prefetch(const void* address) {
 #endif
 }
 
-// Keeps a row of kHeatSlots sorted by falling weight, ties by lower joint.
+// Keeps a row of kHeatSlots sorted by descending weight, ties by lower joint.
 void insert(uint16_t joint, uint16_t weight, uint16_t* joints, uint16_t* weights) {
   const auto comes_first = [&](uint32_t slot) {
     return weight > weights[slot] || (weight == weights[slot] && joint < joints[slot]);
@@ -83,7 +83,7 @@ void HeatSolver::begin_part(const Mesh& mesh, const EdgeWeights& edges, uint32_t
   matrix_.ordering = &ordering_;
   matrix_.rows = mesh.part_sizes[part];
   ordering_.dissect(mesh, part, kSmallestFront);
-  with_fronts_ = fronts_.analyse(matrix_);
+  with_fronts_ = fronts_.analyze(matrix_);
   iterative_ = false;
   if (!with_fronts_) leave_fronts();
 }
@@ -91,7 +91,7 @@ void HeatSolver::begin_part(const Mesh& mesh, const EdgeWeights& edges, uint32_t
 void HeatSolver::leave_fronts() {
   with_fronts_ = false;
   ordering_.dissect(*mesh_, mesh_->part[ordering_.order[0]]);
-  iterative_ = !factor_.analyse(matrix_);
+  iterative_ = !factor_.analyze(matrix_);
 }
 
 // Joints in order of their first source in the elimination order, so that the joints of a batch lie near each other and
@@ -282,7 +282,7 @@ bool HeatSolver::keep_batch(const HeatLane& lane, uint32_t begin, uint32_t end, 
   return tame;
 }
 
-// What was too small to be looked at, and rounding where the sources pull weakly, is divided out.
+// Ignored small values, and rounding where the sources are weak, are divided out.
 bool HeatSolver::close_totals(uint32_t begin, uint32_t end) {
   for (uint32_t k = begin; k < end; ++k) {
     if (abs64(total_[k] - kFrontOne) > kFrontOne / 256) return false;

@@ -24,7 +24,7 @@ class HeatSolver {
   // A lane's memory. The first lanes may take that of a solver each, `own`; null for the others.
   bool allocate_lane(Arena& arena, const Counts& counts, const HeatSolver* own, HeatLane* lane) const;
   void use(const FrontKernels& kernels) { kernels_ = kernels; }
-  // Orders and analyses a part. The fields that are solved next share the result.
+  // Orders and analyzes a part. The fields that are solved next share the result.
   void begin_part(const Mesh& mesh, const EdgeWeights& edges, uint32_t part);
   // Solves one field of that part and writes its rows. Rows of the exact solution sum to 1, so every row is divided by
   // its sum; what was too small to keep is missing from it.

@@ -148,7 +148,7 @@ class SourceFinder {
     }
     memset(known_, 0, list_.count);
   }
-  // Leaves only those to be looked at that may be within `limit`.
+  // Keeps only those that may be within `limit`.
   void gather(uint64_t limit) {
     uint32_t count = 0;
     for (uint32_t b = 0; b < list_.count; ++b) {
@@ -187,8 +187,7 @@ class SourceFinder {
   }
 
   void with_cosine() {
-    uint32_t best =
-        last_best_ < list_.count ? last_best_ : 0;  // the neighbour's bone prunes most of the others at once
+    uint32_t best = last_best_ < list_.count ? last_best_ : 0;  // the neighbor's bone prunes most of the others at once
     int64_t smallest = distance_of(best);
     uint64_t limit = reach2(smallest);
     gather(limit);

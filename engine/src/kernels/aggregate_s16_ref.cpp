@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reference aggregations over neighbours, candidates, parts and all rows. Sums of integers: no order matters.
+// Reference aggregations over neighbors, candidates, parts and all rows. Sums of integers: no order matters.
 #include "kernels/kernels.hpp"
 
 namespace sinew {
@@ -18,16 +18,16 @@ inline const int16_t* pair_row(RowsView values, const uint16_t* joints, uint32_t
   return nullptr;
 }
 
-// RowOf(neighbour) gives the neighbour's row or null. Sum is int32 where 65536 neighbours cannot overflow it, else
+// RowOf(neighbor) gives the neighbor's row or null. Sum is int32 where 65536 neighbors cannot overflow it, else
 // int64.
 template <class Sum, class RowOf>
-void ring_mean(uint32_t channels, const uint32_t* neighbours, uint32_t count, RowOf row_of, int16_t* out) {
+void ring_mean(uint32_t channels, const uint32_t* neighbors, uint32_t count, RowOf row_of, int16_t* out) {
   for (uint32_t first = 0; first < channels; first += kChunk) {
     const uint32_t width = channels - first < kChunk ? channels - first : kChunk;
     Sum sums[kChunk] = {};
     uint32_t n = 0;
     for (uint32_t i = 0; i < count; ++i) {
-      const int16_t* row = row_of(neighbours[i]);
+      const int16_t* row = row_of(neighbors[i]);
       if (row == nullptr) continue;
       ++n;
       for (uint32_t c = 0; c < width; ++c) sums[c] += row[first + c];
@@ -37,19 +37,19 @@ void ring_mean(uint32_t channels, const uint32_t* neighbours, uint32_t count, Ro
 }
 
 template <class RowOf>
-void ring_mean_any(uint32_t channels, const uint32_t* neighbours, uint32_t count, RowOf row_of, int16_t* out) {
+void ring_mean_any(uint32_t channels, const uint32_t* neighbors, uint32_t count, RowOf row_of, int16_t* out) {
   if (count <= 65535) {  // 65535 * 32768 < 2^31
-    ring_mean<int32_t>(channels, neighbours, count, row_of, out);
+    ring_mean<int32_t>(channels, neighbors, count, row_of, out);
   } else {
-    ring_mean<int64_t>(channels, neighbours, count, row_of, out);
+    ring_mean<int64_t>(channels, neighbors, count, row_of, out);
   }
 }
 
 template <class RowOf>
-void ring_max(uint32_t channels, const uint32_t* neighbours, uint32_t count, RowOf row_of, int16_t* out) {
+void ring_max(uint32_t channels, const uint32_t* neighbors, uint32_t count, RowOf row_of, int16_t* out) {
   bool any = false;
   for (uint32_t i = 0; i < count; ++i) {
-    const int16_t* row = row_of(neighbours[i]);
+    const int16_t* row = row_of(neighbors[i]);
     if (row == nullptr) continue;
     for (uint32_t c = 0; c < channels; ++c) out[c] = !any || row[c] > out[c] ? row[c] : out[c];
     any = true;
@@ -67,28 +67,28 @@ inline void divide_row(const int64_t* sums, uint32_t channels, uint32_t n, int16
 
 }  // namespace
 
-void ring_mean_vertex_s16_ref(RowsView values, uint32_t channels, const uint32_t* neighbours, uint32_t count,
+void ring_mean_vertex_s16_ref(RowsView values, uint32_t channels, const uint32_t* neighbors, uint32_t count,
                               int16_t* out) {
   ring_mean_any(
-      channels, neighbours, count, [&](uint32_t u) { return row_at(values, u); }, out);
+      channels, neighbors, count, [&](uint32_t u) { return row_at(values, u); }, out);
 }
 
-void ring_max_vertex_s16_ref(RowsView values, uint32_t channels, const uint32_t* neighbours, uint32_t count,
+void ring_max_vertex_s16_ref(RowsView values, uint32_t channels, const uint32_t* neighbors, uint32_t count,
                              int16_t* out) {
   ring_max(
-      channels, neighbours, count, [&](uint32_t u) { return row_at(values, u); }, out);
+      channels, neighbors, count, [&](uint32_t u) { return row_at(values, u); }, out);
 }
 
 void ring_mean_pair_s16_ref(RowsView values, uint32_t channels, const uint16_t* joints, uint32_t k, uint16_t joint,
-                            const uint32_t* neighbours, uint32_t count, int16_t* out) {
+                            const uint32_t* neighbors, uint32_t count, int16_t* out) {
   ring_mean_any(
-      channels, neighbours, count, [&](uint32_t u) { return pair_row(values, joints, k, joint, u); }, out);
+      channels, neighbors, count, [&](uint32_t u) { return pair_row(values, joints, k, joint, u); }, out);
 }
 
 void ring_max_pair_s16_ref(RowsView values, uint32_t channels, const uint16_t* joints, uint32_t k, uint16_t joint,
-                           const uint32_t* neighbours, uint32_t count, int16_t* out) {
+                           const uint32_t* neighbors, uint32_t count, int16_t* out) {
   ring_max(
-      channels, neighbours, count, [&](uint32_t u) { return pair_row(values, joints, k, joint, u); }, out);
+      channels, neighbors, count, [&](uint32_t u) { return pair_row(values, joints, k, joint, u); }, out);
 }
 
 void candidate_max_s16_ref(RowsView values, bool by_joint, uint32_t channels, const uint16_t* joints, uint32_t k,

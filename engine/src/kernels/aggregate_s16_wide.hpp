@@ -32,7 +32,7 @@ struct MeanDivision {
 static_assert(131073ull * kMostListed * 2 * kMostListed < 1ull << 32, "a mean would be wrong");
 SINEW_INLINE MeanDivision mean_division(uint32_t n) { return {0x80000000u / n + 1, 65537 * n}; }
 
-// Candidate slot of `joint` at a vertex, or k when it is none of its candidates. A joint stands in one slot at most.
+// Candidate slot of `joint` at a vertex, or k when it is none of its candidates. A joint is in at most one slot.
 template <class Isa>
 SINEW_INLINE uint32_t find_slot(const uint16_t* joints, uint32_t k, uint16_t joint) {
   if (k == 8) return Isa::find_of_8(joints, joint);
@@ -52,7 +52,7 @@ SINEW_INLINE uint32_t lowest_bit(uint32_t mask) {
 #endif
 }
 
-// The neighbours' rows one after another: Row(u) is a row's index, or kNoRow.
+// The neighbors' rows one after another: Row(u) is a row's index, or kNoRow.
 constexpr size_t kNoRow = ~static_cast<size_t>(0);
 struct VertexRows {
   SINEW_INLINE size_t operator()(uint32_t u) const { return u; }
@@ -95,11 +95,11 @@ SINEW_INLINE void max_of(const int16_t* const* list, uint32_t n, uint32_t channe
 }
 
 template <class Row>
-SINEW_INLINE void collect(const int16_t* values, size_t stride, const uint32_t* neighbours, uint32_t count, Row row,
+SINEW_INLINE void collect(const int16_t* values, size_t stride, const uint32_t* neighbors, uint32_t count, Row row,
                           const int16_t** list, uint32_t* found) {
   uint32_t n = 0;
   for (uint32_t i = 0; i < count; ++i) {
-    const size_t at = row(neighbours[i]);
+    const size_t at = row(neighbors[i]);
     if (at != kNoRow) list[n++] = values + at * stride;
   }
   *found = n;
@@ -127,12 +127,12 @@ SINEW_INLINE void zero(int16_t* out, uint32_t channels) {
 }
 
 template <class Isa, bool kMean, class Row>
-SINEW_INLINE void ring(const int16_t* values, size_t stride, uint32_t channels, const uint32_t* neighbours,
+SINEW_INLINE void ring(const int16_t* values, size_t stride, uint32_t channels, const uint32_t* neighbors,
                        uint32_t count, Row row, int16_t* out) {
   constexpr uint32_t kWidth = Isa::kWidth, kMeans = Isa::kMeanRegisters;
   const int16_t* list[kMostListed];
   uint32_t n = 0;
-  collect(values, stride, neighbours, count, row, list, &n);
+  collect(values, stride, neighbors, count, row, list, &n);
   if (n == 0) return zero(out, channels);
   uint32_t c = 0;
   if constexpr (kMean) {
@@ -148,33 +148,33 @@ SINEW_INLINE void ring(const int16_t* values, size_t stride, uint32_t channels, 
 }
 
 template <class Isa>
-void ring_mean_vertex(RowsView values, uint32_t channels, const uint32_t* neighbours, uint32_t count, int16_t* out) {
-  if (count > kMostListed) return ring_mean_vertex_s16_ref(values, channels, neighbours, count, out);
-  ring<Isa, true>(values.data, values.stride, channels, neighbours, count, VertexRows(), out);
+void ring_mean_vertex(RowsView values, uint32_t channels, const uint32_t* neighbors, uint32_t count, int16_t* out) {
+  if (count > kMostListed) return ring_mean_vertex_s16_ref(values, channels, neighbors, count, out);
+  ring<Isa, true>(values.data, values.stride, channels, neighbors, count, VertexRows(), out);
 }
 
 template <class Isa>
-void ring_max_vertex(RowsView values, uint32_t channels, const uint32_t* neighbours, uint32_t count, int16_t* out) {
-  if (count > kMostListed) return ring_max_vertex_s16_ref(values, channels, neighbours, count, out);
-  ring<Isa, false>(values.data, values.stride, channels, neighbours, count, VertexRows(), out);
+void ring_max_vertex(RowsView values, uint32_t channels, const uint32_t* neighbors, uint32_t count, int16_t* out) {
+  if (count > kMostListed) return ring_max_vertex_s16_ref(values, channels, neighbors, count, out);
+  ring<Isa, false>(values.data, values.stride, channels, neighbors, count, VertexRows(), out);
 }
 
 template <class Isa>
 void ring_mean_pair(RowsView values, uint32_t channels, const uint16_t* joints, uint32_t k, uint16_t joint,
-                    const uint32_t* neighbours, uint32_t count, int16_t* out) {
+                    const uint32_t* neighbors, uint32_t count, int16_t* out) {
   if (count > kMostListed) {
-    return ring_mean_pair_s16_ref(values, channels, joints, k, joint, neighbours, count, out);
+    return ring_mean_pair_s16_ref(values, channels, joints, k, joint, neighbors, count, out);
   }
-  ring<Isa, true>(values.data, values.stride, channels, neighbours, count, PairRows<Isa>{joints, k, joint}, out);
+  ring<Isa, true>(values.data, values.stride, channels, neighbors, count, PairRows<Isa>{joints, k, joint}, out);
 }
 
 template <class Isa>
 void ring_max_pair(RowsView values, uint32_t channels, const uint16_t* joints, uint32_t k, uint16_t joint,
-                   const uint32_t* neighbours, uint32_t count, int16_t* out) {
+                   const uint32_t* neighbors, uint32_t count, int16_t* out) {
   if (count > kMostListed) {
-    return ring_max_pair_s16_ref(values, channels, joints, k, joint, neighbours, count, out);
+    return ring_max_pair_s16_ref(values, channels, joints, k, joint, neighbors, count, out);
   }
-  ring<Isa, false>(values.data, values.stride, channels, neighbours, count, PairRows<Isa>{joints, k, joint}, out);
+  ring<Isa, false>(values.data, values.stride, channels, neighbors, count, PairRows<Isa>{joints, k, joint}, out);
 }
 
 template <class Isa>

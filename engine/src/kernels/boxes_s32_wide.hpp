@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A segment against sixteen boxes, once for all registers. A file that is compiled with an instruction set's flags
-// includes this and says what a register is:
+// includes this and defines the register types and operations:
 //   Int32, kWidth                          int32 of a register
 //   load, all(int32), add, subtract, either(Int32, Int32)     either: bitwise or
 //   Int64                                  kWidth int64, in any order that signs() knows

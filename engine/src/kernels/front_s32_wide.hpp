@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The factorisation's inner loops, once for all registers. A file that is compiled with an instruction set's flags
-// includes this and says what a register is:
+// includes this and defines the register types and operations:
 //   Int32, kWidth             int32 of a register
 //   Mask, first(n)            the first n of them, n < kWidth
 //   load, store               of a whole register; with a mask: of those, zero elsewhere, nothing else touched

@@ -46,19 +46,19 @@ inline int16_t round_mean(int64_t sum, uint32_t n) {
   return static_cast<int16_t>(static_cast<int64_t>(dividend / (2 * static_cast<uint64_t>(n))) - 32768);
 }
 
-// One-ring of one vertex: mean (or largest value) over its neighbours' rows; 0 without neighbours. out [channels].
-void ring_mean_vertex_s16_ref(RowsView values, uint32_t channels, const uint32_t* neighbours, uint32_t count,
+// One-ring of one vertex: mean (or largest value) over its neighbors' rows; 0 without neighbors. out [channels].
+void ring_mean_vertex_s16_ref(RowsView values, uint32_t channels, const uint32_t* neighbors, uint32_t count,
                               int16_t* out);
-void ring_max_vertex_s16_ref(RowsView values, uint32_t channels, const uint32_t* neighbours, uint32_t count,
+void ring_max_vertex_s16_ref(RowsView values, uint32_t channels, const uint32_t* neighbors, uint32_t count,
                              int16_t* out);
 
-// One-ring of one pair: over the neighbours that have `joint` among their k candidates, the row of that slot; 0 when
+// One-ring of one pair: over the neighbors that have `joint` among their k candidates, the row of that slot; 0 when
 // none has.
 //   values  [U * k] rows,  joints [U x k]
 void ring_mean_pair_s16_ref(RowsView values, uint32_t channels, const uint16_t* joints, uint32_t k, uint16_t joint,
-                            const uint32_t* neighbours, uint32_t count, int16_t* out);
+                            const uint32_t* neighbors, uint32_t count, int16_t* out);
 void ring_max_pair_s16_ref(RowsView values, uint32_t channels, const uint16_t* joints, uint32_t k, uint16_t joint,
-                           const uint32_t* neighbours, uint32_t count, int16_t* out);
+                           const uint32_t* neighbors, uint32_t count, int16_t* out);
 
 // Largest value over the present slots of one vertex, handed to each of the first out_slots; absent ones become 0.
 //   values  k rows; with `by_joint` a row per joint,  out  out_slots <= k rows

@@ -31,7 +31,7 @@ struct Registers256 : Dot {
   static SINEW_INLINE Pairs load_pairs(const int16_t* from) {
     return _mm256_load_si256(static_cast<const __m256i*>(static_cast<const void*>(from)));
   }
-  static SINEW_INLINE __m256i requantise(__m256i sum, const int32_t* shifts, const int32_t* factors, __m128i residual,
+  static SINEW_INLINE __m256i requantize(__m256i sum, const int32_t* shifts, const int32_t* factors, __m128i residual,
                                          int32_t low, int32_t high) {
     if (factors != nullptr) {
       sum = _mm256_add_epi32(sum, _mm256_mullo_epi32(_mm256_cvtepi16_epi32(residual), load(factors)));
@@ -47,8 +47,8 @@ struct Registers256 : Dot {
       if (count < 16) memcpy(copy, residual, count * sizeof(int16_t));
       values = _mm256_loadu_si256(static_cast<const __m256i*>(static_cast<const void*>(count < 16 ? copy : residual)));
     }
-    const __m256i a = requantise(sums[0], shifts, factors, _mm256_castsi256_si128(values), low, high);
-    const __m256i b = requantise(sums[1], shifts + 8, factors == nullptr ? nullptr : factors + 8,
+    const __m256i a = requantize(sums[0], shifts, factors, _mm256_castsi256_si128(values), low, high);
+    const __m256i b = requantize(sums[1], shifts + 8, factors == nullptr ? nullptr : factors + 8,
                                  _mm256_extracti128_si256(values, 1), low, high);
     const __m256i packed = _mm256_permute4x64_epi64(_mm256_packs_epi32(a, b), 0xD8);  // halves back in order
     if (count == 16) {

@@ -37,7 +37,7 @@ struct LinearNeon {
     sum.high = vmlal_high_lane_s16(sum.high, weights.val[1], input, 1);
     return sum;
   }
-  static SINEW_INLINE int16x4_t requantise(int32x4_t sum, const int32_t* shifts, const int32_t* factors,
+  static SINEW_INLINE int16x4_t requantize(int32x4_t sum, const int32_t* shifts, const int32_t* factors,
                                            int16x4_t residual, int32_t low, int32_t high) {
     if (factors != nullptr) sum = vmlaq_s32(sum, vmovl_s16(residual), vld1q_s32(factors));
     sum = vshlq_s32(sum, vnegq_s32(vld1q_s32(shifts)));  // to the right by 0..31
@@ -55,7 +55,7 @@ struct LinearNeon {
     int16_t* const to = count < 16 ? results : out;
     for (int i = 0; i < 4; ++i) {
       const int32x4_t sum = i % 2 == 0 ? sums[i / 2].low : sums[i / 2].high;
-      vst1_s16(to + 4 * i, requantise(sum, shifts + 4 * i, factors == nullptr ? nullptr : factors + 4 * i,
+      vst1_s16(to + 4 * i, requantize(sum, shifts + 4 * i, factors == nullptr ? nullptr : factors + 4 * i,
                                       vld1_s16(residual + 4 * i), low, high));
     }
     if (count < 16) memcpy(out, results, count * sizeof(int16_t));

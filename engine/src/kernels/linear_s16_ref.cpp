@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reference linear layer on int16 rows: bias, residual, requantisation and clamp fused. What every variant must equal.
+// Reference linear layer on int16 rows: bias, residual, requantization and clamp fused. What every variant must equal.
 #include "kernels/kernels.hpp"
 
 namespace sinew {

@@ -33,7 +33,7 @@ struct LinearSimd128 {
         wasm_i32x4_mul(wasm_i32x4_sub(wasm_i32x4_const_splat(31), shifts), wasm_i32x4_const_splat(0x01010101));
     return wasm_i8x16_swizzle(table, wasm_i8x16_sub(exponents, wasm_i32x4_const_splat(0x18100800)));
   }
-  static SINEW_INLINE v128_t requantise(v128_t sum, const int32_t* shifts, const int32_t* factors, v128_t residual,
+  static SINEW_INLINE v128_t requantize(v128_t sum, const int32_t* shifts, const int32_t* factors, v128_t residual,
                                         v128_t low, v128_t high) {
     if (factors != nullptr) sum = wasm_i32x4_add(sum, wasm_i32x4_mul(residual, load(factors)));
     // sum >> shift is bits 31..62 of sum * 2^(31 - shift). Shifts of class N are 1..31; those of outputs behind the
@@ -52,9 +52,9 @@ struct LinearSimd128 {
     v128_t done[2];
     SINEW_UNROLL for (int i = 0; i < 2; ++i) {
       const int at = 8 * i;
-      const v128_t a = requantise(sums[2 * i], shifts + at, factors == nullptr ? nullptr : factors + at,
+      const v128_t a = requantize(sums[2 * i], shifts + at, factors == nullptr ? nullptr : factors + at,
                                   wasm_i32x4_extend_low_i16x8(given[i]), lowest, highest);
-      const v128_t b = requantise(sums[2 * i + 1], shifts + at + 4, factors == nullptr ? nullptr : factors + at + 4,
+      const v128_t b = requantize(sums[2 * i + 1], shifts + at + 4, factors == nullptr ? nullptr : factors + at + 4,
                                   wasm_i32x4_extend_high_i16x8(given[i]), lowest, highest);
       done[i] = wasm_i16x8_narrow_i32x4(a, b);
     }

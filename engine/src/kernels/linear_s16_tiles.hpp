@@ -21,7 +21,7 @@ namespace {
 //   load_pairs(int16*)         kWidth pairs of weights
 //   dot(sum, weights, input)   sum + w[0] x[0] + w[1] x[1] each; wraps
 //   kFinish                    groups that finish() takes at once
-//   finish(sums*, shift*, residual factor* or null, residual*, low, high, count, out*)   requantises them into count
+//   finish(sums*, shift*, residual factor* or null, residual*, low, high, count, out*)   requantizes them into count
 //                              outputs; reads no residual and touches no output behind them, but reads the shifts and
 //                              factors of all of them
 
@@ -122,7 +122,7 @@ SINEW_INLINE void clear(int16_t* out, uint32_t count) {
   for (uint32_t n = 0; n < count; ++n) out[n] = 0;
 }
 
-// The same from group `group` on, requantised into the output.
+// The same from group `group` on, requantized into the output.
 template <class Isa, int R, int G>
 SINEW_INLINE void narrow_tile(const LinearView& linear, const TileRows& rows, uint32_t group) {
   constexpr int kPerGroup = static_cast<int>(kPackOutputs) / Isa::kWidth, V = G * kPerGroup;

@@ -33,7 +33,7 @@ struct Vnni {
     return _mm512_dpwssd_epi32(sum, weights, input);
 #endif
   }
-  static SINEW_INLINE __m512i requantise(__m512i sum, const int32_t* shifts, const int32_t* factors, __m256i residual) {
+  static SINEW_INLINE __m512i requantize(__m512i sum, const int32_t* shifts, const int32_t* factors, __m256i residual) {
     if (factors != nullptr) {
       sum = _mm512_add_epi32(sum, _mm512_mullo_epi32(_mm512_cvtepi16_epi32(residual), load(factors)));
     }
@@ -44,8 +44,8 @@ struct Vnni {
     const __mmask32 mask = count >= 32 ? ~0u : (1u << count) - 1u;
     __m512i values = _mm512_setzero_si512();
     if (factors != nullptr) values = _mm512_maskz_loadu_epi16(mask, residual);
-    const __m512i a = requantise(sums[0], shifts, factors, _mm512_castsi512_si256(values));
-    const __m512i b = requantise(sums[1], shifts + 16, factors == nullptr ? nullptr : factors + 16,
+    const __m512i a = requantize(sums[0], shifts, factors, _mm512_castsi512_si256(values));
+    const __m512i b = requantize(sums[1], shifts + 16, factors == nullptr ? nullptr : factors + 16,
                                  _mm512_extracti64x4_epi64(values, 1));
     // The clamp lies inside int16, so a saturating pack may come first; then quarters go back in order.
     __m512i both = _mm512_packs_epi32(a, b);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Softmax of one vertex, once for all registers. A file that is compiled with an instruction set's flags includes this
-// and says what a register is:
+// Softmax of one vertex, once for all registers. A file that is compiled with an instruction set's flags includes
+// this and defines the register types and operations:
 //   Int32, kWidth                  int32 of a register
 //   load(from, n), store(to, a, n) n <= kWidth int16, sign-extended and -1 behind them; n of the int32
 //   all(int32), subtract(Int32, Int32), larger(Int32, Int32), largest(Int32) of its numbers

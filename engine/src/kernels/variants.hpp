@@ -14,7 +14,7 @@ bool add_linear_s16_avxvnni(Kernels* kernels);
 bool add_linear_s16_vnni(Kernels* kernels);
 bool add_linear_s16_simd128(Kernels* kernels);
 bool add_linear_s16_neon(Kernels* kernels);
-// The same in place of the reference: reads the model's bytes, packs nothing.
+// The same instead of the reference: reads the model's bytes, packs nothing.
 bool add_linear_s16_dsp(Kernels* kernels);
 // linear_s16_ref() on the model's bytes for x86-64: `linear`.
 bool add_linear_in_place_s16_avx2(Kernels* kernels);

@@ -47,7 +47,7 @@ bool Anatomy::build(const Hierarchy& hierarchy, const Point* up, bool flip_it, A
 void Anatomy::find_sides() {
   const Hierarchy& r = *rig;
   const double near = 0.02 * r.size;
-  // Joints off the plane on either side of it, in a subtree. `path_open` and the scratch below are free until the trunk.
+  // Joints off the plane on either side of it, in a subtree. `path_open` and the scratch below are free until the torso.
   int32_t* const left = spine;
   bool mirrored = false;
   for (int32_t i = 0; i < r.n; ++i) {

@@ -11,7 +11,7 @@ namespace sinew::mapping {
 // What limbs are compared by, see limb_features.cpp.
 struct LimbFeatures {
   double attach = 0;      // position on the line hips (0), chest (1), head (2)
-  double log_length = 0;  // against the trunk's
+  double log_length = 0;  // against the torso's
   Point axis;             // start to end, outward, up, front; of length 1
   double log_tree = 0;    // joints
   double rank = -1;       // of three or more pairs of legs: 0 the hindmost, 1 the first
@@ -27,7 +27,7 @@ struct Anatomy {
   double* x = nullptr;                         // [n] off the mirror plane, left is > 0
   double* height = nullptr;                    // [n] along up
   int8_t* side = nullptr;                      // [n] 1, -1, or 0 = central: trunk, tail, jaw
-  int32_t side_limbs = 0;                      // limbs [0, side_limbs) hang on the trunk
+  int32_t side_limbs = 0;                      // limbs [0, side_limbs) are attached to the torso
   int32_t* limb_head = nullptr;                // [n] first of the limbs that hang there, -1 = none
   int32_t* limb_next = nullptr;                // [kMostSideLimbs]
   int32_t others_first = 0, others_count = 0;  // limbs in the plane beside the spine: tail, jaw
@@ -71,7 +71,7 @@ struct Anatomy {
   Point wrist(const Limb& limb) const { return limb.has_hand ? limbs.last_point(limb) : at(limbs.last_joint(limb)); }
   // Of the limbs `fingers`, the thumb: its joints lie nearest to the wrist and it points away from the others.
   int32_t thumb(const Limb& limb, const int32_t* fingers, int32_t count) const;
-  // Position on the trunk's line; the line goes on beyond its ends.
+  // Position on the torso's line; the line goes on beyond its ends.
   double trunk_position(const Point& p) const;
   // Of a possible head, how far it is from the arms against the hips.
   double head_ratio(int32_t spine_index) const;
@@ -113,9 +113,9 @@ struct Anatomy {
   void open_paths();
   bool is_path_end(int32_t joint) const;
   double path_length(int32_t leaf) const;
-  // Whether the way from the hips to a leaf is that to a pelvis below them, which the legs hang on.
+  // Returns whether the path from the hips to a leaf leads to a pelvis below them, the parent of the legs.
   bool leads_to_legs(int32_t leaf) const;
-  // How much names on the way to a leaf speak for a spine.
+  // Returns how much the names on the path to a leaf indicate a spine.
   double path_names(int32_t leaf) const;
   // Middle of the first points of a pair, ahead.
   double pair_ahead(const LimbPair& pair) const;

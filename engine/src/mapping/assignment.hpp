@@ -19,7 +19,7 @@ struct Assignment {
 
  private:
   double price(int32_t row, int32_t column, double alone) const;
-  // [columns + rows + 1]: a row's own column behind the others stands for staying alone; index 0 is none.
+  // [columns + rows + 1]: a row's own column behind the others represents staying alone; index 0 is none.
   double* column_price_ = nullptr;
   double* least_ = nullptr;
   int32_t* owner_ = nullptr;

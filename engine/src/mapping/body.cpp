@@ -127,7 +127,7 @@ void Anatomy::find_others() {
   limbs.grow(r, side, others_first);
 }
 
-// Whiskers, ears: what hangs on something that is called a head or a jaw is no arm.
+// Whiskers, ears: a child of a joint called head or jaw is not an arm.
 bool Anatomy::is_on_face(int32_t number) const {
   const int32_t attach = limb(number).attach;
   if (!rig->has_names || attach < 0) return false;
@@ -181,7 +181,7 @@ void Anatomy::find_chest() {
     return r.has_names && (word == Part::kNeck || word == Part::kHead);
   };
   while (chest >= 0 && above_chest(spine[chest])) --chest;
-  if (chest > 0 && !quad) {  // arms hang on the neck: the chest is the joint below
+  if (chest > 0 && !quad) {  // the neck is the parent of the arms: the chest is the joint below
     const double level = 0.5 * dot(limbs.point(limb(arms.a), 0) + limbs.point(limb(arms.b), 0), frame.up);
     if (chest + 1 < spine_count && head_of(chest + 1, spine[chest]) == chest + 1 &&
         height[spine[chest]] > level + 0.01 * tall && height[spine[chest - 1]] < level) {

@@ -191,7 +191,7 @@ struct UpFinder {
   double* descent;  // [n] of the limb that begins at a joint; below 0 = none
 
   double value(const Point& up) {
-    double low = 0, lowest = 0, highest = 0, centre = 0;
+    double low = 0, lowest = 0, highest = 0, center = 0;
     int32_t pairs = 0, singles = 0;
     for (int32_t i = 0; i < rig.n; ++i) {
       height[i] = dot(rig.at[i], up);
@@ -202,7 +202,7 @@ struct UpFinder {
       if (mate[i] >= 0) {
         low = pairs++ == 0 ? height[i] : lesser(low, height[i]);
       } else {
-        centre += height[i];
+        center += height[i];
         ++singles;
       }
     }
@@ -227,7 +227,7 @@ struct UpFinder {
       }
       value = value / rig.size + 0.02 * (limbs < 4 ? limbs : 4);
     }
-    return value + 0.1 * ((singles > 0 ? centre / singles : 0) - lowest) / extent;
+    return value + 0.1 * ((singles > 0 ? center / singles : 0) - lowest) / extent;
   }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A rig's own axes: the normal of its mirror plane, which way is up, and which joints are mirror images.
+// A rig's own axes: the normal of its mirror plane, the up direction, and the mirrored joints.
 #ifndef SINEW_MAPPING_FRAME_HPP
 #define SINEW_MAPPING_FRAME_HPP
 
@@ -22,7 +22,7 @@ struct Frame {
 bool find_frame(const Hierarchy& rig, const Point* up, Arena& arena, Frame* frame);
 
 // Where few of the joints that have such a twin are its mirror image, the twins become the frame's sides: their mean
-// direction `across`, `plane` through the joints they hang on, `mate`, and `posed`. A frame with mirror images stays.
+// direction `across`, `plane` through their parents, `mate`, and `posed`. A frame with mirror images stays.
 //   up    null: not known yet
 //   twin  [n] scratch
 void take_twins(const Hierarchy& rig, const Point* up, int32_t* twin, Frame* frame);

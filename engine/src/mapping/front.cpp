@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which way is front: votes of feet, heads, tails, bent knees and elbows, thumbs and faces; names win.
+// Finds the front: votes of feet, heads, tails, bent knees and elbows, thumbs and faces; names take precedence.
 #include "mapping/anatomy.hpp"
 
 namespace sinew::mapping {
@@ -114,7 +114,7 @@ class FrontVotes {
 
   double path_weight(int32_t leaf) const {
     if (a_.leg_count == 0)
-      return a_.path_length(leaf) / size_ + a_.path_names(leaf);  // a tail, whatever hangs on the head
+      return a_.path_length(leaf) / size_ + a_.path_names(leaf);  // a tail, and any child of the head
     double limbs = 0, top = a_.height[leaf];
     int32_t inner = 0;
     for (int32_t i = leaf; i != a_.hip; i = rig_.parent[i]) {

@@ -62,7 +62,7 @@ int32_t gather_fingers(const Anatomy& rig, const Limb& limb, int32_t* list) {
 
 }  // namespace
 
-// Takes the twist joints out of two limbs' lists, and puts those side by side that lie on bones which stand for each other.
+// Takes the twist joints out of two limbs' lists, and puts those side by side that lie on bones which represent each other.
 void Matcher::match_twists(const Limb& a, const Limb& b, int32_t* fa, int32_t* na, int32_t* fb, int32_t* nb) {
   int32_t ta[kMostFingers], tb[kMostFingers];
   const auto part = [](const Anatomy& rig, const Limb& limb, int32_t* fingers, int32_t* count, int32_t* twists) {

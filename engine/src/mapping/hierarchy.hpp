@@ -25,18 +25,18 @@ struct Hierarchy {
   int32_t* depth = nullptr;        // [n] 0 for roots
   int32_t* count = nullptr;        // [n] joints of the subtree
   double* reach = nullptr;         // [n] longest way down
-  uint8_t* end = nullptr;          // [n] only says where a bone ends
+  uint8_t* end = nullptr;          // [n] only marks the end of a bone
   uint8_t* apart = nullptr;  // [n] farther from the body than the body is large: a root that stays where a stage begins
   JointName* names = nullptr;  // [n] what names say
   bool has_names = false;
-  bool has_ends = false;  // the caller or names told which are ends
+  bool has_ends = false;  // ends are known from the caller or from names
   double size = 1;        // diagonal of the box of the body's joints
 
   bool allocate(Arena& arena, uint32_t joints);
   // From the caller's rig. SINEW_ERROR_NOT_FINITE, SINEW_ERROR_INDEX, SINEW_ERROR_HIERARCHY.
   sinew_status build(const sinew_skeleton& rig, bool with_names);
 
-  // Where nobody told which joints are ends: all leaves, or none.
+  // If ends are unknown: marks all leaves as ends, or none.
   void take_leaves_as_ends(bool yes);
 
   int32_t kid_count(int32_t joint) const { return kid_offsets[joint + 1] - kid_offsets[joint]; }
@@ -70,8 +70,9 @@ struct Hierarchy {
  private:
   // Fills children, order, position, depth, count and reach from parents. SINEW_ERROR_HIERARCHY.
   sinew_status sort_joints();
-  // Hangs roots on which a part of one body hangs on that body's nearest joint: a pelvis beside the spine. True when there are any. What is as small as a hand or
-  // a prop, stands away or repeats joints of the body (controls) stays a root.
+  // Attaches roots that carry a part of one body to that body's nearest joint: a pelvis beside the spine. Returns
+  // whether there are any. What is as small as a hand or a prop, stands away or repeats joints of the body (controls)
+  // stays a root.
   bool join_roots();
   // Fills `apart` and `size`. The body is the smallest subtree of nearly all joints from which the rest is farther than it is large.
   void find_body();

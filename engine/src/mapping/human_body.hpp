@@ -15,7 +15,7 @@ struct BodyJoint {
   uint8_t index;  // in its chain, as sinew_joint_standard_name() has it
   uint8_t end;
   int16_t parent;
-  float position[3];  // metres, y up
+  float position[3];  // meters, y up
 };
 
 constexpr BodyJoint kHumanBody[] = {{SINEW_CLASS_PELVIS, 0, 0, 0, -1, {0, 0.98f, 0}},

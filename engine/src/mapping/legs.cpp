@@ -184,7 +184,7 @@ void Anatomy::find_hip() {
 // A pelvis that carries the legs, perhaps a tail, and hangs beside the spine: the hips are what carries both.
 void Anatomy::climb_to_trunk() {
   const Hierarchy& r = *rig;
-  const auto leads_on = [&](int32_t joint, int32_t but) {  // to a trunk with limbs: how many joints these have
+  const auto leads_on = [&](int32_t joint, int32_t but) {  // to a torso with limbs: how many joints these have
     int32_t joints = 0;
     each_kid(r, joint, [&](int32_t kid) {
       if (kid == but || side[kid] != 0 || r.end[kid] != 0) return;
@@ -216,7 +216,7 @@ void Anatomy::climb_to_trunk() {
   if (central == 0) climb_to_chest();
 }
 
-// A rig that begins at the chest: nothing but legs hangs on the pelvis, arms and head on what carries it.
+// A rig that begins at the chest: only legs are children of the pelvis; arms and head are children of its parent.
 void Anatomy::climb_to_chest() {
   const Hierarchy& r = *rig;
   int32_t from = hip;

@@ -4,7 +4,7 @@
 
 namespace sinew::mapping {
 
-// Legs of an insect may hang on one joint: they are told apart by where they end.
+// Legs of an insect may have one parent: they are distinguished by their ends.
 double Anatomy::leg_rank(int32_t number) const {
   if (leg_count < 3 || !is_leg(number)) return -1;
   const auto reach = [&](int32_t k) {

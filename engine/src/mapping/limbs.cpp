@@ -5,7 +5,7 @@
 namespace sinew::mapping {
 
 bool Limbs::allocate(Arena& arena, uint32_t rig_joints) {
-  // A joint is in one limb off the trunk and, below a chain in the plane, in another. What is appended is copied, as long
+  // A joint is in one limb off the torso and, below a chain in the plane, in another. What is appended is copied, as long
   // as there is room. A limb has a point more than joints.
   joints_room = static_cast<int32_t>(4 * rig_joints);
   kept_room = static_cast<int32_t>(rig_joints);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Chains of joints off the trunk, chains off those, and which of them are mirror images.
+// Chains of joints off the torso, chains off those, and which of them are mirror images.
 #ifndef SINEW_MAPPING_LIMBS_HPP
 #define SINEW_MAPPING_LIMBS_HPP
 
@@ -8,15 +8,15 @@
 namespace sinew::mapping {
 
 constexpr int32_t kMostLimbs = SINEW_MAX_MAP_LIMBS;
-constexpr int32_t kMostSideLimbs = 256;  // that hang on the trunk: what is assigned to each other
-constexpr int32_t kMostFingers = 64;     // that are looked at on one hand
+constexpr int32_t kMostSideLimbs = 256;  // limbs attached to the torso, which are matched
+constexpr int32_t kMostFingers = 64;     // fingers of one hand that are matched
 
 // A chain of joints. Its points are its joints' positions, then the position of its only end marker, or of a hand that is no
 // joint.
 struct Limb {
   int32_t first_joint = 0, joint_count = 0;  // in Limbs::joints
   int32_t first_point = 0, point_count = 0;  // in Limbs::points
-  int32_t attach = -1;                       // the joint that it hangs on, -1 = none
+  int32_t attach = -1;                       // the joint that it is attached to, -1 = none
   int32_t tree = 1;                          // joints of its first joint's subtree
   int32_t mate = -1;                         // the limb on the other side
   int32_t first_sub = -1, next = -1;         // limbs off its joints; the next of its siblings
@@ -55,7 +55,7 @@ struct Limbs {
     for (int32_t t = limb.first_sub; t >= 0; t = at[t].next) body(t);
   }
   template <class Body>
-  void each_end_sub(const Limb& limb, const Body& body) const {  // of those, what hangs on the last joint
+  void each_end_sub(const Limb& limb, const Body& body) const {  // of those, the descendants of the last joint
     const int32_t last = last_joint(limb);
     for (int32_t t = limb.first_sub; t >= 0; t = at[t].next) {
       if (at[t].attach == last) body(t);

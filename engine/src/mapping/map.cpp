@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks, both rigs' anatomy, the method, pins, and what is told about the result.
+// Checks, anatomy of both rigs, the method, pins, and the confidence of the result.
 #include "mapping/map.hpp"
 
 #include <stddef.h>
@@ -73,7 +73,7 @@ void read_pins(const MapPlan& plan, Pins* pins) {
   }
 }
 
-// Whether pins say that the target's left is the source's right.
+// Returns whether pins map the target's left to the source's right.
 bool pins_turn(const Anatomy& target, const Anatomy& source, const MapPlan& plan) {
   int32_t sum = 0;
   for (uint32_t k = 0; k < plan.options.pin_count; ++k) {
@@ -295,7 +295,7 @@ class MapRun {
     const Result& result = same_ || method_ == SINEW_MAP_BRANCHES ? published_ : own_;
     for (uint32_t i = 0; i < n_ && same_; ++i) published_.costs[i] = 0;
     Cleaner(target_.rig, source_.rig, pins_, result.sources, reasons_, owner_).run(method_ == SINEW_MAP_SINEW);
-    if (named_) {  // the caller's pins alone are told as such
+    if (named_) {  // only the caller's pins have this reason
       read_pins(plan_, &pins_);
       for (uint32_t i = 0; i < n_; ++i)
         if (pins_.source_of[i] == Pins::kFree && reasons_[i] == SINEW_MAP_PINNED) reasons_[i] = SINEW_MAP_FOUND;

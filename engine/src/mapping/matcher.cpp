@@ -103,7 +103,7 @@ double Matcher::limb_pins(const Limb& a, const Limb& b) const {
 
 double Matcher::limb_cost(int32_t la, int32_t lb) const {
   const LimbFeatures &a = a_->features[la], &b = b_->features[lb];
-  // Arms of two people hang on the chest, wherever that joint lies.
+  // The chest is the parent of the arms in both, wherever that joint is.
   const auto has_arm = [](const Anatomy& rig, const LimbFeatures& f) { return f.arm && rig.leg_count > 0; };
   const double farthest = has_arm(*a_, a) && has_arm(*b_, b) ? 0.15 : 1.5;
   // The tail of a fish begins wherever its root lies.

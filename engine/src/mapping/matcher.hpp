@@ -10,7 +10,7 @@
 
 namespace sinew::mapping {
 
-// What the caller wants whatever else is found: source of each target joint and the reverse, kFree where nothing is said.
+// Pairs fixed by the caller: source of each target joint and the reverse, kFree if none is given.
 struct Pins {
   static constexpr int32_t kFree = -2;
   int32_t* source_of = nullptr;  // [target n] a joint, -1 = none, or kFree
@@ -96,7 +96,7 @@ inline void add_up_lengths(const Point* points, int32_t count, Point from, doubl
   }
 }
 
-// Whether two plain names say parts that never stand for each other: a jaw and a head, a finger and a shoulder.
+// Whether two plain names say parts that never represent each other: a jaw and a head, a finger and a shoulder.
 bool contradict(const JointName& a, const JointName& b);
 
 // Whether a joint below a hand, by its name, moves as a leg: as a thigh or calf, or as a foot that is not of the hand's own source.

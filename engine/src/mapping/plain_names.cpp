@@ -147,7 +147,7 @@ NamedArm named_arm(const Hierarchy& rig, int8_t side) {
   return arm;
 }
 
-// Whether names say that a body has an arm and a head and no legs.
+// Returns whether a body has an arm and a head but no legs by names.
 bool is_legless(const Hierarchy& rig) {
   for (int32_t i = 0; i < rig.n; ++i)
     if (is_leg_part(limb_part(rig.part(i))) || is_leg_part(rig.part(i))) return false;

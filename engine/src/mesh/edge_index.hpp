@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where an edge stands in the one-ring lists of a mesh.
+// Index of an edge in the one-ring lists of a mesh.
 #ifndef SINEW_MESH_EDGE_INDEX_HPP
 #define SINEW_MESH_EDGE_INDEX_HPP
 
@@ -7,7 +7,7 @@
 
 namespace sinew {
 
-// Index into col_indices of the neighbour `to` of `from`; the edge must be there.
+// Index into col_indices of the neighbor `to` of `from`; the edge must be there.
 inline uint32_t edge_index(const Mesh& mesh, uint32_t from, uint32_t to) {
   uint32_t low = mesh.row_offsets[from], high = mesh.row_offsets[from + 1];
   while (low + 1 < high) {

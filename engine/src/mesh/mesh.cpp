@@ -75,10 +75,10 @@ class FanWalk {
 int64_t high_of(Vec3l sum) { return sum.x + (sum.y >> 32); }
 int64_t size_of(int64_t v) { return v ^ (v >> 63); }
 
-// Finds the parts whose faces are turned inwards, true when there is one. volumes [parts]: scratch. The answer for a
+// Finds the parts whose faces are rotated inwards, true when there is one. volumes [parts]: scratch. The answer for a
 // mesh whose every face is written backwards is the opposite one: the sums have every face's fan both ways.
 bool find_inward(const sinew_mesh& input, const Mesh& mesh, Vec3l* volumes, uint8_t* inward) {
-  // A cavity inside of a robot's link is turned inwards on purpose. The largest of 490 characters has a 200,000th of the
+  // A cavity inside of a robot's link is rotated inwards on purpose. The largest of 490 characters has a 200,000th of the
   // whole's volume, and a mirrored glove a 500th.
   constexpr int kLeastShareBits = 14;
   constexpr Vec3i kLine = {1048573, 999983, 941083};

@@ -23,18 +23,18 @@ struct Mesh {
   uint32_t triangle_count = 0;      // T: fan triangles, degenerate (repeated vertex or zero area) and duplicate (same
   uint32_t* triangles = nullptr;    // [T x 3] vertex set) removed; smallest index first, orientation kept; sorted
   uint32_t* row_offsets = nullptr;  // [U + 1] CSR one-ring over edges of triangles
-  uint32_t* col_indices = nullptr;  // [E2 <= 6 T] neighbours ascending
-  Vec3i* normals = nullptr;         // [U] normalised sum of the unit face normals, Q14; (0,0,0) when there is no
+  uint32_t* col_indices = nullptr;  // [E2 <= 6 T] neighbors ascending
+  Vec3i* normals = nullptr;         // [U] normalized sum of the unit face normals, Q14; (0,0,0) when there is no
                                     //     face or they cancel
   uint64_t* areas = nullptr;  // [U] sum over its triangles of |cross| / 6, grid units squared (a third of the area);
                               //     at least 1 for a vertex with a triangle, 0 for one without
-  // Q13, clamped to +-2: ((mean of the neighbours - vertex) . normal) / mean edge length, negative where the surface
+  // Q13, clamped to +-2: ((mean of the neighbors - vertex) . normal) / mean edge length, negative where the surface
   // bulges outward; and angle defect / pi, 0 at boundary vertices (an edge with one triangle) and without a triangle.
   int32_t* mean_curvature = nullptr;   // [U]
   int32_t* gauss_curvature = nullptr;  // [U]
   uint32_t* edge_length = nullptr;     // [U] mean one-ring edge length, grid units
   uint32_t part_count = 0;
-  uint32_t* part = nullptr;           // [U] part id; 0 = most vertices, then falling size, ties by first vertex
+  uint32_t* part = nullptr;           // [U] part id; 0 = most vertices, then descending size, ties by first vertex
   uint32_t* part_sizes = nullptr;     // [part_count <= U] vertices each
   uint32_t* part_offsets = nullptr;   // [part_count + 1] CSR into part_vertices
   uint32_t* part_vertices = nullptr;  // [U] vertices grouped by part, ascending
@@ -49,7 +49,7 @@ sinew_status check_faces(const sinew_mesh& input);
 
 // Fills a mesh, allocated beforehand, from the caller's view. The quantizer was made from all of its vertices. Faces
 // are checked: every corner names a vertex, face_offsets start at 0, never fall and end at corner_count; without them
-// corner_count is 3 face_count. Faces of two corners are legal and ignored, of fewer not. Parts whose faces are turned
+// corner_count is 3 face_count. Faces of two corners are legal and ignored, of fewer not. Parts whose faces are rotated
 // inwards are read backwards, so that the mesh whose every face has its corners in reverse order is the same: the
 // sign of the exact volume over the middle of the floor decides for all parts, and a closed part (one whose vector area
 // is 0) of at least a 16384th of that goes by its own. Where the whole's volume is 0, faces stay as they are.

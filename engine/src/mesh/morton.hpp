@@ -39,7 +39,7 @@ inline uint32_t gather_bits(uint64_t key) {
 }
 // Mesh coordinates are x, z in [-2^19, 2^19] and y in [0, 2^20]; the shift makes all of them non-negative. A third of the side more
 // keeps the planes in the middle of a mesh away from the borders of all cells of the order, so that vertices on them keep their places
-// when the mesh is turned and comes back a grid step off.
+// when the mesh is rotated and comes back a grid step off.
 constexpr int32_t kMortonShift = kSide / 2 + kSide / 3;
 
 inline uint64_t morton_key(Vec3i p) {

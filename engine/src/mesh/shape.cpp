@@ -115,7 +115,7 @@ void angles_q30(int64_t given_y, const int64_t (&given_x)[3], int32_t (&angles)[
     x[k] = given_x[k] * factor;
     y[k] = given_y * factor;
     angle[k] = 0;
-    if (x[k] < 0) {  // a quarter turn back brings the vector to the right half plane
+    if (x[k] < 0) {  // a rotation by 90 degrees back brings the vector to the right half plane
       const int64_t t = x[k];
       x[k] = y[k];
       y[k] = -t;

@@ -63,17 +63,17 @@ void connect(const uint32_t* loose, uint32_t loose_count, const TopologyScratch&
     boundary[v] = 0;
     offsets[v] = used;
     for (uint32_t i = begin; i < end;) {
-      const uint32_t neighbour = mesh->col_indices[i];
+      const uint32_t neighbor = mesh->col_indices[i];
       const uint32_t run = i;
-      while (i < end && mesh->col_indices[i] == neighbour) ++i;
+      while (i < end && mesh->col_indices[i] == neighbor) ++i;
       if (i - run == 1) boundary[v] = 1;
-      mesh->col_indices[used++] = neighbour;
+      mesh->col_indices[used++] = neighbor;
     }
   }
   offsets[count] = used;
 }
 
-// Breadth-first labelling, then ids by falling size and first vertex.
+// Breadth-first labeling, then ids by descending size and first vertex.
 void label_parts(const TopologyScratch& scratch, Mesh* mesh) {
   const uint32_t count = mesh->welded_count;
   for (uint32_t v = 0; v < count; ++v) mesh->part[v] = kNoIndex;
@@ -87,10 +87,10 @@ void label_parts(const TopologyScratch& scratch, Mesh* mesh) {
     for (uint32_t head = begin; head < tail; ++head) {
       const uint32_t v = queue[head];
       for (uint32_t e = mesh->row_offsets[v]; e < mesh->row_offsets[v + 1]; ++e) {
-        const uint32_t neighbour = mesh->col_indices[e];
-        if (mesh->part[neighbour] != kNoIndex) continue;
-        mesh->part[neighbour] = found;
-        queue[tail++] = neighbour;
+        const uint32_t neighbor = mesh->col_indices[e];
+        if (mesh->part[neighbor] != kNoIndex) continue;
+        mesh->part[neighbor] = found;
+        queue[tail++] = neighbor;
       }
     }
     scratch.part_keys[found] = pack_pair(count - (tail - begin), found);

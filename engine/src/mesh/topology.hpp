@@ -76,7 +76,7 @@ void collect_triangles(const Walk& start, const TriangleScratch& scratch, Mesh* 
 }
 
 // Fills row_offsets and col_indices from the triangles, and scratch.shape.boundary. loose [loose_count x 2]: pairs of
-// vertices to be neighbours without a triangle, none twice.
+// vertices to be neighbors without a triangle, none twice.
 void connect(const uint32_t* loose, uint32_t loose_count, const TopologyScratch& scratch, Mesh* mesh);
 // Fills the parts from the CSR.
 void label_parts(const TopologyScratch& scratch, Mesh* mesh);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kinds of layers and, one row a kind, what everybody but the arithmetic needs to know of them: reader, plan,
-// executor, trainer, quantizer and reports. engine/README.md says how to add one.
+// The kinds of layers, with one row per kind for everything but the arithmetic: reader, plan, executor, trainer,
+// quantizer and reports. engine/README.md explains how to add one.
 #ifndef SINEW_MODEL_LAYER_KINDS_HPP
 #define SINEW_MODEL_LAYER_KINDS_HPP
 
@@ -8,11 +8,11 @@
 
 namespace sinew {
 
-// "vertex" and "pair" below stand for a domain without slots and for the one with slots over the same (model/layers.hpp).
+// "vertex" and "pair" below represent a domain without slots and for the one with slots over the same (model/layers.hpp).
 enum class LayerKind : uint8_t {
   kLinear = 1,        // out = act(W in + b [+ residual]), any domain, row by row
-  kRingMean = 2,      // vertex: mean over one-ring neighbours (0 without any).
-                      // pair: the same over the neighbours that have the same joint in a slot (0 when none has)
+  kRingMean = 2,      // vertex: mean over one-ring neighbors (0 without any).
+                      // pair: the same over the neighbors that have the same joint in a slot (0 when none has)
   kRingMax = 3,       // the same, largest value (0 when none)
   kPartMean = 4,      // vertex: mean over the part.
                       // pair: for (part, joint), sum over the pairs of the part's vertices with this joint, divided by
@@ -28,7 +28,7 @@ enum class LayerKind : uint8_t {
 
 constexpr uint8_t kLayerRelu = 1;      // y = max(y, 0)
 constexpr uint8_t kLayerResidual = 2;  // adds the residual region before the activation
-constexpr uint8_t kLayerFar = 4;       // vertex: over the far neighbours, for tasks that have some
+constexpr uint8_t kLayerFar = 4;       // vertex: over the far neighbors, for tasks that have some
 
 // How domain and channels of a layer's output follow from its input's.
 enum class LayerShape : uint8_t {
@@ -43,7 +43,7 @@ enum class LayerShape : uint8_t {
 // Whose rows a layer reads for one row of its output.
 enum class LayerReads : uint8_t {
   kOwn,   // those of the same vertex
-  kRing,  // those of neighbours
+  kRing,  // those of neighbors
   kPart,  // all of the part: one row for each part, or for each of its joints
   kAll    // all: one row for the mesh
 };

@@ -53,7 +53,7 @@ LayerFault find_layer_fault(const LayerList& list, uint32_t index) {
       !shape_fits(layer.kind, in, out, layer.in.channels, layer.out.channels, list.candidates))
     return LayerFault::kShape;
   uint32_t known = traits_of(layer.kind).flags;
-  if (kSmallCode || !list.far_neighbours || has_slots(in)) known &= ~static_cast<uint32_t>(kLayerFar);
+  if (kSmallCode || !list.far_neighbors || has_slots(in)) known &= ~static_cast<uint32_t>(kLayerFar);
   if ((layer.flags & ~known) != 0) return LayerFault::kFlags;
   if (layer.out.buffer < list.input_count) return LayerFault::kOverwrite;
   for (uint32_t i = 0; i < index; ++i) {

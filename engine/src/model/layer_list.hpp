@@ -12,8 +12,8 @@ struct LayerList {
   const Buffer* buffers = nullptr;
   const Layer* layers = nullptr;
   uint32_t buffer_count = 0, input_count = 0;
-  uint32_t candidates = 0;      // K
-  bool far_neighbours = false;  // the task has them
+  uint32_t candidates = 0;     // K
+  bool far_neighbors = false;  // the task has them
 };
 
 enum class LayerFault : uint8_t {

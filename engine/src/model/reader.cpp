@@ -225,8 +225,8 @@ sinew_status open_model(const void* data, size_t size_bytes, const ModelTask& ta
   DecodedTables decoded;
   LayerList& list = decoded.list;
   list = {
-      decoded.buffers,    decoded.layers, tables.buffer_count(), task.input_count, load_u32(bytes + kHeaderCandidates),
-      task.far_neighbours};
+      decoded.buffers,   decoded.layers, tables.buffer_count(), task.input_count, load_u32(bytes + kHeaderCandidates),
+      task.far_neighbors};
   status = read_buffers(tables, task, &decoded);
   if (status != SINEW_OK) return status;
 

@@ -61,7 +61,7 @@ inline ValueRange region_range(const Layer* layers, uint32_t inputs, uint32_t be
 }
 
 // Interval of a sum of products; the accumulator proof. Every range contains 0, so each partial sum, in whatever order,
-// lies in the interval of the whole: a proven sum never leaves its type on the way either.
+// lies in the interval of the whole: a proven sum never overflows its type in between either.
 struct SumBound {
   int64_t low = 0, high = 0;
   void add(int32_t weight, ValueRange range) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a network is for: the rows it reads and the rows it writes. A model file names its task, and whoever opens the file
-// says what that task's inputs look like in this library.
+// The task of a network: the rows it reads and the rows it writes. A model file names its task; the caller that opens
+// it gives the inputs of that task in this library.
 #ifndef SINEW_MODEL_TASK_HPP
 #define SINEW_MODEL_TASK_HPP
 
@@ -8,7 +8,8 @@
 
 namespace sinew {
 
-// Numbers of tasks in model files; never reused. From kFirstPrivateTask on they are nobody's, for experiments and tests.
+// Numbers of tasks in model files; never reused. Numbers from kFirstPrivateTask on are free for experiments and
+// tests.
 constexpr uint32_t kTaskBind = 0;  // skin weights: bind/bind.hpp
 constexpr uint32_t kTaskRig = 1;   // a skeleton for a bare mesh: votes/rig_task.hpp
 constexpr uint32_t kFirstPrivateTask = 0x80000000u;
@@ -29,8 +30,8 @@ struct ModelTask {
   uint32_t id = kTaskBind;
   uint32_t input_count = 0;
   TaskInput inputs[kMaxInputs];
-  Buffer output;                // of the last layer's region
-  bool far_neighbours = false;  // vertices have far neighbours beside those of the one-ring
+  Buffer output;               // of the last layer's region
+  bool far_neighbors = false;  // vertices have far neighbors beside those of the one-ring
 };
 
 }  // namespace sinew

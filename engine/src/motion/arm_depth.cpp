@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The deepest point of an arm. Groups of neighbours are looked at first, as a ball: most of an arm lies outside, and a ball tells it for
-// all of them. It does so where no surface can be in it, and where no triangle that may be the nearest to one of its points lies over it.
+// The deepest point of an arm. Groups of neighbors are tested first, as a ball: most of an arm is outside, and one
+// ball decides for all of them. It does so if no surface can be in it, and where no triangle that may be the nearest
+// to one of its points lies over it.
 #include "motion/arm_search.hpp"
 
 namespace sinew::motion {

@@ -195,8 +195,8 @@ HandReach ArmSearch::nearest(const TriangleTree& tree, uint32_t arm) {
   return found;
 }
 
-uint32_t ArmSearch::neighbours(const TriangleTree& tree, uint32_t arm, uint32_t vertex, uint32_t most,
-                               uint32_t* triangles, double* squares) const {
+uint32_t ArmSearch::neighbors(const TriangleTree& tree, uint32_t arm, uint32_t vertex, uint32_t most,
+                              uint32_t* triangles, double* squares) const {
   const PosedBody& posed = tree.posed();
   const double reach = kFar * posed.height;
   Box hand;

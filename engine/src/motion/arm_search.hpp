@@ -34,7 +34,7 @@ class ArmSearch {
   // Works with a measuring arena. What open() needs beyond it is given back: no allocation may come between.
   void allocate(Arena& arena, uint32_t vertices, uint32_t triangles);
   // Lists the arms of a scene that is open; it must outlive this. Of an arm with more than `most` vertices, which is above 0, every second
-  // or third ... along their Morton order stands for it.
+  // or third ... along their Morton order represents it.
   void open(const ClipScene& scene, uint32_t most = UINT32_MAX);
 
   uint32_t count() const { return count_; }
@@ -52,8 +52,9 @@ class ArmSearch {
   ArmDepth deepest(TriangleTree* tree, uint32_t arm, Vec3d moved, double least);
   // The same, but `least` for a point that only lies under the plane of a triangle, outside of the body.
   ArmDepth deepest_inside(TriangleTree* tree, uint32_t arm, Vec3d moved, double least);
-  // Which way out of the body is at p: area normals of triangles without a vertex of any arm, nearer ones more, in shares of what a plane
-  // through p has. It is the slope of the body blurred by `reach`, so it changes little where p does, and is short in the middle.
+  // Direction out of the body at p: area normals of triangles without a vertex of any arm, nearer ones more, in
+  // shares of what a plane through p has. It is the slope of the body blurred by `reach`, so it changes little where
+  // p does, and is short in the middle.
   Vec3d way_out(const TriangleTree& tree, Vec3d p, double reach) const;
   // The mean of the hand's vertices, of the pose that the tree is of; (0, 0, 0) where it has none.
   Vec3d middle_of_hand(const TriangleTree& tree, uint32_t arm) const;
@@ -63,8 +64,8 @@ class ArmSearch {
   double distance(const TriangleTree& tree, uint32_t arm, uint32_t vertex) const;
   // The triangles, of the same, whose middles are nearest to a vertex, near ones first: up to `most` of them within kFar of the box around
   // the hand. Returns their number; squares [most] of distances.
-  uint32_t neighbours(const TriangleTree& tree, uint32_t arm, uint32_t vertex, uint32_t most, uint32_t* triangles,
-                      double* squares) const;
+  uint32_t neighbors(const TriangleTree& tree, uint32_t arm, uint32_t vertex, uint32_t most, uint32_t* triangles,
+                     double* squares) const;
 
  private:
   struct Box;
@@ -72,13 +73,13 @@ class ArmSearch {
     uint32_t triangle = UINT32_MAX, slot = 0;
     double square = 0;
   };
-  // A ball around neighbours of an arm.
+  // A ball around neighbors of an arm.
   struct Ball {
     Vec3d middle = {0, 0, 0};
     double radius = 0;
   };
   struct DepthSearch;
-  static constexpr uint32_t kGroup = 12;  // neighbours that are looked at together
+  static constexpr uint32_t kGroup = 12;  // neighbors that are tested together
   static constexpr uint32_t kMostLeaves = 128,
                             kMostCovers = 64;  // of a group; with more it is searched vertex by vertex
   static constexpr uint8_t kAllArms = 31;
@@ -117,11 +118,11 @@ class ArmSearch {
   }
 
   const ClipScene* scene_ = nullptr;
-  TriangleOrder order_;       // masks: a bit for each arm that has a vertex, the fifth for arms that are not looked at
-  uint8_t* masks_ = nullptr;  // [triangles]
+  TriangleOrder order_;           // masks: a bit for each arm that has a vertex, the fifth for arms that are ignored
+  uint8_t* masks_ = nullptr;      // [triangles]
   MortonScratch scratch_ = {};    // until open() has returned
   uint32_t* vertices_ = nullptr;  // [vertices] of each arm those of the hand, then those of the forearm; thinned out
-  uint32_t* near_ = nullptr;      // [vertices] indices into vertices_, of the same ranges, neighbours together
+  uint32_t* near_ = nullptr;      // [vertices] indices into vertices_, of the same ranges, neighbors together
   uint32_t* hints_ =
       nullptr;             // [vertices / kGroup + kMostArms] of groups of near_ the slot that was nearest the last time
   bool any_body_ = false;  // triangles without a vertex of any arm

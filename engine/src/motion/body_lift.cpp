@@ -6,7 +6,7 @@ namespace sinew::motion {
 namespace {
 
 constexpr double kFeltFeet = 0.1;    // share of the source's height up to which feet carry
-constexpr double kSteep = 0.04;      // square of the share of its length that a trunk lies level, at which it is steep
+constexpr double kSteep = 0.04;      // square of the share of its length that a torso lies level, at which it is steep
 constexpr double kMostPitch = 0.15;  // about the angle of one round
 constexpr double kStraight = 0.999;  // share of an arm's length that it reaches
 constexpr uint32_t kFloorPasses = 12, kNeedPasses = 4;
@@ -54,7 +54,7 @@ void BodyLift::meet_floor() {
   apply(kNeedPasses);
 }
 
-// x: of all, y: of the trunk's pitch.
+// x: of all, y: of the torso's pitch.
 Vec3d BodyLift::needs_of(uint32_t frame) {
   const FloorPatches& patches = s_.floor_patches;
   bool any = false;
@@ -80,7 +80,7 @@ Vec3d BodyLift::needs_of(uint32_t frame) {
   const double arms = arm_need(frame, rises, &touch);
   const double above = upper.rise() + (1 - upper.weight) * arms;
   const double lift = lower.rise() + (1 - carried) * above;
-  // What is left once all is lifted. Arms that reach the floor then ask for nothing, and where nothing above touches the trunk stays.
+  // What is left once all is lifted. Arms that reach the floor then ask for nothing, and where nothing above touches the torso stays.
   const double left = upper.weight * (upper.rise() - lift) + (1 - upper.weight) * lesser(0, arms - touch * lift);
   const Vec3d trunk = shoulders() - hips();
   const double level = length(cross(trunk, plan_.up)), square = dot(trunk, trunk);
@@ -121,7 +121,7 @@ void BodyLift::apply(uint32_t passes) {
 void BodyLift::move_trunk(double lift, double pitch) {
   const Vec3d pivot = hips(), axis = unit(cross(shoulders() - pivot, plan_.up));
   const Vec3d half = (0.5 * pitch) * axis;
-  const Quat rotation = normalised({half.x, half.y, half.z, 1});
+  const Quat rotation = normalized({half.x, half.y, half.z, 1});
   const Vec3d raise = lift * plan_.up;
   Vec3d shifts[kMostLimbs];  // of legs, which keep their turns
   for (uint32_t l = 0; l < s_.limbs.count; ++l) {

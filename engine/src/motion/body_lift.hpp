@@ -15,7 +15,7 @@ class BodyLift {
   // On an uneven floor: as much higher as it is under the lower foot, smoothed over time.
   SINEW_RARE void follow_floor();
   // One round towards where the patches that cannot reach the floor by bending a limb are on it: seat, knees and, where legs do not
-  // carry, hands by the height of all; chest, elbows and arms that are too short by the pitch of the trunk, which legs do not follow.
+  // carry, hands by the height of all; chest, elbows and arms that are too short by the pitch of the torso, which legs do not follow.
   void meet_floor();
 
  private:

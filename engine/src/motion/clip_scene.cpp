@@ -55,7 +55,7 @@ bool all_finite(const float* values, size_t count) {
   return true;
 }
 
-// Every joint's part by the limb that it hangs on; shoulders go with their arms. Every vertex's by its heaviest joint.
+// Part of each joint by its limb, shoulders with their arms; part of each vertex by its strongest joint.
 void find_parts(ClipScene* scene) {
   const MotionRig& rig = scene->plan->target;
   for (uint32_t j = 0; j < rig.count; ++j) {

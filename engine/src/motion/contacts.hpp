@@ -24,7 +24,7 @@ struct HandContact {
   double beyond = 0;                   // how much deeper the target's arm is than it may be
   Vec3d normal = {0, 0, 0};            // of the body over that arm's deepest point
   Vec3d way = {0, 0, 0};  // out of the body for the whole arm, of length 1 or 0, where no body moves the source
-  bool outside = false;   // the target's arm, where it is now, is no deeper than it may be
+  bool outside = false;   // the target's arm in its current pose is no deeper than allowed
 };
 
 struct ContactScene : FloorScene {
@@ -44,7 +44,7 @@ struct ContactScene : FloorScene {
 // What frames that come one by one leave to the next one.
 struct HandMemory {
   double rest_depths[kMostArms] = {};  // of arms in the target's body at rest, where no body moves the source; once
-  // In the axes of what the arm hangs on: how far it was moved to the body and out of it, and which way that is.
+  // In the axes of the arm's parent: distance that it was moved to the body and out of it, and the direction.
   Vec3d touches[kMostArms] = {}, pushes[kMostArms] = {}, ways[kMostArms] = {};
   bool any = false;  // a frame came before
 };

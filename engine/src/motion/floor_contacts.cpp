@@ -70,8 +70,8 @@ void FloorContacts::run() {
   if (memory_ != nullptr) memory_->any = true;
 }
 
-// To which side elbows are while hands are on the floor, on average, in the axes of what arms hang on; of arms that are straight all the
-// time as they bend by nature.
+// Mean side of the elbows while hands are on the floor, in the axes of the arms' parents; of arms that are straight
+// all the time as they bend by nature.
 void FloorContacts::find_bends() {
   Hinge found[kMostLimbs];
   if (memory_ == nullptr) find_hinges(s_, found);
@@ -127,7 +127,7 @@ void FloorContacts::hold(const HeldJoint& held, bool again) {
   }
 }
 
-// In some frame, or on the way from where it was.
+// In some frame, or between frames.
 bool FloorContacts::is_on_floor(const HeldJoint& held) const {
   if (memory_ != nullptr && dot(anchor_of(held).offset, anchor_of(held).offset) > 0) return true;
   for (uint32_t f = 0; f < s_.in->frames; ++f) {
@@ -194,7 +194,7 @@ Vec3d FloorContacts::within_reach(const Limb& limb, Vec3d goal) const {
   return dot(level, level) > square && square > 0 ? first + rise + root(square) * unit(level) : goal;
 }
 
-// smooth: where the joint is over the floor; a hand on it where it was copied, whatever the trunk did since, and lifts: the way back.
+// smooth: where the joint is over the floor; a hand on it where it was copied, whatever the torso did since, and lifts: the way back.
 void FloorContacts::find_flat(const HeldJoint& held) {
   for (uint32_t f = 0; f < s_.in->frames; ++f) {
     s_.load(f);

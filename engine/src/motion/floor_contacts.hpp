@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Feet, hands, knees, elbows, seat and chest on the floor: of a whole clip, or frame by frame as it comes.
+// Contacts of feet, hands, knees, elbows, seat and chest with the floor, for a whole clip or a stream of frames.
 #ifndef SINEW_MOTION_FLOOR_CONTACTS_HPP
 #define SINEW_MOTION_FLOOR_CONTACTS_HPP
 
@@ -12,7 +12,7 @@ namespace sinew::motion {
 struct FloorScene : ClipScene {
   Vec3d* moves = nullptr;       // [frames x limbs] where ends are to go from where they are
   Vec3d* smooth = nullptr;      // [frames] scratch
-  Vec3d* lifts = nullptr;       // [frames] of the trunk, see BodyLift; then scratch
+  Vec3d* lifts = nullptr;       // [frames] of the torso, see BodyLift; then scratch
   uint8_t* standing = nullptr;  // [frames] scratch
   double* heights = nullptr;    // [frames] scratch
   FloorPatches floor_patches;

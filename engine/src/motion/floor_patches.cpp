@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Joints say which patches may be near the floor; of those vertices say how near. A source without a body has the target's flesh.
+// Joints select the patches that may be near the floor, whose vertices give the distance. A source without a body has
+// the target's flesh.
 #include "motion/floor_patches.hpp"
 
 #include "sinew/rig.h"

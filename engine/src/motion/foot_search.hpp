@@ -7,7 +7,7 @@
 
 namespace sinew::motion {
 
-// Frames a second for which the limits of a foot's speed are given: a distance from one frame to the next is multiplied by
+// Frame rate of the limits of a foot's speed: a distance from one frame to the next is multiplied by
 // the clip's rate over this one.
 constexpr double kContactFps = 30;
 
@@ -32,7 +32,7 @@ class FootSearch {
   double source_floor() const { return source_floor_; }
   // How far a foot's ankle or toe is over its standing height, the lower one, in the source's pose.
   double height(const Limb& limb) const { return lesser(lift(limb.last), lift(sole_joint(limb))); }
-  // Of the bodies' vertices, in the poses that the bodies have now. Without a source's body: how far the joints are above where
+  // Of the bodies' vertices in their current poses. Without a source's body: how far the joints are above where
   // they are at rest.
   FootHeights lowest(const Limb& limb, uint32_t number) const;
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSpread = 0.02;  // of the weights of near triangles
 constexpr uint32_t kHandRounds = 3, kRoundsWithoutBody = 8, kRoundsOfFrame = 2;
-constexpr uint32_t kArmOfFrame = 192;  // vertices of hand and forearm that are looked at in a frame alone
+constexpr uint32_t kArmOfFrame = 192;  // vertices of hand and forearm that are tested in a single frame
 constexpr double kBlur = 0.12;         // share of the height, of the body that an arm is to leave
 constexpr uint32_t kWayPasses = 32;    // of smoothing directions over frames
 // Of pushes and their directions, where no body moves the source: what is left of them after a thirtieth of a second.
@@ -157,7 +157,7 @@ class Hands {
       hand.depth = search_.deepest(&s_.source_tree, a, {0, 0, 0}, 0).depth;
     }
   }
-  // Nobody knows what the motion's own body touched: an arm may be as deep as it is at rest, and touches nothing.
+  // The contacts of the motion's body are unknown: an arm may be as deep as at rest, and has no contacts.
   void look_at_rest_pose() {
     s_.search_target_at_rest();
     for (uint32_t a = 0; a < search_.count(); ++a) {
@@ -170,7 +170,7 @@ class Hands {
   void remember_position(uint32_t arm, HandContact* out) const {
     double squares[kNearTriangles];
     const Vec3d p = s_.source.vertices[out->vertex];
-    out->count = search_.neighbours(s_.source_tree, arm, out->vertex, kNearTriangles, out->triangles, squares);
+    out->count = search_.neighbors(s_.source_tree, arm, out->vertex, kNearTriangles, out->triangles, squares);
     double sum = 0;
     for (uint32_t i = 0; i < out->count; ++i) {
       out->shares[i] = bell((root(squares[i]) - root(squares[0])) / (kSpread * s_.source.height));
@@ -210,7 +210,7 @@ class Hands {
       smooth_over_time(s_.moves + a, s_.in->frames, kMostLimbs, 2, s_.smooth);
   }
 
-  // Of every arm how much deeper it is than it may be, and in the first round which way is out, the longer the deeper.
+  // Excess depth of each arm, and in the first round the direction out of the body, longer for a larger depth.
   void find_depths(bool first_round) {
     for (uint32_t f = 0; f < s_.in->frames; ++f) {
       bool posed = false;
@@ -240,7 +240,7 @@ class Hands {
       }
     }
   }
-  // What search_target() does, of a frame alone: as many vertices as are looked at, and the body once, which stays where it is.
+  // search_target() for a single frame: only the tested vertices, and the body once, which does not move.
   void pose_frame(bool first_round) {
     s_.load(0);
     s_.target.take_pose(plan_.target_rotations, plan_.target_positions);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Roots of one body hang on its joints: by the source's hierarchy, else by where they lie. So do hands and feet that hang elsewhere and that nothing moves.
+// Attaches roots of one body to its joints: by the source's hierarchy, else by position. The same for hands and feet
+// outside their limbs without a source.
 #include "motion/retarget_plan.hpp"
 #include "sinew/rig.h"
 

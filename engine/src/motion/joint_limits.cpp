@@ -51,7 +51,7 @@ sinew_status read_limit(const sinew_joint_limit& in, uint32_t joint_count, Limit
   if (in.kind != SINEW_LIMIT_HINGE && in.kind != SINEW_LIMIT_BALL) return SINEW_ERROR_ARGUMENT;
   out->joint = in.joint;
   out->hinge = in.kind == SINEW_LIMIT_HINGE;
-  out->zero = normalised({static_cast<double>(in.zero[0]), static_cast<double>(in.zero[1]),
+  out->zero = normalized({static_cast<double>(in.zero[0]), static_cast<double>(in.zero[1]),
                           static_cast<double>(in.zero[2]), static_cast<double>(in.zero[3])});
   out->axis = unit(vector_of(in.axis));
   if (!is_range(in.least[0], in.most[0]) || dot(out->axis, out->axis) == 0) return SINEW_ERROR_ARGUMENT;
@@ -98,7 +98,7 @@ bool hold(const Limit& limit, Quat* rotation) {
   Quat d = conjugate(limit.zero) * *rotation;
   const Vec3d v = {d.x, d.y, d.z};
   const double along = dot(v, limit.axis);
-  Quat twist = normalised({along * limit.axis.x, along * limit.axis.y, along * limit.axis.z, d.w});
+  Quat twist = normalized({along * limit.axis.x, along * limit.axis.y, along * limit.axis.z, d.w});
   if (twist.w < 0) twist = {-twist.x, -twist.y, -twist.z, -twist.w};
   const double sine = dot(Vec3d{twist.x, twist.y, twist.z}, limit.axis), kept = held(sine, limit.twist);
   if (limit.hinge) {
@@ -114,7 +114,7 @@ bool hold(const Limit& limit, Quat* rotation) {
   if (kept == sine && a == was_a && b == was_b) return false;
   const Vec3d across = a * limit.side + b * limit.third;
   const Quat new_swing = {across.x, across.y, across.z, root(1 - a * a - b * b)};
-  *rotation = limit.zero * normalised(new_swing) * about(limit.axis, kept);
+  *rotation = limit.zero * normalized(new_swing) * about(limit.axis, kept);
   return true;
 }
 
@@ -133,7 +133,7 @@ sinew_status keep_joint_limits(const sinew_joint_limit* limits, uint32_t limit_c
     (void)read_limit(limits[i], joint_count, &limit);
     for (uint32_t f = 0; f < frame_count; ++f) {
       float* const at = rotations + 4 * (size_t{f} * joint_count + limit.joint);
-      Quat q = normalised({static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2]),
+      Quat q = normalized({static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2]),
                            static_cast<double>(at[3])});
       if (!hold(limit, &q)) continue;
       at[0] = static_cast<float>(q.x);

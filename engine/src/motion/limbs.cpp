@@ -15,7 +15,7 @@ Vec3d unit_across(Vec3d v, Vec3d u, double least) {
 
 constexpr double kCosine25 = 0.906307787036650, kCosine45 = 0.707106781186548;
 
-// The end's turn against the second bone, as little changed as brings it within a right angle or to `before`.
+// The end's rotate against the second bone, as little changed as brings it within a right angle or to `before`.
 void turn_end(const Limb& limb, double before, sinew_retarget* plan) {
   const Quat second = plan->target_rotations[limb.middle];
   Quat own = conjugate(second) * plan->target_rotations[limb.last];
@@ -101,7 +101,7 @@ void move_limb(const Limb& limb, Vec3d goal, Vec3d wanted_middle, sinew_retarget
   if (dot(side, side) == 0) side = unit_across(b - a, u, 1e-4 * upper);
   if (dot(side, side) == 0) side = unit_across(b - a, unit(c - a), 1e-6 * upper);  // as it is bent now
   side = unit_across(side, u, 1e-6);
-  if (dot(side, side) == 0) return;  // straight: nothing says which way it bends
+  if (dot(side, side) == 0) return;  // straight: the bend direction is unknown
   double cosine = (upper * upper + reach * reach - lower * lower) / (2 * upper * reach);
   cosine = cosine > 1 ? 1 : cosine < -1 ? -1 : cosine;
   const Vec3d middle = a + upper * (cosine * u + root(1 - cosine * cosine) * side);

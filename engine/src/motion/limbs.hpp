@@ -26,15 +26,15 @@ struct LimbList {
 // Both long bones mapped; hands that stand on the floor are none. The first kMostLimbs.
 LimbList find_limbs(const sinew_retarget& plan);
 
-// Of what a limb hangs on, in the plan's target pose.
+// Of a limb's parent, in the plan's target pose.
 Quat axes_of(const Limb& limb, const sinew_retarget& plan);
 
 // Brings the limb's end to `goal` in the plan's target pose, the middle joint to the side where `middle` lies, or stays where
-// the limb has none there; the end keeps its turn, what hangs on the limb follows. A goal out of reach is taken as near as a
-// limb that is hardly bent comes, or as straight as it is.
+// the limb has none there; the end keeps its rotation, and children of the limb follow. A goal out of reach is taken
+// as near as a limb that is hardly bent comes, or as straight as it is.
 void move_limb(const Limb& limb, Vec3d goal, Vec3d middle, sinew_retarget* plan);
 
-// Turns what hangs on `pivot` about it, in the plan's target pose; what hangs on `end` keeps its turn.
+// Rotates the descendants of `pivot` about it, in the plan's target pose; those of `end` keep their rotation.
 SINEW_RARE void swing(uint32_t pivot, uint32_t end, Quat rotation, sinew_retarget* plan);
 
 }  // namespace sinew::motion

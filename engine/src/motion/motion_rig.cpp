@@ -26,7 +26,7 @@ sinew_status MotionRig::fill(const sinew_skeleton& input, uint32_t* scratch) {
       const Quat given = {static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2]),
                           static_cast<double>(q[3])};
       if (!is_finite(given.x + given.y + given.z + given.w)) return SINEW_ERROR_NOT_FINITE;
-      rotations[j] = normalised(given);
+      rotations[j] = normalized(given);
     }
     parents[j] = file_parents[j] = input.parents[j];
     if (parents[j] < -1 || parents[j] >= joints) return SINEW_ERROR_INDEX;

@@ -11,7 +11,7 @@ namespace sinew::motion {
 
 struct MotionRig {
   uint32_t count = 0;               // J
-  int32_t* parents = nullptr;       // [J] also what roots of one body hang on
+  int32_t* parents = nullptr;       // [J] also the joints that roots of one body are attached to
   int32_t* file_parents = nullptr;  // [J] what local poses refer to
   uint32_t* order = nullptr;        // [J] parents before children
   Vec3d* positions = nullptr;       // [J] at rest, world

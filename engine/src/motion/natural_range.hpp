@@ -11,7 +11,7 @@ namespace sinew::motion {
 struct Hinge {
   bool known = false;
   Vec3d along = {0, 0, 0};  // of the first bone, of length 1
-  Vec3d side = {0, 0, 0};   // across it: where the second bone may turn to
+  Vec3d side = {0, 0, 0};   // across it: direction that the second bone may rotate to
   double least_side = 0;    // smallest part of the second bone's direction along `side`
 };
 
@@ -21,8 +21,8 @@ void find_hinges(const ClipScene& scene, Hinge (&hinges)[kMostLimbs]);
 
 // In the plan's target pose. Out by more than a degree.
 bool is_out_of_range(const sinew_retarget& plan, const Limb& limb, const Hinge& hinge);
-// Turns the second bone, and all that hangs on it, into the range; the nearer the pose is to it, the less, so that nothing pops.
-// False: it is there.
+// Rotates the second bone and its descendants into the range; the nearer the pose is to it, the less, so that nothing
+// pops. False: it is there.
 bool bend_into_range(const Limb& limb, const Hinge& hinge, sinew_retarget* plan);
 // All limbs of a frame.
 void keep_range_of_frame(ClipScene& scene, const Hinge (&hinges)[kMostLimbs], uint32_t frame);

@@ -22,7 +22,7 @@ struct PosedBody {
   bool allocate(Arena& arena, uint32_t vertex_count, uint32_t triangle_count, uint32_t joint_count);
   // After the members above: measures the rest pose.
   void measure(Vec3d up);
-  // By turns against the rest pose and positions [joints], both in the world that it is posed in: for skinned() alone, or with all
+  // By rotates against the rest pose and positions [joints], both in the world that it is posed in: for skinned() alone, or with all
   // vertices.
   void take_pose(const Quat* rotations, const Vec3d* positions);
   void pose(const Quat* rotations, const Vec3d* positions);

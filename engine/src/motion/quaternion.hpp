@@ -20,7 +20,7 @@ inline Quat operator*(Quat a, Quat b) {
 }
 inline Quat conjugate(Quat q) { return {-q.x, -q.y, -q.z, q.w}; }
 // No turn for a quaternion without length.
-inline Quat normalised(Quat q) {
+inline Quat normalized(Quat q) {
   const double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
   if (!(square > kLeastSquare)) return kNoRotation;
   const double s = reciprocal_root(square);
@@ -32,7 +32,7 @@ inline Vec3d rotate(Quat q, Vec3d v) {
   return v + q.w * t + cross(u, t);
 }
 
-// The shortest turn from one direction to another; half a turn about some axis across where they are opposite, none where
+// The shortest turn from one direction to another; 180 degrees about some axis across where they are opposite, none where
 // one of them has no length.
 inline Quat shortest_arc(Vec3d from, Vec3d to) {
   const Vec3d a = unit(from), b = unit(to);
@@ -44,7 +44,7 @@ inline Quat shortest_arc(Vec3d from, Vec3d to) {
   }
   if (dot(a, a) == 0 || dot(b, b) == 0) return kNoRotation;
   const Vec3d axis = cross(a, b);
-  return normalised({axis.x, axis.y, axis.z, 1 + c});
+  return normalized({axis.x, axis.y, axis.z, 1 + c});
 }
 
 }  // namespace sinew::motion

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Retargeting by reference points on the mesh, the published method: every triangle of the posed target says where a joint is to
-// be as seen from it, by the way from the same triangle to the joint in the source, as much longer as the bones between are. The room `published` defines the functions.
+// Retargeting by reference points on the mesh, the published method: every triangle of the posed target proposes a
+// position for a joint: its own position plus the vector from the same triangle to the joint in the source, scaled by
+// the lengths of the bones between. The room `published` defines the functions.
 #ifndef SINEW_MOTION_REFERENCE_POINTS_HPP
 #define SINEW_MOTION_REFERENCE_POINTS_HPP
 
@@ -24,7 +25,7 @@ sinew_status read_reference_options(const sinew_reference_options* options, Refe
 
 // Behind sinew_retarget_reference_points(); the caller has checked pointers and the bodies.
 size_t measure_reference_points(uint32_t source_joints, uint32_t target_joints, uint32_t vertices, uint32_t triangles);
-// source: or null, then capsules stand for both bodies.
+// source: or null, then capsules represent both bodies.
 sinew_status run_reference_points(sinew_retarget* plan, const sinew_motion_body* source,
                                   const sinew_motion_body& target, const ClipInputs& inputs,
                                   const ReferenceOptions& options, Arena& arena);

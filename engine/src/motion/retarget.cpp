@@ -40,7 +40,7 @@ Vec3d wanted_middle(const sinew_retarget& plan, double ground) {
   return wanted;
 }
 
-// A bone of a trunk, an arm or a leg, which keeps its length: rigs have other ideas of how long they are, or move joints that the
+// A bone of a torso, an arm or a leg, which keeps its length: rigs have other ideas of how long they are, or move joints that the
 // target's skin does not follow. Hands and feet that hang elsewhere than on their limbs are none.
 bool keeps_length(const sinew_retarget& plan, uint32_t t) {
   const uint32_t own = plan.classes[t], above = plan.classes[plan.target.parents[t]];
@@ -68,8 +68,8 @@ bool keeps_length(const sinew_retarget& plan, uint32_t t) {
   }
 }
 
-// How far a joint's source has moved in its parent, where the two parents belong together: feet that hang on the root,
-// and bones that stretch.
+// Translation of a joint's source in its parent, if the two parents match: feet that are children of the root, and
+// bones that stretch.
 Vec3d left_position(const sinew_retarget& plan, uint32_t t) {
   constexpr double kRounding = 1e-4;  // of a leg: what numbers in files leave, which is no stretching
   const int32_t joint = plan.map[t], parent = plan.map[plan.target.parents[t]];
@@ -81,7 +81,7 @@ Vec3d left_position(const sinew_retarget& plan, uint32_t t) {
   return stretches && !plan.translations && !plan.same_rig && keeps_length(plan, t) ? Vec3d{0, 0, 0} : left;
 }
 
-// Feet and hands that hang elsewhere go where their limbs end, with what hangs on them.
+// Feet and hands outside their limbs move to the ends of these, with their children.
 void carry_ends(sinew_retarget* plan) {
   const MotionRig& rig = plan->target;
   for (uint32_t t = 0; t < rig.count; ++t) {
@@ -165,7 +165,7 @@ sinew_status pose_source(sinew_retarget* plan, const float* rotations, const flo
     const Vec3d offset = {static_cast<double>(t[0]), static_cast<double>(t[1]), static_cast<double>(t[2])};
     if (!is_finite(given.x + given.y + given.z + given.w + offset.x + offset.y + offset.z))
       return SINEW_ERROR_NOT_FINITE;
-    const Quat local = normalised(given);
+    const Quat local = normalized(given);
     const int32_t parent = rig.file_parents[j];
     plan->source_rotations[j] = parent < 0 ? local : plan->source_rotations[parent] * local;
     plan->source_positions[j] =
@@ -209,7 +209,7 @@ void load_target(sinew_retarget* plan, const float* rotations, const float* tran
     const uint32_t t = rig.order[i];
     const float* const q = rotations + size_t{4} * t;
     const float* const p = translations + size_t{3} * t;
-    Quat rotation = normalised(
+    Quat rotation = normalized(
         {static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2]), static_cast<double>(q[3])});
     Vec3d position = {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
     const int32_t parent = rig.file_parents[t];
@@ -218,7 +218,7 @@ void load_target(sinew_retarget* plan, const float* rotations, const float* tran
       rotation = above * rotation;
       position = plan->target_positions[parent] + rotate(above, position);
     }
-    // Turns against the rest pose are kept; children need the parent's own again, which the product gives.
+    // Rotations relative to the rest pose are kept; children need the parent's full rotation, which is the product.
     plan->target_rotations[t] = rotation * conjugate(rig.rotations[t]);
     plan->target_positions[t] = position;
   }
@@ -235,7 +235,7 @@ void store_target(const sinew_retarget& plan, float* rotations, float* translati
       local = back * local;
       offset = rotate(back, offset - plan.target_positions[parent]);
     }
-    local = normalised(local);
+    local = normalized(local);
     if (local.w < 0) local = {-local.x, -local.y, -local.z, -local.w};  // one of the two that are the same turn
     float* const q = rotations + size_t{4} * t;
     q[0] = static_cast<float>(local.x);

@@ -47,8 +47,8 @@ class Planner {
     return -1;
   }
 
-  // Feet and hands that inverse kinematics drive hang under the root. Where the source's hang on their limbs they go with the calf or
-  // forearm; -1 where they hang on it or the source's do not.
+  // Feet and hands for inverse kinematics are below the root. If the source's are children of their limbs they follow
+  // the calf or forearm; -1 if they are its children, or the source's are not.
   int32_t carrier_of(uint32_t t) const {
     const uint32_t own = class_of(t), before = class_before(own);
     if (!is_mapped(t) || (own != SINEW_CLASS_FOOT && own != SINEW_CLASS_HAND)) return -1;
@@ -101,8 +101,8 @@ class Planner {
     }
   }
 
-  // A mapped joint just above the one that carries the legs: it has skin of its own and goes where they go. Farther above it where other joints hang on it,
-  // such as a tail that nothing moves.
+  // A mapped joint just above the one that carries the legs: it has skin of its own and goes where they go. Farther
+  // above if it has other children, such as a tail without a source.
   bool is_pelvis_of(int32_t above, int32_t joint) const {
     if (!plan_.has_legs || above < 0 || !is_mapped(static_cast<uint32_t>(above))) return false;
     constexpr double kNear = 0.2, kNearWithOthers = 0.6;  // of a leg

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a pair of skeletons and a map have in common, found once: how the source's world is turned, which bones are long
+// What a pair of skeletons and a map have in common, found once: how the source's world is rotated, which bones are long
 // ones of limbs and how far their rest poses are apart, how much larger the target is, and what stands on the floor.
 #ifndef SINEW_MOTION_RETARGET_PLAN_HPP
 #define SINEW_MOTION_RETARGET_PLAN_HPP
@@ -34,7 +34,7 @@ struct sinew_retarget {
   bool in_place = false;
   bool translations = false;
   bool same_rig = false;  // mapped joints lie as their sources do: nothing is left to be mended
-  // Scratch of a frame: turned against the rest pose, and where; the source's in the target's world.
+  // Scratch of a frame: rotated against the rest pose, and where; the source's in the target's world.
   sinew::motion::Quat* source_rotations = nullptr;
   sinew::Vec3d* source_positions = nullptr;
   sinew::motion::Quat* target_rotations = nullptr;
@@ -60,8 +60,9 @@ sinew_status create_plan(const sinew_skeleton& source, const sinew_skeleton& tar
                          const uint8_t* classes, const RetargetOptions& options, void* memory, size_t memory_bytes,
                          sinew_retarget** plan);
 
-// One body may hang on several roots: sets parents and order of a plan's target by its map and classes. What moves as something that hangs on the body in the
-// source hangs on the same here; what nothing moves hangs on the body's nearest joint, and a hand or foot beside its limb on that. `scratch` [2 target joints + 1].
+// A body may consist of several roots: sets parents and order of a plan's target by its map and classes. A root whose
+// source is attached to the body is attached to the same joint here; a root without a source to the body's nearest
+// joint, and a hand or foot beside its limb to that limb. `scratch` [2 target joints + 1].
 void hang_roots(sinew_retarget* plan, uint32_t* scratch);
 
 // The class whose long bone ends at a joint of this class; SINEW_CLASS_OTHER: none does.

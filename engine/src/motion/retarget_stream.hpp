@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Motion frame by frame as it comes: a plan, a body and what the frames before leave. Behind sinew_retarget_stream_*().
+// Streaming retargeting: a plan, a body and the state of past frames. Implements sinew_retarget_stream_*().
 #ifndef SINEW_MOTION_RETARGET_STREAM_HPP
 #define SINEW_MOTION_RETARGET_STREAM_HPP
 

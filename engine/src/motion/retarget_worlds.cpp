@@ -10,7 +10,7 @@ class WorldFinder {
   WorldFinder(const RetargetOptions& options, sinew_retarget* plan)
       : options_(options), plan_(*plan), source_(plan->source), target_(plan->target) {}
 
-  // Up to up, then the quarter turn about it after which mapped joints lie nearest to their sources, as seen from their
+  // Up to up, then the quarter rotate about it after which mapped joints lie nearest to their sources, as seen from their
   // middles, then what is left to turn.
   void run() {
     plan_.up = up_of(options_.target_up, false);
@@ -66,8 +66,8 @@ class WorldFinder {
     return {0, up.y < 0 ? -1.0 : 1.0, 0};
   }
 
-  // Turns about up so that where legs begin lies as in the target, for a file that stands at no quarter. Legs begin at mirror images
-  // whatever the pose; within 3 degrees bodies are as they were measured.
+  // Rotates about the up axis to align the starts of the legs with the target's, for a file at another heading than
+  // multiples of 90 degrees. Legs start at mirrored positions in any pose; up to 3 degrees are measurement noise.
   void face_front() {
     constexpr double kStraight = 0.05;  // tangent of what is no turn
     if (!plan_.has_legs) return;

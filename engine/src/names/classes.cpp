@@ -219,8 +219,8 @@ class ClassFinder {
     return false;
   }
 
-  // Rigify's trunk is spine from the pelvis to the head: what thighs hang on is the pelvis, and beyond the joint with the
-  // clavicles come the neck and, last, the head.
+  // Rigify's trunk is spine from the pelvis to the head: the parent of the thighs is the pelvis, and beyond the joint
+  // with the clavicles come the neck and, last, the head.
   void tell_spine_apart() {
     const int32_t legs = spine_above(SINEW_CLASS_THIGH), arms = spine_above(SINEW_CLASS_CLAVICLE);
     if (legs < 0 || arms < 0 || has_class(SINEW_CLASS_PELVIS)) return;

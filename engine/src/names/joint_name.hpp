@@ -14,13 +14,13 @@ constexpr int kMostWords = 6;
 
 struct JointName {
   Part part = Part::kNone;
-  // The part as maps want it: kNone where the name says more than a part, fore and hind legs as one each, a leg's halves
-  // and hips with a side told.
+  // The part as maps want it: kNone where the name says more than a part, fore and hind legs as one each, a leg's
+  // halves and hips only with a side.
   Part plain = Part::kNone;
   bool exact = false;                    // nothing else is in the name but sides, positions, numbers, ends and noise
   bool digit = false;                    // of a toe: one of several of a foot
   bool helper = false;                   // helps the joint above it: pelvis.L
-  int8_t side = 0;                       // 1 left, -1 right, 0 not said
+  int8_t side = 0;                       // 1 left, -1 right, 0 unknown
   uint32_t flags = 0;                    // bits of WordFlag, of all words
   bool root = false;                     // words of roots and fillers alone
   int32_t number = 0;                    // the last one in the name

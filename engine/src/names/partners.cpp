@@ -55,7 +55,7 @@ void find_images(const NamedJoints& s, const int32_t* partners, double tolerance
       }
     }
   }
-  // Both must say so: one after the other, as the joints are numbered.
+  // Both must agree: one after the other, in the order of joints.
   mirror->exact = true;
   for (int32_t j = 0; j < s.n; ++j) {
     if (images[j] < 0 || images[images[j]] != j) images[j] = -1;

@@ -65,7 +65,7 @@ class RoleFinder {
     }
   }
 
-  // Leaves that are called ends or that nothing follows; what is called a tip deforms where nobody knows better.
+  // Marks leaves called ends or without followers as ends; a joint called a tip deforms unless it has no followers.
   void find_ends() {
     for (int32_t j = 0; j < s_.n; ++j) {
       if (!s_.is_leaf(j) || s_.parents[j] < 0 || s_.has_weight(j)) continue;
@@ -103,7 +103,7 @@ class RoleFinder {
     }
   }
 
-  // A word that a third of the joints have in their names tells nobody apart.
+  // A word in the names of a third of the joints distinguishes none of them.
   template <class Named>
   bool is_habit(const Named& named) const {
     int32_t count = 0, twins = 0;

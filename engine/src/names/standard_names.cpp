@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Patterns of names. To add a convention, write a row of kConventions, its enumerator in sinew/names.h, and a pattern for
 // each class it knows. In a pattern
-//   @   stands for the side
+//   @   represents the side
 //   #   for the index: nothing, 1, 2
 //   $   for the index from 1
 //   %   for the index from 01

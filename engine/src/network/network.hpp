@@ -13,7 +13,7 @@
 namespace sinew {
 
 // What a network runs on, all borrowed. U vertices, K slots each; for a task over joints U joints, which the words
-// vertex, pair and candidate then stand for.
+// vertex, pair and candidate then represent.
 struct NetworkInput {
   uint32_t vertex_count = 0;     // U
   uint32_t candidate_count = 0;  // K
@@ -22,7 +22,7 @@ struct NetworkInput {
   const uint16_t* joints = nullptr;       // [U x K], kNoJoint = absent
   const uint32_t* row_offsets = nullptr;  // [U + 1] one-ring CSR
   const uint32_t* col_indices = nullptr;
-  const uint32_t* far_offsets = nullptr;  // [U + 1] CSR of far neighbours, for tasks that have them
+  const uint32_t* far_offsets = nullptr;  // [U + 1] CSR of far neighbors, for tasks that have them
   const uint32_t* far_indices = nullptr;
   const uint32_t* part = nullptr;           // [U]
   const uint32_t* part_offsets = nullptr;   // [parts + 1]

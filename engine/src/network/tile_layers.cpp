@@ -46,20 +46,20 @@ void run_linear(const Tile& tile, uint32_t index) {
              run.plan.buffers[layer.out.buffer].channels);
 }
 
-// Layers of neighbours: rows of neighbours come from storage, whatever tile they belong to.
+// Layers of neighbors: rows of neighbors come from storage, whatever tile they belong to.
 void run_ring(const Tile& tile, uint32_t index) {
   const Run& run = tile.run;
   const Layer& layer = run.plan.layers[index];
   const uint32_t k = run.plan.candidates, slots = slots_of(run, layer.out);
   const bool mean = layer.kind == LayerKind::kRingMean, far = !kSmallCode && (layer.flags & kLayerFar) != 0;
   const uint32_t* const offsets = far ? run.input.far_offsets : run.input.row_offsets;
-  const uint32_t* const neighbours_of = far ? run.input.far_indices : run.input.col_indices;
+  const uint32_t* const neighbors_of = far ? run.input.far_indices : run.input.col_indices;
   for (uint32_t channel = layer.in.offset; channel < region_end(layer.in);) {
     const Segment segment = segment_at(run.plan.layers, run.plan.input_count, index, layer.in, channel);
     const RowsView values = whole_mesh(run, layer.in.buffer, segment.producer, channel);
     for (uint32_t row = 0; row < tile.count * slots; ++row) {
       const uint32_t vertex = tile.vertices()[row / slots];
-      const uint32_t* ring = neighbours_of + offsets[vertex];
+      const uint32_t* ring = neighbors_of + offsets[vertex];
       const uint32_t valence = offsets[vertex + 1] - offsets[vertex];
       int16_t* out = tile_row(tile, layer.out, row) + (channel - layer.in.offset);
       if (!has_slots(run.plan.buffers[layer.out.buffer].domain)) {
@@ -70,11 +70,11 @@ void run_ring(const Tile& tile, uint32_t index) {
         }
       } else {
         const uint16_t joint = tile.joints()[row];
-        const uint32_t neighbours = joint == kNoJoint ? 0 : valence;  // an absent slot has none
+        const uint32_t neighbors = joint == kNoJoint ? 0 : valence;  // an absent slot has none
         if (mean) {
-          run.kernels.ring_mean_pair(values, segment.count, run.input.joints, k, joint, ring, neighbours, out);
+          run.kernels.ring_mean_pair(values, segment.count, run.input.joints, k, joint, ring, neighbors, out);
         } else {
-          run.kernels.ring_max_pair(values, segment.count, run.input.joints, k, joint, ring, neighbours, out);
+          run.kernels.ring_max_pair(values, segment.count, run.input.joints, k, joint, ring, neighbors, out);
         }
       }
     }

@@ -28,7 +28,7 @@ void write_vertex(const Mesh& mesh, uint32_t v, int16_t* row) {
     sum = {sum.x + away.x, sum.y + away.y, sum.z + away.z};
     lengths += isqrt64(static_cast<uint64_t>(dot(away, away)));
   }
-  // The mean over the mean: the number of neighbours cancels.
+  // The mean over the mean: the number of neighbors cancels.
   row[kAttributeLaplacian] = lengths == 0 ? int16_t{0} : features::ratio_q13(sum.x, lengths);
   row[kAttributeLaplacian + 1] = lengths == 0 ? int16_t{0} : features::ratio_q13(sum.y, lengths);
   row[kAttributeLaplacian + 2] = lengths == 0 ? int16_t{0} : features::ratio_q13(sum.z, lengths);

@@ -85,11 +85,11 @@ void inflate(const PosedJoints& posed, SmoothedVertex* vertices, BendVolume* vol
     uint32_t joint = rest.joint_count;
     for (int k = 0; k < 3 && joint == rest.joint_count; ++k) joint = vertices[at[k]].joint;
     if (joint == rest.joint_count) continue;
-    const Vec3d centre = rest.skeleton[joint].position, moved = move(posed.joints[joint].motion, centre);
+    const Vec3d center = rest.skeleton[joint].position, moved = move(posed.joints[joint].motion, center);
     const Vec3d a = vertices[at[0]].position - moved, b = vertices[at[1]].position - moved,
                 c = vertices[at[2]].position - moved;
-    const Vec3d a0 = rest.position(rest.first[at[0]]) - centre, b0 = rest.position(rest.first[at[1]]) - centre,
-                c0 = rest.position(rest.first[at[2]]) - centre;
+    const Vec3d a0 = rest.position(rest.first[at[0]]) - center, b0 = rest.position(rest.first[at[1]]) - center,
+                c0 = rest.position(rest.first[at[2]]) - center;
     volumes[joint].at_rest += dot(a0, cross(b0, c0));
     volumes[joint].now += dot(a, cross(b, c));
     const Vec3d normal = cross(b - a, c - a);

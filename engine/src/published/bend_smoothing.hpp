@@ -22,11 +22,11 @@ struct BendVolume {
   double area;          // what a step of 1 of all its vertices adds, likewise
 };
 
-// A vertex goes towards where its neighbours put it by their offsets at rest, turned as the joints turn it: what the pose displaced is
+// A vertex goes towards where its neighbors put it by their offsets at rest, turned as the joints turn it: what the pose displaced is
 // smoothed, and the rest pose is smooth already. The share of a step grows with the angle between the joints of a vertex and is 0 where
-// they do not turn against each other. Every step that shrinks is followed by one that inflates, after G. Taubin, "A signal processing
+// they do not rotate against each other. Every step that shrinks is followed by one that inflates, after G. Taubin, "A signal processing
 // approach to fair surface design", 1995; the last ones along the normals, by what the bend of a joint lacks of its volume at rest.
-// As drawn a vertex goes towards the mean of its neighbours, once, by its share, and that is all.
+// As drawn a vertex goes towards the mean of its neighbors, once, by its share, and that is all.
 // positions [V] in and out; moved [U]: what the lattice moved, which is the whole of a bend; vertices [U] and volumes [J] are scratch.
 void smooth_bends(const PosedJoints& posed, const uint8_t* moved, SmoothedVertex* vertices, BendVolume* volumes,
                   Vec3d* positions);

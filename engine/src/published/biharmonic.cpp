@@ -11,7 +11,7 @@ constexpr uint32_t kNearest = DistanceMatch::kNearest;
 constexpr uint32_t kFewest = 4;         // references
 constexpr uint32_t kCompared = 8;       // references of a vertex, those that are nearest to it: of a caller's few pairs
 constexpr uint32_t kComparedFound = 5;  // and of those that were found; as drawn all
-constexpr uint32_t kNeighbours = 6;     // references around one, for its scale
+constexpr uint32_t kNeighbors = 6;      // references around one, for its scale
 constexpr double kMostDistanceScale = 2;  // of one reference's distances
 constexpr double kNearDistance = 0.02;    // added to distances before they are inverted
 constexpr double kLeastShare = 1e-6;      // of the farthest's squared difference: what is the same takes all
@@ -63,7 +63,7 @@ struct Columns {
   void scale() const {
     for (uint32_t i = 0; i < references.count; ++i) {
       const double* const column = target + size_t{i} * target_count;
-      Least<kNeighbours> around;
+      Least<kNeighbors> around;
       for (uint32_t j = 0; j < references.count; ++j) {
         if (j != i) around.add(mean_at(references.points[j].target, column), j);
       }

@@ -208,7 +208,8 @@ void Branches::give(int32_t i, int32_t k) {
   if (twin >= 0) take_over(twin, image >= 0 ? image : k);
 }
 
-// The cheapest branch of the other rig for branch i of the first: one of its kind, else any. `free`: that nobody has.
+// Returns the cheapest branch of the other rig for branch i of the first: one of its kind, else any. `free`: only
+// unassigned ones.
 int32_t Branches::cheapest(int32_t i, bool free) const {
   for (int pass = 0; pass < 2; ++pass) {
     double least = 0;

@@ -31,7 +31,7 @@ class Branches {
     double* area = nullptr;   // [n] share of the surface
     double* root_distance = nullptr;     // [n] from the root
     int32_t* depth = nullptr;            // [n] below the root
-    int32_t* kids = nullptr;             // [n] how many nodes hang on it
+    int32_t* kids = nullptr;             // [n] number of its descendants
     int32_t* leaves = nullptr;           // [n] a branch each
     int32_t* mirror = nullptr;           // [n] of a branch, -1 = none
     int32_t* through = nullptr;          // [n] branches through a joint

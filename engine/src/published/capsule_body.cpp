@@ -9,7 +9,7 @@
 namespace sinew::motion {
 namespace {
 
-// Thickness by limb proportions, the same for every skeleton: radius over the bone's length, or over the trunk's (hips to neck) where a
+// Thickness by limb proportions, the same for every skeleton: radius over the bone's length, or over the torso's (hips to neck) where a
 // skeleton may cut its bones as it likes. Read off grown people.
 struct Proportion {
   double of_bone, of_trunk;
@@ -38,7 +38,7 @@ Proportion proportion(uint32_t joint_class) {
       return {0.2, 0};
   }
 }
-// What goes on beyond a leaf, as a share of the bone before it; heads by the trunk.
+// What goes on beyond a leaf, as a share of the bone before it; heads by the torso.
 constexpr double kBeyondHead = 0.35, kBeyondLeaf = 0.6;
 
 bool is_body(uint32_t c) { return c <= SINEW_CLASS_FOOT || c == SINEW_CLASS_TAIL || c == SINEW_CLASS_WING; }
@@ -161,7 +161,7 @@ void CapsuleBodies::find_bones(const sinew_retarget& plan) {
   }
 }
 
-// Rings of one direction in the target are turned as the bone is, and to the source's world.
+// Rings of one direction in the target are rotated as the bone is, and to the source's world.
 void CapsuleBodies::add(const Bone& source, const Bone& target, const Quat& source_world) {
   const Quat source_from_target = shortest_arc(target.to - target.from, rotate(source_world, source.to - source.from));
   constexpr double kHalf = 0.70710678118654752440;  // cosine of 45 degrees

@@ -77,7 +77,7 @@ bool slots_task(uint32_t feature_set, ModelTask* task) {
   task->inputs[0] = {first ? input_name("pnts") : input_name("pair"),
                      {Domain::kVertex, static_cast<uint16_t>(first ? uint32_t{kRigChannels} : kPairChannels)}};
   task->output = {first ? Domain::kPair : Domain::kVertex, static_cast<uint16_t>(first ? kSlotRow : 1)};
-  task->far_neighbours = true;
+  task->far_neighbors = true;
   return true;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The room's stub, which SINEW_PUBLISHED_METHODS=OFF compiles in place of its other sources: it defines what other rooms call.
+// The room's stub, which SINEW_PUBLISHED_METHODS=OFF compiles instead of its other sources: it defines what other rooms call.
 // Calls of the interface ask has_published_methods() before they come here, so most answers are never seen.
 #include "core/build.hpp"
 #include "deform/correction.hpp"

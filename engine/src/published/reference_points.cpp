@@ -57,7 +57,7 @@ struct ReferenceScene : ClipScene {
   }
 };
 
-// Joints that move the body by themselves; fingers, ends and what hangs on it do not say where a triangle belongs.
+// Joints that move the body themselves; fingers, ends and accessories do not decide the part of a triangle.
 bool is_body_class(uint32_t c) { return c <= SINEW_CLASS_TAIL || c == SINEW_CLASS_WING; }
 
 class ReferencePoints {
@@ -121,7 +121,7 @@ class ReferencePoints {
     }
   }
 
-  // The first mapped head, and the first joint of its neck, else what it hangs on.
+  // The first mapped head, and the first joint of its neck, else its parent.
   void find_head() {
     for (uint32_t i = 0; i < rig_.count && head_ == kNoIndex; ++i) {
       const uint32_t t = rig_.order[i];
@@ -334,7 +334,8 @@ class ReferencePoints {
     return s_.is_node[t] != 0 && (c == SINEW_CLASS_PELVIS || c == SINEW_CLASS_SPINE || c == SINEW_CLASS_NECK);
   }
 
-  // Torso joints go where the source's are, seen from the one before: bones keep their lengths, what hangs on them its turns.
+  // Torso joints go where the source's are, seen from the one before: bones keep their lengths, their children their
+  // rotations.
   void take_torso() {
     for (uint32_t i = 0; i < rig_.count; ++i) {
       const uint32_t t = rig_.order[i];
@@ -344,7 +345,7 @@ class ReferencePoints {
       const Vec3d wanted = plan_.source_positions[source_of(t)] - plan_.source_positions[source_of(up)];
       if (length(now) <= 0 || length(wanted) <= 0) continue;
       const Vec3d shift = length(now) * unit(wanted) - now;
-      // Legs hang on the pelvis, which therefore keeps its turn.
+      // The pelvis is the parent of the legs, so it keeps its rotation.
       const Quat turn = plan_.classes[up] == SINEW_CLASS_PELVIS ? kNoRotation : shortest_arc(now, wanted);
       for (uint32_t below = 0; below < rig_.count; ++below) {
         if (!rig_.is_below(below, up) || below == up) continue;

@@ -17,8 +17,8 @@ constexpr uint32_t kMostSeeds = 96;
 constexpr uint32_t kSamples = 64;               // points of a region that are compared with another's
 constexpr int64_t kInContact = kSide / 50;      // points of regions in contact
 constexpr double kLeastArea = 0.001;            // of the whole surface
-constexpr double kShort = 0.03, kAround = 0.1;  // of the longest side; the second where two share a neighbour
-constexpr uint32_t kMostEdges = 5;              // at the neighbour of a leaf that stays
+constexpr double kShort = 0.03, kAround = 0.1;  // of the longest side; the second where two share a neighbor
+constexpr uint32_t kMostEdges = 5;              // at the neighbor of a leaf that stays
 
 int32_t nearest_integer(double a) { return static_cast<int32_t>(a < 0 ? a - 0.5 : a + 0.5); }
 
@@ -196,7 +196,7 @@ class Regions {
     }
   }
   double apart(uint32_t a, uint32_t b) const { return (1.0 / kSide) * length(nodes_[b].sample - nodes_[a].sample); }
-  bool share_neighbour(uint32_t a, uint32_t b) const {
+  bool share_neighbor(uint32_t a, uint32_t b) const {
     for (uint32_t c = 0; c < count_; ++c) {
       if (joined(a, c) && joined(b, c)) return true;
     }
@@ -206,7 +206,7 @@ class Regions {
   bool may_go(uint32_t a, uint32_t b, bool too_many) const {
     const double distance = length(nodes_[a].at - nodes_[b].at);
     if (too_many || distance < kShort * kSide || nodes_[a].area < kLeastArea * whole_) return true;
-    return (distance < kAround * kSide && share_neighbour(a, b)) || (edges_at(a) == 1 && edges_at(b) > kMostEdges);
+    return (distance < kAround * kSide && share_neighbor(a, b)) || (edges_at(a) == 1 && edges_at(b) > kMostEdges);
   }
 
   void collapse() {

@@ -45,7 +45,7 @@ struct SlotScratch {
     pair_vertices = arena.alloc<uint32_t>(kSlotPairs);
     pair_offsets = arena.alloc<uint32_t>(kSlotPairs + 1);
     if (!arena.ok() || arena.measuring()) return arena.ok();
-    points.fill(kNeighbours);
+    points.fill(kNeighbors);
     for (uint32_t i = 0; i < kSetPoints; ++i) points.joints[i] = 0;  // one slot a point, which is present
     *joints = SlotJoints();
     for (uint32_t i = 0; i < kSlotPairs; ++i) {
@@ -57,7 +57,7 @@ struct SlotScratch {
     return true;
   }
   NetworkInput point_input() const {
-    NetworkInput input = points.input(set.features, set.near_neighbours, set.far_neighbours);
+    NetworkInput input = points.input(set.features, set.near_neighbors, set.far_neighbors);
     input.inputs[0] = features;
     return input;
   }
@@ -151,7 +151,7 @@ RigJoint make_joint(const SlotJoints& joints, const SlotTree& tree, uint32_t i, 
   return joint;
 }
 
-// Where a point says that a slot's joint is. Below 2^22.
+// Position of a slot's joint as predicted by a point. Below 2^22.
 Vec3i pointed(const SurfacePoint& point, const int16_t* slot_row) {
   constexpr int kToGrid = kGridBits - kLogitBits - 4;
   static_assert(kRigOffsetScale == 16, "an offset's scale in bits");

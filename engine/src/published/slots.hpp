@@ -22,9 +22,9 @@ struct SlotJoints {
 void add_slot_joints(const SurfacePoint* points, const int16_t* rows, int64_t* attention, SlotJoints* sum);
 // Rows of the second network, [kSlotPairs x kPairChannels].
 void pair_rows(const SlotJoints& joints, int16_t* rows);
-// Slots that more likely than not hold a joint, or the likeliest one; joined by the tree of the likeliest connections from the
-// pelvis, or the first slot there is; bone ends hang on the joint that they likeliest hang on. Parents come first. The spread is a
-// quarter of the scatter of slots that hold a joint.
+// Slots that hold a joint with a probability above one half, or the most probable one; joined by the tree of the most
+// probable connections from the pelvis, or from the first slot; bone ends are children of their most probable parent.
+// Parents come first. The spread is a quarter of the scatter of slots that hold a joint.
 void join_slots(const SlotJoints& joints, BodyKind category, const RigOptions& options, Rig* rig);
 
 // The second network of a model that open_slots_model() gave.

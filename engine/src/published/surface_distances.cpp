@@ -117,7 +117,7 @@ bool SurfaceDistances::factorise(const Mesh& mesh) {
 }
 
 // Takes the mean by area off each column of x_, whose last row is that of the vertex that is held.
-void SurfaceDistances::centre(uint32_t count) {
+void SurfaceDistances::center(uint32_t count) {
   double sums[kBatch] = {};
   for (uint32_t k = 0; k < count; ++k)
     for (uint32_t m = 0; m < kBatch; ++m) sums[m] += area_[k] * x_[size_t{kBatch} * k + m];
@@ -153,7 +153,7 @@ void SurfaceDistances::solve_columns(const Mesh& mesh, const References& referen
     }
   }
   ldl_.solve(x_);
-  centre(mesh.welded_count);
+  center(mesh.welded_count);
   for (uint32_t k = 0; k < held; ++k)
     for (uint32_t m = 0; m < kBatch; ++m) x_[size_t{kBatch} * k + m] *= area_[k];
   for (uint32_t m = 0; m < kBatch; ++m) x_[size_t{kBatch} * held + m] = 0;

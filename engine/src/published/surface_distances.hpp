@@ -35,7 +35,7 @@ class SurfaceDistances {
   void tie_parts(const Mesh& mesh);
   void order_vertices(const Mesh& mesh);
   bool factorise(const Mesh& mesh);
-  void centre(uint32_t count);
+  void center(uint32_t count);
   void find_diagonal(uint32_t count);
   void solve_columns(const Mesh& mesh, const References& references, bool on_source, uint32_t first, double* out);
   void turn_to_distances(const Mesh& mesh, const References& references, bool on_source, double* g) const;

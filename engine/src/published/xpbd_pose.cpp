@@ -148,7 +148,7 @@ class PublishedPose {
     }
   }
 
-  // As drawn, parts of the body that are no neighbours: what touches gets a half space, and the solver goes on from where it was.
+  // As drawn, parts of the body that are no neighbors: what touches gets a half space, and the solver goes on from where it was.
   void collide() {
     const uint32_t bends = state_.point_count;
     for (uint32_t u = 0; u < rest_.welded_count; ++u) held_[u] = {{0, 0, 0}, 0};
@@ -170,7 +170,7 @@ class PublishedPose {
     }
   }
 
-  // Parts of the body that are no neighbours.
+  // Parts of the body that are no neighbors.
   void keep_apart() {
     find_contact_nodes();
     for (int pass = 0; pass < kContactPasses; ++pass) {

@@ -26,10 +26,10 @@ void grow(const Mesh& mesh, uint32_t part_count, uint32_t step, Clusters* cluste
   for (uint32_t head = 0; head < tail; ++head) {
     const uint32_t v = queue[head];
     for (uint32_t e = mesh.row_offsets[v]; e < mesh.row_offsets[v + 1]; ++e) {
-      const uint32_t neighbour = mesh.col_indices[e];
-      if (labels[neighbour] != kNoIndex) continue;
-      labels[neighbour] = labels[v];
-      queue[tail++] = neighbour;
+      const uint32_t neighbor = mesh.col_indices[e];
+      if (labels[neighbor] != kNoIndex) continue;
+      labels[neighbor] = labels[v];
+      queue[tail++] = neighbor;
     }
   }
 }
@@ -73,7 +73,7 @@ void find_centroids(const Mesh& mesh, Clusters* clusters) {
   }
 }
 
-// The cluster of the vertex or of a neighbour whose centroid is nearest; ties stay, then go to the lower number.
+// The cluster of the vertex or of a neighbor whose centroid is nearest; ties stay, then go to the lower number.
 uint32_t nearest_cluster(const Mesh& mesh, const Clusters& clusters, uint32_t v) {
   const uint32_t own = clusters.labels[v];
   uint32_t best = own;
@@ -109,7 +109,7 @@ bool Clusters::allocate(Arena& arena, const Counts& counts, uint32_t most) {
 
 void find_clusters(const Mesh& mesh, uint32_t most, const Threads& threads, Clusters* clusters) {
   // Every part may have one cluster more than its share. Where that would leave too little to share, the largest
-  // parts (they come first) divide half of the clusters, and the others are not cut any more.
+  // parts (they come first) divide half of the clusters, and the others are not divided further.
   const uint32_t quarter = most / 4;
   const bool crowded = mesh.part_count >= most - quarter;
   const uint32_t cut = crowded && quarter < mesh.part_count ? quarter : mesh.part_count;

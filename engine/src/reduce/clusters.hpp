@@ -19,8 +19,8 @@ struct Clusters {
 };
 
 // At most `most` >= 1 clusters: seeds at equal steps through the Morton order of every part, grown breadth first,
-// then a few rounds of Lloyd's algorithm (1982) in which a vertex may go over to a neighbour's cluster whose centroid
-// is nearer. Of more parts than three quarters of `most` the smallest become a cluster each or, neighbours in
+// then a few rounds of Lloyd's algorithm (1982) in which a vertex may go over to a neighbor's cluster whose centroid
+// is nearer. Of more parts than three quarters of `most` the smallest become a cluster each or, neighbors in
 // Morton order together, share one. A function of the mesh alone, for any number of threads.
 void find_clusters(const Mesh& mesh, uint32_t most, const Threads& threads, Clusters* clusters);
 

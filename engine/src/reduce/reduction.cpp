@@ -136,7 +136,7 @@ uint32_t find_loose_edges(const Mesh& full, const Reduction& out, const Reductio
   return edges;
 }
 
-// A vertex without triangles stands for its cluster's share of the full surface.
+// A vertex without triangles represents its cluster's share of the full surface.
 void give_areas(const Mesh& full, const ReductionScratch& scratch, Reduction* out) {
   uint64_t* const areas = out->mesh.areas;
   for (uint32_t v = 0; v < full.welded_count; ++v) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A coarser mesh in place of a very fine one: the stages after the mesh run on it, and its rows are interpolated back.
+// A coarser mesh instead of a very fine one: the stages after the mesh run on it, and its rows are interpolated back.
 #ifndef SINEW_REDUCE_REDUCTION_HPP
 #define SINEW_REDUCE_REDUCTION_HPP
 
@@ -14,10 +14,10 @@ struct SurfacePosition {
   uint32_t shares[3];
 };
 
-// The reduced mesh. Its vertices are the means of clusters: each holds neighbouring vertices of one part
+// The reduced mesh. Its vertices are the means of clusters: each holds neighboring vertices of one part
 // (or several whole small ones, where there are too many of them), in number alike, so that density stays
 // where the artist put it. Triangles are those whose corners lie in three clusters, which keeps a closed surface closed
-// (vertex clustering as a simplicial map). A cluster chain without triangles, as of a thin tube, keeps its neighbours
+// (vertex clustering as a simplicial map). A cluster chain without triangles, as of a thin tube, keeps its neighbors
 // by edges without a triangle.
 struct Reduction {
   bool active = false;              // false: the full mesh is small enough, the rest is undefined

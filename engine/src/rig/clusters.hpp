@@ -36,7 +36,7 @@ struct VotePool {
 inline Vec3i folded_position(Vec3i p, bool mirrored) { return {mirrored && p.x < 0 ? -p.x : p.x, p.y, p.z}; }
 uint32_t trust_in(uint32_t spread);
 
-// A joint with x > 0 of mirrored votes stands for two.
+// A joint with x > 0 of mirrored votes represents two.
 struct FoldedJoint {
   Vec3i at = {0, 0, 0};
   uint8_t joint_class = kClassPelvis;

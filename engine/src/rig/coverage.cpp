@@ -73,17 +73,17 @@ class Coverage {
       if (count_ > 0 && starts_[count_ - 1].cell == c) continue;
       starts_[count_++] = {c, static_cast<uint8_t>(owner)};
       // In a hollow body the surface is as far as the wall.
-      const int64_t off = static_cast<int64_t>(length(grid_.centre(c) - at)) * kDepthUnits / grid_.cell_size;
+      const int64_t off = static_cast<int64_t>(length(grid_.center(c) - at)) * kDepthUnits / grid_.cell_size;
       radius_[owner] += interior_.depth[c] + static_cast<uint32_t>(off < kDepthUnits ? 0 : off);
       ++cells_[owner];
     }
   }
 
-  // To where the body is deepest, as far from the bones as before.
-  uint32_t centre_of(uint32_t cell) const {
+  // Moves to the deepest position in the body at the same distance from the bones.
+  uint32_t center_of(uint32_t cell) const {
     for (uint32_t i = 0; i < 16; ++i) {
       uint32_t best = cell;
-      grid_.each_neighbour(cell, [&](uint32_t other) {
+      grid_.each_neighbor(cell, [&](uint32_t other) {
         const int32_t off = int32_t{interior_.distance[other]} - int32_t{interior_.distance[cell]};
         if (off < -4 || off > 4 || owner_[other] != owner_[cell]) return;
         if (interior_.depth[other] > interior_.depth[best]) best = other;
@@ -103,13 +103,13 @@ class Coverage {
       path[count++] = cell;
       if (interior_.distance[cell] <= surface) break;
       uint32_t next = cell;
-      grid_.each_neighbour(cell, [&](uint32_t other) {
+      grid_.each_neighbor(cell, [&](uint32_t other) {
         if (interior_.distance[other] < interior_.distance[next] && interior_.depth[other] != 0) next = other;
       });
       if (next == cell) return false;
       cell = next;
     }
-    for (uint32_t i = 0; i < count; ++i) depth += interior_.depth[centre_of(path[i])];
+    for (uint32_t i = 0; i < count; ++i) depth += interior_.depth[center_of(path[i])];
     const int64_t length_of = int64_t{interior_.distance[tip]} - interior_.distance[path[count - 1]];
     // fifths of a cell along, thirds across
     if (length_of * kDepthUnits * count < kSlender * depth * kDistanceUnits) return false;
@@ -126,7 +126,7 @@ class Coverage {
     for (uint32_t k = 0; k <= steps; ++k) {
       const uint32_t wanted = base + length_of * k / steps;
       while (i > 1 && interior_.distance[path[i - 1]] < wanted) --i;
-      at[k] = grid_.centre(k == steps ? path[0] : centre_of(path[i - 1]));
+      at[k] = grid_.center(k == steps ? path[0] : center_of(path[i - 1]));
       x += at[k].x;
     }
     const bool right = tree_.mirrored && x < 0;
@@ -157,7 +157,7 @@ class Coverage {
     return true;
   }
   uint32_t mirrored(uint32_t cell) const {
-    Vec3i at = grid_.centre(cell);
+    Vec3i at = grid_.center(cell);
     at.x = -at.x;
     return grid_.cell_of(at);
   }
@@ -170,7 +170,7 @@ class Coverage {
       found = found || (interior_.depth[c] != 0 && owner_[c] == owner && interior_.distance[c] >= reach_of(owner));
     };
     ask(cell);
-    grid_.each_neighbour(cell, ask);
+    grid_.each_neighbor(cell, ask);
     return found;
   }
 

@@ -11,7 +11,7 @@ namespace sinew::rigging {
 // Adds a chain of joints for everything that stands out of the body farther than the bones below it explain: farther along the body
 // than twice the bone's radius. The farthest first, at most kMostChains; of what a mirrored body has on both sides one, of what it
 // has on one side one that is alone. Joints lie in the middle of what stands out, at equal steps, the last is the bone's end.
-// No vote speaks for them: their confidence is 0. Their classes say where they are: a tail behind the trunk, hair or an ear on a head,
+// No vote speaks for them: their confidence is 0. Their classes say where they are: a tail behind the torso, hair or an ear on a head,
 // a leg where the floor is reached, else other.
 //   interior  its distances are overwritten
 //   tree      in, out: as grow_tree() leaves it

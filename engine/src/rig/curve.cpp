@@ -17,14 +17,14 @@ constexpr int32_t kLeastBone = side_share(300);        // to a bone end
 constexpr uint32_t kMostNodes = kMaxFoldedJoints - 8;  // no more than can be read
 
 struct CellRegion {
-  Vec3l sum = {0, 0, 0};  // of its cells' centres
+  Vec3l sum = {0, 0, 0};  // of its cells' centers
   uint32_t count = 0;
   uint32_t first = kNoIndex;  // its first cell on the way
   uint32_t parent = kNoIndex;
   uint16_t begin = kNoDistance, end = 0;  // ways of its first and last cell
   uint16_t far = 0;                       // of the last cell that is reached through it
   bool on_plane = false, kept = false;
-  uint8_t branches = 0;  // kept regions that hang on it
+  uint8_t branches = 0;  // number of kept child regions
   int16_t node = -1;     // of the tree, where it became one
 
   Vec3i middle() const { return round_div(sum, count); }
@@ -57,7 +57,7 @@ class Curve {
  private:
   bool used(uint32_t cell) const {
     return interior_.depth[cell] != 0 && interior_.distance[cell] != kNoDistance &&
-           (!folded_ || grid_.centre(cell).x >= 0);
+           (!folded_ || grid_.center(cell).x >= 0);
   }
   uint32_t band(uint32_t cell) const { return interior_.distance[cell] / kBand; }
   bool comes_before(uint32_t a, uint32_t b) const {
@@ -69,7 +69,7 @@ class Curve {
     for (uint32_t c = 0; c < grid_.cell_count; ++c) {
       label_[c] = used(c) ? c : kNoIndex;
       if (label_[c] == kNoIndex) continue;
-      grid_.each_neighbour(c, [&](uint32_t other) {
+      grid_.each_neighbor(c, [&](uint32_t other) {
         if (other > c || label_[other] == kNoIndex || band(other) != band(c)) return;
         join_sets(label_, other, c);
       });
@@ -96,15 +96,15 @@ class Curve {
         if (label_[c] == kNoIndex) continue;
       }
       CellRegion& region = regions_[label_[c] & ~kMark];
-      const Vec3i centre = grid_.centre(c);
-      region.sum = {region.sum.x + centre.x, region.sum.y + centre.y, region.sum.z + centre.z};
+      const Vec3i center = grid_.center(c);
+      region.sum = {region.sum.x + center.x, region.sum.y + center.y, region.sum.z + center.z};
       ++region.count;
       if (interior_.distance[c] < region.begin) {
         region.begin = interior_.distance[c];
         region.first = c;
       }
       if (interior_.distance[c] > region.end) region.end = interior_.distance[c];
-      region.on_plane = region.on_plane || (folded_ && centre.x <= grid_.cell_size);
+      region.on_plane = region.on_plane || (folded_ && center.x <= grid_.cell_size);
     }
   }
 
@@ -114,12 +114,12 @@ class Curve {
     region.parent = order_[0];
     for (uint32_t cell = region.first; interior_.distance[cell] != 0;) {
       uint32_t next = cell;
-      grid_.each_neighbour(cell, [&](uint32_t other) {
+      grid_.each_neighbor(cell, [&](uint32_t other) {
         if (grid_.states[other] != kCellBorder && interior_.distance[other] < interior_.distance[next]) next = other;
       });
       if (next == cell) return;
       cell = next;
-      Vec3i at = grid_.centre(cell);
+      Vec3i at = grid_.center(cell);
       if (folded_ && at.x < 0) at.x = -at.x;
       const uint32_t there = label_[grid_.cell_of(at)];
       if (there == kNoIndex) continue;

@@ -235,7 +235,7 @@ class FoldedTreeBuilder {
                         square_distance(a.at, b.at) > square(int64_t{kHandReach});
     const bool astray = lies_across(a, b) || leaves_limb(a.joint_class, b.joint_class) || beyond;
     const bool second = (continued[from] & sides_of(to)) != 0 && continues_limb(a.joint_class, b.joint_class);
-    const bool apart = (sides_of(from) & sides_of(to)) == 0;  // nothing on one side hangs on what is on the other
+    const bool apart = (sides_of(from) & sides_of(to)) == 0;  // no joint on one side has a parent on the other
     return (astray ? kAstray : 0) + (second ? kSecond : 0) + (apart ? kNever : 0);
   }
 

@@ -24,8 +24,8 @@ struct FoldedNode {
   Vec3i end = {0, 0, 0};           // of the bone, where no joint is
 };
 
-// A node with x > 0 of a mirrored tree stands for two, or for one where the body has it on one side only. No node on the plane has a parent beside it, so what stands for
-// two has a mirror image to stand on.
+// A node with x > 0 of a mirrored tree represents two, or for one where the body has it on one side only. No node on
+// the plane has a parent beside it, so what represents two has a mirror image to stand on.
 struct FoldedTree {
   bool mirrored = false;
   uint32_t count = 0;
@@ -39,8 +39,10 @@ struct FoldedTree {
 // Every point belongs to the joint of its start vote and, where its end is not a tip, votes for a connection from there
 // to the joint of its end vote. The root is the heaviest pelvis on the plane, else the joint nearest to the points'
 // mean; where no joint is on the plane it is put there. Prim's algorithm takes one more joint at a time at the least
-// cost: surprise in the votes, the way through the body (rig/body_ways.hpp), surprise in the two classes. A limb is a chain of its own: joints of paired classes that lie on two sides never hang together, nor an arm or a leg on a tail or an ear, nor an ear on them; what goes on
-// from a joint of a limb that has its next already costs more (rig/limbs.hpp). Ends are modes of the end votes that are tips.
+// cost: surprise in the votes, the way through the body (rig/body_ways.hpp), surprise in the two classes. A limb is a
+// chain of its own: joints of paired classes that lie on two sides never hang together, nor an arm or a leg on a tail
+// or an ear, nor an ear on them; what goes on from a joint of a limb that has its next already costs more
+// (rig/limbs.hpp). Ends are modes of the end votes that are tips.
 //   joints  in   [count], count >= 1, as from find_folded_joints()
 //   kind         of body: its limbs are arms or legs by where they are (rig/limbs.hpp), and the tree is grown by that
 //   interior     of the mesh, or null: ways are straight then, and nothing is covered. Its distances are overwritten

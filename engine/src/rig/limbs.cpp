@@ -41,7 +41,7 @@ class Limbs {
       const uint32_t first = first_[order_[i]];
       const int16_t trunk = tree_.nodes[first].parent;
       int64_t(&votes)[kLimbs] = votes_[first];
-      // Of 728 arms none begins above a head that it hangs on, of 46 ears 32 do.
+      // Of 728 arms none begins above its parent head, of 46 ears 32 do.
       if (trunk >= 0 && tree_.nodes[trunk].joint_class == kClassHead &&
           tree_.nodes[first].at.y > tree_.nodes[trunk].at.y) {
         constexpr auto kArm = static_cast<uint32_t>(LimbClass::kArm), kEar = static_cast<uint32_t>(LimbClass::kEar);
@@ -99,8 +99,8 @@ class Limbs {
     return steps;
   }
 
-  // Whether these are two pairs of legs, the front one, which comes last, on a spine further from the root than what the rear one
-  // hangs on.
+  // Whether these are two pairs of legs, the front one, which comes last, on a spine farther from the root than the
+  // parent of the rear one.
   bool stands_on_four(const uint32_t* limbs, uint32_t n, uint32_t legs) const {
     if (n != 2 * legs) return false;
     for (uint32_t i = 0; i < n; ++i) {
@@ -114,8 +114,8 @@ class Limbs {
     return true;
   }
 
-  // The mean of a limb's joints, from below or, of a quadruped, from behind; of what nobody calls either, along the trunk from its
-  // root.
+  // Mean position of a limb's joints: height, or for a quadruped distance from behind; for an unknown kind the depth
+  // of its parent in the tree.
   int64_t how_far(BodyKind kind, uint32_t limb) const {
     if (kind == BodyKind::kAny) return depth(tree_.nodes[limb].parent);
     int64_t sum = 0;
@@ -155,7 +155,7 @@ class Limbs {
     forks_[j] = !tree_.mirrored && next > 1;
   }
 
-  // What a limb hangs on; of two that fork from one joint, what that one's limb hangs on.
+  // Parent of a limb; of two limbs that fork from one joint, the parent of that joint's limb.
   int64_t trunk_at(uint32_t limb) const {
     const int16_t above = tree_.nodes[stem_[limb] < 0 ? limb : first_[stem_[limb]]].parent;
     return above < 0 ? 0 : tree_.nodes[above].at.x;
@@ -190,7 +190,7 @@ class Limbs {
       if (begins(j)) side[j] = side_of(j);
     for (uint32_t j = 0; j < tree_.count; ++j)
       if (is_paired_class(tree_.nodes[j].joint_class)) tree_.nodes[j].side = side[first_[j]];
-    // Two that fork from a joint of one of them: the other hangs on the trunk.
+    // Two limbs that fork from a joint of one of them: the other is attached to the torso.
     for (uint32_t j = 0; j < tree_.count; ++j) {
       if (stem_[j] < 0 || side[j] == side[first_[stem_[j]]]) continue;
       const int16_t trunk = tree_.nodes[first_[stem_[j]]].parent;

@@ -10,7 +10,8 @@ namespace sinew::rigging {
 // Whether a joint of the second class is the next of an arm or a leg behind one of the first.
 bool continues_limb(uint32_t from, uint32_t to);
 
-// Whether a joint of an arm or a leg would hang on a tail, an ear or hair, or an ear on an arm or a leg.
+// Returns whether a joint of an arm or a leg would be a child of a tail, an ear or hair, or an ear of an arm or a
+// leg.
 bool leaves_limb(uint32_t from, uint32_t to);
 
 // Whether both joints are of paired classes and lie on two sides, further from the plane than 2.5 % of the side. Of a mirrored tree
@@ -30,20 +31,21 @@ struct Heights {
 // Returns whether there was any. The tree is to be grown again then.
 bool free_ears(const Heights& heights, LimbVotes& votes, FoldedTree* tree);
 
-// Classes compete along a whole limb, not joint by joint: all of what hangs on the trunk becomes an arm, a leg, a tail, an ear or
+// Classes compete along a whole limb, not joint by joint: all of what hangs on the torso becomes an arm, a leg, a tail, an ear or
 // hair, as most of the votes for its joints say. A thigh of an arm becomes an upper arm, a foot a hand, all of an ear an ear.
 // Tails, ears and hair of an arm or a leg stay, and so do toes of an arm.
-// Where nothing is mirrored all joints of a limb are on one side: of two arms or two legs one is left, the one that begins, or else lies, further to the left
-// of what it hangs on; others are on their own side of that. Of two that fork from one joint the one on the other side hangs on the trunk.
+// Where nothing is mirrored all joints of a limb are on one side: of two arms or two legs one is left, the one that
+// begins, or else lies, further to the left of what it hangs on; others are on their own side of that. Of two that
+// fork from one joint the one on the other side hangs on the torso.
 //   votes  in, out: the sums of a limb's joints are added to its first
 void settle_limbs(LimbVotes& votes, FoldedTree* tree);
 
 // Which limbs of a settled tree are legs by where they are, in a body of that kind: the lowest pair of a biped's, the
-// rearmost pair of a quadruped's; the others are arms. Where a body has one pair alone the votes stay. Where nobody says the
-// kind, and all there is are two pairs of legs, the front one on a spine that hangs on what the rear one hangs on, the front one are
-// arms; limbs of one joint do not count.
-//   votes  in, out: of each joint, not summed; those of a limb's joints for arms and legs go to the one that it is
-// Returns whether a limb is another now than the tree says. The tree is to be grown again then.
+// rearmost pair of a quadruped's; the others are arms. If a body has only one pair, the votes are kept. If the kind
+// is unknown and there are exactly two pairs of legs, with the front pair on a spine that starts at the parent of the
+// rear pair, the front pair are arms; limbs of one joint are ignored.
+//   votes  in, out: of each joint, not summed; a limb's votes for arms and legs are moved to its class
+// Returns whether the class of a limb differs from the tree, which must then be grown again.
 bool steer_limbs(BodyKind kind, FoldedTree* tree, LimbVotes& votes);
 
 }  // namespace sinew::rigging

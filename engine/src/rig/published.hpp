@@ -14,7 +14,7 @@ namespace sinew::rigging {
 
 // SINEW_RIG_REGIONS: seeds as far from each other as can be; regions that grow from them over edges; an oriented box around each. Regions whose
 // boxes overlap and whose points come near each other are joined in a graph of the boxes' middles. Its edges collapse, the
-// cheapest first (simplify/collapse_cost.hpp): those of triangles, whose ends share a neighbour, those of regions without much surface, short ones,
+// cheapest first (simplify/collapse_cost.hpp): those of triangles, whose ends share a neighbor, those of regions without much surface, short ones,
 // leaves of a crowd. What is left is joined by its shortest tree from the node nearest to the middle of the surface.
 // All joints are of class other, their confidence is 0, and nothing is mirrored.
 //   tree  out  at least one node, the root

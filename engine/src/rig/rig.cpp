@@ -24,7 +24,7 @@ namespace {
 constexpr uint32_t kMeshEnds = 150, kPointsEnd = 400, kVotesEnd = 800;
 
 static_assert(kMaxRigJoints == SINEW_MAX_RIG_JOINTS && kMaxJointName == SINEW_JOINT_NAME_BYTES,
-              "the header says how much room there has to be");
+              "the limits of the header and of the source are equal");
 
 // A point of the mirror frame in the caller's units. What mirrors there mirrors here, because both sides are the middle and
 // the same length away from it; the middle is 0 where it is that within a step of the grid.
@@ -32,7 +32,7 @@ struct Placer {
   const Units& units;
   const MirrorFrame& frame;
   uint32_t up_axis;
-  double plane;  // across x, or z if the frame is turned
+  double plane;  // across x, or z if the frame is rotated
 
   Placer(const Units& u, const MirrorFrame& f, uint32_t up) : units(u), frame(f), up_axis(up) {
     plane = units.zero(frame.turned() ? 2 : 0) + units.length(frame.plane);
@@ -123,7 +123,8 @@ sinew_status vote(const RigPlan& plan, const Kernels& kernels, Arena& arena, boo
   return status;
 }
 
-// By other means than votes: both networks of slots; without a network the mesh's own middle line, or the regions that its surface falls into.
+// By other means than votes: both networks of slots; without a network the mesh's own middle line, or the regions
+// that its surface falls into.
 sinew_status follow_shape(const RigPlan& plan, const Kernels& kernels, const MirrorFrame& frame, const Mesh& mesh,
                           Arena& arena, Rig* rig) {
   if (plan.method == SINEW_RIG_SLOTS) {

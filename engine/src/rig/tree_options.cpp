@@ -86,7 +86,7 @@ uint32_t nearest(const int64_t* distances, uint32_t count, int64_t distance) {
   return best;
 }
 
-// Takes nodes out that are nobody's parent, never the root; numbers [count] become what the others are called now.
+// Removes leaves, never the root; numbers [count] get the new index of each remaining node.
 SINEW_RARE void remove(const bool* gone, FoldedTree* tree, int16_t* numbers) {
   uint32_t kept = 0;
   for (uint32_t j = 0; j < tree->count; ++j) {

@@ -57,10 +57,10 @@ void SparseMatrix::subtract_image(const int32_t* x, int64_t* rhs) const {
                                     mul_shift(diagonal[k], x[static_cast<size_t>(k) * kBatch + member], kSolutionBits));
     }
     for (uint32_t e = mesh->row_offsets[v]; e < mesh->row_offsets[v + 1]; ++e) {
-      const int32_t* neighbour = x + static_cast<size_t>(ordering->position[mesh->col_indices[e]]) * kBatch;
+      const int32_t* neighbor = x + static_cast<size_t>(ordering->position[mesh->col_indices[e]]) * kBatch;
       const int64_t m = entry(e);
       for (uint32_t member = 0; member < kBatch; ++member)
-        r[member] = wrapping_subtract(r[member], mul_shift(m, neighbour[member], kSolutionBits));
+        r[member] = wrapping_subtract(r[member], mul_shift(m, neighbor[member], kSolutionBits));
     }
   }
 }
@@ -91,7 +91,7 @@ bool Factor::allocate(Arena& arena, const Counts& counts, size_t* solve_mark) {
   return arena.ok();
 }
 
-bool Factor::analyse(const SparseMatrix& matrix) {
+bool Factor::analyze(const SparseMatrix& matrix) {
   const Mesh& mesh = *matrix.mesh;
   const Ordering& ordering = *matrix.ordering;
   uint64_t total = 0;
@@ -101,7 +101,7 @@ bool Factor::analyse(const SparseMatrix& matrix) {
     column_fill[k] = 0;
     const uint32_t v = ordering.order[k];
     for (uint32_t e = mesh.row_offsets[v]; e < mesh.row_offsets[v + 1]; ++e) {
-      // Row k of L holds every node on the tree path from its neighbours up to k.
+      // Row k of L holds every node on the tree path from its neighbors up to k.
       for (uint32_t i = ordering.position[mesh.col_indices[e]]; i < k && mark[i] != k; i = parent[i]) {
         if (parent[i] == kNoIndex) parent[i] = k;
         ++column_fill[i];
@@ -128,11 +128,11 @@ void Factor::factorise(const SparseMatrix& matrix) {
     uint32_t top = rows;
     const uint32_t v = ordering.order[k];
     for (uint32_t e = mesh.row_offsets[v]; e < mesh.row_offsets[v + 1]; ++e) {
-      const uint32_t neighbour = ordering.position[mesh.col_indices[e]];
-      if (neighbour > k) continue;
-      work[neighbour] = wrapping_add(work[neighbour], matrix.entry(e));
+      const uint32_t neighbor = ordering.position[mesh.col_indices[e]];
+      if (neighbor > k) continue;
+      work[neighbor] = wrapping_add(work[neighbor], matrix.entry(e));
       uint32_t length = 0;
-      for (uint32_t i = neighbour; mark[i] != k; i = parent[i]) {
+      for (uint32_t i = neighbor; mark[i] != k; i = parent[i]) {
         pattern[length++] = i;
         mark[i] = k;
       }

@@ -104,7 +104,7 @@ struct Factor {
   // which factorise() fills anew: allocated after arena.release(solve_mark).
   bool allocate(Arena& arena, const Counts& counts, size_t* solve_mark = nullptr);
   // Elimination tree and column counts. False when the factor would not fit.
-  bool analyse(const SparseMatrix& matrix);
+  bool analyze(const SparseMatrix& matrix);
   void factorise(const SparseMatrix& matrix);
   // Entry p of L as the solves take it: Q short_bits of its column.
   int32_t short_value(uint32_t p) const {

@@ -94,7 +94,7 @@ bool FrontFactor::find_border(const SparseMatrix& matrix, uint32_t index, const 
   return true;
 }
 
-bool FrontFactor::analyse(const SparseMatrix& matrix) {
+bool FrontFactor::analyze(const SparseMatrix& matrix) {
   const Ordering& ordering = *matrix.ordering;
   front_count_ = 0;
   memset(mark_, 0, matrix.rows * sizeof(mark_[0]));

@@ -41,7 +41,7 @@ class FrontFactor {
   bool allocate_solve(Arena& arena, const Counts& counts, FrontSolve* solve) const;
   const FrontSolve& own_solve() const { return own_; }
   // Fronts of the part that the matrix's ordering was made for. False when they would not fit.
-  bool analyse(const SparseMatrix& matrix);
+  bool analyze(const SparseMatrix& matrix);
   // False when a pivot is too small. The matrix must have been assembled.
   bool factorise(const SparseMatrix& matrix, const FrontKernels& kernels);
 

@@ -24,7 +24,7 @@ struct Cut {
   int axis = 0;
   int32_t value = 0;
   uint32_t low_count = 0;
-  uint32_t low_border = 0, high_border = 0;  // vertices with a neighbour on the other side
+  uint32_t low_border = 0, high_border = 0;  // vertices with a neighbor on the other side
   uint32_t separator() const { return low_border <= high_border ? low_border : high_border; }
 };
 
@@ -104,7 +104,7 @@ class Dissection {
   }
 
  private:
-  // Bit i: a neighbour with the vertex's number is on the other side of cut i.
+  // Bit i: a neighbor with the vertex's number is on the other side of cut i.
   uint32_t touched_sides(uint32_t vertex) const {
     const uint32_t own = out_.mark[vertex];
     uint32_t touched = 0;

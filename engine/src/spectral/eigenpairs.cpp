@@ -39,7 +39,7 @@ bool EigenSolver::allocate(Arena& arena, const Counts& counts) {
   mass_ = arena.alloc<int64_t>(counts.vertices);
   small_ = arena.alloc<int64_t[kSpectralModes]>(kSpectralModes);
   rotation_ = arena.alloc<int64_t[kSpectralModes]>(kSpectralModes);
-  orthonormaliser_ = arena.alloc<Orthonormaliser>(1);
+  orthonormalizer_ = arena.alloc<Orthonormalizer>(1);
   return arena.ok();
 }
 
@@ -126,13 +126,13 @@ void EigenSolver::gram() {
   }
 }
 
-void EigenSolver::orthonormalise() {
+void EigenSolver::orthonormalize() {
   gram();
-  orthonormaliser_->prepare(small_, columns_);
+  orthonormalizer_->prepare(small_, columns_);
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
     int32_t row[kSpectralModes] = {};
     load(k, row);
-    orthonormaliser_->apply(row, columns_);
+    orthonormalizer_->apply(row, columns_);
     store(k, row);
   }
 }
@@ -185,7 +185,7 @@ void EigenSolver::finish(Eigenpairs* out) {
     out->column[out->count++] = order[i];
   }
   // Columns of Z V / ratio; the projection saw X, and one more inverse step for nothing comes with it.
-  int32_t(*weights)[kSpectralModes] = orthonormaliser_->upper;  // [row of V][index in `column`] Q20
+  int32_t(*weights)[kSpectralModes] = orthonormalizer_->upper;  // [row of V][index in `column`] Q20
   for (uint32_t k = 0; k < out->count; ++k) {
     const int64_t ratio = small_[out->column[k]][out->column[k]];
     for (uint32_t i = 0; i < n; ++i) {
@@ -231,7 +231,7 @@ bool EigenSolver::solve(const Mesh& mesh, SpectralOperator& op, uint32_t part, E
   batches_ = (columns_ + kBatch - 1) / kBatch;
   ordering_.dissect(mesh, part);
   for (uint32_t k = 0; k < matrix_.rows; ++k) mass_[k] = op.mass[ordering_.order[k]];
-  if (!factor_.analyse(matrix_)) return false;
+  if (!factor_.analyze(matrix_)) return false;
   matrix_.assemble(mass_, kFactorDiagonalBits);
   factor_.factorise(matrix_);
 
@@ -239,7 +239,7 @@ bool EigenSolver::solve(const Mesh& mesh, SpectralOperator& op, uint32_t part, E
   const uint32_t steps = matrix_.rows <= kSpectralModes ? 1 : kSubspaceSteps;
   for (uint32_t step = 0; step < steps; ++step) {
     const bool last = step + 1 == steps;
-    if (step > 0) orthonormalise();
+    if (step > 0) orthonormalize();
     if (last) memset(small_, 0, sizeof(small_[0]) * kSpectralModes);
     for (uint32_t b = 0; b < batches_; ++b) {
       image(b);

@@ -47,7 +47,7 @@ class EigenSolver {
   void start();
   void image(uint32_t batch);
   void gram();
-  void orthonormalise();
+  void orthonormalize();
   void project(uint32_t batch);
   void finish(Eigenpairs* out);
 
@@ -62,7 +62,7 @@ class EigenSolver {
   int64_t* mass_ = nullptr;                     // [U] by elimination position, Q40
   int64_t (*small_)[kSpectralModes] = nullptr;  // Gram or projected matrix
   int64_t (*rotation_)[kSpectralModes] = nullptr;
-  Orthonormaliser* orthonormaliser_ = nullptr;
+  Orthonormalizer* orthonormalizer_ = nullptr;
 };
 
 }  // namespace sinew

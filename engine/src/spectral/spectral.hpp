@@ -21,7 +21,7 @@ constexpr int kSignatureBits = 10;  // channels are logarithms to base 2
 //   out       [U x stride] int16; kSpectralChannels of each row are written
 //   progress  reported from 0 to 1000
 //   arena     scratch, all of it released
-// Every part has its own eigenpairs and is normalised by its own area. A vertex without faces has 0, 0 and -8, and
+// Every part has its own eigenpairs and is normalized by its own area. A vertex without faces has 0, 0 and -8, and
 // so has a tangle of faces whose factor would not fit. The same bytes on every platform. Returns SINEW_OK,
 // SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED.
 sinew_status compute_spectral(const Mesh& mesh, const Counts& counts, const Progress& progress, Arena& arena,

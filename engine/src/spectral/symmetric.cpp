@@ -39,7 +39,7 @@ Rotation annihilate(int64_t a_pp, int64_t a_qq, int64_t a_pq) {
 
 }  // namespace
 
-void Orthonormaliser::prepare(const int64_t (*gram)[kSpectralModes], uint32_t n) {
+void Orthonormalizer::prepare(const int64_t (*gram)[kSpectralModes], uint32_t n) {
   int64_t norm[kSpectralModes];
   for (uint32_t i = 0; i < n; ++i) norm[i] = gram[i][i] > 0 ? isqrt64(static_cast<uint64_t>(gram[i][i])) : 0;
   for (uint32_t j = 0; j < n; ++j) {
@@ -61,7 +61,7 @@ void Orthonormaliser::prepare(const int64_t (*gram)[kSpectralModes], uint32_t n)
   }
 }
 
-void Orthonormaliser::apply(int32_t* row, uint32_t n) const {
+void Orthonormalizer::apply(int32_t* row, uint32_t n) const {
   uint64_t sum[kSpectralModes] = {};  // two's complement, Q20 + 30
   for (uint32_t j = 0; j < n; ++j) {
     if (inverse_norm[j] == 0) {

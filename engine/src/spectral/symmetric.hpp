@@ -15,7 +15,7 @@ constexpr int kRotationBits = 30;
 
 // Gram matrix of columns whose norms are at most 1 -> what makes them orthonormal, one column after the other. A column
 // that the ones before it span up to 2^-10 of itself, or shorter than 2^-20, is dropped: it comes out as 0.
-struct Orthonormaliser {
+struct Orthonormalizer {
   int64_t inverse_norm[kSpectralModes];           // Q20, 0 = dropped
   int64_t inverse_pivot[kSpectralModes];          // Q30
   int32_t upper[kSpectralModes][kSpectralModes];  // R of the columns brought to norm 1, Q30; row i holds j > i

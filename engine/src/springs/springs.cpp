@@ -143,7 +143,7 @@ void read_pose(const SpringState& s, const float* rotations, const float* transl
     const uint32_t j = s.order[i];
     const float* const q = rotations + size_t{4} * j;
     const float* const t = translations + size_t{3} * j;
-    pose[j] = {motion::normalised({static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2]),
+    pose[j] = {motion::normalized({static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2]),
                                    static_cast<double>(q[3])}),
                {static_cast<double>(t[0]), static_cast<double>(t[1]), static_cast<double>(t[2])}};
   }
@@ -157,7 +157,7 @@ const Placement* pose_between(const SpringState& s, double share) {
     const Quat a = s.before[j].rotation, b = s.now[j].rotation;
     const double same = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
     const double from = 1 - share, to = same < 0 ? -share : share;
-    s.between[j] = {motion::normalised(
+    s.between[j] = {motion::normalized(
                         {from * a.x + to * b.x, from * a.y + to * b.y, from * a.z + to * b.z, from * a.w + to * b.w}),
                     from * s.before[j].position + share * s.now[j].position};
   }

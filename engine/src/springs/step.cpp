@@ -103,8 +103,8 @@ class Step {
       if (parent >= 0) world = {s_.worlds[parent].rotation * own.rotation, to_world(s_.worlds[parent], own.position)};
       if (head >= 0) {
         const Quat turn = swing(&s_.heads[head], world);
-        s_.turned[head] = motion::normalised(own.rotation * turn);
-        world.rotation = motion::normalised(world.rotation * turn);
+        s_.turned[head] = motion::normalized(own.rotation * turn);
+        world.rotation = motion::normalized(world.rotation * turn);
       }
       move_colliders(s_, j);
     }
@@ -159,7 +159,7 @@ void settle(SpringState* s, const Placement* pose) {
     const int32_t parent = s->parents[j];
     s->worlds[j] = pose[j];
     if (parent >= 0)
-      s->worlds[j] = {motion::normalised(s->worlds[parent].rotation * pose[j].rotation),
+      s->worlds[j] = {motion::normalized(s->worlds[parent].rotation * pose[j].rotation),
                       to_world(s->worlds[parent], pose[j].position)};
     move_colliders(*s, j);
   }

@@ -9,7 +9,7 @@ constexpr double kShortest = 1e-3;                     // of the longest side: a
 constexpr double kLeastScale = 0.6, kMostScale = 1.7;  // of a bone, against the whole
 constexpr double kHold = 0.05;                         // how strongly several bones stay near the parent's turn
 constexpr double kTurned = 2.0;                        // trace of a rotation by 60 degrees
-constexpr double kClearGap = 0.05;                     // of best_rotation(): joints on a line do not say how they face
+constexpr double kClearGap = 0.05;                     // of best_rotation(): joints on a line have no unique rotation
 
 struct Whole {
   Vec3d source_mean, target_mean;

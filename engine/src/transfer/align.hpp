@@ -21,8 +21,8 @@ struct Alignment {
 
   bool allocate(Arena& arena, uint32_t source_joints);
   // Turns and scales every bone of the source onto its counterpart, from the roots on. A joint with one mapped bone below
-  // turns by the smallest rotation, one with several by the one that fits them best, one with none as its parent. A
-  // skeleton that faces elsewhere is turned as a whole first. Without mapped joints the boxes are matched.
+  // rotates by the smallest rotation, one with several by the one that fits them best, one with none as its parent. A
+  // skeleton that faces elsewhere is rotated as a whole first. Without mapped joints the boxes are matched.
   //   scratch  [source joints x 3 + 1]
   void find(const JointCounterparts& map, const Skeleton& source, const Skeleton& target, uint32_t* scratch);
   // Where linear blend skinning with the source's own weights brings a point of the source.
@@ -33,7 +33,7 @@ struct Alignment {
 //   sums  row-major sum of v u^T
 //   gap   out, when not null: by how much the best is better than the second, 0..1; near 0 the vectors lie on a line
 Mat3 best_rotation(const Mat3& sums, double* gap);
-// The smallest rotation that turns u to v's direction; any about a half turn.
+// The smallest rotation that turns u to v's direction; any about 180 degrees.
 Mat3 rotation_between(Vec3d u, Vec3d v);
 
 }  // namespace sinew::transferring

@@ -6,7 +6,7 @@ namespace sinew::transferring {
 namespace {
 
 constexpr double kStyleFactor = 1.5;    // style counts more: the mismatch holds what the binder gets wrong, too
-constexpr double kGarmentReach = 0.06;  // of the longest side: farther cloth is bound anew
+constexpr double kGarmentReach = 0.06;  // of the longest side: farther cloth is rebound
 constexpr uint32_t kSmoothingRounds = 5;
 
 double squared(double v) { return v * v; }

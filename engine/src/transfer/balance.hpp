@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much of each row is carried over, and how much is bound anew.
+// How much of each row is transferred, and how much is rebound.
 #ifndef SINEW_TRANSFER_BALANCE_HPP
 #define SINEW_TRANSFER_BALANCE_HPP
 
@@ -9,9 +9,9 @@ namespace sinew::transferring {
 
 // Numbers of the target's welded vertices that decide; differences of rows are sums over joints, 0..2.
 struct Balance {
-  double* style = nullptr;     // [target U] how far the source's weights are from a bind's, carried over
-  double* mismatch = nullptr;  // [target U] how far the target's bind is from the source's, carried over
-  double* carried = nullptr;   // [target U] share that is carried over, 0..1
+  double* style = nullptr;     // [target U] how far the source's weights are from a bind's, transferred
+  double* mismatch = nullptr;  // [target U] how far the target's bind is from the source's, transferred
+  double* carried = nullptr;   // [target U] share that is transferred, 0..1
   uint8_t* matched = nullptr;  // [target U] 1: there was something to carry over
   double* scratch = nullptr;   // [target U]
 

@@ -9,8 +9,8 @@
 
 namespace sinew::transferring {
 
-// Minimises w^T (L + L A^-1 L) w in every part that has a known vertex, joint by joint, with the rows of the known ones held.
-// Negative weights become 0, rows are normalised. Parts without a known vertex keep their rows, and so do parts whose equations
+// Minimizes w^T (L + L A^-1 L) w in every part that has a known vertex, joint by joint, with the rows of the known ones held.
+// Negative weights become 0, rows are normalized. Parts without a known vertex keep their rows, and so do parts whose equations
 // would not fit: those of more than about 32,768 unknown vertices.
 //   known   [U] 1: the row is held
 //   joints  of the target

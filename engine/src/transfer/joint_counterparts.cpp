@@ -52,7 +52,7 @@ void JointCounterparts::complete(const int32_t* counterparts, const Skeleton& so
     const uint32_t j = target.order[i];
     const int32_t parent = target.parents[j];
     head[j] = is_new[j] == 0 || parent < 0 ? static_cast<int32_t>(j) : head[parent];
-    if (is_new[j] != 0 && is_new[head[j]] != 0) head[j] = static_cast<int32_t>(j);  // nobody above takes weight
+    if (is_new[j] != 0 && is_new[head[j]] != 0) head[j] = static_cast<int32_t>(j);  // no ancestor gets weight
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which joint of the target stands for which of the source, completed where one of the two has joints that the other lacks.
+// Which joint of the target represents which of the source, completed where one of the two has joints that the other lacks.
 #ifndef SINEW_TRANSFER_JOINT_COUNTERPARTS_HPP
 #define SINEW_TRANSFER_JOINT_COUNTERPARTS_HPP
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which point of the source stands for a vertex of the target, and what rows and numbers of the source become there.
+// Which point of the source represents a vertex of the target, and what rows and numbers of the source become there.
 #ifndef SINEW_TRANSFER_MATCH_HPP
 #define SINEW_TRANSFER_MATCH_HPP
 

@@ -31,7 +31,7 @@ struct PartReport {
   }
 };
 
-// Writes everything: nothing can fail any more.
+// Writes all outputs, after the last step that can fail.
 void write_transfer(const TransferOutcome& result, const PartReport& report, sinew_transfer_outputs* outputs);
 
 }  // namespace sinew::transferring

@@ -88,7 +88,7 @@ class Transfer {
   }
 
   // A joint that moves nothing in the source is to move nothing in the binds either. Ends of chains are an exception: whether
-  // they or their parents move what is there is a matter of taste, and the target's caller says which. Where rows are
+  // they or their parents move what is there is a matter of style, which the target's caller decides. Where rows are
   // compared, they count as their parents. A garment may cover what of the body is not there: all joints are as the caller says.
   void set_flags() {
     const auto given = [](const sinew_skeleton& skeleton, uint32_t j) -> uint8_t {

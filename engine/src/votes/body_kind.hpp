@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Limbs by their joints' classes, and what kind of body a mesh has, by its user's word: which limbs it can have, and which of them are arms.
+// Limbs by their joints' classes, and what kind of body a mesh has, by its user's word: which limbs it can have, and
+// which of them are arms.
 #ifndef SINEW_VOTES_BODY_KIND_HPP
 #define SINEW_VOTES_BODY_KIND_HPP
 
@@ -12,7 +13,7 @@ namespace sinew::rigging {
 enum class BodyKind : uint8_t { kAny, kBiped, kQuadruped, kBird, kFish, kSnake, kManyLegged };
 constexpr uint32_t kBodyKinds = 7;
 
-// What hangs on a trunk. Toes are of a leg.
+// What hangs on a torso. Toes are of a leg.
 enum class LimbClass : uint8_t { kArm, kLeg, kTail, kEar, kHair, kNone };
 constexpr uint32_t kLimbs = 5;
 LimbClass limb_of(uint32_t joint_class);
@@ -23,7 +24,7 @@ uint8_t class_in_limb(LimbClass limb, uint8_t joint_class);
 // the many-legged are legs. Other classes stay.
 uint8_t class_in_body(BodyKind kind, uint8_t joint_class);
 
-// Gives the chances of classes that such a body does not have to those that stand for them.
+// Gives the chances of classes that such a body does not have to those that represent them.
 //   chances  in, out: one point's, [classes], kJointClasses or more
 void steer_classes(BodyKind kind, uint16_t* chances);
 

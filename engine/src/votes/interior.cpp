@@ -13,7 +13,7 @@ Counts rig_counts() {
   return counts;
 }
 
-// The 26 neighbours; the first 13 lie behind in the order of cells.
+// The 26 neighbors; the first 13 lie behind in the order of cells.
 struct Steps {
   int32_t depth[26], distance[26];  // what they cost
   int32_t offset[26];
@@ -35,7 +35,7 @@ struct Steps {
   }
 };
 
-// Border cells are outside, so that no neighbour of a solid cell is missing.
+// Border cells are outside, so that no neighbor of a solid cell is missing.
 void find_depths(const Steps& steps, Interior* interior) {
   const VoxelGrid& grid = interior->grid;
   for (uint32_t c = 0; c < grid.cell_count; ++c) interior->depth[c] = Interior::solid(grid.states[c]) ? 0x7FFF : 0;

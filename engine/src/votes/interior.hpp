@@ -51,7 +51,7 @@ constexpr uint8_t kNoOwner = 0xFF;
 // Scratch is taken from the arena and released. Returns arena.ok().
 bool divide_body(const WayStart* starts, uint32_t count, Arena& arena, Interior* interior, uint8_t* owner);
 
-// Calls visit(a, b, distance) for neighbouring cells that two owners have, with the way from start to start over them.
+// Calls visit(a, b, distance) for neighboring cells that two owners have, with the way from start to start over them.
 template <class Visit>
 void each_border(const Interior& interior, const uint8_t* owner, Visit&& visit);
 

@@ -132,7 +132,7 @@ bool Cloud::allocate(Arena& arena, uint32_t most) {
 }
 
 uint32_t find_modes(const Cloud& cloud, int32_t bandwidth, bool mirrored, uint32_t most, Mode* modes) {
-  // By falling weight, then as in the cloud; a taken or covered point is crossed out.
+  // By descending weight, then as in the cloud; a taken or covered point is crossed out.
   constexpr uint32_t kIndexBits = 13;
   static_assert(kMaxVotes == 1u << kIndexBits, "an index has other bits");
   uint32_t* const order = cloud.order;

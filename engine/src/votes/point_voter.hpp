@@ -27,7 +27,7 @@ struct PointVoter {
     (void)set.allocate(arena);
     (void)rows.allocate(arena);
     outputs = arena.alloc<int16_t>(size_t{kSetPoints} * kRigOutputs);
-    if (arena.ok() && !arena.measuring()) rows.fill(kNeighbours);
+    if (arena.ok() && !arena.measuring()) rows.fill(kNeighbors);
     return arena.ok();
   }
   // Makes set `index` of a mesh whose interior is built, and the network's rows for it.
@@ -36,8 +36,8 @@ struct PointVoter {
     constexpr uint64_t kFirstSeed = 7;
     if (!make_point_set(mesh, interior, kFirstSeed + index, arena, &set)) return SINEW_ERROR_WORKSPACE;
     if (other.run != nullptr && !arena.measuring()) return other.run(other.user, set, outputs);
-    return run_network(model, rows.input(set.features, set.near_neighbours, set.far_neighbours), kernels, progress,
-                       arena, outputs, options);
+    return run_network(model, rows.input(set.features, set.near_neighbors, set.far_neighbors), kernels, progress, arena,
+                       outputs, options);
   }
 };
 

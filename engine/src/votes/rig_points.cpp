@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Features of surface points from marches through the voxels, and their neighbours by plain search.
+// Features of surface points from marches through the voxels, and their neighbors by plain search.
 #include "votes/rig_points.hpp"
 
 #include "core/sort.hpp"
@@ -138,7 +138,7 @@ void smallest_first(uint64_t* keys, uint32_t size, uint32_t count) {
   heap_sort(keys, count, [](uint64_t a, uint64_t b) { return a < b; });
 }
 
-void find_neighbours(PointSet* set, uint64_t* keys) {
+void find_neighbors(PointSet* set, uint64_t* keys) {
   constexpr int kIndexBits = 9;  // of kSetPoints
   for (uint32_t i = 0; i < kSetPoints; ++i) {
     for (uint32_t j = 0; j < kSetPoints; ++j) {
@@ -146,10 +146,10 @@ void find_neighbours(PointSet* set, uint64_t* keys) {
       keys[j] = (static_cast<uint64_t>(dot(a, a) + dot(b, b)) << kIndexBits) | j;
     }
     keys[i] = i;  // itself
-    smallest_first(keys, kSetPoints, kNeighbours * kFarStep + 1);
-    for (uint32_t k = 0; k < kNeighbours; ++k) {
-      set->near_neighbours[i * kNeighbours + k] = static_cast<uint32_t>(keys[k + 1]) & (kSetPoints - 1);
-      set->far_neighbours[i * kNeighbours + k] = static_cast<uint32_t>(keys[(k + 1) * kFarStep]) & (kSetPoints - 1);
+    smallest_first(keys, kSetPoints, kNeighbors * kFarStep + 1);
+    for (uint32_t k = 0; k < kNeighbors; ++k) {
+      set->near_neighbors[i * kNeighbors + k] = static_cast<uint32_t>(keys[k + 1]) & (kSetPoints - 1);
+      set->far_neighbors[i * kNeighbors + k] = static_cast<uint32_t>(keys[(k + 1) * kFarStep]) & (kSetPoints - 1);
     }
   }
 }
@@ -160,8 +160,8 @@ bool PointSet::allocate(Arena& arena) {
   points = arena.alloc<SurfacePoint>(kSetPoints);
   medial = arena.alloc<Vec3i>(kSetPoints);
   features = arena.alloc<int16_t>(kSetPoints * kRigChannels);
-  near_neighbours = arena.alloc<uint32_t>(kSetPoints * kNeighbours);
-  far_neighbours = arena.alloc<uint32_t>(kSetPoints * kNeighbours);
+  near_neighbors = arena.alloc<uint32_t>(kSetPoints * kNeighbors);
+  far_neighbors = arena.alloc<uint32_t>(kSetPoints * kNeighbors);
   return arena.ok();
 }
 
@@ -175,7 +175,7 @@ bool make_point_set(const Mesh& mesh, const Interior& interior, uint64_t seed, A
   for (uint32_t i = 0; i < kSetPoints; ++i) {
     describe(interior, body, &set->points[i], &set->medial[i], set->features + size_t{i} * kRigChannels);
   }
-  find_neighbours(set, keys);
+  find_neighbors(set, keys);
   return true;
 }
 

@@ -23,16 +23,16 @@ enum RigChannel : uint32_t {
   kRigBody = 21,      // 6: 1.5 times box x, y, z, rms, mean y, mean z; the same for all points of a set
   kRigChannels = 27
 };
-constexpr uint32_t kNeighbours = 12;  // near; and as many far ones, each sixth of the 72 nearest
+constexpr uint32_t kNeighbors = 12;  // near; and as many far ones, each sixth of the 72 nearest
 constexpr uint32_t kFarStep = 6;
 
-// One set. Neighbours by position and medial point together, so that two legs are apart.
+// One set. Neighbors by position and medial point together, so that two legs are apart.
 struct PointSet {
-  SurfacePoint* points = nullptr;       // [kSetPoints] as they lie on the mesh; normals are turned outward
-  Vec3i* medial = nullptr;              // [kSetPoints] m, not folded
-  int16_t* features = nullptr;          // [kSetPoints x kRigChannels]
-  uint32_t* near_neighbours = nullptr;  // [kSetPoints x kNeighbours]
-  uint32_t* far_neighbours = nullptr;   // [kSetPoints x kNeighbours]
+  SurfacePoint* points = nullptr;      // [kSetPoints] as they lie on the mesh; normals are rotated outward
+  Vec3i* medial = nullptr;             // [kSetPoints] m, not folded
+  int16_t* features = nullptr;         // [kSetPoints x kRigChannels]
+  uint32_t* near_neighbors = nullptr;  // [kSetPoints x kNeighbors]
+  uint32_t* far_neighbors = nullptr;   // [kSetPoints x kNeighbors]
 
   static bool on_left(const SurfacePoint& p) { return p.position.x >= 0; }  // +x
   bool allocate(Arena& arena);

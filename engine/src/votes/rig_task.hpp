@@ -34,7 +34,7 @@ inline bool rig_task(uint32_t feature_set, ModelTask* task) {
   task->input_count = 1;
   task->inputs[0] = {input_name("pnts"), {Domain::kVertex, static_cast<uint16_t>(kRigChannels)}};
   task->output = {Domain::kVertex, static_cast<uint16_t>(kRigOutputs)};
-  task->far_neighbours = true;
+  task->far_neighbors = true;
   return true;
 }
 

@@ -21,7 +21,7 @@ struct Votes {
   const uint16_t* end_spread = nullptr;    // [N]
   const uint16_t* start_class = nullptr;   // [N x kJointClasses] probabilities, Q15
   const uint16_t* end_class = nullptr;     // [N x kEndClasses] probabilities, Q15
-  const Vec3i* inside = nullptr;           // [N] a position in the body behind the point; null where nobody knows
+  const Vec3i* inside = nullptr;           // [N] a position in the body behind the point; null if unknown
   Vec3i mean = {0, 0, 0};                  // of the points
 };
 

@@ -15,7 +15,7 @@ inline int64_t component_of(Vec3l v, int axis) { return axis == 0 ? v.x : axis =
 inline int32_t min2(int32_t a, int32_t b) { return a < b ? a : b; }
 inline int32_t max2(int32_t a, int32_t b) { return a > b ? a : b; }
 
-// Half plane of a projected triangle's edge, widened by the cell: normal . centre + offset >= 0 for the cells that
+// Half plane of a projected triangle's edge, widened by the cell: normal . center + offset >= 0 for the cells that
 // touch it.
 struct EdgeTest {
   int32_t normal_u, normal_v;
@@ -23,12 +23,12 @@ struct EdgeTest {
 };
 
 // Separating axes of a triangle and the cells of the grid. Lengths are relative to the first corner and doubled, so
-// that cell centres and half cells are integers. Inside the mesh's box: normals are at most 2^40 (twice a projected
-// area), doubled centres below 2^21.1, so a plane value of three terms stays below 2^62.8; edge values are far smaller.
+// that cell centers and half cells are integers. Inside the mesh's box: normals are at most 2^40 (twice a projected
+// area), doubled centers below 2^21.1, so a plane value of three terms stays below 2^62.8; edge values are far smaller.
 struct TriangleTest {
   Vec3i corners[3];  // relative to the first
   int32_t cell_size;
-  int32_t start[3];      // doubled centre of the grid's cell 0
+  int32_t start[3];      // doubled center of the grid's cell 0
   EdgeTest edges[3][3];  // [axis seen along][edge]
 };
 
@@ -57,8 +57,8 @@ inline void set_up_edges(int axis, int64_t normal, TriangleTest* test) {
   }
 }
 
-inline bool inside_edges(const TriangleTest& test, int axis, const int32_t* centre) {
-  const int64_t u = centre[(axis + 1) % 3], v = centre[(axis + 2) % 3];
+inline bool inside_edges(const TriangleTest& test, int axis, const int32_t* center) {
+  const int64_t u = center[(axis + 1) % 3], v = center[(axis + 2) % 3];
   int64_t least = 0;
   for (const EdgeTest& edge : test.edges[axis]) least |= edge.normal_u * u + edge.normal_v * v + edge.offset;
   return least >= 0;
@@ -76,13 +76,13 @@ void visit_flat(const Vec3i* corners, const CellBox& box, int w, const VoxelGrid
   set_up(corners, grid, &test);
   set_up_edges(w, component_of(cross(test.corners[1], test.corners[2]), w), &test);
   int32_t at[3];
-  int32_t centre[3] = {0, 0, 0};
+  int32_t center[3] = {0, 0, 0};
   at[w] = box.first[w];
   for (at[u] = box.first[u]; at[u] <= box.last[u]; ++at[u]) {
-    centre[u] = test.start[u] + 2 * grid.cell_size * at[u];
+    center[u] = test.start[u] + 2 * grid.cell_size * at[u];
     for (at[v] = box.first[v]; at[v] <= box.last[v]; ++at[v]) {
-      centre[v] = test.start[v] + 2 * grid.cell_size * at[v];
-      if (inside_edges(test, w, centre)) visit(grid.index(at[0], at[1], at[2]));
+      center[v] = test.start[v] + 2 * grid.cell_size * at[v];
+      if (inside_edges(test, w, center)) visit(grid.index(at[0], at[1], at[2]));
     }
   }
 }
@@ -108,13 +108,13 @@ void visit_columns(const Vec3i* corners, const CellBox& box, const VoxelGrid& gr
   // A triangle without area, as those of a hand that was cut out and turned may be, has no plane: its edges alone decide.
   const bool is_short = kSmallCode || normal[w] == 0 || box.last[w] - box.first[w] < kShortColumn;
   int32_t at[3];
-  int32_t centre[3];
+  int32_t center[3];
   for (at[u] = box.first[u]; at[u] <= box.last[u]; ++at[u]) {
-    centre[u] = test.start[u] + at[u] * step;
+    center[u] = test.start[u] + at[u] * step;
     for (at[v] = box.first[v]; at[v] <= box.last[v]; ++at[v]) {
-      centre[v] = test.start[v] + at[v] * step;
-      if (!inside_edges(test, w, centre)) continue;
-      const int64_t rest = sign * (normal[u] * centre[u] + normal[v] * centre[v]);
+      center[v] = test.start[v] + at[v] * step;
+      if (!inside_edges(test, w, center)) continue;
+      const int64_t rest = sign * (normal[u] * center[u] + normal[v] * center[v]);
       const int64_t main = sign * normal[w];
       int32_t from = box.first[w], to = box.last[w];
       if (!is_short) {
@@ -126,9 +126,9 @@ void visit_columns(const Vec3i* corners, const CellBox& box, const VoxelGrid& gr
         if (most < to) to = static_cast<int32_t>(most);
       }
       for (at[w] = from; at[w] <= to; ++at[w]) {
-        centre[w] = test.start[w] + at[w] * step;
-        if ((!is_short || abs64(rest + main * centre[w]) <= slack) && inside_edges(test, u, centre) &&
-            inside_edges(test, v, centre)) {
+        center[w] = test.start[w] + at[w] * step;
+        if ((!is_short || abs64(rest + main * center[w]) <= slack) && inside_edges(test, u, center) &&
+            inside_edges(test, v, center)) {
           visit(grid.index(at[0], at[1], at[2]));
         }
       }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Conservative rasterisation of the mesh into cells, and the flood that finds what is outside.
+// Conservative rasterization of the mesh into cells, and the flood that finds what is outside.
 #include "voxels/voxels.hpp"
 
 #include <string.h>

@@ -14,7 +14,7 @@ enum CellState : uint8_t {
   kCellBorder = 3    // the outermost layer: outside, and never walked
 };
 
-// Cubic cells, counts.cells_along() of them along the mesh's longest side, with one border cell around; the grid is centred on the
+// Cubic cells, counts.cells_along() of them along the mesh's longest side, with one border cell around; the grid is centered on the
 // mesh's box, so that a symmetric mesh gets symmetric cells.
 struct VoxelGrid {
   Vec3i low = {0, 0, 0};        // corner of cell (0, 0, 0), a border cell, grid units
@@ -39,9 +39,9 @@ struct VoxelGrid {
   uint32_t index(int32_t x, int32_t y, int32_t z) const {
     return static_cast<uint32_t>((z * size[1] + y) * size[0] + x);
   }
-  // Calls visit(cell) for the 26 neighbours of a cell that is not in the border, in the order of cells.
+  // Calls visit(cell) for the 26 neighbors of a cell that is not in the border, in the order of cells.
   template <class Visit>
-  void each_neighbour(uint32_t cell, Visit&& visit) const {
+  void each_neighbor(uint32_t cell, Visit&& visit) const {
     for (int32_t z = -1; z <= 1; ++z) {
       for (int32_t y = -1; y <= 1; ++y) {
         for (int32_t x = -1; x <= 1; ++x) {
@@ -51,7 +51,7 @@ struct VoxelGrid {
     }
   }
   uint32_t cell_of(Vec3i p) const { return index(coordinate(0, p.x), coordinate(1, p.y), coordinate(2, p.z)); }
-  Vec3i centre(uint32_t cell) const {
+  Vec3i center(uint32_t cell) const {
     const int32_t x = static_cast<int32_t>(cell) % size[0], yz = static_cast<int32_t>(cell) / size[0];
     return {low.x + x * cell_size + cell_size / 2, low.y + (yz % size[1]) * cell_size + cell_size / 2,
             low.z + (yz / size[1]) * cell_size + cell_size / 2};

@@ -31,10 +31,10 @@ SINEW_RARE void measure_part(const Mesh& mesh, uint32_t part, AlikeParts* alike)
     const Vec3i p = mesh.positions[mesh.part_vertices[i]];
     sum = {sum.x + p.x, sum.y + p.y, sum.z + p.z};
   }
-  const Vec3i centre = round_div(sum, end - begin);
+  const Vec3i center = round_div(sum, end - begin);
   uint64_t distances = 0;  // 2^22 vertices of at most 2^22
-  for (uint32_t i = begin; i < end; ++i) distances += length(mesh.positions[mesh.part_vertices[i]] - centre);
-  alike->centre[part] = centre;
+  for (uint32_t i = begin; i < end; ++i) distances += length(mesh.positions[mesh.part_vertices[i]] - center);
+  alike->center[part] = center;
   alike->radius[part] = static_cast<uint32_t>(distances / (end - begin));
 }
 
@@ -49,7 +49,7 @@ uint32_t distance(const Skeleton& skeleton, uint32_t joint, Vec3i from) {
 bool AlikeParts::allocate(Arena& arena, const Counts& counts) {
   first = arena.alloc<uint32_t>(counts.vertices);
   next = arena.alloc<uint32_t>(counts.vertices);
-  centre = arena.alloc<Vec3i>(counts.vertices);
+  center = arena.alloc<Vec3i>(counts.vertices);
   radius = arena.alloc<uint32_t>(counts.vertices);
   return arena.ok();
 }
@@ -67,7 +67,7 @@ SINEW_RARE sinew_status find_alike_parts(const Mesh& mesh, const Counts& counts,
   }
   for (uint32_t t = 0; t < mesh.triangle_count; ++t)
     ++scratch.triangles[mesh.part[mesh.triangles[static_cast<size_t>(t) * 3]]];
-  // Numbers of parts fall with their sizes, so that parts of one size are neighbours already.
+  // Numbers of parts fall with their sizes, so that parts of one size are neighbors already.
   heap_sort(scratch.order, parts, [&](uint32_t a, uint32_t b) {
     if (mesh.part_sizes[a] != mesh.part_sizes[b]) return mesh.part_sizes[a] > mesh.part_sizes[b];
     if (scratch.triangles[a] != scratch.triangles[b]) return scratch.triangles[a] < scratch.triangles[b];
@@ -98,17 +98,17 @@ SINEW_RARE sinew_status find_alike_parts(const Mesh& mesh, const Counts& counts,
   return SINEW_OK;
 }
 
-SINEW_RARE uint16_t counterpart(const Skeleton& skeleton, const AlikeParts& alike, const uint16_t* favourites,
+SINEW_RARE uint16_t counterpart(const Skeleton& skeleton, const AlikeParts& alike, const uint16_t* favorites,
                                 uint16_t joint, uint32_t from, uint32_t to) {
   if (from == to) return joint;
-  const uint32_t wanted = distance(skeleton, joint, alike.centre[from]);
-  uint32_t least = difference(distance(skeleton, joint, alike.centre[to]), wanted);
+  const uint32_t wanted = distance(skeleton, joint, alike.center[from]);
+  uint32_t least = difference(distance(skeleton, joint, alike.center[to]), wanted);
   if (least <= kSamePosition + wanted / 8) return joint;
   least /= 2;  // another joint has to lie clearly better
   uint16_t best = joint;
   const auto consider = [&](uint32_t other, uint32_t handicap) {
     if (skeleton.usable[other] == 0) return;
-    const uint32_t off = difference(distance(skeleton, other, alike.centre[to]), wanted) + handicap;
+    const uint32_t off = difference(distance(skeleton, other, alike.center[to]), wanted) + handicap;
     if (off >= least) return;
     least = off;
     best = static_cast<uint16_t>(other);
@@ -116,7 +116,7 @@ SINEW_RARE uint16_t counterpart(const Skeleton& skeleton, const AlikeParts& alik
   for (uint32_t other = 0; other < skeleton.joint_count; ++other) {
     const bool same_kind =
         skeleton.depth[other] == skeleton.depth[joint] && skeleton.child_count[other] == skeleton.child_count[joint];
-    const bool likely = other == favourites[to];
+    const bool likely = other == favorites[to];
     consider(other, same_kind ? 0 : likely ? kLikelyHandicap : kOtherHandicap);
   }
   return best;

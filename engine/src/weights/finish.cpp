@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Predicted rows to edited rows to finished rows. A row is written once nothing can fail any more.
+// Converts predicted rows to edited rows and then to finished rows. Rows are written after the last step that can
+// fail.
 #include "weights/finish.hpp"
 
 #include <string.h>

@@ -32,7 +32,7 @@ bool float_q16(float value, uint32_t* out) {
 void add_row(const uint16_t* joints, const uint32_t* weights, uint32_t count, uint32_t vertex, const Rows& rows) {
   uint64_t sum = 0;
   for (uint32_t i = 0; i < count; ++i) sum += weights[i];
-  // A point with thousands of vertices is no mesh any more; the sums stop before they overflow.
+  // A point with thousands of vertices is not a valid mesh; the sums stop before they overflow.
   constexpr uint32_t kFull = 1u << 30;
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t share = static_cast<uint32_t>((static_cast<uint64_t>(weights[i]) * kGivenSum + sum / 2) / sum);
@@ -40,7 +40,7 @@ void add_row(const uint16_t* joints, const uint32_t* weights, uint32_t count, ui
   }
 }
 
-void normalise(uint32_t vertex, const Rows& rows) {
+void normalize(uint32_t vertex, const Rows& rows) {
   uint32_t* weights = rows.weights_of(vertex);
   uint64_t sum = 0;
   for (uint32_t i = 0; i < kRowSlots; ++i) sum += weights[i];
@@ -86,7 +86,7 @@ void gather_given_rows(const Mesh& mesh, const uint8_t* locked, const uint8_t* h
     }
   }
   for (uint32_t u = 0; u < mesh.welded_count; ++u) {
-    if (out->kind[u] != GivenKind::kFree) normalise(u, out->rows);
+    if (out->kind[u] != GivenKind::kFree) normalize(u, out->rows);
   }
 }
 

@@ -21,7 +21,7 @@ constexpr int kHoldBits = 8;             // a hint pulls 2^8 times as strongly a
 constexpr uint64_t kLargestArea = static_cast<uint64_t>(1) << 52;  // a fan of thousands of faces
 constexpr int kScreenBits = 4;  // (kSide / length)^2 = 2^4, in Q40 because (2^20)^2 = 2^40
 // An edge between vertices whose predicted rows overlap by s conducts s^4 of what it did, at least 1/64: what was wrong
-// about an arm says little about the trunk beside it.
+// about an arm says little about the torso beside it.
 constexpr uint32_t kLeastConduction = kWholeRow / 64;
 
 class Spreader {
@@ -100,7 +100,7 @@ class Spreader {
     matrix_.rows = mesh_->part_sizes[part];
     matrix_.positive = true;
     ordering_.dissect(*mesh_, part);
-    const bool iterative = !factor_.analyse(matrix_);
+    const bool iterative = !factor_.analyze(matrix_);
     set_pulls();
     matrix_.assemble(pull_, iterative ? kIterativeDiagonalBits : kFactorDiagonalBits);
     if (!iterative) factor_.factorise(matrix_);

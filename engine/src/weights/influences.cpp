@@ -13,8 +13,8 @@ void prune_q16(uint32_t* probabilities, uint32_t count) {
 
 void keep_largest(const uint16_t* joints, const uint32_t* weights, uint32_t count, uint32_t keep, uint32_t total,
                   uint16_t* out_joints, uint16_t* out_weights) {
-  // Selection in place of a sort: each round takes the first entry behind the last one taken, in the order (falling
-  // weight, rising joint). No scratch, at most keep * count steps.
+  // Selection instead of a sort: each round takes the first entry behind the last one taken, in the order (descending
+  // weight, ascending joint). No scratch, at most keep * count steps.
   uint32_t kept = 0, last = count;
   uint64_t sum = 0;
   uint32_t chosen[16];

@@ -16,7 +16,7 @@ constexpr uint32_t kSmallestKept = 655;
 void prune_q16(uint32_t* probabilities, uint32_t count);
 
 // Keeps the `keep` largest of `count` (joint, weight) entries (weights any non-negative integer scale up to 2^20, at
-// least one > 0), sorts by falling weight then joint, and renormalises so that the row sums to exactly `total` (65535
+// least one > 0), sorts by descending weight then joint, and renormalizes so that the row sums to exactly `total` (65535
 // or 255): each is floor(w * total / sum), the remainder goes to the largest. Entries that round to 0 are dropped
 // (joint 0, weight 0).
 //   out_joints, out_weights [keep]

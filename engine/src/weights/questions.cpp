@@ -12,7 +12,7 @@ namespace sinew {
 namespace {
 
 constexpr uint32_t kRigidAlternatives = 4;
-// Mean L1 in Q16 under which nobody sees a difference: 0.02.
+// Mean L1 in Q16 below which a difference is invisible: 0.02.
 constexpr uint32_t kLeastChange = 1311;
 constexpr uint8_t kNoAnswer = 0xFF;
 constexpr uint32_t kBlends[] = {SINEW_ANSWER_SOFT, SINEW_ANSWER_HARD, SINEW_ANSWER_SOFTER, SINEW_ANSWER_HOST};
@@ -26,17 +26,17 @@ struct QuestionScratch {
   AlikeParts alike;
   uint32_t* host_vertex = nullptr;    // [U]
   uint32_t* host_distance = nullptr;  // [U]
-  uint16_t* favourites = nullptr;     // [parts] joint with most weight, or kNoJoint
+  uint16_t* favorites = nullptr;      // [parts] joint with most weight, or kNoJoint
   uint64_t* doubts = nullptr;         // [parts] sum over free vertices, Q16
   Answer* answers = nullptr;          // [parts]
   uint64_t* sums = nullptr;           // [J]
-  uint32_t* asked = nullptr;          // [parts] firsts of parts alike, by falling gain
+  uint32_t* asked = nullptr;          // [parts] firsts of parts alike, by descending gain
 
   bool allocate(Arena& arena, const Counts& counts) {
     (void)alike.allocate(arena, counts);
     host_vertex = arena.alloc<uint32_t>(counts.vertices);
     host_distance = arena.alloc<uint32_t>(counts.vertices);
-    favourites = arena.alloc<uint16_t>(counts.vertices);
+    favorites = arena.alloc<uint16_t>(counts.vertices);
     doubts = arena.alloc<uint64_t>(counts.vertices);
     answers = arena.alloc<Answer>(counts.vertices);
     sums = arena.alloc<uint64_t>(counts.joints);
@@ -100,7 +100,7 @@ class PartQuestions {
         if (given_.kind[v] == GivenKind::kFree) s_.doubts[part] += kWholeRow - largest(v);
       });
       uint64_t total;
-      s_.favourites[part] = favourite(part, &total);
+      s_.favorites[part] = favorite(part, &total);
       add_sums(part, 0);
     }
   }
@@ -111,7 +111,7 @@ class PartQuestions {
       const auto put = [&](uint32_t part) {
         s_.answers[part] = {static_cast<uint8_t>(answers[i].kind), 0};
         if (answers[i].kind == SINEW_ANSWER_RIGID)
-          s_.answers[part].joint = counterpart(p_.skeleton, s_.alike, s_.favourites, answers[i].joint, named, part);
+          s_.answers[part].joint = counterpart(p_.skeleton, s_.alike, s_.favorites, answers[i].joint, named, part);
       };
       if (answers[i].alone != 0) {
         put(named);
@@ -199,7 +199,7 @@ class PartQuestions {
     }
   }
   // The joint with the largest sum (ties: the lower) among those of the part's rows, or kNoJoint.
-  SINEW_RARE uint16_t favourite(uint32_t part, uint64_t* sum) const {
+  SINEW_RARE uint16_t favorite(uint32_t part, uint64_t* sum) const {
     uint16_t best = kNoJoint;
     *sum = 0;
     for_vertices(part, [&](uint32_t v) {
@@ -248,19 +248,19 @@ class PartQuestions {
     };
     uint64_t sum;
     add_sums(part, 1);
-    add(favourite(part, &sum));
+    add(favorite(part, &sum));
     if (count > 0) s_.sums[joints[0]] = 0;  // the second
-    const uint16_t second = favourite(part, &sum);
+    const uint16_t second = favorite(part, &sum);
     if (sum > 0) add(second);
     add_sums(part, 0);
     const int32_t parent = count > 0 ? p_.skeleton.parents[joints[0]] : -1;
     if (parent >= 0 && p_.skeleton.usable[parent] != 0) add(static_cast<uint16_t>(parent));
-    add(host_favourite(part));
+    add(host_favorite(part));
     return count;
   }
 
   // The joint with most weight over the part's hosts.
-  SINEW_RARE uint16_t host_favourite(uint32_t part) const {
+  SINEW_RARE uint16_t host_favorite(uint32_t part) const {
     if (part == 0) return kNoJoint;
     for_vertices(part, [&](uint32_t v) { add_row(s_.host_vertex[v], 1); });
     uint16_t best = kNoJoint;
@@ -282,7 +282,7 @@ class PartQuestions {
     uint64_t sum = 0, vertices = 0;
     for_open(named, [&](uint32_t part) {
       const uint16_t own = kind == SINEW_ANSWER_RIGID
-                               ? counterpart(p_.skeleton, s_.alike, s_.favourites, joint, named, part)
+                               ? counterpart(p_.skeleton, s_.alike, s_.favorites, joint, named, part)
                                : uint16_t{0};
       for_vertices(part, [&](uint32_t v) {
         Row now, then;
@@ -306,10 +306,10 @@ class PartQuestions {
       vertices += mesh_.part_sizes[part];
     });
     question->vertex = named;
-    question->joint = s_.favourites[named];
+    question->joint = s_.favorites[named];
     add_sums(named, 1);
     uint64_t sum;
-    (void)favourite(named, &sum);
+    (void)favorite(named, &sum);
     add_sums(named, 0);
     const uint64_t share = sum / mesh_.part_sizes[named];
     question->share = static_cast<uint16_t>(share < 65535 ? share : 65535);

@@ -17,7 +17,7 @@ struct Questions {
   bool allocate(Arena& arena, const Counts& counts, uint32_t most);
 };
 
-// Puts the answers into the rows, then lists up to `most` parts without one, by falling gain, with what each alternative
+// Puts the answers into the rows, then lists up to `most` parts without one, by descending gain, with what each alternative
 // would change.
 //   answers    [answer_count] checked
 //   given      rows that the caller gave: their vertices count neither for size nor for doubt, and no answer is for them

@@ -21,8 +21,7 @@ struct StyleScratch {
 
 // Sums per joint over a part of what `row` gives; returns the joint with most (ties: the lower) or kNoJoint.
 template <class RowOf>
-uint16_t favourite(const Mesh& mesh, uint32_t part, uint32_t joints, const RowOf& row, uint64_t* sums,
-                   uint64_t* total) {
+uint16_t favorite(const Mesh& mesh, uint32_t part, uint32_t joints, const RowOf& row, uint64_t* sums, uint64_t* total) {
   memset(sums, 0, joints * sizeof(uint64_t));
   *total = 0;
   for (uint32_t i = mesh.part_offsets[part]; i < mesh.part_offsets[part + 1]; ++i) {
@@ -56,7 +55,7 @@ void set_row(Rows* rows, uint32_t vertex, const uint16_t* joints, const uint16_t
   }
 }
 
-bool is_rigid(uint64_t of_favourite, uint64_t total) { return of_favourite * 20 >= total * 19; }
+bool is_rigid(uint64_t of_favorite, uint64_t total) { return of_favorite * 20 >= total * 19; }
 
 }  // namespace
 
@@ -67,7 +66,7 @@ sinew_status make_parts_rigid(const Mesh& mesh, const Counts& counts, Arena& are
   if (arena.measuring()) return SINEW_OK;
   for (uint32_t c = 0; c < mesh.part_count; ++c) {
     uint64_t total;
-    const uint16_t best = favourite(
+    const uint16_t best = favorite(
         mesh, c, counts.joints, [&](uint32_t v, const auto& add) { add_row(rows, v, add); }, scratch.sums, &total);
     if (best == kNoJoint) continue;
     constexpr uint16_t kWhole = kRowOne / 2;
@@ -89,10 +88,10 @@ sinew_status make_parts_soft(const Mesh& mesh, const HeatField& heat, const Coun
   };
   for (uint32_t c = 0; c < mesh.part_count; ++c) {
     uint64_t total;
-    uint16_t best = favourite(
+    uint16_t best = favorite(
         mesh, c, counts.joints, [&](uint32_t v, const auto& add) { add_row(rows, v, add); }, scratch.sums, &total);
     if (best == kNoJoint || !is_rigid(scratch.sums[best], total)) continue;
-    best = favourite(mesh, c, counts.joints, heat_row, scratch.sums, &total);
+    best = favorite(mesh, c, counts.joints, heat_row, scratch.sums, &total);
     if (is_rigid(scratch.sums[best], total)) continue;
     for (uint32_t i = mesh.part_offsets[c]; i < mesh.part_offsets[c + 1]; ++i) {
       const uint32_t v = mesh.part_vertices[i];

@@ -169,7 +169,7 @@ struct WideRow {
       if (mirrored_too) add(partner[joint], rows.weights_of(vertex)[i]);
     }
   }
-  // Falling weight; of equal weights partners lie side by side.
+  // By descending weight; of equal weights partners are adjacent.
   void sort(const uint16_t* partner) {
     const auto rank = [&](uint32_t i) {
       const uint32_t joint = joints[i], other = partner[joint];
@@ -196,7 +196,7 @@ struct WideRow {
   }
 };
 
-// The mirror image of a row in place of another; false when nothing of it has a partner.
+// The mirror image of a row instead of another; false when nothing of it has a partner.
 bool store_mirrored(const Symmetry& symmetry, const Rows& from, uint32_t from_vertex, const Rows& to,
                     uint32_t to_vertex) {
   WideRow row;

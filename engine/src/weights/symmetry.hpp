@@ -43,7 +43,7 @@ void mirror_given_rows(const Mesh& mesh, const Symmetry& symmetry, GivenRows* gi
 // vertex that is its own partner keeps at most `influence_count` joints; of joints that are partners it keeps both or
 // none.
 void mirror_rows(const Mesh& mesh, const GivenRows& given, uint32_t influence_count, Rows* rows, Symmetry* symmetry);
-// Replaces the joints of a finished row by their partners and sorts it again: falling weight, ties by lower joint.
+// Replaces the joints of a finished row by their partners and sorts it again: descending weight, ties by lower joint.
 void mirror_influences(const Symmetry& symmetry, uint32_t influence_count, uint16_t* joints, uint16_t* weights);
 
 }  // namespace sinew

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The same character in another program's form: joints with other axes and names, a root above them, the whole turned. What is shown stays
-// but for the turn.
+// The same character in the form of another program: other joint axes and names, an additional root, a rotation of
+// the whole. Apart from the rotation the mesh and its motion look the same.
 #ifndef SINEW_FORMATS_DOCUMENT_FORM_HPP
 #define SINEW_FORMATS_DOCUMENT_FORM_HPP
 
@@ -14,42 +14,43 @@
 
 namespace sinew {
 
-// What a VRM says beside its glTF: the extension VRMC_vrm of VRM 1.0, VRM of 0.x.
+// Data of a VRM in addition to its glTF: the extension VRMC_vrm of VRM 1.0, or VRM of 0.x.
 struct VrmData {
-  std::string file_name;                       // the title where nobody says one
+  std::string file_name;                       // the default title
   std::string title;                           // empty: the file's own
   std::vector<std::string> authors;            // empty: the file's own
-  std::map<std::string, std::string> licence;  // members of VRMC_vrm.meta as parse_vrm_licence() gives them
-  std::vector<std::string> bones;              // [J] humanoid bone of each joint in the words of 1.0, "" for none
+  std::map<std::string, std::string> license;  // members of VRMC_vrm.meta as parse_vrm_license() gives them
+  std::vector<std::string> bones;              // [J] humanoid bone of each joint in the terms of 1.0, "" for none
   bool zero = false;                           // VRM 0.x
 };
 
-// "creditNotation=required,commercialUsage=corporation", "allowRedistribution=true", or the address of a licence text (otherLicenseUrl). The
-// words are those of the specification: github.com/vrm-c/vrm-specification, VRMC_vrm-1.0, meta. What is not said is left out, and means what
-// the specification says: the strictest. Throws Error that lists what is allowed.
-std::map<std::string, std::string> parse_vrm_licence(const std::string& text);
+// "creditNotation=required,commercialUsage=corporation", "allowRedistribution=true", or the address of a license text (otherLicenseUrl). The
+// words are those of the specification: github.com/vrm-c/vrm-specification, VRMC_vrm-1.0, meta. Missing members keep
+// the default of the specification, the strictest value. Throws Error that lists the allowed values.
+std::map<std::string, std::string> parse_vrm_license(const std::string& text);
 
-// Humanoid bones that a VRM must have, in the words of 1.0: one of 0.x has a chest and a neck as well.
+// Required humanoid bones of a VRM, in the terms of 1.0; VRM 0.x also requires a chest and a neck.
 const std::vector<std::string>& vrm_required_bones(bool zero);
 
-// Whether its file is a VRM of any version.
+// Returns whether its file is a VRM of any version.
 bool has_vrm_data(const Character& character);
 // [J] The humanoid bone that the character's own VRM (1.0 or 0.x) gives each joint, in the file's words, "" for none; empty where its file is no
 // VRM, names no joint, or the joints do not begin with those of the file. References that are broken count as none.
 std::vector<std::string> vrm_file_bones(const Character& character);
 
 struct DocumentForm {
-  Rotation turn = kNoRotation;  // of the whole character, world space
+  Rotation turn = kNoRotation;  // rotation of the whole character, world space
   std::vector<Rotation>
-      axes;  // [J] the joints' axes in the rest pose, as columns, in the turned world; empty: they stay
-  std::vector<std::string> names;  // [J] new names; empty: they stay
+      axes;  // [J] the joints' axes in the rest pose, as columns, in the rotated world; empty: unchanged
+  std::vector<std::string> names;  // [J] new names; empty: unchanged
   std::string root;                // name of a joint at the origin that carries all others; empty: none is added
-  const VrmData* vrm = nullptr;    // what a VRM says; null: nothing
+  const VrmData* vrm = nullptr;    // data of a VRM; null: none
 };
 
-// As write_gltf_morphs(). Inverse bind matrices, animations, drivers of corrections and what hangs on joints follow: each joint's world
-// transform W becomes turn * W * C with a rotation C of its own that is the same at all times. A joint that is scaled unevenly, and every joint of
-// a document whose constraints are bound to axes, keeps its axes. Returns such remarks for the user, a line each. Throws Error.
+// Like write_gltf_morphs(). Inverse bind matrices, animations, drivers of corrections and child nodes of joints
+// follow: each joint's world transform W becomes turn * W * C with a constant rotation C per joint. A joint with
+// nonuniform scale keeps its axes, and so does every joint of a document whose constraints depend on axes. Returns
+// notes about these for the user, one line each. Throws Error.
 std::vector<std::string> write_gltf_form(const std::string& path, const Character& character, const GlbOptions& options,
                                          const Morphs& morphs, const DocumentForm& form);
 

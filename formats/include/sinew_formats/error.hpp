@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The exception of the tools: a job cannot go on. Its text is one line: what, where, what was expected, what to do.
+// The exception of readers, writers and jobs. Its text is one line: where, what is wrong (expected, found), the
+// remedy.
 #ifndef SINEW_FORMATS_ERROR_HPP
 #define SINEW_FORMATS_ERROR_HPP
 
@@ -13,7 +14,7 @@ class Error : public std::runtime_error {
   explicit Error(const std::string& line) : std::runtime_error(line) {}
 };
 
-// There is no memory for what the job needs in one piece; the text says how much that is.
+// A block of memory could not be allocated; the text has its size.
 class OutOfMemory : public Error {
  public:
   using Error::Error;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a glTF file holds, counted and named: for people who look before they bind.
+// Summary of a glTF file: counts and names, for `sinew inspect`.
 #ifndef SINEW_FORMATS_GLTF_SUMMARY_HPP
 #define SINEW_FORMATS_GLTF_SUMMARY_HPP
 
@@ -14,24 +14,25 @@
 
 namespace sinew {
 
-// One mesh as one node shows it; a mesh that several nodes show is there several times.
+// A mesh in a node; a mesh that several nodes use occurs several times.
 struct GltfMeshSummary {
-  std::string name, node;  // node empty: no node shows it
-  bool in_scene = false;   // the scene that is read
-  size_t vertices = 0;     // as the file counts them, seams apart
+  std::string name, node;  // node is empty if no node uses it
+  bool in_scene = false;   // in the scene that is read
+  size_t vertices = 0;     // as counted in the file, not welded
   size_t primitives = 0;
   std::vector<std::string> morph_targets;
   int skin = -1;      // index into GltfSummary::skins
-  std::string joint;  // without a skin: the joint above its node, which carries it whole; empty: none
+  std::string joint;  // without a skin: the ancestor joint that carries it; empty: none
 };
 
 struct GltfSkinSummary {
   std::string name;
   size_t joints = 0, joints_with_weight = 0;
   size_t meshes = 0;  // nodes of the scene that use it
-  // Rest against bind pose: where the inverse bind matrices and the nodes' present transforms agree, all of world x
-  // inverse bind are one matrix. The deviation of a joint is how far its vertices (its own position, when it has none)
-  // would stand apart from where the matrix of most joints puts them, in longest sides of the skin's meshes.
+  // Difference between rest and bind pose: if the inverse bind matrices and the current node transforms agree, world
+  // x inverse bind is the same matrix for all joints. The deviation of a joint is the distance of its vertices (or of
+  // its own position if it has none) from where the matrix of most joints puts them, in longest sides of the skin's
+  // meshes.
   double deviation = 0;     // largest
   std::string farthest;     // its joint
   size_t joints_apart = 0;  // by more than kGltfPoseTolerance
@@ -60,22 +61,23 @@ struct GltfSummary {
   std::vector<std::string> extensions_used, extensions_required;
 };
 
-// Reads a .gltf, .glb or .vrm. Throws Error as read_gltf does, but a file without a mesh is fine.
-GltfSummary summarise_gltf(const std::string& path);
+// Reads a .gltf, .glb or .vrm. Throws Error like read_gltf(), but accepts a file without a mesh.
+GltfSummary summarize_gltf(const std::string& path);
 
-// A glTF's skins as the file shows them while nothing moves, against the pose that they were bound in.
+// Skins of a glTF in the file's rest pose, compared with their bind pose.
 struct GltfRest {
-  bool agrees = true;             // the inverse bind matrices know one pose
-  std::vector<Affine> shown;      // [J] skinning matrices from the character's vertices to where the file shows them
-  std::vector<uint8_t> mirrored;  // [J] 1: the joint's node is scaled by a negative number
-  std::vector<double> uneven;  // [J] largest over smallest scale along the node's axes, 1 for one that is scaled evenly
-  double scale = 1;            // of the nodes above the skeleton: what most differs from 1
-  std::string scaled_by;       // the node that has it
-  std::vector<std::string> unused_skins;  // no mesh of any scene has them; names, or "skin 2"
+  bool agrees = true;  // the inverse bind matrices share one pose
+  std::vector<Affine>
+      shown;  // [J] skinning matrices from the character's vertices to their positions in the file's rest pose
+  std::vector<uint8_t> mirrored;  // [J] 1: the joint's node has a negative scale
+  std::vector<double> uneven;     // [J] largest divided by smallest scale along the node's axes; 1 for a uniform scale
+  double scale = 1;               // scale of the nodes above the skeleton that differs most from 1
+  std::string scaled_by;          // the node with that scale
+  std::vector<std::string> unused_skins;  // not used by a mesh of any scene; names, or "skin 2"
 };
 
-// Of a character that was read from a glTF (or from what becomes one) and has its joints; nullopt for others. Throws Error for a document
-// whose matrices cannot be read.
+// For a character read from a glTF (or from a format converted to one) with its joints; nullopt for others. Throws
+// Error for a document whose matrices cannot be read.
 std::optional<GltfRest> gltf_rest(const Character& character);
 
 }  // namespace sinew

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Keypoints of joints as they come, from a camera or a capture, to rotations of a person's joints: what a stream of
-// sinew/motion_stream.h takes.
+// Converts streamed keypoints of a camera or a capture to rotations of a person's joints, as input for
+// sinew/motion_stream.h.
 #ifndef SINEW_FORMATS_KEYPOINTS_STREAM_HPP
 #define SINEW_FORMATS_KEYPOINTS_STREAM_HPP
 
@@ -18,16 +18,17 @@ struct KeypointsLayout;
 class KeypointsStream {
  public:
   //   layout  of motion_layouts()
-  //   first   [frames][keypoints of the layout] of the person that moves, any unit: lengths of bones, which way is up, whether the world is
-  //           mirrored and whether keypoints are relative to the hips are learnt from them. One will do; a second or two are better
+  //   first   [frames][keypoints of the layout] of a moving person, any unit. They determine the bone lengths, the up axis, whether the world is mirrored and whether keypoints are relative to the hips. One frame is enough; a second or two are better
   // Throws Error.
   KeypointsStream(const std::string& layout, const std::vector<std::vector<Point3>>& first);
   KeypointsStream(KeypointsStream&&) noexcept;
   ~KeypointsStream();
 
-  // Joints with their keypoints at rest, y up, notes of what was found out, and `first` as a clip at the layout's own rate.
+  // The joints at rest, y up, with notes about the detected conventions, and `first` as a clip at the layout's frame
+  // rate.
   const Motion& person() const;
-  // Rotations and translations of person()'s joints in the frame of these keypoints, of this frame alone. Throws Error.
+  // Returns rotations and translations of person()'s joints in the frame of these keypoints, independent of other
+  // frames. Throws Error.
   MotionFrame next(const std::vector<Point3>& keypoints) const;
 
  private:
@@ -37,23 +38,23 @@ class KeypointsStream {
   std::unique_ptr<KeypointsSolver> solver_;
 };
 
-// Which numbers of a row stand for which joint.
+// Assignment of the values in a row to joints.
 struct KeypointsLayout {
   const char* name;  // "coco17"
   size_t count;      // keypoints in a row
-  double fps;        // where a file says none
+  double fps;        // default frame rate
   struct Joint {
-    const char* name;             // of person_joints(); "left" ones stand for both sides
-    std::vector<size_t> columns;  // their middle; of "left" ones the left's
+    const char* name;             // of person_joints(); a "left" name is for both sides
+    std::vector<size_t> columns;  // the joint is their mean; for a "left" name those of the left side
     std::vector<size_t> right = {};
   };
   std::vector<Joint> joints;
 };
 const std::vector<KeypointsLayout>& keypoint_layouts();
 
-// One clip of a person's joints. Bones are as long as they are in most frames; hips, chest and head turn by their sides, elbows and knees
-// by the plane in which they bend, everything else by the shortest turn of its bone against its parent. Which axis is up, a mirrored
-// world and keypoints that are relative to the hips are found out, and told in the notes.
+// Makes one clip of a person's joints. Bones have their median length; hips, chest and head are oriented by their
+// sides, elbows and knees by their bending plane, other joints by the shortest rotation of the bone relative to its
+// parent. The up axis, a mirrored world and keypoints relative to the hips are detected and reported in the notes.
 //   keypoints  [frames][layout.count] finite
 Motion motion_of_keypoints(const KeypointsLayout& layout, const std::vector<std::vector<Point3>>& keypoints);
 

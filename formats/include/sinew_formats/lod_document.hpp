@@ -11,20 +11,21 @@
 
 namespace sinew {
 
-// The first GLB, each of whose mesh nodes names those of the others in its extension MSFT_lod. They share its joints, skins, materials and
-// pictures; programs that do not know the extension see the first level alone. A level is for half the height on the screen of the one before.
-//   levels  of one document with other meshes, the whole one first
+// Combines GLBs: each mesh node of the first one lists those of the others in the extension MSFT_lod. They share its
+// joints, skins, materials and pictures; programs without the extension show only the first level. Each level is for
+// half the screen height of the one before.
+//   levels  of one document with different meshes, the full one first
 // Throws Error, which begins with `path`, for levels whose nodes, materials or skins differ.
 std::vector<uint8_t> glb_of_levels(const std::string& path, const std::vector<std::vector<uint8_t>>& levels);
 
-// One level: a character with fewer triangles.
-// Vertices that stay keep all that they have: position, normal, texture coordinates, weights, shapes. All meshes are taken together, so that parts
-// which touch go on touching; seams of textures and borders stay seams and borders, unless so much is seam (flat shading, corners that were never
-// joined) that the share is missed. By meshoptimizer (github.com/zeux/meshoptimizer,
-// meshopt_simplify: quadrics of Garland and Heckbert 1997).
-//   positions  [V] of the character's vertices where shapes are measured, at rest or in a pose
-//   share      of the triangles that shall be left, 0..1; more are left where seams or borders want them
-// Returns a GLB. Throws Error for a character without a glTF document, and where this build has no meshoptimizer.
+// Makes one level: a character with fewer triangles.
+// Remaining vertices keep their data: position, normal, texture coordinates, weights, shapes. All meshes are reduced
+// together, so that touching parts stay in touch. Texture seams and borders are kept, unless there are so many of
+// them (flat shading, unjoined corners) that the share could not be reached. By meshoptimizer
+// (github.com/zeux/meshoptimizer, meshopt_simplify: quadrics of Garland and Heckbert 1997).
+//   positions  [V] positions of the character's vertices for measuring shapes, at rest or in a pose
+//   share      share of the triangles to keep, 0..1; more are kept for seams or borders
+// Returns a GLB. Throws Error for a character without a glTF document, and in a build without meshoptimizer.
 std::vector<uint8_t> reduced_glb(const std::string& name, const Character& character,
                                  const std::vector<Vec3>& positions, double share);
 

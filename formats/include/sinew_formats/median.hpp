@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The middle of values.
+// Median of values.
 #ifndef SINEW_FORMATS_MEDIAN_HPP
 #define SINEW_FORMATS_MEDIAN_HPP
 
@@ -9,7 +9,7 @@
 
 namespace sinew {
 
-// The value that half of the others are not above, the upper one of two. Values change their order; there is one at least.
+// Returns the median, the upper one of two. Reorders the values; needs at least one.
 template <class T>
 T median(std::vector<T>* values) {
   const auto middle = values->begin() + static_cast<std::ptrdiff_t>(values->size() / 2);

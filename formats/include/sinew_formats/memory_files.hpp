@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files in memory for readers and writers: what a program without a disk, or with a file of its own kind, gives them.
+// Files in memory for readers and writers, for programs without a disk or with their own storage.
 #ifndef SINEW_FORMATS_MEMORY_FILES_HPP
 #define SINEW_FORMATS_MEMORY_FILES_HPP
 
@@ -14,11 +14,12 @@ namespace sinew {
 
 using FileBytes = std::map<std::string, std::vector<uint8_t>>;  // by name; a/../b is b
 
-// While one lives, everything that this thread reads or writes through formats goes here instead of to the disk. The latest counts.
+// During the lifetime of an object, all files that this thread reads or writes through formats are here instead of on
+// disk. The latest object counts.
 class MemoryFiles {
  public:
-  //   inputs   files that there are; null: the disk's
-  //   outputs  takes what is written, in its order; null: the disk does
+  //   inputs   files to read; null: those on disk
+  //   outputs  receives the written files, in order; null: they are written to disk
   MemoryFiles(const FileBytes* inputs, std::vector<NamedBytes>* outputs);
   ~MemoryFiles();
   MemoryFiles(const MemoryFiles&) = delete;
@@ -32,11 +33,11 @@ class MemoryFiles {
   MemoryFiles* before_;
 };
 
-// Of this thread; null: the disk.
+// The object of this thread; null: the disk.
 const FileBytes* memory_inputs();
 std::vector<NamedBytes>* memory_outputs();
 
-// On the disk or in memory. A directory or a device is no file.
+// Returns whether a file exists on disk or in memory. A directory or a device is not a file.
 bool is_file(const std::string& path);
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A character's mesh without its skeleton, for programs that move vertices by other means than skinning.
+// A character's mesh without its skeleton, for programs that animate vertices without skinning.
 #ifndef SINEW_FORMATS_STILL_MESH_HPP
 #define SINEW_FORMATS_STILL_MESH_HPP
 
@@ -15,7 +15,8 @@ namespace sinew {
 
 struct GltfSource;
 
-// Vertices are those of the written file, primitive by primitive: one of the Character's is several where normals or texture coordinates differ.
+// Vertices are those of the written file, primitive by primitive: a vertex of the Character is split where normals or
+// texture coordinates differ.
 class StillMesh {
  public:
   // Throws Error, which begins with `path`, for a mesh without faces.
@@ -24,9 +25,10 @@ class StillMesh {
   const std::vector<uint32_t>& vertices() const { return vertices_; }  // [N] the Character's vertex of each
   const std::vector<Vec3>& normals() const { return normals_; }        // [N] in the rest pose, world axes, of length 1
 
-  // A GLB with the character's nodes that show a mesh, none of them transformed, its materials and pictures. TEXCOORD_1 has the given
-  // coordinates; the character's own sets from 1 on, and materials that read them, move up by one. glTF allows no gap, so a mesh without a
-  // set 0 has the given ones there as well. Skins, animations, blend shapes, tangents and vendors' extensions of the document are left out.
+  // Writes a GLB with the character's mesh nodes without transforms, its materials and pictures. TEXCOORD_1 has the
+  // given coordinates; the character's own sets from 1 on, and materials that use them, are moved up by one. glTF
+  // allows no gap, so a mesh without a set 0 has the given ones there too. Skins, animations, blend shapes, tangents
+  // and vendor extensions of the document are left out.
   //   positions  [N] y up
   //   normals    [N] of length 1
   //   texels     [N]

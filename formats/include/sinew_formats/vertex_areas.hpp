@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much of a surface each vertex stands for.
+// Surface area of each vertex.
 #ifndef SINEW_FORMATS_VERTEX_AREAS_HPP
 #define SINEW_FORMATS_VERTEX_AREAS_HPP
 
@@ -18,7 +18,8 @@ inline double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c) {
   return 0.5 * std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
 }
 
-// [V] a third of every triangle around a vertex; polygons are fans. 0 where there is no surface. Unit: the file's, squared.
+// [V] a third of the area of each triangle around a vertex; polygons are fans. 0 without a surface. In squared units
+// of the file.
 inline std::vector<double> vertex_areas(const Character& character) {
   std::vector<double> areas(character.vertices.size(), 0.0);
   for (size_t f = 0; f + 1 < character.face_offsets.size(); ++f) {

@@ -32,13 +32,13 @@ Rotation axis_rotation(const std::array<double, 3>& axis, double angle) {
   return out;
 }
 
-Affine rotation_about(const Rotation& rotation, const std::array<double, 3>& centre) {
+Affine rotation_about(const Rotation& rotation, const std::array<double, 3>& center) {
   Affine out{};
   for (size_t r = 0; r < 3; ++r) {
-    out[4 * r + 3] = centre[r];
+    out[4 * r + 3] = center[r];
     for (size_t c = 0; c < 3; ++c) {
       out[4 * r + c] = rotation[3 * r + c];
-      out[4 * r + 3] -= rotation[3 * r + c] * centre[c];
+      out[4 * r + 3] -= rotation[3 * r + c] * center[c];
     }
   }
   return out;
@@ -82,7 +82,7 @@ Quaternion multiply(const Quaternion& a, const Quaternion& b) {
 
 double dot(const Quaternion& a, const Quaternion& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]; }
 
-Quaternion normalised(const Quaternion& q) {
+Quaternion normalized(const Quaternion& q) {
   const double length = std::sqrt(dot(q, q));
   if (!(length > 0) || !std::isfinite(length)) return kNoRotation4;
   return {q[0] / length, q[1] / length, q[2] / length, q[3] / length};
@@ -114,7 +114,7 @@ Quaternion slerp(const Quaternion& a, Quaternion b, double t) {
   }
   Quaternion out{};
   for (size_t i = 0; i < 4; ++i) out[i] = first * a[i] + second * b[i];
-  return normalised(out);
+  return normalized(out);
 }
 
 Rotation rotation_of(const Quaternion& q) {
@@ -128,10 +128,10 @@ Rotation rotation_of(const Quaternion& q) {
 Quaternion quaternion_of(const Rotation& m) {
   const double w2 = 1 + m[0] + m[4] + m[8], x2 = 1 + m[0] - m[4] - m[8], y2 = 1 - m[0] + m[4] - m[8],
                z2 = 1 - m[0] - m[4] + m[8];
-  if (w2 >= x2 && w2 >= y2 && w2 >= z2) return normalised({m[7] - m[5], m[2] - m[6], m[3] - m[1], w2});
-  if (x2 >= y2 && x2 >= z2) return normalised({x2, m[1] + m[3], m[2] + m[6], m[7] - m[5]});
-  if (y2 >= z2) return normalised({m[1] + m[3], y2, m[5] + m[7], m[2] - m[6]});
-  return normalised({m[2] + m[6], m[5] + m[7], z2, m[3] - m[1]});
+  if (w2 >= x2 && w2 >= y2 && w2 >= z2) return normalized({m[7] - m[5], m[2] - m[6], m[3] - m[1], w2});
+  if (x2 >= y2 && x2 >= z2) return normalized({x2, m[1] + m[3], m[2] + m[6], m[7] - m[5]});
+  if (y2 >= z2) return normalized({m[1] + m[3], y2, m[5] + m[7], m[2] - m[6]});
+  return normalized({m[2] + m[6], m[5] + m[7], z2, m[3] - m[1]});
 }
 
 Rotation rotation_part(const Affine& m) {

@@ -88,7 +88,7 @@ class Animations {
       if (!times.empty() && track.blend == Blend::kCubic) {
         parts = static_cast<size_t>(std::ceil((time - times.back()) / kCubicStep));
       } else if (!times.empty() && track.blend == Blend::kLinear && track.width == 4) {
-        const double cosine = std::min(1.0, std::abs(dot(normalised(track.key(k - 1)), normalised(track.key(k)))));
+        const double cosine = std::min(1.0, std::abs(dot(normalized(track.key(k - 1)), normalized(track.key(k)))));
         parts = static_cast<size_t>(std::ceil(2 * std::acos(cosine) / kMostTurn));
       }
       parts = std::clamp<size_t>(parts, 1, 10000);

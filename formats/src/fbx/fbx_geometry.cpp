@@ -72,7 +72,7 @@ class Geometry {
       element.add(index_name).integers(indices);
       take(kind, std::move(element));
     };
-    if (mesh_.has_colours) indexed("LayerElementColor", "Col", "Colors", "ColorIndex", mesh_.colours, 4);
+    if (mesh_.has_colors) indexed("LayerElementColor", "Col", "Colors", "ColorIndex", mesh_.colors, 4);
     if (mesh_.has_uvs) indexed("LayerElementUV", "UVMap", "UV", "UVIndex", mesh_.uvs, 2);
     const bool one = mesh_.materials.size() < 2;
     FbxNode element = layer("LayerElementMaterial", "", one ? "AllSame" : "ByPolygon", "IndexToDirect");

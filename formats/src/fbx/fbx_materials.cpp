@@ -30,7 +30,7 @@ class Materials {
     return material;
   }
 
-  static std::array<double, 3> colour(const std::vector<double>& from, double otherwise) {
+  static std::array<double, 3> color(const std::vector<double>& from, double otherwise) {
     std::array<double, 3> out = {otherwise, otherwise, otherwise};
     for (size_t i = 0; i < 3 && i < from.size(); ++i) out[i] = from[i];
     return out;
@@ -46,9 +46,9 @@ class Materials {
     const double opacity = from.alphaMode == "BLEND" && base.size() == 4 ? base[3] : 1;
     const double rough = from.pbrMetallicRoughness.roughnessFactor;
     FbxNode properties("Properties70");
-    properties.property_vector("DiffuseColor", "Color", "", "A", colour(base, 1));
+    properties.property_vector("DiffuseColor", "Color", "", "A", color(base, 1));
     properties.property("DiffuseFactor", "Number", "", "A").number(1);
-    properties.property_vector("EmissiveColor", "Color", "", "A", colour(from.emissiveFactor, 0));
+    properties.property_vector("EmissiveColor", "Color", "", "A", color(from.emissiveFactor, 0));
     properties.property_vector("AmbientColor", "Color", "", "A", {0, 0, 0});
     properties.property_vector("SpecularColor", "Color", "", "A", {0.2, 0.2, 0.2});
     // Blender reads roughness back as 1 - sqrt(shininess) / 10.

@@ -152,7 +152,7 @@ class Models {
 }  // namespace
 
 std::array<double, 3> fbx_euler(const Quaternion& q) {
-  const Rotation r = rotation_of(normalised(q));
+  const Rotation r = rotation_of(normalized(q));
   const double across = std::hypot(r[0], r[3]);
   if (across < 1e-9)  // y is a right angle: x and z are about one axis
     return {kDegrees * std::atan2(-r[5], r[4]), kDegrees * std::atan2(-r[6], across), 0};

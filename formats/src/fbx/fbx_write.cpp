@@ -52,7 +52,7 @@ FbxNode settings() {
     properties.property_integer(name, value);
   properties.property_number("UnitScaleFactor", 1);
   properties.property_number("OriginalUnitScaleFactor", 1);
-  properties.property_enum("TimeMode", 6);  // 30 frames a second
+  properties.property_enum("TimeMode", 6);  // 30 frames per second
   properties.property_time("TimeSpanStart", 0);
   properties.property_time("TimeSpanStop", static_cast<int64_t>(kFbxTicks));
   properties.property_number("CustomFrameRate", -1);

@@ -14,7 +14,7 @@
 
 namespace sinew {
 
-// Bytes of an FBX 7.5, y up, in centimetres (UnitScaleFactor 1): models, limbs, meshes with skins, shapes, materials and pictures, a bind pose,
+// Bytes of an FBX 7.5, y up, in centimeters (UnitScaleFactor 1): models, limbs, meshes with skins, shapes, materials and pictures, a bind pose,
 // animations. Assimp's own writer is not used: its skins do not come back whole (github.com/assimp/assimp, issues about FBX export of bones).
 //   model  a document as it was read; what glTF has beside these (cameras, lights, extensions) is left out
 // Throws Error naming `path` for accessors that are broken.
@@ -22,7 +22,7 @@ std::vector<uint8_t> fbx_of(const std::string& path, const tinygltf::Model& mode
 
 // Objects of an FBX and what they hang on, and the parts of a glTF document that become them.
 
-constexpr double kFbxUnits = 100;            // centimetres a metre: the file's UnitScaleFactor is 1
+constexpr double kFbxUnits = 100;            // centimeters a meter: the file's UnitScaleFactor is 1
 constexpr double kFbxTicks = 46186158000.0;  // a second
 
 struct FbxScene {

@@ -66,19 +66,18 @@ std::string remedy(const std::string& path) {
            " --python-expr \"import bpy; " + export_glb;
   for (const char* extension : {".usda", ".usdz", ".usdc", ".usd"})
     if (has_extension(path, extension))
-      return "; this is USD, which sinew writes but does not read: export glTF or FBX, or with Blender: blender "
-             "--background --python-expr \"import bpy; bpy.ops.wm.usd_import(filepath='" +
+      return "; sinew writes USD but does not read it: export glTF or FBX, or with Blender: blender --background "
+             "--python-expr \"import bpy; bpy.ops.wm.usd_import(filepath='" +
              path + "'); " + export_glb;
   if (is_motion_alone(path))
     return "; a " + std::string(file_kind(path)->name) +
-           " has a skeleton and motion: take it with --skeleton, or with sinew animate --motion";
-  if (has_extension(path, ".asf")) return "; an Acclaim skeleton is read with its motion: name the .amc beside it";
+           " has a skeleton and motion: pass it to --skeleton, or to sinew animate --motion";
+  if (has_extension(path, ".asf")) return "; an Acclaim skeleton is read with its motion: give the .amc beside it";
   if (has_extension(path, ".pkl"))
-    return "; a pickle may run code when it is opened, so sinew reads none. Save its arrays: python3 -c \"import "
-           "numpy; "
-           "numpy.savez('" +
+    return "; a pickle may run code when opened, so sinew does not read it. Save its arrays: python3 -c \"import "
+           "numpy; numpy.savez('" +
            stem_of(path) + ".npz', **numpy.load('" + path + "', allow_pickle=True))\"";
-  if (has_use(path, kReadsPicture)) return "; sinew rig and sinew animate make a character of a picture";
+  if (has_use(path, kReadsPicture)) return "; sinew rig and sinew animate make a character from a picture";
   for (const char* extension : {".gif", ".svg", ".webp", ".bmp", ".tga", ".tif", ".tiff", ".avif", ".psd"})
     if (has_extension(path, extension))
       return "; pictures are read as " + extensions_text(kReadsPicture) + ": save it as one of those";

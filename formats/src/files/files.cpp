@@ -35,7 +35,7 @@ void write_all(const std::string& path, std::FILE* file, const void* bytes, size
     throw Error(path + ": cannot write " + std::to_string(size) + " bytes: " + system_error());
 }
 
-// Bytes in a temporary file beside their target, which replace() puts in its place; without that, it is removed.
+// Bytes in a temporary file beside their target. replace() renames it to the target; without that, it is removed.
 class PendingFile {
  public:
   PendingFile(const std::string& path, const void* bytes, size_t size) : path_(path), target_(path) {

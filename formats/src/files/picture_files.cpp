@@ -20,8 +20,8 @@ const char* png_or_jpeg(const uint8_t* bytes, size_t size) {
   return nullptr;
 }
 
-bool is_grey(const std::vector<uint8_t>& picture) {
-  if (picture.size() > 25 && picture[0] == 0x89) return picture[25] == 0 || picture[25] == 4;  // colour type of IHDR
+bool is_gray(const std::vector<uint8_t>& picture) {
+  if (picture.size() > 25 && picture[0] == 0x89) return picture[25] == 0 || picture[25] == 4;  // color type of IHDR
   // JPEG: segments up to the start of frame, whose tenth byte is the number of components.
   for (size_t at = 2; at + 9 < picture.size() && picture[at] == 0xff;) {
     const uint8_t marker = picture[at + 1];
@@ -45,15 +45,15 @@ Picture PictureFiles::find(const std::string& name) {
     try {
       auto bytes = std::make_shared<std::vector<uint8_t>>(read_file(path.string()));
       if (png_or_jpeg(bytes->data(), bytes->size()) == nullptr) {
-        notes_->push_back(title + ": picture " + shown + " is no PNG or JPEG and was left out; convert it");
+        notes_->push_back(title + ": picture " + shown + " is not a PNG or JPEG, so the output lacks it; convert it");
         return nullptr;
       }
       return at->second = std::move(bytes);
     } catch (const Error&) {
-      break;  // told as missing
+      break;  // reported as missing
     }
   }
-  notes_->push_back(title + ": picture " + shown + " was not found and was left out");
+  notes_->push_back(title + ": picture " + shown + " was not found, so the output lacks it; put it beside the file");
   return nullptr;
 }
 

@@ -15,7 +15,7 @@ namespace sinew {
 const char* png_or_jpeg(const uint8_t* bytes, size_t size);
 
 // One channel only: a height map, not a map of normals. PNG or JPEG.
-bool is_grey(const std::vector<uint8_t>& picture);
+bool is_gray(const std::vector<uint8_t>& picture);
 
 class PictureFiles {
  public:

@@ -28,7 +28,8 @@ void read_skeleton(const std::string& path, bool with_skin, Character* character
   if (has_extension(path, ".txt")) return read_rig(path, with_skin, character);
   if (is_motion_alone(path)) {
     if (with_skin)
-      throw Error(path + ": expected skin weights, found a " + std::string(file_kind(path)->name) + ", which has none");
+      throw Error(path + ": expected skin weights, found a " + std::string(file_kind(path)->name) +
+                  ", which holds none");
     character->joints = rest_joints(read_motion(path));
     character->influences.clear();
     return;

@@ -20,7 +20,7 @@ std::array<double, 4> Track::sample(double seconds) const {
   const size_t k = next - 1;
   const double from = static_cast<double>(times[k]), span = static_cast<double>(times[next]) - from;
   const double t = (seconds - from) / span;
-  if (blend == Blend::kLinear && width == 4) return slerp(normalised(key(k)), normalised(key(next)), t);
+  if (blend == Blend::kLinear && width == 4) return slerp(normalized(key(k)), normalized(key(next)), t);
   std::array<double, 4> out{};
   for (size_t i = 0; i < width; ++i) {
     if (blend == Blend::kLinear) {
@@ -57,7 +57,7 @@ Track read_track(const std::string& where, const tinygltf::Model& model, const t
                 " keys, found " + std::to_string(made.values.size() / width));
   for (size_t k = 0; k < made.times.size(); ++k)
     if (made.times[k] < 0 || (k > 0 && !(made.times[k] >= made.times[k - 1])))
-      throw Error(where + ": expected times from 0 that do not fall, found another order at key " + std::to_string(k));
+      throw Error(where + ": expected ascending times from 0, found another order at key " + std::to_string(k));
   return made;
 }
 

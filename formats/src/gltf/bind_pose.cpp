@@ -36,7 +36,7 @@ double size_of(const Affine& frame, const std::vector<Vec3>& corners) {
   return std::max(std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]), 1e-12);
 }
 
-// The quarter turns that a transform is nearest to, its mean scale and its position: an upright character stays upright.
+// The rotations by 90 degrees that a transform is nearest to, its mean scale and its position: an upright character stays upright.
 Affine without_sway(const Affine& m) {
   const double volume = determinant(m), scale = std::cbrt(std::fabs(volume));
   Affine best = kIdentity;
@@ -213,7 +213,7 @@ class BindPoseFinder {
   GltfBindPose pose_;
   std::vector<std::vector<Affine>> binds_, palettes_;  // [skins][joints of the skin]
   std::vector<std::vector<Vec3>> corners_;             // [skins] of the box around its meshes, or empty
-  std::vector<std::vector<size_t>> heaviest_;          // [skins] its joints with weight, by falling weight
+  std::vector<std::vector<size_t>> heaviest_;          // [skins] its joints with weight, by descending weight
   std::vector<char> known_;                            // [nodes] placed by an inverse bind matrix
 };
 

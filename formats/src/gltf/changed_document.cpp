@@ -66,9 +66,9 @@ void move_vertices(const std::string& where, const tinygltf::Primitive& primitiv
 std::shared_ptr<const GltfSource> moved_document(const std::string& name, const GltfSource& source,
                                                  const std::vector<Affine>& matrices, bool with_joints) {
   if (!source.bind_pose.agrees)
-    throw Error(name +
-                ": its meshes know no common rest pose, so they are not put into another; write it once with "
-                "sinew bind and start from that file");
+    throw Error(
+        name +
+        ": cannot change the rest pose, its meshes share none; write it once with sinew bind and start from that file");
   auto moved = std::make_shared<GltfSource>(source);
   MeshNodes mesh_nodes(&moved->document);
   const GltfNodes nodes = gltf_nodes(name, source.model);
@@ -159,7 +159,7 @@ class JointMover {
   }
   Affine back(const Affine& m) const {
     const std::optional<Affine> inverted = inverse(m);
-    if (!inverted) throw Error(name_ + ": a joint is scaled to nothing, so it is not put into another pose");
+    if (!inverted) throw Error(name_ + ": cannot change the rest pose, a joint has scale 0");
     return *inverted;
   }
 
@@ -193,7 +193,7 @@ std::shared_ptr<const GltfSource> transformed_document(const std::string& name, 
                                                        const Affine& transform, const std::vector<Joint>& joints) {
   if (source.model.scenes.size() > 1)
     throw Error(name + ": has " + std::to_string(source.model.scenes.size()) +
-                " scenes; expected one, to be turned or scaled as a whole");
+                " scenes; expected one to rotate or scale");
   const GltfNodes nodes = gltf_nodes(name, source.model);
   GltfSource transformed = source;
   Json node = Json::object();

@@ -43,14 +43,14 @@ std::shared_ptr<const GltfSource> moved_document(const std::string& name, const 
 std::shared_ptr<const GltfSource> moved_joints(const std::string& name, const GltfSource& source,
                                                const std::vector<Affine>& palette, const std::vector<Joint>& joints);
 
-// A copy of a document whose roots hang on a new node, the last one.
+// A copy of a document whose roots are children of a new node, the last one.
 //   transform  a rotation, the same scale along every axis, and a translation; world space
 //   joints     [J] the Character's, transformed
 // Throws Error for a document of several scenes, and one whose nodes are broken.
 std::shared_ptr<const GltfSource> transformed_document(const std::string& name, const GltfSource& source,
                                                        const Affine& transform, const std::vector<Joint>& joints);
 
-// A copy of a character's document with doubled vertices, in which corners name the vertices that they name now. All attributes and morph
+// A copy of a character's document with doubled vertices and the new vertices of corners. All attributes and morph
 // targets of a doubled vertex are those that it had; triangles become a list.
 //   face_vertices  [corners] of the Character, as the reader ordered them
 //   vertices       [V] of the Character, with the doubled ones: those have floats for positions moved to where they are now

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// COLLADA's lists of whole numbers, looked at before Assimp reads them: its reader never ends in a list with a character that belongs to no number.
+// Checks COLLADA's lists of whole numbers before Assimp reads them: its reader does not terminate in a list with a
+// character that is not part of a number.
 #ifndef SINEW_FORMATS_GLTF_COLLADA_LISTS_HPP
 #define SINEW_FORMATS_GLTF_COLLADA_LISTS_HPP
 

@@ -33,7 +33,7 @@ class PointFinder {
     for (const tinygltf::Primitive& primitive : mesh_.primitives) {
       out_.has_normals = out_.has_normals && primitive.attributes.count("NORMAL") != 0;
       out_.has_uvs = out_.has_uvs && primitive.attributes.count("TEXCOORD_0") != 0;
-      out_.has_colours = out_.has_colours && primitive.attributes.count("COLOR_0") != 0;
+      out_.has_colors = out_.has_colors && primitive.attributes.count("COLOR_0") != 0;
       out_.shapes.resize(std::max(out_.shapes.size(), primitive.targets.size()));
     }
     for (const tinygltf::Primitive& primitive : mesh_.primitives) read(primitive);
@@ -87,7 +87,7 @@ class PointFinder {
     std::vector<float> normals, uvs;
     if (out_.has_normals) normals = floats(primitive, "NORMAL", 3);
     if (out_.has_uvs) uvs = floats(primitive, "TEXCOORD_0", 2);
-    const std::vector<float> colours = out_.has_colours ? read_colours(primitive) : std::vector<float>();
+    const std::vector<float> colors = out_.has_colors ? read_colors(primitive) : std::vector<float>();
     const auto known = std::find(out_.materials.begin(), out_.materials.end(), primitive.material);
     const int32_t material = static_cast<int32_t>(known - out_.materials.begin());
     if (known == out_.materials.end()) out_.materials.push_back(primitive.material);
@@ -101,7 +101,7 @@ class PointFinder {
         if (out_.has_uvs)
           out_.uvs.push_back(static_cast<double>(uvs[2 * v])),
               out_.uvs.push_back(1 - static_cast<double>(uvs[2 * v + 1]));
-        append(colours, v, 4, &out_.colours);
+        append(colors, v, 4, &out_.colors);
       }
       out_.polygon_materials.push_back(material);
     }
@@ -111,14 +111,14 @@ class PointFinder {
     for (size_t i = 0; i < width && !from.empty(); ++i) to->push_back(static_cast<double>(from[width * v + i]));
   }
 
-  std::vector<float> read_colours(const tinygltf::Primitive& primitive) const {
+  std::vector<float> read_colors(const tinygltf::Primitive& primitive) const {
     const int accessor = primitive.attributes.at("COLOR_0");
     if (model_.accessors[static_cast<size_t>(accessor)].type == TINYGLTF_TYPE_VEC4)
       return floats(primitive, "COLOR_0", 4);
     std::vector<float> out;
-    const std::vector<float> colours = floats(primitive, "COLOR_0", 3);
-    for (size_t i = 0; i < colours.size(); ++i) {
-      out.push_back(colours[i]);
+    const std::vector<float> colors = floats(primitive, "COLOR_0", 3);
+    for (size_t i = 0; i < colors.size(); ++i) {
+      out.push_back(colors[i]);
       if (i % 3 == 2) out.push_back(1);
     }
     return out;

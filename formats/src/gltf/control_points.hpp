@@ -19,23 +19,23 @@ struct ControlShape {
   std::vector<double> moves, normals;  // [points x 3]
 };
 
-// Points are vertices that agree in place, weights and shapes; normals, texture coordinates and colours are their corners'.
+// Points are vertices that agree in place, weights and shapes; normals, texture coordinates and colors are their corners'.
 struct ControlPoints {
   std::string name, where;  // `where` is for messages
-  bool has_normals = true, has_uvs = true, has_colours = true;
-  std::vector<double> positions;              // [points x 3] in the mesh's own space
-  std::vector<std::vector<Influence>> rows;   // [points] joint of the node's skin, weight
-  std::vector<int32_t> corners;               // [triangles x 3] points
-  std::vector<double> normals, uvs, colours;  // [corners x 3, 2, 4]; v goes up
-  std::vector<int> materials;                 // glTF's, -1 none, in the order of their use
-  std::vector<int32_t> polygon_materials;     // [triangles] numbers in `materials`
+  bool has_normals = true, has_uvs = true, has_colors = true;
+  std::vector<double> positions;             // [points x 3] in the mesh's own space
+  std::vector<std::vector<Influence>> rows;  // [points] joint of the node's skin, weight
+  std::vector<int32_t> corners;              // [triangles x 3] points
+  std::vector<double> normals, uvs, colors;  // [corners x 3, 2, 4]; v goes up
+  std::vector<int> materials;                // glTF's, -1 none, in the order of their use
+  std::vector<int32_t> polygon_materials;    // [triangles] numbers in `materials`
   std::vector<ControlShape> shapes;
 };
 
 // Of a node that has a mesh. Throws Error naming `whose` for accessors that are broken.
 ControlPoints control_points(const std::string& whose, const tinygltf::Model& model, size_t node);
 
-// [N] 1: a joint of a skin, or what hangs on one without a mesh; without any skin what has no mesh below.
+// [N] 1: a joint of a skin, or its descendant without a mesh; without any skin a node without a mesh below.
 std::vector<char> scene_joints(const tinygltf::Model& model, const GltfNodes& nodes);
 
 // Where a skin's vertices stand: world x inverse bind matrix, which most joints agree on in the pose that the skin was bound in.

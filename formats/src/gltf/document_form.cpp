@@ -105,7 +105,7 @@ class FormApplier {
     }
     if (kept > 0)
       notes_.push_back(std::to_string(kept) + (kept == 1 ? " joint keeps its" : " joints keep their") +
-                       " axes: scaled unevenly or mirrored");
+                       " axes: nonuniform scale or mirrored");
   }
 
   // What stands before a node's own transform: A.
@@ -138,7 +138,7 @@ class FormApplier {
     }
     const NodeParts parts = parts_of(from);
     write_rotation(
-        normalised(multiply(multiply(quaternion_of(before(node)), parts.rotation), quaternion_of(after_[node]))),
+        normalized(multiply(multiply(quaternion_of(before(node)), parts.rotation), quaternion_of(after_[node]))),
         &json);
     if (from.translation.size() == 3) json["translation"] = rotated(before(node), parts.translation);
   }
@@ -290,7 +290,7 @@ class FormApplier {
     const int above = nodes_.parents[tops[0]];
     if (std::any_of(tops.begin(), tops.end(), [&](size_t top) { return nodes_.parents[top] != above; })) {
       notes_.push_back("no joint " + in_quotes(form_.root) +
-                       " was added: the skeleton's roots have different nodes above them");
+                       " was added: the skeleton's roots have different parent nodes");
       return;
     }
     const size_t root = document_["nodes"].size();

@@ -60,7 +60,7 @@ std::vector<std::vector<uint8_t>> load_buffers(const std::string& path, const st
     }
     if (uri.empty()) {
       if (!buffers.empty() || !is_glb(file))
-        throw Error(where + ": expected a uri, found none; only the first buffer of a GLB may lie in the file itself");
+        throw Error(where + ": expected a uri, found none; only the first buffer of a GLB may be in the file itself");
       bytes = binary_chunk(file);
     } else if (tinygltf::IsDataURI(uri)) {
       std::string type;

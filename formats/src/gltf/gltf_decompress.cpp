@@ -84,7 +84,7 @@ std::optional<std::vector<uint8_t>> decompress_gltf(const std::string& path, con
   CompressedGltf gltf;
   gltf.path = path;
   gltf.document = Json::parse(text.begin(), text.end(), nullptr, false);
-  if (!gltf.document.is_object()) return std::nullopt;  // the loader says what is wrong with it
+  if (!gltf.document.is_object()) return std::nullopt;  // the loader reports the error
   try {
     std::string found;
     for (const char* name : kCompressions) {
@@ -106,7 +106,7 @@ std::optional<std::vector<uint8_t>> decompress_gltf(const std::string& path, con
     if (found.empty()) return std::nullopt;
     std::vector<uint8_t> bytes = gather(&gltf);
     notes->push_back(
-        print("%s: read; a glTF output is written without it, %.0f kB of geometry instead of %.0f kB (%.1f "
+        print("%s: decompressed; a glTF output is written uncompressed, %.0f kB of geometry instead of %.0f kB (%.1f "
               "times as much)",
               found.c_str(), static_cast<double>(gltf.plain_bytes) / 1e3, static_cast<double>(gltf.packed_bytes) / 1e3,
               static_cast<double>(gltf.plain_bytes) / static_cast<double>(std::max<size_t>(1, gltf.packed_bytes))));

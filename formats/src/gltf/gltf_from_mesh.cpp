@@ -103,7 +103,7 @@ int add_floats(tinygltf::Model* model, const std::vector<float>& values, int com
 }
 
 // COLOR_0 in 16 bits: linear light has its steps where eyes see them least.
-int add_colours(tinygltf::Model* model, const Character& character, const SplitPrimitive& split) {
+int add_colors(tinygltf::Model* model, const Character& character, const SplitPrimitive& split) {
   std::vector<uint16_t> values;
   for (const SplitVertex& v : split.vertices) {
     for (const float channel : character.vertex_colors[v.vertex])
@@ -189,7 +189,7 @@ tinygltf::Primitive add_primitive(tinygltf::Model* model, const Character& chara
   primitive.attributes["NORMAL"] = add_floats(model, normals, 3, false);
   if (has_uvs) primitive.attributes["TEXCOORD_0"] = add_floats(model, uvs, 2, false);
   if (character.vertex_colors.size() == character.vertices.size())
-    primitive.attributes["COLOR_0"] = add_colours(model, character, split);
+    primitive.attributes["COLOR_0"] = add_colors(model, character, split);
 
   tinygltf::Accessor accessor;
   if (split.vertices.size() < 65535) {

@@ -27,7 +27,7 @@ GltfSource gltf_from_scene(const std::string& path) {
 #if !defined(SINEW_HAS_ASSIMP) && !defined(SINEW_SCENES_ELSEWHERE)
 
 std::vector<uint8_t> scene_to_glb(const std::string& path, std::vector<std::string>*) {
-  (void)read_file(path);  // a missing file is told as such
+  (void)read_file(path);  // reports a missing file as such
   throw Error(path + ": cannot read " + file_kind(path)->name +
               ", this sinew was built without Assimp; install libassimp-dev and build again, or export as .glb");
 }

@@ -13,8 +13,8 @@ namespace sinew {
 
 bool is_scene_file(const std::string& path);  // .fbx, .dae, .iqm
 
-// Mesh nodes, joints with their bind matrices, weights, UVs, normals, colours, blend shapes, materials with PNG and JPEG
-// pictures, animations of nodes; in metres, Y up. What is not carried over is in the notes. Joints are the nodes that move vertices, what
+// Mesh nodes, joints with their bind matrices, weights, UVs, normals, colors, blend shapes, materials with PNG and JPEG
+// pictures, animations of nodes; in meters, Y up. What is not transferred is in the notes. Joints are the nodes that move vertices, what
 // lies between them, and the leaves below them. Throws Error for what Assimp cannot read, and where it is not built in.
 GltfSource gltf_from_scene(const std::string& path);
 

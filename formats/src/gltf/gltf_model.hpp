@@ -21,11 +21,11 @@
 
 namespace sinew {
 
-// Where everything stands in the pose that the file's weights are meant for.
+// Node transforms in the bind pose of the file's weights.
 struct GltfBindPose {
   bool agrees = true;               // false: the inverse bind matrices know no common pose, see find_bind_pose()
-  bool moved = false;               // it is not the pose that the nodes stand in
-  std::vector<Affine> worlds;       // [nodes] of joints, and of nodes that hang on them
+  bool moved = false;               // the bind pose differs from the node transforms
+  std::vector<Affine> worlds;       // [nodes] of joints and their descendants
   std::vector<Affine> skin_frames;  // [skins] where a skin's vertices stand; worlds[joint] x inverse bind matrix
 };
 
@@ -40,7 +40,7 @@ struct GltfNodes {
 };
 GltfNodes gltf_nodes(const std::string& path, const tinygltf::Model& model);
 
-// Values of an accessor [count x components], sparse ones and normalised integers resolved. Throws Error naming `where`
+// Values of an accessor [count x components], sparse ones and normalized integers resolved. Throws Error naming `where`
 // when it is not of that many components, reaches outside of its buffer or holds a value that is not finite.
 std::vector<float> accessor_floats(const std::string& where, const tinygltf::Model& model, int accessor,
                                    int components);
@@ -56,8 +56,8 @@ std::vector<Affine> inverse_bind_matrices(const std::string& where, const tinygl
 std::vector<std::array<uint32_t, 3>> primitive_triangles(const std::string& where, const tinygltf::Model& model,
                                                          const tinygltf::Primitive& primitive, size_t vertex_count);
 
-// The pose that a glTF file's skins were bound in. Nodes stand in whatever pose the file was saved in, perhaps a frame
-// of an animation; the inverse bind matrices remember the other one.
+// The bind pose of a glTF file's skins. Node transforms are the pose in which the file was saved, perhaps a frame of
+// an animation; the inverse bind matrices give the bind pose.
 
 // How much weight the joints of each skin have in the meshes of the scene.
 using SkinWeights = std::vector<std::vector<double>>;  // [skins][joints of the skin]
@@ -68,7 +68,7 @@ constexpr double kSamePose = 1e-3;
 // Whether `a` and `b` do the same to the points within `size` of the origin's mesh box, see kSamePose.
 bool same_pose(const Affine& a, const Affine& b, const std::vector<Vec3>& box_corners, double size);
 
-// What a skin's joints do to its vertices while nobody moves them: world x inverse bind matrix.
+// Returns a skin's palette in the file's rest pose: world x inverse bind matrix.
 std::vector<Affine> skin_palette(const std::string& where, const tinygltf::Model& model, const GltfNodes& nodes,
                                  int skin);
 

@@ -44,7 +44,7 @@ class GltfMotionReader {
   Motion read() {
     if (model().animations.empty())
       throw Error(path_ + ": expected an animation, found none; the file has " + std::to_string(model().nodes.size()) +
-                  " nodes and " + std::to_string(character_.joints.size()) + " joints that stand still");
+                  " nodes and " + std::to_string(character_.joints.size()) + " joints without motion");
     read_clips();
     if (motion_.clips.empty())
       throw Error(path_ + ": expected an animation that moves the skeleton, found none in " +
@@ -60,8 +60,7 @@ class GltfMotionReader {
  private:
   void read_clips() {
     motion_.name = stem_of(path_);
-    if (humanoid_ && humanoid_->left_out)
-      motion_.notes.emplace_back("expressions and the direction of the eyes were left out");
+    if (humanoid_ && humanoid_->left_out) motion_.notes.emplace_back("expressions and eye directions were left out");
     for (size_t a = 0; a < model().animations.size(); ++a) read_tracks(a);
     choose_joints();
     for (size_t a = 0; a < model().animations.size(); ++a) read_clip(a);
@@ -98,15 +97,15 @@ class GltfMotionReader {
       if (known[sampler] == 0) track = read_track(name, model(), animation.samplers[sampler], width);
       known[sampler] = 1;
       if (track.width != width)
-        throw Error(name + ": expected a sampler of " + std::to_string(width) + " numbers a key, found one of " +
+        throw Error(name + ": expected a sampler of " + std::to_string(width) + " numbers per key, found one of " +
                     std::to_string(track.width));
       NodeTracks& node = animated_.back()[static_cast<size_t>(channel.target_node)];
       (turns ? node.rotation : channel.target_path == "scale" ? node.scale : node.translation) = &track;
     }
   }
 
-  // The skin's joints first; then animated nodes above or below them. Without a skin all animated nodes and what hangs on
-  // them without a mesh.
+  // The skin's joints first; then animated nodes above or below them. Without a skin all animated nodes and their
+  // descendants without a mesh.
   void choose_joints() {
     joint_of_node_.assign(model().nodes.size(), -1);
     std::vector<std::string> names;
@@ -205,7 +204,7 @@ class GltfMotionReader {
       return joint_of_node_[one.first] >= 0 || nodes_.in_scene[one.first] != 0;
     });
     if (!moves) {
-      motion_.notes.push_back("animation " + in_quotes(name_of(number)) + " moves no joint and was left out");
+      motion_.notes.push_back("animation " + in_quotes(name_of(number)) + " moves no joint, so it was left out");
       return;
     }
     double first = 0, last = 0;
@@ -226,7 +225,7 @@ class GltfMotionReader {
     if (!(count * static_cast<double>(motion_.joints.size()) <= static_cast<double>(kMostRotations)))
       throw Error(path_ + ": animation " + in_quotes(clip.name) + ": expected at most " +
                   std::to_string(kMostRotations) + " frames times joints, found " +
-                  print("%g seconds at %g frames a second", last - first, fps));
+                  print("%g seconds at %g frames per second", last - first, fps));
     const std::vector<size_t> nodes = order();
     for (size_t f = 0; f < static_cast<size_t>(count); ++f)
       clip.frames.push_back(frame_of(animated, nodes, first + static_cast<double>(f) / fps));
@@ -250,7 +249,7 @@ class GltfMotionReader {
       }
       NodeParts parts = parts_of(model().nodes[n]);
       const NodeTracks& moved = tracks->second;
-      if (moved.rotation != nullptr) parts.rotation = normalised(moved.rotation->sample(seconds));
+      if (moved.rotation != nullptr) parts.rotation = normalized(moved.rotation->sample(seconds));
       for (size_t i = 0; i < 3; ++i) {
         if (moved.translation != nullptr) parts.translation[i] = moved.translation->sample(seconds)[i];
         if (moved.scale != nullptr) parts.scale[i] = moved.scale->sample(seconds)[i];
@@ -272,7 +271,7 @@ class GltfMotionReader {
         const Affine& from = worlds[joint_nodes_[p]];
         for (size_t i = 0; i < 3; ++i) shift[i] -= from[4 * i + 3];
         shift = rotate(conjugate(turns[p]), shift);
-        turn = normalised(multiply(conjugate(turns[p]), turn));
+        turn = normalized(multiply(conjugate(turns[p]), turn));
       }
       frame.rotations.push_back(turn);
       frame.translations.push_back(shift);

@@ -91,7 +91,7 @@ class MotionWriter {
     document_["animations"].push_back(std::move(animation_));
   }
 
-  // Where the joints' nodes stand in a frame, in their parents.
+  // Transforms of the joints' nodes in a frame, relative to their parents.
   void add_frame(const MotionFrame& frame, std::vector<NodeTrack>* tracks) const {
     const std::vector<Affine> palette = motion_palette(motion_, frame, joints_.nodes.size());
     std::vector<Affine> worlds(order_.size());
@@ -107,7 +107,7 @@ class MotionWriter {
       const std::optional<Affine> back = inverse(above);
       if (!back)
         throw Error(path_ + ": cannot write an animation, a node above joint " + in_quotes(motion_.joints[j].name) +
-                    " is scaled to nothing");
+                    " has scale 0");
       add_parts(parts_of(multiply(*back, worlds[n]), parts_[n]), &(*tracks)[j]);
     }
   }
@@ -132,8 +132,8 @@ class MotionWriter {
     track->scales.push_back(scale);
   }
 
-  // A channel, unless the node stands so anyway; the first and the last key where nothing changes, so that the clip keeps its length. True where there
-  // is one.
+  // Adds a channel unless the node has this transform at rest; only the first and the last key if nothing changes, so
+  // that the clip keeps its length. Returns whether a channel was added.
   template <size_t N>
   bool add_track(size_t node, const char* what, const char* type, const std::vector<std::array<float, N>>& values,
                  const std::array<float, N>& rest, float tolerance, const std::vector<float>& times) {

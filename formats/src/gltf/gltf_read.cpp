@@ -21,7 +21,7 @@ namespace {
 using Row = std::vector<Influence>;
 
 // What makes two vertices of a mesh node one: the same position in the file and the same influences. UVs, normals and
-// colours may differ (seams); so may morph targets, which move both sides of a seam alike.
+// colors may differ (seams); so may morph targets, which move both sides of a seam alike.
 std::string weld_key(const float* position, const Row& row) {
   float xyz[3];
   for (size_t c = 0; c < 3; ++c) xyz[c] = position[c] + 0.0f;  // -0 becomes 0
@@ -44,7 +44,7 @@ void note_missing_pictures(const tinygltf::Model& model, std::vector<std::string
   if (count == 0) return;
   if (count > 3) names += " and " + std::to_string(count - 3) + " more";
   notes->push_back("warning: " + std::to_string(count) + (count == 1 ? " picture was" : " pictures were") +
-                   " not found: " + names + "; what is written names " + (count == 1 ? "it" : "them") +
+                   " not found: " + names + "; the output refers to " + (count == 1 ? "it" : "them") +
                    " as the input does");
 }
 

@@ -83,7 +83,7 @@ class SkinWriter {
     const std::optional<Affine> back = inverse(joint_worlds_[parent]);
     if (!back)
       throw Error(path_ + ": cannot write joint " + in_quotes(joint.name) + ", " +
-                  in_quotes(character_.joints[parent].name) + " above it is scaled to nothing");
+                  in_quotes(character_.joints[parent].name) + " above it has scale 0");
     const NodeParts parts = parts_of(multiply(*back, joint_worlds_.back()), NodeParts{});
     Json& nodes = document_["nodes"];
     const int number = static_cast<int>(nodes.size());
@@ -95,7 +95,7 @@ class SkinWriter {
     return number;
   }
 
-  // A rigid part that hangs on its joint needs no skin; neither does what nothing is bound to.
+  // A rigid part that is a child of its joint needs no skin; neither does what nothing is bound to.
   bool stays(size_t first, size_t last, int node) const {
     const bool skinned = source_.model.nodes[static_cast<size_t>(node)].skin >= 0;
     const int carrier = skinned || !keeps_joints_ ? -1 : joint_at_or_above(node);
@@ -287,7 +287,7 @@ class SkinWriter {
       const std::optional<Affine> back = inverse(joint_worlds_[joint]);
       if (!back)
         throw Error(path_ + ": cannot write a skin, joint " + in_quotes(character_.joints[joint].name) +
-                    " is scaled to nothing and has no inverse bind matrix");
+                    " has scale 0 and no inverse bind matrix");
       binds.resize(std::max(binds.size(), j + 1), kIdentity);
       binds[j] = multiply(*back, frame);
       changed = true;
@@ -354,7 +354,7 @@ class SkinWriter {
     for (const Json& node : document_["nodes"])
       if (node.contains("skin")) used[node["skin"].get<size_t>()] = 1;
     for (size_t s = 0; s < source_.model.skins.size(); ++s) {
-      bool was_used = !keeps_joints_;  // else one that nobody used before is none of ours
+      bool was_used = !keeps_joints_;  // else a skin that was unused is not the character's
       for (const tinygltf::Node& node : source_.model.nodes) was_used = was_used || node.skin == static_cast<int>(s);
       if (!was_used) used[s] = 1;
       if (used[s] == 0 && source_.model.skins[s].inverseBindMatrices >= 0)

@@ -54,7 +54,8 @@ std::shared_ptr<GltfSource> read_again(const std::string& name, GltfSource chang
 
 // Whether joints are still those of the file (`b`); one that had no parent there may have got one, see infer_parents().
 bool same_joints(const std::vector<Joint>& a, const std::vector<Joint>& b);
-// Whether joints begin with those of the file (`b`), in the sense of same_joints(), and all others hang on joints before them.
+// Returns whether joints begin with those of the file (`b`), in the sense of same_joints(), and all others are
+// descendants of these.
 bool has_joints(const std::vector<Joint>& a, const std::vector<Joint>& b);
 
 // Where a Character's joints are in a document.
@@ -63,7 +64,7 @@ struct GltfJoints {
   std::vector<Affine> worlds;  // [J] in the pose that the weights are meant for
 };
 // Gives the document's mesh nodes the skin that `character` describes (its influences are not empty). Nodes whose
-// vertices are all unbound, or which hang on a joint and belong to it alone, stay as they are.
+// vertices are all unbound, or which are children of a joint and follow it alone, are unchanged.
 GltfJoints write_gltf_skin(const std::string& path, const Character& character, bool unorm8, GltfSource* source);
 // Adds clips as animations of the joints, which are the motion's. Animations of the same name get a number.
 void write_gltf_motion(const std::string& path, const Motion& motion, const GltfJoints& joints, GltfSource* source);
@@ -88,9 +89,10 @@ void drop_unused_accessors(std::vector<int> candidates, GltfSource* source);
 bool drop_unused_view(size_t view, Json* document);
 // Removes an extension of the whole document, and its name from those used.
 void drop_extension(const char* name, Json* document);
-// Takes the skeleton that was read out of a document whose meshes got another one: nodes of joints with what hangs on them unless they hold a mesh, a
-// camera or a light, their animations, and what VRM's extensions and corrections say of joints. Nodes of `joints`, the new ones, and of the source's
-// parts get their new numbers. A document with extensions that may name nodes keeps the nodes.
+// Removes the skeleton that was read from a document whose meshes got another one: nodes of joints with their
+// descendants unless they hold a mesh, a camera or a light, their animations, and what VRM's extensions and
+// corrections say of joints. Nodes of `joints`, the new ones, and of the source's parts get their new numbers. A
+// document with extensions that may name nodes keeps the nodes.
 void drop_old_skeleton(GltfJoints* joints, GltfSource* source);
 
 // Puts a document into another form: changes its nodes, skins, animations and extras; `joints` are its joints before, and are not changed. Returns remarks.

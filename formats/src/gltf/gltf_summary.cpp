@@ -32,12 +32,12 @@ struct SkinVertices {
   std::vector<std::vector<uint32_t>> joints;
 };
 
-class Summariser {
+class Summarizer {
  public:
-  explicit Summariser(const std::string& path)
+  explicit Summarizer(const std::string& path)
       : path_(path), source_(load_gltf(path, read_file(path))), nodes_(gltf_nodes(path, source_.model)) {}
 
-  GltfSummary summarise() {
+  GltfSummary summarize() {
     summary_.generator = model().asset.generator;
     summary_.nodes = model().nodes.size();
     summary_.extensions_used = model().extensionsUsed;
@@ -274,6 +274,6 @@ class Summariser {
 
 }  // namespace
 
-GltfSummary summarise_gltf(const std::string& path) { return Summariser(path).summarise(); }
+GltfSummary summarize_gltf(const std::string& path) { return Summarizer(path).summarize(); }
 
 }  // namespace sinew

@@ -83,7 +83,7 @@ std::optional<Springs> springs_left(const std::string& path, const Character& ch
   }
 }
 
-// A glTF has y up: the roots of every scene hang on a node that turns z to it.
+// A glTF has y up: the roots of every scene become children of a node that rotates z to y.
 void raise_z(GltfJoints* joints, Json* document) {
   constexpr double kHalf = 0.70710678118654752440;
   std::map<size_t, size_t> raised;  // roots that several scenes show
@@ -190,11 +190,10 @@ void write_document(const std::string& path, const Character& character, const G
   GltfSource source = skinned_document(path, character, options, morphs, form, notes);
   if (options.springs != nullptr && has_extension(path, ".vrm") && is_vrm(source.document) &&
       !source.document["extensions"].contains("VRMC_vrm"))
-    throw Error(path +
-                ": cannot write springs into a VRM of 0.x, which keeps them elsewhere; --for vrm makes one of 1.0");
+    throw Error(path + ": cannot write springs into a VRM 0.x, sinew writes those of VRM 1.0; add --for vrm");
   if (has_extension(path, ".vrm") && !is_vrm(source.document))
     throw Error(path + ": cannot write a VRM, " + character.name +
-                " has none of its data (extension VRM or VRMC_vrm); --for vrm makes them, or write a .glb");
+                " has no VRM data (extension VRM or VRMC_vrm); add --for vrm, or write a .glb");
   try {
     const bool in_memory = source.in_memory || memory_outputs() != nullptr;  // no folder to share
     embed_images(path, !as_text || source.path.empty() || in_memory || !same_folder(path, source.path), &source);

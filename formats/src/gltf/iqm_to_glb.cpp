@@ -51,7 +51,7 @@ enum NumberFormat : uint32_t { kUnsignedByte = 1, kUnsignedInt = 5, kFloat = 7 }
 using Channels = std::array<double, 10>;
 
 Affine affine_of(const Channels& c) {
-  const Rotation r = rotation_of(normalised({c[3], c[4], c[5], c[6]}));
+  const Rotation r = rotation_of(normalized({c[3], c[4], c[5], c[6]}));
   Affine m{};
   for (size_t row = 0; row < 3; ++row) {
     for (size_t column = 0; column < 3; ++column) m[4 * row + column] = r[3 * row + column] * c[7 + column];
@@ -142,9 +142,9 @@ class IqmConverter {
       const Affine local = affine_of(rest);
       worlds.push_back(parent < 0 ? local : multiply(worlds[static_cast<size_t>(parent)], local));
       const std::optional<Affine> back = inverse(worlds.back());
-      if (!back) fail("joints that are not scaled to nothing", "joint " + in_quotes(text(number(place))));
+      if (!back) fail("joints with a scale other than 0", "joint " + in_quotes(text(number(place))));
       append_columns(*back, &binds);
-      const Quaternion rotation = normalised({rest[3], rest[4], rest[5], rest[6]});
+      const Quaternion rotation = normalized({rest[3], rest[4], rest[5], rest[6]});
       document()["nodes"].push_back({{"name", text(number(place))},
                                      {"translation", {rest[0], rest[1], rest[2]}},
                                      {"rotation", rotation},
@@ -275,7 +275,8 @@ class IqmConverter {
     double fps = real(place + 12, "animations");
     if (!(fps > 0)) {
       fps = kIqmFps;
-      source_.notes.push_back("animation " + in_quotes(name) + " says no rate, so 30 frames a second were guessed");
+      source_.notes.push_back("animation " + in_quotes(name) +
+                              " has no frame rate; 30 frames per second were assumed, so its speed may be wrong");
     }
     std::vector<float> times;
     std::vector<std::vector<Channels>> poses;
@@ -295,7 +296,7 @@ class IqmConverter {
         std::vector<float> values;
         for (const std::vector<Channels>& pose : poses) {
           Channels own = pose[j];
-          const Quaternion q = normalised({own[3], own[4], own[5], own[6]});
+          const Quaternion q = normalized({own[3], own[4], own[5], own[6]});
           std::copy(q.begin(), q.end(), own.begin() + 3);
           for (size_t i = 0; i < part.width; ++i) values.push_back(static_cast<float>(own[part.begin + i]));
         }

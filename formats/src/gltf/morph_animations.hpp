@@ -24,7 +24,7 @@ class MorphAnimations {
         source_(*source),
         document_(source->document) {}
 
-  // Of a node whose mesh had `before` targets and now has these shapes behind them.
+  // For a node whose mesh had `before` targets and gets these shapes after them.
   void write(size_t node, const std::vector<size_t>& shapes, size_t before);
   // Accessors that may be used no more.
   const std::vector<int>& orphans() const { return orphans_; }

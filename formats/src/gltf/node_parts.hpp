@@ -46,7 +46,7 @@ inline NodeParts parts_of(const tinygltf::Node& node) {
   if (node.scale.size() == 3) std::copy_n(node.scale.begin(), 3, parts.scale.begin());
   if (node.rotation.size() == 4) {
     std::copy_n(node.rotation.begin(), 4, parts.rotation.begin());
-    parts.rotation = normalised(parts.rotation);
+    parts.rotation = normalized(parts.rotation);
   }
   return parts;
 }

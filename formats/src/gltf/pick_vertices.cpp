@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-// A number as it stands in a file, normalised or not.
+// A number as stored in a file, normalized or not.
 double number_at(const uint8_t* at, int component_type) {
   const auto read = [at](auto value) {
     std::memcpy(&value, at, sizeof value);

@@ -23,15 +23,15 @@ namespace {
 
 // Corners of one place in a primitive are one vertex for the simplifier where they differ by no more than this. What differs more is a seam.
 constexpr float kNormalCosine = 0.94f;  // 20 degrees
-constexpr float kNear = 1e-3f;          // of texture coordinates and colours
+constexpr float kNear = 1e-3f;          // of texture coordinates and colors
 // A level with more triangles than this many times the wanted is made again without seams.
 constexpr double kMissed = 1.1;
 
 // A primitive's vertices among those of all, and what they have, tightly packed; empty: nothing.
 struct Range {
   size_t part, mesh, first, count;
-  std::vector<float> places, normals, uvs, colours;  // 3, 3, 2 and `colour_width` a vertex
-  size_t colour_width = 4;
+  std::vector<float> places, normals, uvs, colors;  // 3, 3, 2 and `color_width` a vertex
+  size_t color_width = 4;
 };
 
 class Reducer {
@@ -91,9 +91,9 @@ class Reducer {
     range.normals = values("NORMAL", 3);
     range.uvs = values("TEXCOORD_0", 2);
     if (const auto found = primitive.attributes.find("COLOR_0"); found != primitive.attributes.end()) {
-      range.colour_width =
+      range.color_width =
           read_.model.accessors.at(static_cast<size_t>(found->second)).type == TINYGLTF_TYPE_VEC3 ? 3 : 4;
-      range.colours = values("COLOR_0", range.colour_width);
+      range.colors = values("COLOR_0", range.color_width);
     }
     return range;
   }
@@ -109,8 +109,8 @@ class Reducer {
     return vectors[3 * a] * b[0] + vectors[3 * a + 1] * b[1] + vectors[3 * a + 2] * b[2];
   }
 
-  // [all vertices] the first vertex of its primitive that is the same: at one place with one row of weights, and alike in what else it has, or
-  // whatever else it has.
+  // [all vertices] the first vertex of its primitive with the same position and weights, and either with the same
+  // other attributes or with any.
   std::vector<unsigned> same_vertices(bool whatever) {
     std::vector<unsigned> same(welded_.size());
     copies_.assign(welded_.size(), {});
@@ -121,7 +121,7 @@ class Reducer {
         std::vector<size_t>& firsts = known[welded_[range.first + v]];
         const auto found = std::find_if(firsts.begin(), firsts.end(), [&](size_t first) {
           return whatever ||
-                 (near(range.uvs, 2, first, v) && near(range.colours, range.colour_width, first, v) &&
+                 (near(range.uvs, 2, first, v) && near(range.colors, range.color_width, first, v) &&
                   (range.normals.empty() || cosine(range.normals, first, &range.normals[3 * v]) > kNormalCosine));
         });
         const size_t first = found == firsts.end() ? v : *found;
@@ -133,7 +133,8 @@ class Reducer {
     return same;
   }
 
-  // Corners of the triangles that are left, first vertices alone: the simplifier takes others at one place for a seam, used or not.
+  // Corners of the triangles that are left, first vertices alone: the simplifier treats others at the same position
+  // as a seam, used or not.
   std::vector<unsigned> simplified(const std::vector<unsigned>& same, size_t wanted) const {
     std::vector<unsigned> firsts, number(same.size(), 0), joined;
     std::vector<float> positions;
@@ -260,7 +261,9 @@ std::vector<uint8_t> reduced_glb(const std::string& name, const Character& chara
   return Reducer(name, *character.gltf, positions).reduce(share);
 #else
   (void)share;
-  throw Error(name + ": this build leaves out no triangles; build with meshoptimizer (libmeshoptimizer-dev)");
+  throw Error(name +
+              ": cannot reduce triangles, this sinew was built without meshoptimizer; install libmeshoptimizer-dev and "
+              "build again");
 #endif
 }
 

@@ -88,7 +88,8 @@ class AnimationConverter {
     const aiAnimation& first = *parts_.front();
     if (!is_text(name_)) {
       name_ = "animation_" + std::to_string(number);
-      if (!from.name.empty()) source_.notes.push_back("an animation's name is no text; it is called " + name_);
+      if (!from.name.empty())
+        source_.notes.push_back("the name of an animation is not text; it was renamed to " + name_);
     }
     where_ = path + ": animation " + in_quotes(name_);
     ticks_ = ticks_of(first);
@@ -108,10 +109,11 @@ class AnimationConverter {
       std::stable_sort(channels.begin(), channels.end(),
                        [](const aiNodeAnim* a, const aiNodeAnim* b) { return key_count(*a) > key_count(*b); });
     for (const aiNodeAnim* channel : channels) add_channel(*channel);
-    if (moves_root_) source_.notes.push_back("animation " + in_quotes(name_) + ": the scene's own root stays still");
-    if (shapes) source_.notes.push_back("animation " + in_quotes(name_) + ": blend shapes stay still");
+    if (moves_root_)
+      source_.notes.push_back("animation " + in_quotes(name_) + ": motion of the scene root was left out");
+    if (shapes) source_.notes.push_back("animation " + in_quotes(name_) + ": blend shape weights were left out");
     if (animation_["channels"].empty())
-      source_.notes.push_back("animation " + in_quotes(name_) + " moves no node and was left out");
+      source_.notes.push_back("animation " + in_quotes(name_) + " moves no node, so it was left out");
     else
       source_.document["animations"].push_back(std::move(animation_));
   }

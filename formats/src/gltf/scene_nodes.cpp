@@ -44,9 +44,9 @@ class NodeFinder {
   }
 
  private:
-  // FBX names its axes and counts in centimetres by a factor; Assimp leaves both to us. (COLLADA's and MD5's are in the
+  // FBX names its axes and counts in centimeters by a factor; Assimp leaves both to us. (COLLADA's and MD5's are in the
   // root.)
-  Affine to_metres_and_y_up() const {
+  Affine to_meters_and_y_up() const {
     if (has_extension(path_, ".smd")) return {1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0};  // Z is up
     if (!has_extension(path_, ".fbx") || scene_.mMetaData == nullptr) return kIdentity;
     float factor = 1;
@@ -86,7 +86,7 @@ class NodeFinder {
     for (size_t n = 0; n < nodes_.size(); ++n) {
       const aiNode& node = *nodes_[n].node;
       Affine local = affine_of(node.mTransformation);
-      if (n == 0) local = multiply(to_metres_and_y_up(), local);
+      if (n == 0) local = multiply(to_meters_and_y_up(), local);
       if (!is_finite(local))
         throw Error(path_ + ": node " + in_quotes(node.mName.C_Str()) + ": expected a finite transform, found another");
       out_.locals.push_back(local);
@@ -101,8 +101,8 @@ class NodeFinder {
     }
   }
 
-  // Assimp says a bone's name alone. Of several nodes with that name it is one that is no mesh, no locator and, of those, the one that stands where the
-  // bone was bound.
+  // Assimp has only a bone's name. Of several nodes with that name it is one that is not a mesh or locator, at the
+  // position where the bone was bound.
   size_t node_of(const aiBone& bone, const aiMesh& mesh, size_t mesh_node) const {
     const auto [begin, end] = all_by_name_.equal_range(bone.mName.C_Str());
     if (begin == end)
@@ -163,7 +163,7 @@ class NodeFinder {
             !(node.meshes_below && nodes_[static_cast<size_t>(node.parent)].parent < 0 && node.node->mNumChildren == 0);
       else if (node.bones_below)  // hips without weights: the branches meet there
         node.joint = below_bone[n] != 0 || (fbx ? !node.not_a_joint : branches[n] > 1 && !node.meshes_below);
-      else  // leaves, and what they hang on
+      else  // leaves and their ancestors
         node.joint = nodes_[static_cast<size_t>(node.parent)].joint && !node.meshes_below && !node.not_a_joint;
     }
     for (size_t n = 0; n < nodes_.size(); ++n)
@@ -184,7 +184,7 @@ class NodeFinder {
 
 SceneNodes find_scene_nodes(const std::string& path, const aiScene& scene) { return NodeFinder(path, scene).find(); }
 
-// Colours, opacity and pictures; what no glTF material has is left out.
+// Colors, opacity and pictures; what no glTF material has is left out.
 
 namespace {
 
@@ -197,10 +197,10 @@ class MaterialWriter {
     aiString name;
     (void)from.Get(AI_MATKEY_NAME, name);
     std::array<float, 4> base = {1, 1, 1, 1};
-    aiColor3D colour;
-    if (from.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS) base = {colour.r, colour.g, colour.b, 1};
+    aiColor3D color;
+    if (from.Get(AI_MATKEY_COLOR_DIFFUSE, color) == AI_SUCCESS) base = {color.r, color.g, color.b, 1};
     float opacity = 1;
-    // 0 is what exporters write who mean the opposite: nobody exports an invisible body.
+    // Exporters that write 0 mean the opposite: an exported body is visible.
     if (from.Get(AI_MATKEY_OPACITY, opacity) == AI_SUCCESS && opacity > 0 && opacity < 1) base[3] = opacity;
     Json material = {{"name", name.C_Str()}};
     const int texture = texture_of(from, {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}, false);
@@ -233,11 +233,11 @@ class MaterialWriter {
           picture = std::make_shared<std::vector<uint8_t> >(bytes, bytes + inside->mWidth);
         else
           source_.notes.push_back("embedded picture " + in_quotes(name.C_Str()) +
-                                  " is no PNG or JPEG and was left out");
+                                  " is not a PNG or JPEG, so the output lacks it; convert it");
       } else {
         picture = pictures_.find(name.C_Str());
       }
-      if (!picture || (normals && is_grey(*picture))) return -1;
+      if (!picture || (normals && is_gray(*picture))) return -1;
       source_.bytes.resize((source_.bytes.size() + 3) / 4 * 4);
       source_.document["bufferViews"].push_back(
           {{"buffer", 0}, {"byteOffset", source_.bytes.size()}, {"byteLength", picture->size()}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts of a scene that Assimp read: its nodes, in metres with Y up, and which of them are joints; its materials and animations as a glTF
+// Parts of a scene that Assimp read: its nodes, in meters with Y up, and which of them are joints; its materials and animations as a glTF
 // document's. Only where the build has Assimp.
 #ifndef SINEW_FORMATS_GLTF_SCENE_NODES_HPP
 #define SINEW_FORMATS_GLTF_SCENE_NODES_HPP
@@ -22,7 +22,7 @@ struct SceneNode {
   bool bone = false;          // moves vertices
   bool bones_below = false;   // itself not counted
   bool meshes_below = false;  // itself counted
-  bool not_a_joint = false;   // a locator, a camera, a light; FBX says so, COLLADA does not
+  bool not_a_joint = false;   // a locator, a camera, a light; known from FBX, not from COLLADA
   bool joint = false;
   std::map<int, Affine> binds = {};  // by mesh node
 };
@@ -43,12 +43,12 @@ SceneNodes find_scene_nodes(const std::string& path, const aiScene& scene);
 Affine affine_of(const aiMatrix4x4& matrix);
 bool is_finite(const Affine& transform);
 
-// Adds all materials, in their order. Pictures that are missing or of another kind than PNG and JPEG are told in its notes.
+// Adds all materials, in their order. Its notes list pictures that are missing or not PNG or JPEG.
 void add_scene_materials(const std::string& path, const aiScene& scene, GltfSource* source);
 
-// Adds every animation that moves a node of the document; the others are told in its notes. Nodes are found by name and number, 0 is the
-// scene's root, which stays. Keys are those of the file, from the first one on; a track that stands still has its first and last.
-// Throws Error for numbers that are not finite.
+// Adds every animation that moves a node of the document; its notes list the others. Nodes are found by name and
+// number, 0 is the scene's root, which stays. Keys are those of the file, from the first one on; a track that stands
+// still has its first and last. Throws Error for numbers that are not finite.
 void add_scene_animations(const std::string& path, const aiScene& scene, const std::map<std::string, size_t>& nodes,
                           GltfSource* source);
 

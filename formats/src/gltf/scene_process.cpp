@@ -129,8 +129,8 @@ std::string read_all(int end, pid_t child, size_t seconds) {
 std::string why_dead(int status, const SceneLimits& limits) {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGXCPU)
-    return "Assimp reads without an end, stopped after " + std::to_string(limits.cpu_seconds) + " s";
-  return signal == SIGKILL ? "Assimp reads without an end, stopped" : "Assimp does not survive";
+    return "Assimp does not finish reading, stopped after " + std::to_string(limits.cpu_seconds) + " s";
+  return signal == SIGKILL ? "Assimp does not finish reading, stopped" : "Assimp crashes on";
 }
 
 }  // namespace
@@ -138,7 +138,8 @@ std::string why_dead(int status, const SceneLimits& limits) {
 SceneBytes convert_in_child(const std::string& path, const std::string& kind, const SceneLimits& limits,
                             const std::function<SceneBytes()>& convert) {
   int ends[2] = {-1, -1};
-  if (pipe(ends) != 0) throw Error(path + ": cannot read, the system gives no pipe; close other files and try again");
+  if (pipe(ends) != 0)
+    throw Error(path + ": cannot read, the system has no free pipe; close other files and try again");
   std::fflush(stdout);
   const pid_t child = fork();
   if (child == 0) {
@@ -149,7 +150,7 @@ SceneBytes convert_in_child(const std::string& path, const std::string& kind, co
   (void)close(ends[1]);
   if (child < 0) {
     (void)close(ends[0]);
-    throw Error(path + ": cannot read, the system gives no process; end others and try again");
+    throw Error(path + ": cannot read, the system cannot start a process; end others and try again");
   }
   const std::string message = read_all(ends[0], child, limits.whole_seconds);
   (void)close(ends[0]);

@@ -165,7 +165,7 @@ class SceneConverter {
     if (target_counts.size() > 1) {  // glTF: all primitives of a mesh have the same
       for (Json& primitive : primitives) primitive.erase("targets");
       source_.notes.push_back("blend shapes of " + in_quotes(node.mName.C_Str()) +
-                              " were left out: its parts have different ones");
+                              " were left out: its parts have different blend shapes");
     } else if (!target_names.empty()) {
       mesh["extras"] = {{"targetNames", target_names}};
     }
@@ -245,7 +245,7 @@ class SceneConverter {
     const IndexedVertices joined = join(mesh, rows);
     if (joined.first.empty()) return primitive;
     Json attributes;
-    std::vector<float> positions, normals, uvs, colours;
+    std::vector<float> positions, normals, uvs, colors;
     for (const unsigned v : joined.first) {
       const aiVector3D& p = mesh.mVertices[v];
       if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
@@ -263,15 +263,15 @@ class SceneConverter {
         uvs.insert(uvs.end(), {number(uv.x), number(1 - uv.y)});
       }
       if (mesh.HasVertexColors(0)) {
-        const aiColor4D& colour = mesh.mColors[0][v];
-        for (const float channel : {colour.r, colour.g, colour.b, colour.a})
-          colours.push_back(std::clamp(number(channel), 0.0f, 1.0f));
+        const aiColor4D& color = mesh.mColors[0][v];
+        for (const float channel : {color.r, color.g, color.b, color.a})
+          colors.push_back(std::clamp(number(channel), 0.0f, 1.0f));
       }
     }
     attributes["POSITION"] = add_vectors(&source_, positions, 3, true);
     if (!normals.empty()) attributes["NORMAL"] = add_vectors(&source_, normals, 3, false);
     if (!uvs.empty()) attributes["TEXCOORD_0"] = add_vectors(&source_, uvs, 2, false);
-    if (!colours.empty()) attributes["COLOR_0"] = add_vectors(&source_, colours, 4, false);
+    if (!colors.empty()) attributes["COLOR_0"] = add_vectors(&source_, colors, 4, false);
     add_weights(joined, rows, &attributes);
     primitive = {{"attributes", attributes}};
     primitive["indices"] = add_accessor(&source_, joined.indices.data(), joined.indices.size() * 4, "SCALAR",
@@ -338,7 +338,7 @@ const aiScene* import(const std::string& path, bool names_for_people, Assimp::Im
   importer->SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
   importer->SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   importer->SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, names_for_people);
-#ifdef AI_CONFIG_IMPORT_FBX_IGNORE_UP_AXIS_DIRECTION  // Assimp after 5.2 turns it itself unless told not to
+#ifdef AI_CONFIG_IMPORT_FBX_IGNORE_UP_AXIS_DIRECTION  // Assimp after 5.2 rotates it by default
   importer->SetPropertyBool(AI_CONFIG_IMPORT_FBX_IGNORE_UP_AXIS_DIRECTION, true);
 #endif
   const aiScene* scene = importer->ReadFile(path, aiProcess_Triangulate);
@@ -346,7 +346,7 @@ const aiScene* import(const std::string& path, bool names_for_people, Assimp::Im
   const std::string reason = importer->GetErrorString();
   if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
   throw Error(path + ": expected " + file_kind(path)->name + ", found a file that Assimp does not read: " +
-              one_line(reason) + "; open it in Blender and write what that reads: File > Export > glTF 2.0");
+              one_line(reason) + "; open it in Blender and export it: File > Export > glTF 2.0");
 }
 
 SceneBytes convert_scene(const std::string& path, Assimp::Importer* importer) {
@@ -361,9 +361,9 @@ SceneBytes convert_scene(const std::string& path, Assimp::Importer* importer) {
     throw;
   } catch (const std::bad_alloc&) {
     throw Error(path + ": expected " + file_kind(path)->name +
-                ", found a file that asks for more memory than one of its size may have; export it again");
+                ", found a file that needs more memory than one of its size may; export it again");
   } catch (const std::exception& error) {
-    throw Error(path + ": expected a whole scene, found one that does not read: " + one_line(error.what()));
+    throw Error(path + ": expected a complete scene, found errors: " + one_line(error.what()));
   }
 }
 
@@ -374,7 +374,7 @@ std::vector<uint8_t> scene_to_glb(const std::string& path, std::vector<std::stri
   if (file.empty()) throw Error(path + ": expected a scene, found an empty file");
   if (has_extension(path, ".dae")) check_collada_lists(path, file);
   try {
-    Assimp::Importer importer;  // here: a library that is missing says so, and one that is there is loaded once
+    Assimp::Importer importer;              // here: a missing library is reported, and an available one is loaded once
     importer.SetIOHandler(new SceneFiles);  // the importer deletes it
     SceneBytes scene = convert_in_child(path, file_kind(path)->name, scene_limits(file.size()),
                                         [&] { return convert_scene(path, &importer); });

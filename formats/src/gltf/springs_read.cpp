@@ -160,7 +160,7 @@ class SpringReader {
     const Point3 normal = vector(here, *shape, "normal", {0, 0, 1});
     made.radius = plane ? 0 : number(here, *shape, "radius", 0, 0, kAny);
     if (joint < 0) {
-      out_.notes.push_back("collider on " + node_name(on) + " hangs on no joint and is left out");
+      out_.notes.push_back("collider on " + node_name(on) + " has no ancestor joint, so it was left out");
       return;
     }
     made.joint = static_cast<size_t>(joint);
@@ -227,7 +227,7 @@ class SpringReader {
       const std::string here = where + ".joints[" + std::to_string(i) + "]";
       const size_t at = node(here, joints[i]);
       if (i > 0 && !is_below(at, joints[i - 1]["node"].get<size_t>())) {
-        out_.notes.push_back(here + ": " + node_name(at) + " does not hang below " +
+        out_.notes.push_back(here + ": " + node_name(at) + " is not a descendant of " +
                              node_name(joints[i - 1]["node"].get<size_t>()) + "; the chain ends before it");
         break;
       }

@@ -185,8 +185,8 @@ void forget_joints(Json* document) {
   for (const char* name : {"VRMC_springBone", "VRMC_node_constraint"}) drop_extension(name, document);
 }
 
-// Old joints and what hangs on them that hold nothing: no mesh, no camera, no light, no joint that a skin still has. Nodes above them go as
-// well when nothing else hung on those.
+// Old joints and their descendants that hold nothing: no mesh, no camera, no light, no joint that a skin still has.
+// Ancestors without other children are removed too.
 std::set<size_t> bare_nodes(const std::vector<tinygltf::Skin>& old_skins, const Json& document) {
   const Json& nodes = document["nodes"];
   std::vector<int> parents(nodes.size(), -1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Humanoid nodes of a VRM animation read; a VRM's licence, bones and extension written.
+// Humanoid nodes of a VRM animation read; a VRM's license, bones and extension written.
 #include "gltf/vrm.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ class HumanoidReader {
     if (bones == nullptr || bones->empty()) fail("humanoid.humanBones", "none");
     for (const auto& [name, bone] : bones->items())
       if (!nodes_.bones.emplace(static_cast<size_t>(node_of("humanBones." + name, bone)), name).second)
-        fail("a node of its own for every bone", "one that is two, " + in_quotes(name));
+        fail("a separate node for each bone", "one node for two, " + in_quotes(name));
     const Json* const expressions = member(extension, "expressions");
     for (const char* list : {"preset", "custom"})
       if (const Json* const named = member(expressions, list))
@@ -94,14 +94,14 @@ std::vector<std::string> vrm_file_bones(const Character& character) {
 namespace {
 
 // A member of meta and its words; none: a text.
-struct LicenceWord {
+struct LicenseWord {
   const char* key;
   std::vector<std::string> values;
 };
 
-const std::vector<LicenceWord>& licence_words() {
+const std::vector<LicenseWord>& license_words() {
   static const std::vector<std::string> kYesNo = {"true", "false"};
-  static const std::vector<LicenceWord> kWords = {
+  static const std::vector<LicenseWord> kWords = {
       {"avatarPermission", {"onlyAuthor", "onlySeparatelyLicensedPerson", "everyone"}},
       {"commercialUsage", {"personalNonProfit", "personalProfit", "corporation"}},
       {"creditNotation", {"required", "unnecessary"}},
@@ -131,9 +131,9 @@ Json meta_of(const VrmData& vrm, Json meta) {
   if (!vrm.title.empty() || !meta.contains("name")) meta["name"] = vrm.title.empty() ? vrm.file_name : vrm.title;
   if (!vrm.authors.empty()) meta["authors"] = vrm.authors;
   meta["licenseUrl"] = "https://vrm.dev/licenses/1.0/";
-  for (const auto& [key, value] : vrm.licence) {
+  for (const auto& [key, value] : vrm.license) {
     if (key == "licenseName")
-      throw Error("licence licenseName: a word of VRM 0.x; 1.0 has no names of licences, say what is allowed");
+      throw Error("license licenseName: a term of VRM 0.x; VRM 1.0 has no license names, give permissions");
     if (key.rfind("allow", 0) == 0)
       meta[key] = value == "true";
     else
@@ -146,9 +146,9 @@ Json meta_of(const VrmData& vrm, Json meta) {
 VrmData with_meta(VrmData vrm, const Json& meta) {
   if (vrm.title.empty()) vrm.title = meta.value("name", std::string());
   if (vrm.authors.empty()) vrm.authors = meta.value("authors", std::vector<std::string>());
-  for (const LicenceWord& word : licence_words())
-    if (meta.contains(word.key) && vrm.licence.count(word.key) == 0)
-      vrm.licence[word.key] = meta[word.key].is_string() ? meta[word.key].get<std::string>() : meta[word.key].dump();
+  for (const LicenseWord& word : license_words())
+    if (meta.contains(word.key) && vrm.license.count(word.key) == 0)
+      vrm.license[word.key] = meta[word.key].is_string() ? meta[word.key].get<std::string>() : meta[word.key].dump();
   return vrm;
 }
 
@@ -178,11 +178,11 @@ std::map<std::string, int> humanoid_nodes(const std::string& path, const VrmData
   std::vector<std::string> missing;
   for (const std::string& bone : vrm_required_bones(vrm.zero))
     if (bones.count(bone) == 0) missing.push_back(bone);
-  if (!missing.empty()) throw Error(path + ": cannot write a VRM, it has no " + joined(missing, ", "));
+  if (!missing.empty()) throw Error(path + ": cannot write a VRM, the skeleton lacks " + joined(missing, ", "));
   return bones;
 }
 
-std::map<std::string, std::string> parse_vrm_licence(const std::string& text) {
+std::map<std::string, std::string> parse_vrm_license(const std::string& text) {
   std::map<std::string, std::string> out;
   if (text.rfind("http://", 0) == 0 || text.rfind("https://", 0) == 0) return {{"otherLicenseUrl", text}};
   for (size_t from = 0; from < text.size();) {
@@ -190,19 +190,19 @@ std::map<std::string, std::string> parse_vrm_licence(const std::string& text) {
     const std::string key = text.substr(from, std::min(equals, end) - from),
                       value = equals < end ? text.substr(equals + 1, end - equals - 1) : "";
     std::vector<std::string> keys;
-    const LicenceWord* word = nullptr;
-    for (const LicenceWord& one : licence_words()) {
+    const LicenseWord* word = nullptr;
+    for (const LicenseWord& one : license_words()) {
       keys.emplace_back(one.key);
       if (key == one.key) word = &one;
     }
     if (word == nullptr)
-      throw Error("licence " + in_quotes(key) + ": expected a web address, or KEY=VALUE with one of " +
+      throw Error("license " + in_quotes(key) + ": expected a web address, or KEY=VALUE with one of " +
                   joined(keys, ", "));
     const bool known = word->values.empty()
                            ? !value.empty()
                            : std::find(word->values.begin(), word->values.end(), value) != word->values.end();
     if (!known)
-      throw Error("licence " + key + "=" + value + ": expected " +
+      throw Error("license " + key + "=" + value + ": expected " +
                   (word->values.empty() ? "a text" : joined(word->values, ", ")));
     out[key] = value;
     from = end + 1;
@@ -213,8 +213,7 @@ std::map<std::string, std::string> parse_vrm_licence(const std::string& text) {
 namespace {
 
 constexpr const char* kNobody = "unknown";
-constexpr const char* kNoAuthor =
-    "warning: nobody is named as the author of this VRM, so it says \"unknown\"; name one by --author";
+constexpr const char* kNoAuthor = "warning: the VRM has no author, so it names \"unknown\"; give --author";
 
 void add_vrm_one(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes, Json* document,
                  std::vector<std::string>* notes) {
@@ -242,7 +241,7 @@ void add_vrm_zero(const std::string& path, VrmData vrm, const std::vector<int>& 
     notes->emplace_back(kNoAuthor);
   }
   if (document->contains(Json::json_pointer("/extensions/VRMC_springBone")))
-    notes->emplace_back("springs of VRM 1.0 were left out: sinew does not write those of 0.x");
+    notes->emplace_back("springs of VRM 1.0 were left out: sinew does not write springs of VRM 0.x");
   for (const char* newer : {"VRMC_vrm", "VRMC_springBone"}) drop_extension(newer, document);
   (*document)["extensions"]["VRM"] = std::move(zero);
 }

@@ -17,7 +17,7 @@ namespace sinew {
 
 struct HumanoidNodes {
   std::map<size_t, std::string> bones;  // by node: "leftUpperArm"
-  std::set<int> others;                 // nodes whose movement stands for an expression or for where the eyes look
+  std::set<int> others;                 // nodes whose movement represents an expression or for where the eyes look
   bool left_out = false;                // some animation moves one of these
 
   const std::string* bone(size_t node) const {
@@ -34,14 +34,16 @@ std::optional<HumanoidNodes> read_humanoid_nodes(const std::string& path, const 
 struct GltfSource;
 
 //   joint_nodes  [J]
-// Of VRM 1.0: expressions, look-at, first person and meta of a document that has VRMC_vrm already stay, but for what `vrm` says otherwise; humanoid is
-// the new one. A document with the older extension VRM loses it, see turn_vrm_zero_into_one(). Of 0.x the other way round: expressions and meta of
-// VRMC_vrm become those of 0.x, its springs are left out. Returns remarks for the user. Throws Error where a required bone is missing or named twice.
+// Of VRM 1.0: expressions, look-at, first person and meta of a document that has VRMC_vrm already stay, but for what
+// `vrm` says otherwise; humanoid is the new one. A document with the older extension VRM loses it, see
+// turn_vrm_zero_into_one(). For 0.x the reverse: expressions and meta of VRMC_vrm become those of 0.x, its
+// springs are left out. Returns remarks for the user. Throws Error where a required bone is missing or named twice.
 std::vector<std::string> add_vrm(const std::string& path, const VrmData& vrm, const std::vector<int>& joint_nodes,
                                  GltfSource* source);
 
-// Replaces an extension VRM of 0.x, if there is one and no newer, by VRMC_vrm and VRMC_springBone, whose chains get nodes at their ends. Vectors are in the axes
-// that joints have in the file, names of bones those of 0.x: put_into_form() and add_vrm() follow. Returns remarks for the user.
+// Replaces an extension VRM of 0.x, if there is one and no newer, by VRMC_vrm and VRMC_springBone, whose chains get
+// nodes at their ends. Vectors are in the axes that joints have in the file, names of bones those of 0.x:
+// put_into_form() and add_vrm() follow. Returns remarks for the user.
 std::vector<std::string> turn_vrm_zero_into_one(nlohmann::json* document);
 // VRMC_springBone, or null where nothing swings.
 nlohmann::json vrm_springs_of_zero(const nlohmann::json& secondary_animation, nlohmann::json* document);

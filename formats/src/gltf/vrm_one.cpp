@@ -18,20 +18,20 @@ std::string text_in(const Json& object, const char* key) {
 
 // What others may do. Words of 0.x that say less than 1.0 asks for become the strictest that they can mean.
 void add_permissions(const Json& zero, Json* meta) {
-  const std::string who = text_in(zero, "allowedUserName"), licence = text_in(zero, "licenseName");
+  const std::string who = text_in(zero, "allowedUserName"), license = text_in(zero, "licenseName");
   const auto allows = [&](const char* key) { return text_in(zero, key) == "Allow"; };
   (*meta)["avatarPermission"] = who == "Everyone"                   ? "everyone"
                                 : who == "ExplicitlyLicensedPerson" ? "onlySeparatelyLicensedPerson"
                                                                     : "onlyAuthor";
   (*meta)["allowExcessivelyViolentUsage"] = allows("violentUssageName");
   (*meta)["allowExcessivelySexualUsage"] = allows("sexualUssageName");
-  const bool sells = allows("commercialUssageName") && licence.find("_NC") == std::string::npos;
+  const bool sells = allows("commercialUssageName") && license.find("_NC") == std::string::npos;
   (*meta)["commercialUsage"] = sells ? "personalProfit" : "personalNonProfit";
-  const bool open = licence.rfind("CC", 0) == 0;
-  (*meta)["creditNotation"] = licence == "CC0" ? "unnecessary" : "required";
+  const bool open = license.rfind("CC", 0) == 0;
+  (*meta)["creditNotation"] = license == "CC0" ? "unnecessary" : "required";
   (*meta)["allowRedistribution"] = open;
   (*meta)["modification"] =
-      open && licence.find("_ND") == std::string::npos ? "allowModificationRedistribution" : "prohibited";
+      open && license.find("_ND") == std::string::npos ? "allowModificationRedistribution" : "prohibited";
 }
 
 Json meta_of_zero(const Json& zero, const Json& document) {
@@ -58,7 +58,7 @@ Json nodes_with_mesh(const Json& document, const Json& mesh) {
   return found;
 }
 
-// A colour or the place of a texture; false for a property of a shader that 1.0 has no word for.
+// Converts a color or a texture transform; false for a shader property without an equivalent in 1.0.
 bool add_material_bind(const Json& value, const Json& document, Json* expression) {
   const std::string property = text_in(value, "propertyName");
   const std::vector<double> target = value.value("targetValue", std::vector<double>());
@@ -67,12 +67,12 @@ bool add_material_bind(const Json& value, const Json& document, Json* expression
   while (material < materials.size() && text_in(materials[material], "name") != text_in(value, "materialName"))
     ++material;
   if (material == materials.size() || target.size() < 4) return false;
-  constexpr std::array<std::array<const char*, 2>, 5> kColours = {{{"_Color", "color"},
-                                                                   {"_EmissionColor", "emissionColor"},
-                                                                   {"_ShadeColor", "shadeColor"},
-                                                                   {"_RimColor", "rimColor"},
-                                                                   {"_OutlineColor", "outlineColor"}}};
-  for (const auto& [older, newer] : kColours)
+  constexpr std::array<std::array<const char*, 2>, 5> kColors = {{{"_Color", "color"},
+                                                                  {"_EmissionColor", "emissionColor"},
+                                                                  {"_ShadeColor", "shadeColor"},
+                                                                  {"_RimColor", "rimColor"},
+                                                                  {"_OutlineColor", "outlineColor"}}};
+  for (const auto& [older, newer] : kColors)
     if (property == older) {
       (*expression)["materialColorBinds"].push_back({{"material", material}, {"type", newer}, {"targetValue", target}});
       return true;
@@ -161,19 +161,18 @@ std::vector<std::string> turn_vrm_zero_into_one(Json* document) {
     used.push_back("VRMC_springBone");
   }
   std::vector<std::string> notes = {
-      "VRM 0.x turned into 1.0: " + std::to_string(master.value("blendShapeGroups", Json::array()).size()) +
-      " expressions, " + std::to_string(spring_count) + " chains of springs" +
-      (one.contains("lookAt") ? ", look-at" : "") + (one.contains("firstPerson") ? ", first person" : "") + ", meta"};
+      "converted VRM 0.x to 1.0: " + std::to_string(master.value("blendShapeGroups", Json::array()).size()) +
+      " expressions, " + std::to_string(spring_count) + " spring chains" + (one.contains("lookAt") ? ", look-at" : "") +
+      (one.contains("firstPerson") ? ", first person" : "") + ", meta"};
   extensions["VRMC_vrm"] = std::move(one);
   used.push_back("VRMC_vrm");
   size_t toon = 0;
   for (const Json& material : zero.value("materialProperties", Json::array()))
     toon += text_in(material, "shader") == "VRM/MToon" ? 1 : 0;
-  if (toon != 0)
-    notes.push_back(std::to_string(toon) + " MToon materials of VRM 0.x are left as their plain glTF says");
+  if (toon != 0) notes.push_back(std::to_string(toon) + " MToon materials of VRM 0.x become plain glTF materials");
   if (left_out != 0)
     notes.push_back(std::to_string(left_out) +
-                    " changes of materials by expressions of VRM 0.x were left out: 1.0 has no word for them");
+                    " material changes of VRM 0.x expressions were left out: VRM 1.0 has none");
   return notes;
 }
 

@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-constexpr double kTail = 0.07;  // metres from the last joint to where it points, as in 0.x
+constexpr double kTail = 0.07;  // meters from the last joint to where it points, as in 0.x
 
 // A joint that ends a chain points to a node 7 cm further, which 1.0 wants to be there.
 size_t add_tail(size_t leaf, Json* document) {

@@ -26,12 +26,12 @@ std::string joined_authors(const VrmData& vrm) {
   return authors;
 }
 
-// What is not said is what the specification has as the strictest.
+// Missing permissions are the strictest of the specification.
 Json zero_meta(const VrmData& vrm) {
   const Words allow = {{"true", "Allow"}};
   const auto text = [&](const char* key) {
-    const auto at = vrm.licence.find(key);
-    return at == vrm.licence.end() ? std::string() : at->second;
+    const auto at = vrm.license.find(key);
+    return at == vrm.license.end() ? std::string() : at->second;
   };
   const std::string url = text("otherLicenseUrl"), name = text("licenseName");
   return {
@@ -41,12 +41,12 @@ Json zero_meta(const VrmData& vrm) {
       {"contactInformation", ""},
       {"reference", text("copyrightInformation")},
       {"allowedUserName",
-       word_of(vrm.licence, "avatarPermission",
+       word_of(vrm.license, "avatarPermission",
                {{"onlySeparatelyLicensedPerson", "ExplicitlyLicensedPerson"}, {"everyone", "Everyone"}}, "OnlyAuthor")},
-      {"violentUssageName", word_of(vrm.licence, "allowExcessivelyViolentUsage", allow, "Disallow")},
-      {"sexualUssageName", word_of(vrm.licence, "allowExcessivelySexualUsage", allow, "Disallow")},
+      {"violentUssageName", word_of(vrm.license, "allowExcessivelyViolentUsage", allow, "Disallow")},
+      {"sexualUssageName", word_of(vrm.license, "allowExcessivelySexualUsage", allow, "Disallow")},
       {"commercialUssageName",
-       word_of(vrm.licence, "commercialUsage", {{"personalProfit", "Allow"}, {"corporation", "Allow"}}, "Disallow")},
+       word_of(vrm.license, "commercialUsage", {{"personalProfit", "Allow"}, {"corporation", "Allow"}}, "Disallow")},
       {"otherPermissionUrl", ""},
       {"licenseName", !name.empty() ? name
                       : url.empty() ? "Redistribution_Prohibited"
@@ -161,7 +161,7 @@ Json vrm_zero(const std::string& path, const VrmData& vrm, const std::vector<int
   own["exporterVersion"] = "sinew";
   own["specVersion"] = "0.0";
   const Json old_meta = own.value("meta", Json::object());
-  if (!vrm.title.empty() || !vrm.licence.empty() || old_meta.empty()) own["meta"] = zero_meta(vrm);
+  if (!vrm.title.empty() || !vrm.license.empty() || old_meta.empty()) own["meta"] = zero_meta(vrm);
   own["meta"]["author"] = vrm.authors.empty() ? old_meta.value("author", std::string()) : joined_authors(vrm);
   if (vrm.title.empty() && old_meta.contains("title")) own["meta"]["title"] = old_meta["title"];
   own["humanoid"] = zero_humanoid(path, vrm, joint_nodes);

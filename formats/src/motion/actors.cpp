@@ -156,7 +156,7 @@ std::optional<Motion> one_actor(const Motion& motion, const std::string& file, c
   Motion part = part_of(motion, finder.below(actors[actor.empty() ? 0 : chosen]));
   if (actor.empty())
     part.notes.push_back("has " + std::to_string(actors.size()) + " actors, " + names +
-                         "; the first one plays, --actor says another");
+                         "; the first one plays, choose another with --actor");
   return part;
 }
 

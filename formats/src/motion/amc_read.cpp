@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Acclaim's pair of files: the skeleton (.asf) with bones as directions and lengths, and the frames (.amc). A bone turns about its own begin, by angles
-// in axes of its own.
+// Acclaim's pair of files: the skeleton (.asf) with bones as directions and lengths, and the frames (.amc). A bone
+// rotates about its own begin, by angles in axes of its own.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -21,7 +21,7 @@ namespace sinew {
 namespace {
 
 constexpr double kAcclaimFps = 120,
-                 kInch = 0.0254;  // frames a second and unit of the CMU captures: the files say neither
+                 kInch = 0.0254;  // frames per second and unit of the CMU captures: the files say neither
 
 // A bone; the root is the first, without length.
 struct AcclaimBone {
@@ -33,7 +33,7 @@ struct AcclaimBone {
   int parent = -1;
 };
 
-// Turns about the axes that the letters of `order` name, the first letter first.
+// Rotations about the axes in `order`, the first letter first.
 Quaternion rotation_in_order(const std::string& order, const Point3& radians) {
   Quaternion out = kNoRotation4;
   for (const char axis : order) {
@@ -73,7 +73,7 @@ class AcclaimLines {
 
 struct AcclaimSkeleton {
   std::vector<AcclaimBone> bones;
-  double to_radians = std::numbers::pi / 180, to_metres = kInch;
+  double to_radians = std::numbers::pi / 180, to_meters = kInch;
 };
 
 class AsfReader {
@@ -106,7 +106,7 @@ class AsfReader {
     if (word == "length") {
       const double length = lines_.number(1, "a length");
       if (!(length > 0)) lines_.fail("a length above 0", lines_.word(1));
-      skeleton_.to_metres = kInch / length;
+      skeleton_.to_meters = kInch / length;
     }
     if (word == "angle" && lower_case(lines_.word(1)).rfind("rad", 0) == 0) skeleton_.to_radians = 1;
   }
@@ -173,7 +173,7 @@ std::string asf_beside(const std::string& amc) {
   if (others.size() == 1) return others[0];
   throw Error(amc + ": expected its skeleton beside it, " + stem + ".asf, found " +
               (others.empty() ? "none" : std::to_string(others.size()) + " others") +
-              "; copy the .asf that belongs to it there under this name");
+              "; copy the matching .asf there under this name");
 }
 
 class AmcReader {
@@ -199,14 +199,15 @@ class AmcReader {
     }
     if (clip.frames.empty()) throw Error(path_ + ": expected frames, found none");
     motion_.clips.push_back(std::move(clip));
-    motion_.notes.push_back(print("says no rate, so %g frames a second were guessed", kAcclaimFps));
+    motion_.notes.push_back(
+        print("no frame rate in the file; %g frames per second were assumed, so the speed may be wrong", kAcclaimFps));
     return std::move(motion_);
   }
 
  private:
   // A joint where each bone begins, and ends of the last ones.
   void add_joints() {
-    const auto tip = [&](const AcclaimBone& bone) { return skeleton_.to_metres * bone.length * bone.direction; };
+    const auto tip = [&](const AcclaimBone& bone) { return skeleton_.to_meters * bone.length * bone.direction; };
     std::vector<char> has_child(skeleton_.bones.size(), 0);
     for (const AcclaimBone& bone : skeleton_.bones) {
       const bool root = motion_.joints.empty();
@@ -250,13 +251,13 @@ class AmcReader {
       const double value = lines_.number(i + 1, "a channel");
       if (channel.size() != 2 || channel[1] < 'x' || channel[1] > 'z') continue;  // "l": a length that changes
       const size_t axis = static_cast<size_t>(channel[1] - 'x');
-      if (channel[0] == 't') position[axis] = skeleton_.to_metres * value;
+      if (channel[0] == 't') position[axis] = skeleton_.to_meters * value;
       if (channel[0] != 'r') continue;
       angles[axis] = to_radians_ * value;
       order += channel[1];
     }
     const Quaternion turn = rotation_in_order(order, angles);
-    frame->rotations[at->second] = normalised(multiply(multiply(bone.axes, turn), conjugate(bone.axes)));
+    frame->rotations[at->second] = normalized(multiply(multiply(bone.axes, turn), conjugate(bone.axes)));
     if (at->second == 0) frame->translations[0] = position;
   }
 

@@ -169,11 +169,12 @@ class BvhReader {
       lines_.fail("'Frame Time: SECONDS'", lines_.line());
     Clip clip;
     clip.name = motion_.name;
-    clip.frame_time = number(time_apart ? 3 : 2, "the time of a frame");
-    if (clip.frame_time < 0) lines_.fail("a time of a frame of at least 0", lines_.line());
+    clip.frame_time = number(time_apart ? 3 : 2, "the time per frame");
+    if (clip.frame_time < 0) lines_.fail("a frame time of 0 or more", lines_.line());
     if (!(clip.frame_time > 0)) {
       clip.frame_time = Clip().frame_time;
-      if (*count > 1) motion_.notes.push_back("'Frame Time:' is 0, so all frames are at one time; read as 30 a second");
+      if (*count > 1)
+        motion_.notes.push_back("'Frame Time:' is 0; 30 frames per second were assumed, so the speed may be wrong");
     }
     std::vector<IncompleteFrame> incomplete;
     while (lines_.next()) {
@@ -187,15 +188,15 @@ class BvhReader {
     if (found == 0 && promised > 0)
       throw Error(path_ + ": truncated BVH, expected " + std::to_string(promised) + " frames, found none");
     if (found != promised)
-      motion_.notes.push_back("warning: 'Frames:' promises " + std::to_string(promised) + " frames, the file has " +
-                              std::to_string(found) + "; all of them are read");
+      motion_.notes.push_back("warning: 'Frames:' announces " + std::to_string(promised) + " frames, the file has " +
+                              std::to_string(found) + "; all of them were read");
     if (!incomplete.empty()) mend_incomplete(incomplete, &clip);
     put_back_in_place(&clip);
     if (!clip.frames.empty()) motion_.clips.push_back(std::move(clip));
   }
 
-  // A few frames without all of their numbers: those at the end are left out, those between others are interpolated. More of
-  // them, or the first, say that the channels are not those of the frames.
+  // A few frames without all of their numbers: those at the end are left out, those between others are interpolated.
+  // If there are more of them, or the first is incomplete, the channels do not match the frames.
   void mend_incomplete(const std::vector<IncompleteFrame>& incomplete, Clip* clip) {
     constexpr size_t kMostShare = 50;  // one frame in so many, and always one
     const IncompleteFrame& first = incomplete[0];
@@ -222,7 +223,7 @@ class BvhReader {
     const std::string numbers = " without " + std::to_string(channels_.size()) + " numbers";
     if (filled > 0)
       motion_.notes.push_back("warning: " + frames(filled) + numbers + " (" + lines(0, filled) +
-                              "), filled from the frames around");
+                              "), interpolated from the frames around");
     if (left_out > 0)
       motion_.notes.push_back("warning: " + frames(left_out) + numbers + " at the end (" +
                               lines(filled, incomplete.size()) + "), left out");
@@ -239,7 +240,7 @@ class BvhReader {
     }
   }
 
-  // Positions stand in place of the offset, as programs write them; turns apply from the last to the first.
+  // Positions stand instead of the offset, as programs write them; turns apply from the last to the first.
   MotionFrame read_frame() const {
     MotionFrame frame;
     frame.rotations.assign(motion_.joints.size(), kNoRotation4);
@@ -254,7 +255,7 @@ class BvhReader {
         frame.translations[channel.joint][channel.axis] = value;
       }
     }
-    for (Quaternion& q : frame.rotations) q = normalised(q);
+    for (Quaternion& q : frame.rotations) q = normalized(q);
     return frame;
   }
 

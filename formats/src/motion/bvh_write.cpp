@@ -15,7 +15,7 @@
 namespace sinew {
 namespace {
 
-// Angles of R = Rz Rx Ry in degrees; where x is a quarter turn, only a sum of the others is known and y is 0.
+// Angles of R = Rz Rx Ry in degrees; where x is a rotation by 90 degrees, only a sum of the others is known and y is 0.
 Point3 angles_zxy(const Quaternion& q) {
   const Rotation r = rotation_of(q);
   const double sine = std::clamp(r[7], -1.0, 1.0);

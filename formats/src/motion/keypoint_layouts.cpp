@@ -67,7 +67,7 @@ const std::vector<KeypointsLayout>& keypoint_layouts() {
                          {"leftFoot", {15}, {16}},   {"upperChest", {5, 6}},       {"head", {3, 4}},
                          {"nose_end", {0}},          {"leftEar_end", {3}, {4}},    {"leftUpperArm", {5}, {6}},
                          {"leftLowerArm", {7}, {8}}, {"leftHand", {9}, {10}}};
-    // Human3.6M: between the shoulders, the nose and the top of the head stand for chest and head.
+    // Human3.6M: between the shoulders, the nose and the top of the head represent chest and head.
     const Joints h36m = {{"hips", {0}},
                          {"leftUpperLeg", {4}, {1}},
                          {"leftLowerLeg", {5}, {2}},

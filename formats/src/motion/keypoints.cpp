@@ -35,7 +35,7 @@ constexpr SidedPart kSided[] = {{"hips", "leftUpperLeg", "spine"},          {"hi
 
 }  // namespace
 
-// A person's joints that were learnt from frames, and frames of it.
+// A person's joints that were learned from frames, and frames of it.
 class KeypointsSolver {
  public:
   explicit KeypointsSolver(const KeypointsLayout& layout) : columns_(layout) {
@@ -95,7 +95,8 @@ class KeypointsSolver {
         mean_of("leftFoot", "leftUpperLeg") + mean_of("rightFoot", "rightUpperLeg") + mean_of("hips", "head");
     turn_ = turn_to_y_up(up);
     if (axis_name(up) != "y")
-      motion_.notes.push_back("the body stands along " + axis_name(up) + ", which is taken for up");
+      motion_.notes.push_back("the body is upright along " + axis_name(up) +
+                              ", so that axis was taken as up; correct it with --from-up");
     for (std::vector<Point3>& frame : keypoints_)
       for (Point3& point : frame) point = rotate(turn_, point);
     // Toes and noses point to where left, seen with up, has its front.
@@ -109,8 +110,7 @@ class KeypointsSolver {
       }
     mirrored_ = front < 0;
     if (mirrored_) {
-      motion_.notes.emplace_back(
-          "left and right are exchanged (a left-handed world), so it is read as its mirror image");
+      motion_.notes.emplace_back("left and right are exchanged (a left-handed world), so the motion was mirrored");
       for (std::vector<Point3>& frame : keypoints_) mirror(&frame);
     }
     put_on_floor();
@@ -127,8 +127,8 @@ class KeypointsSolver {
     relative_ = keypoints_.size() >= 2 && !(moved > kHipsStill * size);
     if (!relative_) return;
     motion_.notes.emplace_back(
-        "hips never move, so keypoints are taken as relative to them, and the lowest joint of every frame is "
-        "on the floor");
+        "the hips never move, so keypoints were taken as relative to them, with the lowest joint of each frame on the "
+        "floor");
     for (std::vector<Point3>& frame : keypoints_) lower(&frame);
   }
 
@@ -145,7 +145,7 @@ class KeypointsSolver {
     take_rest();
   }
 
-  // What hangs on a part that turns by its sides is where it is in that part's own axes, in the mean.
+  // A child of a part that is oriented by its sides has its mean position in that part's axes.
   void fit_sides() {
     std::vector<Point3> offsets(motion_.joints.size());
     for (const std::vector<Point3>& frame : keypoints_) {
@@ -197,7 +197,7 @@ class KeypointsSolver {
     for (size_t j = 0; j < world.size(); ++j) {
       const MotionJoint& joint = motion_.joints[j];
       const Quaternion above = joint.parent < 0 ? kNoRotation4 : world[static_cast<size_t>(joint.parent)];
-      frame.rotations.push_back(normalised(multiply(conjugate(above), world[j])));
+      frame.rotations.push_back(normalized(multiply(conjugate(above), world[j])));
       frame.translations.push_back(joint.parent < 0 ? at[j] : joint.offset);
     }
     return frame;
@@ -240,7 +240,7 @@ class KeypointsSolver {
     }
     if (child < 0) return above;
     const Point3 bone = rotate(above, motion_.joints[static_cast<size_t>(child)].offset);
-    return normalised(multiply(rotation_between(bone, between(at, static_cast<int>(j), child)), above));
+    return normalized(multiply(rotation_between(bone, between(at, static_cast<int>(j), child)), above));
   }
 
   LayoutColumns columns_;
@@ -261,8 +261,8 @@ KeypointsStream::KeypointsStream(const std::string& layout, const std::vector<st
   for (const KeypointsLayout& one : keypoint_layouts())
     if (layout == one.name) layout_ = &one;
   if (layout_ == nullptr)
-    throw Error("keypoints: no layout is called '" + layout + "', expected one of " + motion_layouts());
-  if (first.empty()) throw Error("keypoints: expected frames of the person that moves, a second or two, found none");
+    throw Error("keypoints: unknown layout '" + layout + "', expected one of " + motion_layouts());
+  if (first.empty()) throw Error("keypoints: expected frames of a moving person, a second or two, found none");
   for (const std::vector<Point3>& row : first) check(row);
   solver_ = std::make_unique<KeypointsSolver>(*layout_);
   solver_->learn(first);

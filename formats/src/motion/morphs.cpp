@@ -12,7 +12,7 @@ Quaternion joint_rotation(const std::vector<Joint>& joints, const std::vector<Af
   const Quaternion own = quaternion_of(rotation_part(palette.at(joint)));
   const int parent = joints.at(joint).parent;
   if (parent < 0) return own;
-  return normalised(multiply(conjugate(quaternion_of(rotation_part(palette.at(static_cast<size_t>(parent))))), own));
+  return normalized(multiply(conjugate(quaternion_of(rotation_part(palette.at(static_cast<size_t>(parent))))), own));
 }
 
 std::vector<Quaternion> joint_rotations(const std::vector<Joint>& joints, const std::vector<Affine>& palette) {

@@ -73,7 +73,7 @@ const Clip& find_clip(const Motion& motion, const std::string& file, const std::
   if (name.empty() && motion.clips.size() == 1) return motion.clips[0];
   if (name.empty())
     throw Error(file + ": expected the name of one of its " + std::to_string(motion.clips.size()) +
-                " clips, found none; say " + file + "#NAME with NAME one of " + names_of(motion));
+                " clips, found none; give " + file + "#NAME with NAME one of " + names_of(motion));
   for (const Clip& clip : motion.clips)
     if (clip.name == name) return clip;
   const std::optional<int64_t> number = to_integer(name);
@@ -151,8 +151,8 @@ bool takes_layout(const std::string& path) {
 
 void check_layout(const std::string& path) {
   if (takes_layout(path)) return;
-  throw Error(path + ": --layout says which joints the places of a .npy or .npz file are (" + motion_layouts() +
-              "); this one's joints have names, leave it out");
+  throw Error(path + ": --layout is for the keypoints of a .npy or .npz (" + motion_layouts() +
+              "), but the joints of this file have names; leave it out");
 }
 
 Motion read_motion(const std::string& path, double fps, const std::string& layout) {

@@ -155,8 +155,7 @@ NpyFile read_npy_file(const std::string& path) {
     std::optional<NpyArray> array = NpyReader(path, bytes).read();
     if (!array)
       throw Error(path +
-                  ": expected an array of numbers, found one of text or of pickled objects; save it as numbers with "
-                  "numpy.save()");
+                  ": expected an array of numbers, found text or pickled objects; save numbers with numpy.save()");
     file.arrays[""] = std::move(*array);
     return file;
   }

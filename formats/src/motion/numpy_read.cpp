@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Motions in NumPy files: rotations of SMPL, SMPL-H and SMPL-X, joints with positions and rotations, HumanML3D's features, or keypoints alone. No body
-// model is needed.
+// Motions in NumPy files: rotations of SMPL, SMPL-H and SMPL-X, joints with positions and rotations, HumanML3D's
+// features, or keypoints alone. No body model is needed.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -22,7 +22,7 @@ namespace {
 Quaternion of_axis_angle(const double* v) {
   const double angle = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
   const double s = angle > 1e-12 ? std::sin(angle / 2) / angle : 0.5;
-  return normalised({s * v[0], s * v[1], s * v[2], std::cos(angle / 2)});
+  return normalized({s * v[0], s * v[1], s * v[2], std::cos(angle / 2)});
 }
 // The first two columns of the matrix, one behind the other (Zhou et al. 2019).
 Quaternion of_six(const double* v) {
@@ -93,8 +93,9 @@ class NumpyReader {
     if (rate != nullptr && rate->values.size() == 1)
       fps = rate->values[0];
     else
-      motion_.notes.push_back(print("says no rate, so %g frames a second were guessed", fps));
-    if (!(fps > 0.1 && fps < 1e5)) fail("a rate of frames a second", print("%g", fps));
+      motion_.notes.push_back(
+          print("no frame rate in the file; %g frames per second were assumed, so the speed may be wrong", fps));
+    if (!(fps > 0.1 && fps < 1e5)) fail("a frame rate", print("%g", fps));
     return 1 / fps;
   }
 
@@ -129,7 +130,7 @@ class NumpyReader {
       fail("at most " + std::to_string(kMostRotations) + " frames times joints", std::to_string(frames) + " frames");
     const NpyArray* const moves = find({"trans", "transl", "smpl_trans"});
     if (moves != nullptr && (moves->rows() != frames || moves->width() != 3))
-      fail("'trans' of 3 numbers a frame", arrays_text());
+      fail("'trans' of 3 numbers per frame", arrays_text());
     const double scale = body_scale();
     motion_.joints = person_joints(model->joints);
     Clip clip;
@@ -147,8 +148,8 @@ class NumpyReader {
       clip.frames.back().translations[0] = (1 / scale) * Point3{v[0], v[1], v[2]};
     }
     motion_.notes.push_back(
-        print("%s, %zu numbers a rotation%s; bones have the lengths of a person of ours, no body model's", model->name,
-              numbers, numbers == 6 ? " (two columns of the matrix)" : ""));
+        print("%s, %zu numbers per rotation%s; bone lengths are those of a built-in person, not of a body model",
+              model->name, numbers, numbers == 6 ? " (two columns of the matrix)" : ""));
     motion_.clips.push_back(std::move(clip));
     stand_up();
   }
@@ -162,7 +163,8 @@ class NumpyReader {
     return scaling->values[0];
   }
 
-  // By how many numbers a frame has: no two models and forms have as many. Keypoints of their own say how many a rotation has.
+  // By the number of values per frame, which is unique for each model and form. Separate keypoints give the number
+  // per rotation.
   std::pair<const BodyModel*, size_t> model_of(size_t width, const std::vector<const NpyArray*>& arrays) const {
     const size_t said = arrays.size() > 1 ? arrays[0]->width() : 0;
     for (const BodyModel& model : body_models())
@@ -189,9 +191,10 @@ class NumpyReader {
     for (const MotionFrame& frame : motion_.clips[0].frames) up = up + rotate(frame.rotations[0], {0, 1, 0});
     const Quaternion turn = turn_to_y_up(up);
     if (turn == kNoRotation4) return;
-    motion_.notes.push_back("the body stands along " + axis_name(up) + ", which is taken for up");
+    motion_.notes.push_back("the body is upright along " + axis_name(up) +
+                            ", so that axis was taken as up; correct it with --from-up");
     for (MotionFrame& frame : motion_.clips[0].frames) {
-      frame.rotations[0] = normalised(multiply(turn, frame.rotations[0]));
+      frame.rotations[0] = normalized(multiply(turn, frame.rotations[0]));
       frame.translations[0] = rotate(turn, frame.translations[0]);
     }
   }
@@ -227,17 +230,16 @@ class NumpyReader {
     const size_t count = keypoints[0].size();
     std::string misfits;
     if (const KeypointsLayout* layout = recognize_layout(keypoints, &misfits)) {
-      motion_.notes.push_back(
-          print("%zu keypoints a frame that are a body in the layout %s, so the layout %s was guessed; --layout says "
-                "another",
-                count, layout->name, layout->name));
+      motion_.notes.push_back(print(
+          "%zu keypoints per frame that fit the layout %s, so the layout %s was assumed; choose another with --layout",
+          count, layout->name, layout->name));
       return *layout;
     }
     if (!misfits.empty())
-      fail(print("%zu keypoints that are a body in one known layout", count),
+      fail(print("%zu keypoints that fit one known layout", count),
            "misfits of " + misfits +
-               " (bones that change their lengths, unlike sides, proportions); say with --layout NAME which it is");
-    fail("as many keypoints a frame as a known layout's name says (" + motion_layouts() + ")", std::to_string(count));
+               " (bones that change their lengths, unequal sides, proportions); choose one with --layout NAME");
+    fail("as many keypoints per frame as a known layout (" + motion_layouts() + ")", std::to_string(count));
   }
 
   void check_frames(size_t frames, size_t joints) const {
@@ -307,8 +309,8 @@ class NumpyReader {
     return nullptr;
   }
 
-  // Of a frame the root's turn about y and its step to the next frame in its own axes (x, z), its height, then the other joints' positions in its axes.
-  // What follows (rotations, velocities, contacts) says the same once more.
+  // Of a frame the root's rotate about y and its step to the next frame in its own axes (x, z), its height, then the
+  // other joints' positions in its axes. What follows (rotations, velocities, contacts) says the same once more.
   void read_features(const NpyArray& features) {
     check_numbers(features);
     check_frames(features.rows(), kFeatureJoints);
@@ -332,7 +334,7 @@ class NumpyReader {
     }
     const KeypointsLayout& layout = layout_of(rows);
     motion_.notes.insert(motion_.notes.begin(),
-                         print("%zu numbers a frame were taken for HumanML3D's features", kFeatures));
+                         print("%zu numbers per frame were read as HumanML3D features", kFeatures));
     take(motion_of_keypoints(layout, rows), layout.fps);
   }
 

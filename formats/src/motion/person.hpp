@@ -12,10 +12,10 @@
 namespace sinew {
 
 // VRM's names. In a T pose, 1.7 m high, y up, facing +z, left at +x; a joint's parent is the nearest of its ancestors that is listed.
-// Positions are our own (the bundled skeleton of character, to the centimetre), of no body model.
+// Positions are our own (the bundled skeleton of character, to the centimeter), of no body model.
 std::vector<MotionJoint> person_joints(const std::vector<std::string>& names);
 
-// "left" in place of "right" and the other way round; the name itself where it has no side.
+// Exchanges "left" and "right"; returns the same name if it has no side.
 std::string other_side_of_person(const std::string& name);
 
 // -1 for none.
@@ -24,7 +24,7 @@ int joint_named(const std::vector<MotionJoint>& joints, const std::string& name)
 // Height of the lowest joint at rest, 0 where none lies below the origin.
 double lowest_at_rest(const Motion& motion);
 
-// What makes y up of a world in which `up` is up, by quarter turns: the axis that is nearest to it.
+// What makes y up of a world in which `up` is up, by rotations by 90 degrees: the axis that is nearest to it.
 Quaternion turn_to_y_up(const Point3& up);
 // "y", "-z" of the nearest axis, for the user.
 std::string axis_name(const Point3& direction);

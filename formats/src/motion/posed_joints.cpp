@@ -68,8 +68,8 @@ class PosedSkeleton {
       if (skeleton.joints.size() == count && is_carried_by(skeleton.parents)) {
         names_ = skeleton.joints;
         parents_ = skeleton.parents;
-        note_ = std::string("joints and their parents are those of ") + skeleton.name +
-                ", a guess by their number and by what carries what";
+        note_ = std::string("the skeleton was taken as ") + skeleton.name +
+                ", from its number of joints and their motion; rename joints if wrong";
         return;
       }
     if (count > kMostJoints)
@@ -79,8 +79,10 @@ class PosedSkeleton {
       names_.push_back("joint_" + std::to_string(j));
       parents_.push_back(j == 0 ? -1 : static_cast<int>(parent_of(j)));
     }
-    note_ =
-        print("%zu joints are no known skeleton, so parents were guessed by what carries what, without names", count);
+    note_ = print(
+        "%zu joints match no known skeleton, so their parents were guessed from the motion, without names; check the "
+        "result",
+        count);
   }
 
   bool is_carried_by(const std::vector<int>& parents) const {
@@ -98,9 +100,9 @@ class PosedSkeleton {
       least = std::min(least, all.back().deviation);
     }
     if (least > kCarried * size_)
-      throw Error(file_ + ": expected rotations that carry the joints, found joint " + std::to_string(joint) +
-                  print(" which moves by %.1f %% of the body's size in the axes of every joint before it",
-                        100 * least / size_));
+      throw Error(
+          file_ + ": expected rotations that move the joints, found joint " + std::to_string(joint) +
+          print(" that moves by %.1f %% of the body's size in the axes of each joint before it", 100 * least / size_));
     size_t best = 0;
     for (size_t p = 0; p < joint; ++p) {
       const double distance = length(all[p].offset);
@@ -118,7 +120,7 @@ class PosedSkeleton {
       const Quaternion& own = joints_.rotations[f][j];
       const Quaternion local =
           joint.parent < 0 ? own : multiply(conjugate(joints_.rotations[f][static_cast<size_t>(joint.parent)]), own);
-      frame.rotations.push_back(joint.end ? kNoRotation4 : normalised(local));
+      frame.rotations.push_back(joint.end ? kNoRotation4 : normalized(local));
       frame.translations.push_back(joint.parent < 0 ? joints_.positions[f][j] : joint.offset);
     }
     return frame;

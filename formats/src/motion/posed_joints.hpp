@@ -17,8 +17,9 @@ struct PosedJoints {
 };
 
 // One clip. A joint's parent carries it: seen from the parent's axes it never moves, which also gives the offset at rest. Names are those of the
-// named skeleton with as many joints whose parents carry them; for others, parents are found and told, with names joint_0 and so on.
-// Throws Error, which begins with `file`, where a joint is carried by none that comes before it.
+// named skeleton with as many joints whose parents carry them; for others, parents are guessed, with a note, and
+// names are joint_0 and so on. Throws Error, which begins with `file`, where a joint is carried by none that comes
+// before it.
 //   joints  at least one frame and one joint
 Motion motion_of_posed_joints(const std::string& file, const PosedJoints& joints);
 

@@ -90,8 +90,9 @@ class Unzipper {
   }
 #else
   std::vector<uint8_t> inflated(const std::string& name, size_t, size_t, size_t) const {
-    throw Error(path_ + ": cannot read " + in_quotes(name) +
-                ", which is compressed: this build is without zlib (SINEW_WITH_ZLIB); save it with numpy.savez()");
+    throw Error(
+        path_ + ": cannot read " + in_quotes(name) +
+        ", which is compressed: this sinew was built without zlib (SINEW_WITH_ZLIB); save it with numpy.savez()");
   }
 #endif
 

@@ -21,7 +21,7 @@ namespace {
 constexpr size_t kHeader = 30, kKey = 111, kNameBytes = 15;
 constexpr size_t kIkNameBytes = 20;                          // in the list of switches
 constexpr size_t kListsBetween[] = {23, 61, 28, 9};          // bytes of a key: faces, camera, light, shadow
-constexpr double kUnit = 0.08, kFps = 30, kArmsDown = 0.66;  // metres; radians of the rest pose's arms
+constexpr double kUnit = 0.08, kFps = 30, kArmsDown = 0.66;  // meters; radians of the rest pose's arms
 
 // Of a key the frame, the translation against the rest position, the rotation and the four curves to it: x, y, z, rotation.
 struct Key {
@@ -71,8 +71,8 @@ LegRotations leg_to(const Point3& upper, const Point3& lower, const Quaternion& 
   const double bend = std::max(0.0, found);  // never farther back than at rest
   const Quaternion knee = axis_rotation(0, bend);
   const Point3 bent = rotate(thigh, upper + rotate(knee, lower));
-  const Quaternion swung = normalised(multiply(rotation_between(bent, reach), thigh));
-  return {swung, normalised(multiply(swung, knee))};
+  const Quaternion swung = normalized(multiply(rotation_between(bent, reach), thigh));
+  return {swung, normalized(multiply(swung, knee))};
 }
 
 class VmdReader {
@@ -155,7 +155,7 @@ class VmdReader {
   }
 
   void tell(size_t ik, size_t others) {
-    if (ik > 0) motion_.notes.push_back(print("%zu IK bones of other parts than feet were left out", ik));
+    if (ik > 0) motion_.notes.push_back(print("%zu IK bones other than feet were left out", ik));
     if (others > 0) motion_.notes.push_back(print("%zu bones without a standard name were left out", others));
   }
 
@@ -188,7 +188,7 @@ class VmdReader {
       if (!(std::abs(v[i]) < 1e6)) fail("finite numbers in key " + std::to_string(number_of_key), "another");
     }
     key.translation = {kUnit * v[0], kUnit * v[1], -kUnit * v[2]};
-    key.rotation = normalised({-v[3], -v[4], v[5], v[6]});
+    key.rotation = normalized({-v[3], -v[4], v[5], v[6]});
     for (size_t c = 0; c < 4; ++c)
       for (size_t i = 0; i < 4; ++i) key.curves[c][i] = std::min(127, int{bytes_[at + 32 + 16 * c + 4 * i]}) / 127.0;
     return key;
@@ -269,7 +269,7 @@ class VmdReader {
     return above == switches->second.begin() || std::prev(above)->second;
   }
 
-  // The ankle goes to its IK bone, which hangs on a parent on the floor and that on the root, and turns as the bone does.
+  // The ankle moves to its IK bone, a child of a parent on the floor below the root, and rotates like the bone.
   void put_foot(const std::string& side, size_t f, MotionFrame* frame) const {
     const auto index = [&](const char* joint) {
       return static_cast<size_t>(joint_named(motion_.joints, side + joint));
@@ -284,9 +284,9 @@ class VmdReader {
         leg_to(motion_.joints[lower].offset, motion_.joints[foot].offset, pose.rotations[upper], reach);
     const Quaternion turn = multiply(pose.rotations[0], multiply(carrier.rotation, bone.rotation));
     const Quaternion above = pose.rotations[static_cast<size_t>(motion_.joints[upper].parent)];
-    frame->rotations[upper] = normalised(multiply(conjugate(above), leg.upper));
-    frame->rotations[lower] = normalised(multiply(conjugate(leg.upper), leg.lower));
-    frame->rotations[foot] = normalised(multiply(conjugate(leg.lower), turn));
+    frame->rotations[upper] = normalized(multiply(conjugate(above), leg.upper));
+    frame->rotations[lower] = normalized(multiply(conjugate(leg.upper), leg.lower));
+    frame->rotations[foot] = normalized(multiply(conjugate(leg.lower), turn));
   }
 
   static Key between_keys(const std::vector<Key>& keys, size_t f) {

@@ -14,21 +14,21 @@ namespace {
 const char* fault_text(LayerFault fault) {
   switch (fault) {
     case LayerFault::kRegion:
-      return "reaches outside of its buffers";
+      return "reaches outside its buffers";
     case LayerFault::kShape:
-      return "is of an unknown kind, or has regions that do not fit its kind";
+      return "has an unknown kind, or regions that do not fit its kind";
     case LayerFault::kFlags:
-      return "has flags that its kind does not know";
+      return "has flags that its kind does not use";
     case LayerFault::kOverwrite:
       return "writes over an input or over an earlier layer";
     case LayerFault::kUnwritten:
-      return "reads what no earlier layer writes";
+      return "reads a buffer that no earlier layer writes";
     case LayerFault::kResidual:
       return "has a residual of another shape, or one that no earlier layer writes";
     case LayerFault::kNone:
       break;
   }
-  return "has no fault";
+  return "has no error";
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ ModelTask model_task(const FloatNetwork& network) {
   }
   const Region& out = network.layers.back().out;
   task.output = {network.buffers[out.buffer].domain, out.channels};
-  task.far_neighbours = network.task != kTaskBind;
+  task.far_neighbors = network.task != kTaskBind;
   return task;
 }
 
@@ -68,7 +68,7 @@ void check_network(const FloatNetwork& network, const std::string& source) {
     const std::string name = "buffer " + std::to_string(i);
     if (static_cast<uint8_t>(buffer.domain) >= kDomains) fail(name + " has an unknown domain");
     if (without_slots(buffer.domain) != without_slots(network.buffers[0].domain))
-      fail(name + " is over joints and another over vertices");
+      fail(name + " mixes joints and vertices");
     if (buffer.channels < 1 || buffer.channels > kMaxChannels)
       fail(name + " has " + std::to_string(buffer.channels) + " channels, expected 1 to " +
            std::to_string(kMaxChannels));
@@ -79,7 +79,7 @@ void check_network(const FloatNetwork& network, const std::string& source) {
   list.buffer_count = static_cast<uint32_t>(network.buffers.size());
   list.input_count = static_cast<uint32_t>(inputs);
   list.candidates = network.candidate_count;
-  list.far_neighbours = network.task != kTaskBind;
+  list.far_neighbors = network.task != kTaskBind;
   for (uint32_t i = 0; i < network.layers.size(); ++i) {
     const Layer& layer = network.layers[i];
     const std::string name = "layer " + std::to_string(i) + " (" +

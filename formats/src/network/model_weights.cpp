@@ -38,7 +38,7 @@ void check_opens(const std::vector<uint8_t>& bytes, const FloatNetwork& network,
   sinew_model model;
   sinew_status status = read_header(bytes.data(), bytes.size(), &header);
   if (status == SINEW_OK && (header.task != network.task || header.feature_set != network.feature_set))
-    throw Error(path + ": cannot start from its weights: it is for another task or other features");
+    throw Error(path + ": cannot start from its weights: it has another task or other features");
   if (status == SINEW_OK) {
     status = network.task == kTaskBind ? sinew_model_open(bytes.data(), bytes.size(), &model)
                                        : open_model(bytes.data(), bytes.size(), model_task(network), &model);
@@ -144,8 +144,8 @@ void read_model_weights(const std::string& path, FloatNetwork* network) {
   for (size_t i = 0; same && i < read.layers.size(); ++i) same = same_layer(read.layers[i], network->layers[i]);
   if (!same) {
     throw Error(path +
-                ": cannot start from its weights: its layers have other shapes; use the configuration that it was "
-                "trained with (width, rounds)");
+                ": cannot start from its weights: its layers have other shapes; use the configuration that trained it "
+                "(width, rounds)");
   }
   *network = std::move(read);
 }

@@ -69,10 +69,10 @@ class MtlReader {
     }
     if (material_ == nullptr) return;
     if (keyword == "kd") {
-      if (const auto colour = colour_of(lines); colour && !material_->base_color_texture)
-        std::copy(colour->begin(), colour->end(), material_->base_color.begin());
+      if (const auto color = color_of(lines); color && !material_->base_color_texture)
+        std::copy(color->begin(), color->end(), material_->base_color.begin());
     } else if (keyword == "ke") {
-      if (const auto colour = colour_of(lines)) material_->emissive = *colour;
+      if (const auto color = color_of(lines)) material_->emissive = *color;
     } else if (keyword == "d" || keyword == "tr") {
       const std::string_view word = lines.words().back();  // "d -halo 0.5"
       const std::optional<float> value = to_finite_float(word);
@@ -80,15 +80,15 @@ class MtlReader {
       material_->base_color[3] = std::clamp(keyword == "d" ? *value : 1 - *value, 0.0f, 1.0f);
     } else if (keyword == "map_kd") {
       material_->base_color_texture = pictures_.find(picture_name(lines));
-      // Exporters write any Kd beside a picture, 0 0 0 among them; the picture is the colour.
+      // Exporters write any Kd beside a picture, 0 0 0 among them; the picture is the color.
       if (material_->base_color_texture)
         material_->base_color[0] = material_->base_color[1] = material_->base_color[2] = 1;
     } else if (keyword == "norm" || keyword == "map_bump" || keyword == "bump") {
       const Picture picture = pictures_.find(picture_name(lines));
       if (!picture) return;
-      if (is_grey(*picture))
+      if (is_gray(*picture))
         character_.notes.push_back(fs::path(path_).filename().string() + ": " + in_quotes(picture_name(lines)) +
-                                   " is a height map and was left out; glTF holds maps of normals");
+                                   " is a height map, so it was left out; glTF needs a normal map");
       else
         material_->normal_texture = picture;
     }
@@ -99,20 +99,20 @@ class MtlReader {
                                ": expected " + expected + ", found " + in_quotes(lines.line()) + "; left out");
   }
 
-  std::optional<std::array<float, 3>> colour_of(const TextLines& lines) {
+  std::optional<std::array<float, 3>> color_of(const TextLines& lines) {
     const auto& words = lines.words();
-    std::array<float, 3> colour{};
+    std::array<float, 3> color{};
     for (size_t c = 0; c < 3; ++c) {
-      // One number is grey. "spectral" and "xyz" are other statements under this name.
+      // One number is gray. "spectral" and "xyz" are other statements under this name.
       const std::optional<float> value =
           words.size() < 2 ? std::nullopt : to_finite_float(words[std::min(c + 1, words.size() - 1)]);
       if (!value) {
         complain(lines, "three numbers");
         return std::nullopt;
       }
-      colour[c] = std::clamp(*value, 0.0f, 1.0f);
+      color[c] = std::clamp(*value, 0.0f, 1.0f);
     }
-    return colour;
+    return color;
   }
 
   std::string path_;
@@ -135,7 +135,7 @@ void read_materials(const std::string& obj_path, const std::vector<std::string>&
     if (!is_file(path.string())) path = folder / fs::path(plain).filename();
     if (!is_file(path.string())) {
       character->notes.push_back("materials " + in_quotes(name) +
-                                 " were not found; the output has their names, not their colours");
+                                 " were not found; the output has their names without colors");
       continue;
     }
     MtlReader(path.string(), character).read();

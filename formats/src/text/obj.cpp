@@ -91,24 +91,24 @@ std::string join_continued_lines(const std::string& text) {
 
 // What the loader does not hand on.
 struct ObjExtras {
-  std::vector<std::array<float, 3>> colours;  // [V] once a vertex has one; white where it has none
-  std::vector<std::string> libraries;         // after mtllib
-  std::string unknown;                        // the first statement that no OBJ has, with its line
+  std::vector<std::array<float, 3>> colors;  // [V] once a vertex has one; white where it has none
+  std::vector<std::string> libraries;        // after mtllib
+  std::string unknown;                       // the first statement that no OBJ has, with its line
   size_t unknown_count = 0;
 };
 
-// Colours of vertices are written as screens show them (sRGB); glTF wants light (IEC 61966-2-1).
+// Colors of vertices are written as screens show them (sRGB); glTF wants light (IEC 61966-2-1).
 float linear_light(float shown) {
   const float value = std::clamp(shown, 0.0f, 1.0f);
   return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
 }
 
-void read_colour(const std::vector<std::string_view>& words, size_t vertex, ObjExtras* extras) {
+void read_color(const std::vector<std::string_view>& words, size_t vertex, ObjExtras* extras) {
   if (words.size() < 7) return;  // "v x y z r g b", perhaps with an opacity
-  extras->colours.resize(vertex, {1, 1, 1});
-  std::array<float, 3> colour{};
-  for (size_t c = 0; c < 3; ++c) colour[c] = linear_light(to_finite_float(words[c + 4]).value_or(1.0f));
-  extras->colours.push_back(colour);
+  extras->colors.resize(vertex, {1, 1, 1});
+  std::array<float, 3> color{};
+  for (size_t c = 0; c < 3; ++c) color[c] = linear_light(to_finite_float(words[c + 4]).value_or(1.0f));
+  extras->colors.push_back(color);
 }
 
 // File names may hold blanks: the words after mtllib are one name, unless it takes several to end in .mtl each.
@@ -132,8 +132,8 @@ ObjCounts check_lines(const std::string& name, std::string_view text, ObjExtras*
     if (words.empty() || words[0][0] == '#') continue;
     const std::string_view keyword = words[0];
     if (keyword == "v") {
-      check_numbers(lines, 3, 7);  // w or a colour may follow
-      read_colour(words, counts.vertices, extras);
+      check_numbers(lines, 3, 7);  // w or a color may follow
+      read_color(words, counts.vertices, extras);
       ++counts.vertices;
     } else if (keyword == "vt") {
       check_numbers(lines, 1, 3);
@@ -338,9 +338,9 @@ Character read_obj(const std::string& path) {
                 std::to_string(character.vertices.size()) + " and " + std::to_string(character.face_count()) + " " +
                 problem);
   finish(&collector);
-  if (!extras.colours.empty()) {
-    extras.colours.resize(counts.vertices, {1, 1, 1});
-    character.vertex_colors = std::move(extras.colours);
+  if (!extras.colors.empty()) {
+    extras.colors.resize(counts.vertices, {1, 1, 1});
+    character.vertex_colors = std::move(extras.colors);
   }
   if (extras.unknown_count > 0)
     character.notes.push_back(

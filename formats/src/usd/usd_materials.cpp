@@ -6,12 +6,12 @@
 
 namespace sinew {
 
-// A picture of a material: the input that it feeds, and how its colours become values.
+// A picture of a material: the input that it feeds, and how its colors become values.
 struct UsdMaterials::Picture {
   const char* name;
   int texture;
   std::vector<double> scale, bias;  // of four channels; empty: as they are
-  const char* space;                // of colours: sRGB, raw
+  const char* space;                // of colors: sRGB, raw
 };
 
 UsdMaterials::UsdMaterials(std::string stem, const tinygltf::Model& model) : stem_(std::move(stem)), model_(model) {
@@ -56,11 +56,10 @@ std::string UsdMaterials::material(size_t m) {
       surface += in + input + ".connect = " + at + "/" + picture.name + ".outputs:" + output + ">\n";
     return true;
   };
-  const Picture colour = {
-      "Colour", pbr.baseColorTexture.index, base == white ? std::vector<double>() : base, {}, "sRGB"};
-  std::vector<std::pair<const char*, const char*>> from_colour = {{"color3f inputs:diffuseColor", "rgb"}};
-  if (see_through) from_colour.emplace_back("float inputs:opacity", "a");
-  if (!fed(colour, from_colour)) {
+  const Picture color = {"Color", pbr.baseColorTexture.index, base == white ? std::vector<double>() : base, {}, "sRGB"};
+  std::vector<std::pair<const char*, const char*>> from_color = {{"color3f inputs:diffuseColor", "rgb"}};
+  if (see_through) from_color.emplace_back("float inputs:opacity", "a");
+  if (!fed(color, from_color)) {
     surface += in + "color3f inputs:diffuseColor = " + usd_tuple(base, 0, 3) + "\n";
     surface += in + "float inputs:opacity = " + usd_number(see_through ? base[3] : 1.0) + "\n";
   }

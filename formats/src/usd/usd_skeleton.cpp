@@ -152,7 +152,7 @@ std::vector<Affine> UsdSkeleton::worlds_at(const Clip& clip, double seconds) con
       NodeParts parts = parts_of(node);
       for (const auto& [what, track] : at->second) {
         const std::array<double, 4> value = track.sample(seconds);
-        if (what == "rotation") parts.rotation = normalised(value);
+        if (what == "rotation") parts.rotation = normalized(value);
         for (size_t i = 0; i < 3 && what != "rotation"; ++i)
           (what == "scale" ? parts.scale : parts.translation)[i] = value[i];
       }

@@ -45,7 +45,7 @@ std::string usd_list(const std::vector<Value>& values) {
   return out + "]";
 }
 
-// Rows are those of matrices that multiply from the right: translations stand in the last one.
+// Rows are those of matrices for row vectors: translations are in the last one.
 inline std::string usd_matrix(const Affine& m) {
   std::string out = "( ";
   for (size_t c = 0; c < 4; ++c)

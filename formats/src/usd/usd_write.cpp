@@ -80,8 +80,8 @@ class UsdWriter {
     out += in + "float3[] extent = " + extent(points.positions) + "\n";
     if (points.has_normals) out += in + "normal3f[] normals = " + usd_tuples(points.normals, 3) + corner;
     if (points.has_uvs) out += in + "texCoord2f[] primvars:st = " + usd_tuples(points.uvs, 2) + corner;
-    if (points.has_colours) out += in + "color3f[] primvars:displayColor = " + colours(points) + corner;
-    if (points.has_colours && !opaque(points))
+    if (points.has_colors) out += in + "color3f[] primvars:displayColor = " + colors(points) + corner;
+    if (points.has_colors && !opaque(points))
       out += in + "float[] primvars:displayOpacity = " + opacities(points) + corner;
     if (node.skin >= 0)
       out += influences(points, static_cast<size_t>(node.skin));
@@ -105,22 +105,22 @@ class UsdWriter {
     return usd_tuples(bounds, 3);
   }
 
-  static std::string colours(const ControlPoints& points) {
+  static std::string colors(const ControlPoints& points) {
     std::vector<double> rgb;
-    for (size_t i = 0; i < points.colours.size(); ++i)
-      if (i % 4 != 3) rgb.push_back(points.colours[i]);
+    for (size_t i = 0; i < points.colors.size(); ++i)
+      if (i % 4 != 3) rgb.push_back(points.colors[i]);
     return usd_tuples(rgb, 3);
   }
 
   static bool opaque(const ControlPoints& points) {
-    for (size_t i = 3; i < points.colours.size(); i += 4)
-      if (points.colours[i] < 1) return false;
+    for (size_t i = 3; i < points.colors.size(); i += 4)
+      if (points.colors[i] < 1) return false;
     return true;
   }
 
   static std::string opacities(const ControlPoints& points) {
     std::vector<double> alpha;
-    for (size_t i = 3; i < points.colours.size(); i += 4) alpha.push_back(points.colours[i]);
+    for (size_t i = 3; i < points.colors.size(); i += 4) alpha.push_back(points.colors[i]);
     return usd_list(alpha);
   }
 

@@ -15,9 +15,10 @@
 
 namespace sinew {
 
-// A .usda with its pictures beside it, the .usda last, or a .usdz: y up, metres, UsdSkel (openusd.org, "UsdSkel: Skeleton Schemas"): one skeleton
+// A .usda with its pictures beside it, the .usda last, or a .usdz: y up, meters, UsdSkel (openusd.org, "UsdSkel: Skeleton Schemas"): one skeleton
 // with bind and rest transforms, meshes with influences and blend shapes, an animation a clip of which the first is bound, UsdPreviewSurface.
-// A mesh without a skin that hangs on a joint gets weight 1 for it. Left out: animations of nodes that are no joints, alpha of colours.
+// A mesh without a skin below a joint gets weight 1 for it. Left out: animations of nodes that are no joints, alpha
+// of colors.
 //   path   ends with .usda or .usdz; pictures are named after it
 //   model  a document as it was read
 // Throws Error naming `path` for accessors that are broken.
@@ -45,7 +46,7 @@ class UsdSkeleton {
 
   size_t joint_count() const { return joints_.size(); }
   int joint_of(int node) const { return node < 0 ? -1 : joint_of_node_[static_cast<size_t>(node)]; }
-  // The nearest joint that a node hangs on, itself included; -1 for none.
+  // Returns the nearest ancestor joint of a node, or the node itself; -1 for none.
   int joint_above(size_t node) const;
   const Affine& bind(int joint) const { return binds_[static_cast<size_t>(joint)]; }
   const Affine& skin_frame_of(size_t skin) const { return frames_[skin]; }

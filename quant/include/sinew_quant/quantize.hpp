@@ -33,7 +33,7 @@ struct ConfidenceEntry {
   uint16_t share = 0;  // of the strongest joint, 65535 = 1
   uint16_t hits = 0;   // how often it was right there, 65535 = 1
 };
-// Puts a confidence table into a model file, or another in place of the one it has; no entries take it out. Throws
+// Puts a confidence table into a model file, or another instead of the one it has; no entries take it out. Throws
 // Error when the engine refuses the file or the result (2 to 64 entries, share rising, hits not falling).
 std::vector<uint8_t> with_confidence(const std::vector<uint8_t>& model, const std::vector<ConfidenceEntry>& entries);
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""sinew in Blender: weights, skeletons, motion and corrections where the artist works. See README.md of samples/blender."""
+"""sinew in Blender: skin weights, skeletons, motion and corrected bends. See README.md of samples/blender."""
 
 bl_info = {
     "name": "sinew",

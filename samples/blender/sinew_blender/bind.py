@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Bind: weights of selected meshes for an armature, all at once."""
+"""Bind: skin weights of the selected meshes for an armature, predicted together."""
 from dataclasses import dataclass, field
 
 import bpy
@@ -30,31 +30,31 @@ class Gathered:
 
 
 class SINEW_OT_bind(EngineOperator, bpy.types.Operator):
-    """Skin weights of the selected meshes for the armature, predicted for all of them together"""
+    """Predict skin weights of the selected meshes for the armature, for all of them together"""
 
     bl_idname = "sinew.bind"
     bl_label = "Bind with sinew"
     bl_options = {"REGISTER", "UNDO"}
     label = "Bind"
 
-    method: bpy.props.EnumProperty(name="Method", items=[("model", "Network", "What artists' characters taught"),
-                                                         ("heat", "Heat", "Heat fields alone")])
-    joints: bpy.props.EnumProperty(name="Bones", items=[("names", "That Deform", "Not controls, slots, ends and what stands beside the mesh, as the command has it"),
-                                                        ("all", "All", "Every bone whose Deform is on")])
-    influences: bpy.props.IntProperty(name="Influences", description="Most bones a vertex", default=4, min=1, max=12)
-    symmetric: bpy.props.BoolProperty(name="Symmetric", description="Mirror images get mirrored weights, to the last bit; across the world's x")
-    rigid_parts: bpy.props.EnumProperty(name="Loose Parts", description="Whether connected pieces move as a whole",
-                                        items=[("auto", "As Predicted", ""), ("always", "Rigid", "Every piece gets one bone"),
-                                               ("never", "Soft", "Pieces that are only predicted to be rigid blend")])
-    softness: bpy.props.FloatProperty(name="Softness", description="How softly weights blend, 2 twice as softly", default=1, min=0.25, max=4)
-    existing: bpy.props.EnumProperty(name="Painted", description="What becomes of vertices that have weight already",
-                                     items=[("replace", "Replaced", "Their weights are predicted anew"),
-                                            ("hints", "Hints", "They stay, and steer the vertices around them"),
+    method: bpy.props.EnumProperty(name="Method", items=[("model", "Network", "Network trained on artists' characters"),
+                                                         ("heat", "Heat", "Heat diffusion only")])
+    joints: bpy.props.EnumProperty(name="Bones", items=[("names", "That Deform", "All but controls, slots, ends and bones beside the mesh, as in the command"),
+                                                        ("all", "All", "Every bone with Deform on")])
+    influences: bpy.props.IntProperty(name="Influences", description="Maximum number of bones per vertex", default=4, min=1, max=12)
+    symmetric: bpy.props.BoolProperty(name="Symmetric", description="Give mirrored vertices mirrored weights, equal to the last bit, across the world x axis")
+    rigid_parts: bpy.props.EnumProperty(name="Loose Parts", description="When connected pieces move as a whole",
+                                        items=[("auto", "As Predicted", ""), ("always", "Rigid", "Bind every piece to one bone"),
+                                               ("never", "Soft", "Blend pieces that are only predicted to be rigid")])
+    softness: bpy.props.FloatProperty(name="Softness", description="Softness of the blend between bones; 2 is twice as soft", default=1, min=0.25, max=4)
+    existing: bpy.props.EnumProperty(name="Painted", description="Treatment of vertices that already have weight",
+                                     items=[("replace", "Replaced", "Predict their weights again"),
+                                            ("hints", "Hints", "Keep them, as hints for the vertices around them"),
                                             ("keep", "Kept", "They stay")])
-    only_selected_bones: bpy.props.BoolProperty(name="Selected Bones Only", description="Weights of other bones stay, the selected ones share the rest")
-    questions: bpy.props.IntProperty(name="Questions", description="List so many parts that geometry does not decide", default=0, min=0, max=64)
+    only_selected_bones: bpy.props.BoolProperty(name="Selected Bones Only", description="Keep the weights of other bones; the selected ones share the rest")
+    questions: bpy.props.IntProperty(name="Questions", description="Maximum number of undecided parts to list", default=0, min=0, max=64)
     precision: bpy.props.EnumProperty(name="Steps", description="Of a weight", items=[("8", "255", ""), ("16", "65535", "Slower to write")])
-    style: bpy.props.StringProperty(name="Style", description="File of answers about another character of the kind, of sinew bind --save-style",
+    style: bpy.props.StringProperty(name="Style", description="Style file with answers about a similar character, from sinew bind --save-style",
                                     subtype="FILE_PATH")
 
     @classmethod
@@ -79,7 +79,7 @@ class SINEW_OT_bind(EngineOperator, bpy.types.Operator):
         never = [bone.name for bone in armature.data.bones if not bone.use_deform]
         outside = [bone.name for bone in armature.data.bones if self.only_selected_bones and not scene.is_selected(armature, bone)]
         if self.only_selected_bones and len(outside) == len(names):
-            raise Problem("Selected Bones Only, and no bone is selected")
+            raise Problem("Selected Bones Only is on, but no bone is selected")
         kept = np.zeros((joined.own, len(names)), np.float32)
         rows = np.ones(joined.own, bool)
         had = np.zeros((joined.own, len(names)), np.float32) if self.existing != "replace" else None
@@ -112,7 +112,7 @@ class SINEW_OT_bind(EngineOperator, bpy.types.Operator):
         return out
 
     def _take_painted(self, out, had):
-        """Painted vertices become hints or locked rows; what locked groups have there is not theirs to say."""
+        """Painted vertices become hints or locked rows; weights of locked groups are excluded."""
         names = list(out.skeleton.names)
         had = had.copy()
         had[:, [names.index(n) for n in out.never]] = 0
@@ -162,11 +162,11 @@ class SINEW_OT_bind(EngineOperator, bpy.types.Operator):
 
 
 def left_out_line(told, never):
-    """Bones that get no weight though the armature lets them deform."""
+    """Bones with Deform on that still get no weight."""
     others = [f"{name} ({why})" for name, why in told.left_out.items() if name not in set(never)]
     if not others:
         return ""
-    return f"; without weight by their names: {', '.join(others[:3])}{f' and {len(others) - 3} more' if len(others) > 3 else ''}; Bones: All binds them"
+    return f"; no weight, by their names: {', '.join(others[:3])}{f' and {len(others) - 3} more' if len(others) > 3 else ''}; Bones: All binds them"
 
 
 def rounded(skin, influences, precision="8"):
@@ -177,13 +177,13 @@ def rounded(skin, influences, precision="8"):
 
 
 def _with_names(names, replaced):
-    """Names by joint number; bones whose groups stay have none."""
+    """Names by joint index; None for bones whose groups are kept."""
     inside = set(replaced)
     return [n if n in inside else "" for n in names]
 
 
 def attach(item, armature):
-    """The object follows the armature: a modifier where none does it, a parent where there is none."""
+    """Makes the object follow the armature: adds a modifier and a parent unless it has them."""
     if not any(m.type == "ARMATURE" and m.object == armature for m in item.modifiers) and not (
             item.parent == armature and item.parent_type == "ARMATURE"):
         item.modifiers.new("Armature", "ARMATURE").object = armature
@@ -195,7 +195,7 @@ def attach(item, armature):
 
 
 class SINEW_PG_question(bpy.types.PropertyGroup):
-    """A part that geometry does not decide. `alternatives`: kind:bone, several by newlines."""
+    """A part that geometry alone does not decide. `alternatives`: kind:bone, one per line."""
 
     item: bpy.props.PointerProperty(type=bpy.types.Object)
     vertex: bpy.props.IntProperty()
@@ -237,7 +237,7 @@ def remember(context, gathered, questions):
 
 
 class SINEW_OT_answer(bpy.types.Operator):
-    """Says how a part moves, and binds again"""
+    """Choose how a part moves, and bind again"""
 
     bl_idname = "sinew.answer"
     bl_label = "Answer"
@@ -248,7 +248,7 @@ class SINEW_OT_answer(bpy.types.Operator):
     def execute(self, context):
         listed = context.scene.sinew_questions
         if not 0 <= self.question < len(listed):
-            self.report({"ERROR"}, f"Answer: there are {len(listed)} questions, expected one of them")
+            self.report({"ERROR"}, f"Answer: found {len(listed)} questions, expected the index of one")
             return {"CANCELLED"}
         question = listed[self.question]
         one = context.scene.sinew_answers.add()
@@ -261,7 +261,7 @@ class SINEW_OT_answer(bpy.types.Operator):
 
 
 class SINEW_OT_show(bpy.types.Operator):
-    """Selects the part of the mesh that a question is about"""
+    """Select the part of the mesh in question"""
 
     bl_idname = "sinew.show"
     bl_label = "Show Part"
@@ -271,7 +271,7 @@ class SINEW_OT_show(bpy.types.Operator):
     def execute(self, context):
         listed = context.scene.sinew_questions
         if not 0 <= self.question < len(listed) or listed[self.question].item is None:
-            self.report({"ERROR"}, f"Show part: there are {len(listed)} questions, expected one of a mesh that is there")
+            self.report({"ERROR"}, f"Show part: found {len(listed)} questions, expected the index of one whose mesh exists")
             return {"CANCELLED"}
         item, vertex = listed[self.question].item, listed[self.question].vertex
         mesh = item.data
@@ -295,7 +295,7 @@ class SINEW_OT_show(bpy.types.Operator):
 
 
 class SINEW_OT_forget(bpy.types.Operator):
-    """Takes all answers back; the next bind is without them"""
+    """Remove all answers; the next bind ignores them"""
 
     bl_idname = "sinew.forget"
     bl_label = "Forget Answers"

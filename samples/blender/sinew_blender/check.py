@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Check the rig: what is wrong with weights and joints, as `sinew check` finds it, listed; a click shows where."""
+"""Check the rig: lists faults of weights and joints as `sinew check` does; a click selects them."""
 import bpy
 import numpy as np
 
@@ -8,7 +8,7 @@ from .work import EngineOperator, Problem
 
 
 class SINEW_PG_finding(bpy.types.PropertyGroup):
-    """`vertices`: numbers in the mesh, a space between two."""
+    """`vertices`: indices in the mesh, separated by spaces."""
 
     what: bpy.props.StringProperty()
     cure: bpy.props.StringProperty()
@@ -19,14 +19,14 @@ class SINEW_PG_finding(bpy.types.PropertyGroup):
 
 
 class SINEW_OT_check(EngineOperator, bpy.types.Operator):
-    """Looks for what is wrong with the skeleton and the weights of the selected meshes; changes nothing"""
+    """Find faults of the skeleton and the weights of the selected meshes; changes nothing"""
 
     bl_idname = "sinew.check"
     bl_label = "Check the Rig"
     bl_options = {"REGISTER"}
     label = "Check"
 
-    poses: bpy.props.BoolProperty(name="Test Poses", description="Also bend the body and look for tears, lost volume and crossings", default=True)
+    poses: bpy.props.BoolProperty(name="Test Poses", description="Also bend the body and find tears, lost volume and crossings", default=True)
 
     @classmethod
     def poll(cls, context):
@@ -62,7 +62,7 @@ class SINEW_OT_check(EngineOperator, bpy.types.Operator):
 
 
 class SINEW_OT_show_finding(bpy.types.Operator):
-    """Selects what a finding is about"""
+    """Select the vertices or bones of a finding"""
 
     bl_idname = "sinew.show_finding"
     bl_label = "Show Finding"
@@ -72,7 +72,7 @@ class SINEW_OT_show_finding(bpy.types.Operator):
     def execute(self, context):
         listed = context.scene.sinew_findings
         if not 0 <= self.finding < len(listed) or listed[self.finding].item is None:
-            self.report({"ERROR"}, f"Show finding: there are {len(listed)} findings, expected one of an object that is there")
+            self.report({"ERROR"}, f"Show finding: found {len(listed)} findings, expected the index of one whose object exists")
             return {"CANCELLED"}
         one = listed[self.finding]
         vertices = [int(v) for v in one.vertices.split()]

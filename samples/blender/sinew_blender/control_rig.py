@@ -38,7 +38,7 @@ def fit(controls, armature):
     bones = armature.data.bones
     pairs = [(joint["name"], joint["position"], bones[joint["name"]].head_local) for joint in controls["joints"] if joint["name"] in bones]
     if len(pairs) < 3:
-        raise Problem(f"the controls are of another skeleton: {len(pairs)} of their {len(controls['joints'])} joints are bones of {armature.name}")
+        raise Problem(f"the controls belong to another skeleton: {len(pairs)} of their {len(controls['joints'])} joints are bones of {armature.name}")
     theirs = np.array([p for _, p, _ in pairs], np.float64)
     own = np.array([tuple(p) for _, _, p in pairs], np.float64)
     theirs, own = theirs - theirs.mean(0), own - own.mean(0)
@@ -49,7 +49,7 @@ def fit(controls, armature):
     off = np.linalg.norm(scale * theirs @ turn.T - own, axis=1)
     size = max(np.ptp(own, axis=0).max(), 1e-9)
     if off.max() > 0.02 * size:
-        raise Problem(f"the controls are of another rest pose: {pairs[int(off.argmax())][0]} lies {100 * off.max() / size:.0f} % of the size elsewhere")
+        raise Problem(f"the controls belong to another rest pose: {pairs[int(off.argmax())][0]} lies {100 * off.max() / size:.0f} % of the size apart")
     return turn
 
 
@@ -200,7 +200,7 @@ class _Builder:
                         self.copy_turn(pose[joint], source, 1)
             if fist is not None:
                 control = label("IK", arm["name"])
-                own_property(pose[control], "curl", 0, -20, 90, "Degrees that every finger's joints bend")
+                own_property(pose[control], "curl", 0, -20, 90, "Bend of each joint of the finger, in degrees")
                 pose[fist].rotation_mode = "XYZ"
                 self.drive(pose[fist], "rotation_euler", 0, control, "curl", f"curl * {math.pi / 180:.9f}")
         self.later.append(constrain)
@@ -229,7 +229,7 @@ class _Builder:
         driver.expression = expression
 
     def constrain_limb(self, pose, limb, first, second, control, target, pole, straight):
-        own_property(pose[control], "FK", 0.0, 0.0, 1.0, "0: the limb follows this control; 1: its bones turn by hand")
+        own_property(pose[control], "FK", 0.0, 0.0, 1.0, "0: the limb follows this control (IK); 1: its bones are rotated directly (FK)")
         one = pose[second].constraints.new("IK")
         one.target, one.subtarget, one.chain_count, one.use_stretch = self.object, target, 2, False
         one.iterations = 500

@@ -28,9 +28,9 @@ def read_controls(path):
         found = found if "sinew_controls" in found else found.get("extras", {})["sinew_controls"]
         version = found["sinew_controls"]
     except (ValueError, KeyError, TypeError, AttributeError):
-        raise Problem(f"{path}: has no controls; expected what sinew rig --controls writes") from None
+        raise Problem(f"{path}: has no controls; expected a file of sinew rig --controls") from None
     if version != 1:
-        raise Problem(f"{path}: controls of version {version}, expected 1; a newer add-on reads them")
+        raise Problem(f"{path}: controls version {version}, expected 1; update the add-on")
     return found
 
 
@@ -46,14 +46,14 @@ def armature_of(context):
 
 
 class SINEW_OT_controls(EngineOperator, bpy.types.Operator):
-    """A control rig for the armature: legs and arms follow hands and feet, feet roll, spine, head and fingers turn by one bone each"""
+    """Add a control rig to the armature: IK for legs and arms, foot roll, and one bone each to rotate spine, head and fingers"""
 
     bl_idname = "sinew.controls"
     bl_label = "Add Controls"
     bl_options = {"REGISTER", "UNDO"}
     label = "Controls"
 
-    file: bpy.props.StringProperty(name="File", description="What sinew rig --controls wrote, or a GLB that has it; empty: by the bones' names and places",
+    file: bpy.props.StringProperty(name="File", description="File of sinew rig --controls, or a GLB with controls; empty: by names and positions of bones",
                                    subtype="FILE_PATH")
 
     @classmethod
@@ -84,13 +84,13 @@ class SINEW_OT_controls(EngineOperator, bpy.types.Operator):
 
 
 class SINEW_OT_bake_controls(bpy.types.Operator):
-    """The pose, or every frame of the controls' action, goes onto the bones themselves; the controls go"""
+    """Bake the pose, or every frame of the controls' action, into the bones and remove the controls"""
 
     bl_idname = "sinew.bake_controls"
     bl_label = "Bake Controls"
     bl_options = {"REGISTER", "UNDO"}
 
-    keep: bpy.props.BoolProperty(name="Keep Controls", description="They stay beside the armature, which no longer follows them")
+    keep: bpy.props.BoolProperty(name="Keep Controls", description="Keep the controls without effect on the armature")
 
     @classmethod
     def poll(cls, context):

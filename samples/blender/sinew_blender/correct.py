@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Correct bends: shape keys with drivers that put back the volume which linear blending loses where bones bend."""
+"""Correct bends: shape keys with drivers that restore the volume that linear blending loses where bones bend."""
 import math
 from dataclasses import dataclass
 
@@ -30,17 +30,17 @@ class Bend:
 
 
 class SINEW_OT_correct(EngineOperator, bpy.types.Operator):
-    """Shape keys, driven by the bones, that keep the volume of bends: for the selected bones, or for arms and legs"""
+    """Add shape keys, driven by the bones, that keep the volume of bends: for the selected bones, or for arms and legs"""
 
     bl_idname = "sinew.correct"
     bl_label = "Correct Bends"
     bl_options = {"REGISTER", "UNDO"}
     label = "Correct bends"
 
-    angle: bpy.props.FloatProperty(name="Angle", description="Of the bend where a key is full", default=math.radians(90), min=math.radians(20),
+    angle: bpy.props.FloatProperty(name="Angle", description="Angle of the bend at which a key is full", default=math.radians(90), min=math.radians(20),
                                    max=math.radians(150), subtype="ANGLE")
-    axes: bpy.props.EnumProperty(name="Axes", description="Of the bones, which lie along their Y", default="X",
-                                 items=[("X", "X", "Both ways about X"), ("Z", "Z", "Both ways about Z"), ("XZ", "X and Z", "All four ways")])
+    axes: bpy.props.EnumProperty(name="Axes", description="Bend axes of the bones, whose length is along Y", default="X",
+                                 items=[("X", "X", "Both directions about X"), ("Z", "Z", "Both directions about Z"), ("XZ", "X and Z", "All four directions")])
     only_selected_bones: bpy.props.BoolProperty(name="Selected Bones Only")
 
     @classmethod
@@ -62,7 +62,7 @@ class SINEW_OT_correct(EngineOperator, bpy.types.Operator):
             if item.mode == "EDIT":
                 raise Problem("leave edit mode first")
             if any(m.type == "ARMATURE" and m.object == armature and m.use_deform_preserve_volume for m in item.modifiers):
-                raise Problem(f"{item.name}: turn Preserve Volume of its armature modifier off; keys correct linear blending")
+                raise Problem(f"{item.name}: switch off Preserve Volume of its armature modifier; keys correct linear blending")
             if item.data in shared:
                 raise Problem(f"{item.name} and {shared[item.data]} share one mesh, whose keys would be of both; make it a single user")
             shared[item.data] = item.name

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Where to look: the doubtful vertices of a bind, selected and coloured."""
+"""Show doubt: selects and colors the least certain vertices of a bind."""
 import bpy
 import numpy as np
 
@@ -10,14 +10,14 @@ ATTRIBUTE = "sinew doubt"
 
 
 class SINEW_OT_look(EngineOperator, bpy.types.Operator):
-    """Selects the vertices whose weights are the least sure, and colours all by doubt. Weights stay as they are"""
+    """Select the vertices with the least certain weights, and color all by doubt. Keeps the weights"""
 
     bl_idname = "sinew.look"
-    bl_label = "Where to Look"
+    bl_label = "Show Doubt"
     bl_options = {"REGISTER", "UNDO"}
-    label = "Where to look"
+    label = "Show doubt"
 
-    share: bpy.props.FloatProperty(name="Share", description="Of the vertices that are selected, the least sure ones", default=0.1, min=0.001,
+    share: bpy.props.FloatProperty(name="Share", description="Share of the vertices to select, the least certain ones", default=0.1, min=0.001,
                                    max=1, subtype="FACTOR")
 
     @classmethod
@@ -44,7 +44,7 @@ class SINEW_OT_look(EngineOperator, bpy.types.Operator):
         doubtful &= sure < 255
         doubt = 1 - sure / 255
         shade = doubt / max(doubt.max(), 1e-6)
-        colours = np.stack([np.clip(1.5 * shade, 0, 1), np.clip(2 * shade - 1, 0, 1) * 0.8, 0.35 * (1 - shade), np.ones(joined.own)], 1)
+        colors = np.stack([np.clip(1.5 * shade, 0, 1), np.clip(2 * shade - 1, 0, 1) * 0.8, 0.35 * (1 - shade), np.ones(joined.own)], 1)
         for part in joined.parts:
             item, own = part.object, slice(part.first, part.first + part.count)
             mode = item.mode
@@ -56,13 +56,13 @@ class SINEW_OT_look(EngineOperator, bpy.types.Operator):
             mesh.edges.foreach_set("select", np.zeros(len(mesh.edges), bool))
             mesh.vertices.foreach_set("select", doubtful[own])
             attribute = mesh.color_attributes.get(ATTRIBUTE) or mesh.color_attributes.new(ATTRIBUTE, "FLOAT_COLOR", "POINT")
-            attribute.data.foreach_set("color", colours[own].astype(np.float32).ravel())
+            attribute.data.foreach_set("color", colors[own].astype(np.float32).ravel())
             mesh.color_attributes.active_color = attribute
             mesh.update()
             if mode == "EDIT":
                 with context.temp_override(active_object=item, object=item):
                     bpy.ops.object.mode_set(mode="EDIT")
-        self.report({"INFO"}, f"Where to look: {int(doubtful.sum())} of {joined.own} vertices are selected, the colour attribute is {ATTRIBUTE}")
+        self.report({"INFO"}, f"Show doubt: {int(doubtful.sum())} of {joined.own} vertices are selected, the color attribute is {ATTRIBUTE}")
 
 
 def register():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The tab in the sidebar of the 3D view: the five steps of the page (samples/web), the present one alone below them."""
+"""The tab in the sidebar of the 3D view: the five steps of the page (samples/web), with the current one below them."""
 import bpy
 
 from . import control_rig, scene
@@ -58,7 +58,7 @@ def sentence(context, step):
         parts = len(context.scene.sinew_questions)
         if not is_bound(context):
             return "Not bound yet."
-        return f"Bound; {parts} part{'s' if parts > 1 else ''} may move in another way." if parts else "Bound, no part in doubt."
+        return f"Bound; {parts} part{'s' if parts > 1 else ''} may move differently." if parts else "Bound, no part in doubt."
     if step == "Motion":
         return f"Moves by {armature.animation_data.action.name}." if is_done(context, step) else "No motion yet."
     return "A file for other programs."

@@ -23,7 +23,7 @@ def chosen(context):
         raise Problem("select the armature with the motion, then the one that gets it last")
     sources = [o for o in context.selected_objects if o.type == "ARMATURE" and o != target]
     if len(sources) != 1:
-        raise Problem("select one other armature, whose motion is to be taken" if not sources else "select one other armature, there are several")
+        raise Problem("select one other armature with the motion" if not sources else "select one other armature, there are several")
     return target, sources[0]
 
 
@@ -54,7 +54,7 @@ def find_map(target, source):
 
 
 class SINEW_OT_map(bpy.types.Operator):
-    """Finds which bone of the active armature moves as which of the other selected one, to look at and to edit"""
+    """Match the bones of the active armature to those of the other selected one, for review and editing"""
 
     bl_idname = "sinew.map_bones"
     bl_label = "Map Bones"
@@ -74,21 +74,21 @@ class SINEW_OT_map(bpy.types.Operator):
             pair = scene_.sinew_map.add()
             pair.target, pair.confidence = bone.name, float(sure)
             pair.source = source.data.bones[joint].name if joint >= 0 else ""
-        doubt = "; which way is front is not sure, left and right may be exchanged" if found.certainty < 0.5 else ""
+        doubt = "; the front is uncertain, so left and right may be exchanged; check the map" if found.certainty < 0.5 else ""
         self.report({"INFO"}, f"Map: {int((found.sources >= 0).sum())} of {len(found.sources)} bones have a source{doubt}")
         return {"FINISHED"}
 
 
 class SINEW_OT_retarget(EngineOperator, bpy.types.Operator):
-    """The action of the other selected armature on the active one, as a new action"""
+    """Retarget the action of the other selected armature to the active one, as a new action"""
 
     bl_idname = "sinew.retarget"
     bl_label = "Retarget with sinew"
     bl_options = {"REGISTER", "UNDO"}
     label = "Retarget"
 
-    hold_feet: bpy.props.BoolProperty(name="Hold Feet", description="Feet that stand stay where they stand; needs a bound mesh", default=True)
-    in_place: bpy.props.BoolProperty(name="In Place", description="Stays above where it stands at rest")
+    hold_feet: bpy.props.BoolProperty(name="Hold Feet", description="Keep planted feet in place; needs a bound mesh", default=True)
+    in_place: bpy.props.BoolProperty(name="In Place", description="Keep the character above its rest position")
 
     @classmethod
     def poll(cls, context):
@@ -98,7 +98,7 @@ class SINEW_OT_retarget(EngineOperator, bpy.types.Operator):
         target, source = chosen(context)
         action = source.animation_data.action if source.animation_data else None
         if action is None:
-            raise Problem(f"{source.name} has no action; its motion is to be taken")
+            raise Problem(f"{source.name} has no action to retarget")
         first, last = (int(round(f)) for f in action.frame_range)
         if last < first:
             raise Problem(f"{action.name} has no frames")

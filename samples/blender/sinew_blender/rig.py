@@ -17,22 +17,22 @@ def blender_name(name):
 
 
 class SINEW_OT_rig(EngineOperator, bpy.types.Operator):
-    """An armature for the selected meshes; or, with an armature selected too, that one fitted into them"""
+    """Make an armature for the selected meshes, or fit a selected armature into them"""
 
     bl_idname = "sinew.rig"
     bl_label = "Rig with sinew"
     bl_options = {"REGISTER", "UNDO"}
     label = "Rig"
 
-    names: bpy.props.EnumProperty(name="Names", items=[("blender", "Arm.L", "For Blender's mirrored editing"),
-                                                       ("sides", "LeftArm", "As game engines have them")])
+    names: bpy.props.EnumProperty(name="Names", items=[("blender", "Arm.L", "Names for Blender's mirrored editing"),
+                                                       ("sides", "LeftArm", "Names as in game engines")])
     spine: bpy.props.IntProperty(name="Spine", description="Bones between hips and neck, 0: as predicted", default=0, min=0, max=16)
-    detail: bpy.props.EnumProperty(name="Detail", items=[("body", "Body", "Down to the hands"), ("hands", "Hands", "With fingers, where the mesh shows any"),
-                                                         ("full", "Full", "With eyes, a jaw and what hands hold, too")])
+    detail: bpy.props.EnumProperty(name="Detail", items=[("body", "Body", "Down to the hands"), ("hands", "Hands", "With fingers, where the mesh has them"),
+                                                         ("full", "Full", "Also with eyes, a jaw and props in hands")])
     toes: bpy.props.BoolProperty(name="Toes", default=True)
     mirror: bpy.props.EnumProperty(name="Mirror", items=[("auto", "As the Mesh", ""), ("always", "Always", ""), ("never", "Never", "")])
-    method: bpy.props.EnumProperty(name="Method", items=[("auto", "Automatic", "The network; solid parts, flat figures and lone hands by themselves"), ("votes", "Network", ""),
-                                                         ("shape", "Middle Line", "For what no model knows")])
+    method: bpy.props.EnumProperty(name="Method", items=[("auto", "Automatic", "The network, with special cases for solid parts, flat figures and hands without a body"), ("votes", "Network", ""),
+                                                         ("shape", "Middle Line", "For meshes unlike the training data")])
     bind: bpy.props.BoolProperty(name="Bind", description="Bind the meshes to the new armature as well", default=True)
 
     @classmethod
@@ -73,7 +73,7 @@ class SINEW_OT_rig(EngineOperator, bpy.types.Operator):
         if armature is not None:
             order = [found.index(n) for n in skeleton.names]
             move_bones(context, armature, skeleton, found.positions[order].astype(np.float64))
-            self.report({"INFO"}, f"Rig: {armature.name} fitted, {told.matched} of {len(skeleton)} bones have a like in the mesh{warnings}")
+            self.report({"INFO"}, f"Rig: {armature.name} fitted, {told.matched} of {len(skeleton)} bones match the mesh{warnings}")
         else:
             armature = self._new_armature(context, joined, found)
             self.report({"INFO"}, f"Rig: {len(armature.data.bones)} bones{warnings}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Transfer: weights of the active mesh for the other selected ones."""
+"""Transfer: copies the weights of the active mesh to the other selected ones."""
 import bpy
 import numpy as np
 
@@ -9,7 +9,7 @@ from .work import EngineOperator, Problem, thread_count
 
 
 class SINEW_OT_transfer(EngineOperator, bpy.types.Operator):
-    """The weights of the active mesh for the other selected meshes: of the same, a like or another skeleton"""
+    """Transfer the weights of the active mesh to the other selected meshes, with the same or another skeleton"""
 
     bl_idname = "sinew.transfer"
     bl_label = "Transfer with sinew"
@@ -17,11 +17,11 @@ class SINEW_OT_transfer(EngineOperator, bpy.types.Operator):
     label = "Transfer"
 
     method: bpy.props.EnumProperty(name="Method", items=[
-        ("auto", "Balanced", "Nearest and bound anew, vertex by vertex"), ("nearest", "Nearest", "The active mesh's weights alone"),
-        ("biharmonic", "Along the Surface", "By distances along the surface"), ("rebind", "Bound Anew", "By the binder that suits the active mesh")])
-    garment: bpy.props.BoolProperty(name="Garment", description="The others are worn by the active mesh: near it its weights, far from it a "
-                                                                "bind of the dressed whole")
-    influences: bpy.props.IntProperty(name="Influences", description="Most bones a vertex", default=4, min=1, max=12)
+        ("auto", "Balanced", "Blend of nearest and rebind, per vertex"), ("nearest", "Nearest", "The active mesh's weights only"),
+        ("biharmonic", "Along the Surface", "By distances along the surface"), ("rebind", "Rebind", "By the binder that suits the active mesh")])
+    garment: bpy.props.BoolProperty(name="Garment", description="The active mesh wears the others: near it they get its "
+                                                                "weights, elsewhere a bind of the dressed character")
+    influences: bpy.props.IntProperty(name="Influences", description="Maximum number of bones per vertex", default=4, min=1, max=12)
 
     @classmethod
     def poll(cls, context):
@@ -34,7 +34,7 @@ class SINEW_OT_transfer(EngineOperator, bpy.types.Operator):
             raise Problem("select the meshes that get weights, then the bound one last")
         armature = scene.armature_of(source)
         if armature is None:
-            raise Problem(f"{source.name} has no armature; its weights are to be carried over, bind it first")
+            raise Problem(f"{source.name} has no armature to transfer from; bind it first")
         skeleton = scene.skeleton_of(armature)
         weights = scene.weights_of(source, list(skeleton.names))
         if not weights.any():
@@ -71,7 +71,7 @@ class SINEW_OT_transfer(EngineOperator, bpy.types.Operator):
             with groups.ObjectMode(context, item):
                 groups.write(item, list(skeleton.names), rows_of.joints, rows_of.weights / np.float32(255), np.ones(mesh.own, bool) if rows is None else rows)
             attach(item, other)
-        told = ", ".join(f"{m.parts[0].object.name} {100 * r.carried:.0f} % carried over" for m, r in zip(meshes, result))
+        told = ", ".join(f"{m.parts[0].object.name} {100 * r.carried:.0f} % transferred" for m, r in zip(meshes, result))
         self.report({"INFO"}, f"Transfer: {told}")
 
 

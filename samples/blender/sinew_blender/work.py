@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Operators that gather data, let the engine work, and only then change the scene: at once for what is small, in a thread with
-progress and Esc for what is large."""
+"""Operators that read the scene, run the engine, and only then change the scene: at once for small meshes, in a thread with
+progress and Esc for large ones."""
 import os
 import threading
 import time
@@ -11,7 +11,7 @@ from .sinew import Cancelled, Error
 
 
 class Problem(Exception):
-    """What the user has to do first, in one line."""
+    """An error for the user, in one line with the remedy."""
 
 
 class EngineOperator:
@@ -23,7 +23,7 @@ class EngineOperator:
     label = "sinew"
     vertex_count = 0
     threaded_from: bpy.props.IntProperty(
-        name="Thread From", description="Meshes of so many vertices are worked on in the background, with progress; Esc stops",
+        name="Thread From", description="Process meshes with at least this many vertices in the background, with progress; Esc stops",
         default=200000, min=0, options={"HIDDEN", "SKIP_SAVE"})
 
     def gather(self, context):

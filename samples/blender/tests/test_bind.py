@@ -277,7 +277,7 @@ class Bind(unittest.TestCase):
         self.assertTrue(chosen[asked] and 0 < chosen.sum() < len(chosen))
         crossing = [e for e in item.data.edges if chosen[e.vertices[0]] != chosen[e.vertices[1]]]
         self.assertEqual(crossing, [])
-        with self.assertRaisesRegex(RuntimeError, "there are 3 questions"):
+        with self.assertRaisesRegex(RuntimeError, "found 3 questions"):
             bpy.ops.sinew.show(question=3)
         choice = listed[0].alternatives.split("\n")[0]
         self.assertEqual(bpy.ops.sinew.answer(question=0, answer=choice), {"FINISHED"})

@@ -281,7 +281,7 @@ class Controls(unittest.TestCase):
                 bpy.ops.sinew.controls(file=f"{where}/robot.controls.json")
             with open(f"{where}/none.json", "w") as file:
                 file.write("{}")
-            with self.assertRaisesRegex(RuntimeError, "has no controls; expected what"):
+            with self.assertRaisesRegex(RuntimeError, "has no controls; expected a file"):
                 bpy.ops.sinew.controls(file=f"{where}/none.json")
             self.assertEqual(len(bpy.data.objects), objects)
 

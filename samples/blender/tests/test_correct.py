@@ -92,7 +92,7 @@ class Correct(unittest.TestCase):
         self.assertEqual(sorted(names), ["Basis"] + [f"sinew bend neck {s}{a}" for s in "+-" for a in "XZ"])
         self.item.modifiers[0].use_deform_preserve_volume = True
         before = state(self.item)
-        with self.assertRaisesRegex(RuntimeError, "turn Preserve Volume"):
+        with self.assertRaisesRegex(RuntimeError, "switch off Preserve Volume"):
             bpy.ops.sinew.correct()
         self.item.modifiers[0].use_deform_preserve_volume = False
         for bone in self.armature.data.bones:

@@ -127,7 +127,7 @@ class Check(unittest.TestCase):
         print(f"{whole} findings, then {len(findings)}: {findings[number].what}")
         self.assertEqual(bpy.ops.sinew.show_finding(finding=number), {"FINISHED"})
         self.assertEqual({v.index for v in item.data.vertices if v.select}, {int(v) for v in findings[number].vertices.split()})
-        with self.assertRaisesRegex(RuntimeError, "expected one of an object"):
+        with self.assertRaisesRegex(RuntimeError, "expected the index of one"):
             bpy.ops.sinew.show_finding(finding=99)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rig, Transfer, Where to Look in Blender, headless."""
+"""Rig, Transfer, Show Doubt in Blender, headless."""
 import os
 import sys
 import unittest
@@ -135,12 +135,12 @@ class Transfer(unittest.TestCase):
         item.modifiers.new("Armature", "ARMATURE").object = armature
         self.assertEqual(bpy.ops.sinew.transfer(garment=True), {"FINISHED"})
         np.testing.assert_allclose(dense(other, skeleton.names).sum(1), 1, atol=1e-5)
-        with self.assertRaisesRegex(RuntimeError, "Transfer: garment: it lies on its body"):
+        with self.assertRaisesRegex(RuntimeError, "Transfer: garment: does not work with"):
             bpy.ops.sinew.transfer(garment=True, method="biharmonic")
 
 
 class Look(unittest.TestCase):
-    def test_the_least_sure_are_selected_and_coloured(self):
+    def test_the_least_sure_are_selected_and_colored(self):
         clear()
         item, armature, _, _ = character()
         bpy.ops.sinew.bind()
@@ -153,9 +153,9 @@ class Look(unittest.TestCase):
         self.assertEqual(int(chosen.sum()), round(0.05 * len(sure)))
         self.assertLessEqual(sure[chosen].max(), sure[~chosen].min())
         attribute = item.data.color_attributes["sinew doubt"]
-        colours = np.empty(4 * len(sure), np.float32)
-        attribute.data.foreach_get("color", colours)
-        red = colours.reshape(-1, 4)[:, 0]
+        colors = np.empty(4 * len(sure), np.float32)
+        attribute.data.foreach_get("color", colors)
+        red = colors.reshape(-1, 4)[:, 0]
         self.assertGreaterEqual(red[chosen].min(), red[~chosen].max())
         self.assertGreater(red.max(), red.min() + 0.5)
         bpy.ops.sinew.look()

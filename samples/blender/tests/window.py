@@ -116,7 +116,7 @@ def steps():
         bpy.ops.view3d.view_all()
     yield 1.0
     shot("3_weights")
-    # The panel draws a map and questions; Where to Look's colours are seen.
+    # The panel draws a map and questions; Show Doubt's colors are seen.
     bpy.ops.object.mode_set(mode="OBJECT")
     other = add_armature(common.read_character("biped__robot")[2], "Source")
     other.location = (1.5, 0, 0)

@@ -11,7 +11,7 @@ bool can_confine() { return false; }
 
 ChildResult run_child(const std::vector<std::string>&, const std::string&, double, const std::atomic<bool>&,
                       const std::function<void(const std::string&)>&) {
-  throw Error("sinew serve: not on Windows; call the command for each file");
+  throw Error("sinew serve does not run on Windows; call the command for each file");
 }
 
 }  // namespace sinew::cli
@@ -94,7 +94,7 @@ std::string this_program() {
 struct Pipe {
   int ends[2] = {-1, -1};
   Pipe() {
-    if (pipe(ends) != 0) throw Error(std::string("sinew serve: no pipe: ") + std::strerror(errno));
+    if (pipe(ends) != 0) throw Error(std::string("sinew serve: cannot create a pipe: ") + std::strerror(errno));
     for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
   }
   ~Pipe() {
@@ -117,7 +117,7 @@ class Child {
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     process_ = fork();
-    if (process_ < 0) throw Error(std::string("sinew serve: no process: ") + std::strerror(errno));
+    if (process_ < 0) throw Error(std::string("sinew serve: cannot start a process: ") + std::strerror(errno));
     if (process_ == 0) {
       end_with_parent();
       const int nothing = open("/dev/null", O_RDONLY);

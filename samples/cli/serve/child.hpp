@@ -27,7 +27,7 @@ bool can_confine();
 // Runs this very program with `words` in `folder`.
 //   seconds  after which it is ended
 //   cancel   ends it when set
-//   on_line  gets every line of standard error as it comes
+//   on_line  receives each line of standard error immediately
 // Throws Error where no process can be made.
 ChildResult run_child(const std::vector<std::string>& words, const std::string& folder, double seconds,
                       const std::atomic<bool>& cancel, const std::function<void(const std::string&)>& on_line);

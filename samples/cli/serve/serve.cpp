@@ -72,34 +72,32 @@ void run_serve(const ServeCommandSettings& s) {
   Server server(ServedFolder(s.folder, s.most_bytes), limits, run_child);
   if (!can_confine())
     std::fprintf(stderr,
-                 "warning: this system cannot keep jobs to a folder (no Landlock): a file that refers to others, such "
-                 "as a .gltf, "
-                 "may have them read from elsewhere\n");
+                 "warning: this system cannot confine jobs to a folder (no Landlock), so a file that refers to others, "
+                 "such as a .gltf, may read files elsewhere; serve only trusted files\n");
   serve_lines(&server);
 }
 
 }  // namespace
 
 void add_serve(CLI::App& app) {
-  CLI::App* sub = app.add_subcommand("serve", "Serve programs by the Model Context Protocol");
+  CLI::App* sub = app.add_subcommand("serve", "Serve programs over the Model Context Protocol");
   auto s = std::make_shared<ServeCommandSettings>();
-  sub->add_flag("--mcp", s->mcp, "Messages come on standard input, a line each, and answers go to standard output")
+  sub->add_flag("--mcp", s->mcp, "Messages on standard input, one line each, and answers on standard output")
       ->required();
   sub->add_option("--folder", s->folder,
-                  "The folder whose files are read and written, no others. Neither '..' nor a link leads out, and jobs "
-                  "run where the "
-                  "system lets them see it alone")
+                  "The only folder that is read and written. Neither '..' nor a link leads out of it, and the system "
+                  "confines jobs to it where it can")
       ->type_name("DIR")
       ->capture_default_str();
-  sub->add_option("--timeout", s->timeout, "After which a job is ended")
+  sub->add_option("--timeout", s->timeout, "Time limit of a job")
       ->type_name("SECONDS")
       ->check(CLI::Range(0.1, 86400.0))
       ->capture_default_str();
-  add_jobs(sub, s->jobs, "Others wait");
-  sub->add_option("--most-bytes", s->most_bytes, "Of a file that is read")->type_name("N")->capture_default_str();
+  add_jobs(sub, s->jobs, "Number of parallel jobs; more wait");
+  sub->add_option("--most-bytes", s->most_bytes, "Largest file that is read")->type_name("N")->capture_default_str();
   sub->footer(
-      "Example:\n  sinew serve --mcp --folder characters --jobs 4\n\n"
-      "Tools: rig, bind, animate, check, pose, inspect; resources: the folder's files. A job is a process of its own.");
+      "Example:\n  sinew serve --mcp --folder characters --jobs 4\n\nTools: rig, bind, animate, check, pose, inspect; "
+      "resources: the folder's files. Each job is a separate process.");
   sub->callback([s] { run_serve(*s); });
 }
 

@@ -28,9 +28,9 @@ ServedFolder::ServedFolder(const std::string& path, uint64_t most_bytes) : most_
 fs::path ServedFolder::below(const std::string& name) const {
   const fs::path path(name);
   const auto refuse = [&](const std::string& why) -> void { throw Error("'" + printable(name) + "': " + why); };
-  if (name.empty() || name.size() > kLongestName) refuse("expected a file's name below the served folder");
+  if (name.empty() || name.size() > kLongestName) refuse("expected a file name below the served folder");
   if (std::any_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 32 || c == 127; }))
-    refuse("expected a file's name without control characters");
+    refuse("expected a file name without control characters");
   if (path.is_absolute() || path.has_root_name())
     refuse("expected a name below the served folder, found an absolute path");
   for (const fs::path& part : path)
@@ -46,10 +46,10 @@ std::string ServedFolder::input(const std::string& name) const {
   const fs::path path = below(name);
   std::error_code error;
   if (!fs::is_regular_file(root_ / path, error))
-    throw Error("'" + printable(name) + "': there is no such file in the served folder");
+    throw Error("'" + printable(name) + "': no such file in the served folder");
   const uint64_t bytes = fs::file_size(root_ / path, error);
   if (error || bytes > most_bytes_)
-    throw Error("'" + printable(name) + "': " + std::to_string(bytes) + " bytes, the server reads up to " +
+    throw Error("'" + printable(name) + "': " + std::to_string(bytes) + " bytes, expected at most " +
                 std::to_string(most_bytes_) + " (--most-bytes)");
   return "./" + path.generic_string();
 }
@@ -58,7 +58,7 @@ std::string ServedFolder::output(const std::string& name) const {
   const fs::path path = below(name);
   std::error_code error;
   if (!fs::is_directory((root_ / path).parent_path(), error))
-    throw Error("'" + printable(name) + "': there is no such folder to write to");
+    throw Error("'" + printable(name) + "': no such folder to write to");
   if (fs::is_directory(root_ / path, error))
     throw Error("'" + printable(name) + "': expected a file to write, found a folder");
   return "./" + path.generic_string();

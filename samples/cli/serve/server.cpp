@@ -114,7 +114,7 @@ bool Server::is_call(const std::string& message) {
 std::optional<OrderedJson> Server::answer(const std::string& message, const Notify& notify) {
   if (message.size() > limits_.message)
     return refusal(nullptr, kInvalidRequest,
-                   "expected at most " + std::to_string(limits_.message) + " bytes a message");
+                   "expected at most " + std::to_string(limits_.message) + " bytes per message");
   const OrderedJson request = OrderedJson::parse(message, nullptr, false);
   if (request.is_discarded()) return refusal(nullptr, kParseError, "expected a message in JSON");
   const std::string method = text_of(request, "method");
@@ -155,13 +155,13 @@ OrderedJson Server::result_of(const std::string& method, const OrderedJson& para
 OrderedJson Server::initialize(const OrderedJson& parameters) const {
   const std::string asked = text_of(parameters, "protocolVersion");
   const bool known = std::find(std::begin(kVersions), std::end(kVersions), asked) != std::end(kVersions);
-  return {{"protocolVersion", known ? asked : kVersions[0]},
-          {"capabilities", {{"tools", OrderedJson::object()}, {"resources", OrderedJson::object()}}},
-          {"serverInfo", {{"name", "sinew"}, {"title", "sinew"}, {"version", sinew_version()}}},
-          {"instructions",
-           "Skeletons, skin weights and motion for character meshes. Files are named below the served folder, as "
-           "resources/list "
-           "has them. Warnings in an answer are guesses that may be wrong: show them, and a picture of a pose."}};
+  return {
+      {"protocolVersion", known ? asked : kVersions[0]},
+      {"capabilities", {{"tools", OrderedJson::object()}, {"resources", OrderedJson::object()}}},
+      {"serverInfo", {{"name", "sinew"}, {"title", "sinew"}, {"version", sinew_version()}}},
+      {"instructions",
+       "Skeletons, skin weights and motion for character meshes. Files are named relative to the served folder, as in "
+       "resources/list. Warnings in an answer are guesses that may be wrong: show them, and a picture of a pose."}};
 }
 
 OrderedJson Server::call(const OrderedJson& parameters, const std::string& id, const Notify& notify) {

@@ -38,13 +38,12 @@ Argument output_argument(const std::string& kinds) {
 }
 
 Argument class_argument() {
-  return {"class", "--class",         Value::kText, "What kind of body it is, where it is taken for another",
-          false,   body_class_words()};
+  return {"class", "--class", Value::kText, "Body class, where the prediction is wrong", false, body_class_words()};
 }
 
 Argument controls_argument() {
   return {"controls", "--controls", Value::kOutput,
-          "Also say which joints an animator's controls move (formats/spec/controls.md): .controls.json"};
+          "Also write the joints of animator controls (formats/spec/controls.md): .controls.json"};
 }
 
 std::vector<Argument> joined(std::vector<Argument> first, std::vector<Argument> second) {
@@ -56,73 +55,74 @@ std::vector<Argument> joined(std::vector<Argument> first, std::vector<Argument> 
 std::vector<Argument> profile_arguments() {
   std::vector<std::string> names;
   for (const Profile& one : profiles()) names.emplace_back(one.name);
-  return {
-      {"for", "--for", Value::kText, "Write what this program or format wants: names, axes, rest pose", false, names},
-      {"author", "--author", Value::kText, "For vrm and vrm0: who made it; the file's own unless given"},
-      {"title", "--title", Value::kText, "For vrm and vrm0: the character's name; the file's unless given"}};
+  return {{"for", "--for", Value::kText, "Write for this program or format: names, axes, rest pose", false, names},
+          {"author", "--author", Value::kText, "For vrm and vrm0: author; by default the file's own"},
+          {"title", "--title", Value::kText, "For vrm and vrm0: name of the character; by default the file's"}};
 }
 
 std::vector<Argument> with_transform(std::vector<Argument> arguments) {
-  return joined(std::move(arguments), {{"turn",
-                                        "--turn",
-                                        Value::kText,
-                                        "Turn the mesh by a quarter before anything else; x brings y to z",
-                                        false,
-                                        {"x", "y", "z", "-x", "-y", "-z"}},
-                                       {"height", "--height", Value::kNumber, "Scale the mesh to be so tall, metres"},
-                                       {"floor", "--floor", Value::kFlag, "Put the lowest vertex at 0"}});
+  return joined(std::move(arguments),
+                {{"turn",
+                  "--turn",
+                  Value::kText,
+                  "Rotate the mesh by 90 degrees before everything else; x rotates y to z",
+                  false,
+                  {"x", "y", "z", "-x", "-y", "-z"}},
+                 {"height", "--height", Value::kNumber, "Scale the mesh to this height in meters"},
+                 {"floor", "--floor", Value::kFlag, "Move the lowest vertex to height 0"}});
 }
 
 Tool rig_tool() {
   return {"rig", "Make a skeleton",
-          "Makes a skeleton for a bare mesh or a picture of a character and binds it. Answers joints with confidences "
-          "and what is doubtful.",
+          "Makes a skeleton for a bare mesh or a picture of a character and binds it. Returns joints with confidences, "
+          "and warnings.",
           true,
           joined(profile_arguments(),
                  with_transform(
                      {{"mesh", "", Value::kInput,
                        "Mesh (" + mesh_files() + ") or picture (" + extensions_text(kReadsPicture) + ")", true},
                       output_argument(extensions_text(kWritesSkin)),
-                      {"skeleton", "--skeleton", Value::kInput, "Put this file's skeleton into the mesh"},
-                      {"detail", "--detail", Value::kText, "How much of the body has joints", false, kCharacterDetail},
+                      {"skeleton", "--skeleton", Value::kInput, "Fit the skeleton of this file into the mesh"},
+                      {"detail", "--detail", Value::kText, "Extent of the skeleton", false, kCharacterDetail},
                       class_argument(),
-                      {"up", "--up", Value::kText, "Axis that points up", false, {"auto", "y", "z"}},
-                      {"to_pose", "--to-pose", Value::kText, "Put into a rest pose", false, {"t", "a"}},
-                      {"cut", "--cut", Value::kFlag, "Open what has grown together"},
+                      {"up", "--up", Value::kText, "Up axis", false, {"auto", "y", "z"}},
+                      {"to_pose", "--to-pose", Value::kText, "Rest pose to put the result into", false, {"t", "a"}},
+                      {"cut", "--cut", Value::kFlag, "Cut fused parts open"},
                       controls_argument(),
                       {"picture", "--png", Value::kOutput, "Also draw the mesh with its joints: .png"}}))};
 }
 
 Tool bind_tool() {
-  return {"bind", "Predict weights", "Predicts the skin weights of a mesh for a skeleton. Answers how sure they are.",
-          true,
-          joined(profile_arguments(),
-                 with_transform(
-                     {{"mesh", "", Value::kInput, "Mesh (" + mesh_files() + ")", true},
-                      output_argument(extensions_text(kWritesSkin)),
-                      {"skeleton", "--skeleton", Value::kInput, "Skeleton of another file (" + skeleton_files() + ")"},
-                      {"influences", "--influences", Value::kNumber, "Most joints a vertex, 4 unless given"},
-                      {"symmetric", "--symmetric", Value::kFlag, "Mirror images get mirrored weights"},
-                      {"fit", "--fit", Value::kFlag, "Move a skeleton that stands beside the mesh or in other units"},
-                      controls_argument(),
-                      {"picture", "--png", Value::kOutput, "Also draw the mesh coloured by weight: .png"}}))};
+  return {
+      "bind", "Predict weights", "Predicts the skin weights of a mesh for a skeleton. Returns their confidence.", true,
+      joined(profile_arguments(),
+             with_transform(
+                 {{"mesh", "", Value::kInput, "Mesh (" + mesh_files() + ")", true},
+                  output_argument(extensions_text(kWritesSkin)),
+                  {"skeleton", "--skeleton", Value::kInput, "Skeleton of another file (" + skeleton_files() + ")"},
+                  {"influences", "--influences", Value::kNumber, "Maximum number of joints per vertex, 4 by default"},
+                  {"symmetric", "--symmetric", Value::kFlag, "Give mirrored vertices mirrored weights"},
+                  {"fit", "--fit", Value::kFlag,
+                   "Scale, rotate and move a skeleton that has other units or stands beside the mesh"},
+                  controls_argument(),
+                  {"picture", "--png", Value::kOutput, "Also draw the mesh colored by weight: .png"}}))};
 }
 
 Tool animate_tool() {
-  return {
-      "animate", "Play a motion",
-      "Plays motion of any skeleton on a character. Answers which joints move and how sure the map is.", true,
-      joined(profile_arguments(),
-             {{"character", "", Value::kInput, "Skinned file, bare mesh or picture", true},
-              {"motion", "--motion", Value::kInput, "Motion (" + motion_files() + ")"},
-              {"clip", "--motion", Value::kText, "A clip that ships, in place of a file: builtin:walk"},
-              output_argument(extensions_text(kWritesWhole) + "; one clip alone: " + extensions_text(kWritesMotion)),
-              {"map", "--map", Value::kInput, "Which joint is which: lines TARGET_JOINT SOURCE_JOINT"},
-              {"in_place", "--in-place", Value::kFlag, "Stay where the character stands"},
-              {"springs", "--springs", Value::kFlag, "Let hair, tails, ears and skirts swing behind the motion"},
-              {"force", "--force", Value::kFlag, "Also a motion that does not fit"},
-              controls_argument(),
-              {"sheet", "--sheet", Value::kOutput, "Also draw frames side by side: .png"}})};
+  return {"animate", "Play a motion",
+          "Plays a motion of any skeleton on a character. Returns which joints move, and the confidence of the map.",
+          true,
+          joined(profile_arguments(),
+                 {{"character", "", Value::kInput, "Skinned file, bare mesh or picture", true},
+                  {"motion", "--motion", Value::kInput, "Motion (" + motion_files() + ")"},
+                  {"clip", "--motion", Value::kText, "Built-in clip instead of a file: builtin:walk"},
+                  output_argument(extensions_text(kWritesWhole) + "; one clip only: " + extensions_text(kWritesMotion)),
+                  {"map", "--map", Value::kInput, "Joint map: lines TARGET_JOINT SOURCE_JOINT"},
+                  {"in_place", "--in-place", Value::kFlag, "Keep the character above its rest position"},
+                  {"springs", "--springs", Value::kFlag, "Simulate hair, tails, ears and skirts"},
+                  {"force", "--force", Value::kFlag, "Play a motion that does not fit the character"},
+                  controls_argument(),
+                  {"sheet", "--sheet", Value::kOutput, "Also draw frames side by side: .png"}})};
 }
 
 Tool springs_tool() {
@@ -146,99 +146,102 @@ Tool springs_tool() {
 Tool check_tool() {
   return {"check",
           "Check a rig",
-          "Says whether a rig holds: weights, joints, names, matrices, test poses, animations. Changes nothing.",
+          "Checks a rig: weights, joints, names, matrices, test poses, animations. Changes no file.",
           true,
           {{"file", "", Value::kInput, "Character (" + mesh_files() + ")", true},
-           {"against", "--against", Value::kInput, "An older version of it: what is new"},
-           {"report", "--report", Value::kOutput, "Also write a page with a picture of every finding: .html"},
+           {"against", "--against", Value::kInput, "Older version of the character: report what is new"},
+           {"report", "--report", Value::kOutput, "Also write a page with a picture per finding: .html"},
            {"no_poses", "--no-poses", Value::kFlag, "Leave out the test poses"},
-           {"score", "--score", Value::kFlag, "Also how near the weights are to those of three methods, 0 to 100"}}};
+           {"score", "--score", Value::kFlag, "Score the weights by similarity to those of three methods, 0 to 100"}}};
 }
 
 Tool lod_tool() {
   return {
       "lod", "Make levels of detail",
-      "Copies of a bound character with fewer and fewer triangles. Answers a line of JSON a level, with its error.",
+      "Makes copies of a bound character with fewer and fewer triangles. Returns a line of JSON per level, with its "
+      "error.",
       true,
-      joined(
-          profile_arguments(),
-          {{"character", "", Value::kInput, "Bound character (" + mesh_files() + ")", true},
-           {"output", "-o", Value::kOutputs,
-            "NAME.lod1, NAME.lod2, ... of this name, below the served folder: " + extensions_text(kWritesWhole), true},
-           {"levels", "--levels", Value::kNumber, "How many, 1 to 8; 3 unless given"},
-           {"triangles", "--triangles", Value::kNumber, "Of a level, as a share of the one before; 0.5 unless given"},
-           {"fewer_joints", "--fewer-joints", Value::kFlag, "Level 2 has fewer joints, further ones still fewer"}})};
+      joined(profile_arguments(), {{"character", "", Value::kInput, "Bound character (" + mesh_files() + ")", true},
+                                   {"output", "-o", Value::kOutputs,
+                                    "Base name of the levels NAME.lod1, NAME.lod2, ..., below the served folder: " +
+                                        extensions_text(kWritesWhole),
+                                    true},
+                                   {"levels", "--levels", Value::kNumber, "Number of levels, 1 to 8; 3 by default"},
+                                   {"triangles", "--triangles", Value::kNumber,
+                                    "Triangles of a level as a share of the level before; 0.5 by default"},
+                                   {"fewer_joints", "--fewer-joints", Value::kFlag, "Reduce joints from level 2 on"}})};
 }
 
 Tool transfer_tool() {
-  return {"transfer", "Carry weights over",
-          "Carries the weights of a finished character to another mesh. Answers how sure they are.", true,
+  return {"transfer", "Transfer weights",
+          "Transfers the weights of a finished character to another mesh. Returns their confidence.", true,
           joined(profile_arguments(),
                  {{"source", "", Value::kInput, "Bound character (" + mesh_files() + ")", true},
-                  {"target", "", Value::kInput, "Mesh that gets weights (" + mesh_files() + ")", true},
+                  {"target", "", Value::kInput, "Mesh to bind (" + mesh_files() + ")", true},
                   output_argument(extensions_text(kWritesSkin)),
                   {"skeleton", "--skeleton", Value::kInput,
-                   "Skeleton of another file for the target (" + skeleton_files() + ")"},
-                  {"map", "--map", Value::kInput, "Which joint is which: lines TARGET_JOINT SOURCE_JOINT, - for none"},
+                   "Skeleton for the target from another file (" + skeleton_files() + ")"},
+                  {"map", "--map", Value::kInput, "Joint map: lines TARGET_JOINT SOURCE_JOINT, - for none"},
                   {"garment", "--garment", Value::kFlag, "The source wears the target: same space, same skeleton"},
-                  {"picture", "--png", Value::kOutput, "Also draw the mesh coloured by weight: .png"}})};
+                  {"picture", "--png", Value::kOutput, "Also draw the mesh colored by weight: .png"}})};
 }
 
 Tool map_tool() {
   return {"map",
           "Map joints",
-          "Says which joint of a skeleton stands for which of another, and how sure that is. The map that it writes "
-          "can be corrected and given to "
-          "animate or transfer.",
+          "Matches the joints of a skeleton to those of another. Returns the confidence of each pair. The map can be "
+          "edited and passed to animate or transfer.",
           true,
-          {{"target", "", Value::kInput, "Skeleton whose joints get a source (" + skeleton_files() + ")", true},
-           {"from", "--from", Value::kInput, "Skeleton or motion where the sources are"},
-           {"to", "--to", Value::kText, "In place of from: the names of a standard rig, as mixamo"},
+          {{"target", "", Value::kInput, "Skeleton to map (" + skeleton_files() + ")", true},
+           {"from", "--from", Value::kInput, "Skeleton or motion with the sources"},
+           {"to", "--to", Value::kText, "Names of a standard rig, such as mixamo, instead of from"},
            {"output", "-o", Value::kOutput, "File to write, below the served folder: .txt or .map", true},
-           {"map", "--map", Value::kInput, "Pairs that are known: they stay, the rest follows"},
+           {"map", "--map", Value::kInput, "Pairs to keep; the rest is matched"},
            {"picture", "--png", Value::kOutput, "Also draw both skeletons with their pairs: .png"}}};
 }
 
 Tool bake_tool() {
   return {"bake",
           "Bake corrected bends",
-          "Writes bends that keep their volume as morph targets, for programs that know linear skinning alone. Answers "
-          "the error before and after.",
+          "Bakes bends that keep their volume into morph targets, for programs with linear skinning only. Returns the "
+          "error before and after.",
           true,
           {{"character", "", Value::kInput, "Bound character (" + mesh_files() + ")", true},
            output_argument(extensions_text(kWritesWhole)),
-           {"poses", "--poses", Value::kNumber, "Poses to learn from, 1500 unless given"},
-           {"error", "--error", Value::kNumber, "Percent of the size that may be left out; less makes larger files"},
-           {"animation", "--animation", Value::kText, "Learn from one of the file's own animations"}}};
+           {"poses", "--poses", Value::kNumber, "Number of training poses, 1500 by default"},
+           {"error", "--error", Value::kNumber,
+            "Threshold for leaving out shapes, in percent of the size; smaller values make larger files"},
+           {"animation", "--animation", Value::kText, "Train on one of the file's animations"}}};
 }
 
 Tool simplify_tool() {
   return {"simplify", "Leave out joints",
-          "A bound character with fewer joints; weights and animations follow. Answers which joints are left.", true,
+          "Makes a bound character with fewer joints; weights and animations follow. Returns the remaining joints.",
+          true,
           joined(profile_arguments(),
                  {{"character", "", Value::kInput, "Bound character (" + mesh_files() + ")", true},
                   output_argument(extensions_text(kWritesWhole)),
-                  {"level", "--level", Value::kText, "high, low, or a number of joints; high unless given"}})};
+                  {"level", "--level", Value::kText, "high, low, or a number of joints; high by default"}})};
 }
 
 Tool pose_tool() {
   return {
       "pose",
       "Draw a pose",
-      "Draws a bound character in a pose. The picture comes back with the answer.",
+      "Draws a bound character in a pose. Returns the picture.",
       false,
-      {{"character", "", Value::kInput, "Skinned file, or NAME.obj with NAME.rig.txt beside it", true},
+      {{"character", "", Value::kInput, "Skinned file, or NAME.obj with NAME.rig.txt", true},
        output_argument(extensions_text(kWritesMesh) + " or .png"),
        {"joints", "--joint", Value::kRotations, "Degrees about x, then y, then z, by joint: {\"head\": [0, 30, 0]}"},
-       {"animation", "--animation", Value::kText, "One of the file's own animations"},
-       {"time", "--time", Value::kNumber, "Second of the animation"},
+       {"animation", "--animation", Value::kText, "Animation of the file"},
+       {"time", "--time", Value::kNumber, "Time in the animation, in seconds"},
        {"random", "--random", Value::kNumber, "Rotate every joint at random; a seed"}}};
 }
 
 Tool inspect_tool() {
   return {"inspect",
-          "Look into a file",
-          "Says what is in a mesh, character or model. Changes nothing.",
+          "Describe a file",
+          "Describes a mesh, character or model. Changes no file.",
           true,
           {{"file", "", Value::kInput, "File", true}}};
 }
@@ -287,7 +290,7 @@ class CommandLine {
     for (const auto& [name, value] : arguments.items()) {
       const auto known = std::find_if(tool_.arguments.begin(), tool_.arguments.end(),
                                       [&name = name](const Argument& a) { return a.name == name; });
-      if (known == tool_.arguments.end()) throw Error(tool_.name + ": there is no argument '" + printable(name) + "'");
+      if (known == tool_.arguments.end()) throw Error(tool_.name + ": no argument '" + printable(name) + "'");
     }
     for (const Argument& argument : tool_.arguments) {
       const auto value = arguments.find(argument.name);
@@ -367,7 +370,7 @@ class CommandLine {
   }
 
   void rotations(const Argument& argument, const OrderedJson& value) {
-    constexpr const char* kExpected = "three degrees for every joint";
+    constexpr const char* kExpected = "three rotations in degrees per joint";
     if (!value.is_object()) fail(argument.name, kExpected);
     for (const auto& [joint, turn] : value.items()) {
       if (!turn.is_array() || turn.size() != 3 || joint.empty() || joint.size() > 1000 ||
@@ -408,7 +411,7 @@ OrderedJson tools_json() {
 
 ToolRun tool_run(const std::string& tool, const OrderedJson& arguments, const ServedFolder& folder) {
   const auto known = std::find_if(tools().begin(), tools().end(), [&](const Tool& t) { return t.name == tool; });
-  if (known == tools().end()) throw Error("there is no tool '" + printable(tool) + "'");
+  if (known == tools().end()) throw Error("no tool '" + printable(tool) + "'");
   return CommandLine(*known, folder).of(arguments);
 }
 

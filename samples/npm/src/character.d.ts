@@ -11,7 +11,7 @@ export interface CharacterArrays {
   name: string;
   mesh: Mesh;
   skeleton: Skeleton;
-  /** joint: that a mesh without a skin hangs on, or -1 */
+  /** joint: joint that carries a mesh without a skin, or -1 */
   meshes: { name: string; joint: number; skinned: boolean }[];
   /** rows as CSR; null without weights */
   weights: { rowOffsets: Uint32Array; joints: Uint32Array; weights: Float32Array } | null;
@@ -32,9 +32,9 @@ export class CharacterFile {
   setProfile(options: jobs.ProfileOptions): void;
   /** the text of a .controls.json, see formats/spec/controls.md */
   readonly controls: string;
-  /** findings: errors first; line: "checked: 0 findings"; score: 0..100, null where it was not asked for */
+  /** findings: errors first; line: "checked: 0 findings"; score: 0..100, null if not requested */
   check(options?: jobs.CheckOptions): jobs.CheckResult;
-  /** chains that were proposed, those of the file first: names and kinds are a line each, kept and certainties by number */
+  /** proposed chains, those of the file first: names and kinds one per line, kept and certainties by index */
   springs(options?: jobs.SpringsOptions): jobs.SpringsResult;
   view(): CharacterArrays;
   /** bytes of a .glb, .vrm, .bvh or .rig.txt */
@@ -48,7 +48,7 @@ export class CharacterFile {
 
 export class CharacterModule {
   private constructor();
-  /** keypoints of a person's joints alone, as cameras tell them, as a motion; for keypointsFrame(). Frames of [n x 3] numbers each */
+  /** keypoints of a person (positions only, as from a camera) as a motion; for keypointsFrame(). Frames of [n x 3] numbers each */
   openKeypoints(layout: "smpl24" | "humanml3d22" | "lafan22" | "smplh52" | "smplx55" | "coco17" | "h36m17" | "h36m32" | "kinect25" | "openpose25" | "mediapipe33", frames: ArrayLike<number>[]): CharacterFile;
   open(bytes: ArrayBuffer | ArrayBufferView, name: string, beside?: Record<string, ArrayBuffer | ArrayBufferView>, picture?: jobs.PictureOptions): Promise<CharacterFile>;
 }

@@ -43,7 +43,7 @@ export class CharacterFile {
     });
   }
 
-  /** Remarks of the reader and of the jobs, a line each. */
+  /** Notes and warnings of the reader and the jobs, one line each. */
   get notes() {
     const { module } = this.#house;
     return module.UTF8ToString(module._sinew_character_notes(this.#at("notes"))).split("\n").filter(Boolean);
@@ -54,7 +54,7 @@ export class CharacterFile {
     return this.#job("bind", "bind", options, { result: "characterBindResult" });
   }
 
-  /** `sinew rig`: a skeleton, and the mesh bound to it. */
+  /** `sinew rig`: makes a skeleton and binds the mesh to it. */
   rig(options = {}) {
     return this.#job("rig", "rig", options, { result: "characterRigResult" });
   }
@@ -68,7 +68,7 @@ export class CharacterFile {
     return this.#job("retarget", "animate", options, { result: "characterAnimateResult", after: [motion ? motion.#at("retarget") : 0] });
   }
 
-  /** What was found in the picture that it is of: class, view and certainty once it is rigged, the outline as lines of x, y. */
+  /** Result of reading its picture: class, view and certainty once it is rigged, the outline as lines of x, y. */
   get picture() {
     const house = this.#house, at = this.#at("picture");
     return house.withBlocks(null, (blocks) => {
@@ -78,23 +78,23 @@ export class CharacterFile {
     });
   }
 
-  /** `sinew transfer`: carries the weights of a bound character to this one. @param {CharacterFile} source */
+  /** `sinew transfer`: transfers the weights of a bound character to this one. @param {CharacterFile} source */
   transfer(source, options = {}) {
     if (!(source instanceof CharacterFile)) throw new SinewError("transfer: expected what open() gave for the bound character's file");
     return this.#job("transfer", "transfer", options, { result: "characterTransferResult", before: [source.#at("transfer")] });
   }
 
-  /** `--turn`, `--height`, `--floor`: turns and scales all of it. */
+  /** `--turn`, `--height`, `--floor`: rotates and scales the whole character. */
   transform(options) {
     this.#job("transform", "transform", options);
   }
 
-  /** `--for`: what save() writes from now on. The rest pose stays: that is toPose of bind() and rig(). */
+  /** `--for`: the form that save() writes. The rest pose stays: see toPose of bind() and rig(). */
   setProfile(options) {
     this.#job("setProfile", "profile", options);
   }
 
-  /** `--controls`: which joints an animator's controls move, of the skeleton as it would be saved; the text of a file. */
+  /** `--controls`: the joints of an animator's controls, in the skeleton as it would be saved; the text of a file. */
   get controls() {
     const house = this.#house, at = this.#at("controls");
     return house.withBlocks(null, (blocks) => {
@@ -104,12 +104,12 @@ export class CharacterFile {
     });
   }
 
-  /** `sinew check`: what is wrong with the rig. Changes nothing. */
+  /** `sinew check`: finds faults of the rig. Changes nothing. */
   check(options = {}) {
     return this.#job("check", "check", options, { result: "characterCheckResult" });
   }
 
-  /** `sinew springs`: finds what swings, hair, tails, ears and skirts. It is saved with the character and played by retarget({ springs: true }). */
+  /** `sinew springs`: finds hair, tails, ears and skirts that swing. They are saved with the character and simulated by retarget({ springs: true }). */
   springs(options = {}) {
     return this.#job("springs", "springs", options, { result: "characterSpringsResult" });
   }
@@ -211,7 +211,7 @@ export class CharacterModule {
   }
 
   /**
-   * Keypoints of a person's joints alone, as cameras and captures tell them, as a motion: its skeleton is learnt from these frames, which are its
+   * Keypoints of a person's joints alone, as cameras and captures tell them, as a motion: its skeleton is learned from these frames, which are its
    * clip; a second or two are best. keypointsFrame() turns those that come into what RetargetStream.frame() takes.
    * @param {"smpl24" | "humanml3d22" | "lafan22" | "smplh52" | "smplx55" | "coco17" | "h36m17" | "h36m32" | "kinect25" | "openpose25" | "mediapipe33"} layout
    * @param {Float32Array[]} frames [n x 3] each, any unit

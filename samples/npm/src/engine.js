@@ -202,7 +202,7 @@ export class Skin extends Binder {
     });
   }
 
-  /** Motion as it comes, a frame in and a frame out; free() it. @returns {RetargetStream} */
+  /** Streaming retargeting, a frame in and a frame out; free() it. @returns {RetargetStream} */
   retargetStream(source, target, options = {}) {
     const kept = new Blocks(this.#calls.wasm);
     try {
@@ -245,7 +245,7 @@ export class Skin extends Binder {
     });
   }
 
-  /** What poses a bound mesh so that bends keep their volume; free() it. @returns {Deformer} */
+  /** A deformer, which poses a bound mesh so that bends keep their volume; free() it. @returns {Deformer} */
   deformer(mesh, skeleton, skin, options = {}) {
     const m = meshOf(mesh), s = skeletonOf(skeleton);
     const { joints, weights, influenceCount } = skinOf(skin, m.vertexCount, s.jointCount);
@@ -335,7 +335,7 @@ export class Skin extends Binder {
     });
   }
 
-  /** Which joint becomes part of which on a skeleton of fewer joints: [J], itself where it stays. @returns {Uint32Array} */
+  /** Simplifies a skeleton: [J] the joint that each joint is merged into, itself if it stays. @returns {Uint32Array} */
   simplify(skeleton, options = {}) {
     const s = skeletonOf(skeleton);
     return this.#calls.with(null, (blocks) => {
@@ -449,7 +449,7 @@ export class Retarget {
   }
 }
 
-/** Plays motion of one skeleton on another as it comes; what stands on the floor stays where it came to stand, and hands stay out of the body. */
+/** Streaming retargeting of motion between skeletons; planted feet stay in place, and hands stay out of the body. */
 export class RetargetStream {
   #wasm;
   #check;
@@ -479,7 +479,7 @@ export class RetargetStream {
     }
   }
 
-  /** Forgets the frames before. */
+  /** Resets the stream: the next frame is its first. */
   restart() {
     this.#check("retarget", this.#wasm.sinew_retarget_stream_restart(this.#stream));
   }

@@ -19,7 +19,7 @@ export interface Skeleton {
   positions: Numbers<Float32Array>;
   /** [J] a joint's number, or -1 */
   parents: Numbers<Int32Array>;
-  /** [J] tell controls, slots and bone ends from joints that deform, left from right, an arm from a leg */
+  /** [J] names, used to find controls, slots, bone ends, sides, arms and legs */
   names?: readonly string[];
   /** [J] 1: never gets weight; 2: deforms, and joints without a 2 do not */
   flags?: Numbers<Uint8Array>;
@@ -30,24 +30,24 @@ export interface SkinRows {
   joints: Numbers<Uint16Array>;
   /** [V x N]: Uint16Array rows sum to 65535, others to 1 */
   weights: Float32Array | Uint16Array | readonly number[];
-  /** N; 4 where it is missing */
+  /** N; default 4 */
   influenceCount?: number;
 }
 
 export type AnswerKind = "proposed" | "rigid" | "soft" | "hard" | "softer" | "host";
 
-/** How the part that a vertex belongs to moves. */
+/** Answer about the part of a vertex. */
 export interface Answer {
   vertex: number;
   kind: AnswerKind;
   /** of "rigid" */
   joint?: number;
-  /** for this part alone, not for parts alike */
+  /** for this part only, not for equal parts */
   alone?: boolean;
 }
 
 export interface Question {
-  /** first vertex of the part; it names the part in an answer */
+  /** first vertex of the part, which identifies it in an answer */
   vertex: number;
   partCount: number;
   vertexCount: number;
@@ -72,40 +72,40 @@ export interface BindOptions<M = Model> {
   /** weights as floats of sum 1, or as Uint16Array of sum 65535 */
   format?: "float" | "unorm16";
   upAxis?: "y" | "z";
-  /** which joints may get weight: those whose names and places say so, or all that `flags` let */
+  /** joints that may get weight: by names and positions, or all that `flags` allow */
   joints?: "names" | "all";
-  /** bone ends keep the weight that they get */
+  /** bone ends keep their weight */
   keepTips?: boolean;
   symmetric?: boolean;
   rigidParts?: "auto" | "always" | "never";
-  /** how softly the model's weights blend, 0.25..4; 2: twice as softly */
+  /** softness of the model's weights, 0.25..4; 2: twice as soft */
   softness?: number;
-  /** a mesh with more vertices is bound on a surface reduced to at most as many; 32768 */
+  /** larger meshes are bound on a surface reduced to this many vertices; 32768 */
   surfaceVertices?: number;
   /** [V] not 0: keeps its row of `given` */
   locked?: Numbers<Uint8Array>;
-  /** [V] not 0: keeps its row of `given`, which steers its surroundings */
+  /** [V] not 0: keeps its row of `given`, which guides its surroundings */
   hints?: Numbers<Uint8Array>;
   /** rows of locked and hinted vertices, N influences each */
   given?: SkinRows;
   answers?: readonly Answer[];
-  /** lists at most so many parts that are worth a question */
+  /** maximum number of questions about parts */
   questions?: number;
   onProgress?: Progress;
 }
 
 export interface Bound {
-  /** [V x N] by falling weight; unused slots are joint 0 with weight 0 */
+  /** [V x N] by descending weight; unused slots are joint 0 with weight 0 */
   joints: Uint16Array;
   /** [V x N] */
   weights: Float32Array | Uint16Array;
   influenceCount: number;
   vertexCount: number;
-  /** [V] 0..255: how sure the strongest joint is */
+  /** [V] 0..255: confidence of the strongest joint */
   confidence: Uint8Array;
-  /** with `symmetric`: vertices that have a mirror image; 0: no mirror plane was found */
+  /** with `symmetric`: number of vertices with a mirror image; 0: no mirror plane was found */
   symmetricVertices: number;
-  /** joints that were given no weight */
+  /** joints that were left out */
   leftOut: number[];
   /** in the engine */
   seconds: number;
@@ -120,11 +120,11 @@ export interface RigOptions<M = Model> {
   model?: M;
   /** of loadHandsModel(): with fingers */
   handsModel?: M;
-  /** eyes and a jaw, where a head has loose balls */
+  /** eyes and a jaw, where a head has separate spheres */
   face?: boolean;
-  /** a joint for what a hand holds, where it is a loose part */
+  /** a joint for an object in a hand, where it is a separate part */
   props?: boolean;
-  /** of loadFrontModel(): which way the mesh faces is found at any angle, and with upAxis "auto" which axis is up */
+  /** of loadFrontModel(): finds the front at any angle, and with upAxis "auto" the up axis */
   frontModel?: M;
   method?: "votes" | "shape";
   upAxis?: "y" | "z" | "auto";
@@ -147,7 +147,7 @@ export interface Rig extends Skeleton {
   classes: Uint8Array;
   /** [J] mirror image, itself on the plane, or -1 */
   partners: Int32Array;
-  /** [J] 0..1 how sure the joint's place is */
+  /** [J] 0..1 confidence of the joint's position */
   confidence: Float32Array;
   mirrored: boolean;
   facing: number;
@@ -155,14 +155,14 @@ export interface Rig extends Skeleton {
   /** unit vector, the mesh's axes */
   front: number[];
   up: "y" | "z";
-  /** 0..1; below 0.7 what was found is a coin toss */
+  /** 0..1; uncertain below 0.7 */
   frontCertainty: number;
   upCertainty: number;
-  /** below about 0.03 is good, above 0.09 little is right, above 0.25 the mesh is no body */
+  /** estimated error: below about 0.03 is good, above 0.09 mostly wrong, above 0.25 the mesh is not a body */
   spread: number;
 }
 
-/** A skeleton to map. `up` where it is known; `ends` [J] 1: only says where a bone ends. */
+/** A skeleton to map. `up` if known; `ends` [J] 1: only the end of a bone. */
 export interface MapRig extends Skeleton {
   up?: "auto" | "x" | "y" | "z";
   ends?: Numbers<Uint8Array>;
@@ -180,19 +180,19 @@ export interface JointMap {
 }
 
 export interface MotionRig extends MapRig {
-  /** [J x 4] x y z w, how joints' axes are turned in the world at rest; as the world's where it is missing */
+  /** [J x 4] x y z w, rotations of the joints' axes in the world at rest; default: world axes */
   rotations?: Numbers<Float32Array>;
 }
 
 export interface RetargetOptions {
-  /** [target J] joint of the source, or -1; map() where it is missing */
+  /** [target J] joint of the source, or -1; default: map() */
   map?: Numbers<Int32Array>;
-  /** [target J] sinew_joint_class; by names, by those of the sources or by a human body where it is missing, as the command does */
+  /** [target J] sinew_joint_class; default: from names, from those of the sources, or from a human body, as in the command */
   classes?: Numbers<Uint8Array>;
   sourceUp?: "auto" | "x" | "y" | "z";
   targetUp?: "auto" | "x" | "y" | "z";
   inPlace?: boolean;
-  /** lengths of the target per length of the source */
+  /** target length per source length */
   scale?: number;
 }
 
@@ -203,7 +203,7 @@ export interface Poses {
 }
 
 export interface ClipOptions {
-  /** the target's mesh (triangles) with its weights: feet stay where they stand */
+  /** the target's mesh (triangles) with its weights, for contacts of feet */
   body?: Mesh & { skin: SkinRows };
   /** 30 */
   fps?: number;
@@ -218,22 +218,22 @@ export interface DeformOptions {
   softness?: number;
   twistSpread?: boolean;
   contact?: boolean;
-  /** Keep an arm out of the torso, a thigh out of the belly and the other thigh too. Volume alone. */
+  /** Keep arms out of the torso, thighs out of the belly and of each other. For "volume" only. */
   bodyContact?: boolean;
   smoothing?: boolean;
 }
 
 export interface TransferOptions<M = Model> {
-  /** for what is bound anew; heat without one */
+  /** for rebinding; default: heat */
   model?: M;
   method?: "auto" | "nearest" | "biharmonic" | "rebind";
   influences?: number;
   format?: "float" | "unorm16";
   upAxis?: "y" | "z";
   sourceUpAxis?: "y" | "z";
-  /** the target is worn by the source: one space, one skeleton */
+  /** the source wears the target: same space, same skeleton */
   garment?: boolean;
-  /** [source J] joint of the target that stands for it, or -1; map() where it is missing */
+  /** [source J] matching joint of the target, or -1; default: map() */
   jointMap?: Numbers<Int32Array>;
   onProgress?: Progress;
 }
@@ -244,14 +244,14 @@ export interface Transferred {
   influenceCount: number;
   vertexCount: number;
   confidence: Uint8Array;
-  /** share of the weights that was carried over; the rest was bound anew */
+  /** share of the weights that was transferred; the rest was rebound */
   carried: number;
   parts: { vertex: number; vertexCount: number; reason: string; carried: number }[];
 }
 
 export interface SimplifyOptions {
   level?: "high" | "low";
-  /** so many joints stay */
+  /** number of joints to keep */
   joints?: number;
   /** [J] share of the surface that moves with the joint */
   areas?: Numbers<Float32Array>;
@@ -259,7 +259,7 @@ export interface SimplifyOptions {
   keep?: Numbers<Uint8Array>;
 }
 
-/** What the engine refuses, or an argument of the wrong shape. */
+/** A call that the engine rejects, or an argument of the wrong shape. */
 export class SinewError extends Error {
   /** sinew_status of sinew/types.h; 0: the argument never reached the engine */
   status: number;
@@ -282,15 +282,15 @@ export class Retarget {
 }
 
 export interface StreamOptions extends RetargetOptions {
-  /** the target's mesh (triangles) with its weights, whose skin is to be on the floor, and which hands do not go through; its joints where it is missing */
+  /** the target's mesh (triangles) with its weights, for contacts of its skin with the floor and hands; default: its joints */
   body?: Mesh & { skin: SkinRows };
-  /** the mesh that moves, of the same vertices: hands touch `body` as they touch it */
+  /** the source's mesh, with the same vertices, for contacts of hands with the body */
   sourceBody?: Mesh & { skin: SkinRows };
   /** 30 */
   fps?: number;
-  /** height of a standing ankle of the source; its own at rest where it is missing */
+  /** height of a standing ankle of the source; default: that at rest */
   ground?: number;
-  /** false: nothing is held on the floor or on the body */
+  /** false: no contacts with the floor or the body */
   contacts?: boolean;
   /** false: knees and elbows may leave their natural range */
   range?: boolean;
@@ -311,7 +311,7 @@ export class Deformer {
   readonly vertexCount: number;
   readonly jointCount: number;
   readonly tetrahedronCount: number;
-  /** palette: [J x 12] row-major 3x4, pose times inverse bind. corrected: false where matrices are no rotations of one scale */
+  /** palette: [J x 12] row-major 3x4, pose times inverse bind. corrected: false for matrices with shear or unequal scales */
   pose(palette: Numbers<Float32Array>): { positions: Float32Array; corrected: boolean };
   free(): void;
 }
@@ -326,7 +326,7 @@ export class Skin {
   rig(mesh: Mesh, options?: RigOptions): Rig;
   map(target: MapRig, source: MapRig, options?: {
     method?: "auto" | "sinew" | "branches";
-    /** branches alone: whose branches choose, and what two of them cost */
+    /** for branches only: which skeleton's branches choose, and the cost of two of them */
     branchesFirst?: "both" | "target" | "source";
     branchesCost?: "mean" | "sum";
     pins?: { target: number; source: number }[] }): JointMap;
@@ -341,14 +341,14 @@ export class Skin {
 }
 
 export interface LoadOptions {
-  /** bytes of loadModel(): what bind() and transfer() use where their options name no model */
+  /** bytes of loadModel(): default model of bind() and transfer() */
   model?: ArrayBuffer | ArrayBufferView;
-  /** the module without SIMD even where SIMD is */
+  /** the module without SIMD, even if SIMD is supported */
   scalar?: boolean;
   /** the module from elsewhere, instead of the copy in the scripts; of a pair the one that runs here, as @sinew/skin/url has it */
   wasm?: WasmSource | { simd: WasmSource; scalar: WasmSource };
 }
-/** A module, its bytes, or where it is. */
+/** A module, its bytes, or its URL. */
 export type WasmSource = WebAssembly.Module | ArrayBuffer | ArrayBufferView | URL | string | Response | Promise<Response>;
 
 export function load(options?: LoadOptions): Promise<Skin>;
@@ -358,7 +358,7 @@ export function compile(source: WasmSource): Promise<WebAssembly.Module>;
 export function instantiate(module: WebAssembly.Module, imports: Record<string, Record<string, Function>>): Promise<WebAssembly.Exports>;
 export function decodeBase64(text: string): Uint8Array;
 
-/** For Babylon.js' VertexData; the ...Extra pair where there are more than four influences. */
+/** For Babylon.js' VertexData; the ...Extra pair if there are more than four influences. */
 export function babylonBuffers(bound: { joints: Uint16Array; weights: Float32Array | Uint16Array; influenceCount: number }): {
   matricesIndices: Float32Array;
   matricesWeights: Float32Array;
@@ -366,7 +366,7 @@ export function babylonBuffers(bound: { joints: Uint16Array; weights: Float32Arr
   matricesWeightsExtra?: Float32Array;
   numBoneInfluencers: number;
 };
-/** For PlayCanvas' SEMANTIC_BLENDINDICES and SEMANTIC_BLENDWEIGHT, four a vertex. */
+/** For PlayCanvas' SEMANTIC_BLENDINDICES and SEMANTIC_BLENDWEIGHT, four per vertex. */
 export function playcanvasBuffers(bound: { joints: Uint16Array; weights: Float32Array | Uint16Array; influenceCount: number }): {
   blendIndices: Uint8Array | Uint16Array;
   blendWeights: Float32Array;

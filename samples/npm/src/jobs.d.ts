@@ -16,64 +16,64 @@ export interface ProfileOptions {
   license?: string;
   /** title of a VRM; null = the character's name */
   title?: string;
-  /** authors of a VRM; null: those of its file, else "unknown", which a note says */
+  /** authors of a VRM; null: those of its file, else "unknown" with a note */
   authors?: string[];
   /** a glTF has the text of controls() in its extras */
   controls?: boolean;
 }
 export interface TransformOptions {
-  /** quarter turns about the origin, one after the other: "x", "-x", "y", ... */
+  /** rotations by 90 degrees about an axis through the origin, in order: "x", "-x", "y", ... */
   turns?: string[];
   /** height in meters along up; 0 = unchanged */
   height?: number;
   /** the lowest vertex is moved to 0 along up */
   floor?: boolean;
-  /** after the turns; auto: Y */
+  /** after the rotations; auto: Y */
   up?: "auto" | "x" | "y" | "z";
 }
 export interface CheckOptions {
-  /** false: the mesh is not posed: no tears, lost volume, flips, crossings */
+  /** false: no test poses: no tears, lost volume, flips, crossings */
   poses?: boolean;
-  /** false: animations are not looked at */
+  /** false: ignores animations */
   clips?: boolean;
-  /** the result has a score */
+  /** computes the score */
   score?: boolean;
-  /** rules that get other bounds */
+  /** rules with other bounds */
   bounds?: Record<string, number>;
 }
 export interface BindOptions {
   method?: "model" | "heat" | "distance";
-  /** 1..12 influences a vertex; 0 = 4 */
+  /** 1..12 influences per vertex; 0 = 4 */
   influences?: number;
   /** auto: Y */
   up?: "auto" | "x" | "y" | "z";
   joints?: "auto" | "own" | "names" | "all";
   rigidParts?: "auto" | "always" | "never";
-  /** 0.25..4, 2 blends twice as softly; 0 = 1 */
+  /** 0.25..4, 2 = twice as soft; 0 = 1 */
   softness?: number;
-  /** a mesh of more vertices is bound on a surface reduced to so many; 0 = 32768 */
+  /** larger meshes are bound on a surface reduced to this many vertices; 0 = 32768 */
   surfaceVertices?: number;
-  /** joints that only end a chain keep the weight they get */
+  /** joints that only end a chain keep their weight */
   keepTips?: boolean;
   /** meshes without a skin are bound too */
   bindProps?: boolean;
-  /** a skeleton in other units or beside the mesh is brought into it */
+  /** scales, rotates and moves a skeleton that has other units or stands beside the mesh */
   fit?: boolean;
-  /** mirrored vertices get mirrored rows */
+  /** mirrored vertices get mirrored weights */
   symmetric?: boolean;
-  /** a saved .glb has the confidence as _CONFIDENCE */
+  /** a saved .glb has the confidence as attribute _CONFIDENCE */
   keepConfidence?: boolean;
   /** JOINT_NEVER, JOINT_DEFORMS (if any has it, no other deforms) */
   jointFlags?: ArrayLike<number>;
-  /** not 0: keeps the weights it has */
+  /** not 0: the vertex keeps its weights */
   locked?: ArrayLike<number>;
-  /** not 0: keeps the weights it has, which steer their surroundings */
+  /** not 0: the vertex keeps its weights, which guide its surroundings */
   hinted?: ArrayLike<number>;
-  /** a bound character whose weights are carried over where they fit */
+  /** a bound character whose weights are transferred where they fit */
   like?: CharacterFile;
-  /** rest pose of the result: "t", "a", or a file whose skeleton stands so; null = as it stands. Cuts, too */
+  /** rest pose of the result: "t", "a", or a file with a skeleton in that pose; null = unchanged. Implies cut */
   toPose?: string;
-  /** what has grown together is opened, its vertices doubled; the new ones come last */
+  /** fused parts are cut open; doubled vertices are appended */
   cut?: boolean;
   onProgress?: Progress;
 }
@@ -81,36 +81,36 @@ export interface RigOptions {
   method?: "auto" | "votes" | "shape" | "regions" | "slots";
   detail?: "body" | "hands" | "full";
   mirror?: "auto" | "always" | "never";
-  /** auto: found, or as the file's format says */
+  /** auto: by the file format, else found */
   up?: "auto" | "x" | "y" | "z";
   /** auto: found */
   front?: "auto" | "plus-z" | "minus-z" | "plus-x" | "minus-x" | "plus-y" | "minus-y";
-  /** what kind of body it is; any: as the model says */
+  /** body class; any: as predicted */
   category?: "any" | "biped" | "quadruped" | "bird" | "fish" | "snake" | "many-legged" | "vehicle";
-  /** 1..16; 0 = as the model says */
+  /** 1..16 spine joints; 0 = as predicted */
   spine?: number;
-  /** false: feet have no toe joints */
+  /** false: no toe joints */
   toes?: boolean;
-  /** false: chains have no NAME_end joints */
+  /** false: no NAME_end joints at chain ends */
   ends?: boolean;
-  /** false: the skeleton alone, without weights */
+  /** false: the skeleton only, without weights */
   bind?: boolean;
-  /** with a skeleton, its bones are turned and all scaled alike */
+  /** with a skeleton, its bones are rotated and all scaled by one factor */
   keepLengths?: boolean;
-  /** the result is measured; what fails is a note that begins with "gate: " */
+  /** checks the result; each failure is a note that begins with "gate: " */
   gate?: boolean;
-  /** a file, or template:NAME, that is put into the mesh */
+  /** a file, or template:NAME, whose skeleton is fitted into the mesh */
   template?: string;
-  /** of the bind: 1..12 influences a vertex; 0 = 4 */
+  /** bind: 1..12 influences per vertex; 0 = 4 */
   influences?: number;
   rigidParts?: "auto" | "always" | "never";
-  /** of the bind: 0.25..4, 2 blends twice as softly; 0 = 1 */
+  /** bind: 0.25..4, 2 = twice as soft; 0 = 1 */
   softness?: number;
-  /** of the bind: a mesh of more vertices is bound on a surface reduced to so many; 0 = 32768 */
+  /** bind: larger meshes are bound on a surface reduced to this many vertices; 0 = 32768 */
   surfaceVertices?: number;
-  /** of the bind: rest pose of the result: "t", "a", or a file whose skeleton stands so; null = as it stands. Cuts, too */
+  /** bind: rest pose of the result: "t", "a", or a file with a skeleton in that pose; null = unchanged. Implies cut */
   toPose?: string;
-  /** of the bind: what has grown together is opened, its vertices doubled; the new ones come last */
+  /** bind: fused parts are cut open; doubled vertices are appended */
   cut?: boolean;
   onProgress?: Progress;
 }
@@ -118,125 +118,124 @@ export interface RetargetOptions {
   method?: "auto" | "copy" | "contacts" | "reference-points" | "stream" | "node-offsets";
   /** false: knees and elbows may leave their natural range */
   range?: boolean;
-  /** stays above where it stands at rest */
+  /** keeps the character above its rest position */
   inPlace?: boolean;
   /** of the character; auto: found */
   targetUp?: "auto" | "x" | "y" | "z";
-  /** most morph targets a clip; 0 = 16 */
+  /** maximum number of morph targets per clip; 0 = 16 */
   shapes?: number;
-  /** limbs are measured before and after */
+  /** measures limbs before and after */
   report?: boolean;
-  /** plays a motion that does not fit, such as a person's on a horse; else an error */
+  /** plays a motion that does not fit, such as a person's on a horse; 0: that is an error */
   force?: boolean;
-  /** bones stretch as the source's do, as in sinew_retarget_options */
+  /** bones stretch like the source's, as in sinew_retarget_options */
   translations?: boolean;
-  /** bones of a picture's character leave its plane as the motion's do */
+  /** bones of a picture's character may leave the picture plane */
   depth?: boolean;
-  /** pairs that a found map keeps */
+  /** pairs to keep in a map that is found */
   pins?: { target: number; source: number }[];
-  /** joint of the motion or -1, in place of a map */
+  /** joint of the motion or -1, instead of a map */
   sources?: ArrayLike<number>;
-  /** what joints stay within, contacts or not: a .urdf, a file of formats/spec/limits.md, or "human" for what bodies can do; null: the
-   * natural range alone */
+  /** rotation limits of joints, for every method: a .urdf, a file of formats/spec/limits.md, or "human"; null: only the natural range
+   * of knees and elbows */
   limits?: string;
-  /** hair, tails, ears and skirts swing in the clips, by the springs of the character, see springs() */
+  /** simulates the character's springs (hair, tails, ears, skirts) in the clips, see springs() */
   springs?: boolean;
   /** of the motion; auto: found */
   motionUp?: "auto" | "x" | "y" | "z";
-  /** layout of keypoints (.npy, .npz): "smpl24", ...; null: guessed by their count */
+  /** layout of keypoints (.npy, .npz): "smpl24", ...; null: chosen by the number of keypoints */
   layout?: string;
-  /** of a file of several people, by the root's name or number; null: the first where all are alike */
+  /** actor of a file with several people, by name of the root or number; null: the first, if all have equal skeletons */
   actor?: string | number;
-  /** by name or number; null: all */
+  /** clip by name or number; null: all */
   clip?: string | number;
-  /** frames a second; 0 = as the motion has */
+  /** frames per second; 0 = as in the motion */
   fps?: number;
-  /** first second that is played */
+  /** first second to play */
   from?: number;
-  /** last second that is played; 0 = the end */
+  /** last second to play; 0 = the end */
   to?: number;
-  /** animate makes morph targets of corrections, VOLUME and above; bake takes no other. 0 = none, linear blending or VOLUME, as the
-   * call says */
+  /** animate makes morph targets for corrections (VOLUME and above), which bake requires. 0 = none, linear blending or VOLUME,
+   * depending on the call */
   deform?: "linear" | "dual-quaternion" | "volume" | "xpbd" | "delta-mush";
-  /** of the deformer; 0 = its own */
+  /** lattice cells of the deformer; 0 = its default */
   cells?: number;
-  /** of the deformer; 0 = its own */
+  /** iterations of the deformer; 0 = its default */
   rounds?: number;
-  /** with VOLUME or XPBD, limbs keep out of the body */
+  /** for VOLUME and XPBD, limbs keep out of the body */
   bodyContact?: boolean;
-  /** of "xpbd" */
+  /** for "xpbd" */
   tetWeights?: "skin" | "distance";
-  /** false: bends are not smoothed, of SINEW_POSE_XPBD */
+  /** false: bends are not smoothed, for SINEW_POSE_XPBD */
   smoothing?: boolean;
   /** "xpbd" as published, see sinew/deform.h */
   deformAsDrawn?: boolean;
-  /** of "xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2 */
+  /** stiffness of the springs in the lattice's tetrahedra, 0.001 to 1000, for "xpbd"; 0 = 0.2 */
   stiffness?: number;
   /** reference points: n, 1 .. 4, or NO_AREA for 0; 0 = 3 */
   areaPower?: number;
-  /** reference points: triangles of the limb itself have influence as well */
+  /** reference points: triangles of the limb itself have influence too */
   ownLimb?: boolean;
-  /** reference points: knees and ankles move as well */
+  /** reference points: also corrects knees and ankles */
   legs?: boolean;
-  /** reference points: d: influence also falls by exp(-(distance / (d * source's height))^2); 0 = 0.05, which is ours */
+  /** reference points: d: influence also falls by exp(-(distance / (d * source's height))^2); 0 = 0.05 (added by sinew) */
   falloff?: number;
-  /** reference points: the head moves as well */
+  /** reference points: also corrects the head */
   head?: boolean;
-  /** reference points: torso joints lie as the source's do, each seen from the one before; 0: they turn as copied */
+  /** reference points: copies directions between torso joints; 0: copies their rotations */
   torso?: boolean;
-  /** reference points: reference points are the source's, in the size of the target; 0: the target's */
+  /** reference points: reference points of the source's body, scaled to the target; 0: of the target's body */
   sourcePoints?: boolean;
-  /** reference points: as published: one sum over all triangles, the limb's own too; knees, ankles, head and torso as well; the
-   * source's reference points; no falloff, no push-out. own_limb to source_points say nothing then */
+  /** reference points: as published: one sum over all triangles, including the limb's own; knees, ankles, head and torso too; the
+   * source's reference points; no falloff, no push-out. own_limb to source_points are ignored */
   asDrawn?: boolean;
   onProgress?: Progress;
 }
 export interface TransferOptions {
   method?: "auto" | "nearest" | "biharmonic" | "rebind";
-  /** 1..12 influences a vertex; 0 = 4 */
+  /** 1..12 influences per vertex; 0 = 4 */
   influences?: number;
   /** auto: Y */
   targetUp?: "auto" | "x" | "y" | "z";
   /** auto: Y */
   sourceUp?: "auto" | "x" | "y" | "z";
-  /** the target is worn by the source */
+  /** the source wears the target */
   garment?: boolean;
-  /** as its paper says, of "biharmonic" */
+  /** "biharmonic" as published */
   asDrawn?: boolean;
-  /** binds by heat alone, without a model */
+  /** binds by heat only, without a model */
   heat?: boolean;
-  /** not 0: the target's vertex keeps the weights it has */
+  /** not 0: the target's vertex keeps its weights */
   locked?: ArrayLike<number>;
   onProgress?: Progress;
 }
 export interface SpringsOptions {
-  /** finds springs anew in place of the file's own */
+  /** finds springs anew instead of the file's own */
   replace?: boolean;
-  /** chains that are kept although they are not sure, or beside the file's own */
+  /** chains to keep despite a low probability, or in addition to the file's own */
   take?: string[];
-  /** chains that are left out */
+  /** chains to leave out */
   drop?: string[];
-  /** NAME=KIND: numbers of another kind, hair, long-hair, skirt, tail, ear, cape, bust or ribbon */
+  /** NAME=KIND: parameters of another kind, hair, long-hair, skirt, tail, ear, cape, bust or ribbon */
   presets?: string[];
-  /** NAME:FIELD=X, one number of a chain's joints, or NAME:FIELD=xF, F times what each has: stiffness, gravity, drag, radius or limit
-   * */
+  /** NAME:FIELD=X sets a parameter of a chain's joints, NAME:FIELD=xF scales it by F: stiffness, gravity, drag, radius or limit */
   values?: string[];
-  /** chains of joints are laid into skirts, coats and capes that have none, and these are bound to them */
+  /** makes chains of joints in skirts, coats and capes that have none, and binds these to them */
   make?: boolean;
 }
 export interface PictureOptions {
   bodyClass?: "found" | "biped" | "quadruped" | "bird" | "fish" | "snake" | "many-legged" | "other";
-  /** which of several figures, from left to right, from 1 on; 0: the largest */
+  /** number of the figure, from left to right, starting at 1; 0: the largest */
   figure?: number;
   /** a flat card instead of a body as thick as it is wide */
   flat?: boolean;
-  /** positions are the picture's pixels, x right, y up from the bottom edge; else the longest side is 1 */
+  /** positions in pixels, x right, y up from the bottom edge; 0: the longest side is 1 */
   units?: "figure" | "pixels";
-  /** a picture that is bright where the figure is, as a file or the name of one in memory; null: found */
+  /** mask of the figure, bright inside: a file, or the name of one in memory; null: found */
   mask?: string;
-  /** the figure as picture_info has it, in place of what is found */
+  /** outline of the figure as in picture_info; null: found */
   outline?: [number, number][][];
-  /** the figure is opened along lines that are drawn into it from its outline, as a guess */
+  /** cuts the figure along lines drawn into it from its outline */
   cut?: boolean;
 }
 export interface Finding {
@@ -244,7 +243,7 @@ export interface Finding {
   rule: string;
   /** one line of English */
   what: string;
-  /** one line: what to do */
+  /** one line: the remedy */
   cure: string;
   /** test pose in which it shows; "": none */
   pose: string;
@@ -252,26 +251,26 @@ export interface Finding {
   clip: string | number;
   /** time in the clip */
   seconds: number;
-  /** what was measured */
+  /** measured value */
   value: number;
   /** the value above which it is a finding */
   bound: number;
-  /** ascending; null where it is about joints or clips */
+  /** ascending; null for a finding about joints or clips */
   vertices: ArrayLike<number>;
   severity: "note" | "warning" | "error";
-  /** joint that it is about; -1: none */
+  /** joint of the finding; -1: none */
   joint: number;
-  /** joint that it is compared with; -1: none */
+  /** joint for comparison; -1: none */
   other: number;
   /** mesh of all its vertices; -1: none, or several */
   mesh: number;
-  /** where to look, in the mesh's units */
+  /** position of the finding, in the mesh's units */
   position: [number, number, number];
-  /** how far around the position to look */
+  /** radius of the finding around the position */
   radius: number;
 }
 export interface CheckResult {
-  /** findings of each severity */
+  /** number of findings of each severity */
   errors: number;
   warnings: number;
   notes: number;
@@ -279,77 +278,77 @@ export interface CheckResult {
   findings: Finding[];
   /** "checked: 0 findings" */
   line: string;
-  /** 0..100, how near the weights are to those of three methods; -1 where it was not asked for */
+  /** 0..100, similarity of the weights to those of three methods; -1 if not requested */
   score: number | null;
 }
 export interface LeftOut {
-  /** "control", "no weight in the file", .. */
+  /** reason: "control", "no weight in the file", .. */
   why: string;
   joint: number;
 }
 export interface Seam {
-  /** the joints that most of it lies between */
+  /** the joints on its two sides */
   joints: [number, number];
-  /** its middle */
+  /** its center */
   position: [number, number, number];
   length: number;
 }
 export interface BindResult {
-  /** with symmetric: vertices that have a mirror image */
+  /** with symmetric: number of vertices with a mirror image */
   symmetricVertices: number;
-  /** meshes that stay attached to one joint */
+  /** number of meshes that stay attached to one joint */
   keptMeshes: number;
-  /** joints that gave their weight to their parents */
+  /** number of joints that gave their weight to their parents */
   foldedTips: number;
-  /** answers by the style file */
+  /** number of answers from the style file */
   answersByStyle: number;
-  /** in sinew_bind() */
+  /** duration of sinew_bind() */
   seconds: number;
   workspaceBytes: number;
-  /** joints that may get no weight */
+  /** joints that must not get weight */
   leftOut: LeftOut[];
-  /** of the weights, as in `sinew bind --json` */
+  /** hash of the weights, as in `sinew bind --json` */
   hash: string;
   /** longest first */
   seams: Seam[];
-  /** with cut or to_pose */
+  /** with cut or to_pose: number of doubled vertices */
   doubledVertices: number;
 }
 export interface Doubt {
-  /** joint that the limb is called by: LeftArm, RightUpLeg, Tail */
+  /** joint that names the limb: LeftArm, RightUpLeg, Tail */
   name: string;
   /** probability that the limb is wrong, 0..1 */
   doubt: number;
 }
 export interface RigResult {
-  /** the skeleton is its own mirror image */
+  /** the skeleton is symmetric */
   mirrored: boolean;
-  /** with a skeleton: its joints that have a counterpart in the prediction */
+  /** with a skeleton: number of its joints that match the prediction */
   matched: number;
-  /** N: joints of the arrays below */
+  /** N: number of joints of the arrays below */
   jointCount: number;
-  /** how far off the votes think they are, see sinew_rig_outputs */
+  /** estimated error of the votes, see sinew_rig_outputs */
   spread: number;
-  /** with a skeleton: how much larger it became */
+  /** with a skeleton: its scale factor */
   scale: number;
   seconds: number;
   bindSeconds: number;
   /** a bone end */
   ends: Uint8Array;
-  /** 0..1 */
+  /** confidence of positions, 0..1 */
   confidence: Float32Array;
-  /** 0..1 */
+  /** confidence of parents, 0..1 */
   parentConfidence: Float32Array;
-  /** unit vector in which the mesh faces */
+  /** unit vector of the front direction */
   front: [number, number, number];
   /** Y or Z */
   up: "auto" | "x" | "y" | "z";
-  /** 0..1, see sinew_rig_outputs; below 0.7 a coin toss */
+  /** 0..1, see sinew_rig_outputs; uncertain below 0.7 */
   frontConfidence: number;
   upConfidence: number;
   /** longest first */
   seams: Seam[];
-  /** limbs by falling doubt; of votes */
+  /** limbs by descending doubt; for votes */
   doubtful: Doubt[];
 }
 export interface LimbQuality {
@@ -363,7 +362,7 @@ export interface LimbQuality {
   deepFrames: number;
   /** with a contact */
   contactFrames: number;
-  /** elbow or knee is out of its natural range by more than a degree */
+  /** with elbow or knee out of its natural range by more than a degree */
   rangeFrames: number;
   /** mean over frames */
   depth: number;
@@ -373,35 +372,35 @@ export interface LimbQuality {
   greatestError: number;
 }
 export interface AnimateResult {
-  /** clips that were added */
+  /** number of clips that were added */
   clipCount: number;
   /** index of the first of them, for get_clip() */
   firstClip: number;
-  /** joints that move */
+  /** number of joints with a source */
   mapped: number;
-  /** it was a bare mesh */
+  /** a bare mesh was rigged first */
   rigged: boolean;
-  /** morph targets that were added */
+  /** number of morph targets that were added */
   shapeCount: number;
-  /** 0..1, of front and sides, and no more than how much of both bodies the map reaches */
+  /** 0..1, certainty of front and sides, at most the share of both bodies that is mapped */
   certainty: number;
-  /** with report: limbs in both arrays below */
+  /** with report: number of limbs in both arrays below */
   limbCount: number;
   /** with report */
   limbsBefore: LimbQuality[];
   /** with report */
   limbsAfter: LimbQuality[];
-  /** "anatomy and names" */
+  /** how the map was found: "anatomy and names", .. */
   mappedBy: string;
   /** the map that was used: joint of the motion, -1 = none */
   sources: Int32Array;
   reasons: Uint8Array;
-  /** a mere end, which never turns */
+  /** a bone end, which does not rotate */
   sourceEnds: Uint8Array;
-  /** joints of the motion, a line each, '\n' between two */
+  /** names of the joints of the motion, one per line */
   sourceNames: string;
   spotKinds: Uint8Array;
-  /** see sinew_contact_spot, as the errors */
+  /** positions, see sinew_contact_spot */
   spotPositions: Float32Array;
   spotErrors: Float32Array;
 }
@@ -412,64 +411,64 @@ export interface TransferPart {
   vertexCount: number;
   /** of the larger share */
   reason: "asked" | "style" | "mismatch" | "plain" | "near" | "far" | "no-match" | "kept";
-  /** share of its weights that was carried over, 65536 = all; the rest was bound anew */
+  /** share of its weights that was transferred, 65536 = all; the rest was rebound */
   carried: number;
-  /** how far the source's weights there are from a bind's: sum over joints of the difference, mean over the vertices, 0..131072. 0
-   * where nothing was bound */
+  /** difference between the source's weights there and a bind: sum over joints, mean over the vertices, 0..131072. 0 if nothing was
+   * bound */
   style: number;
-  /** the same between a bind of the target and the source's bind carried over: how far the match is off */
+  /** the same between a bind of the target and the transferred bind of the source: the match error */
   mismatch: number;
-  /** mean distance of its vertices from the source as it was laid over the target, longest sides of the target */
+  /** mean distance of its vertices from the aligned source, in longest sides of the target */
   distance: number;
 }
 export interface TransferResult {
-  /** joints of the source */
+  /** number of source joints that were mapped */
   mappedJoints: number;
-  /** the target had no skeleton and has the source's */
+  /** the target had no skeleton and got the source's */
   fitted: boolean;
-  /** something was bound anew */
+  /** a part was rebound */
   bound: boolean;
   boundBy: "model" | "heat" | "distance";
-  /** as in sinew_transfer_outputs, and the two below */
+  /** as in sinew_transfer_outputs; so are style and mismatch */
   carried: number;
   style: number;
   mismatch: number;
   seconds: number;
   mappedBy: string;
-  /** by falling size */
+  /** by descending size */
   parts: TransferPart[];
 }
 export interface SpringsResult {
-  /** chains that are kept */
+  /** number of chains that are kept */
   chainCount: number;
-  /** joints that swing */
+  /** number of joints that swing */
   jointCount: number;
-  /** spheres and capsules that push them */
+  /** number of spheres and capsules that push them */
   colliderCount: number;
-  /** the first of these are the file's own */
+  /** number of the file's own chains, which come first */
   ownCount: number;
   /** kept */
   kept: Uint8Array;
   /** 0..1 */
   certainties: Float32Array;
-  /** names of the proposals, a line each, '\n' between two */
+  /** names of the proposals, one per line */
   names: string;
-  /** kinds of the proposals, a line each, '\n' between two */
+  /** kinds of the proposals, one per line */
   kinds: string;
 }
 export interface PictureInfo {
-  /** pixels, of the picture as it is seen */
+  /** pixels of the picture as displayed */
   width: number;
   height: number;
-  /** figures in the picture */
+  /** number of figures in the picture */
   figureCount: number;
-  /** the one that was taken, from 1 on */
+  /** the figure that was taken, starting at 1 */
   figure: number;
   /** 0 before it is rigged */
   bodyClass: "found" | "biped" | "quadruped" | "bird" | "fish" | "snake" | "many-legged" | "other";
   /** 0 before it is rigged */
   view: "front" | "faces-right" | "faces-left";
-  /** 0..1, of class and view together; 0 before it is rigged */
+  /** 0..1, certainty of class and view together; 0 before it is rigged */
   certainty: number;
   /** pixels, x right, y down from the top left corner */
   outline: Float32Array[];

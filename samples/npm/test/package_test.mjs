@@ -144,7 +144,7 @@ function files() {
     { job: "rig", files: at("biped__robed.obj"), save: "rigged.glb" },
     { job: "rig", files: at("biped__robot.obj"), options: { detail: "full" }, args: ["--detail", "full"], save: "full.glb" },
     { job: "retarget", files: at("biped__caped.gltf"), motion: at("strange.fbx"), save: "moved.glb" },
-    ...["hanging.glb", "named.glb", "weighted.glb", "strange.fbx", "metres.fbx", "strange.dae"].map((name) => ({ job: "bind", files: at(name), save: `${name}.glb` })),
+    ...["hanging.glb", "named.glb", "weighted.glb", "strange.fbx", "meters.fbx", "strange.dae"].map((name) => ({ job: "bind", files: at(name), save: `${name}.glb` })),
     { job: "bind", files: at("strange.fbx", "skin.png"), save: "dressed.glb" },
     { job: "rig", files: at("drawing__child.png"), picture: { units: "pixels" }, args: ["--units", "pixels"], save: "child.glb" },
     { job: "retarget", files: at("drawing__cat.png"), picture: { bodyClass: "quadruped" }, args: ["--class", "quadruped"], save: "cat.glb" },
@@ -155,7 +155,7 @@ function files() {
   const lines = JSON.parse(run("node", ["files.mjs", join(work, "jobs.json"), mine], folder));
   equal(lines.pop(), {
     joints: 22, rotations: 88, aside: 1, turned: false,
-    errors: ["keypoints: expected 22 keypoints as humanml3d22 has, found 21", "keypoints: no layout is called 'h36m', expected one of smpl24, humanml3d22, lafan22, smplh52, smplx55, coco17, h36m17, h36m32, kinect25, openpose25, mediapipe33",
+    errors: ["keypoints: expected 22 keypoints as humanml3d22 has, found 21", "keypoints: unknown layout 'h36m', expected one of smpl24, humanml3d22, lafan22, smplh52, smplx55, coco17, h36m17, h36m32, kinect25, openpose25, mediapipe33",
       "openKeypoints: expected frames of as many keypoints each, three numbers a keypoint"],
   }, "keypoints alone are a person, and then frames of one");
   jobs.forEach(({ job, files: [first, ...beside], motion, args = [], save }, i) => {
@@ -199,7 +199,7 @@ function delivery() {
   equal(told.checked.findings.map(({ rule, severity, what }) => [rule, severity, what]), findings.map(({ rule, severity, what }) => [rule, severity, what]), "the command's findings");
   check(Math.abs(told.checked.score - score) < 0.051 && told.unscored === null, `the command's score ${score}: ${told.checked.score}`);
   check(findings.length > 0 && told.strict > findings.length && told.found.position.length === 3 && told.found.cure !== "", "bounds of the caller's own, and where to look");
-  const lines = { turn: "expected x, y, z", profile: "no profile", rule: "no rule", option: "SinewError 0: check: options.count: expected poses" };
+  const lines = { turn: "expected x, y, z", profile: "unknown profile", rule: "unknown rule", option: "SinewError 0: check: options.count: expected poses" };
   for (const [name, line] of Object.entries(lines)) check(told.errors[name].includes(line), `${name}: ${told.errors[name]}`);
   console.log("npm: placed, checked, with controls: the command's");
 }

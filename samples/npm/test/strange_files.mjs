@@ -61,7 +61,7 @@ export const strangeFiles = () => ({
   "named.glb": glb({ names: ["pelvis", "spine_01", "head", "head_end", "ctrl_root"] }),
   "weighted.glb": glb({ names: ["Hips", "Spine", "Head", "Head_tip", "Pole"], hanging: true, weighted: true }),
   "strange.fbx": strangeFbx(),
-  "metres.fbx": strangeFbx({ unit: 100, up: "y", size: 1.83 }),
+  "meters.fbx": strangeFbx({ unit: 100, up: "y", size: 1.83 }),
   "strange.dae": strangeDae(),
   "skin.png": Buffer.from("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8/5+hHgAHggJ/PchI7wAAAABJRU5ErkJggg==", "base64"),
   "broken.fbx": Buffer.from("no fbx"),

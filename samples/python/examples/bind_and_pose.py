@@ -25,14 +25,14 @@ print(f"{character.name}: {len(character.positions)} vertices, {len(character.fa
 
 
 # %%
-def draw(axes, positions, colours, title, skeleton=None):
-    """Triangles with a colour per vertex, y up, seen from the front."""
+def draw(axes, positions, colors, title, skeleton=None):
+    """Triangles with a color per vertex, y up, seen from the front."""
     turned = positions[:, [0, 2, 1]] * [1, -1, 1]
     corners = turned[character.faces]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
     light = 0.55 + 0.45 * np.abs(normals @ [0.4, -0.8, 0.45])
-    shown = Poly3DCollection(corners, facecolors=np.clip(colours[character.faces].mean(1) * light[:, None], 0, 1), linewidths=0)
+    shown = Poly3DCollection(corners, facecolors=np.clip(colors[character.faces].mean(1) * light[:, None], 0, 1), linewidths=0)
     axes.add_collection3d(shown)
     if skeleton is not None:
         places = skeleton.positions[:, [0, 2, 1]] * [1, -1, 1]
@@ -62,13 +62,13 @@ def figure(name, *panels):
 # %%
 rig = sinew.rig(character.positions, character.faces)
 print(f"{len(rig.skeleton)} joints, how far off the votes think they are: {rig.spread:.3f}")
-grey = np.full((len(character.positions), 3), 0.8)
+gray = np.full((len(character.positions), 3), 0.8)
 skeleton = character.skeleton or rig.skeleton
-figure("skeletons", (character.positions, grey, "predicted", rig.skeleton), (character.positions, grey, "of the file", skeleton))
+figure("skeletons", (character.positions, gray, "predicted", rig.skeleton), (character.positions, gray, "of the file", skeleton))
 
 # %% [markdown]
 # ## Weights
-# One colour a joint, mixed by weight; and where the binder is least sure.
+# One color a joint, mixed by weight; and where the binder is least sure.
 
 # %%
 skin = sinew.bind(character.positions, character.faces, skeleton)

@@ -233,7 +233,7 @@ class Wrong(unittest.TestCase):
         self.says("influences: expected 1 to 12", positions, faces, influences=13)
         self.says("never: the skeleton has no joint 'tail'", positions, faces, never=["tail"])
         self.says(r"locked: a mask of bool, expected shape \(3,\)", positions, faces, locked=[True])
-        self.says("given: locked and hinted vertices", positions, faces, locked=[0])
+        self.says("given: expected a Skin", positions, faces, locked=[0])
         self.says(r"given: expected shape \(3, 2\)", positions, faces, locked=[0], given=np.zeros((3, 5)))
         self.says(r"answers\[0\]", positions, faces, answers=[(0, "rigid")])
         self.says("threads: expected 1 to 64", positions, faces, threads=0)

@@ -42,11 +42,11 @@ class Pictures(unittest.TestCase):
             self.assertAlmostEqual(np.ptp(half.positions[:, 0]) / np.ptp(whole.positions[:, 0]), 0.5, delta=0.03)
 
     def test_mistakes(self):
-        with self.assertRaisesRegex(sinew.Error, "there is no figure 2"):
+        with self.assertRaisesRegex(sinew.Error, "no figure 2"):
             sinew.open_picture(CHILD, figure=2)
         with self.assertRaisesRegex(ValueError, "body_class"):
             sinew.open_picture(CHILD, body_class="bear")
-        with self.assertRaisesRegex(sinew.Error, "three places"):
+        with self.assertRaisesRegex(sinew.Error, "three positions"):
             sinew.open_picture(CHILD, outline=[[[0, 0], [9, 9]]])
         with sinew.open(DATA / "snake__long.obj") as snake:
             with self.assertRaisesRegex(sinew.Error, "not of a picture"):

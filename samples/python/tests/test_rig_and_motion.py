@@ -156,7 +156,7 @@ class Retarget(unittest.TestCase):
             self.assertGreater(np.abs(moved[1] - moved[0]).max(), 0.3)
             with self.assertRaisesRegex(sinew.Error, "expected 22 keypoints as humanml3d22 has, found 3"):
                 person.keypoints_frame(keypoints[:3])
-        with self.assertRaisesRegex(sinew.Error, "no layout is called 'h36m'"):
+        with self.assertRaisesRegex(sinew.Error, "unknown layout 'h36m'"):
             sinew.open_keypoints("h36m", [keypoints])
 
     def test_springs_follow_a_stream(self):

@@ -58,10 +58,10 @@ double colour(Session& s, ColourMode mode, uint32_t joint) {
   if (is_artist && s.reference.empty())
     throw Error(s.character.name + ": the file has no weights of its own to compare with");
   if (mode == ColourMode::kJoints) {
-    of_vertex = weight_colours(s.character);
+    of_vertex = weight_colors(s.character);
   } else if (mode == ColourMode::kArtist) {
     std::swap(s.character.influences, s.reference);
-    of_vertex = weight_colours(s.character);
+    of_vertex = weight_colors(s.character);
     std::swap(s.character.influences, s.reference);
   } else {
     values.assign(s.character.vertices.size(), 0);
@@ -70,7 +70,7 @@ double colour(Session& s, ColourMode mode, uint32_t joint) {
     if (mode == ColourMode::kDifference) values = differences(s);
     for (size_t v = 0; v < values.size() && mode == ColourMode::kDoubt; ++v)
       values[v] = 1.0f - static_cast<float>(s.confidence[v]) / 255.0f;
-    of_vertex = heat_colours(values, 1.0f);
+    of_vertex = heat_colors(values, 1.0f);
     if (mode == ColourMode::kField || mode == ColourMode::kArtistField) lighten_unmoved(values, &of_vertex);
   }
   s.colours.clear();

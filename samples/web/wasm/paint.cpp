@@ -42,7 +42,7 @@ Row mean_of(const std::vector<Row>& rows, const std::vector<uint32_t>& which) {
 
 void paint(const Character& character, const std::vector<float>& positions, const Stroke& stroke,
            uint32_t influence_count, std::vector<Row>* rows, std::vector<uint8_t>* painted) {
-  const std::vector<std::vector<uint32_t>> neighbours = neighbours_of(character);
+  const std::vector<std::vector<uint32_t>> neighbours = neighbors_of(character);
   const auto distance = [&](uint32_t v) {
     const float* const p = &positions[size_t{v} * 3];
     const float* const q = &positions[size_t{stroke.vertex} * 3];

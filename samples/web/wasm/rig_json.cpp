@@ -43,7 +43,7 @@ Json rig_json(const Rigs& rigs) {
     joints.push_back({{"name", joint.name},
                       {"parent", joint.parent},
                       {"position", {joint.position.x, joint.position.y, joint.position.z}},
-                      {"colour", joint_colour(j)},
+                      {"colour", joint_color(j)},
                       {"side", static_cast<int>(side_of_name(joint.name))},
                       {"end", false},
                       {"partner", -1},

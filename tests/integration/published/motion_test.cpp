@@ -126,7 +126,7 @@ TEST_F(PublishedMotion, ABodyOfAnotherMeshIsAsGood) {
   write_gltf(in("other.glb"), other);
   const std::string call = "other.glb --motion hugging.glb" + kPoints;
   const Outcome told = good("animate " + call + " -o out.glb");
-  EXPECT_NE(told.out.find("has a body of another mesh"), std::string::npos) << told.out;
+  EXPECT_NE(told.out.find("its body has another mesh"), std::string::npos) << told.out;
   const Arms copied = arms(call, "before"), drawn = arms(call, "after");
   ASSERT_GE(copied.contacts, 6u);
   EXPECT_LT(drawn.contact, 0.9 * copied.contact) << copied.contact;
@@ -139,7 +139,7 @@ TEST_F(PublishedMotion, ASkeletonAloneGetsABody) {
     const Arms copied = arms(call, "before"), drawn = arms(call, "after");
     EXPECT_LE(drawn.deep, copied.deep) << target;
     const Outcome told = good("animate " + call + " -o drawn.glb");
-    EXPECT_NE(told.out.find("capsules round both skeletons"), std::string::npos) << told.out;
+    EXPECT_NE(told.out.find("capsules around the bones"), std::string::npos) << told.out;
   }
   good("animate broad.glb --motion hug.bvh --method copy -o copied.glb");
   good("animate broad.glb --motion hug.bvh" + kPoints + " -o drawn.glb");

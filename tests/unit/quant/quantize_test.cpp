@@ -151,7 +151,7 @@ TEST(Quantize, RefusesInOneLine) {
   expect_error(bad, calibration, "ReLU");
   bad = good;
   bad.layers[0].in.offset = 60000;
-  expect_error(bad, calibration, "outside of its buffers");
+  expect_error(bad, calibration, "outside its buffers");
   bad = good;
   std::swap(bad.layers[1], bad.layers[3]);
   expect_error(bad, calibration, "no earlier layer writes");

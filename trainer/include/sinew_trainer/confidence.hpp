@@ -50,9 +50,9 @@ ConfidenceTable fit_confidence(const std::vector<JudgedConfidence>& judged, size
 // What the engine makes of confidences without a table.
 std::vector<JudgedConfidence> apply_confidence(const std::vector<JudgedConfidence>& judged,
                                                const ConfidenceTable& table);
-// Calibration on families that the table has not seen: fitted on one half of the families, judged on the other and the
-// other way round, both halves together. Families are dealt by falling size: 1st, 4th, 5th, 8th ... and the rest.
-// Throws Error when there are fewer than two families.
+// Calibration on families that the table has not seen: fitted on each half of the families and evaluated on the
+// other, both halves together. Families are dealt by descending size: 1st, 4th, 5th, 8th ... and the rest. Throws
+// Error when there are fewer than two families.
 Reliability reliability_across_families(const std::vector<JudgedConfidence>& judged);
 
 // The plainest confidence, for binders that tell none: the largest weight of each row as a share of the row, 0..255;

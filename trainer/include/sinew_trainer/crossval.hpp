@@ -66,7 +66,7 @@ CrossvalMeans crossval_means(const CrossvalReport& report);
 std::string crossval_markdown(const CrossvalReport& report);
 std::string crossval_csv(const CrossvalReport& report);
 std::string crossval_json(const CrossvalReport& report);
-// Reads what crossval_json wrote; a folder stands for its crossval.json. Throws Error.
+// Reads what crossval_json wrote; a folder represents its crossval.json. Throws Error.
 CrossvalReport read_crossval(const std::string& path);
 // One row per report beside heat's.
 std::string crossval_comparison(const std::vector<CrossvalReport>& reports);

@@ -37,7 +37,7 @@ struct Metrics {
 };
 
 // Compares predicted influences with the character's own. End joints (unbound leaves) of the prediction are folded into
-// their parents (everywhere but in l1_file), rows normalised, vertices without reference weights left out. `name` seeds
+// their parents (everywhere but in l1_file), rows normalized, vertices without reference weights left out. `name` seeds
 // the poses. vertex_l1, when given, gets [V] L1 per vertex (0 for left-out vertices); pose_distance [poses] the mean
 // distance of a vertex.
 Metrics measure(const Character& reference, const std::vector<std::vector<Influence>>& predicted,
@@ -47,7 +47,7 @@ Metrics measure(const Character& reference, const std::vector<std::vector<Influe
 // The baseline nearest bone: every vertex rigid to the joint whose bone is nearest. A joint's bones are the segments to
 // its children; a leaf's is a stub along its parent's bone, half as long and at most a tenth of the longest side of the
 // joints' box. Where a bone ends, the joint there is as near as the one that moves the bone: it goes to the deeper
-// joint, then to the lower index. `deforms` [J] says which joints may be bound to (0 = not); empty: all.
+// joint, then to the lower index. `deforms` [J] marks the joints that may be bound to (0 = not); empty: all.
 std::vector<std::vector<Influence>> nearest_bone(const Character& character, const std::vector<uint8_t>& deforms = {});
 
 struct Scores {
@@ -57,7 +57,7 @@ struct Scores {
   Metrics family_mean;                                      // mean over families
   std::map<std::string, std::string> failures;              // name -> one line
 };
-Scores summarise(std::vector<std::pair<std::string, Metrics>> characters);
+Scores summarize(std::vector<std::pair<std::string, Metrics>> characters);
 // Characters on which `other` has the lower L1, worst loss first: (name, difference). Those that either lacks are
 // skipped.
 std::vector<std::pair<std::string, double>> beaten_by(const Scores& scores, const Scores& other);

@@ -22,7 +22,7 @@ double numpy_sum(const double* values, size_t count);
 
 // Rows with sum 1, or all zero. Weights that are not positive do not count; a joint named twice is added up. Throws
 // Error with `name` when a weight belongs to a joint >= joint_count.
-DenseRows normalised_rows(const std::vector<std::vector<Influence>>& influences, size_t joint_count,
+DenseRows normalized_rows(const std::vector<std::vector<Influence>>& influences, size_t joint_count,
                           const std::string& name);
 
 // Parent every end joint's weight folds to ([J], itself when it is none): a leaf that no reference vertex is bound to,

@@ -71,7 +71,7 @@ ReportPicture report_picture(const Character& reference, const std::vector<std::
 // Throws Error when there is no variant or main_variant is none of them.
 std::string report_html(const ReportData& data);
 // The table of variants alone.
-std::string quantisation_table_markdown(const ReportData& data);
+std::string quantization_table_markdown(const ReportData& data);
 
 // Elbow, knee, hip and shoulder bent and wrist twisted, each as linear skinning shows it and with its volume kept: the joints of
 // one side that names tell. A panel a joint; none where no name tells a joint.

@@ -52,7 +52,7 @@ struct SlotDifference {
   double same_connections =
       0;  // share of pairs of joints that more likely than not hang together by both or by neither
 };
-//   model  of calibrate_slots(), quantised and opened by sinew_rig_model_open()
+//   model  of calibrate_slots(), quantized and opened by sinew_rig_model_open()
 SlotDifference compare_slots(const FloatNetwork& both, const sinew_model& model, const std::string& folder,
                              size_t limit);
 

@@ -32,7 +32,8 @@ ScoredSkeleton scored_skeleton(const std::vector<Joint>& joints, double side);
 
 // Of one character, or a mean over several. All joints count, bone ends too. NaN: there was nothing to count.
 struct RigScore {
-  double j2j = 0;  // mean distance from predicted to nearest reference joints and the other way round, halved sum
+  double j2j =
+      0;  // mean of the distances from predicted to nearest reference joints and from reference to nearest predicted joints
   double j2b = 0;  // the same from joints to points on the other's bones, which are 0.005 apart
   double b2b = 0;  // the same from points on bones to points on bones
   // Pairs of predicted and reference joints, one to one, at most 0.05 apart: as many as can be, as near as can be.
@@ -64,7 +65,7 @@ RigScore score_rig(const ScoredSkeleton& predicted, const ScoredSkeleton& refere
 
 // A reference with head, arms and legs of two bones, and no tail.
 bool is_humanoid(const ScoredSkeleton& reference);
-// What keeps a skeleton from being retargeted, a line each; empty = complete. Of the 15 bones that every humanoid has,
+// What keeps a skeleton from being retargeted, one line each; empty = complete. Of the 15 bones that every humanoid has,
 // pelvis, spine and head must be in the middle (0.01), upper arm, forearm, hand, thigh, calf and foot once on each side,
 // each below the one before, and a pelvis must be the root. x points left; the middle is that of a symmetric skeleton,
 // of others where the root is.
@@ -92,7 +93,7 @@ struct RigScores {
   std::map<std::string, double> owned;                        // owned_surface() of those that were bound
 };
 // Fills all but failures, humanoids and owned.
-RigScores summarise(std::vector<std::pair<std::string, RigScore>> characters);
+RigScores summarize(std::vector<std::pair<std::string, RigScore>> characters);
 // The table of the yardstick, times 100, as Markdown; JSON with every number as it is, null for NaN.
 std::string rig_scores_markdown(const RigScores& scores);
 std::string rig_scores_json(const RigScores& scores);

@@ -16,7 +16,7 @@ struct RigTrainConfig : RunConfig {
   RigTrainConfig();
   std::string architecture = "votes";  // or "slots", the published method, or "front", where a mesh faces
   uint32_t width = 64;                 // channels
-  uint32_t rounds = 4;                 // of neighbours
+  uint32_t rounds = 4;                 // of neighbors
   // "body": skeletons without fingers; "hands": the fingers of hands that were cut out (votes only).
   std::string part = "body";
   // Samples of a character beside two of itself: posed and stretched by its own weights, a third of them half as strongly.
@@ -24,8 +24,9 @@ struct RigTrainConfig : RunConfig {
   // 0: every character has as many. Else so many at least, and of `variants` the share that a character is drawn with: n to the
   // power of family_power - 1 for one of n in its family.
   uint32_t least_variants = 0;
-  // Bodies: shares of these, 0 to 1, in poses as meshes of strangers have (src/data/rig_pose.hpp), grown together to one closed
-  // shell (src/data/grown_shell.hpp), with double walls, and with specks (src/data/rough_surface.hpp), and as pictures of them are (src/data/silhouette.hpp).
+  // Bodies: shares of these, 0 to 1, in poses as meshes of strangers have (src/data/rig_pose.hpp), fused to one closed
+  // shell (src/data/grown_shell.hpp), with double walls, and with specks (src/data/rough_surface.hpp), and as
+  // pictures of them are (src/data/silhouette.hpp).
   double wide = 0, grown = 0, walls = 0, specks = 0, pictures = 0;
   // Synthetic characters of each body plan (trainer/data_sets/src/synth), as families of their own.
   uint32_t synthetic = 20;
@@ -35,7 +36,7 @@ struct RigTrainConfig : RunConfig {
   double balance = 0.7;
   // Slots: "published", plain mean absolute errors; or "balanced" (src/run/rig_loss.hpp).
   std::string losses = "published";
-  // Characters that are not trained on, by name (a * at the end stands for any rest), and why.
+  // Characters that are not trained on, by name (a * at the end represents any rest), and why.
   std::map<std::string, std::string> leave_out;
 };
 inline bool is_hands(const RigTrainConfig& config) { return config.part == "hands"; }

@@ -11,8 +11,8 @@
 
 namespace sinew {
 
-// The rows of a network's inputs, and who is whose neighbour. Every task's samples begin with it and add what they are trained
-// towards. Copies, all sizes known. For a task over joints, "vertex" stands for a joint everywhere here. A task whose network has no
+// The rows of a network's inputs, and who is whose neighbor. Every task's samples begin with it and add what they are trained
+// towards. Copies, all sizes known. For a task over joints, "vertex" represents a joint everywhere here. A task whose network has no
 // domain with slots has one slot per vertex, always absent.
 struct NetworkSample {
   NetworkSample() = default;
@@ -34,7 +34,7 @@ struct NetworkSample {
   std::vector<Input> inputs;                       // in the task's order
   std::vector<uint16_t> candidate;                 // [U x K], 0xFFFF absent
   std::vector<uint32_t> row_offsets, col_indices;  // one-ring CSR
-  std::vector<uint32_t> far_offsets, far_indices;  // CSR of far neighbours; empty where the task has none
+  std::vector<uint32_t> far_offsets, far_indices;  // CSR of far neighbors; empty where the task has none
   std::vector<uint32_t> part, part_offsets, part_vertices;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Training runs: data set cache, sampling by family, loss, optimiser, checkpoints.
+// Training runs: data set cache, sampling by family, loss, optimizer, checkpoints.
 #ifndef SINEW_TRAINER_TRAIN_HPP
 #define SINEW_TRAINER_TRAIN_HPP
 
@@ -18,7 +18,7 @@ namespace sinew {
 
 class Ranks;  // ranks.hpp
 
-// What a run of any task can be told.
+// Options of a run of any task.
 struct RunConfig {
   std::string optimizer = "adamw";  // "adamw", "adam", "sgd"
   double learning_rate = 1.5e-3, weight_decay = 0.02, momentum = 0.9, clip = 1.0, dropout = 0.05;
@@ -43,7 +43,7 @@ struct RunConfig {
   std::map<std::string, double> family_shares;  // of all draws, for families that are not to follow that rule
 };
 
-// What a run for skin weights can be told; read from and written to JSON (unknown keys are an Error). The defaults are
+// Options of a run for skin weights; read from and written to JSON (unknown keys are an Error). The defaults are
 // those of the first runs; trainer/configs/field.json, which trained the bundled model, names what it has otherwise.
 struct TrainConfig : RunConfig {
   std::string architecture = "field";
@@ -54,13 +54,13 @@ struct TrainConfig : RunConfig {
   uint32_t block_layers = 1;  // of classic: linear layers with ReLU in each of its multi-layer perceptrons
   bool spectral = false;      // heat-kernel and wave-kernel signatures as vertex features as well
   // Input channels that the network does without (field only): "vertex.NAME", "pair.NAME", NAME as in
-  // engine/src/features/channels.hpp; a * at the end stands for any rest. The finished network's weights for them are
+  // engine/src/features/channels.hpp; a * at the end represents any rest. The finished network's weights for them are
   // 0.
   std::vector<std::string> without;
-  // Characters that are not trained on, by name (a * at the end stands for any rest), and why: labels that teach wrong.
+  // Characters that are not trained on, by name (a * at the end represents any rest), and why: labels that teach wrong.
   std::map<std::string, std::string> leave_out;
   double loss_kl = 0.5, loss_l1 = 1.0, loss_regret = 2.0, loss_part = 0.5, loss_deformation = 10;
-  // Share of the learnt change of heat's logits that the finished network keeps (field only). Below 1 it is worse on
+  // Share of the learned change of heat's logits that the finished network keeps (field only). Below 1 it is worse on
   // the families it was trained on and better on new ones: trainer/configs/RESULTS.md has the figures.
   double correction = 0.7;
   // Augmentation with recomputed features: variants made once per character and cached (turn, mirror, scale, jitter,

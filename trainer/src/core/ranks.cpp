@@ -97,7 +97,7 @@ std::vector<T> gather_values(const std::vector<T>& mine, const std::vector<size_
 std::vector<float> Ranks::gather(const std::vector<float>& mine, const std::vector<size_t>& counts) {
   if (size_ == 1) return mine;
   const bool fits = std::accumulate(counts.begin(), counts.end(), size_t{0}) <= INT32_MAX;
-  round(fits ? "" : "the gradients of a batch are too many for MPI; use a smaller batch");
+  round(fits ? "" : "a batch has too many gradients for MPI; use a smaller batch");
   return gather_values(mine, counts, MPI_FLOAT);
 }
 

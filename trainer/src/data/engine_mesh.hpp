@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mesh that the engine has read: welded, in integers, with neighbours and normals.
+// A mesh that the engine has read: welded, in integers, with neighbors and normals.
 #ifndef SINEW_TRAINER_DATA_ENGINE_MESH_HPP
 #define SINEW_TRAINER_DATA_ENGINE_MESH_HPP
 

@@ -86,8 +86,8 @@ std::vector<std::vector<std::string>> make_folds(const std::map<std::string, siz
   }
   if (fold_count < 2) throw Error("folds: at least 2 are needed, found " + std::to_string(fold_count));
   if (by_name.size() < fold_count) {
-    throw Error(std::to_string(fold_count) + " folds need as many groups of families, found " +
-                std::to_string(by_name.size()) + "; a family is what stands before \"__\" in a character's name");
+    throw Error(std::to_string(fold_count) + "folds need at least as many groups of families, found " +
+                std::to_string(by_name.size()) + "; a family is the part of a character's name before \"__\"");
   }
   std::vector<Group> order;
   for (auto& [name, group] : by_name) {

@@ -46,7 +46,7 @@ double numpy_sum(const double* values, size_t count) {
   return sum;
 }
 
-DenseRows normalised_rows(const std::vector<std::vector<Influence>>& influences, size_t joint_count,
+DenseRows normalized_rows(const std::vector<std::vector<Influence>>& influences, size_t joint_count,
                           const std::string& name) {
   DenseRows rows(influences.size(), std::vector<double>(joint_count, 0.0));
   for (size_t v = 0; v < rows.size(); ++v) {
@@ -100,7 +100,7 @@ std::vector<uint32_t> fold_targets(const Character& reference, const std::vector
 }
 
 std::vector<uint32_t> fold_targets(const Character& reference) {
-  return fold_targets(reference, normalised_rows(reference.influences, reference.joints.size(), reference.name));
+  return fold_targets(reference, normalized_rows(reference.influences, reference.joints.size(), reference.name));
 }
 
 }  // namespace sinew

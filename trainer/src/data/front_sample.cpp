@@ -32,16 +32,17 @@ std::array<double, 2> front_by_head(const RigSource& source, const RigSource::Po
     ++counts[head ? 0 : 1];
   }
   if (counts[0] == 0 || counts[1] == 0)
-    throw Error(source.name() + ": neither its joints' names nor a head and a pelvis tell its front");
+    throw Error(source.name() + ": its front is unknown; name its joints by side, or a head and a pelvis");
   std::array<double, 3> along{};
   for (size_t axis = 0; axis < 3; ++axis) along[axis] = sums[0][axis] / counts[0] - sums[1][axis] / counts[1];
   const double size = std::hypot(along[0], along[1], along[2]);
   if (std::fabs(along[2]) < kLeastAlong * size || size < kLeastTrunk)
-    throw Error(source.name() + ": its joints' names do not tell left from right, and it does not lie along the floor");
+    throw Error(source.name() +
+                ": its joints' names do not tell left from right, and it is not horizontal; rename its joints");
   return {0, along[2] > 0 ? 1.0 : -1.0};  // in its mirror frame
 }
 
-// A direction of the floor's plane from the mean of the right joints to that of the left ones, turned to the front.
+// A direction of the floor's plane from the mean of the right joints to that of the left ones, rotated to the front.
 std::array<double, 2> front_of(const RigSource& source) {
   const RigSource::PosedMesh posed_mesh = source.make_mesh(0, {});
   std::array<double, 3> sums[2] = {};
@@ -62,7 +63,7 @@ std::array<double, 2> front_of(const RigSource& source) {
   }
   const double flat = std::hypot(left[0], left[2]);
   if (flat < kLeastSideways * std::sqrt(squared) || flat < 1e-6)
-    throw Error(source.name() + ": its left and right joints lie above each other");
+    throw Error(source.name() + ": its left and right joints are above each other");
   return {-left[2] / flat, left[0] / flat};
 }
 

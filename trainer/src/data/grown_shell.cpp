@@ -59,7 +59,7 @@ class ShellGrower {
       for (int y = margin; y < size_[1] - margin; ++y)
         for (int x = margin; x < size_[0] - margin; ++x) use(index(x, y, z), x, y, z);
   }
-  bool any_neighbour(const std::vector<uint8_t>& cells, size_t at, uint8_t value) const {
+  bool any_neighbor(const std::vector<uint8_t>& cells, size_t at, uint8_t value) const {
     for (const int step : steps_) {
       if (cells[at - static_cast<size_t>(step)] == value || cells[at + static_cast<size_t>(step)] == value) return true;
     }
@@ -100,10 +100,10 @@ class ShellGrower {
     for (size_t i = 0; i < solid_.size(); ++i) solid_[i] = owner_[i] == kNobody ? 0 : 1;
     std::vector<uint8_t> grown = solid_;
     each(1, [&](size_t i, int, int, int) {
-      if (any_neighbour(solid_, i, 1)) grown[i] = 1;
+      if (any_neighbor(solid_, i, 1)) grown[i] = 1;
     });
     each(1, [&](size_t i, int, int, int) {
-      if (grown[i] != 0 && !any_neighbour(grown, i, 0)) solid_[i] = 1;
+      if (grown[i] != 0 && !any_neighbor(grown, i, 0)) solid_[i] = 1;
     });
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A posed mesh made to look generated: one closed shell, what touches grown together, what lies inside gone.
+// A posed mesh made to look generated: one closed shell, what touches fused, what lies inside gone.
 #ifndef SINEW_TRAINER_DATA_GROWN_SHELL_HPP
 #define SINEW_TRAINER_DATA_GROWN_SHELL_HPP
 

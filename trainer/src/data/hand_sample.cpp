@@ -25,7 +25,7 @@ using Eigen::Vector3d;
 
 constexpr double kAround = 3.2;  // of a hand's length: what of the body is kept
 
-// Of the longest side. Without an expression of Eigen's, which GCC 12 takes for uninitialised.
+// Of the longest side. Without an expression of Eigen's, which GCC 12 takes for uninitialized.
 Vector3d share(Vec3i p) {
   constexpr double kStep = 1.0 / kSide;
   return {p.x * kStep, p.y * kStep, p.z * kStep};

@@ -142,7 +142,7 @@ bool walks_on_arms(const PoseBody& body) {
   return low < 0.15 * top;
 }
 
-// Of a chain of one class, how many of its joints lie between the trunk and this one.
+// Of a chain of one class, how many of its joints lie between the torso and this one.
 size_t steps_in_class(const PoseBody& body, size_t bone) {
   size_t steps = 0;
   const JointClass c = body.target.joints[bone].joint_class;
@@ -180,7 +180,7 @@ void move_legs(const PoseBody& body, Random* random, RigPose* pose) {
   }
 }
 
-// An animal on four legs sits or lies. Its limbs point where they would in the world, whatever the trunk does.
+// An animal on four legs sits or lies. Its limbs point where they would in the world, whatever the torso does.
 void rest_on_floor(const PoseBody& body, Random* random, RigPose* pose) {
   const bool sits = random->uniform() < 0.5;
   const double rise = sits ? random->uniform(0.5, 1.0) : 0;
@@ -203,7 +203,7 @@ void rest_on_floor(const PoseBody& body, Random* random, RigPose* pose) {
   }
 }
 
-// A person's hands on the hips, in the pockets, or arms crossed on the chest: forearms grow together with the trunk.
+// A person's hands on the hips, in the pockets, or arms crossed on the chest: forearms grow together with the torso.
 void hold_hands(const PoseBody& body, Random* random, RigPose* pose) {
   constexpr double kUpper[3][3] = {{0.8, -1, -0.2}, {0.25, -1, -0.15}, {0.15, -1, 0.25}};
   constexpr double kLower[3][3] = {{-0.75, -0.8, 0.35}, {-0.15, -1, 0.3}, {-1, 0.15, 0.45}};

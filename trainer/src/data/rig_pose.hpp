@@ -34,7 +34,7 @@ struct RigPose {
   std::vector<Eigen::Vector3d> aim;  // where the bone points afterwards, whatever its parent does; 0: as `turn` says
 };
 
-// strength 1: joints turn by up to a radian, 0: none does. Seven in ten are symmetric.
+// strength 1: joints rotate by up to a radian, 0: none does. Seven in ten are symmetric.
 RigPose mild_pose(const PoseBody& body, double strength, Random* random);
 // As meshes of strangers stand: three quarters are not symmetric, joints turn twice as far; two in five have their arms along the
 // body, as many their legs walking, galloping or sitting, one in five is a toy with a large head and short limbs. Some animals sit or

@@ -73,7 +73,7 @@ RigSource::RigSource(const Character& character)
       placed[j] = 1;
       order_.push_back(j);
     }
-    if (order_.size() == before) throw Error(name_ + ": the joints' parents form a circle");
+    if (order_.size() == before) throw Error(name_ + ": the joint parents form a cycle");
   }
 
   body_.kids.resize(body_.target.joints.size());
@@ -289,7 +289,7 @@ RigSource::PosedMesh RigSource::to_mesh(const Posed& posed, uint64_t seed) const
   const float zero[3] = {0, 0, 0};
   frame.plane = quantize_point(engine.quantizer, zero).x;
   Random random(mix_seeds(seed, 3));
-  if (!posed.symmetric && random.uniform() < 0.5) frame.plane = 0;  // nobody would find it
+  if (!posed.symmetric && random.uniform() < 0.5) frame.plane = 0;  // a plane that could not be found
   apply_mirror_frame(frame, &engine.mesh);
   for (const Point3& p : posed.joints) {  // in grid units of the posed character's own box
     const float f[3] = {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};

@@ -36,10 +36,10 @@ void with_point_set(const EngineMesh& engine, uint64_t seed, const std::function
 // How a copy of a character differs from it.
 struct RigVariant {
   double strength =
-      0;  // 0: not at all, if the rest says nothing else; 1: joints turn by up to a radian, bones and the whole are
+      0;  // 0: not at all, if the rest says nothing else; 1: joints rotate by up to a radian, bones and the whole are
           // stretched, small parts vanish
   bool wide = false;   // wide_pose() (rig_pose.hpp), not mild_pose()
-  uint32_t cells = 0;  // grown together: a shell of so many cells (grown_shell.hpp)
+  uint32_t cells = 0;  // fused: a shell of so many cells (grown_shell.hpp)
   bool wall = false;   // double (sourced_surface.hpp)
   bool specks = false;
   bool picture =
@@ -122,11 +122,11 @@ inline RigSample point_sample(const rigging::PointSet& set) {
   s.part_offsets = {0, kSetPoints};
   for (uint32_t i = 0; i <= kSetPoints; ++i) {
     if (i < kSetPoints) s.part_vertices.push_back(i);
-    s.row_offsets.push_back(i * kNeighbours);
+    s.row_offsets.push_back(i * kNeighbors);
   }
   s.far_offsets = s.row_offsets;
-  s.col_indices.assign(set.near_neighbours, set.near_neighbours + size_t{kSetPoints} * kNeighbours);
-  s.far_indices.assign(set.far_neighbours, set.far_neighbours + size_t{kSetPoints} * kNeighbours);
+  s.col_indices.assign(set.near_neighbors, set.near_neighbors + size_t{kSetPoints} * kNeighbors);
+  s.far_indices.assign(set.far_neighbors, set.far_neighbors + size_t{kSetPoints} * kNeighbors);
   return s;
 }
 

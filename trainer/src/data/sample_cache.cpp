@@ -173,7 +173,7 @@ class FeatureProgress {
 void make_cache_folder(const SampleSource& source) {
   std::error_code failure;
   std::filesystem::create_directories(source.cache_dir, failure);
-  if (failure) throw Error(source.cache_dir + ": cannot make the cache folder: " + failure.message());
+  if (failure) throw Error(source.cache_dir + ": cannot create the cache folder: " + failure.message());
 }
 
 }  // namespace

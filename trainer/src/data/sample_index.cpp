@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Builds the row numbers and neighbour lists that the float layers run on.
+// Builds the row numbers and neighbor lists that the float layers run on.
 #include "data/sample_index.hpp"
 
 #include "sinew_formats/error.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Row numbers of a sample's present pairs and who their neighbours are: what the layers gather and scatter with.
+// Row numbers of a sample's present pairs and who their neighbors are: what the layers gather and scatter with.
 #ifndef SINEW_TRAINER_DATA_SAMPLE_INDEX_HPP
 #define SINEW_TRAINER_DATA_SAMPLE_INDEX_HPP
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Solids turned about axes, put together at random; targets anywhere in the box.
+// Solids rotated about axes, put together at random; targets anywhere in the box.
 #include "data/thing_sample.hpp"
 
 #include <Eigen/Dense>

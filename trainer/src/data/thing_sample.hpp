@@ -12,7 +12,7 @@ SourcedSurface make_thing(uint64_t seed);
 
 // Points of such a surface, whose bones are anywhere: all that a network can learn of them is that it does not know, and it says so by
 // its spreads. Classes are other, which no class is learned from. In the family "thing".
-//   cells  0, or grown together to a shell of so many (grown_shell.hpp)
+//   cells  0, or fused to a shell of so many (grown_shell.hpp)
 RigSample make_thing_sample(uint64_t seed, uint32_t cells);
 
 }  // namespace sinew

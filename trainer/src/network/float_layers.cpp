@@ -138,7 +138,7 @@ void FloatLayers<S>::linear_backward(const Layer& layer, View<S> in, View<S> out
 
 template <class S>
 void FloatLayers<S>::ring(const Layer& layer, Block<uint32_t>* argument, bool pair, View<S> in, View<S> out) {
-  const auto [begin, cols] = neighbours(layer, pair);
+  const auto [begin, cols] = neighbors(layer, pair);
   const uint32_t channels = in.channels;
   if (layer.kind == LayerKind::kRingMean) {
     row_blocks(in.rows, [&](uint32_t first, uint32_t end, size_t) {
@@ -175,7 +175,7 @@ void FloatLayers<S>::ring(const Layer& layer, Block<uint32_t>* argument, bool pa
 template <class S>
 void FloatLayers<S>::ring_backward(const Layer& layer, const Block<uint32_t>& argument, bool pair, View<S> d_in,
                                    View<S> d_out) {
-  const auto [begin, cols] = neighbours(layer, pair);
+  const auto [begin, cols] = neighbors(layer, pair);
   const uint32_t channels = d_in.channels;
   for (uint32_t r = 0; r < d_in.rows; ++r) {
     const S* g = d_out.row(r);

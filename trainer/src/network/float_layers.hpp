@@ -126,8 +126,8 @@ struct FloatLayers {
  private:
   void linear(const Layer& layer, View<S> in, View<S> out, View<S> residual, float dropout, uint64_t seed);
   void linear_backward(const Layer& layer, View<S> in, View<S> out, View<S> d_in, View<S> d_out, View<S> d_residual);
-  // CSR of the rows that a layer of neighbours reads.
-  std::pair<const uint32_t*, const uint32_t*> neighbours(const Layer& layer, bool pair) const {
+  // CSR of the rows that a layer of neighbors reads.
+  std::pair<const uint32_t*, const uint32_t*> neighbors(const Layer& layer, bool pair) const {
     if (pair) return {index.ring_begin.data(), index.ring_pairs.data()};
     if ((layer.flags & kLayerFar) != 0) return {sample->far_offsets.data(), sample->far_indices.data()};
     return {sample->row_offsets.data(), sample->col_indices.data()};

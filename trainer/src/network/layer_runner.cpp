@@ -59,7 +59,7 @@ void check_inputs(const FloatNetwork& shape, const NetworkSample& sample) {
   for (const Layer& layer : shape.layers) {
     if ((layer.kind == LayerKind::kRingMean || layer.kind == LayerKind::kRingMax) && (layer.flags & kLayerFar) != 0 &&
         sample.far_offsets.size() != size_t{sample.vertices} + 1)
-      throw Error(sample.name + ": the network reads far neighbours, which the sample does not have");
+      throw Error(sample.name + ": the network reads far neighbors, which the sample lacks; delete its cache");
   }
 }
 

@@ -26,7 +26,7 @@ FloatNetwork shrink_correction(const FloatNetwork& network, double strength, uin
 
 struct RigNetworkOptions {
   uint32_t width = 64;
-  uint32_t rounds = 4;  // of neighbours
+  uint32_t rounds = 4;  // of neighbors
   bool hands = false;   // for hands' crops, not bodies
 };
 // Seeded initial weights. Every point of a set gets kRigOutputs numbers (votes/rig_task.hpp of the engine):

@@ -63,7 +63,7 @@ double BindTask::baseline_score(const NetworkSample& sample) const {
 
 std::string BindTask::config_text() const { return train_config_json(config_); }
 
-std::string BindTask::normalised_config(const std::string& saved, const std::string& source) const {
+std::string BindTask::normalized_config(const std::string& saved, const std::string& source) const {
   return train_config_json(parse_train_config(saved, source));
 }
 

@@ -42,7 +42,7 @@ class BindTask : public TrainingTask {
   std::string baseline_name() const override { return "heat"; }
   double baseline_score(const NetworkSample& sample) const override;
   std::string config_text() const override;
-  std::string normalised_config(const std::string& saved, const std::string& source) const override;
+  std::string normalized_config(const std::string& saved, const std::string& source) const override;
 
  private:
   const TrainConfig config_;

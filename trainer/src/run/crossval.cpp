@@ -128,7 +128,7 @@ class Crossval {
     if (options_.leave_out.empty()) return families;
     const auto found = options_.groups.means.find(options_.leave_out);
     if (found == options_.groups.means.end())
-      throw Error("leave out: the groups' file has no mean named " + options_.leave_out);
+      throw Error("leave out: the groups file has no mean named " + options_.leave_out);
     std::erase_if(families, [&](const auto& f) { return found->second.count(options_.groups.group(f.first)) == 0; });
     return families;
   }
@@ -143,7 +143,7 @@ class Crossval {
     }
     std::error_code failure;
     fs::create_directories(options_.folder, failure);
-    if (failure) throw Error(options_.folder + ": cannot make the folder: " + failure.message());
+    if (failure) throw Error(options_.folder + ": cannot create the folder: " + failure.message());
     if (!options_.from.empty()) require_same_folds();
     Json plan;
     plan["config"] = Json::parse(train_config_json(config_));
@@ -155,8 +155,7 @@ class Crossval {
     if (fs::exists(path)) {
       const std::vector<uint8_t> bytes = read_file(path);
       if (!options_.resume) {
-        throw Error(options_.folder +
-                    ": a cross-validation is there already; give --resume to go on with it or another -o");
+        throw Error(options_.folder + ": a cross-validation exists there; give --resume to continue it, or another -o");
       }
       if (std::string(bytes.begin(), bytes.end()) != text) require_same_plan(bytes, plan, path);
     } else {
@@ -184,9 +183,9 @@ class Crossval {
     const std::vector<uint8_t> bytes = read_file(path);
     try {
       const Json folds = Json::parse(bytes.begin(), bytes.end()).at("folds");
-      if (folds != Json(folds_)) throw Error(path + ": its folds are others than those of --groups and --folds here");
+      if (folds != Json(folds_)) throw Error(path + ": its folds differ from those of --groups and --folds");
     } catch (const nlohmann::json::exception& error) {
-      throw Error(path + ": not the plan of a cross-validation: " + error.what());
+      throw Error(path + ": expected the plan of a cross-validation: " + error.what());
     }
   }
 
@@ -195,7 +194,7 @@ class Crossval {
     try {
       saved = Json::parse(bytes.begin(), bytes.end());
     } catch (const Json::parse_error&) {
-      throw Error(path + ": not JSON; remove the folder to start anew");
+      throw Error(path + ": expected JSON; remove the folder to start anew");
     }
     for (const auto& [key, value] : plan.items()) {
       if (saved.contains(key) && saved[key] == value) continue;
@@ -205,7 +204,7 @@ class Crossval {
           if (!saved[key].contains(inner) || saved[key][inner] != setting) where = "config." + inner;
         }
       }
-      throw Error(path + ": cannot resume: " + where + " is different now; give another -o");
+      throw Error(path + ": cannot resume: " + where + "has changed since; give another -o");
     }
   }
 
@@ -397,7 +396,7 @@ class Crossval {
         (fold > 0 ? seed.families : seed.val).push_back(family);
       }
     } catch (const nlohmann::json::exception& error) {
-      throw Error(path + ": not figures of a fold (" + error.what() + "); remove it and --resume");
+      throw Error(path + ": expected figures of a fold (" + error.what() + "); remove it and --resume");
     }
   }
 

@@ -39,8 +39,7 @@ T sign(T x) {
 double total_importance(const Sample& sample) {
   double total = 0;
   for (float i : sample.importance) total += static_cast<double>(i);
-  if (total <= 0)
-    throw Error(sample.name + ": no vertex has reference weights, so there is nothing to learn from or compare with");
+  if (total <= 0) throw Error(sample.name + ": no vertex has reference weights to train on or compare with");
   return total;
 }
 

@@ -21,7 +21,7 @@ struct LossTerms {
   double l1 = 0;      // sum_j |p - t| + missing
   double regret = 0;  // max(0, L1 of the network - L1 of heat)
   double part = 0;    // per part: sum_j |mean p - mean t|, parts weighted by their vertices' importance
-  // Root of the mean squared way a vertex is off when every joint turns by an independent random rotation of one
+  // Root of the mean squared way a vertex is off when every joint rotates by an independent random rotation of one
   // radian: sqrt(sum over joints a of (sum of p - t over a's subtree)^2 |vertex - a|^2), sides of the grid.
   double deformation = 0;
 };
@@ -33,7 +33,7 @@ template <class Scalar>
 LossTerms weight_loss(const Sample& sample, const LossWeights& weights, const std::vector<Scalar>& logits,
                       std::vector<Scalar>* d_logits);
 
-// L1 of the yardstick from probabilities [U x K]: the `keep` largest candidates of a vertex, normalised, folded.
+// L1 of the yardstick from probabilities [U x K]: the `keep` largest candidates of a vertex, normalized, folded.
 double sample_l1(const Sample& sample, const std::vector<float>& probabilities, uint32_t keep);
 
 }  // namespace sinew

@@ -16,7 +16,7 @@ FloatNetwork RigTask::make_network() const {
 
 void RigTask::check(const FloatNetwork& network, const std::string& source) const {
   check_network(network, source);
-  if (network.task != kTaskRig) throw Error(source + ": not a network that predicts skeletons");
+  if (network.task != kTaskRig) throw Error(source + ": expected a network that predicts skeletons");
   const bool hands = network.feature_set == rigging::kHandsFeatureSet;
   if (hands != is_hands(config_))
     throw Error(source + ": a network of " + (hands ? "hands" : "bodies") + ", expected one of " + config_.part);
@@ -76,7 +76,7 @@ FloatNetwork FrontTask::make_network() const {
 void FrontTask::check(const FloatNetwork& network, const std::string& source) const {
   check_network(network, source);
   if (network.task != kTaskRig || network.feature_set != rigging::kFrontFeatureSet)
-    throw Error(source + ": not a network that says where a mesh faces");
+    throw Error(source + ": expected a network that predicts the front of a mesh");
 }
 
 std::vector<std::string> FrontTask::loss_names() const { return {"loss", "front", "upright", "angle"}; }

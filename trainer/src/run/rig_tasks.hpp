@@ -16,7 +16,7 @@ class RigConfigTask : public TrainingTask {
  public:
   explicit RigConfigTask(const RigTrainConfig& config) : config_(config) {}
   std::string config_text() const override { return rig_config_json(config_); }
-  std::string normalised_config(const std::string& saved, const std::string& source) const override {
+  std::string normalized_config(const std::string& saved, const std::string& source) const override {
     return rig_config_json(parse_rig_config(saved, source));
   }
 
@@ -53,7 +53,7 @@ class SlotTask : public RigConfigTask {
   std::vector<std::string> loss_names() const override;
   std::vector<double> loss(const NetworkSample& sample, const std::vector<float>& outputs,
                            std::vector<float>* d_outputs) const override;
-  // The total, as drawn: training stops when it no longer falls.
+  // The total, as drawn: training stops when it stops falling.
   std::string score_name() const override { return "total"; }
   double score(const NetworkSample& sample, const std::vector<float>& outputs) const override;
   // Every joint at the middle of the floor, nothing present, nothing connected.

@@ -97,7 +97,7 @@ Samples hand_samples_of(const Character& character, uint32_t variants, uint64_t 
     std::optional<RigSample> sample = hands[v % hands.size()].make(mix_seeds(seed, v), strength);
     if (sample) samples.push_back(std::make_unique<RigSample>(std::move(*sample)));
   }
-  if (samples.empty()) throw Error(character.name + ": no hand to learn from");
+  if (samples.empty()) throw Error(character.name + ": no hand to train on");
   return samples;
 }
 

@@ -84,7 +84,7 @@ void visit_run_settings(Config& c, Visitor&& visit) {
   visit("family_shares", c.family_shares);
 }
 void check_run_settings(const RunConfig& config, const Requirement& require);
-// Whether a configuration's list of characters that are not trained on has the name; a * at an entry's end stands for any rest.
+// Whether a configuration's list of characters that are not trained on has the name; a * at an entry's end represents any rest.
 bool is_left_out(const std::map<std::string, std::string>& leave_out, const std::string& name);
 
 }  // namespace sinew

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a training run is told of the thing to learn. The run itself draws samples, steps and keeps the best weights; it knows
-// no skin weights.
+// The task of a training run. The run itself draws samples, steps and keeps the best weights, independent of the
+// task.
 #ifndef SINEW_TRAINER_RUN_TASK_HPP
 #define SINEW_TRAINER_RUN_TASK_HPP
 
@@ -48,7 +48,7 @@ class TrainingTask {
   // The configuration as text for the checkpoint, and a saved one brought to the same form. A run is resumed only where
   // both are equal.
   virtual std::string config_text() const = 0;
-  virtual std::string normalised_config(const std::string& saved, const std::string& /*source*/) const { return saved; }
+  virtual std::string normalized_config(const std::string& saved, const std::string& /*source*/) const { return saved; }
 };
 
 // A task is asked about samples that it made itself, so their type is known.

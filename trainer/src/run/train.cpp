@@ -23,15 +23,14 @@ namespace sinew {
 namespace {
 
 // Takes out samples none of whose vertices has reference weights, and names them on stderr unless `silent`.
-void drop_unlabelled(std::vector<Sample>* samples, bool silent) {
-  const auto unlabelled = [silent](const Sample& sample) {
-    const bool labelled =
-        std::any_of(sample.importance.begin(), sample.importance.end(), [](float i) { return i > 0; });
-    if (!labelled && !silent)
+void drop_unlabeled(std::vector<Sample>* samples, bool silent) {
+  const auto unlabeled = [silent](const Sample& sample) {
+    const bool labeled = std::any_of(sample.importance.begin(), sample.importance.end(), [](float i) { return i > 0; });
+    if (!labeled && !silent)
       std::fprintf(stderr, "left out: %s: no vertex has reference weights\n", sample.name.c_str());
-    return !labelled;
+    return !labeled;
   };
-  samples->erase(std::remove_if(samples->begin(), samples->end(), unlabelled), samples->end());
+  samples->erase(std::remove_if(samples->begin(), samples->end(), unlabeled), samples->end());
 }
 
 // Cache, feature settings and threads of a run.
@@ -97,7 +96,7 @@ TrainingSet load_training_set(const TrainConfig& config, const TrainOptions& opt
   const std::vector<SampleRequest> requests = training_requests(config, options.data_dir);
   const SampleSource source = training_source(config, options);
   std::vector<Sample> samples = load_requests(requests, source);
-  drop_unlabelled(&samples, source.silent);
+  drop_unlabeled(&samples, source.silent);
   TrainingSet set;
   std::map<std::string, size_t> by_name;
   for (Sample& sample : samples) {
@@ -133,7 +132,7 @@ std::vector<Sample> load_validation(const TrainConfig& config, const TrainOption
   const SampleSource source = sample_source(config, options);
   std::vector<Sample> samples = load_samples(options.val_dir, source.candidates, source.grid, source.cache_dir,
                                              source.threads, source.quiet, source.feature_flags);
-  drop_unlabelled(&samples, source.silent);
+  drop_unlabeled(&samples, source.silent);
   return samples;
 }
 
@@ -178,7 +177,7 @@ void train(const TrainConfig& config, const TrainOptions& options, const Trainin
 
 void change_correction(double correction, const std::string& source, Checkpoint* checkpoint) {
   if (checkpoint->state.config_json.empty())
-    throw Error(source + ": no configuration in it tells how much of the correction it has");
+    throw Error(source + ": its configuration lacks the share of the correction");
   TrainConfig config = parse_train_config(checkpoint->state.config_json, source);
   if (config.architecture != "field") throw Error(source + ": only networks of the architecture field correct heat");
   checkpoint->network = shrink_correction(checkpoint->network, correction / config.correction, kPairLogRule);

@@ -144,7 +144,7 @@ void TrainingRun::start() {
   if (options_.resume) {
     checkpoint_ = read_checkpoint(options_.output);
     // Settings that came later than the checkpoint have their defaults.
-    const std::string saved = task_.normalised_config(checkpoint_.state.config_json, options_.output);
+    const std::string saved = task_.normalized_config(checkpoint_.state.config_json, options_.output);
     require_same_config(saved, config, options_.output);
     task_.check(checkpoint_.latest, options_.output);
     task_.check(checkpoint_.network, options_.output);
@@ -275,7 +275,7 @@ std::string TrainingRun::settled() const {
   const Course course = course_of(checkpoint_.state.log_csv, columns);
   const std::string what = val_.empty() ? task_.loss_names()[0] : task_.score_name();
   if (config_.patience == 0 || course.since_best < config_.patience) return "";
-  std::snprintf(text, sizeof text, "%s no longer falls (patience %u)", what.c_str(), config_.patience);
+  std::snprintf(text, sizeof text, "%shas stopped falling (patience %u)", what.c_str(), config_.patience);
   return text;
 }
 
@@ -288,7 +288,8 @@ const std::vector<const NetworkSample*>& TrainingRun::draw() {
   }
   const uint32_t item = state.queue.back();
   state.queue.pop_back();
-  if (item >= drawn_.size()) throw Error(options_.output + ": cannot resume: the data folder has other characters now");
+  if (item >= drawn_.size())
+    throw Error(options_.output + ": cannot resume: the characters of the data folder have changed");
   return drawn_[item];
 }
 

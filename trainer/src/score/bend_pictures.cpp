@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One joint turned, seen from the side on which it bends, by linear skinning and by the engine's deformer; under cloth, skin that
-// comes through shows in its own colour.
+// comes through shows in its own color.
 #include "score/bends.hpp"
 #include "sinew/deform.h"
 #include "sinew_character/bind/transfer.hpp"
@@ -40,16 +40,16 @@ ReportPicture bend_pictures(const Character& character, Axis up, int side) {
   picture.heading = "bends";
   picture.character = character.name;
   picture.note = "left linear skinning, right with the volume kept (sinew pose --deform volume)";
-  const LabelledSkeleton labels = label_skeleton(character.joints);
+  const LabeledSkeleton labels = label_skeleton(character.joints);
   CharacterDeformer deformer(character, SINEW_INIT(sinew_deform_options));
-  const std::vector<std::array<uint8_t, 3>> grey(character.vertices.size(), {200, 190, 180});
+  const std::vector<std::array<uint8_t, 3>> gray(character.vertices.size(), {200, 190, 180});
   for (const Bend& bend : report_bends()) {
     const size_t joint = bent_joint(character, labels, bend);
     if (joint == SIZE_MAX) continue;
     const auto [palette, view] = bent_view(character, joint, bend, bend.degrees, up, kRadius, side);
     const Character linear = apply_pose(character, palette), kept = deformer.pose_character(character, palette);
     picture.panels.push_back(
-        {bend_text(bend, bend.degrees), encode_png(beside({render(linear, grey, view), render(kept, grey, view)}))});
+        {bend_text(bend, bend.degrees), encode_png(beside({render(linear, gray, view), render(kept, gray, view)}))});
   }
   return picture;
 }
@@ -92,8 +92,8 @@ ReportPicture garment_pictures(const Character& character, const sinew_model* mo
   }
   CharacterDeformer deformer(wholes.back(), SINEW_INIT(sinew_deform_options));
   const auto at_rest = crossing_pairs(skin, cloth);
-  std::vector<std::array<uint8_t, 3>> colours(skin.vertices.size(), kSkin);
-  colours.resize(wholes.back().vertices.size(), kCloth);
+  std::vector<std::array<uint8_t, 3>> colors(skin.vertices.size(), kSkin);
+  colors.resize(wholes.back().vertices.size(), kCloth);
   for (const auto& [bend, joint] : dressed->bends) {
     const double degrees = std::min(bend->degrees, kMostDegrees);
     const BentView bent = bent_view(character, joint, *bend, degrees, up, kRadius, side);
@@ -104,7 +104,7 @@ ReportPicture garment_pictures(const Character& character, const sinew_model* mo
       posed_cloth.vertices.assign(border, posed.vertices.end());
       const size_t count = new_crossings(at_rest, crossing_pairs(posed_skin, posed_cloth));
       picture.panels.push_back({bend_text(*bend, degrees) + ": " + what + ", " + html::count(count) + " crossings",
-                                encode_png(render(posed, colours, bent.view))});
+                                encode_png(render(posed, colors, bent.view))});
     };
     for (size_t w = 0; w < wholes.size(); ++w) show(apply_pose(wholes[w], bent.palette), kBindings[w].what);
     show(deformer.pose_character(wholes.back(), bent.palette), "the same with the volume kept");

@@ -39,12 +39,12 @@ const std::vector<Bend>& report_bends() {
       {SINEW_CLASS_FOREARM, "elbow, bent by", 130, false, true, false, 20},
       {SINEW_CLASS_CALF, "knee, bent by", 130, false, false, true, 20},
       {SINEW_CLASS_THIGH, "hip, thigh forward by", 90, false, false, false, 45},
-      {SINEW_CLASS_UPPER_ARM, "shoulder, arm turned by", 75, false, true, false, 20},
+      {SINEW_CLASS_UPPER_ARM, "shoulder, arm rotated by", 75, false, true, false, 20},
       {SINEW_CLASS_HAND, "wrist, twisted by", 150, true, false, false, 20}};
   return bends;
 }
 
-size_t bent_joint(const Character& character, const LabelledSkeleton& labels, const Bend& bend) {
+size_t bent_joint(const Character& character, const LabeledSkeleton& labels, const Bend& bend) {
   std::vector<double> weight(character.joints.size(), 0);
   std::vector<char> has_child(character.joints.size(), 0);
   for (const auto& row : character.influences)
@@ -105,7 +105,7 @@ namespace {
 
 constexpr int kRays = 12;
 constexpr double kDressReach = 0.25;  // of the longest side: cloth farther from the bone is not around it
-constexpr double kDownTheBone = 0.3;  // beside the joint, where a bend has its creases, but outside of the trunk
+constexpr double kDownTheBone = 0.3;  // beside the joint, where a bend has its creases, but outside of the torso
 
 Vec3d position_of(const Vec3& p) {
   return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
@@ -113,7 +113,7 @@ Vec3d position_of(const Vec3& p) {
 
 // [V] the number of the vertex' connected part, in the order of their first vertices.
 std::vector<size_t> parts_of(const Character& character, size_t* count) {
-  const auto neighbours = neighbours_of(character);
+  const auto neighbors = neighbors_of(character);
   std::vector<size_t> parts(character.vertices.size(), SIZE_MAX), queue;
   *count = 0;
   for (size_t first = 0; first < parts.size(); ++first) {
@@ -123,7 +123,7 @@ std::vector<size_t> parts_of(const Character& character, size_t* count) {
     while (!queue.empty()) {
       const size_t v = queue.back();
       queue.pop_back();
-      for (const uint32_t n : neighbours[v]) {
+      for (const uint32_t n : neighbors[v]) {
         if (parts[n] != SIZE_MAX) continue;
         parts[n] = *count;
         queue.push_back(n);
@@ -205,7 +205,7 @@ std::optional<Dressed> take_apart(const Character& character) {
   size_t part_count = 0;
   const std::vector<size_t> parts = parts_of(character, &part_count);
   if (part_count < 2) return std::nullopt;
-  const LabelledSkeleton labels = label_skeleton(character.joints);
+  const LabeledSkeleton labels = label_skeleton(character.joints);
   const double size = static_cast<double>(box_of(character.vertices).longest_side());
   Dressed out;
   std::vector<char> cloth(part_count, 0);

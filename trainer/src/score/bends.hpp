@@ -33,7 +33,7 @@ struct Bend {
 const std::vector<Bend>& report_bends();
 
 // The joint of the bend's class that has most weight and, unless it is twisted, a bone of its own; SIZE_MAX without any.
-size_t bent_joint(const Character& character, const LabelledSkeleton& labels, const Bend& bend);
+size_t bent_joint(const Character& character, const LabeledSkeleton& labels, const Bend& bend);
 
 // From a joint to its children, their directions added up; unit length, or zero for a leaf.
 Vec3d bone_direction(const Character& character, size_t joint);
@@ -41,8 +41,9 @@ Vec3d bone_direction(const Character& character, size_t joint);
 // "elbow, bent by 130 degrees"
 std::string bend_text(const Bend& bend, double degrees);
 
-// One joint turned by so many degrees with all that hangs on it, and the view that shows the turn, `radius` of the longest side around
-// the joint: from the front where the turn lies in that plane, else from the joint's own side, so that the body is not in the way.
+// One joint rotated by this many degrees with its descendants, and the view that shows the rotation, `radius` of the
+// longest side around the joint: from the front if the rotation is in that plane, else from the joint's side, so that
+// the body does not hide it.
 struct BentView {
   std::vector<Affine> palette;  // [J]
   RenderOptions view;

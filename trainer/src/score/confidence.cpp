@@ -134,7 +134,7 @@ ConfidenceTable fit_confidence(const std::vector<JudgedConfidence>& judged, size
   const Histogram h = histogram(judged);
   double total = 0;
   for (const double w : h.weight) total += w;
-  if (total <= 0) throw Error("confidence: there is no vertex with weights to fit on");
+  if (total <= 0) throw Error("confidence: no vertex with weights to fit on");
   std::vector<Pool> pools;
   Pool bin;
   double position = 0;

@@ -151,7 +151,7 @@ bool damage_clip(const std::string& kind, Draws* draws, const Character& charact
     if (joints.empty()) return false;
     const size_t joint = draws->of(joints);
     const Quaternion q = frames[at].rotations[joint];
-    frames[at].rotations[joint] = {q[3], q[2], -q[1], -q[0]};  // half a turn about x
+    frames[at].rotations[joint] = {q[3], q[2], -q[1], -q[0]};  // 180 degrees about x
     return true;
   }
   // A walk over the frames: what is pulled along goes to and fro by 15 % of the height.

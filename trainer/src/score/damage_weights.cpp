@@ -19,7 +19,7 @@ class WeightDamage {
   WeightDamage(Draws* draws, Character* character)
       : draws_(*draws),
         c_(*character),
-        rings_(neighbours_of(c_)),
+        rings_(neighbors_of(c_)),
         of_(vertices_by_joint(c_)),
         verdicts_(joint_verdicts(c_.joints)) {
     for (size_t j = 0; j < of_.size(); ++j)

@@ -178,15 +178,15 @@ Metrics measure(const Character& reference, const std::vector<std::vector<Influe
     throw Error(name + ": the prediction has " + std::to_string(predicted.size()) + " rows, expected " +
                 std::to_string(vertex_count) + ", one per vertex");
   }
-  const DenseRows r = normalised_rows(reference.influences, joint_count, name);
-  DenseRows p = normalised_rows(predicted, joint_count, name);
+  const DenseRows r = normalized_rows(reference.influences, joint_count, name);
+  DenseRows p = normalized_rows(predicted, joint_count, name);
   const double unfolded_l1 = bound_l1(r, p);
   fold_rows(fold_targets(reference, r), &p);
 
   std::vector<size_t> kept;
   for (size_t v = 0; v < vertex_count; ++v)
     if (!nonzero(r[v]).empty()) kept.push_back(v);
-  if (kept.empty()) throw Error(name + ": no vertex has reference weights, there is nothing to compare with");
+  if (kept.empty()) throw Error(name + ": no vertex has reference weights to compare with");
 
   WeightSums sums;
   const std::vector<double> areas = vertex_areas(reference);
@@ -244,7 +244,7 @@ std::vector<std::vector<Influence>> nearest_bone(const Character& character, con
   std::vector<uint32_t> candidates;
   for (uint32_t j = 0; j < joints.size(); ++j)
     if (deforms.empty() || deforms[j] != 0) candidates.push_back(j);
-  if (candidates.empty()) throw Error(character.name + ": there is no joint to bind to");
+  if (candidates.empty()) throw Error(character.name + ": no joint to bind to");
   const BoneDistance distance = with_stubs(character);
   std::vector<uint32_t> depth(joints.size(), 0);
   for (size_t j = 0; j < joints.size(); ++j)

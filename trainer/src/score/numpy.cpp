@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// SeedSequence, PCG64 and the ziggurat normal as numpy defines them. Two 64-bit halves stand for a 128-bit word,
+// SeedSequence, PCG64 and the ziggurat normal as numpy defines them. Two 64-bit halves represent a 128-bit word,
 // because not every compiler has one. Rectangular assignment by shortest augmenting paths.
 #include "score/numpy.hpp"
 

@@ -35,7 +35,7 @@ double share_on_candidates(const Character& character, const std::vector<uint32_
     hit += found / sum;
     ++bound;
   }
-  if (bound == 0) throw Error(character.name + ": no vertex has reference weights, there is nothing to recall");
+  if (bound == 0) throw Error(character.name + ": no vertex has reference weights, so there is no recall");
   return hit / static_cast<double>(bound);
 }
 

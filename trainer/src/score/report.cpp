@@ -16,14 +16,14 @@ using html::escape;
 using html::number;
 
 void check(const ReportData& data) {
-  if (data.variants.empty()) throw Error("report: there is no variant to report on");
+  if (data.variants.empty()) throw Error("report: no variant to report on");
   if (data.main_variant >= data.variants.size()) {
     throw Error("report: the main variant is number " + std::to_string(data.main_variant) + ", but there are " +
                 std::to_string(data.variants.size()));
   }
 }
 
-const ReportVariant* labelled(const ReportData& data, const std::string& label) {
+const ReportVariant* labeled(const ReportData& data, const std::string& label) {
   for (const ReportVariant& v : data.variants)
     if (v.label == label) return &v;
   return nullptr;
@@ -32,7 +32,7 @@ const ReportVariant* labelled(const ReportData& data, const std::string& label) 
 // The figures that a reader looks for first; beside each what heat, the same features without a network, gets.
 std::string key_figures(const ReportData& data) {
   const ReportVariant& main = data.variants[data.main_variant];
-  const ReportVariant* heat = labelled(data, "heat");
+  const ReportVariant* heat = labeled(data, "heat");
   if (heat == &main) heat = nullptr;
   std::string out = "<div class=\"figures\">";
   const auto add = [&](const std::string& value, const std::string& what, const std::string& beside) {
@@ -59,7 +59,7 @@ std::string pictures(const ReportData& data) {
   if (data.pictures.empty()) return "";
   std::string out = "<h2>Characters</h2>\n<p class=\"soft\">Bound by " +
                     escape(data.variants[data.main_variant].label) +
-                    ". One colour per joint, blended by weight. Errors: 0 <span class=\"ramp\"></span> the largest of "
+                    ". One color per joint, blended by weight. Errors: 0 <span class=\"ramp\"></span> the largest of "
                     "the scale. The pose is the first of the ten random ones.</p>\n";
   for (const ReportPicture& picture : data.pictures) {
     out += "<div class=\"card character\"><h3>" + escape(picture.heading) + ": " + escape(picture.character) +

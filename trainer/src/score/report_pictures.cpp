@@ -64,13 +64,13 @@ ReportPicture report_picture(const Character& reference, const std::vector<std::
   picture.note = "L1 " + html::number(m.l1, 3) + ", argmax " + html::number(100 * m.argmax, 1) + " %, avg dist " +
                  html::number(m.avg_dist, 4);
   picture.panels = {
-      panel("artist's weights", render(reference, weight_colours(reference), with_skeleton)),
-      panel("predicted weights", render(bound, weight_colours(bound), with_skeleton)),
-      panel("L1 per vertex: blue 0, red 1 or more", render(bound, heat_colours(errors, 1.0f), bare)),
-      panel("posed with the artist's weights", render(posed_reference, weight_colours(posed_reference), bare)),
-      panel("posed with the prediction", render(posed, weight_colours(posed), bare)),
+      panel("artist's weights", render(reference, weight_colors(reference), with_skeleton)),
+      panel("predicted weights", render(bound, weight_colors(bound), with_skeleton)),
+      panel("L1 per vertex: blue 0, red 1 or more", render(bound, heat_colors(errors, 1.0f), bare)),
+      panel("posed with the artist's weights", render(posed_reference, weight_colors(posed_reference), bare)),
+      panel("posed with the prediction", render(posed, weight_colors(posed), bare)),
       panel("distance between the two: blue 0, red 5 % of the size or more",
-            render(posed, heat_colours(distances, kFarApart), bare))};
+            render(posed, heat_colors(distances, kFarApart), bare))};
   return picture;
 }
 

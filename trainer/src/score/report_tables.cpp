@@ -93,7 +93,7 @@ std::string variant_table(const ReportData& data) {
   for (size_t i = 0; i < data.variants.size(); ++i) {
     const ReportVariant& v = data.variants[i];
     const auto* worst = worst_character(v.scores);
-    out += "<tr><td class=\"name\"><i class=\"key\" style=\"background:" + html::colour(i) + "\"></i>" +
+    out += "<tr><td class=\"name\"><i class=\"key\" style=\"background:" + html::color(i) + "\"></i>" +
            html::escape(v.label) +
            (worst ? "<small>" + html::escape(worst->first) + " (" + number(worst->second.l1, 3) + ")</small>" : "") +
            "</td><td>" + std::to_string(v.scores.characters.size()) + "</td>";
@@ -214,8 +214,8 @@ std::string beaten_table(const ReportData& data) {
   return html::table({{"character", true}, {"L1 above nearest bone"}}, rows);
 }
 
-std::string quantisation_table_markdown(const ReportData& data) {
-  if (data.variants.empty()) throw Error("report: there is no variant to report on");
+std::string quantization_table_markdown(const ReportData& data) {
+  if (data.variants.empty()) throw Error("report: no variant to report on");
   const auto cell = [](std::string text) {
     for (size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) text.insert(at, 1, '\\');
     return text;

@@ -40,7 +40,7 @@ const std::vector<DamageKind>& damage_kinds() {
       {"bind-matrix", "one inverse bind matrix moved by a fifth of the size", {"bind-matrices"}},
       {"mirrored-scale", "the skeleton under a node scaled by -1", {"mirrored-scale"}},
       {"exploded-rest",
-       "nodes four times as far from their parents, bind matrices as before",
+       "nodes four times as far from their parents, bind matrices unchanged",
        {"exploded-rest", "bind-matrices"}},
       {"uneven-scale", "a joint's node scaled by 1.5 along one axis", {"uneven-scale"}},
       {"foot-slide", "feet pulled along the floor in a walk", {"foot-slide"}},

@@ -84,7 +84,8 @@ constexpr const char* kRigMeaning =
     "Everything times 100. The reference is the target skeleton that sinew-lab dataset target writes; bone ends count "
     "as "
     "joints. Lengths are shares of the mesh's longest side. J2J, J2B, B2B: between joints, joints and bones, bones, "
-    "nearest and both ways. Precision, recall, IoU: joints in pairs, one to one, at most 0.05 apart. Joined: bones "
+    "nearest, in both directions. Precision, recall, IoU: joints in pairs, one to one, at most 0.05 apart. Joined: "
+    "bones "
     "between pairs that the prediction has too. Class: pairs of one class. Symmetric: skeletons that are their own "
     "mirror image.";
 

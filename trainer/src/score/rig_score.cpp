@@ -75,7 +75,7 @@ std::vector<Point3> bone_points(const ScoredSkeleton& skeleton) {
   return points;
 }
 
-std::vector<std::vector<size_t>> neighbours(const ScoredSkeleton& skeleton) {
+std::vector<std::vector<size_t>> neighbors(const ScoredSkeleton& skeleton) {
   std::vector<std::vector<size_t>> found(skeleton.parents.size());
   for (size_t j = 0; j < found.size(); ++j) {
     if (skeleton.parents[j] < 0) continue;
@@ -114,7 +114,7 @@ double joined_share(const ScoredSkeleton& predicted, const ScoredSkeleton& refer
   std::vector<int> partners(reference.positions.size(), -1);
   for (size_t i = 0; i < pairs.size(); ++i)
     if (pairs[i] >= 0) partners[static_cast<size_t>(pairs[i])] = static_cast<int>(i);
-  const auto next_to = neighbours(predicted);
+  const auto next_to = neighbors(predicted);
   size_t bones = 0, joined = 0;
   for (size_t j = 0; j < partners.size(); ++j) {
     const int parent = reference.parents[j];

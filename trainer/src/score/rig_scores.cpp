@@ -114,7 +114,7 @@ std::pair<double, double> mean_owned(const RigScores& scores) {
 
 }  // namespace
 
-RigScores summarise(std::vector<std::pair<std::string, RigScore>> characters) {
+RigScores summarize(std::vector<std::pair<std::string, RigScore>> characters) {
   std::sort(characters.begin(), characters.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   RigScores scores;
   std::map<std::string, std::vector<RigScore>> members;

@@ -122,7 +122,7 @@ nlohmann::json mean_json(const Metrics& m, const std::vector<Named>& characters)
 
 }  // namespace
 
-Scores summarise(std::vector<std::pair<std::string, Metrics>> characters) {
+Scores summarize(std::vector<std::pair<std::string, Metrics>> characters) {
   Scores scores;
   scores.characters = std::move(characters);
   std::sort(scores.characters.begin(), scores.characters.end(),

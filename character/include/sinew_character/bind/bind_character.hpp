@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Binds a character as its file means it: only joints that deform get weight, what is attached stays attached, and the
-// report says what was left out. bind.hpp has the plain bind that this stands on.
+// Binds a character with respect to its file: only deforming joints get weight, attached meshes stay attached, and
+// the report lists what was left out. It is based on the plain bind in bind.hpp.
 #ifndef SINEW_CHARACTER_BIND_CHARACTER_HPP
 #define SINEW_CHARACTER_BIND_CHARACTER_HPP
 
@@ -15,12 +15,12 @@
 
 namespace sinew {
 
-// Where it is known from which joints may get weight.
+// Source of the joints that may get weight.
 enum class JointsFrom {
-  kAuto,   // kOwn for a character that has weights, kNames for one that has none
-  kOwn,    // mesh by mesh, those that have weight there already
+  kAuto,   // kOwn for a character with weights, else kNames
+  kOwn,    // per mesh, joints that already have weight there
   kNames,  // joint_verdicts() and find_joints_beside_mesh()
-  kAll     // nowhere: all of them
+  kAll     // all joints
 };
 
 struct LeftOutJoint {
@@ -32,56 +32,57 @@ struct JointChoice {
   JointsFrom from = JointsFrom::kAll;  // never kAuto
   std::vector<uint8_t> flags;          // [J] SINEW_JOINT_*
   std::vector<LeftOutJoint> left_out;
-  std::vector<size_t> tips;  // joints that get weight, and whose parents take it over
-  // kOwn: which joints have weight where. Meshes with the same joints share a set.
+  std::vector<size_t> tips;  // joints that get weight which then goes to their parents
+  // kOwn: sets of joints with weight per mesh. Meshes with the same joints share a set.
   std::vector<std::vector<size_t>> sets;
   std::vector<size_t> set_of_mesh;  // [meshes, at least 1] index into sets, SIZE_MAX: any joint
 };
 
 struct CharacterBindOptions {
-  BindOptions bind;         // without joint_flags: the choice has them
-  bool keep_tips = false;   // tips keep the weight that they get
-  bool bind_props = false;  // meshes without a skin are bound even if they hang on joints, or others have skins
+  BindOptions bind;         // joint_flags are ignored: the choice has them
+  bool keep_tips = false;   // tips keep their weight
+  bool bind_props = false;  // meshes without a skin are bound even if joints carry them or other meshes have skins
   bool keep_apart = true;   // no weight across seams
-  std::vector<uint8_t> scenery = {};  // [V] or empty: 1 for what is no part of the body and goes with the root
+  std::vector<uint8_t> scenery = {};  // [V] or empty: 1: not a part of the body, follows the root
 };
 
-// Which joints of a character may get weight. What the user says, `joint_flags` [J] SINEW_JOINT_* or empty, has the last word:
-// with joints that deform these and no others do, and joints that never do are left out beside the rest.
+// Chooses the joints of a character that may get weight. The user's `joint_flags` ([J] SINEW_JOINT_* or empty) take
+// precedence: if some deform, no others do; joints that never deform are always left out.
 JointChoice choose_joints(const Character& character, JointsFrom from, const std::vector<uint8_t>& joint_flags = {});
-// The user's word for a choice that is there already.
+// Applies the user's flags to an existing choice.
 void apply_joint_flags(const std::vector<uint8_t>& joint_flags, JointChoice* choice);
 
-// Restores joints that were left out or are tips, because the user binds vertices to them: in hints, say. Those that
-// the user forbids stay out.
+// Restores joints that were left out or are tips but have vertices bound by the user, for example in hints. Joints
+// excluded by the user stay out.
 void restore_joints(const std::vector<size_t>& joints, const std::vector<uint8_t>& joint_flags, JointChoice* choice);
 
-// Tips give what weight a bind gave them to their parents, but for those that most of a connected piece of the mesh belongs to.
-//   kept  [meshes] of kept_meshes(): their rows stay as they are; or empty
+// Moves the weight of tips to their parents, except for tips that have most of the weight of a connected piece of the
+// mesh.
+//   kept  [meshes] of kept_meshes(): their rows are unchanged; or empty
 //   rows  in/out [V]
-// Returns how many tips gave theirs away.
+// Returns the number of tips that lost their weight.
 size_t fold_tips(const Character& character, const JointChoice& choice, const std::vector<bool>& kept,
                  std::vector<std::vector<Influence>>* rows);
 
-// Whether a mesh stays as it is: one without a skin that hangs on a joint, or whose neighbours have skins. [meshes]
+// [meshes] 1: the mesh is kept unbound: it has no skin, and a joint carries it or other meshes have skins.
 std::vector<bool> kept_meshes(const Character& character, bool bind_props);
 
 struct CharacterBind {
-  std::vector<std::vector<Influence>> influences;  // [V]; kept meshes follow their joint, or have none
+  std::vector<std::vector<Influence>> influences;  // [V]; kept meshes follow their joint, or have no weights
   std::vector<uint8_t> confidence;                 // [V] 0..255, see sinew_bind_outputs
-  std::vector<sinew_question> questions;           // by falling gain; with BindOptions::question_count
+  std::vector<sinew_question> questions;           // by descending gain; with BindOptions::question_count
   std::vector<uint32_t> vertex_questions;          // [V] index of a question or SINEW_NO_QUESTION, with the same
-  std::vector<uint32_t> vertex_parts;              // [V] connected pieces, numbered in no certain order, with the same
+  std::vector<uint32_t> vertex_parts;              // [V] connected pieces in any order, with the same
   size_t kept_meshes = 0, folded_tips = 0;
   Seams seams;                    // with CharacterBindOptions::keep_apart
   size_t separated_vertices = 0;  // rows that lost weight across them
-  size_t doubled_vertices = 0;    // where they were opened
+  size_t doubled_vertices = 0;    // vertices doubled by a cut
   uint32_t symmetric_vertices = 0;
-  size_t workspace_bytes = 0, used_bytes = 0;  // of the largest of its binds
+  size_t workspace_bytes = 0, used_bytes = 0;  // of its largest bind
   double seconds = 0;                          // in sinew_bind()
 };
 
-// Throws Error as bind() does, and when nothing is left to bind.
+// Throws Error like bind(), and if there is no mesh to bind.
 CharacterBind bind_character(const Character& character, const JointChoice& choice,
                              const CharacterBindOptions& options);
 

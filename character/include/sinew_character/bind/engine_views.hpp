@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A Character as the engine's borrowed views, with the arrays they point into.
+// Views of a Character for the engine, with the arrays that they point to.
 #ifndef SINEW_CHARACTER_ENGINE_VIEWS_HPP
 #define SINEW_CHARACTER_ENGINE_VIEWS_HPP
 
@@ -37,14 +37,14 @@ struct SkeletonView {
   sinew_skeleton skeleton = SINEW_INIT(sinew_skeleton);
 };
 
-// 0 = Y, 1 = Z, as the engine says it.
+// Converts 0 = Y, 1 = Z to the engine's sinew_up.
 inline uint32_t engine_up(MaybeAxis up) {
   if (!up) return SINEW_UP_AUTO;
   return *up == Axis::kX ? SINEW_UP_X : *up == Axis::kY ? SINEW_UP_Y : SINEW_UP_Z;
 }
-// Throws Error when there is nothing to bind or a limit of the engine is exceeded.
+// Throws Error if there is nothing to bind or a limit of the engine is exceeded.
 void check_bindable(const Character& character);
-// Throws Error with the character's name when the status is not SINEW_OK.
+// Throws Error with the character's name if the status is not SINEW_OK.
 void throw_status(const Character& character, sinew_status status);
 
 }  // namespace sinew

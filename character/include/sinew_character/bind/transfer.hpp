@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Weights of one Character go to another through sinew/transfer.h.
+// Transfers the weights of a Character to another by sinew/transfer.h.
 #ifndef SINEW_CHARACTER_TRANSFER_HPP
 #define SINEW_CHARACTER_TRANSFER_HPP
 
@@ -14,18 +14,18 @@
 
 namespace sinew {
 
-// [source joints] the target's joint that stands for it, or -1.
+// [source joints] matching joint of the target, or -1.
 using JointMapping = std::vector<int32_t>;
 
-// Joints of the same name.
+// Maps joints of the same name.
 JointMapping map_joints_by_name(const std::vector<Joint>& source, const std::vector<Joint>& target);
 
 size_t mapped_count(const JointMapping& mapping);
 
-// What sinew_transfer_options says, for a target of V vertices and J joints.
+// Options as in sinew_transfer_options, for a target with V vertices and J joints.
 struct TransferOptions {
   uint32_t method = SINEW_TRANSFER_AUTO;  // sinew_transfer_method
-  const sinew_model* model = nullptr;     // null: binds are by heat alone
+  const sinew_model* model = nullptr;     // null: binds by heat only
   uint32_t influence_count = 4;
   Axis up_axis = Axis::kY, source_up_axis = Axis::kY;
   bool garment = false, as_drawn = false;
@@ -42,27 +42,27 @@ struct TransferOptions {
 struct TransferResult {
   std::vector<std::vector<Influence>> influences;  // [V]
   std::vector<uint8_t> confidence;                 // [V] see sinew_transfer_outputs
-  std::vector<sinew_transfer_part> parts;          // by falling size, all of them
+  std::vector<sinew_transfer_part> parts;          // all parts, by descending size
   std::vector<uint32_t> vertex_parts;              // [V]
-  bool bound = false;                              // something was bound, by
+  bool bound = false;                              // a part was rebound, by
   sinew_method bound_by = SINEW_METHOD_MODEL;
   double carried = 0, style = 0, mismatch = 0;  // see sinew_transfer_outputs; shares and differences as numbers
   uint32_t reference_count = 0;
   size_t workspace_bytes = 0, used_bytes = 0;
-  double seconds = 0;  // of sinew_transfer() alone
+  double seconds = 0;  // duration of sinew_transfer()
 };
 
-// Which joints of the target may get weight: those that stand for a joint with weight in the source may whatever their names say,
-// names tell of the others. What moves nothing in the source, the engine itself leaves out.
+// Chooses the joints of the target that may get weight: those that match a joint with weight in the source, and
+// others by name. The engine itself leaves out joints that move nothing in the source.
 struct TransferJoints {
   std::vector<uint8_t> flags;  // [J] SINEW_JOINT_*
-  // [J] itself, or for the end of a chain that moves nothing in the source the joint that takes its weight
+  // [J] the joint itself, or for the end of a chain that moves nothing in the source the joint that gets its weight
   std::vector<uint32_t> target_of;
 };
 TransferJoints choose_transfer_joints(const Character& source, const Character& target, const JointMapping& mapping);
 
-// Throws Error with a character's name and the status' text, and OutOfMemory when there is no memory for the workspace.
-//   mapping  [source joints] as map_joints_by_name() gives it, with at least one joint
+// Throws Error with a character's name and the status text, and OutOfMemory if there is no memory for the workspace.
+//   mapping  [source joints] as from map_joints_by_name(), with at least one joint
 TransferResult transfer(const Character& source, const Character& target, const JointMapping& mapping,
                         const TransferOptions& options);
 

@@ -15,18 +15,18 @@ namespace sinew {
 struct CheckedFile {
   std::string file;
   Character character;
-  Motion motion;  // its clips; none where it has no animations
+  Motion motion;  // its clips; none without animations
   RigCheck check;
   std::optional<RigCheck> before;  // of the older version
   std::vector<Joint> joints_before;
   CheckChange change;                 // with `before`
-  std::vector<std::string> failures;  // of a gate, a line each
-  std::optional<double> score;        // weight_score(), where it was asked for
+  std::vector<std::string> failures;  // of a gate, one line each
+  std::optional<double> score;        // weight_score(), if requested
 };
 
-// A mesh with its skeleton, weights and animations, by its extension. Throws Error.
+// Reads and checks a mesh with its skeleton, weights and animations. Throws Error.
 CheckedFile check_file(const std::string& path, const CheckOptions& options);
-// Against an older version of the file. Throws Error.
+// Compares with an older version of the file. Throws Error.
 void check_against(const std::string& path, const CheckOptions& options, CheckedFile* file);
 
 // 0..100: how near the weights are to those of the bundled model, the heat method and the nearest bone, among joints that names and positions let have weight: 100 less

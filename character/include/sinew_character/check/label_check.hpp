@@ -15,14 +15,14 @@ namespace sinew {
 // One kind of suspicion about one joint. `joint` holds the weight, `better` is the joint that it was expected on.
 //   far-weight    vertices with weight for a joint far away, on another branch of the skeleton, while another is near
 //   island        a patch of the mesh bound across the body, apart from everything else of its joint
-//   odd-vertex    vertices whose neighbours all agree on something else
-//   left-right    vertices bound to the mirror twin of the joint they lie at
+//   odd-vertex    vertices whose neighbors all agree on another joint
+//   left-right    vertices bound to the mirror twin of the joint at their position
 //   idle-twin     a joint without weight whose mirror twin has some
-//   shared-place  much of the mesh is bound to joints that stand where another child of their parent with weight does
+//   shared-position  much of the mesh is bound to joints at the position of a sibling with weight
 struct LabelFinding {
   std::string code;
   uint32_t joint = 0, better = 0;
-  std::vector<uint32_t> vertices;  // ascending; empty for idle-twin and shared-place
+  std::vector<uint32_t> vertices;  // ascending; empty for idle-twin and shared-position
   std::string text;                // one line
 };
 

@@ -18,7 +18,7 @@ namespace sinew {
 struct CheckFinding {
   enum class Level { kNote, kWarning, kError } level;
   std::string code;                     // "non-manifold-edges", "weight-sum", ...
-  size_t count = 0;                     // how many elements
+  size_t count = 0;                     // number of elements
   std::string text;                     // one line, names the first few elements
   std::vector<uint32_t> vertices = {};  // of findings about weights: all of them, ascending
 };
@@ -30,14 +30,14 @@ struct CheckReport {
   std::vector<CheckFinding> findings;
 };
 
-// The number of loops that boundary edges make.
+// Returns the number of loops of boundary edges.
 //   faces     corners of each face, all distinct
-//   faces_at  how many faces meet at each edge, by its lower and higher vertex
+//   faces_at  number of faces at each edge, by its lower and higher vertex
 using BoundaryLoops = std::function<size_t(const std::vector<std::vector<uint32_t>>& faces,
                                            const std::map<std::pair<uint32_t, uint32_t>, size_t>& faces_at)>;
 
 // Findings with the codes of check_labels() (label_check.hpp) are warnings, one each.
-//   loops  counts the loops of boundary edges for the note about them; none: the note leaves their number out
+//   loops  counts the loops of boundary edges for the note about them; null: the note has no count
 CheckReport check_character(const Character& character, const BoundaryLoops& loops = {});
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is measurably wrong with a rigged mesh, for pipelines that nobody looks at: `sinew rig --gate`.
+// Gate for unattended pipelines: measures faults of a rigged mesh, `sinew rig --gate`.
 #ifndef SINEW_CHARACTER_RIG_GATE_HPP
 #define SINEW_CHARACTER_RIG_GATE_HPP
 
@@ -14,24 +14,24 @@ namespace sinew {
 // Figures of a gate, each with its bound. `sinew rig FOLDER --gate --json` prints them.
 struct GateFigures {
   double unweighted = 0;    // share of vertices without weight
-  double usable = 1;        // how likely the votes make a skeleton that can be used; 1 for one that was not predicted
-  double front = 1;         // how likely what was found in front is the front; below it left and right are a coin toss
-  double weak_parents = 0;  // share of joints whose parent is a guess: less than 2 % sure
-  double exploded = 0;      // share of edges torn in the test pose: 4 times as long, and by 2 % of the longest side
+  double usable = 1;        // probability that the skeleton is usable; 1 if it was not predicted
+  double front = 1;         // probability that the front is correct; below the bound left and right are uncertain
+  double weak_parents = 0;  // share of joints whose parent has a confidence below 2 %
+  double exploded = 0;  // share of edges torn in the test pose: 4 times as long, and longer by 2 % of the longest side
 };
 constexpr double kMostUnweighted = 0.005, kMostWeakParents = 0.25, kMostExploded = 0.003;
 
-// Edges of a bound character that tear where all of its joints but the roots turn by up to 30 degrees about each axis, in
-// three poses that are the same for every character; the worst one. 0 without weights or edges.
+// Share of edges of a bound character that tear in the worst of three fixed poses, in which all joints but the roots
+// rotate by up to 30 degrees about each axis. 0 without weights or edges.
 double exploded_share(const Character& character);
 
-// Share of joints whose parent is a guess, bone ends aside.
+// Share of joints with an uncertain parent, not counting bone ends.
 double weak_parents(const PredictedSkeleton& skeleton);
-constexpr double kMostGuessed = 0.5;  // above it the user is told, gate or not
+constexpr double kMostGuessed = 0.5;  // above this share the result carries a warning, with or without a gate
 
 GateFigures gate_figures(const Character& character, const PredictedSkeleton& skeleton);
-// One line for each figure that fails, with its bound: empty, the rig passes.
-//   bound  false: the skeleton alone is looked at
+// Returns one line per failed figure, with its bound; empty if the rig passes.
+//   bound  false: only the skeleton is checked
 std::vector<std::string> gate_failures(const GateFigures& figures, bool bound);
 
 }  // namespace sinew

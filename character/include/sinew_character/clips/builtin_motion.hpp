@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clips that ship: builtin:walk and others, made from data (src/clips/gaits), in the public domain (CC0).
+// Built-in clips: builtin:walk and others, generated from data (src/clips/gaits), in the public domain (CC0).
 #ifndef SINEW_CHARACTER_BUILTIN_MOTION_HPP
 #define SINEW_CHARACTER_BUILTIN_MOTION_HPP
 
@@ -10,10 +10,11 @@
 
 namespace sinew {
 
-// builtin:NAME, builtin:KIND/NAME, or builtin:KIND for all clips of a kind of body; each with :VARIANT for another manner.
+// builtin:NAME, builtin:KIND/NAME, or builtin:KIND for all clips of a kind of body; each with :VARIANT for another
+// style.
 bool is_builtin_motion(const std::string& path);
-// 30 frames a second, facing +z, y up. The last frame is the first one, where the body travels one cycle on. One motion for each kind
-// that has a clip of the name. Throws Error with the names there are.
+// Makes one motion per kind of body that has a clip of this name: 30 frames per second, facing +z, y up. The last
+// frame equals the first one, a cycle further on if the body travels. Throws Error that lists the names.
 std::vector<Motion> builtin_motions(const std::string& path);
 
 }  // namespace sinew

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vertex animation textures: the vertices of every frame of several clips as pixels, for shaders that draw crowds without skinning.
+// Vertex animation textures: the vertices of all frames of several clips as texels, for shaders that draw crowds
+// without skinning.
 #ifndef SINEW_CHARACTER_VERTEX_TEXTURES_HPP
 #define SINEW_CHARACTER_VERTEX_TEXTURES_HPP
 
@@ -13,28 +14,29 @@
 
 namespace sinew {
 
-// No side of a texture is longer; GPUs of the last ten years take 4096 x 8192, and most take 16384.
+// Maximum side of a texture; GPUs of the last ten years support 4096 x 8192, and most 16384.
 constexpr uint32_t kMostTextureWidth = 4096, kMostTextureHeight = 8192;
 
-// Where a vertex lies in the textures: vertex v of frame f is in column v % width, row f * rows + v / width.
+// Layout of the textures: vertex v of frame f is in column v % width, row f * rows + v / width.
 struct TextureLayout {
   uint32_t vertices = 0, frames = 0;
   uint32_t width = 0;
-  uint32_t rows = 0;  // of one frame
+  uint32_t rows = 0;  // rows per frame
 
   uint32_t height() const { return rows * frames; }
   size_t texel(size_t vertex, size_t frame) const { return (frame * rows + vertex / width) * width + vertex % width; }
-  // Texture coordinates of the middle of the vertex's texel in frame 0, 0..1, counted from the top.
+  // Texture coordinates of the center of the vertex's texel in frame 0, 0..1, from the top.
   std::array<float, 2> coordinates(size_t vertex) const {
     return {(static_cast<float>(vertex % width) + 0.5f) / static_cast<float>(width),
             (static_cast<float>(vertex / width) + 0.5f) / static_cast<float>(height())};
   }
 };
 
-// The narrowest layout with the fewest rows. Throws Error, which begins with `name`, where it would be too high, saying how many frames fit.
+// Returns the narrowest layout with the fewest rows. Throws Error, which begins with `name` and has the number of
+// frames that fit, if it would be too high.
 TextureLayout texture_layout(const std::string& name, size_t vertices, size_t frames);
 
-// Three pictures of RGB, 8 bits a channel, because no browser and no Godot keeps more of a PNG.
+// Three RGB pictures with 8 bits per channel: browsers and Godot keep no more of a PNG.
 struct VertexTextures {
   TextureLayout layout;
   Box bounds;                                 // of the positions of all frames
@@ -44,11 +46,13 @@ struct VertexTextures {
 // Black pictures of the layout.
 VertexTextures blank_textures(const TextureLayout& layout, const Box& bounds);
 
-// A position as 16 bits an axis over the bounds, high bytes and low bytes apart: low + (256 high + low) / 65535 * (high - low) of the bounds. Half
-// a step is the error, 0.014 mm an axis where the bounds measure 1.8 m. An axis on which the bounds are flat has 0.
+// A position has 16 bits per axis over the bounds, in separate high and low bytes: low + (256 high + low) / 65535 *
+// (high - low) of the bounds. The error is half a step, 0.014 mm per axis for bounds of 1.8 m. An axis on which the
+// bounds are flat has 0.
 void set_position(const Vec3& position, size_t texel, VertexTextures* textures);
 Vec3 position_at(const VertexTextures& textures, size_t texel);
-// A normal of length 1 as round(127 n) + 128, which holds the axes exactly; at most 0.4 degrees off. Decoded to length 1.
+// A normal of length 1 is stored as round(127 n) + 128, which is exact for the axes and at most 0.4 degrees off
+// otherwise. Decoded to length 1.
 void set_normal(const Vec3& normal, size_t texel, VertexTextures* textures);
 Vec3 normal_at(const VertexTextures& textures, size_t texel);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where pictures of a moving character look, so that no pose leaves them.
+// Camera framing for pictures of a moving character, so that all poses fit.
 #ifndef SINEW_CHARACTER_POSE_FRAME_HPP
 #define SINEW_CHARACTER_POSE_FRAME_HPP
 
@@ -10,14 +10,14 @@
 
 namespace sinew {
 
-// At one scale; the picture goes with the body over the floor, and its height stays.
+// The scale is constant; the picture follows the body over the floor at a constant height.
 struct PoseFrame {
-  std::vector<Vec3> middles;  // of every pose
+  std::vector<Vec3> middles;  // center of each pose
   float radius =
-      0;  // of a ball around each that holds its pose, seen from the side or a little from above; the mesh's units
+      0;  // radius of a sphere around each center that contains the pose, seen from the side or slightly from above; in the mesh's units
 };
 
-// What stands still and reaches farther than all that moves, such as a ground, is not framed.
+// Geometry that does not move and extends beyond everything that moves, such as a ground, is ignored.
 //   character  at rest, with at least one vertex
 //   poses      at least one, with the character's vertices
 PoseFrame frame_poses(const Character& character, const std::vector<Character>& poses, Axis up);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What `sinew animate` does with one character by default: clips chosen, joints mapped, contacts kept, corrections as morph targets.
+// The default job of `sinew animate` for one character: selects clips, maps joints, keeps contacts and bakes
+// corrections into morph targets.
 #ifndef SINEW_CHARACTER_ANIMATE_JOB_HPP
 #define SINEW_CHARACTER_ANIMATE_JOB_HPP
 
@@ -26,14 +27,14 @@ struct AnimateOptions {
   std::string character;  // its file, for messages
   MaybeAxis up, motion_up;
   std::string map;                  // a map's file, or empty
-  std::vector<int> sources;         // [J] joint of the motion or -1, in place of a map; or empty
-  std::vector<sinew_map_pin> pins;  // that a found map keeps
-  bool map_as_drawn = false;        // a map is found as published: branches by the least sum of costs
+  std::vector<int> sources;         // [J] joint of the motion or -1, instead of a map; or empty
+  std::vector<sinew_map_pin> pins;  // pairs to keep in a map that is found
+  bool map_as_drawn = false;        // finds a map as published: branches by the least sum of costs
   AnimateMethod method = AnimateMethod::kAuto;
   std::string limits;  // of joint_limits(), or empty
   bool in_place = false, range = true, report = false;
-  bool translations = false;  // bones of the body stretch as the source's do
-  bool force = false;         // plays a motion whose map reaches less than kLeastCover, with a note; an Error else
+  bool translations = false;  // bones of the body stretch like the source's
+  bool force = false;         // plays a motion whose map covers less than kLeastCover, with a note; otherwise an Error
   double fps = 0, from = 0, to = 1e9;  // seconds
   sinew_reference_options reference = SINEW_INIT(sinew_reference_options);
 };
@@ -42,17 +43,16 @@ struct MotionInput {
   std::string file;  // for messages
   std::string clip;  // by name or number; empty: all
   const Motion* motion = nullptr;
-  std::function<std::optional<Character>()>
-      body;  // the mesh of the motion's own file; asked where a method looks at it
+  std::function<std::optional<Character>()> body;  // the mesh of the motion's own file; called if the method needs it
 };
 
-// What became of one clip.
+// Result for one clip.
 struct AnimatedClip {
   std::string file, clip, map;
   size_t frames = 0, mapped = 0;
   double frame_time = 0;
   ClipReport report;
-  size_t shapes = 0;  // of bake_clips(), and how far the clip is from the corrected poses with them
+  size_t shapes = 0;  // of bake_clips(), and the clip's error relative to the corrected poses
   BakeError error = {};
   SpringPlay springs = {};  // of swing_clips()
   struct SwingReport {
@@ -67,22 +67,23 @@ struct AnimatedCharacter {
   Motion motion;                             // of its joints
   std::vector<AnimatedClip> animated_clips;  // [motion.clips]
   Morphs morphs;                             // of bake_clips()
-  bool rigged = false;                       // was a bare mesh
+  bool rigged = false;                       // a bare mesh was rigged first
   MotionMap map;                             // of the last motion
-  float certainty = 1;  // how sure its front and sides are, and no more than what it covers of both bodies
+  float certainty = 1;  // certainty of its front and sides, at most the covered share of both bodies
 };
 
-// Told how many steps there are, gives what is asked before each; that says false to stop, which ends the work with an Error.
+// Called with the number of steps; returns a function that is called before each step and returns false to stop,
+// which ends the job with an Error.
 using StepsOf = std::function<std::function<bool()>(size_t steps)>;
 
-// A bound character; a mesh without a skeleton gets one by the bundled models. Throws Error, which begins with `path`, for a skeleton
-// without weights.
+// Reads a bound character; a mesh without a skeleton is rigged by the bundled models. Throws Error, which begins with
+// `path`, for a skeleton without weights.
 AnimatedCharacter animated_character(Character character, const std::string& path);
-// Clips whose name an earlier file's clip has, or all with `always`, are called by their file.
-//   made  what there is so far
+// Renames clips by their file if a clip of an earlier file has the same name, or always with `always`.
+//   made  the result so far
 void name_clips(const std::string& file, bool always, const Motion& made, Motion* motion);
 void add_motion(const AnimateOptions& options, const MotionInput& input, const StepsOf& steps, AnimatedCharacter* out);
-// Every clip's corrections as morph targets that move in it alone, `shapes` a clip at most.
+// Bakes each clip's corrections into at most `shapes` morph targets, which move in this clip only.
 void bake_clips(const sinew_deform_options& deform, size_t shapes, const StepsOf& steps, AnimatedCharacter* out);
 
 }  // namespace sinew

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What `sinew bake` does with one character: poses to learn from, others to be measured by, shapes that play in the file's animations.
+// The job of `sinew bake` for one character: training poses, test poses, and shapes that are animated in the file's
+// clips.
 #ifndef SINEW_CHARACTER_BAKE_JOB_HPP
 #define SINEW_CHARACTER_BAKE_JOB_HPP
 
@@ -18,17 +19,17 @@ namespace sinew {
 struct BakeJobOptions {
   std::string character;  // its file, for messages
   sinew_deform_options deform = SINEW_INIT(sinew_deform_options);
-  size_t poses = 1500, shapes = 8;  // shapes of a bend, at most, each in one or two directions
+  size_t poses = 1500, shapes = 8;  // maximum number of shapes per bend, each in one or two directions
   uint64_t seed = 1;
   double limit = 60;                     // degrees
   double error = 2e-3;                   // BakeSettings::error
-  std::optional<std::string> animation;  // learn from this clip of `own`, by name or number; nullopt: random poses
+  std::optional<std::string> animation;  // train on this clip of `own`, by name or number; nullopt: random poses
 };
 
 struct BakedCharacter {
   Morphs morphs;  // with keys for the animations of `own`
   size_t learnt_poses = 0, held_out_poses = 0;
-  BakeError learnt, held_out;
+  BakeError learned, held_out;
 };
 
 //   own    the file's own animations, or none
@@ -36,7 +37,7 @@ struct BakedCharacter {
 // Throws Error.
 BakedCharacter bake_character(const Character& character, const OwnMotion& own, const BakeJobOptions& options,
                               const std::function<std::function<bool()>(size_t)>& steps);
-// The drivers' weights in the clips of a motion.
+// Computes the drivers' weights in the clips of a motion.
 void play_in_animations(const OwnMotion& own, const Character& character, Morphs* morphs);
 
 }  // namespace sinew

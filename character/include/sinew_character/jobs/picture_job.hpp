@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A picture becomes a character: outline, mesh, skeleton, weights. From there on it is one as any other.
+// Makes a character from a picture: outline, mesh, skeleton, weights. The result is an ordinary character.
 #ifndef SINEW_CHARACTER_PICTURE_JOB_HPP
 #define SINEW_CHARACTER_PICTURE_JOB_HPP
 
@@ -14,34 +14,34 @@
 namespace sinew {
 
 struct PictureJobOptions {
-  std::string mask;  // a picture that is bright where the figure is; empty: found
-  Outline outline;   // closed lines round the figure, in place of what is found; empty: found
+  std::string mask;  // mask of the figure, bright inside; empty: found
+  Outline outline;   // closed lines around the figure; empty: found
   FigureOptions figure;
   PictureMeshOptions mesh;
   std::optional<BodyClass> body;  // nullopt: found
-  bool whole = false;             // limbs that are drawn against the body stay in one outline with it
+  bool whole = false;             // limbs drawn against the body stay in one outline with it
 };
 
 struct PictureCharacter {
   std::shared_ptr<const PictureFile> picture;
   Figure figure;
   PictureJobOptions options;
-  // Of rig_picture(), the body with its certainty, 0..1; 0: not rigged.
+  // From rig_picture(): the body class with its certainty, 0..1; 0: not rigged.
   PictureView view = PictureView::kFront;
   BodyClass body = BodyClass::kOther;
   float certainty = 0;
   RiggedCharacter rigged;  // a bare mesh before rig_picture()
 };
 
-// By the extension: the table's.
+// Returns whether the extension is that of a picture.
 bool is_picture(const std::string& path);
 
-// The figure and its mesh. Throws Error.
+// Finds the figure and makes its mesh. Throws Error.
 PictureCharacter open_picture(const std::string& path, const PictureJobOptions& options);
-// A skeleton and weights. Of the class in PictureJobOptions and RigJobOptions::category one says what the other leaves open; where both
-// are given, the job's counts. On failure `picture` is as it was. Throws Error.
+// Makes a skeleton and weights. The class is RigJobOptions::category if given, else that in PictureJobOptions. Throws
+// Error and then leaves `picture` unchanged.
 void rig_picture(const RigJobOptions& job, const RigModels& models, PictureCharacter* picture);
-// Both.
+// Reads and rigs a picture.
 PictureCharacter rig_picture(const std::string& path, const PictureJobOptions& options, const RigJobOptions& job,
                              const RigModels& models);
 // By the bundled models.

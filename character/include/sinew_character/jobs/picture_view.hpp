@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From where a picture shows its character, told by the skeletons that votes find in its inflated mesh, and what kind of body it is.
+// Finds the view and body class of a picture's character, by the skeletons that are predicted for its inflated mesh.
 #ifndef SINEW_CHARACTER_PICTURE_VIEW_HPP
 #define SINEW_CHARACTER_PICTURE_VIEW_HPP
 
@@ -15,7 +15,8 @@ namespace sinew {
 enum class PictureView { kFront, kFacesRight, kFacesLeft };
 const char* picture_view_text(PictureView view);
 
-// A mesh of the picture plane (xy, seen from +z) as networks know bodies, facing +z with y up, and positions back.
+// Maps a mesh of the picture plane (xy, seen from +z) to the orientation of training bodies, facing +z with y up, and
+// positions back.
 Vec3 from_picture(PictureView view, const Vec3& position);
 Vec3 to_picture(PictureView view, const Vec3& position);
 
@@ -23,16 +24,17 @@ struct SeenBody {
   PictureView view = PictureView::kFront;
   BodyClass body = BodyClass::kOther;
   float certainty = 1;         // 0..1, of view and body together
-  PredictedSkeleton skeleton;  // in the picture plane, z 0 but for near and far limbs, which are a little off it
+  PredictedSkeleton skeleton;  // in the picture plane, z = 0 except for near and far limbs, which are slightly off it
 };
 
 //   given  the user's class
-//   guess  what its outline says; views that a class does not have are left out
-//   job    method, mirror, spine_count, toes and ends are looked at
+//   guess  class of the outline; views that a class does not have are left out
+//   job    uses method, mirror, spine_count, toes and ends
 SeenBody see_body(const Character& mesh, const std::optional<BodyClass>& given, const BodyGuess& guess,
                   const RigJobOptions& job, const RigModels& models, std::vector<std::string>* notes);
 
-// The one whose votes agree most. Bipeds are drawn from the front: where votes hardly tell, they are seen from there.
+// Returns the view whose votes agree most. Bipeds are usually drawn from the front, which is preferred if the votes
+// differ little.
 inline size_t choose_view(const std::vector<SeenBody>& seen) {
   constexpr float kHardly = 1.11f;  // times the least spread
   size_t best = 0;

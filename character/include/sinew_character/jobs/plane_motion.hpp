@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Motion for a character that lies in a plane: bones turn about the line of sight alone and keep their lengths.
+// Motion for a character in a plane: bones rotate only about the line of sight and keep their lengths.
 #ifndef SINEW_CHARACTER_PLANE_MOTION_HPP
 #define SINEW_CHARACTER_PLANE_MOTION_HPP
 
@@ -15,28 +15,29 @@
 
 namespace sinew {
 
-// Plays `input` on `out`, which is a picture's character with the skeleton of `picture`. Joints are mapped and the clip is retargeted on a body that faces +z and has
-// its sides apart, by add_motion(); then every bone turns as its projection does. Limbs that swing to and from the viewer do so sideways. The lowest foot
-// is as high over the floor as the body's.
-//   depth  keep what bones do out of the plane
+// Plays `input` on `out`, a picture's character with the skeleton of `picture`. The clip is retargeted by
+// add_motion() onto a body that faces +z with separate sides; then each bone rotates like its projection. Limbs that
+// swing towards and away from the viewer swing sideways instead. The lowest foot is as high above the floor as the
+// body's.
+//   depth  keep rotations out of the plane
 void add_picture_motion(const PictureCharacter& picture, bool depth, const AnimateOptions& options,
                         const MotionInput& input, const StepsOf& steps, AnimatedCharacter* out);
 
-// The bundled clip for a picture that is given no motion.
+// The built-in clip for a picture without a motion.
 const char* default_clip(BodyClass body);
 
-//   body     a clip's skeleton that faces +z with y up
+//   body     skeleton of a clip that faces +z with y up
 //   classes  [J] sinew_joint_class
 //   plane    the same joints in the picture's plane, in the same order
 Clip clip_in_plane(const Motion& body, const Clip& clip, const std::vector<uint8_t>& classes, PictureView view,
                    const Motion& plane);
-// The clip in the picture's axes, with all that it does in space.
+// The clip in the picture's axes, in three dimensions.
 Clip clip_with_depth(const Motion& body, const Clip& clip, PictureView view, const Motion& plane);
 
-// Limbs, the head and the pelvis of `target` and `source`, joint by joint: the n-th of a class and a side of one, parents first, is
-// the n-th of the other. Sides are those of the names; bone ends are left out. Also of a skeleton that does not hang together as a
-// body does, which anatomy makes nothing of.
-std::vector<sinew_map_pin> pins_by_class(const LabelledSkeleton& target, const LabelledSkeleton& source);
+// Maps limbs, the head and the pelvis of `target` and `source`: the n-th joint of a class and side, parents first,
+// matches the n-th of the other. Sides come from names; bone ends are left out. Works for skeletons that are not
+// connected like a body, for which anatomy fails.
+std::vector<sinew_map_pin> pins_by_class(const LabeledSkeleton& target, const LabeledSkeleton& source);
 
 }  // namespace sinew
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `sinew pose` does with one bound character: a pose from a moment of a clip, and the mesh in it.
+// The job of `sinew pose` for one bound character: a pose from a time in a clip, and the posed mesh.
 #ifndef SINEW_CHARACTER_POSE_JOB_HPP
 #define SINEW_CHARACTER_POSE_JOB_HPP
 
@@ -14,17 +14,17 @@
 
 namespace sinew {
 
-// A moment of one of the file's own animations.  `what`, or null: says which, for the user. Throws Error for a time behind the end.
+// Returns the pose at a time in one of the file's animations. `what` (or null) gets a description for the user.
+// Throws Error for a time after the end.
 std::vector<Affine> clip_palette(const Motion& motion, const std::string& file, const std::string& clip, double time,
                                  size_t joint_count, std::string* what);
 
 struct PosedCharacter {
   Character character;
-  bool corrected =
-      true;  // false: the matrices are no rotations with one common scale, so the pose is plain linear skinning
+  bool corrected = true;  // false: matrices with shear or unequal scales; the pose is linear skinning
 };
 
-//   correction  how bends are corrected; nullopt: plain skinning, linear or by dual quaternions
+//   correction  correction of bends; nullopt: skinning only, linear or by dual quaternions
 PosedCharacter pose_character(const Character& character, const std::vector<Affine>& palette,
                               const std::optional<sinew_deform_options>& correction, bool dual_quaternion);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `sinew simplify` does with one character: joints are left out, weights and animations follow.
+// The job of `sinew simplify` for one character: removes joints; weights and animations follow.
 #ifndef SINEW_CHARACTER_SIMPLIFY_JOB_HPP
 #define SINEW_CHARACTER_SIMPLIFY_JOB_HPP
 
@@ -13,12 +13,13 @@ namespace sinew {
 
 struct SimplifiedCharacter {
   Simplified simplified;
-  Motion motion;  // of the joints that are left: the clips of all `motions`
+  Motion motion;  // clips of all `motions`, for the remaining joints
 };
 
-//   motions  of the character's joints, as they were, first
-// At the high level a joint stays where vertices would move by more than 1 % of the character's height without it, in
-// poses of the motions; without weights the joints' own positions count. Throws Error; the character is as it was then.
+//   motions  motions of the character's joints before simplification
+// At the high level a joint is kept if vertices would move by more than 1 % of the character's height without it, in
+// poses of the motions; without weights the joints' positions count. Throws Error and then leaves the character
+// unchanged.
 SimplifiedCharacter simplify_character(const SimplifyOptions& options, const std::vector<const Motion*>& motions,
                                        Character* character);
 

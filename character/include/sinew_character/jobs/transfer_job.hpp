@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `sinew transfer` does with one target before weights are carried: its skeleton wherever that comes from, and which of its joints
-// stands for which.
+// The first part of `sinew transfer` for one target: finds its skeleton, and maps its joints to those of the source.
 #ifndef SINEW_CHARACTER_TRANSFER_JOB_HPP
 #define SINEW_CHARACTER_TRANSFER_JOB_HPP
 
@@ -15,20 +14,20 @@
 namespace sinew {
 
 struct TransferTarget {
-  Character character;  // with joints; its own weights where it has some for these joints
+  Character character;  // with joints, and with its own weights if it has some for these joints
   JointMapping mapping;
-  std::string skeleton;  // whose skeleton it is, for the summary
+  std::string skeleton;  // source of the skeleton, for the summary
   std::string mapped_by;
   bool fitted = false;
 };
 
 struct TransferTargetOptions {
   std::string path;      // the target's file, for messages
-  std::string skeleton;  // whose skeleton `mesh` has, for the summary
-  std::string map;       // a map's file; empty: by names, else by anatomy
-  bool garment = false;  // the source's skeleton as it is
+  std::string skeleton;  // source of the skeleton of `mesh`, for the summary
+  std::string map;       // a map file; empty: by names, else by anatomy
+  bool garment = false;  // uses the source's skeleton unchanged
   Axis up_axis = Axis::kY;
-  std::function<const sinew_model*()> rig_model;  // asked for a mesh without a skeleton, which gets the source's
+  std::function<const sinew_model*()> rig_model;  // called for a mesh without a skeleton, which gets the source's
 };
 
 // Throws Error.

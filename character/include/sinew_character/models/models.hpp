@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Models ready for use: from a file, from bytes, or the ones that are built in.
+// Loaded models: from a file, from bytes, or built in.
 #ifndef SINEW_CHARACTER_MODELS_HPP
 #define SINEW_CHARACTER_MODELS_HPP
 
@@ -16,17 +16,18 @@ namespace sinew {
 // The task that a model is opened for.
 enum class ModelUse { kBind, kRig, kHands, kSlotJoints, kFront };
 
-// A checked model and the bytes it stands on.
+// A checked model and its bytes.
 struct LoadedModel {
   std::vector<uint64_t> storage;  // 8-byte aligned copy of a file; empty for the bundled model
   sinew::Workspace packed;        // its weights for the processor's kernels
   sinew_model model{};
 };
-// `path` empty or "bundled": the model built into the program. Throws Error.
+// Loads a model; `path` empty or "bundled" is the built-in one. Throws Error.
 std::unique_ptr<LoadedModel> load_model(const std::string& path, ModelUse use = ModelUse::kBind);
-// A model of any task, to look at it; `use` says which it is opened for.
+// Loads a model of any task for inspection; `use` gets its task.
 std::unique_ptr<LoadedModel> load_any_model(const std::string& path, ModelUse* use);
-// The same of ModelUse::kFront; null where that is bundled and the program was built without one: votes tell the front then.
+// Loads a model for ModelUse::kFront; null if it is bundled and the program was built without one: the front then
+// comes from the votes.
 std::unique_ptr<LoadedModel> load_front_model(const std::string& path = "");
 std::string model_label(const std::string& path);  // "bundled model" or the file's name
 std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes, const std::string& what,
@@ -37,9 +38,9 @@ extern const uint8_t kBundledModel[];  // of skin weights; 8-byte aligned
 extern const size_t kBundledModelSize;
 extern const uint8_t kBundledRigModel[];  // of skeletons; 8-byte aligned
 extern const size_t kBundledRigModelSize;
-extern const uint8_t kBundledHandsModel[];  // of hands' fingers; 8-byte aligned
+extern const uint8_t kBundledHandsModel[];  // of fingers; 8-byte aligned
 extern const size_t kBundledHandsModelSize;
-extern const uint8_t kBundledFrontModel[];  // of where a mesh faces; 8-byte aligned
+extern const uint8_t kBundledFrontModel[];  // of front directions; 8-byte aligned
 extern const size_t kBundledFrontModelSize;
 extern const uint8_t kBundledSlotsModel[];  // of joints in slots, as published; 8-byte aligned
 extern const size_t kBundledSlotsModelSize;

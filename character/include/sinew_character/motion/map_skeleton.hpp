@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which joint of one skeleton stands for which of another, through sinew/map.h: rigs read from files, maps as text.
+// Maps joints of one skeleton to another by sinew/map.h; reads rigs from files, and maps from text.
 #ifndef SINEW_CHARACTER_MAP_SKELETON_HPP
 #define SINEW_CHARACTER_MAP_SKELETON_HPP
 
@@ -17,27 +17,27 @@
 
 namespace sinew {
 
-// A skeleton as mapping takes it.
+// A skeleton as input for mapping.
 struct MapRig {
   std::string name;               // the file, for messages
   std::vector<Joint> joints;      // at least one
-  std::vector<uint8_t> ends;      // [J] 1: only says where a bone ends; empty = not known
-  JointSurfaces surfaces;         // for SINEW_MAP_BRANCHES and levels, as the next; empty = no mesh is bound
-  std::vector<uint8_t> animated;  // [J] 1: a clip moves it; empty = not known
+  std::vector<uint8_t> ends;      // [J] 1: only the end of a bone; empty = unknown
+  JointSurfaces surfaces;         // for SINEW_MAP_BRANCHES and levels, like the next member; empty = no mesh is bound
+  std::vector<uint8_t> animated;  // [J] 1: a clip moves it; empty = unknown
 };
 
-// From .rig.txt, .txt, .obj with its .rig.txt, .gltf, .glb, .vrm, .fbx, .dae, .bvh, or template:NAME. Where the file has skin
-// weights, leaves without any are ends. Throws Error.
+// Reads .rig.txt, .txt, .obj with its .rig.txt, .gltf, .glb, .vrm, .fbx, .dae, .bvh, or template:NAME. If the file
+// has skin weights, leaves without weight are ends. Throws Error.
 MapRig read_map_rig(const std::string& path);
-// The same of a character or a motion in memory. Ends of a motion are its End Sites, and joints whose only child is an End Site
-// that repeats their own offset.
+// The same for a character or a motion in memory. Ends of a motion are its End Sites, and joints whose only child is
+// an End Site with the same offset.
 MapRig map_rig_of(const Character& character);
 MapRig map_rig_of(const Motion& motion);
 
 struct MapSkeletonOptions {
   uint32_t method = SINEW_MAP_AUTO;
   uint32_t branches_first = SINEW_BRANCHES_BOTH, branches_cost = SINEW_BRANCHES_MEAN;
-  bool names = true, ends = true;  // whether they are read
+  bool names = true, ends = true;  // uses them
   MaybeAxis target_up = Axis::kY, source_up = Axis::kY;
   std::vector<sinew_map_pin> pins;
 };
@@ -48,37 +48,37 @@ struct MappedSkeleton {
   std::vector<uint8_t> reasons;   // [target J] sinew_map_reason
   uint32_t method = 0;            // SINEW_MAP_SINEW or SINEW_MAP_BRANCHES
   size_t mapped = 0;
-  float certainty = 0;  // 0..1, of front, sides and trunk
+  float certainty = 0;  // 0..1, certainty of front, sides and torso
   size_t workspace_bytes = 0;
-  double seconds = 0;  // in sinew_map()
+  double seconds = 0;  // duration of sinew_map()
 };
 
-// Along the legs of a body that has two and stands on them, where they follow an axis; else y.
+// Up axis along the legs of a standing body with two legs, if they follow an axis; else y.
 Axis found_up(const MapRig& rig, const MapSkeletonOptions& options = {});
 
 // Throws Error with the file's name, and OutOfMemory.
 MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const MapSkeletonOptions& options);
 
-// [target J] sinew_joint_class: which joints are arms, legs and other parts of a body, by sinew_limb_classes().
-//   source, sources  null, or where the joints have their motion from: [target J] its joints, -1 = none
+// Returns [target J] sinew_joint_class of arms, legs and other body parts, by sinew_limb_classes().
+//   source, sources  null, or the rig and [target J] its joint that drives each joint, -1 = none
 // Throws Error.
 std::vector<uint8_t> limb_classes(const MapRig& target, MaybeAxis target_up, const MapRig* source = nullptr,
                                   const std::vector<int>& sources = {});
 
-// "", "no counterpart", ... for a sinew_map_reason.
+// Returns "" or a text such as "the source has no match" for a sinew_map_reason.
 const char* map_reason_text(uint8_t reason);
 
 // A map as text: a line TARGET_JOINT SOURCE_JOINT, or TARGET_JOINT - for none, for each joint; # begins a comment. Blanks
 // in names are written as '_'.
 std::string map_text(const MapRig& target, const MapRig& source, const MappedSkeleton& map);
-// Which joints may stand in several lines of a map.
+// Joints that may occur in several lines of a map.
 enum class MapRepeats : uint8_t {
   kNone,
-  kSources,  // for motion: several joints move as one
-  kTargets   // for weights: several joints give theirs to one
+  kSources,  // for motion: several joints may share a source
+  kTargets   // for weights: several joints may share a target
 };
-// The lines of such a file as pins: what has a line is kept, what has none is free. Throws Error with the line, also of a joint
-// that stands there twice and may not.
+// Reads the lines of such a file as pins: a joint with a line is fixed, others are free. Throws Error with the line,
+// also for a joint that occurs twice and may not.
 std::vector<sinew_map_pin> read_map_file(const std::string& path, const MapRig& target, const MapRig& source,
                                          MapRepeats repeats = MapRepeats::kNone);
 // TARGET_JOINT=SOURCE_JOINT, or TARGET_JOINT=- for none. Throws Error.

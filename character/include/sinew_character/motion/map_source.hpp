@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a file's motion is to a map: one reading of its stance, its ends and its joints that move, for `map`, `animate` and choices among clips.
+// A file's motion as the source of a map: rest pose, ends and moving joints, for `map`, `animate` and the choice of
+// clips.
 #ifndef SINEW_CHARACTER_MAP_SOURCE_HPP
 #define SINEW_CHARACTER_MAP_SOURCE_HPP
 
@@ -15,28 +16,29 @@
 namespace sinew {
 
 struct MapSource {
-  std::optional<Motion> standing;  // the motion against a stance that was guessed; empty: its rest pose is one
-  MapRig rig;                      // in that stance
+  std::optional<Motion> standing;  // the motion relative to a guessed standing pose; empty: its rest pose is one
+  MapRig rig;                      // in that pose
 };
 
-// The rest pose stays where the motion was made on the target, where its body has weights (that is how it was bound), and where it is a
-// stance; see standing_motion(). Ends are those of map_rig_of(); with weights, leaves without any.
-//   body    of the motion's own file, whose joints are the motion's first; null: none
-//   target  joints of the skeleton that is to move
-//   up      of the motion's world
+// Keeps the rest pose if the motion was made on the target, if its body has weights (the bind pose), or if it is a
+// standing pose; see standing_motion(). Ends are those of map_rig_of(); with weights, leaves without weight.
+//   body    mesh in the motion's file, whose joints are the motion's first ones; null: none
+//   target  joints of the skeleton to animate
+//   up      up axis of the motion's world
 MapSource map_source_of(const Motion& motion, const Character* body, const std::vector<Joint>& target, MaybeAxis up);
 
 struct MapSourceRequest {
   std::string path;                     // as read_map_rig() takes it
   std::string layout = {}, actor = {};  // as in MotionRequest
-  MaybeAxis up = {}, target_up = {};    // of either world
+  MaybeAxis up = {}, target_up = {};    // up axes of both worlds
   MaybeAxis down = {};                  // as in MotionRequest
   bool find_down = true;
 };
-// A file's motion; nullopt for a skeleton alone. Throws Error for what is a motion alone and cannot be read, and for a layout or an actor
-// that the file does not have.
+// Reads a file's motion; nullopt for a skeleton only. Throws Error for a motion file that cannot be read, and for a
+// layout or an actor that the file does not have.
 std::optional<MotionFile> read_motion_in(const MapSourceRequest& request, const MapRig& target);
-// The rig that `animate` would play the file's motion from; as read_map_rig() has it where the file has none. Throws Error.
+// Returns the source rig of `animate` for the file's motion, or that of read_map_rig() for a file without motion.
+// Throws Error.
 MapRig read_map_source(const MapSourceRequest& request, const MapRig& target);
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Motions as users name them: a file, or a clip that ships.
+// Reads motions given by the user: a file, or a built-in clip.
 #ifndef SINEW_CHARACTER_MOTION_FILE_HPP
 #define SINEW_CHARACTER_MOTION_FILE_HPP
 
@@ -19,25 +19,27 @@ struct MotionRequest {
   std::string layout = {};  // as in read_motion()
   std::string actor = {};   // as in one_actor()
   MaybeAxis up = {};        // of the target
-  MaybeAxis down = {};      // axis of the motion's world that points down
-  bool find_down = true;    // without one: looks whether the body stands upside down; a note says so
+  MaybeAxis down = {};      // axis that points down in the motion's world
+  bool find_down = true;    // without `down`: detects a body that is upside down, with a note
 };
 struct MotionFile {
   Motion motion;
-  bool whole = true;  // all joints of the file as they stand there; false: one of its actors, or turned over
+  bool whole = true;  // all joints of the file unchanged; false: one of its actors, possibly rotated upright
 };
-// read_motion() and one_actor(), or of builtin_motions() the one whose body maps best onto the target.
+// Reads a motion by read_motion() and one_actor(), or selects the one of builtin_motions() whose body maps best onto
+// the target.
 MotionFile read_motion_for(const MotionRequest& request, const MapRig& target);
 
-// The axis that points down where a body stands upside down at rest and in most frames; nullopt elsewhere, and where nobody knows its legs.
+// Returns the axis that points down if a body is upside down at rest and in most frames; otherwise, and for a body
+// without known legs, nullopt.
 MaybeAxis axis_that_points_down(const Motion& motion);
-// The same in a world of which that axis points up.
+// Rotates a motion so that this axis points up.
 Motion turned_over(Motion motion, Axis down);
 void turn_over(Axis down, std::vector<Joint>* joints);
 
-// The same motion with its frames turned upright: some captures draw their skeleton with y up and go over a floor across z. nullopt where rest pose and
-// frames agree on up, where the rest pose does not stand, and where the body lies on the rest pose's own floor, as somebody asleep does. A guess, which a
-// note of the motion tells.
+// Returns the motion with its frames rotated upright: some captures have a rest pose with y up and frames with z up.
+// Returns nullopt if rest pose and frames agree, if the rest pose is not a standing pose, or if the body lies on the
+// floor of the rest pose, like a sleeping person. The result has a note, since it is a guess.
 std::optional<Motion> motion_on_rest_floor(const Motion& motion);
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a motion's skeleton is, in words: for people who look before they retarget.
+// Describes a motion's skeleton in words, for `sinew inspect`.
 #ifndef SINEW_CHARACTER_MOTION_SUMMARY_HPP
 #define SINEW_CHARACTER_MOTION_SUMMARY_HPP
 
@@ -11,11 +11,11 @@
 namespace sinew {
 
 struct RestSummary {
-  MaybeAxis up;      // of a body that stands at rest; none where nobody can tell
+  MaybeAxis up;      // of a body that stands at rest; none if unknown
   std::string pose;  // "stands, arms out to the sides (T pose)"
 };
 
-// By the joints that stand for limbs, so it is a guess for skeletons of other bodies than people's. Throws Error.
+// Uses the joints of limbs, so it is a guess for bodies other than people. Throws Error.
 RestSummary rest_summary(const Motion& motion);
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A character with fewer joints by the engine's sinew_simplify(), weights summed up, and maps between such skeletons.
+// Simplifies a character by sinew_simplify(), with summed weights; maps such skeletons.
 #ifndef SINEW_CHARACTER_SIMPLIFY_SKELETON_HPP
 #define SINEW_CHARACTER_SIMPLIFY_SKELETON_HPP
 
@@ -13,36 +13,34 @@ namespace sinew {
 
 struct SimplifyOptions {
   bool low = false;                   // level of detail, see sinew/simplify.h
-  bool as_drawn = false;              // the published conditions alone
-  uint32_t joints = 0;                // 0: as the level says; else so many are left
-  std::vector<std::string> keep;      // joints that stay, by name
-  std::vector<uint32_t> keep_joints;  // and by number
+  bool as_drawn = false;              // the published conditions only
+  uint32_t joints = 0;                // 0: by the level; else the number of joints to keep
+  std::vector<std::string> keep;      // joints to keep, by name
+  std::vector<uint32_t> keep_joints;  // and by index
 };
 
 struct Simplified {
-  std::vector<uint32_t> into;  // [J before] index of the joint that it is part of, among those that were there before
-  std::vector<int> number;     // [J before] its number now, -1 where it is gone
+  std::vector<uint32_t> into;  // [J before] index (before) of the joint that it was merged into
+  std::vector<int> number;     // [J before] its new index, -1 if it was removed
 };
 
-// [J] what each joint is part of, without changing anything. Throws as simplify_skeleton().
+// Returns [J] the joint that each joint would be merged into; changes nothing. Throws like simplify_skeleton().
 std::vector<uint32_t> joints_to_merge(const SimplifyOptions& options, const Character& character);
 
-// The joints that stay, in their order, below what is left above them; `number` as in Simplified.
+// Returns the remaining joints in their order, with remaining ancestors as parents; `number` as in Simplified.
 //   into  [J] of joints_to_merge()
 std::vector<Joint> joints_left(const std::vector<Joint>& joints, const std::vector<uint32_t>& into,
                                std::vector<int>* number);
 
-// Leaves joints out of the skeleton; those below hang on what is left above, and its vertices move with what it became part
-// of. Where the character has weights, how much surface a joint moves counts. Joints keep their order and names.
-// Throws Error for a skeleton without joints, one that the engine refuses, or a name in `keep` that no joint has; the
-// character is as it was then.
+// Removes joints from the skeleton; their children move to the remaining ancestor, and their vertices follow the
+// joint that they were merged into. If the character has weights, the surface of each joint counts. Joints keep their
+// order and names. Throws Error for a skeleton without joints, one that the engine rejects, or an unknown name in
+// `keep`, and then leaves the character unchanged.
 Simplified simplify_skeleton(const SimplifyOptions& options, Character* character);
 
-// As map_skeleton(), between what both skeletons keep at the high level of sinew_simplify(). Joints that go have no source;
-// pinned ones stay.
-//   low  the map is then reduced by the low level: a joint of the target that goes leaves its source to the joint that it
-//        is part of, if that has none, and a source that goes gives way to the joint that it is part of, where no other
-//        joint of the target has that one
+// Like map_skeleton(), but maps only joints that both skeletons keep at the high level of sinew_simplify(). Removed
+// joints have no source; pinned ones are kept.
+//   low  then reduces the map by the low level: a removed target joint passes its source to the joint that it was merged into, if that has none, and a removed source is replaced by the joint that it was merged into, unless another target joint has it
 MappedSkeleton map_at_level(const MapRig& target, const MapRig& source, const MapSkeletonOptions& options, bool low);
 
 }  // namespace sinew

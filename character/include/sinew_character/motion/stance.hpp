@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Motions whose rest pose is no stance: bones along one axis, joints in frames of their own, a frame of the clip. What moves tells a
-// stance all the same.
+// Motions whose rest pose is not a standing pose: bones along one axis, joints with their own axes, or a frame of the
+// clip. A standing pose is estimated from the frames.
 #ifndef SINEW_CHARACTER_STANCE_HPP
 #define SINEW_CHARACTER_STANCE_HPP
 
@@ -16,12 +16,13 @@
 
 namespace sinew {
 
-// The same motion with another rest pose, as its own frames tell it: that of a body which stands upright, arms to its sides; of one on four legs or
-// with wings its typical pose. nullopt where the rest pose is a stance already, or where nobody can tell: no frames, no left and right.
+// Returns the motion with a rest pose estimated from its frames: standing upright, arms at the sides; for bodies on
+// four legs or with wings the typical pose. Returns nullopt if the rest pose is a standing pose already, or if it
+// cannot be estimated (no frames, or no left and right).
 //   up  of the motion's world
 std::optional<Motion> standing_motion(const Motion& motion, MaybeAxis up = {});
 
-// A motion's frames in the world, as far as a stance is read from them, and means over them.
+// World poses of a motion's frames and their means, for estimating a standing pose.
 class MovingJoints {
  public:
   explicit MovingJoints(const Motion& motion);
@@ -33,20 +34,21 @@ class MovingJoints {
   int parent(int joint) const { return motion_.joints[static_cast<size_t>(joint)].parent; }
   Point3 offset(int joint) const { return motion_.joints[static_cast<size_t>(joint)].offset; }
 
-  // The share of frames with the largest values, at least one.
+  // Returns this share of frames with the largest values, at least one.
   std::vector<size_t> best_frames(double share, const std::function<double(size_t)>& value) const;
-  // As seen from a joint: the mean of another's rotation, of what lies between two, and of a direction of the world.
+  // Means relative to a joint: of another joint's rotation, of the vector between two joints, and of a world
+  // direction.
   Quaternion mean_rotation(const std::vector<size_t>& frames, int from, int joint) const;
   Point3 mean_difference(const std::vector<size_t>& frames, int from, int first, int last) const;
   Point3 mean_direction(const std::vector<size_t>& frames, int from, const Point3& direction) const;
-  // A joint that turns in no frame.
+  // Returns whether a joint rotates in no frame.
   bool is_still(int joint) const;
 
-  // Positions of joints that are turned so in the world, with roots at the origin.
+  // Returns positions of joints with these world rotations, with roots at the origin.
   std::vector<Point3> posed(const std::vector<Quaternion>& rotations) const;
-  // The first joint from a root at which the skeleton branches.
+  // Returns the first joint from a root at which the skeleton branches.
   int trunk_root() const;
-  // Joints that lie as mirror images do: siblings and what is below them, of equal counts and lengths.
+  // Returns mirrored joints: siblings and their descendants with equal counts and lengths.
   std::vector<std::pair<int, int>> mirror_pairs() const;
 
  private:
@@ -56,7 +58,7 @@ class MovingJoints {
   std::vector<WorldPose> poses_;
   JointTree tree_;
   std::vector<int> below_;       // [J] joints of the subtree
-  std::vector<double> lengths_;  // [J] of its bones, the joint's own included
+  std::vector<double> lengths_;  // [J] of its bones, including the joint's own
 };
 
 }  // namespace sinew

@@ -14,11 +14,11 @@ namespace sinew::html {
 std::string escape(const std::string& text);   // for text and attribute values
 std::string number(double value, int digits);  // fixed, no thousands separators
 std::string count(size_t value);               // with thin spaces between thousands
-// Colour of a series in plots and keys; there are eight, further ones start over.
-std::string colour(size_t series);
+// Color of a series in plots and keys; there are eight, further ones start over.
+std::string color(size_t series);
 // <img> with the PNG inside; `lazy` pictures are decoded when they come into view.
 std::string image(const std::vector<uint8_t>& png, const std::string& alt, bool lazy = false);
-// A row of coloured keys.
+// A row of colored keys.
 std::string legend(const std::vector<std::string>& labels);
 // Definition list of (term, fact), nothing for an empty list.
 std::string facts(const std::vector<std::pair<std::string, std::string>>& list);

@@ -27,7 +27,7 @@ struct BoundRow {
 // One page that needs nothing else. `folder` and `method` go into its head.
 std::string bind_html(const std::string& folder, const std::string& method, const std::vector<BoundRow>& rows);
 
-// The finding's vertices ringed, or its joint, in the pose or the frame in which it shows; colours are the joints', by weight.
+// The finding's vertices ringed, or its joint, in the pose or the frame in which it shows; colors are the joints', by weight.
 Image finding_picture(const CheckedFile& file, const RigFinding& finding);
 
 // One page that needs nothing else. Of a file's findings the first 40 have a picture.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The figure of a picture: which pixels are the character, and its border as closed lines.
+// The figure of a picture: the pixels of the character, and its outline as closed lines.
 #ifndef SINEW_CHARACTER_FIGURE_HPP
 #define SINEW_CHARACTER_FIGURE_HPP
 
@@ -12,7 +12,7 @@
 
 namespace sinew {
 
-// One bit a pixel, as bytes.
+// One byte per pixel.
 struct Mask {
   uint32_t width = 0, height = 0;
   std::vector<uint8_t> inside;  // [height x width] 1 = figure, row 0 on top
@@ -23,39 +23,42 @@ struct Mask {
 };
 
 struct FigureOptions {
-  uint32_t number = 0;  // of several figures, from left to right, from 1 on; 0: the largest
-  bool cut = false;     // where the figure overlaps itself: slits along the lines that are drawn into it, as a guess
+  uint32_t number = 0;  // number of the figure, from left to right, starting at 1; 0: the largest
+  bool cut = false;     // cuts slits along lines drawn into the figure, where it probably overlaps itself
 };
 
 enum class FigureSource { kAlpha, kBackground, kMask };  // how it was found
 
 struct Figure {
   Mask mask;           // the picture divided by `step`, rounded up
-  uint32_t step = 1;   // pixels of the picture a pixel of the mask
+  uint32_t step = 1;   // picture pixels per mask pixel
   uint32_t count = 1;  // figures in the picture
   uint32_t number = 1;
   FigureSource source = FigureSource::kBackground;
-  std::vector<std::string> notes;  // what was guessed, a line each
+  std::vector<std::string> notes;  // guesses, one line each
   std::vector<std::vector<std::array<float, 2>>>
-      slits;  // lines of free_limbs() that the mask is open along, in its pixels
+      slits;  // lines of free_limbs() along which the mask is cut, in mask pixels
 };
 
-// By alpha where the picture has some, else what is unlike the colours of its border (README.md). Throws Error, which begins with the picture's name: nothing
-// that stands out, nothing large enough, no figure of that number.
+// Finds the figure by alpha if the picture has it, else by difference from the colors of its border (README.md).
+// Throws Error, which begins with the picture's name, if nothing differs, nothing is large enough, or there is no
+// figure of that number.
 Figure find_figure(const PictureFile& picture, const FigureOptions& options = {});
-// As a user drew it: what is bright and opaque in `mask`, a picture of the same shape in any size.
+// Takes the figure from a user's mask: bright and opaque pixels of `mask`, a picture with the same aspect ratio in
+// any size.
 Figure figure_of_mask(const PictureFile& picture, const PictureFile& mask, const FigureOptions& options = {});
 
-// In the picture's own size.
+// Returns the mask in the picture's size.
 Mask full_mask(const PictureFile& picture, const Figure& figure);
 
 // Closed lines in pixels of the picture, x right, y down from its top left corner: the figure's border, then those of its holes and smaller parts.
 using Outline = std::vector<std::vector<std::array<float, 2>>>;
 
-// Points of the border, no pixel of the mask farther than 0.6 from the lines between.
+// Returns points of the border; no border pixel of the mask is farther than 0.6 from the lines between them.
 Outline outline_of(const Figure& figure);
 
-// What lies inside of an odd number of the lines. Throws Error: a line of less than three points, one that is not finite, too little inside.
+// Fills the area inside an odd number of the lines. Throws Error for a line of fewer than three points, a point that
+// is not finite, or too small an area.
 Figure figure_of_outline(const PictureFile& picture, const Outline& outline, const FigureOptions& options = {});
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Limbs that a picture shows in front of the body or beside it, in one outline with it.
+// Limbs that are drawn in front of the body or beside it, in one outline with it.
 #ifndef SINEW_CHARACTER_FREE_LIMBS_HPP
 #define SINEW_CHARACTER_FREE_LIMBS_HPP
 
@@ -15,12 +15,13 @@ namespace sinew {
 struct DrawnLimb {
   std::string name;
   std::vector<std::array<float, 2>> points;  // from the body to the limb's end
-  std::array<float, 2> body = {};            // the middle of the trunk
+  std::array<float, 2> body = {};            // center of the torso
 };
 
-// Opens a slit in the mask between each limb and the body where the limb lies at the figure's border and the body right beside it, so that
-// the body does not follow the limb. As thick as a limb is from its bones to the border, so thick it is taken for. Limbs that lie before
-// the body, or free of it, stay as they are. Says which limbs it has cut free in figure's notes. Returns how many.
+// Cuts a slit into the mask between the body and each limb at the figure's border, so that the body does not follow
+// the limb. A limb is assumed to be as thick on both sides of its bones as it is towards the border. Limbs in front
+// of the body or separate from it are unchanged. Lists the limbs that were cut free in the figure's notes. Returns
+// their number.
 size_t free_limbs(const std::vector<DrawnLimb>& limbs, Figure* figure);
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `sinew rig PICTURE` would make of a mesh's outline, in the mesh's own units.
+// The result of `sinew rig PICTURE` for a mesh's outline, in the mesh's units.
 #ifndef SINEW_CHARACTER_PICTURE_MESH_DRAWING_HPP
 #define SINEW_CHARACTER_PICTURE_MESH_DRAWING_HPP
 
@@ -13,7 +13,7 @@
 
 namespace sinew {
 
-// Triangles drawn as a picture shows them: x right, y up, z to who looks.
+// Triangles drawn as in a picture: x right, y up, z towards the viewer.
 class MeshDrawing {
  public:
   //   vertices   [V] with an extent along x or y
@@ -23,10 +23,11 @@ class MeshDrawing {
               uint32_t pixels);
 
   Figure figure() const;
-  // picture_mesh() of the figure, in the axes and units of the vertices. Throws Error where too few pixels are covered.
+  // Returns picture_mesh() of the figure, in the axes and units of the vertices. Throws Error if too few pixels are
+  // covered.
   Character round_mesh() const;
-  // The corner that is drawn nearest to a point of the round mesh: of what is seen, or, behind the plane (z < 0), of what is seen from
-  // the other side.
+  // Returns the visible corner nearest to a point of the inflated mesh: from the front, or for points behind the
+  // plane (z < 0) from the back.
   uint32_t corner_at(const Vec3& p) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A picture's character in poses as pictures again: frames, sheets of frames, animated PNG.
+// Rendered poses of a picture's character: frames, sprite sheets, animated PNG.
 #ifndef SINEW_CHARACTER_SPRITES_HPP
 #define SINEW_CHARACTER_SPRITES_HPP
 
@@ -14,14 +14,14 @@
 
 namespace sinew {
 
-// What is seen of the picture's plane, from +z, without perspective.
+// The visible window of the picture plane, from +z, without perspective.
 struct PlaneWindow {
-  float left = 0, top = 0;         // of the window's upper left corner, in the mesh's units; y runs up
-  float pixels = 1;                // a unit
+  float left = 0, top = 0;         // upper left corner of the window, in the mesh's units; y up
+  float pixels = 1;                // pixels per unit
   uint32_t width = 1, height = 1;  // pixels
 };
 
-// A mesh of picture_mesh() in a pose, in the picture's own colours without light, its surroundings transparent. Edges are smoothed.
+// Renders a posed mesh of picture_mesh() with the picture's colors, unlit, antialiased, on a transparent background.
 Pixels draw_in_plane(const PictureFile& picture, const Character& posed, const PlaneWindow& window);
 
 struct SpriteFrame {
@@ -30,26 +30,28 @@ struct SpriteFrame {
   uint32_t milliseconds = 100;
 };
 
-// Throw Error: no frame, frames of several sizes, a build without libpng, a sheet of more than kMostPictureSide a side.
+// The functions below throw Error for no frame, frames of several sizes, a build without libpng, or a sheet with a
+// side above kMostPictureSide.
 std::vector<uint8_t> encode_png(const Pixels& pixels);
-// An animated PNG (https://wiki.mozilla.org/APNG_Specification) that starts again for ever; what knows PNG alone shows its first frame.
+// Encodes an endless animated PNG (https://wiki.mozilla.org/APNG_Specification); programs that know only PNG show its
+// first frame.
 std::vector<uint8_t> encode_loop(const std::vector<SpriteFrame>& frames);
 
 struct SpriteSheet {
   Pixels pixels;     // frames in rows, about as wide as high
-  std::string json;  // where each one lies: the "hash" of TexturePacker and Aseprite, as 2D engines read it
+  std::string json;  // position of each frame, as the JSON "hash" of TexturePacker and Aseprite for 2D engines
 };
-//   image  the file that the sheet is written to, for the JSON
+//   image  file name of the sheet, for the JSON
 SpriteSheet sprite_sheet(const std::vector<SpriteFrame>& frames, const std::string& image);
 
 // Frames of an animated picture, for sprite sheets and loops.
 struct FrameOptions {
-  size_t count = 0;     // of each clip, at equal distances; 0: 15 a second
-  uint32_t side = 512;  // pixels of a frame's longest side, and no more than the picture has for it
+  size_t count = 0;     // frames per clip, at equal intervals; 0: 15 per second
+  uint32_t side = 512;  // pixels of a frame's longest side, at most as many as in the picture
 };
 
-// Every frame of every clip in one window, which goes along where the character does: it stays in its place. A clip that ends as it begins
-// is drawn without its last frame, so that it loops.
+// Renders all frames of all clips in one window that follows the character. A clip whose last frame equals the first
+// is drawn without the last, so that it loops.
 //   character  of `picture`, bound; in any units
 //   motion     of its joints
 //   deformer   null: linear skinning

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much of its volume a bend keeps in a pose: what linear skinning loses at elbows and knees.
+// Volume of a bend in a pose relative to rest, which linear skinning loses at elbows and knees.
 #ifndef SINEW_CHARACTER_BEND_VOLUME_HPP
 #define SINEW_CHARACTER_BEND_VOLUME_HPP
 
@@ -13,17 +13,18 @@
 
 namespace sinew {
 
-// A joint's bend is the surface that moves with it in part: faces with a vertex whose weight for the joint and all below it is
-// between 2 and 98 %, and those around them. Its volume is that within, holes closed by fans. Parts of the bend with less than a
-// fifth of the largest one's volume do not count, and neither does what encloses next to nothing, as a cape's cloth.
+// A joint's bend is the surface that partly moves with it: faces with a vertex whose weight for the joint and its
+// descendants is between 2 and 98 %, and the faces around them. Its volume is the enclosed volume, with holes closed
+// by fans. Parts with less than a fifth of the largest part's volume are ignored, and so are those that enclose
+// almost nothing, such as a cape.
 class BendVolumes {
  public:
-  // Of a character with weights; it may go away. Throws Error for a hierarchy with a cycle.
+  // Takes a character with weights, which need not outlive the object. Throws Error for a hierarchy with a cycle.
   explicit BendVolumes(const Character& character);
 
-  // Volume of the joint's bend over that at rest: 1 where it keeps all.
+  // Returns the volume of the joint's bend divided by that at rest.
   //   positions  [V x 3] of the posed mesh
-  // None where the joint has no bend. What a bend is made of is found when it is first asked for.
+  // Returns nullopt if the joint has no bend. The bend is computed on first use.
   std::optional<double> kept(size_t joint, const std::vector<float>& positions);
 
  private:
@@ -39,7 +40,7 @@ class BendVolumes {
     double rest = 0;  // sum of the parts' sizes
   };
   static double volume(const Part& part, const std::vector<float>& positions);
-  std::vector<bool> moved_by(size_t joint) const;  // [J] itself, and what hangs on it
+  std::vector<bool> moved_by(size_t joint) const;  // [J] the joint and its descendants
   std::vector<Triangle> bend_triangles(size_t joint) const;
   void find_holes(Part* part) const;
   double area(const Part& part) const;
@@ -50,7 +51,7 @@ class BendVolumes {
   std::vector<uint32_t> position_;                  // [V] first vertex there
   std::vector<std::vector<Influence>> influences_;  // [V]
   std::vector<int> parents_;                        // [J]
-  std::map<size_t, Bend> bends_;                    // of joints that were asked for
+  std::map<size_t, Bend> bends_;                    // of joints that were used
 };
 
 }  // namespace sinew

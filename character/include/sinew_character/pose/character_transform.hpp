@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A character as a whole elsewhere: turned by quarters, scaled to a height, put on the floor.
+// Transforms a whole character: rotation by multiples of 90 degrees, scale to a height, and translation to the floor.
 #ifndef SINEW_CHARACTER_CHARACTER_TRANSFORM_HPP
 #define SINEW_CHARACTER_CHARACTER_TRANSFORM_HPP
 
@@ -12,23 +12,25 @@
 
 namespace sinew {
 
-// In this order: turns, height, floor.
+// Applied in this order: turns, height, floor.
 struct CharacterTransform {
   std::vector<std::string>
-      turns;           // quarters about the origin, one after the other: "x", "-x", "y", ...; x brings y to z
-  double height = 0;   // metres along up, 0: as it is
+      turns;  // rotations by 90 degrees about an axis through the origin, in order: "x", "-x", "y", ...; x rotates y to z
+  double height = 0;   // meters along up, 0: unchanged
   bool floor = false;  // the lowest vertex is at 0 along up
 };
 
-// Whether it changes nothing.
+// Returns whether it changes nothing.
 bool is_identity(const CharacterTransform& transform);
 
-// Throws Error for a turn of another name and a height that is none.
+// Throws Error for an unknown rotation and an invalid height.
 void check_transform(const CharacterTransform& transform);
 
-// Mesh, joints and, of a glTF, the whole document, whose animations go along below one node more. Weights stay.
-//   up_axis  the axis that points up then
-// Throws Error for a transform that check_transform() refuses, a height of a mesh that has none, and a document of several scenes.
+// Transforms mesh, joints and, for a glTF, the whole document with its animations by an additional root node. Weights
+// are unchanged.
+//   up_axis  up axis after the rotations
+// Throws Error for a transform that check_transform() rejects, a height for a mesh without extent, and a document
+// with several scenes.
 Character transformed(Character character, const CharacterTransform& transform, Axis up_axis);
 
 }  // namespace sinew

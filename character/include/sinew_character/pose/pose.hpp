@@ -14,24 +14,25 @@
 
 namespace sinew {
 
-// Of a hierarchy that is one: throws Error for a cycle and for a parent that does not exist.
+// Validates a hierarchy. Throws Error for a cycle and for a parent that does not exist.
 JointTree joint_tree(const Character& character);
 
-// One pose: turn joints about their own rest position by XYZ Euler angles in degrees (R = Rz Ry Rx), children follow.
+// One pose: joints rotate about their rest position by XYZ Euler angles in degrees (R = Rz Ry Rx); children follow.
 struct JointRotation {
   size_t joint = 0;
   double x = 0, y = 0, z = 0;
 };
-// Of every joint that has a parent, x, y and z in turn by `degrees`; a rotated root only rotates the whole character.
+// Rotates each joint with a parent by `degrees`, called for x, y and z; a rotated root would only rotate the whole
+// character.
 std::vector<JointRotation> rotate_joints(const Character& character, const std::function<double()>& degrees);
 std::vector<Affine> pose_palette(const Character& character, const std::vector<JointRotation>& rotations);
-// Skins with linear blend (or dual quaternions) through the engine's C API: weights as unorm16, the 12 strongest of a
-// row, rows without weight stay where they are. Returns the character with moved vertices and joints; its corner
-// normals and glTF source are dropped, since they describe the rest pose. Throws Error for missing weights or a joint
-// that does not exist.
+// Skins a character by linear blending (or dual quaternions) in the engine: unorm16 weights, the 12 strongest of a
+// row; vertices without weight do not move. Returns the character with moved vertices and joints, without corner
+// normals and glTF source, which describe the rest pose. Throws Error for missing weights or a joint that does not
+// exist.
 Character apply_pose(const Character& character, const std::vector<Affine>& palette, bool dual_quaternion = false);
 
-// The 12 strongest influences of a row as unorm16 with sum 65535; a row without weight has sum 0.
+// Returns the 12 strongest influences of a row as unorm16 with sum 65535; a row without weight has sum 0.
 struct SkinArrays {
   std::vector<float> positions;           // [V x 3]
   std::vector<uint16_t> joints, weights;  // [V x influences]
@@ -40,10 +41,10 @@ struct SkinArrays {
 
 // Throws Error for missing weights or a joint that does not exist.
 SkinArrays skin_arrays(const Character& character);
-// [J x 12]. Throws Error where there is not one matrix a joint.
+// Returns [J x 12]. Throws Error unless there is one matrix per joint.
 std::vector<float> palette_array(const Character& character, const std::vector<Affine>& palette);
-// The character with its vertices at `positions` [V x 3] and its joints moved by the palette; what belongs to the rest pose alone,
-// corner normals and the glTF source, is dropped.
+// Returns the character with its vertices at `positions` [V x 3] and its joints moved by the palette, without corner
+// normals and glTF source, which belong to the rest pose.
 Character posed_character(const Character& character, const std::vector<Affine>& palette,
                           const std::vector<float>& positions);
 

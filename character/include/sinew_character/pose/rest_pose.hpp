@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A bound character put into another rest pose: arms out, legs down, or as the skeleton of another file stands.
+// Changes the rest pose of a bound character: arms out and legs down, or the pose of another file's skeleton.
 #ifndef SINEW_CHARACTER_REST_POSE_HPP
 #define SINEW_CHARACTER_REST_POSE_HPP
 
@@ -13,29 +13,31 @@
 
 namespace sinew {
 
-// Where bones shall point.
+// Directions of bones.
 struct RestPose {
   enum class Kind : uint8_t {
-    kT,    // arms along the shoulders' line, legs down
+    kT,    // arms along the line of the shoulders, legs down
     kA,    // the same with arms 45 degrees lower
-    kLike  // every limb as its like in `like`
+    kLike  // each limb like the matching limb in `like`
   };
   Kind kind = Kind::kT;
-  LabelledSkeleton like;
-  std::string name;  // what the user called it, for messages
+  LabeledSkeleton like;
+  std::string name;  // name given by the user, for messages
 };
 
-// "t", "a", or a file with a skeleton. Throws Error.
+// Parses "t", "a", or a file with a skeleton. Throws Error.
 RestPose read_rest_pose(const std::string& text);
 
-// The turns that bring a skeleton there: skinning matrices [J], rest to posed. Each bone of an arm or leg turns the shortest way, feet keep
-// their slope and point to the front, a trunk that leans by more than 10 degrees is put upright, and all else goes with its parent; hips
-// stay where they are. Of kLike, limbs without a like go with their parent.
-// Throws Error where sides are not told by names, or kT or kA find no arms: four-legged characters have their stance from a file.
-std::vector<Affine> rest_pose_palette(const LabelledSkeleton& skeleton, const RestPose& pose, Axis up_axis);
+// Returns skinning matrices [J], rest to posed, that bring a skeleton into the pose. Bones of arms and legs rotate
+// along the shortest arc, feet keep their slope and point to the front, a torso that leans by more than 10 degrees is
+// set upright, and other joints follow their parents; hips keep their position. With kLike, limbs without a match
+// follow their parent. Throws Error if names do not give sides, or if kT or kA find no arms: four-legged characters
+// need a file.
+std::vector<Affine> rest_pose_palette(const LabeledSkeleton& skeleton, const RestPose& pose, Axis up_axis);
 
-// The mesh follows by the deformation that keeps volume; weights stay, the lowest vertex is as high as it was, and a
-// document of glTF keeps its materials, normals and shapes. Throws Error for a character without weights.
+// Puts a character into the pose. The mesh follows by the volume-preserving deformation; weights and the height of
+// the lowest vertex are unchanged, and a glTF document keeps its materials, normals and shapes. Throws Error for a
+// character without weights.
 Character in_rest_pose(const Character& character, const RestPose& pose, Axis up_axis);
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A skeleton of the user's own put where another one is: into a mesh for which a skeleton was predicted.
+// Fits the user's own skeleton to another one, usually the predicted skeleton of a mesh.
 #ifndef SINEW_CHARACTER_FIT_SKELETON_HPP
 #define SINEW_CHARACTER_FIT_SKELETON_HPP
 
@@ -13,10 +13,10 @@
 
 namespace sinew {
 
-// The class of a joint that belongs to its parent: a finger, a part of the face, a twist bone, a control.
+// Class of a joint that is a detail of its parent: a finger, a part of the face, a twist bone, a control.
 constexpr uint8_t kClassDetail = 255;
 
-struct LabelledSkeleton {
+struct LabeledSkeleton {
   std::vector<Joint> joints;     // any order
   std::vector<uint8_t> classes;  // [J] sinew_joint_class or kClassDetail; a bone end's is its joint's
   std::vector<uint8_t> ends;     // [J] 1 for a bone end
@@ -24,16 +24,16 @@ struct LabelledSkeleton {
 
 struct FitOptions {
   Axis up_axis = Axis::kY;
-  bool keep_lengths = false;  // bones are turned and all scaled alike
+  bool keep_lengths = false;  // bones are rotated and all scaled by one factor
   std::optional<float>
-      floor;  // lowest point of the mesh, for roots on the floor; nullopt: as low below the feet as they were
+      floor;  // lowest point of the mesh, for roots on the floor; nullopt: unchanged distance below the feet
 };
 
-// How a joint came to its position.
+// How the position of a joint was found.
 enum class FitHow : uint8_t {
-  kMatched,  // a joint of the other skeleton is there
-  kBetween,  // between two of those, along the other's chain
-  kCarried   // with the bone that it hangs on
+  kMatched,  // position of a joint of the other skeleton
+  kBetween,  // between two of those, along the chain of the other skeleton
+  kCarried   // moved with its parent bone
 };
 
 struct FittedSkeleton {
@@ -41,24 +41,24 @@ struct FittedSkeleton {
   std::vector<FitHow> how;    // [J]
   size_t matched = 0;         // joints with kMatched
   size_t matchable = 0;       // joints that are neither details nor bone ends: most of them should match
-  double scale = 1;           // of the whole, for people
-  bool symmetric = false;     // both skeletons are their own mirror images, and so is the result, exactly
+  double scale = 1;           // of the whole, for reports
+  bool symmetric = false;     // both skeletons and the result are symmetric, exactly
 };
 
-// Joints are matched by class and side and in the order of their chains: trunk, arms, legs, tails, wings, ears, hair. A
-// chain's joints between two that match lie on the other's chain at the same share of its length, so that chains of any
-// counts fit. All others are carried by their bone: turned with it and scaled with its length. A root on the floor stays
-// under the pelvis and on the floor. `mine` may be of any size, turned about the up axis by quarters, or have y up where
-// the other has z. A skeleton fitted to itself, moved or scaled, stays exactly itself up to rounding.
-// Throws Error when `mine` has no joints, forms a cycle, or fewer than two joints match.
-FittedSkeleton fit_skeleton(const LabelledSkeleton& mine, const LabelledSkeleton& other, const FitOptions& options);
+// Joints are matched by class and side in the order of their chains: torso, arms, legs, tails, wings, ears, hair.
+// Joints between two matched ones are placed on the other's chain at the same share of its length, so that chains may
+// have any number of joints. All other joints follow their bone: rotated with it and scaled with its length. A root
+// on the floor stays under the pelvis and on the floor. `mine` may have any size, any rotation by multiples of 90
+// degrees about the up axis, or y up where the other has z up. A skeleton fitted to itself, moved or scaled, is
+// unchanged up to rounding. Throws Error if `mine` has no joints or a cycle, or if fewer than two joints match.
+FittedSkeleton fit_skeleton(const LabeledSkeleton& mine, const LabeledSkeleton& other, const FitOptions& options);
 
-// By names: joint_verdicts(); controls, slots, fingers and faces are details. Leaves
-// called ends or tips are bone ends.
-LabelledSkeleton label_skeleton(const std::vector<Joint>& joints);
-LabelledSkeleton label_skeleton(const PredictedSkeleton& skeleton);
+// Classifies joints by joint_verdicts(); controls, slots, fingers and faces are details. Leaves called ends or tips
+// are bone ends.
+LabeledSkeleton label_skeleton(const std::vector<Joint>& joints);
+LabeledSkeleton label_skeleton(const PredictedSkeleton& skeleton);
 
-// A file's skeleton in the place of a predicted one: parents first, partners where it is its own mirror image, confidence
+// Converts a file's skeleton to the form of a predicted one: parents first, partners if it is symmetric, confidence
 // 1. Throws Error for a skeleton without joints or with a cycle.
 PredictedSkeleton skeleton_from_joints(const std::vector<Joint>& joints);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Skeletons with the names and the hierarchy of well-known conventions, at plausible positions: for fit_skeleton().
+// Skeletons with the names and hierarchy of well-known conventions, at plausible positions, for fit_skeleton().
 #ifndef SINEW_CHARACTER_SKELETON_TEMPLATE_HPP
 #define SINEW_CHARACTER_SKELETON_TEMPLATE_HPP
 
@@ -16,15 +16,15 @@ struct TemplateInfo {
 };
 std::vector<TemplateInfo> skeleton_templates();
 
-// Parents first, y up, facing +z, left at +x, 1.8 high or as the kind is; both sides are mirror images of each other. Throws
-// Error with the names there are.
+// Returns a template: parents first, y up, facing +z, left at +x, 1.8 high or a typical height; the sides are
+// mirrored. Throws Error that lists the names.
 std::vector<Joint> skeleton_template(const std::string& name);
 
-// The files of templates/ as they were when the library was built.
+// The files of templates/, embedded at build time.
 struct TemplateText {
   const char *name, *text;
 };
-const TemplateText* template_texts();  // by name; a null name ends them
+const TemplateText* template_texts();  // by name; terminated by a null name
 
 }  // namespace sinew
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clips without their character: BVH as the character's joints are, VRMA on the humanoid bones that every VRM has.
+// Clips without their character: BVH with the character's joints, VRMA with the humanoid bones of VRM.
 #ifndef SINEW_CHARACTER_VRM_CLIPS_HPP
 #define SINEW_CHARACTER_VRM_CLIPS_HPP
 
@@ -10,12 +10,12 @@
 
 namespace sinew {
 
-// The motion of a character's humanoid bones against a T pose, y up and facing +z, hips alone moving, as VRMC_vrm_animation wants it. Joints are
-// called as VRM's bones; what is none of them goes with the bone above it.
-// Throws Error for a body that lacks bones that a VRM must have, and one without arms that could be stretched.
+// Returns the motion of a character's humanoid bones relative to a T pose, y up and facing +z, with translations of
+// the hips only, as in VRMC_vrm_animation. Joints have the names of VRM bones; other joints are merged into their
+// ancestors. Throws Error for a body without the required bones of a VRM, or without arms for a T pose.
 Motion humanoid_motion(const Character& character, const Motion& motion);
 
-// All clips as .vrma, or the one clip as .bvh. Throws Error.
+// Writes all clips as .vrma, or the only clip as .bvh. Throws Error.
 void write_clips(const std::string& path, const Character& character, const Motion& motion);
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mesh's surface: which vertices lie at one position and beside each other, and how much of it moves with each joint.
+// A mesh's surface: vertices at equal positions, neighbors, and the area that moves with each joint.
 #ifndef SINEW_CHARACTER_RIG_MESH_SURFACE_HPP
 #define SINEW_CHARACTER_RIG_MESH_SURFACE_HPP
 
@@ -13,7 +13,7 @@
 
 namespace sinew {
 
-// Sets of vertices that are joined, each known by its least member.
+// Disjoint sets of vertices, each identified by its smallest member.
 class VertexGroups {
  public:
   explicit VertexGroups(size_t count) : of_(count) { std::iota(of_.begin(), of_.end(), 0u); }
@@ -30,43 +30,44 @@ class VertexGroups {
   std::vector<uint32_t> of_;
 };
 
-// [V] the first vertex with the same position: meshes are cut at seams of normals and textures, surfaces are not.
+// Returns [V] the first vertex with the same position: meshes are split at seams of normals and textures, surfaces
+// are not.
 std::vector<uint32_t> first_at_position(const Character& character);
-// [V] one-rings over what first_at_position() gave, so that seams and split vertices do not cut the surface: neighbours along edges, each
-// once, ascending; empty for vertices that are not the first at their position.
+// Returns [V] one-rings over the result of first_at_position(), so that split vertices do not cut the surface: unique
+// neighbors along edges, ascending; empty for vertices that are not the first at their position.
 std::vector<std::vector<uint32_t>> welded_rings(const Character& character, const std::vector<uint32_t>& first);
 
-// [V] the vertices at the other end of an edge, once for each face that has it; and of two vertices at one position each has the
-// other, so that walks go on across seams.
-std::vector<std::vector<uint32_t>> neighbours_of(const Character& character);
+// Returns [V] the vertices at the other end of each edge, once per face with that edge, and the other vertices at the
+// same position, so that walks continue across split vertices.
+std::vector<std::vector<uint32_t>> neighbors_of(const Character& character);
 
-// Pieces of a surface that hang together over first_at_position().
+// Connected pieces of a surface over first_at_position().
 struct MeshParts {
-  std::vector<uint32_t> part;  // [V] by their first vertices
+  std::vector<uint32_t> part;  // [V] identified by their first vertices
   size_t count = 0;
 };
 MeshParts connected_parts(const Character& character);
 
-// Some vertices of a mesh with their faces, joints and weights, as a Character of its own.
+// Some vertices of a mesh with their faces, joints and weights, as a separate Character.
 struct MeshPart {
   Character character;
   std::vector<size_t> vertices;  // [part's V] -> the whole's
 };
-// Without some vertices, and without the faces that have one of those.
-//   left_out  [V] 1 for those
+// Returns the mesh without some vertices and their faces.
+//   left_out  [V] 1: removed
 MeshPart part_without(const Character& whole, const std::vector<uint8_t>& left_out);
 
-// Faces cut into triangles from their first corners: numbers of vertices.
+// Triangulates faces as fans from their first corners: vertex indices.
 std::vector<std::array<uint32_t, 3>> fan_triangles(const Character& character);
 
-// The surface that moves with each joint: how much of it, and where its middle is.
+// The surface that moves with each joint: share and centroid.
 struct JointSurfaces {
   std::vector<float> shares;     // [J] of the whole
-  std::vector<float> centroids;  // [J x 3] the joint's position where nothing moves with it
+  std::vector<float> centroids;  // [J x 3] the joint's position if nothing moves with it
 };
 
-// Vertices are the samples, each as large as a third of the triangles around it; all alike where there is no surface, as in a
-// rig.txt without its mesh. Empty without weights.
+// Uses vertices as samples, each with a third of the area of the triangles around it, or equal areas without a
+// surface, as in a rig.txt without its mesh. Empty without weights.
 JointSurfaces joint_surfaces(const Character& character);
 
 }  // namespace sinew

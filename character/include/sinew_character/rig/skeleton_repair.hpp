@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Skeletons that came without a hierarchy, in other units or beside the mesh.
+// Repairs skeletons without a hierarchy, in other units or beside the mesh.
 #ifndef SINEW_CHARACTER_SKELETON_REPAIR_HPP
 #define SINEW_CHARACTER_SKELETON_REPAIR_HPP
 
@@ -12,19 +12,19 @@
 
 namespace sinew {
 
-// Gives joints without a parent one when most have none: along the shortest tree that joins all joints, in which joints
-// that are numbered in a row or lie on the same side of the body are closer. Returns how many got one (0: nothing to do).
-// Writers take the joints of a file with parents that it did not have as its own.
+// If most joints have no parent, assigns parents along the minimum spanning tree, in which consecutive joints and
+// joints on the same side of the body are closer. Returns the number of new parents. Writers treat the repaired
+// joints as those of the file.
 size_t infer_parents(std::vector<Joint>* joints);
 
-// What would bring a skeleton into its mesh: p -> turn (scale p) + shift, in the mesh's units.
+// The transform that brings a skeleton into its mesh: p -> rotation (scale p) + shift, in the mesh's units.
 struct SkeletonFit {
   double scale = 1;
   std::array<double, 9> rotation = {1, 0, 0, 0, 1, 0, 0, 0, 1};  // row-major
   Vec3 shift;
   std::string what;  // "the skeleton is 100 times as large as the mesh", for the user
 };
-// nullopt when the joints lie in the mesh as they should, or when no fit brings most of them there.
+// Returns nullopt if the joints are in the mesh, or if no transform brings most of them there.
 std::optional<SkeletonFit> find_skeleton_fit(const Character& character);
 void apply_skeleton_fit(const SkeletonFit& fit, std::vector<Joint>* joints);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spheres and capsules that stand for a body, fitted to the skin that its joints move.
+// Fits spheres and capsules to the skin of a body as colliders.
 #ifndef SINEW_CHARACTER_FIT_COLLIDERS_HPP
 #define SINEW_CHARACTER_FIT_COLLIDERS_HPP
 
@@ -16,13 +16,13 @@ struct BodyColliders {
   std::vector<double> errors;  // [colliders] mean distance of the skin from the shape, as a share of its radius
 };
 
-// One shape for head, neck, chest, belly, hips and each half of arms and legs, and for hands; kMostColliders at most. Joints of `chains` and
-// what hangs on them belong to no part.
+// Fits one shape each to head, neck, chest, belly, hips, hands, and each half of arms and legs; at most
+// kMostColliders. Joints of `chains` and their descendants are excluded.
 BodyColliders fit_colliders(const Character& character, const std::vector<FoundChain>& chains);
 
-// Gives every chain that is kept and has no colliders of its own those within its reach, as one group each; what no chain reaches is
-// left out. A chain that starts inside of a shape gets a smaller hit radius, else the shape becomes smaller by a quarter at most, else
-// the chain does not get it: at rest nothing is pushed.
+// Gives each kept chain without own colliders those within its reach, as one group; colliders that no chain reaches
+// are left out. If a chain starts inside a shape, its hit radius is reduced, else the shape by at most a quarter,
+// else the chain does not get it: at rest nothing is pushed.
 void assign_colliders(const Character& character, const BodyColliders& body, std::vector<FoundChain>* chains,
                       Springs* springs, std::vector<double>* errors);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Springs played behind a clip, into it.
+// Simulates springs in a clip.
 #ifndef SINEW_CHARACTER_PLAY_SPRINGS_HPP
 #define SINEW_CHARACTER_PLAY_SPRINGS_HPP
 
@@ -9,17 +9,16 @@
 namespace sinew {
 
 struct SpringPlay {
-  bool loops = false;  // its last frame's pose is its first one's
-  double gap =
-      0;  // of a loop: the largest angle between a chain's joint after the last frame and before the first, degrees
-  size_t passes = 1;  // until it closed
-  size_t joints = 0;  // that turn
+  bool loops = false;  // the poses of its first and last frames are equal
+  double gap = 0;      // of a loop: largest angle of a chain's joint between the end and the start, degrees
+  size_t passes = 1;   // number of passes until it closed
+  size_t joints = 0;   // number of joints that rotate
 };
 
-// Turns the chains' joints in all frames of a clip, by sinew/springs.h. A clip whose last pose is its first one is played until its chains'
-// state before the first frame is that after the last, eight times at most; where the root travels, it travels on. Another clip begins at rest in
-// its first pose.
-//   motion  of the joints that `springs` are of, clip of the motion
+// Rotates the chains' joints in all frames of a clip, by sinew/springs.h. A clip whose first and last poses are equal
+// is repeated until the state of its chains closes, at most eight times, with continued travel of the root. Other
+// clips begin at rest in their first pose.
+//   motion  motion of the joints of `springs`, clip of the motion
 // Throws Error.
 SpringPlay play_springs(const Springs& springs, const Motion& motion, Clip* clip);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Springs of a character's joints, one frame after another: the engine's, with a joint more for the end of each chain.
+// Simulates springs of a character's joints frame by frame in the engine, with an additional joint for the end of
+// each chain.
 #ifndef SINEW_CHARACTER_SPRING_PLAYER_HPP
 #define SINEW_CHARACTER_SPRING_PLAYER_HPP
 
@@ -14,13 +15,14 @@ namespace sinew {
 
 class SpringPlayer {
  public:
-  // motion  whose joints `springs` are of; its clips are not looked at
-  // Throws Error where there are no chains or the engine refuses them.
+  // motion  has the joints of `springs`; its clips are ignored
+  // Throws Error if there are no chains or the engine rejects them.
   SpringPlayer(const Springs& springs, const Motion& motion);
 
-  // Turns the chains' joints of the next frame of a motion, `seconds` after the one before, see sinew_springs_frame(). Throws Error.
+  // Rotates the chains' joints in the next frame of a motion, `seconds` after the last one, see
+  // sinew_springs_frame(). Throws Error.
   void frame(double seconds, MotionFrame* pose);
-  // Joints that frame() turns.
+  // Number of joints that frame() rotates.
   const std::vector<size_t>& joints() const { return turning_; }
 
  private:
@@ -39,7 +41,7 @@ class SpringPlayer {
   std::vector<sinew_spring_collider> colliders_;
   std::vector<uint32_t> chain_colliders_;
   std::vector<size_t> turning_;
-  std::vector<Point3> ends_;  // of chains, behind the motion's joints
+  std::vector<Point3> ends_;  // of chains, after the motion's joints
   std::vector<float> rotations_, translations_;
   SpringSystem springs_;
 };

@@ -70,7 +70,7 @@ uint32_t Delaunay::insert(int64_t x, int64_t y) {
       }
     }
   }
-  // A neighbour that joined the hole after its edge was seen is no rim.
+  // A neighbor that joined the hole after its edge was seen is no rim.
   std::erase_if(rim, [&](const Rim& r) { return r.beyond != kNone && !all_[static_cast<size_t>(r.beyond)].alive; });
   for (const size_t gone : hole) free_.push_back(static_cast<int32_t>(gone));
   std::vector<int32_t> made;

@@ -137,7 +137,7 @@ void close_slits(const Figure& figure, const PicturePlane& plane, Character* mes
   }
 }
 
-std::vector<std::array<uint8_t, 3>> picture_colours(const PictureFile& picture, const Character& mesh) {
+std::vector<std::array<uint8_t, 3>> picture_colors(const PictureFile& picture, const Character& mesh) {
   std::vector<std::array<uint8_t, 3>> out(mesh.vertices.size(), std::array<uint8_t, 3>{});
   const Pixels& pixels = picture.pixels;
   for (size_t c = 0; c < mesh.face_vertices.size(); ++c) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the background of a picture looks like: a smooth colour with ruled lines, or a few flat ones.
+// What the background of a picture looks like: a smooth color with ruled lines, or a few flat ones.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -46,8 +46,8 @@ float value_at(std::vector<float> values, double share) {
   return *at;
 }
 
-// A colour that leaves no smooth surface by more than this in 4 of 5 samples is one of several.
-constexpr float kOneColour = 9;
+// A color that leaves no smooth surface by more than this in 4 of 5 samples is one of several.
+constexpr float kOneColor = 9;
 constexpr float kFlatTolerance = 9;
 constexpr float kLeastTolerance = 5, kMostTolerance = 14;
 
@@ -55,28 +55,28 @@ constexpr float kLeastTolerance = 5, kMostTolerance = 14;
 
 float length(const Lab& d) { return std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]); }
 
-Background::Background(const Grid<Lab>& colours, const std::vector<uint32_t>& samples)
-    : width_(colours.width), height_(colours.height), rows_(colours.height), columns_(colours.width) {
-  fit_surface(colours, samples);
-  fit_lines(colours, samples);
+Background::Background(const Grid<Lab>& colors, const std::vector<uint32_t>& samples)
+    : width_(colors.width), height_(colors.height), rows_(colors.height), columns_(colors.width) {
+  fit_surface(colors, samples);
+  fit_lines(colors, samples);
   std::vector<float> off_by, of_light;
   for (size_t k = 0; k < samples.size(); k += std::max<size_t>(1, samples.size() / 50000)) {
     const uint32_t i = samples[k];
-    const Lab d = off(i % width_, i / width_, colours.values[i]);
+    const Lab d = off(i % width_, i / width_, colors.values[i]);
     off_by.push_back(length(d));
     of_light.push_back(std::abs(d[0]));
   }
   noise_ = 1.48f * middle_of(&of_light);
   tolerance_ = std::clamp(2 + 1.3f * value_at(off_by, 0.9), kLeastTolerance, kMostTolerance);
-  if (value_at(off_by, 0.8) > kOneColour) fit_flats(colours, samples);
+  if (value_at(off_by, 0.8) > kOneColor) fit_flats(colors, samples);
 }
 
 // Robust: a sample counts the less the farther off it was the last time (Cauchy's weights).
-void Background::fit_surface(const Grid<Lab>& colours, const std::vector<uint32_t>& samples) {
+void Background::fit_surface(const Grid<Lab>& colors, const std::vector<uint32_t>& samples) {
   const size_t stride = std::max<size_t>(1, samples.size() / 20000);
   for (size_t c = 0; c < 3; ++c) {
     std::vector<float> values;
-    for (size_t k = 0; k < samples.size(); k += stride) values.push_back(colours.values[samples[k]][c]);
+    for (size_t k = 0; k < samples.size(); k += stride) values.push_back(colors.values[samples[k]][c]);
     surface_[c] = {static_cast<double>(middle_of(&values)), 0, 0, 0, 0, 0};
   }
   for (int round = 0; round < 6; ++round) {
@@ -84,16 +84,16 @@ void Background::fit_surface(const Grid<Lab>& colours, const std::vector<uint32_
     const double scale = round < 3 ? 6 : 3;
     for (size_t k = 0; k < samples.size(); k += stride) {
       const uint32_t x = samples[k] % width_, y = samples[k] / width_;
-      const Lab& colour = colours.values[samples[k]];
+      const Lab& color = colors.values[samples[k]];
       const Lab expected = surface_at(x, y);
       const double d =
-          static_cast<double>(length({colour[0] - expected[0], colour[1] - expected[1], colour[2] - expected[2]}));
+          static_cast<double>(length({color[0] - expected[0], color[1] - expected[1], color[2] - expected[2]}));
       const double weight = 1 / (1 + d * d / (scale * scale));
       const Basis b = basis_at(double{1} * x / width_, double{1} * y / height_);
       for (size_t c = 0; c < 3; ++c)
         for (size_t i = 0; i < 6; ++i) {
           for (size_t j = 0; j < 6; ++j) sums[c][i][j] += weight * b[i] * b[j];
-          sums[c][i][6] += weight * b[i] * static_cast<double>(colour[c]);
+          sums[c][i][6] += weight * b[i] * static_cast<double>(color[c]);
         }
     }
     for (size_t c = 0; c < 3; ++c) surface_[c] = solved(sums[c]);
@@ -101,7 +101,7 @@ void Background::fit_surface(const Grid<Lab>& colours, const std::vector<uint32_
 }
 
 // A row that is off by the same on both sides of the picture has a line; so has a column.
-void Background::fit_lines(const Grid<Lab>& colours, const std::vector<uint32_t>& samples) {
+void Background::fit_lines(const Grid<Lab>& colors, const std::vector<uint32_t>& samples) {
   constexpr size_t kLeastSamples = 4;
   constexpr float kLeastLine = 2.5f;
   for (const bool rows : {true, false}) {
@@ -118,7 +118,7 @@ void Background::fit_lines(const Grid<Lab>& colours, const std::vector<uint32_t>
         for (const uint32_t i : of[line]) {
           const uint32_t x = i % width_, y = i / width_;
           if (((rows ? x : y) * 2 >= across) != (half == 1)) continue;
-          const Lab d = off(x, y, colours.values[i]);
+          const Lab d = off(x, y, colors.values[i]);
           for (size_t c = 0; c < 3; ++c) values[c].push_back(d[c]);
         }
         both = values[0].size() >= kLeastSamples;
@@ -135,8 +135,8 @@ void Background::fit_lines(const Grid<Lab>& colours, const std::vector<uint32_t>
   }
 }
 
-// The commonest colours of the samples, in cells of 6 units, each with its neighbours taken away.
-void Background::fit_flats(const Grid<Lab>& colours, const std::vector<uint32_t>& samples) {
+// The commonest colors of the samples, in cells of 6 units, each with its neighbors taken away.
+void Background::fit_flats(const Grid<Lab>& colors, const std::vector<uint32_t>& samples) {
   constexpr float kCell = 6;
   constexpr size_t kMostFlats = 8;
   struct Cell {
@@ -145,12 +145,12 @@ void Background::fit_flats(const Grid<Lab>& colours, const std::vector<uint32_t>
   };
   std::map<std::array<int, 3>, Cell> cells;
   for (const uint32_t i : samples) {
-    const Lab& colour = colours.values[i];
+    const Lab& color = colors.values[i];
     std::array<int, 3> key{};
-    for (size_t c = 0; c < 3; ++c) key[c] = static_cast<int>(std::floor(colour[c] / kCell));
+    for (size_t c = 0; c < 3; ++c) key[c] = static_cast<int>(std::floor(color[c] / kCell));
     Cell& cell = cells[key];
     ++cell.count;
-    for (size_t c = 0; c < 3; ++c) cell.sum[c] += static_cast<double>(colour[c]);
+    for (size_t c = 0; c < 3; ++c) cell.sum[c] += static_cast<double>(color[c]);
   }
   while (flats_.size() < kMostFlats) {
     const Cell* best = nullptr;
@@ -180,17 +180,17 @@ Lab Background::surface_at(uint32_t x, uint32_t y) const {
   return out;
 }
 
-Lab Background::off(uint32_t x, uint32_t y, const Lab& colour) const {
+Lab Background::off(uint32_t x, uint32_t y, const Lab& color) const {
   if (flats_.empty()) {
     const Lab from = surface_at(x, y);
     Lab out{};
-    for (size_t c = 0; c < 3; ++c) out[c] = colour[c] - from[c] - rows_[y][c] - columns_[x][c];
+    for (size_t c = 0; c < 3; ++c) out[c] = color[c] - from[c] - rows_[y][c] - columns_[x][c];
     return out;
   }
   Lab best{};
   float least = 1e30f;
   for (const Lab& flat : flats_) {
-    const Lab d = {colour[0] - flat[0], colour[1] - flat[1], colour[2] - flat[2]};
+    const Lab d = {color[0] - flat[0], color[1] - flat[1], color[2] - flat[2]};
     if (const float l = length(d); l < least) least = l, best = d;
   }
   return best;

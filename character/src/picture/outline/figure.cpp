@@ -40,13 +40,13 @@ Figure figure_from(const std::string& name, const Mask& mask, const FigureOption
   out.source = source;
   if (out.count > 1 && options.number == 0)
     out.notes.push_back("there are " + std::to_string(out.count) + " figures in the picture; the largest, number " +
-                        std::to_string(out.number) + " from the left, was taken (--figure N takes another)");
+                        std::to_string(out.number) + " from the left, was taken (choose another with --figure N)");
   return out;
 }
 
-Figure figure_on(const std::string& name, const Grid<Lab>& colours, const Mask& domain, const FigureOptions& options,
+Figure figure_on(const std::string& name, const Grid<Lab>& colors, const Mask& domain, const FigureOptions& options,
                  uint32_t step) {
-  const Foreground found = find_foreground(colours, domain);
+  const Foreground found = find_foreground(colors, domain);
   Figure out = figure_from(name, found.mask, options, step, FigureSource::kBackground);
   if (!found.drawn && !fill_outline(found, domain, &out.mask)) open_holes(found.likeness, &out.mask);
   return out;
@@ -59,11 +59,11 @@ Figure figure_in(const std::string& name, const Reduced& reduced, const FigureOp
     for (size_t i = 0; i < mask.inside.size(); ++i) mask.inside[i] = reduced.alpha.values[i] >= kOpaque ? 1 : 0;
     return figure_from(name, mask, options, step, FigureSource::kAlpha);
   }
-  Figure out = figure_on(name, reduced.colours, empty_mask(width, height, 1), options, step);
+  Figure out = figure_on(name, reduced.colors, empty_mask(width, height, 1), options, step);
   if (const std::optional<Mask> sheet = sheet_of(out.mask)) {
     try {
-      Figure on_sheet = figure_on(name, reduced.colours, *sheet, options, step);
-      on_sheet.notes.push_back("the picture shows a sheet of paper; the figure on it was taken, as a guess");
+      Figure on_sheet = figure_on(name, reduced.colors, *sheet, options, step);
+      on_sheet.notes.push_back("the picture shows a sheet of paper, so the figure on it was taken, a guess");
       return on_sheet;
     } catch (const OutOfMemory&) {
       throw;
@@ -80,7 +80,7 @@ Figure find_figure(const PictureFile& picture, const FigureOptions& options) {
   const uint32_t step = picture::step_of(picture.pixels);
   const picture::Reduced reduced = picture::reduce(picture.pixels, step);
   Figure out = picture::figure_in(picture.name, reduced, options, step);
-  if (options.cut) picture::cut_inner_lines(reduced.colours, &out);
+  if (options.cut) picture::cut_inner_lines(reduced.colors, &out);
   return out;
 }
 
@@ -91,7 +91,7 @@ Figure figure_of_mask(const PictureFile& picture, const PictureFile& mask, const
   const double shape = double{1} * picture.pixels.width / picture.pixels.height,
                mask_shape = double{1} * mask.pixels.width / mask.pixels.height;
   if (shape > 1.02 * mask_shape || mask_shape > 1.02 * shape)
-    throw Error(mask.name + ": expected a mask of the shape of its picture, " + std::to_string(picture.pixels.width) +
+    throw Error(mask.name + ": expected a mask with the size of its picture, " + std::to_string(picture.pixels.width) +
                 " x " + std::to_string(picture.pixels.height) + ", found " + std::to_string(mask.pixels.width) + " x " +
                 std::to_string(mask.pixels.height));
   Mask inside = empty_mask(width, height);
@@ -103,7 +103,7 @@ Figure figure_of_mask(const PictureFile& picture, const PictureFile& mask, const
       inside.inside[size_t{y} * width + x] = p[0] + p[1] + p[2] > 3 * 127 && p[3] >= kOpaque ? 1 : 0;
     }
   Figure out = figure_from(mask.name, inside, options, step, FigureSource::kMask);
-  if (options.cut) cut_inner_lines(reduce(picture.pixels, step).colours, &out);
+  if (options.cut) cut_inner_lines(reduce(picture.pixels, step).colors, &out);
   return out;
 }
 
@@ -123,10 +123,10 @@ void check_lines(const PictureFile& picture, const Outline& outline) {
   for (size_t l = 0; l < outline.size(); ++l) {
     if (outline[l].size() < 3)
       throw Error(picture.name + ": line " + std::to_string(l) +
-                  " of the outline: expected three places or more, found " + std::to_string(outline[l].size()));
+                  " of the outline: expected at least three positions, found " + std::to_string(outline[l].size()));
     for (const auto& point : outline[l])
       if (!std::isfinite(point[0]) || !std::isfinite(point[1]))
-        throw Error(picture.name + ": line " + std::to_string(l) + " of the outline: a place is not finite");
+        throw Error(picture.name + ": line " + std::to_string(l) + " of the outline: a position is not finite");
   }
 }
 
@@ -181,7 +181,7 @@ Figure figure_of_outline(const PictureFile& picture, const Outline& outline, con
   out.mask = std::move(chosen.mask);
   out.count = chosen.count;
   out.number = chosen.number;
-  if (options.cut) picture::cut_inner_lines(picture::reduce(picture.pixels, out.step).colours, &out);
+  if (options.cut) picture::cut_inner_lines(picture::reduce(picture.pixels, out.step).colors, &out);
   return out;
 }
 

@@ -56,24 +56,23 @@ ChosenPart choose_part(const std::string& name, const Mask& mask, uint32_t numbe
       std::max_element(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.pixels < b.pixels; });
   const std::string cure = "; draw the figure on a plain background, or give its outline with --mask";
   if (largest == parts.end() || largest->pixels == 0)
-    throw Error(name + ": no figure found: nothing stands out from the border of the picture" + cure);
+    throw Error(name + ": no figure found: nothing differs from the border of the picture" + cure);
   const size_t all = size_t{mask.width} * mask.height;
   if (largest->pixels * 400 < all && static_cast<float>(largest->side()) < 0.15f * largest_side)
-    throw Error(name + ": no figure found: the largest thing is " + std::to_string(largest->side()) + " pixels long" +
+    throw Error(name + ": no figure found: the largest object is " + std::to_string(largest->side()) + " pixels long" +
                 cure);
   if (largest->pixels < 64) throw Error(name + ": no figure found: too few pixels" + cure);
-  if (largest->pixels * 50 > all * 49)
-    throw Error(name + ": no figure found: all of the picture is one, without a background" + cure);
+  if (largest->pixels * 50 > all * 49) throw Error(name + ": no figure found: the picture has no background" + cure);
   std::vector<Part> figures;
   for (const Part& part : parts)
     if (part.pixels * kFigureShare >= largest->pixels) figures.push_back(part);
   if (figures.size() > kMostFigures)
     throw Error(name + ": no figure found: " + std::to_string(figures.size()) +
-                " things of about one size, as letters of a text are" + cure);
+                " objects of similar size, such as letters of a text" + cure);
   std::sort(figures.begin(), figures.end(),
             [](const Part& a, const Part& b) { return a.left + a.right < b.left + b.right; });
   if (number > figures.size())
-    throw Error(name + ": there is no figure " + std::to_string(number) + ", found " + std::to_string(figures.size()) +
+    throw Error(name + ": no figure " + std::to_string(number) + ", found " + std::to_string(figures.size()) +
                 " from left to right");
   ChosenPart out = {mask, static_cast<uint32_t>(figures.size()), number};
   size_t wanted = number > 0 ? figures[number - 1].number : largest->number;

@@ -36,9 +36,10 @@ void take_out(const std::vector<uint32_t>& pixels, int64_t radius, Mask* mask);
 bool open_slit(const std::vector<uint32_t>& pixels, Mask* mask);
 
 // Opens a slit along every line that runs from the figure's border into it: dark, of a stroke's width, without corners, at least 10 % of the
-// longest side and 2.4 times as long as it lies deep, and such that all stays in one piece. A line from border to border (a belt) is left as it is. Says how many, as a guess, in figure's notes.
-//   colours  [height x width] of the figure's mask
-void cut_inner_lines(const Grid<Lab>& colours, Figure* figure);
+// longest side and 2.4 times as long as it lies deep, and such that all stays in one piece. A line from border to
+// border (a belt) is left as it is. Adds their number to figure's notes, as a guess.
+//   colors  [height x width] of the figure's mask
+void cut_inner_lines(const Grid<Lab>& colors, Figure* figure);
 
 }  // namespace sinew::picture
 #endif

@@ -11,7 +11,7 @@ namespace {
 
 // Shadows are darker by up to so much, of nearly the same hue, and begin softly.
 constexpr float kDarkestShadow = 30, kShadowStep = 0.8f;
-// A shadow's blurred light cannot be told within so many pixels of what throws it.
+// The blur of a shadow cannot be measured within this many pixels of the object.
 constexpr uint32_t kShadowGap = 4;
 // A part that only a wider gap's closing encloses is one, where the figure grows by so much. Less is what lies between legs.
 constexpr float kNewPart = 1.35f;
@@ -48,16 +48,16 @@ Grid<float> blurred_light(const Grid<float>& off) {
 struct BackgroundLikeness {
   Grid<uint8_t> likeness;
   Grid<float> light;  // blurred
-  float step = 0;     // between neighbours in a shadow
+  float step = 0;     // between neighbors in a shadow
 };
 
-BackgroundLikeness judge(const Grid<Lab>& colours, const Mask& domain, const Background& background) {
-  Grid<float> off(colours.width, colours.height);  // of L
-  BackgroundLikeness out = {Grid<uint8_t>(colours.width, colours.height), {}, kShadowStep + 0.3f * background.noise()};
+BackgroundLikeness judge(const Grid<Lab>& colors, const Mask& domain, const Background& background) {
+  Grid<float> off(colors.width, colors.height);  // of L
+  BackgroundLikeness out = {Grid<uint8_t>(colors.width, colors.height), {}, kShadowStep + 0.3f * background.noise()};
   const float tolerance = background.tolerance();
-  for (uint32_t y = 0; y < colours.height; ++y)
-    for (uint32_t x = 0; x < colours.width; ++x) {
-      const Lab d = background.off(x, y, colours.at(x, y));
+  for (uint32_t y = 0; y < colors.height; ++y)
+    for (uint32_t x = 0; x < colors.width; ++x) {
+      const Lab d = background.off(x, y, colors.at(x, y));
       off.at(x, y) = d[0];
       const size_t i = off.index(x, y);
       if (domain.inside[i] == 0) continue;
@@ -69,9 +69,9 @@ BackgroundLikeness judge(const Grid<Lab>& colours, const Mask& domain, const Bac
   return out;
 }
 
-// Calls for the four neighbours of a pixel.
+// Calls for the four neighbors of a pixel.
 template <typename Visit>
-void each_neighbour(uint32_t i, uint32_t width, uint32_t height, const Visit& visit) {
+void each_neighbor(uint32_t i, uint32_t width, uint32_t height, const Visit& visit) {
   const uint32_t x = i % width, y = i / width;
   if (x > 0) visit(i - 1);
   if (x + 1 < width) visit(i + 1);
@@ -91,7 +91,7 @@ std::vector<uint8_t> grow(const BackgroundLikeness& judged, const std::vector<ui
     const uint32_t i = todo.back();
     todo.pop_back();
     if (judged.likeness.values[i] == kShadow) shadows.push_back(i);
-    each_neighbour(i, width, height, [&](uint32_t next) {
+    each_neighbor(i, width, height, [&](uint32_t next) {
       if (reached[next] != 0 || judged.likeness.values[next] == kUnlike) return;
       if (judged.likeness.values[next] == kShadow &&
           std::abs(judged.light.values[next] - judged.light.values[i]) > judged.step)
@@ -103,7 +103,7 @@ std::vector<uint8_t> grow(const BackgroundLikeness& judged, const std::vector<ui
   for (uint32_t round = 0; round < kShadowGap; ++round) {
     std::vector<uint32_t> next_shadows;
     for (const uint32_t i : shadows)
-      each_neighbour(i, width, height, [&](uint32_t next) {
+      each_neighbor(i, width, height, [&](uint32_t next) {
         if (reached[next] != 0 || judged.likeness.values[next] == kUnlike) return;
         reached[next] = 1;
         next_shadows.push_back(next);
@@ -146,8 +146,8 @@ Mask either(Mask a, const Mask& b) {
   return a;
 }
 
-// Outlines whose ends do not meet: the least gap whose closing makes a figure of strokes twice as large. A wider one that lets in as much as a trunk beside a head
-// adds what it encloses, and leaves the rest as it was.
+// Outlines whose ends do not meet: the least gap whose closing makes a figure of strokes twice as large. A wider one
+// that lets in as much as a torso beside a head adds what it encloses, and leaves the rest as it was.
 void close_strokes(const Mask& domain, Foreground* out) {
   const size_t ink = count_of(out->mask.inside) - count_of(out->likeness.values);
   if (ink == 0) return;
@@ -186,17 +186,17 @@ bool is_solid(const Foreground& found) {
 
 }  // namespace
 
-Foreground find_foreground(const Grid<Lab>& colours, const Mask& domain) {
+Foreground find_foreground(const Grid<Lab>& colors, const Mask& domain) {
   const auto largest = static_cast<float>(std::max(domain.width, domain.height));
   const std::vector<uint32_t> border = border_of(domain, std::max(4.0f, 0.025f * largest));
   Foreground out;
   out.mask = domain;
   out.likeness = Grid<uint8_t>(domain.width, domain.height, kUnlike);
   if (border.empty()) return out;
-  const Background first(colours, border);
+  const Background first(colors, border);
   std::vector<uint8_t> reached, likeness;
   {
-    BackgroundLikeness judged = judge(colours, domain, first);
+    BackgroundLikeness judged = judge(colors, domain, first);
     reached = grow(judged, border);
     likeness = std::move(judged.likeness.values);
   }
@@ -205,8 +205,8 @@ Foreground find_foreground(const Grid<Lab>& colours, const Mask& domain) {
   for (uint32_t i = 0; i < reached.size(); ++i)
     if (reached[i] != 0 && likeness[i] == kLike) known.push_back(i);
   if (known.size() < border.size() / 4) return out;
-  const Background second(colours, known);
-  const BackgroundLikeness judged = judge(colours, domain, second);
+  const Background second(colors, known);
+  const BackgroundLikeness judged = judge(colors, domain, second);
   reached = grow(judged, border);
   for (size_t i = 0; i < reached.size(); ++i) {
     out.mask.inside[i] = domain.inside[i] != 0 && reached[i] == 0 ? 1 : 0;

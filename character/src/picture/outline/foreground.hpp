@@ -11,15 +11,15 @@
 
 namespace sinew::picture {
 
-// What the background of a picture looks like, told from pixels that are likely to be some: a colour that changes smoothly, with ruled lines; or, where
-// that does not fit, a few flat colours.
+// Model of a picture's background, estimated from pixels that probably belong to it: a color that changes smoothly,
+// with ruled lines; or, where that does not fit, a few flat colors.
 class Background {
  public:
   //   samples  indices of pixels; a share of them, of less than half, may be no background. At least one
-  Background(const Grid<Lab>& colours, const std::vector<uint32_t>& samples);
+  Background(const Grid<Lab>& colors, const std::vector<uint32_t>& samples);
 
-  // Colour minus the background's there; by the nearest of several flat ones.
-  Lab off(uint32_t x, uint32_t y, const Lab& colour) const;
+  // Color minus the background's there; by the nearest of several flat ones.
+  Lab off(uint32_t x, uint32_t y, const Lab& color) const;
   // Differences (CIE 1976) up to it are background.
   float tolerance() const { return tolerance_; }
   float noise() const { return noise_; }  // of L, a standard deviation
@@ -27,9 +27,9 @@ class Background {
 
  private:
   using Surface = std::array<double, 6>;  // of 1, x, y, xx, xy, yy, with x and y 0..1
-  void fit_surface(const Grid<Lab>& colours, const std::vector<uint32_t>& samples);
-  void fit_lines(const Grid<Lab>& colours, const std::vector<uint32_t>& samples);
-  void fit_flats(const Grid<Lab>& colours, const std::vector<uint32_t>& samples);
+  void fit_surface(const Grid<Lab>& colors, const std::vector<uint32_t>& samples);
+  void fit_lines(const Grid<Lab>& colors, const std::vector<uint32_t>& samples);
+  void fit_flats(const Grid<Lab>& colors, const std::vector<uint32_t>& samples);
   Lab surface_at(uint32_t x, uint32_t y) const;
 
   uint32_t width_, height_;
@@ -41,7 +41,7 @@ class Background {
 
 float length(const Lab& difference);
 
-// What a pixel is by its colour alone.
+// What a pixel is by its color alone.
 enum Likeness : uint8_t { kUnlike = 0, kShadow = 1, kLike = 2 };
 
 struct Foreground {
@@ -51,8 +51,8 @@ struct Foreground {
   bool drawn = false;  // outlines on paper: the figure is what they enclose
 };
 
-// `domain` says which pixels there are; the others are neither.
-Foreground find_foreground(const Grid<Lab>& colours, const Mask& domain);
+// `domain` marks the valid pixels; others are neither.
+Foreground find_foreground(const Grid<Lab>& colors, const Mask& domain);
 
 // The same for one part of what was found, beside strokes of other things: an outline drawing is filled. False where it is none, unchanged then.
 bool fill_outline(const Foreground& found, const Mask& domain, Mask* part);

@@ -37,10 +37,10 @@ Grid<float> extreme(const Grid<float>& in, uint32_t radius, const Better& better
 }
 
 // What is darker than both of its sides: closing less the picture itself (the black top hat).
-Mask strokes_of(const Grid<Lab>& colours, const Mask& figure, uint32_t radius) {
-  Grid<float> light(colours.width, colours.height, 100);  // as paper where there is no figure
+Mask strokes_of(const Grid<Lab>& colors, const Mask& figure, uint32_t radius) {
+  Grid<float> light(colors.width, colors.height, 100);  // as paper where there is no figure
   for (size_t i = 0; i < light.values.size(); ++i)
-    if (figure.inside[i] != 0) light.values[i] = colours.values[i][0];
+    if (figure.inside[i] != 0) light.values[i] = colors.values[i][0];
   const Grid<float> closed_light = extreme(extreme(light, radius, [](float a, float b) { return std::max(a, b); }),
                                            radius, [](float a, float b) { return std::min(a, b); });
   Mask out = figure;
@@ -137,7 +137,7 @@ class InkPaths {
   std::vector<uint32_t> from_, steps_, reached_;
 };
 
-// Up to its first corner: where it turns by 50 degrees within 2 * `reach` pixels, another line goes on.
+// Up to its first corner: where it rotates by 50 degrees within 2 * `reach` pixels, another line goes on.
 void end_at_corner(uint32_t width, size_t reach, std::vector<uint32_t>* way) {
   constexpr float kCosine = 0.643f;
   const auto towards = [&](size_t from, size_t to) {
@@ -161,7 +161,8 @@ struct Search {
   uint32_t reach;            // pixels, of a widest stroke: what is nearer than that is one point
 };
 
-// The longest lines without a corner of one part of the inner ink, each from where it leaves the outline's stroke: slits in `figure`. How many.
+// The longest lines without a corner of one part of the inner ink, each from where it leaves the outline's stroke:
+// slits in `figure`. How many.
 //   inside, out  ways through `inner`, and from there out of the figure
 size_t cut_part(const Search& search, const std::vector<uint32_t>& anchors, InkPaths* inside, InkPaths* out,
                 Mask* inner, Mask* figure) {
@@ -199,10 +200,10 @@ size_t cut_part(const Search& search, const std::vector<uint32_t>& anchors, InkP
 
 }  // namespace
 
-void cut_inner_lines(const Grid<Lab>& colours, Figure* figure) {
-  const auto side = static_cast<float>(std::max(colours.width, colours.height));
+void cut_inner_lines(const Grid<Lab>& colors, Figure* figure) {
+  const auto side = static_cast<float>(std::max(colors.width, colors.height));
   const auto radius = std::max(2u, static_cast<uint32_t>(0.5f * kWidestStroke * side + 0.5f));
-  const Mask ink = strokes_of(colours, figure->mask, radius);
+  const Mask ink = strokes_of(colors, figure->mask, radius);
   Grid<float> depth = squared_distance(figure->mask, true);
   for (float& d : depth.values) d = std::sqrt(d);
   const Search search = {depth, border_depth(ink, depth, 2 * kWidestStroke * side), kShortestLine * side,
@@ -232,9 +233,9 @@ void cut_inner_lines(const Grid<Lab>& colours, Figure* figure) {
     if (static_cast<float>(parts.sizes[p]) >= search.shortest)
       cuts += cut_part(search, anchors[p], &inside, &out, &inner, &figure->mask);
   figure->notes.push_back(
-      cuts == 0 ? "no line runs from the outline into the figure, nothing was cut (--mask cuts by hand)"
+      cuts == 0 ? "no line runs from the outline into the figure, so nothing was cut; cut by hand with --mask"
                 : std::to_string(cuts) + (cuts == 1 ? " line that runs" : " lines that run") +
-                      " into the figure were cut open, as a guess (--mask-out shows where, --mask cuts by hand)");
+                      " into the figure were cut open, a guess; see them with --mask-out, cut by hand with --mask");
 }
 
 }  // namespace sinew::picture

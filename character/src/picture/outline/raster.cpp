@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Distances, parts and colours on grids.
+// Distances, parts and colors on grids.
 #include "picture/outline/raster.hpp"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ void spread_parabolas(Grid<float>* grid) {
 }
 
 Grid<float> squared_distance(const Mask& mask, bool value) {
-  // A frame of one pixel stands for what lies outside.
+  // A frame of one pixel represents what lies outside.
   Grid<float> framed(mask.width + 2, mask.height + 2, value ? 0.0f : kFar);
   for (uint32_t y = 0; y < mask.height; ++y)
     for (uint32_t x = 0; x < mask.width; ++x)
@@ -172,7 +172,7 @@ Reduced reduce(const Pixels& pixels, uint32_t step) {
         }
       out.alpha.at(x, y) = static_cast<uint8_t>((alpha + count / 2) / count);
       const float share = alpha > 0 ? 1 / static_cast<float>(alpha) : 0;
-      out.colours.at(x, y) = lab_of(sum[0] * share, sum[1] * share, sum[2] * share);
+      out.colors.at(x, y) = lab_of(sum[0] * share, sum[1] * share, sum[2] * share);
     }
   return out;
 }

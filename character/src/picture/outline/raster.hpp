@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures as grids of numbers: distances and parts on them, and colours as eyes part them.
+// Pictures as grids of numbers: distances and parts on them, and colors as eyes part them.
 #ifndef SINEW_CHARACTER_PICTURE_OUTLINE_RASTER_HPP
 #define SINEW_CHARACTER_PICTURE_OUTLINE_RASTER_HPP
 
@@ -40,16 +40,16 @@ struct Parts {
   Grid<int32_t> numbers;      // part of each pixel or -1
   std::vector<size_t> sizes;  // pixels
 };
-// Connected pixels that are `value`: over corners as well for figures (8 neighbours), over edges alone for what is none (4).
+// Connected pixels that are `value`: over corners as well for figures (8 neighbors), over edges alone for what is none (4).
 Parts parts_of(const Mask& mask, bool value);
 
-// Colours as eyes part them: CIE 1976 L*a*b*, white D65 (IEC 61966-2-1 for sRGB).
+// Colors as eyes part them: CIE 1976 L*a*b*, white D65 (IEC 61966-2-1 for sRGB).
 
 using Lab = std::array<float, 3>;  // L 0..100, a and b about -100..100
 
 // The picture in means of step x step pixels; what is transparent is left out of a mean.
 struct Reduced {
-  Grid<Lab> colours;
+  Grid<Lab> colors;
   Grid<uint8_t> alpha;  // 0..255
 };
 Reduced reduce(const Pixels& pixels, uint32_t step);

@@ -17,7 +17,8 @@ bool begins_with(const std::vector<uint8_t>& bytes, const char* text, size_t siz
   return bytes.size() >= size && std::memcmp(bytes.data(), text, size) == 0;
 }
 
-// Of the file's rows, for a point of the seen ones. Exif 2.3, figure 3: 2 mirrored, 3 half a turn, 4 upside down, 5 to 8 with the axes exchanged.
+// Of the file's rows, for a point of the seen ones. Exif 2.3, figure 3: 2 mirrored, 3 180 degrees, 4 upside down, 5
+// to 8 with the axes exchanged.
 template <typename T>
 std::pair<T, T> file_row_point(uint8_t orientation, T x, T y, T last_x, T last_y) {
   switch (orientation) {
@@ -44,7 +45,7 @@ std::pair<T, T> file_row_point(uint8_t orientation, T x, T y, T last_x, T last_y
 
 void check_sides(const std::string& path, uint64_t width, uint64_t height) {
   if (width >= 1 && height >= 1 && width <= kMostPictureSide && height <= kMostPictureSide) return;
-  throw Error(path + ": expected a picture of 1 to " + std::to_string(kMostPictureSide) + " pixels a side, found " +
+  throw Error(path + ": expected a picture of 1 to " + std::to_string(kMostPictureSide) + " pixels per side, found " +
               std::to_string(width) + " x " + std::to_string(height) + "; make it smaller");
 }
 
@@ -76,7 +77,7 @@ PictureFile decode_picture(const std::string& path, std::vector<uint8_t> bytes) 
     out.pixels = picture::turned(picture::decode_jpeg(path, bytes), out.orientation);
   } else {
     throw Error(path + ": expected a PNG or JPEG picture, found " +
-                (bytes.empty() ? "an empty file" : "other bytes; convert it to PNG"));
+                (bytes.empty() ? "an empty file" : "another format; convert it to PNG"));
   }
   out.bytes = std::make_shared<const std::vector<uint8_t>>(std::move(bytes));
   return out;

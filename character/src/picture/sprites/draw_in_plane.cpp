@@ -17,13 +17,13 @@ struct Corner {
 };
 
 struct Canvas {
-  uint32_t width, height;        // samples
-  std::vector<float> nearness;   // [height x width]
-  std::vector<uint8_t> colours;  // [height x width x 4]
+  uint32_t width, height;       // samples
+  std::vector<float> nearness;  // [height x width]
+  std::vector<uint8_t> colors;  // [height x width x 4]
 };
 
-// Between four pixels' middles; what is transparent gives no colour.
-std::array<float, 4> colour_at(const Pixels& pixels, float u, float v) {
+// Between four pixels' middles; what is transparent gives no color.
+std::array<float, 4> color_at(const Pixels& pixels, float u, float v) {
   const float x = std::clamp(u * static_cast<float>(pixels.width) - 0.5f, 0.0f, static_cast<float>(pixels.width - 1)),
               y = std::clamp(v * static_cast<float>(pixels.height) - 0.5f, 0.0f, static_cast<float>(pixels.height - 1));
   const auto x0 = static_cast<uint32_t>(x), y0 = static_cast<uint32_t>(y);
@@ -59,11 +59,11 @@ void fill(const Pixels& pixels, bool cut_out, const std::array<Corner, 3>& t, Ca
       const size_t at = size_t{y} * canvas->width + x;
       const float z = a * t[0].z + b * t[1].z + c * t[2].z;
       if (z <= canvas->nearness[at]) continue;
-      const auto colour = colour_at(pixels, a * t[0].u + b * t[1].u + c * t[2].u, a * t[0].v + b * t[1].v + c * t[2].v);
-      if (cut_out && colour[3] < kOpaque) continue;
+      const auto color = color_at(pixels, a * t[0].u + b * t[1].u + c * t[2].u, a * t[0].v + b * t[1].v + c * t[2].v);
+      if (cut_out && color[3] < kOpaque) continue;
       canvas->nearness[at] = z;
-      for (size_t k = 0; k < 3; ++k) canvas->colours[4 * at + k] = static_cast<uint8_t>(colour[k] + 0.5f);
-      canvas->colours[4 * at + 3] = 255;
+      for (size_t k = 0; k < 3; ++k) canvas->colors[4 * at + k] = static_cast<uint8_t>(color[k] + 0.5f);
+      canvas->colors[4 * at + 3] = 255;
     }
 }
 
@@ -78,8 +78,8 @@ Pixels reduced(const Canvas& canvas) {
       uint32_t covered = 0;
       for (uint32_t s = 0; s < kSamples * kSamples; ++s) {
         const size_t at = size_t{kSamples * y + s / kSamples} * canvas.width + kSamples * x + s % kSamples;
-        if (canvas.colours[4 * at + 3] == 0) continue;
-        for (size_t c = 0; c < 3; ++c) sum[c] += canvas.colours[4 * at + c];
+        if (canvas.colors[4 * at + 3] == 0) continue;
+        for (size_t c = 0; c < 3; ++c) sum[c] += canvas.colors[4 * at + c];
         ++covered;
       }
       if (covered == 0) continue;
@@ -95,7 +95,7 @@ Pixels reduced(const Canvas& canvas) {
 Pixels draw_in_plane(const PictureFile& picture, const Character& posed, const PlaneWindow& window) {
   Canvas canvas = {window.width * kSamples, window.height * kSamples, {}, {}};
   canvas.nearness.assign(size_t{canvas.width} * canvas.height, -1e30f);
-  canvas.colours.assign(canvas.nearness.size() * 4, 0);
+  canvas.colors.assign(canvas.nearness.size() * 4, 0);
   const bool cut_out = !posed.materials.empty() && posed.materials[0].cut_out;
   const float scale = window.pixels * static_cast<float>(kSamples);
   const auto corner = [&](size_t c) {

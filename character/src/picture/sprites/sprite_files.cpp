@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames as files: an animated PNG by libpng, and a sheet with the JSON that says where each frame lies.
+// Frames as files: an animated PNG by libpng, and a sheet with a JSON of the frames' positions.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -84,7 +84,7 @@ std::vector<Chunk> chunks_of(const std::vector<uint8_t>& png) {
   return chunks;
 }
 
-// Frame control: the whole picture, shown for so long, in place of what was there.
+// Frame control: the whole picture, shown for so long, instead of what was there.
 std::vector<uint8_t> frame_control(uint32_t number, const SpriteFrame& frame) {
   std::vector<uint8_t> data;
   put32(number, &data);
@@ -154,7 +154,7 @@ std::vector<uint8_t> encode_loop(const std::vector<SpriteFrame>& frames) {
   return out;
 }
 
-// Frames on one sheet, and the JSON that says where each lies.
+// Frames on one sheet, and a JSON of their positions.
 SpriteSheet sprite_sheet(const std::vector<SpriteFrame>& frames, const std::string& image) {
   picture::check_frames(frames);
   const uint32_t w = frames[0].pixels.width, h = frames[0].pixels.height, count = static_cast<uint32_t>(frames.size());
@@ -162,7 +162,7 @@ SpriteSheet sprite_sheet(const std::vector<SpriteFrame>& frames, const std::stri
   const uint32_t columns = std::clamp(square, 1u, count), rows = (count + columns - 1) / columns;
   if (uint64_t{columns} * w > kMostPictureSide || uint64_t{rows} * h > kMostPictureSide)
     throw Error("sprites: " + std::to_string(count) + " frames of " + std::to_string(w) + " x " + std::to_string(h) +
-                " pixels make a sheet of more than " + std::to_string(kMostPictureSide) + " a side; take fewer");
+                " pixels make a sheet of more than " + std::to_string(kMostPictureSide) + " per side; use fewer");
   SpriteSheet out;
   out.pixels.width = columns * w;
   out.pixels.height = rows * h;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Affine transforms in double: glTF nodes, bind matrices, poses. Row-major 3x4, the last row 0 0 0 1 is left out.
+// Affine transforms in double, for glTF nodes, bind matrices and poses: row-major 3x4 without the last row 0 0 0 1.
 // Sums run from left to right, so that the same transforms give the same bits everywhere.
 #ifndef SINEW_FORMATS_BASE_AFFINE_HPP
 #define SINEW_FORMATS_BASE_AFFINE_HPP
@@ -19,24 +19,24 @@ constexpr Affine kIdentity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 
 Affine multiply(const Affine& a, const Affine& b);
 
-// Rotation alone, row-major 3x3.
+// A rotation, row-major 3x3.
 using Rotation = std::array<double, 9>;
 constexpr Rotation kNoRotation = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 Rotation multiply(const Rotation& a, const Rotation& b);
 
-// By `angle` radians about a unit axis (Rodrigues): I + sin(t) K + (1 - cos(t)) K^2.
+// Rotation by `angle` radians about a unit axis (Rodrigues): I + sin(t) K + (1 - cos(t)) K^2.
 Rotation axis_rotation(const Point3& axis, double angle);
 
-// The rotation about a centre that stays where it is.
-Affine rotation_about(const Rotation& rotation, const Point3& centre);
+// Rotation about a fixed center.
+Affine rotation_about(const Rotation& rotation, const Point3& center);
 
 Point3 transform_point(const Affine& m, double x, double y, double z);
 
-// Of the linear part: below 0 for a mirrored one.
+// Determinant of the linear part; below 0 for a mirror transform.
 double determinant(const Affine& m);
 
-// nullopt when it flattens space (a scale of 0).
+// Returns nullopt for a singular transform (a scale of 0).
 std::optional<Affine> inverse(const Affine& m);
 
 // Direction of a surface normal under `m`: the cofactors, which need no inverse and keep the side of a mirrored
@@ -54,7 +54,7 @@ inline std::vector<float> columns_of(const Affine& m) {
   return out;
 }
 
-// Quaternions, the other forms of a rotation that files use, and the rotations between directions.
+// Quaternions, conversions from other forms of rotation in files, and rotations between directions.
 
 using Quaternion = std::array<double, 4>;  // x y z w, of length 1
 constexpr Quaternion kNoRotation4 = {0, 0, 0, 1};
@@ -63,19 +63,20 @@ constexpr Quaternion kNoRotation4 = {0, 0, 0, 1};
 Quaternion multiply(const Quaternion& a, const Quaternion& b);
 inline Quaternion conjugate(const Quaternion& q) { return {-q[0], -q[1], -q[2], q[3]}; }
 double dot(const Quaternion& a, const Quaternion& b);
-// kNoRotation4 for one without length.
-Quaternion normalised(const Quaternion& q);
+// Returns kNoRotation4 for a quaternion of length 0.
+Quaternion normalized(const Quaternion& q);
 Point3 rotate(const Quaternion& q, const Point3& v);
-// About axis 0, 1 or 2.
+// Rotation about axis 0, 1 or 2.
 Quaternion axis_rotation(size_t axis, double radians);
-// Along the shortest arc; t from 0 to 1.
+// Interpolates along the shortest arc; t from 0 to 1.
 Quaternion slerp(const Quaternion& a, Quaternion b, double t);
 Rotation rotation_of(const Quaternion& q);
 Quaternion quaternion_of(const Rotation& r);
-// The rotation in an affine transform that scales, perhaps mirrors: columns made orthogonal in their order.
+// Rotation part of an affine transform with scale or mirroring: its columns, orthogonalized in order.
 Rotation rotation_part(const Affine& m);
 
-// Along the shortest arc; none where one of the two has no length, half a turn about any axis where they are opposite.
+// Rotation along the shortest arc: identity if one of the two has length 0, 180 degrees about any axis if they are
+// opposite.
 inline Quaternion rotation_between(const Point3& from, const Point3& to) {
   const Point3 a = unit(from), b = unit(to);
   const double c = dot(a, b);
@@ -85,9 +86,9 @@ inline Quaternion rotation_between(const Point3& from, const Point3& to) {
     return {axis[0], axis[1], axis[2], 0};
   }
   const Point3 axis = cross(a, b);
-  return normalised({axis[0], axis[1], axis[2], 1 + c});
+  return normalized({axis[0], axis[1], axis[2], 1 + c});
 }
-// Brings x to to_x, and y as near to to_y as that leaves it.
+// Rotates x to to_x, and then y as near as possible to to_y.
 inline Quaternion rotation_between(const Point3& x, const Point3& y, const Point3& to_x, const Point3& to_y) {
   const auto axes = [](const Point3& a, const Point3& b) {
     const Point3 first = unit(a), second = unit(across(b, first)), third = cross(first, second);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The box around points, and what is asked of axes.
+// Bounding boxes, and helpers for axes.
 #ifndef SINEW_FORMATS_BASE_BOX_HPP
 #define SINEW_FORMATS_BASE_BOX_HPP
 
@@ -36,7 +36,7 @@ struct Box {
   float longest_side() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
 };
 
-// At least one point is needed.
+// Needs at least one point.
 inline Box box_of(const std::vector<Vec3>& points) {
   Box box = {points.front(), points.front()};
   for (const Vec3& p : points) box.add(p);

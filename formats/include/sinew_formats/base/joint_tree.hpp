@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which joint hangs on which.
+// Parents and children of joints.
 #ifndef SINEW_FORMATS_BASE_JOINT_TREE_HPP
 #define SINEW_FORMATS_BASE_JOINT_TREE_HPP
 
@@ -8,10 +8,10 @@
 
 namespace sinew {
 
-// Indices of joints, which are int where -1 means none, as positions in arrays.
+// Converts a joint index, an int where -1 means none, to an array index.
 inline size_t joint_index(int joint) { return static_cast<size_t>(joint); }
 
-// Of joints with a member `parent`, the index of another one or negative for a root.
+// Takes joints with a member `parent`: the index of another joint, or negative for a root.
 struct JointTree {
   JointTree() = default;
   template <class Joints>
@@ -27,8 +27,8 @@ struct JointTree {
       for (const int child : children[parents_first[next]]) parents_first.push_back(joint_index(child));
   }
 
-  std::vector<std::vector<int>> children;  // [J], rising
-  std::vector<size_t> parents_first;       // level by level, without joints that no root is above
+  std::vector<std::vector<int>> children;  // [J], ascending
+  std::vector<size_t> parents_first;       // level by level, without joints that are in a cycle
 };
 
 }  // namespace sinew

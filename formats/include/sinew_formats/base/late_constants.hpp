@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Constants that a page fetches with the code that reads them.
+// Constants that the page downloads together with the code that reads them.
 #ifndef SINEW_FORMATS_LATE_CONSTANTS_HPP
 #define SINEW_FORMATS_LATE_CONSTANTS_HPP
 
@@ -40,8 +40,8 @@ template <const auto& kValues, size_t... kEights>
 
 }  // namespace late
 
-// kValues, an array of integers that is constexpr. A page loads all constants of a module with its first part; what code writes comes with the
-// part that has the code.
+// Takes kValues, a constexpr array of integers. The page loads all constants of a module with its first part, but
+// values that are written by code with the part that has the code.
 template <const auto& kValues>
 const auto* late_constants() {
   using Value = std::remove_cvref_t<decltype(kValues[0])>;

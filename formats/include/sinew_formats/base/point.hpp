@@ -26,7 +26,7 @@ inline Point3 cross(const Point3& a, const Point3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 inline double length(const Point3& a) { return std::sqrt(dot(a, a)); }
-// Zero for a point without length.
+// Returns zero for a point of length 0.
 inline Point3 unit(const Point3& a) {
   const double l = length(a);
   return l > 0 ? (1 / l) * a : Point3{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Threads that stay, for what the engine divides (sinew_bind_options::parallel_for), and a loop over independent items on several of them.
+// A thread pool for sinew_bind_options::parallel_for, and a parallel loop over independent items.
 #ifndef SINEW_FORMATS_BASE_THREAD_POOL_HPP
 #define SINEW_FORMATS_BASE_THREAD_POOL_HPP
 
@@ -12,7 +12,7 @@
 
 namespace sinew {
 
-// The calling thread and `threads - 1` others, which sleep between two loops. One caller at a time.
+// Consists of the calling thread and `threads - 1` others, which sleep between loops. One caller at a time.
 class ThreadPool {
  public:
   explicit ThreadPool(unsigned threads);
@@ -22,7 +22,7 @@ class ThreadPool {
 
   // body(data, i) for i in 0..count-1; returns when all are done.
   void run(uint32_t count, void (*body)(void* data, uint32_t index), void* data);
-  // As sinew_bind_options wants it; `user` is the pool.
+  // For sinew_bind_options; `user` is the pool.
   static void parallel_for(void* user, uint32_t count, void (*body)(void* data, uint32_t index), void* data);
 
  private:
@@ -30,18 +30,18 @@ class ThreadPool {
   void serve();
 
   std::vector<std::thread> others_;
-  // The loop at hand; written while all others sleep.
+  // The current loop; written while all other threads sleep.
   void (*body_)(void*, uint32_t) = nullptr;
   void* data_ = nullptr;
   uint32_t count_ = 0;
   bool stop_ = false;
   std::atomic<uint32_t> next_{0};     // index
-  std::atomic<uint32_t> loop_{0};     // counts loops; what the others wait for
-  std::atomic<uint32_t> working_{0};  // others that are not back from it
+  std::atomic<uint32_t> loop_{0};     // counts loops; the other threads wait for a change
+  std::atomic<uint32_t> working_{0};  // number of other threads still at work
 };
 
-// Calls work(item, thread) once for every item in [0, count), thread in [0, threads). Items start in rising order. After
-// an exception no further item starts; the first one is thrown again here.
+// Calls work(item, thread) once for every item in [0, count), thread in [0, threads). Items start in ascending order.
+// After an exception no further item starts; the first exception is rethrown here.
 void parallel_for(size_t count, unsigned threads, const std::function<void(size_t item, unsigned thread)>& work);
 
 }  // namespace sinew

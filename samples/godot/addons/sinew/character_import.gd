@@ -108,7 +108,7 @@ func import(source_file: String, save_path: String, options: Dictionary, platfor
 	var output = Command.temporary("import.glb")
 	var todo = runs(ProjectSettings.globalize_path(source_file), output, options)
 	if todo.empty():
-		return refuse(source_file, "sinew: error: weights are kept and there is no motion; choose a motion file, or Godot's own importer")
+		return refuse(source_file, "sinew: error: nothing to do: weights are kept and there is no motion file; choose one, or use Godot's own importer")
 	for run in todo:
 		var error = Command.run(run)
 		if error != "":

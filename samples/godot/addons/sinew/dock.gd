@@ -15,22 +15,22 @@ var message: Label
 
 func _init() -> void:
 	name = "Sinew"
-	button("New skeleton", "Make a skeleton for the selected meshes, and bind them to it", "rig")
+	button("New skeleton", "Make a skeleton for the selected meshes and bind them to it", "rig")
 	button("Bind", "Predict weights of the selected meshes for their skeleton, or for a selected Skeleton", "bind")
 	rigid_parts = OptionButton.new()
 	for text in ["auto", "always", "never"]:
 		rigid_parts.add_item(text)
-	row("Rigid parts", rigid_parts, "always: every connected part moves with one bone, as in robots and toys")
+	row("Rigid parts", rigid_parts, "always: each connected part moves with one bone, as in robots and toys")
 	softness = SpinBox.new()
 	softness.min_value = 0.25
 	softness.max_value = 4
 	softness.step = 0.05
 	softness.value = 1
-	row("Soft", softness, "How softly weights blend between bones: 2 twice as softly, 0.5 harder")
+	row("Soft", softness, "Softness of the blend between bones: 2 twice as soft, 0.5 half as soft")
 	symmetric = CheckBox.new()
-	row("Symmetric weights", symmetric, "Both sides get mirrored weights")
+	row("Symmetric weights", symmetric, "Give both sides mirrored weights")
 	all_bones = CheckBox.new()
-	row("All bones", all_bones, "Every bone may get weight; else those that have some, or by their names those that deform")
+	row("All bones", all_bones, "Let every bone get weight; by default those that already have some, or those that deform by their names")
 	message = Label.new()
 	message.autowrap = true
 	add_child(message)
@@ -77,13 +77,13 @@ func bind():
 	var instances = selected(MeshInstance)
 	var skeletons = selected(Skeleton)
 	if instances.empty():
-		return say("sinew: error: no mesh is selected; select MeshInstances, and a Skeleton where they have none")
+		return say("sinew: error: no mesh is selected; select MeshInstances, and a Skeleton if they have none")
 	var skeleton = skeletons[0] if skeletons.size() == 1 else Skinning.skeleton_of(instances[0])
 	if skeleton == null:
 		return say("sinew: error: %s has no skeleton; select one beside it, or press New skeleton" % instances[0].name)
 	for instance in instances:
 		if skeletons.empty() and Skinning.skeleton_of(instance) != skeleton:
-			return say("sinew: error: %s and %s have different skeletons; bind them apart" % [instances[0].name, instance.name])
+			return say("sinew: error: %s and %s have different skeletons; bind them separately" % [instances[0].name, instance.name])
 	var extra = options()
 	if symmetric.pressed:
 		extra.append("--symmetric")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What callers give, as the arrays that the engine reads. A wrong shape, type or index names its argument."""
+"""Converts and checks arguments for the engine. Errors name the argument."""
 from __future__ import annotations
 
 import ctypes
@@ -45,7 +45,7 @@ def whole(value: Any, shape: Tuple[Optional[int], ...], name: str, dtype: Any, l
 
 
 def mask(value: Any, count: int, name: str) -> Optional[Array]:
-    """uint8 [count] of a mask, which has booleans or uint8 (0: not in it, as in C), or of indices, which have wider integers; None stays
+    """uint8 [count] from a mask (booleans or uint8, 0: not in it) or from indices (wider integers); None stays
     None."""
     if value is None:
         return None
@@ -60,14 +60,14 @@ def mask(value: Any, count: int, name: str) -> Optional[Array]:
 
 
 def chosen(value: str, names: Sequence[str], name: str) -> int:
-    """The number of a word in a list."""
+    """Index of a word in a list."""
     if value not in names:
         raise ValueError(f"{name}: expected one of {', '.join(n for n in names if n)}, found {value!r}")
     return list(names).index(value)
 
 
 class Mesh:
-    """A polygon mesh as the engine sees it.
+    """A polygon mesh as input for the engine.
 
     positions  [n, 3] any unit, rest pose
     faces      [f, 3] triangles, [f, 4] quads, [f, k] polygons; or ragged: a list of lists of vertex indices; or several

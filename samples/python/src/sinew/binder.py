@@ -35,27 +35,27 @@ def bind(positions: Any, faces: Any, skeleton: Optional[Skeleton], *, method: de
     skeleton      joints in the same space; its `ends` get no weight
     method        "model": the network; "heat": heat fields alone; "distance": by distance to bones
     model         file or Model; None: the bundled one
-    influences    most joints a vertex, 1 to 12
+    influences    maximum number of joints per vertex, 1 to 12
     weight_format "unorm16", "unorm8" or "float"
     up            axis that points up, "y" or "z"
     deform        joints, by name or number, that deform; all others get no weight
-    never         joints that must get no weight
-    symmetric     mirror images get mirrored rows, to the last bit
-    rigid_parts   whether connected pieces move as a whole: "auto", "always", "never"
-    softness      0.25 to 4: how softly weights blend, 2 twice as softly
-    surface_vertices  a finer mesh is bound on a surface of so many; 0: 32768
+    never         joints that must not get weight
+    symmetric     mirrored vertices get mirrored rows, equal to the last bit
+    rigid_parts   when connected pieces move as a whole: "auto", "always", "never"
+    softness      0.25 to 4: softness of the blend, 2 is twice as soft
+    surface_vertices  larger meshes are bound on a surface reduced to this many vertices; 0: 32768
     locked        mask [n] of bool or uint8, or indices (wider integers) of vertices that keep their rows of `given`
-    hints         the same, and their rows steer the vertices around them
-    given         Skin, (joints, weights) or dense [n, j]: rows of locked and hinted vertices; others are not read
-    questions     list at most so many parts whose weights an artist should decide about
-    answers       (vertex, kind) or (vertex, "rigid", joint), with a last True for that part alone; kinds: ANSWERS
-    threads       1 to 64 of them work on the mesh
-    progress      called with the share that is done, 0 to 1; returns True to stop
-    Raises ValueError, which names the argument, for wrong shapes and values, Error for what the engine refuses, Cancelled.
-    Nothing that was given is changed. Other Python threads run meanwhile.
+    hints         the same; their rows also guide the vertices around them
+    given         Skin, (joints, weights) or dense [n, j]: rows of locked and hinted vertices; others are ignored
+    questions     maximum number of questions about parts
+    answers       (vertex, kind) or (vertex, "rigid", joint), with a final True for this part only; kinds: ANSWERS
+    threads       number of threads, 1 to 64
+    progress      called with the share of the work that is done, 0 to 1; returns True to stop
+    Raises ValueError with the argument for wrong shapes and values, Error if the engine rejects the input, and Cancelled.
+    Arguments are not changed. Other Python threads run meanwhile.
     """
     if skeleton is None:
-        raise ValueError("skeleton: the character has none; rig() makes one")
+        raise ValueError("skeleton: the character has none; make one with rig()")
     mesh = Mesh(positions, faces)
     count = len(mesh.positions)
     options = binding.init(binding.sinew_bind_options)
@@ -131,7 +131,7 @@ def _fill_given(given: Any, locked: Optional[Array], hints: Optional[Array], ske
     if locked is None and hints is None:
         return
     if given is None:
-        raise ValueError("given: locked and hinted vertices keep rows, and there are none; give a Skin or an array [n, j]")
+        raise ValueError("given: expected a Skin or an array [n, j] for locked and hinted vertices, found None")
     skin = skin_of(given, len(joints), len(skeleton), "given").rounded(
         joints.shape[1], 255 if weights.dtype == np.uint8 else 65535)
     kept = np.zeros(len(joints), bool)
@@ -163,6 +163,6 @@ def answers_of(answers: Sequence[Tuple[Any, ...]], vertex_count: int, skeleton: 
 
 
 def question_of(q: binding.sinew_question) -> Question:
-    """A sinew_question as callers see it."""
+    """A Question from a sinew_question."""
     alternatives = [Alternative(ANSWERS[a.kind], a.joint, a.change / 65536) for a in q.alternatives[:q.alternative_count]]
     return Question(q.vertex, q.part_count, q.vertex_count, q.joint, q.share / 65535, q.doubt / 65536, q.gain / 65536, alternatives)

@@ -32,7 +32,7 @@ _VERSION = f"{VERSION_MAJOR}.{VERSION_MINOR}."  # structs of one minor version h
 
 
 class Error(RuntimeError):
-    """What the engine or a file says against a call, in one line. `status` is the sinew_status, 0 for other causes."""
+    """A failed call, with one line of text. `status` is the sinew_status, or 0 for other causes."""
 
     def __init__(self, message: str, status: int = 0) -> None:
         super().__init__(message)
@@ -40,14 +40,14 @@ class Error(RuntimeError):
 
 
 class Cancelled(Error):
-    """The progress function asked to stop; nothing was changed."""
+    """The progress function stopped the call; nothing was changed."""
 
 
 _library: Optional[ctypes.CDLL] = None
 
 
 def data_folder() -> Path:
-    """Where the package has its library and its models."""
+    """Folder of the package's library and models."""
     return Path(__file__).resolve().parent / "data"
 
 
@@ -67,7 +67,7 @@ def _library_path() -> Path:
 
 
 def library() -> ctypes.CDLL:
-    """The shared library, loaded once. Raises Error where it is missing, for another machine or of another version."""
+    """The shared library, loaded once. Raises Error if it is missing, for another machine or of another version."""
     global _library
     if _library is not None:
         return _library
@@ -88,16 +88,16 @@ def library() -> ctypes.CDLL:
             _declare(loaded, declarations.CHARACTER_FUNCTIONS)
             _compare_sizes(loaded.sinew_character_struct_size, declarations.CHARACTER_STRUCTS, path)
     except AttributeError as error:
-        raise Error(f"{path}: is no library of sinew {_VERSION}x, {error}") from None
+        raise Error(f"{path}: expected a library of sinew {_VERSION}x, {error}") from None
     _library = loaded
     return loaded
 
 
 def character_library() -> ctypes.CDLL:
-    """library(), which has the calls of sinew/character.h. Raises Error where it is the engine alone."""
+    """library() with the calls of sinew/character.h. Raises Error if it is only the engine."""
     loaded = library()
     if not hasattr(loaded, "sinew_character_open"):
-        raise Error(f"{_library_path()}: is the engine alone; files and the command's jobs need libsinew_character")
+        raise Error(f"{_library_path()}: is only the engine; files and the command's jobs need libsinew_character")
     return loaded
 
 
@@ -108,7 +108,7 @@ def _declare(loaded: ctypes.CDLL, functions: Any) -> None:
 
 
 def _compare_sizes(size_of: Callable[[bytes], int], structs: Any, path: Any) -> None:
-    """Raises Error where a struct of the library is another one than here. One with a struct_size may have grown."""
+    """Raises Error if a struct of the library differs from its declaration here. One with a struct_size may have grown."""
     for one in structs:
         here, there = ctypes.sizeof(one), size_of(one.__name__.encode())
         if there != here and not (one._fields_[0][0] == "struct_size" and there > here):
@@ -128,12 +128,12 @@ def init(struct: type) -> Any:
 
 
 def address(array: Optional[Array]) -> Optional[int]:
-    """Where an array's elements lie, for a c_void_p; None stays null. The caller keeps the array."""
+    """Address of an array's elements for a c_void_p; None stays null. The caller keeps the array alive."""
     return None if array is None else int(array.ctypes.data)
 
 
 class Block:
-    """Uninitialised bytes at an address divisible by 64."""
+    """Uninitialized bytes at an address divisible by 64."""
 
     def __init__(self, size_bytes: int) -> None:
         try:
@@ -145,7 +145,7 @@ class Block:
 
 
 def block(size_query: str, what: str, *arguments: Any) -> Block:
-    """A block as large as the query says: size_query(*arguments, &size)."""
+    """A block of the size returned by size_query(*arguments, &size)."""
     size = c_size_t(0)
     check(getattr(library(), size_query)(*arguments, ctypes.byref(size)), what)
     return Block(size.value)

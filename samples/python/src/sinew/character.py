@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What goes in and out: skeletons, skins (weights), clips, and characters that hold them together. n vertices, j joints, k
+"""Inputs and outputs: skeletons, skins (weights), clips, and characters that contain them. n vertices, j joints, k
 influences, t frames."""
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ class Skeleton:
 
     positions  [j, 3] float32
     parents    [j] int32, -1 for a root; any order
-    names      j strings; "joint_0" and so on where none are given
-    rotations  [j, 4] float32 x y z w, how the joints' axes are turned in the world; None: as the world's
+    names      j strings; default "joint_0" and so on
+    rotations  [j, 4] float32 x y z w, rotations of the joints' axes in the world; None: world axes
     classes    [j] uint8, indices of CLASSES; None: not known
-    ends       [j] bool, joints that only say where a bone ends; they get no weight. None: not known
+    ends       [j] bool, joints that only mark the end of a bone; they get no weight. None: unknown
     Raises ValueError, which names the argument.
     """
 
@@ -57,7 +57,7 @@ class Skeleton:
         return f"<sinew.Skeleton: {len(self)} joints{f', {self.names[0]!r} to {self.names[-1]!r}' if len(self) else ''}>"
 
     def index(self, joint: Union[str, int], name: str = "joint") -> int:
-        """The number of a joint that is named or numbered. Raises ValueError."""
+        """Index of a joint given by name or index. Raises ValueError."""
         if isinstance(joint, str):
             if joint not in self.names:
                 raise ValueError(f"{name}: the skeleton has no joint {joint!r}; its joints are {self.names[0]} to {self.names[-1]}")
@@ -67,7 +67,7 @@ class Skeleton:
         return int(joint)
 
     def order(self) -> List[int]:
-        """Joints with parents before their children. Raises ValueError where parents form a cycle."""
+        """Joints with parents before their children. Raises ValueError if parents form a cycle."""
         children: List[List[int]] = [[] for _ in self.parents]
         out: List[int] = []
         for joint, parent in enumerate(self.parents):
@@ -97,7 +97,7 @@ class Skeleton:
         return np.asarray(q / np.maximum(np.linalg.norm(q, axis=1, keepdims=True), 1e-30))
 
     def matrices(self, rotations: Any = None, translations: Any = None) -> Array:
-        """Pose times inverse bind per joint, what Deformer.pose() takes.
+        """Pose times inverse bind per joint, for Deformer.pose().
 
         rotations     [j, 4] x y z w local, in the axes of the parent; None: at rest
         translations  [j, 3] local; None: at rest
@@ -125,7 +125,7 @@ class Skeleton:
 
 @dataclass
 class Alternative:
-    """One answer to a question. `change`: how much it changes the part's weights, 0 to 2."""
+    """One answer to a question. `change`: change of the part's weights, 0 to 2."""
 
     kind: str
     joint: int
@@ -134,7 +134,7 @@ class Alternative:
 
 @dataclass
 class Question:
-    """A part of the mesh that geometry does not decide; see sinew/questions.h. `gain` is what the order is by."""
+    """A part of the mesh that geometry alone does not decide; see sinew/questions.h. Questions are sorted by `gain`."""
 
     vertex: int
     part_count: int
@@ -150,9 +150,9 @@ class Question:
 class Skin:
     """Weights of a mesh.
 
-    joints      [n, k] uint16, by falling weight; unused places are joint 0 with weight 0
+    joints      [n, k] uint16, by descending weight; unused slots are joint 0 with weight 0
     weights     [n, k] uint16 (a row sums to 65535), uint8 (255) or float32 (1)
-    confidence  [n] uint8, how sure the strongest joint is, 0..255 = 0..100 %; or None
+    confidence  [n] uint8, confidence of the strongest joint, 0..255 = 0..100 %; or None
     """
 
     joints: Array
@@ -177,7 +177,7 @@ class Skin:
         return f"<sinew.Skin: {len(self.joints)} vertices, {self.joints.shape[1]} influences, {self.weights.dtype}>"
 
     def unit(self) -> float:
-        """The weight that is all of a row."""
+        """Sum of the weights of a row."""
         return {1: 255.0, 2: 65535.0}.get(self.weights.dtype.itemsize, 1.0)
 
     def dense(self, joint_count: int) -> Array:
@@ -226,7 +226,7 @@ def skin_of(value: Any, vertex_count: int, joint_count: int, name: str) -> Skin:
     if len(skin.joints) != vertex_count:
         raise ValueError(f"{name}: expected rows of {vertex_count} vertices, found {len(skin.joints)}")
     if skin.joints.size and skin.joints.max() >= joint_count:
-        raise ValueError(f"{name}: names joint {skin.joints.max()}, and the skeleton has joints 0 to {joint_count - 1}")
+        raise ValueError(f"{name}: names joint {skin.joints.max()}, but the skeleton has joints 0 to {joint_count - 1}")
     return skin
 
 
@@ -236,7 +236,7 @@ class Clip:
 
     rotations     [t, j, 4] float32 x y z w
     translations  [t, j, 3] float32
-    fps           frames a second
+    fps           frames per second
     """
 
     rotations: Array
@@ -248,7 +248,7 @@ class Clip:
         self.rotations = real(self.rotations, (None, None, 4), "clip.rotations")
         self.translations = real(self.translations, (*self.rotations.shape[:2], 3), "clip.translations")
         if not (self.fps > 0 and np.isfinite(self.fps)):
-            raise ValueError(f"clip.fps: expected frames a second above 0, found {self.fps}")
+            raise ValueError(f"clip.fps: expected frames per second above 0, found {self.fps}")
 
     def __repr__(self) -> str:
         frames, joints = self.rotations.shape[:2]
@@ -257,7 +257,7 @@ class Clip:
 
 @dataclass(repr=False)
 class Character:
-    """A mesh with all that belongs to it; what load() gives and save() writes.
+    """A mesh with skeleton, weights and clips, for load() and save().
 
     positions  [n, 3] float32 at rest
     faces      as bind() takes them; load() gives [f, 3] uint32
@@ -286,7 +286,7 @@ def multiply(a: Array, b: Array) -> Array:
 
 
 def turn(q: Array, p: Array) -> Array:
-    """Points [..., 3] turned by unit quaternions [..., 4]."""
+    """Points [..., 3] rotated by unit quaternions [..., 4]."""
     v, w = np.asarray(q)[..., :3], np.asarray(q)[..., 3:]
     cross = 2 * np.cross(v, p)
     return np.asarray(p + w * cross + np.cross(v, cross))

@@ -19,15 +19,15 @@ _PLAIN = {"linear": "sinew_skin_linear", "dual-quaternion": "sinew_skin_dual_qua
 
 
 class Deformer:
-    """Poses a bound mesh, any number of times and from any number of threads.
+    """Poses a bound mesh any number of times, from any number of threads.
 
     positions, faces, skeleton, skin   as bind() takes and gives them; copied
     method     "volume": bends keep their volume; "xpbd", "delta-mush": published methods; "linear", "dual-quaternion"
     cells      lattice cells along the longest side, 8 to 64; 0: 32
-    rounds     1 to 200, more are slower and keep more volume; 0: 20, delta-mush 5
+    rounds     1 to 200, more rounds are slower and keep more volume; 0: 20, delta-mush 5
     softness   1 to 65535; 0: 1280
-    contact    whether the two sides of a bend keep out of each other
-    body_contact  whether other parts do, too: an arm and the torso, a thigh and the belly, two thighs. "volume" and "xpbd"
+    contact    keeps the two sides of a bend apart
+    body_contact  keeps other parts apart too: an arm and the torso, a thigh and the belly, two thighs. "volume" and "xpbd"
     Raises ValueError and Error as bind() does.
     """
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""load() and save(): characters of files as arrays. What a file has beside them, materials and textures above all, stays."""
+"""load() and save(): characters of files as arrays. Other data of a file, such as materials and textures, is kept."""
 from __future__ import annotations
 
 import os
@@ -13,11 +13,11 @@ from .character import Character, Clip, skin_of
 
 
 def load(path: Union[str, "os.PathLike[str]"], fps: Optional[float] = None) -> Character:
-    """Reads a file of every format that the command reads; see open() for all that can be done with one.
+    """Reads a file in any format of the command; see open() for all jobs.
 
-    fps  frames a second of the clips; None: as the file has them
-    Returns a Character: positions in the pose that the weights are meant for, [f, 3] triangles, skeleton, skin, clips. Raises Error,
-    which names the file and what is wrong with it.
+    fps  frames per second of the clips; None: as in the file
+    Returns a Character: positions in the bind pose, [f, 3] triangles, skeleton, skin, clips. Raises Error,
+    with the file name and the reason.
     """
     one = opened.open(path).character()
     if isinstance(one.faces, list):

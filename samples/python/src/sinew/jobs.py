@@ -19,25 +19,25 @@ class Jobs:
     bytes are the same for any number."""
 
     def transform(self, *, turns: Sequence[str] = (), height: float = 0, floor: bool = False, up: declarations.Up = "auto") -> None:
-        """Turns and scales the character as a whole: mesh, joints, the file's own animations. Weights stay. A picture, a
-        character without a mesh, and one to which a call has added clips or morph targets are an Error.
+        """Rotates and scales the whole character: mesh, joints, the file's own animations. Weights stay. A picture, a character
+        without a mesh, and one to which a call has added clips or morph targets are an Error.
 
-        turns  quarter turns about the origin, one after the other: "x", "-x", "y", ...
+        turns  rotations by 90 degrees about an axis through the origin, in order: "x", "-x", "y", ...
         height  height in meters along up; 0 = unchanged
         floor  the lowest vertex is moved to 0 along up
-        up  after the turns; "auto": Y
+        up  after the rotations; "auto": Y
         """
         run("transform", locals())
 
     def check(self, *, poses: bool = True, clips: bool = True, score: bool = False,
               bounds: Optional[Mapping[str, float]] = None) -> CheckResult:
-        """Looks for faults of the skeleton, the weights, the matrices and the animations; changes nothing. A character without
-        joints is an Error.
+        """Finds faults of the skeleton, the weights, the matrices and the animations; changes nothing. A character without joints
+        is an Error.
 
-        poses  False: the mesh is not posed: no tears, lost volume, flips, crossings
-        clips  False: animations are not looked at
-        score  the result has a score
-        bounds  rules that get other bounds
+        poses  False: no test poses: no tears, lost volume, flips, crossings
+        clips  False: ignores animations
+        score  computes the score
+        bounds  rules with other bounds
         """
         return cast(CheckResult, run("check", locals()))
 
@@ -50,24 +50,24 @@ class Jobs:
              progress: ProgressFunction = None) -> BindResult:
         """Gives the mesh weights for its skeleton. A mesh without a skeleton is an Error.
 
-        influences  1..12 influences a vertex; 0 = 4
+        influences  1..12 influences per vertex; 0 = 4
         up  "auto": Y
-        softness  0.25..4, 2 blends twice as softly; 0 = 1
-        surface_vertices  a mesh of more vertices is bound on a surface reduced to so many; 0 = 32768
-        keep_tips  joints that only end a chain keep the weight they get
+        softness  0.25..4, 2 = twice as soft; 0 = 1
+        surface_vertices  larger meshes are bound on a surface reduced to this many vertices; 0 = 32768
+        keep_tips  joints that only end a chain keep their weight
         bind_props  meshes without a skin are bound too
-        fit  a skeleton in other units or beside the mesh is brought into it
-        symmetric  mirrored vertices get mirrored rows
-        keep_confidence  a saved .glb has the confidence as _CONFIDENCE
-        questions  lists at most so many parts that are worth a question
+        fit  scales, rotates and moves a skeleton that has other units or stands beside the mesh
+        symmetric  mirrored vertices get mirrored weights
+        keep_confidence  a saved .glb has the confidence as attribute _CONFIDENCE
+        questions  maximum number of questions about parts
         deform, never  joints, by name or number, that alone get weight, or none
-        locked  mask [n] of bool or uint8, or indices: keeps the weights it has
-        hints  mask [n] of bool or uint8, or indices: keeps the weights it has, which steer their surroundings; or weights of some
-            vertices of the same mesh, joints by name, in place of hinted
-        like  a bound character whose weights are carried over where they fit
-        style  a .style file that answers what it knows
-        to_pose  rest pose of the result: "t", "a", or a file whose skeleton stands so; None = as it stands. Cuts, too
-        cut  what has grown together is opened, its vertices doubled; the new ones come last
+        locked  mask [n] of bool or uint8, or indices: the vertex keeps its weights
+        hints  mask [n] of bool or uint8, or indices: the vertex keeps its weights, which guide its surroundings; or weights of
+            some vertices of the same mesh, joints by name, instead of hinted
+        like  a bound character whose weights are transferred where they fit
+        style  a .style file with answers about similar parts
+        to_pose  rest pose of the result: "t", "a", or a file with a skeleton in that pose; None = unchanged. Implies cut
+        cut  fused parts are cut open; doubled vertices are appended
         model  files or bytes in place of the bundled ones
         """
         return cast(BindResult, run("bind", locals()))
@@ -79,25 +79,25 @@ class Jobs:
             influences: int = 0, rigid_parts: declarations.RigidParts = "auto", softness: float = 1, surface_vertices: int = 0,
             to_pose: Text = None, cut: bool = False, model: ModelFile = None, hands_model: ModelFile = None, front_model: ModelFile = None,
             threads: int = 1, progress: ProgressFunction = None) -> RigResult:
-        """Makes a skeleton for a mesh and binds the mesh to it. A skeleton that the character has is replaced.
+        """Makes a skeleton for a mesh and binds the mesh to it. It replaces the character's skeleton.
 
-        up  "auto": found, or as the file's format says
+        up  "auto": by the file format, else found
         front  "auto": found
-        category  what kind of body it is; "any": as the model says
-        spine  1..16; 0 = as the model says
-        toes  False: feet have no toe joints
-        ends  False: chains have no NAME_end joints
-        bind  False: the skeleton alone, without weights
-        keep_lengths  with a skeleton, its bones are turned and all scaled alike
-        gate  the result is measured; what fails is a note that begins with "gate: "
-        edits  changes of the skeleton
-        skeleton  a file, or template:NAME, that is put into the mesh; or a character whose skeleton is put into the mesh
-        influences  of the bind: 1..12 influences a vertex; 0 = 4
-        softness  of the bind: 0.25..4, 2 blends twice as softly; 0 = 1
-        surface_vertices  of the bind: a mesh of more vertices is bound on a surface reduced to so many; 0 = 32768
-        to_pose  of the bind: rest pose of the result: "t", "a", or a file whose skeleton stands so; None = as it stands. Cuts,
-            too
-        cut  of the bind: what has grown together is opened, its vertices doubled; the new ones come last
+        category  body class; "any": as predicted
+        spine  1..16 spine joints; 0 = as predicted
+        toes  False: no toe joints
+        ends  False: no NAME_end joints at chain ends
+        bind  False: the skeleton only, without weights
+        keep_lengths  with a skeleton, its bones are rotated and all scaled by one factor
+        gate  checks the result; each failure is a note that begins with "gate: "
+        edits  edits of the skeleton, in order
+        skeleton  a file, or template:NAME, whose skeleton is fitted into the mesh; or a character whose skeleton is fitted into
+            the mesh
+        influences  bind: 1..12 influences per vertex; 0 = 4
+        softness  bind: 0.25..4, 2 = twice as soft; 0 = 1
+        surface_vertices  bind: larger meshes are bound on a surface reduced to this many vertices; 0 = 32768
+        to_pose  bind: rest pose of the result: "t", "a", or a file with a skeleton in that pose; None = unchanged. Implies cut
+        cut  bind: fused parts are cut open; doubled vertices are appended
         model, hands_model, front_model  files or bytes in place of the bundled ones
         """
         return cast(RigResult, run("rig", locals()))
@@ -106,20 +106,20 @@ class Jobs:
             target_up: declarations.Up = "auto", guess_up: bool = False, pins: Any = None, first: declarations.BranchesFirst = "both",
             cost: declarations.BranchesCost = "mean", source_up: declarations.Up = "auto", layout: Text = None,
             actor: Text = None) -> MapResult:
-        """Finds the joint of the source for each joint of the target. Changes neither; the result's arrays are the target's. The
-        source is read as retarget() reads a motion: in a stance that is guessed where its rest pose is none. Joints of its motion
-        beside its own (animated nodes without skin) are counted behind them.
+        """Finds the source joint of each target joint. Changes neither character; the result belongs to the target. The source is
+        read as in retarget(): if its rest pose is not a standing pose, one is guessed from its frames. Animated nodes without
+        skin are counted after its joints.
 
-        names  False: joints' names are not read
-        ends  False: bone ends are not read
-        target_up  "auto": along the legs of a body that has two, else Y
-        guess_up  as with target_up 0, whatever it is
-        pins  pairs that are kept; or a map whose lines are kept
+        names  False: ignores joint names
+        ends  False: ignores bone ends
+        target_up  "auto": along the legs of a body with two legs, else Y
+        guess_up  guesses the up axis, as with target_up 0
+        pins  pairs to keep; or a map file whose pairs are kept
         first  of "branches"
         cost  of "branches"
         source_up  of the motion; "auto": found
-        layout  layout of keypoints (.npy, .npz): "smpl24", ...; None: guessed by their count
-        actor  of a file of several people, by the root's name or number; None: the first where all are alike
+        layout  layout of keypoints (.npy, .npz): "smpl24", ...; None: chosen by the number of keypoints
+        actor  actor of a file with several people, by name of the root or number; None: the first, if all have equal skeletons
         """
         return cast(MapResult, run("map", locals()))
 
@@ -137,44 +137,45 @@ class Jobs:
         """Adds clips of another skeleton to a bound character, which are saved with it. A bare mesh is rigged first.
 
         natural_range  False: knees and elbows may leave their natural range
-        in_place  stays above where it stands at rest
+        in_place  keeps the character above its rest position
         target_up  of the character; "auto": found
-        shapes  most morph targets a clip; 0 = 16
-        report  limbs are measured before and after
-        force  plays a motion that does not fit, such as a person's on a horse; else an error
-        translations  bones stretch as the source's do, as in sinew_retarget_options
-        depth  bones of a picture's character leave its plane as the motion's do
-        pins  pairs that a found map keeps
+        shapes  maximum number of morph targets per clip; 0 = 16
+        report  measures limbs before and after
+        force  plays a motion that does not fit, such as a person's on a horse; 0: that is an error
+        translations  bones stretch like the source's, as in sinew_retarget_options
+        depth  bones of a picture's character may leave the picture plane
+        pins  pairs to keep in a map that is found
         map_file  a map file; None: found
-        joint_map  [j] joint of the motion or -1, in place of a map
-        limits  what joints stay within, contacts or not: a .urdf, a file of formats/spec/limits.md, or "human" for what bodies
-            can do; None: the natural range alone
-        springs  hair, tails, ears and skirts swing in the clips, by the springs of the character, see springs()
+        joint_map  [j] joint of the motion or -1, instead of a map
+        limits  rotation limits of joints, for every method: a .urdf, a file of formats/spec/limits.md, or "human"; None: only the
+            natural range of knees and elbows
+        springs  simulates the character's springs (hair, tails, ears, skirts) in the clips, see springs()
         motion_up  of the motion; "auto": found
-        layout  layout of keypoints (.npy, .npz): "smpl24", ...; None: guessed by their count
-        actor  of a file of several people, by the root's name or number; None: the first where all are alike
-        clip  by name or number; None: all
-        fps  frames a second; 0 = as the motion has
-        start  first second that is played
-        end  last second that is played; 0 = the end
-        correct  animate makes morph targets of corrections, VOLUME and above; bake takes no other. 0 = none, linear blending or
-            VOLUME, as the call says
-        cells  of the deformer; 0 = its own
-        rounds  of the deformer; 0 = its own
-        body_contact  with VOLUME or XPBD, limbs keep out of the body
-        tet_weights  of "xpbd"
-        smoothing  False: bends are not smoothed, of POSE_XPBD
+        layout  layout of keypoints (.npy, .npz): "smpl24", ...; None: chosen by the number of keypoints
+        actor  actor of a file with several people, by name of the root or number; None: the first, if all have equal skeletons
+        clip  clip by name or number; None: all
+        fps  frames per second; 0 = as in the motion
+        start  first second to play
+        end  last second to play; 0 = the end
+        correct  animate makes morph targets for corrections (VOLUME and above), which bake requires. 0 = none, linear blending or
+            VOLUME, depending on the call
+        cells  lattice cells of the deformer; 0 = its default
+        rounds  iterations of the deformer; 0 = its default
+        body_contact  for VOLUME and XPBD, limbs keep out of the body
+        tet_weights  for "xpbd"
+        smoothing  False: bends are not smoothed, for POSE_XPBD
         deform_as_drawn  "xpbd" as published, see sinew/deform.h
-        stiffness  of "xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2
+        stiffness  stiffness of the springs in the lattice's tetrahedra, 0.001 to 1000, for "xpbd"; 0 = 0.2
         area_power  reference points: n, 1 .. 4, or NO_AREA for 0; 0 = 3
-        own_limb  reference points: triangles of the limb itself have influence as well
-        legs  reference points: knees and ankles move as well
-        falloff  reference points: d: influence also falls by exp(-(distance / (d * source's height))^2); 0 = 0.05, which is ours
-        head  reference points: the head moves as well
-        torso  reference points: torso joints lie as the source's do, each seen from the one before; 0: they turn as copied
-        source_points  reference points: reference points are the source's, in the size of the target; 0: the target's
-        as_drawn  reference points: as published: one sum over all triangles, the limb's own too; knees, ankles, head and torso as
-            well; the source's reference points; no falloff, no push-out. own_limb to source_points say nothing then
+        own_limb  reference points: triangles of the limb itself have influence too
+        legs  reference points: also corrects knees and ankles
+        falloff  reference points: d: influence also falls by exp(-(distance / (d * source's height))^2); 0 = 0.05 (added by
+            sinew)
+        head  reference points: also corrects the head
+        torso  reference points: copies directions between torso joints; 0: copies their rotations
+        source_points  reference points: reference points of the source's body, scaled to the target; 0: of the target's body
+        as_drawn  reference points: as published: one sum over all triangles, including the limb's own; knees, ankles, head and
+            torso too; the source's reference points; no falloff, no push-out. own_limb to source_points are ignored
         model, hands_model, front_model  files or bytes in place of the bundled ones
         """
         return cast(AnimateResult, run("animate", locals()))
@@ -188,17 +189,17 @@ class Jobs:
         angles  [j, 3] degrees about x, then y, then z
         rotations  [j, 4] x y z w, local, relative to the rest pose
         matrices  [j, 12] row-major 3x4, rest to posed space
-        clip  of the character's own, by name or number
-        time  second of the clip
-        method  animate makes morph targets of corrections, VOLUME and above; bake takes no other. 0 = none, linear blending or
-            VOLUME, as the call says
-        cells  of the deformer; 0 = its own
-        rounds  of the deformer; 0 = its own
-        body_contact  with VOLUME or XPBD, limbs keep out of the body
-        tet_weights  of "xpbd"
-        smoothing  False: bends are not smoothed, of POSE_XPBD
+        clip  clip of the character, by name or number
+        time  time in the clip, in seconds
+        method  animate makes morph targets for corrections (VOLUME and above), which bake requires. 0 = none, linear blending or
+            VOLUME, depending on the call
+        cells  lattice cells of the deformer; 0 = its default
+        rounds  iterations of the deformer; 0 = its default
+        body_contact  for VOLUME and XPBD, limbs keep out of the body
+        tet_weights  for "xpbd"
+        smoothing  False: bends are not smoothed, for POSE_XPBD
         deform_as_drawn  "xpbd" as published, see sinew/deform.h
-        stiffness  of "xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2
+        stiffness  stiffness of the springs in the lattice's tetrahedra, 0.001 to 1000, for "xpbd"; 0 = 0.2
         """
         return cast("OpenCharacter", run("pose", locals()))
 
@@ -206,16 +207,16 @@ class Jobs:
                  up: declarations.Up = "auto", source_up: declarations.Up = "auto", garment: bool = False, as_drawn: bool = False,
                  heat: bool = False, pairs: Sequence[Tuple[int, int]] = (), locked: Any = None, map_file: Text = None,
                  model: ModelFile = None, threads: int = 1, progress: ProgressFunction = None) -> TransferResult:
-        """Carries the weights of a bound character to the target's mesh, which keeps its skeleton or gets the source's, fitted.
+        """Transfers the weights of a bound character to the target's mesh. A target without a skeleton gets the source's, fitted.
 
-        influences  1..12 influences a vertex; 0 = 4
+        influences  1..12 influences per vertex; 0 = 4
         up  "auto": Y
         source_up  "auto": Y
-        garment  the target is worn by the source
-        as_drawn  as its paper says, of "biharmonic"
-        heat  binds by heat alone, without a model
-        pairs  of "biharmonic"
-        locked  mask [n] of bool or uint8, or indices: the target's vertex keeps the weights it has
+        garment  the source wears the target
+        as_drawn  "biharmonic" as published
+        heat  binds by heat only, without a model
+        pairs  reference points of "biharmonic"
+        locked  mask [n] of bool or uint8, or indices: the target's vertex keeps its weights
         map_file  a map file; None: found
         model  files or bytes in place of the bundled ones
         """
@@ -223,16 +224,16 @@ class Jobs:
 
     def springs(self, *, replace: bool = False, take: Sequence[str] = (), drop: Sequence[str] = (), presets: Sequence[str] = (),
                 values: Sequence[str] = (), make: bool = False) -> SpringsResult:
-        """Finds what swings on a bound character, hair, tails, ears and skirts, with colliders. They are saved with it
-        (VRMC_springBone), and played by retarget().
+        """Finds hair, tails, ears and skirts that swing on a bound character, with colliders. The springs are saved with it
+        (VRMC_springBone) and simulated by retarget().
 
-        replace  finds springs anew in place of the file's own
-        take  chains that are kept although they are not sure, or beside the file's own
-        drop  chains that are left out
-        presets  NAME=KIND: numbers of another kind, hair, long-hair, skirt, tail, ear, cape, bust or ribbon
-        values  NAME:FIELD=X, one number of a chain's joints, or NAME:FIELD=xF, F times what each has: stiffness, gravity, drag,
-            radius or limit
-        make  chains of joints are laid into skirts, coats and capes that have none, and these are bound to them
+        replace  finds springs anew instead of the file's own
+        take  chains to keep despite a low probability, or in addition to the file's own
+        drop  chains to leave out
+        presets  NAME=KIND: parameters of another kind, hair, long-hair, skirt, tail, ear, cape, bust or ribbon
+        values  NAME:FIELD=X sets a parameter of a chain's joints, NAME:FIELD=xF scales it by F: stiffness, gravity, drag, radius
+            or limit
+        make  makes chains of joints in skirts, coats and capes that have none, and binds these to them
         """
         return cast(SpringsResult, run("springs", locals()))
 
@@ -240,22 +241,23 @@ class Jobs:
              method: declarations.PoseDeform = "volume", cells: int = 0, rounds: int = 0, body_contact: bool = False,
              tet_weights: declarations.TetWeights = "skin", smoothing: bool = True, deform_as_drawn: bool = False, stiffness: float = 0,
              progress: ProgressFunction = None) -> BakeResult:
-        """Adds morph targets that correct bends, with what drives them, which are saved with the character.
+        """Adds morph targets that correct bends, with their drivers, which are saved with the character.
 
-        poses  poses to learn from; 0 = 1500
-        shapes  most weights that drive a bend, each of which has one or two morph targets; 0 = 8
-        seed  of the random poses; 0 = 1
-        limit  largest angle in degrees; 0 = 60
-        clip  learns from a clip of the character's own; None: random poses
-        error  what may be left out of a vertex's moves, root mean square over the poses, a share of the size; 0 = 0.002
-        method  animate makes morph targets of corrections, VOLUME and above; bake takes no other. 0 = none, linear blending or
-            VOLUME, as the call says
-        cells  of the deformer; 0 = its own
-        rounds  of the deformer; 0 = its own
-        body_contact  with VOLUME or XPBD, limbs keep out of the body
-        tet_weights  of "xpbd"
-        smoothing  False: bends are not smoothed, of POSE_XPBD
+        poses  number of training poses; 0 = 1500
+        shapes  maximum number of driving weights per bend, each with one or two morph targets; 0 = 8
+        seed  seed of the random poses; 0 = 1
+        limit  maximum angle in degrees; 0 = 60
+        clip  clip of the character to train on; None: random poses
+        error  threshold for leaving out displacements of vertices: root mean square over the poses as a share of the size; 0 =
+            0.002
+        method  animate makes morph targets for corrections (VOLUME and above), which bake requires. 0 = none, linear blending or
+            VOLUME, depending on the call
+        cells  lattice cells of the deformer; 0 = its default
+        rounds  iterations of the deformer; 0 = its default
+        body_contact  for VOLUME and XPBD, limbs keep out of the body
+        tet_weights  for "xpbd"
+        smoothing  False: bends are not smoothed, for POSE_XPBD
         deform_as_drawn  "xpbd" as published, see sinew/deform.h
-        stiffness  of "xpbd": of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2
+        stiffness  stiffness of the springs in the lattice's tetrahedra, 0.001 to 1000, for "xpbd"; 0 = 0.2
         """
         return cast(BakeResult, run("bake", locals()))

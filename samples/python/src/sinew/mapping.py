@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""map(): which joint of one skeleton stands for which of another."""
+"""map(): matches the joints of one skeleton to those of another."""
 from __future__ import annotations
 
 import ctypes
@@ -21,7 +21,7 @@ class JointMap:
     """sources     [target j] int32, the source's joint, -1 for none
     confidence  [target j] float32, 0 to 1, 0 without a source
     reasons     [target j] uint8, indices of REASONS
-    certainty   0 to 1, how sure front and sides of both are; below 0.5 left and right may be exchanged
+    certainty   0 to 1, certainty of the front and sides of both; below 0.5 left and right may be exchanged
     method      "sinew", which is by anatomy, or "branches"
     """
 
@@ -35,11 +35,11 @@ class JointMap:
 def map(target: Skeleton, source: Skeleton, *, method: declarations.MapMethod = "auto",
         pins: Optional[Mapping[Union[str, int], Union[str, int, None]]] = None, names: bool = True,
         target_up: declarations.Up = "y", source_up: declarations.Up = "y") -> JointMap:
-    """Finds a source for every joint of the target that has a counterpart. The same bytes on every machine.
+    """Finds a source for each joint of the target that has a match. The same bytes on every machine.
 
-    pins       {target joint: source joint or None}, by names or numbers: kept as they are, and the rest follows them
-    names      whether names are read
-    target_up, source_up  "x", "y", "z", or "auto" where it is not known
+    pins       {target joint: source joint or None}, by names or indices: fixed pairs that the rest must agree with
+    names      uses joint names
+    target_up, source_up  "x", "y", "z", or "auto" if unknown
     Raises ValueError and Error.
     """
     options = binding.init(binding.sinew_map_options)

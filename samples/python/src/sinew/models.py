@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Models: files that are checked and packed once, and kept."""
+"""Models: files that are checked and packed once, and cached."""
 from __future__ import annotations
 
 import ctypes
@@ -21,8 +21,8 @@ class Model:
     """A model file.
 
     source  path of the file, or its bytes
-    task    "weights" for bind() and transfer(), "skeletons" for rig(), "hands" for its fingers, "fronts" for where a mesh faces
-    Raises binding.Error, which names the file, where it is missing or damaged.
+    task    "weights" for bind() and transfer(), "skeletons" for rig(), "hands" for its fingers, "fronts" for the front direction
+    Raises binding.Error, with the file name, if it is missing or damaged.
     """
 
     def __init__(self, source: Union[str, "os.PathLike[str]", bytes], task: Task = "weights") -> None:
@@ -56,7 +56,7 @@ _lock = threading.Lock()
 
 
 def model_for(model: Optional[Union[str, "os.PathLike[str]", Model]], task: Task) -> Model:
-    """A Model as it is; a file's, kept for the next call; the bundled one for None."""
+    """Returns a Model unchanged, a cached Model of a file, or the bundled one for None."""
     if isinstance(model, Model):
         return model
     path = binding.data_folder() / BUNDLED[task] if model is None else Path(model)

@@ -35,7 +35,7 @@ def open(source: Source, *, name: str = "", beside: Optional[Mapping[str, bytes]
     source  path of a file, or its bytes
     name    of the file, where bytes are given: its extension says what they are
     beside  {name: bytes} of what lies beside it (a .bin, textures, a .rig.txt), where bytes are given
-    Returns an OpenCharacter. Raises Error, which names the file and says what is wrong with it.
+    Returns an OpenCharacter. Raises Error with the file name and the reason.
     """
     library = binding.character_library()
     handle = ctypes.c_void_p()
@@ -74,7 +74,7 @@ def open_picture(source: Source, *, name: str = "", beside: Optional[Mapping[str
 
 
 def open_keypoints(layout: KeypointsLayout, keypoints: Any) -> "OpenCharacter":
-    """Keypoints of a person's joints alone, as cameras and captures tell them, as a motion: its skeleton is learnt from these frames, which are its
+    """Keypoints of a person's joints alone, as cameras and captures tell them, as a motion: its skeleton is learned from these frames, which are its
     clip. keypoints_frame() turns those that come into what RetargetStream.frame() takes, with this skeleton as the source.
 
     layout  which joints the keypoints are
@@ -182,7 +182,7 @@ class OpenCharacter(Jobs):
 
     @property
     def notes(self) -> List[str]:
-        """Remarks of the reader and of the jobs."""
+        """Notes and warnings of the reader and the jobs."""
         return str(binding.character_library().sinew_character_notes(self.pointer).decode(errors="replace")).splitlines()
 
     @property

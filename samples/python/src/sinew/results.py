@@ -16,18 +16,18 @@ class Finding:
 
     rule  "left-right"; check_rules() lists them
     what  one line of English
-    cure  one line: what to do
+    cure  one line: the remedy
     pose  test pose in which it shows; "": none
     clip  animation in which it shows; "": none
     seconds  time in the clip
-    value  what was measured
+    value  measured value
     bound  the value above which it is a finding
-    vertices  ascending; None where it is about joints or clips
-    joint  joint that it is about; -1: none
-    other  joint that it is compared with; -1: none
+    vertices  ascending; None for a finding about joints or clips
+    joint  joint of the finding; -1: none
+    other  joint for comparison; -1: none
     mesh  mesh of all its vertices; -1: none, or several
-    position  where to look, in the mesh's units
-    radius  how far around the position to look
+    position  position of the finding, in the mesh's units
+    radius  radius of the finding around the position
     """
 
     rule: str
@@ -51,10 +51,10 @@ class Finding:
 class CheckResult:
     """sinew_character_check_result of C.
 
-    errors  findings of each severity
+    errors  number of findings of each severity
     findings  errors first
     line  "checked: 0 findings"
-    score  0..100, how near the weights are to those of three methods; -1 where it was not asked for
+    score  0..100, similarity of the weights to those of three methods; -1 if not requested
     """
 
     errors: int
@@ -69,8 +69,8 @@ class CheckResult:
 class Seam:
     """sinew_character_seam of C.
 
-    joints  the joints that most of it lies between
-    position  its middle
+    joints  the joints on its two sides
+    position  its center
     """
 
     joints: Tuple[int, ...]
@@ -82,17 +82,17 @@ class Seam:
 class BindResult:
     """sinew_character_bind_result of C.
 
-    symmetric_vertices  with symmetric: vertices that have a mirror image
-    kept_meshes  meshes that stay attached to one joint
-    folded_tips  joints that gave their weight to their parents
-    answers_by_style  answers by the style file
-    seconds  in sinew_bind()
-    left_out  joints that may get no weight
-    questions  by falling gain
-    vertex_questions  before a cut, or NO_QUESTION; None without questions
-    hash  of the weights, as in `sinew bind --json`
+    symmetric_vertices  with symmetric: number of vertices with a mirror image
+    kept_meshes  number of meshes that stay attached to one joint
+    folded_tips  number of joints that gave their weight to their parents
+    answers_by_style  number of answers from the style file
+    seconds  duration of sinew_bind()
+    left_out  joints that must not get weight
+    questions  by descending gain
+    vertex_questions  question of each vertex before a cut, or NO_QUESTION; None without questions
+    hash  hash of the weights, as in `sinew bind --json`
     seams  longest first
-    doubled_vertices  with cut or to_pose
+    doubled_vertices  with cut or to_pose: number of doubled vertices
     """
 
     symmetric_vertices: int
@@ -113,7 +113,7 @@ class BindResult:
 class Doubt:
     """sinew_character_doubt of C.
 
-    name  joint that the limb is called by: LeftArm, RightUpLeg, Tail
+    name  joint that names the limb: LeftArm, RightUpLeg, Tail
     doubt  probability that the limb is wrong, 0..1
     """
 
@@ -125,19 +125,19 @@ class Doubt:
 class RigResult:
     """sinew_character_rig_result of C.
 
-    mirrored  the skeleton is its own mirror image
-    matched  with a skeleton: its joints that have a counterpart in the prediction
-    joint_count  N: joints of the arrays below
-    spread  how far off the votes think they are, see sinew_rig_outputs
-    scale  with a skeleton: how much larger it became
+    mirrored  the skeleton is symmetric
+    matched  with a skeleton: number of its joints that match the prediction
+    joint_count  N: number of joints of the arrays below
+    spread  estimated error of the votes, see sinew_rig_outputs
+    scale  with a skeleton: its scale factor
     ends  a bone end
-    confidence  0..1
-    parent_confidence  0..1
-    front  unit vector in which the mesh faces
+    confidence  confidence of positions, 0..1
+    parent_confidence  confidence of parents, 0..1
+    front  unit vector of the front direction
     up  Y or Z
-    front_certainty  0..1, see sinew_rig_outputs; below 0.7 a coin toss
+    front_certainty  0..1, see sinew_rig_outputs; uncertain below 0.7
     seams  longest first
-    doubtful  limbs by falling doubt; of votes
+    doubtful  limbs by descending doubt; for votes
     """
 
     mirrored: bool
@@ -163,10 +163,10 @@ class MapResult:
     """sinew_character_map_result of C.
 
     method  that was used
-    joint_count  J of the target
-    mapped  joints with a source
-    certainty  0..1, of front, sides and trunk
-    cover  0..1, how much of both bodies it reaches; below 0.5 retarget() refuses it
+    joint_count  J: number of joints of the target
+    mapped  number of joints with a source
+    certainty  0..1, certainty of front, sides and torso
+    cover  0..1, share of both bodies that is mapped; below 0.5 retarget() rejects it
     sources  joint of the source, -1 = none
     confidence  0..1
     text  the map as `sinew map -o` writes it
@@ -193,7 +193,7 @@ class LimbQuality:
     frames  of the clip
     deep_frames  with a depth above 0.006
     contact_frames  with a contact
-    range_frames  elbow or knee is out of its natural range by more than a degree
+    range_frames  with elbow or knee out of its natural range by more than a degree
     depth  mean over frames
     error  mean over contact frames
     """
@@ -214,19 +214,19 @@ class LimbQuality:
 class AnimateResult:
     """sinew_character_animate_result of C.
 
-    clips  clips that were added
-    mapped  joints that move
-    rigged  it was a bare mesh
-    shape_count  morph targets that were added
-    certainty  0..1, of front and sides, and no more than how much of both bodies the map reaches
-    limb_count  with report: limbs in both arrays below
+    clips  number of clips that were added
+    mapped  number of joints with a source
+    rigged  a bare mesh was rigged first
+    shape_count  number of morph targets that were added
+    certainty  0..1, certainty of front and sides, at most the share of both bodies that is mapped
+    limb_count  with report: number of limbs in both arrays below
     limbs_before  with report
     limbs_after  with report
-    mapped_by  "anatomy and names"
+    mapped_by  how the map was found: "anatomy and names", ..
     sources  the map that was used: joint of the motion, -1 = none
-    source_ends  a mere end, which never turns
-    source_names  joints of the motion, a line each, '\n' between two
-    spot_positions  see sinew_contact_spot, as the errors
+    source_ends  a bone end, which does not rotate
+    source_names  names of the joints of the motion, one per line
+    spot_positions  positions, see sinew_contact_spot
     """
 
     clips: range
@@ -254,11 +254,11 @@ class TransferPart:
     vertex  its vertex of lowest index
     vertex_count  of the target
     reason  of the larger share
-    carried  share of its weights that was carried over, 65536 = all; the rest was bound anew
-    style  how far the source's weights there are from a bind's: sum over joints of the difference, mean over the vertices, 0..131072.
-        0 where nothing was bound
-    mismatch  the same between a bind of the target and the source's bind carried over: how far the match is off
-    distance  mean distance of its vertices from the source as it was laid over the target, longest sides of the target
+    carried  share of its weights that was transferred, 65536 = all; the rest was rebound
+    style  difference between the source's weights there and a bind: sum over joints, mean over the vertices, 0..131072. 0 if nothing
+        was bound
+    mismatch  the same between a bind of the target and the transferred bind of the source: the match error
+    distance  mean distance of its vertices from the aligned source, in longest sides of the target
     """
 
     vertex: int
@@ -274,11 +274,11 @@ class TransferPart:
 class TransferResult:
     """sinew_character_transfer_result of C.
 
-    mapped_joints  joints of the source
-    fitted  the target had no skeleton and has the source's
-    bound  something was bound anew
-    carried  as in sinew_transfer_outputs, and the two below
-    parts  by falling size
+    mapped_joints  number of source joints that were mapped
+    fitted  the target had no skeleton and got the source's
+    bound  a part was rebound
+    carried  as in sinew_transfer_outputs; so are style and mismatch
+    parts  by descending size
     """
 
     mapped_joints: int
@@ -298,7 +298,7 @@ class LodLevel:
     """sinew_character_lod_level of C.
 
     rest_error  largest distance of a vertex from the level's surface
-    posed_error  the same in the worst of the poses that bodies are bent in
+    posed_error  the same in the worst test pose
     mean_error  the mean in that pose
     """
 
@@ -312,14 +312,14 @@ class LodLevel:
 class SpringsResult:
     """sinew_character_springs_result of C.
 
-    chain_count  chains that are kept
-    joint_count  joints that swing
-    collider_count  spheres and capsules that push them
-    own_count  the first of these are the file's own
+    chain_count  number of chains that are kept
+    joint_count  number of joints that swing
+    collider_count  number of spheres and capsules that push them
+    own_count  number of the file's own chains, which come first
     kept  kept
     certainties  0..1
-    names  names of the proposals, a line each, '\n' between two
-    kinds  kinds of the proposals, a line each, '\n' between two
+    names  names of the proposals, one per line
+    kinds  kinds of the proposals, one per line
     """
 
     chain_count: int
@@ -336,8 +336,8 @@ class SpringsResult:
 class BakeResult:
     """sinew_character_bake_result of C.
 
-    linear_error  of the poses that were learnt, shares of the size, and the one below
-    held_out_linear_error  of other poses, and the one below
+    linear_error  error in the training poses as a share of the size, with linear skinning; the next member with the shapes
+    held_out_linear_error  the same in other poses
     """
 
     shape_count: int
@@ -355,12 +355,12 @@ class BakeResult:
 class PictureInfo:
     """sinew_character_picture_info of C.
 
-    width  pixels, of the picture as it is seen
-    figure_count  figures in the picture
-    figure  the one that was taken, from 1 on
+    width  pixels of the picture as displayed
+    figure_count  number of figures in the picture
+    figure  the figure that was taken, starting at 1
     body_class  0 before it is rigged
     view  0 before it is rigged
-    certainty  0..1, of class and view together; 0 before it is rigged
+    certainty  0..1, certainty of class and view together; 0 before it is rigged
     outline  pixels, x right, y down from the top left corner
     """
 
@@ -515,7 +515,7 @@ RESULTS: Dict[Any, Tuple[Any, Rows]] = {
         ("limbs_after", "structs", "limbs_after", (declarations.sinew_limb_quality, ('clip_count', 'limb_count'))),
         ("mapped_by", "text", "mapped_by", None), ("sources", "array", "sources", ('int32', ('J',), False, False)),
         ("reasons", "array", "reasons", ('uint8', ('J',), False, False)),
-        ("source_ends", "array", "source_ends", ('uint8', ('source_count',), False, False)), ("source_names", "text", "source_names", None),
+        ("source_ends", "array", "source_ends", ('uint8', ('source_count',), False, True)), ("source_names", "text", "source_names", None),
         ("spot_kinds", "array", "spot_kinds", ('uint8', ('spot_count',), False, False)),
         ("spot_positions", "array", "spot_positions", ('float32', ('spot_count', '3'), False, False)),
         ("spot_errors", "array", "spot_errors", ('float32', ('spot_count',), False, False))]),

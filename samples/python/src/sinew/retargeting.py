@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""retarget(): motion of one skeleton on another; RetargetStream: frame by frame as it comes."""
+"""retarget(): motion of one skeleton on another; RetargetStream: streaming, frame by frame."""
 from __future__ import annotations
 
 import ctypes
@@ -19,10 +19,10 @@ RETARGET_METHODS = get_args(RetargetMethod)
 
 
 def joint_classes(skeleton: Skeleton, up: declarations.Up = "y", source: Optional[Skeleton] = None, sources: Any = None) -> Array:
-    """[j] uint8 of CLASSES: the skeleton's own, else what the library says of its names, of those of its joints' sources, of its shape;
-    "other" where nothing says anything.
+    """[j] uint8 of CLASSES: the skeleton's own, else derived by the library from its names, the names of its joints' sources, or its shape;
+    "other" if unknown.
 
-    source, sources  a skeleton and [j] its joints that stand for these, -1 for none
+    source, sources  a skeleton and [j] its joints that match these, -1 for none
     """
     if skeleton.classes is not None:
         return skeleton.classes
@@ -42,14 +42,14 @@ def retarget(clip: Clip, source: Skeleton, target: Skeleton, *, joint_map: Union
     """Plays a clip of the source on the target. The same bytes on every machine.
 
     clip         poses of the source's joints
-    joint_map    what map() gives, or [target j] integers of the source's joints, -1 for none; None: map() is asked
-    method       "copy": joints turn as their sources do; "contacts": then feet stay where they stand and hands keep in touch;
-                 "auto": contacts where there is a target_body, else copy
-    in_place     the target stays above where it stands at rest
-    scale        lengths of the target per length of the source; 0: by their legs
+    joint_map    result of map(), or [target j] indices of the source's joints, -1 for none; None: calls map()
+    method       "copy": joints rotate like their sources; "contacts": then planted feet stay in place and hands keep contacts;
+                 "auto": contacts with a target_body, else copy
+    in_place     the target stays above its rest position
+    scale        target length per source length; 0: from the legs
     source_up, target_up  "x", "y", "z", or "auto": away from where the legs point
-    target_body  the bound mesh of the target, whose feet stand; with a source_body of the same vertices hands keep in touch
-    progress     called with the share that is done; returns True to stop
+    target_body  the bound mesh of the target, for contacts of feet; with a source_body of the same vertices also of hands
+    progress     called with the share of the work that is done; returns True to stop
     Returns a Clip of the target's joints. Raises ValueError, Error and Cancelled.
     """
     if clip.rotations.shape[1] != len(source):
@@ -102,14 +102,14 @@ def _pair(source: Skeleton, target: Skeleton, joint_map: Any, in_place: bool, sc
 
 
 class RetargetStream:
-    """Motion as it comes: a frame of the source in, a frame of the target out, without delay. The same bytes on every machine.
+    """Streaming retargeting: a frame of the source in, a frame of the target out, without delay. The same bytes on every machine.
 
     source .. target_up  as in retarget()
-    target_body  the bound mesh of the target, whose skin is to be on the floor, and which hands do not go through; None: its joints
-    source_body  the bound mesh that moves, of the same vertices: hands touch the target_body as they touch it
-    fps          frames a second
+    target_body  the bound mesh of the target, for contacts of its skin with the floor and hands; None: its joints
+    source_body  the bound mesh of the source, with the same vertices, for contacts of hands with the body
+    fps          frames per second
     ground       height of a standing ankle of the source; None: the source's own at rest
-    contacts     False: nothing is held on the floor or on the body
+    contacts     False: no contacts with the floor or the body
     keep_range   False: knees and elbows may leave their natural range
     """
 
@@ -146,7 +146,7 @@ class RetargetStream:
         return made[0], made[1]
 
     def restart(self) -> None:
-        """Forgets the frames before."""
+        """Resets the stream: the next frame is its first."""
         binding.check(binding.library().sinew_retarget_stream_restart(self._stream), "retarget")
 
 

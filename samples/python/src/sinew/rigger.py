@@ -22,16 +22,16 @@ FRONTS = ("auto", "+z", "-z", "+x", "-x", "+y", "-y")  # in the order of sinew_f
 
 @dataclass
 class Rig:
-    """A predicted skeleton and how sure it is.
+    """A predicted skeleton with its confidence.
 
-    confidence, parent_confidence  [j] float32, 0 to 1: of the joint's place, of its parent
+    confidence, parent_confidence  [j] float32, 0 to 1: of the joint's position, of its parent
     partners       [j] int32, the joint's mirror image, itself on the plane, -1 where nothing is mirrored
     mirrored       whether the skeleton is its own mirror image
-    facing         the nearest of where it faces: 0 = +z, 1 = +x, 2 = -z, 3 = -x
+    facing         axis nearest to the front: 0 = +z, 1 = +x, 2 = -z, 3 = -x
     plane          where the mirror plane is, across x for 0 and 2, else across z
-    front, up      where it faces, a unit vector of the mesh's axes, and which of them is up
-    front_certainty, up_certainty  0 to 1: below 0.7 what was found is a coin toss
-    spread         how far off the votes think they are: below 0.03 is good, above 0.09 method="shape" is no worse
+    front, up      front as a unit vector in the mesh's axes, and the up axis
+    front_certainty, up_certainty  0 to 1: uncertain below 0.7
+    spread         estimated error of the votes: below 0.03 is good, above 0.09 method="shape" is as good
     """
 
     skeleton: Skeleton
@@ -55,18 +55,18 @@ def rig(positions: Any, faces: Any, *, method: declarations.RigMethod = "votes",
     """Predicts a skeleton for a mesh. The same bytes on every machine; bind() takes its `skeleton` as it is.
 
     positions    [n, 3] any unit
-    faces        as bind() takes them; None: the vertices are all that is seen
-    method       "votes": by the model; "shape": the middle line of the mesh, without a model; "regions": for comparison
+    faces        as bind() takes them; None: uses only the vertices
+    method       "votes": by the model; "shape": medial axis of the mesh, without a model; "regions": for comparison
     model        file or Model of skeletons; None: the bundled one
     up           axis that points up, "y" or "z"; "auto": found
-    front        where the mesh faces, "+z", "-z", "+x", "-x", "+y" or "-y"; "auto": found, at any angle
+    front        direction that the mesh faces, "+z", "-z", "+x", "-x", "+y" or "-y"; "auto": found, at any angle
     front_model  file or Model of fronts; None: the bundled one
-    mirror       "auto": where the mesh is its own mirror image; "always", "never"
-    spine        1 to 16 joints between pelvis and neck; 0: as the model says
-    toes, ends   whether there are toe joints, and joints that only end bones
-    fingers      whether hands get fingers, where the mesh shows any; hands_model: None = the bundled one
-    face, props  whether heads get eyes and a jaw, and hands a joint for what they hold, where the mesh shows it. Chains for skirts and capes need
-                 weights: OpenCharacter.rig(detail="full") lays them, or OpenCharacter.springs(make=True)
+    mirror       "auto": if the mesh is symmetric; "always", "never"
+    spine        1 to 16 joints between pelvis and neck; 0: as predicted
+    toes, ends   makes toe joints, and joints that only end bones
+    fingers      makes fingers, where the mesh has them; hands_model: None = the bundled one
+    face, props  makes eyes and a jaw, and a joint for objects in hands, where the mesh has them. Chains for skirts and
+                 capes need weights: OpenCharacter.rig(detail="full") makes them, or OpenCharacter.springs(make=True)
     progress     called with the share that is done; returns True to stop
     Raises ValueError, Error and Cancelled as bind() does.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Style files (formats/spec/style.md): what an artist answered about parts of one character, for others of its kind."""
+"""Style files (formats/spec/style.md): an artist's answers about parts of one character, for similar characters."""
 from __future__ import annotations
 
 import json
@@ -25,7 +25,7 @@ def answers_by_style(path: Union[str, "os.PathLike[str]"], positions: Any, skele
 
     positions  [n, 3] of the mesh; the file's own characters had the same axis up, and the mirror is across x
     asked      of bind(..., questions=MAX_QUESTIONS): its questions and parts
-    never      joints that must get no weight
+    never      joints that must not get weight
     Raises Error, which names the file.
     """
     name = os.fspath(path)
@@ -69,13 +69,13 @@ def answers_by_style(path: Union[str, "os.PathLike[str]"], positions: Any, skele
 
 
 def _words(name: str) -> List[str]:
-    """Words of a joint's name without its side and numbers, in small letters."""
+    """Words of a joint's name without side and numbers, in lower case."""
     found = re.findall(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|[^\W\d_a-zA-Z]+", name)
     return [w.lower() for w in found if w.lower() not in ("l", "r", "left", "right")]
 
 
 def _places(positions: Any, points: Array) -> Array:
-    """From the middle of the mesh's box, in its longest sides."""
+    """Positions relative to the center of the mesh's box, in its longest sides."""
     corners = real(positions, (None, 3), "positions")
     low, high = corners.min(0).astype(np.float64), corners.max(0).astype(np.float64)
     return np.asarray((points.astype(np.float64) - 0.5 * (low + high)) / max(float((high - low).max()), 1e-20))
@@ -86,7 +86,7 @@ def _joints(positions: Any, skeleton: Skeleton) -> Dict[str, Array]:
 
 
 def _rules(content: Any, joints: Dict[str, Array]) -> List[Dict[str, Any]]:
-    """Rules of the sheets whose characters are of this one's kind."""
+    """Rules of the sheets of similar characters."""
     out = []
     for sheet in content["characters"]:
         theirs = {one["name"]: np.array(one["place"], np.float64) for one in sheet["joints"]}
@@ -134,7 +134,7 @@ def _difference(rule: Dict[str, Any], look: Dict[str, Any], mirror: bool) -> flo
 
 
 def _joint(positions: Any, skeleton: Skeleton, never: Set[str], rule: Dict[str, Any], mirror: bool, own: int) -> int:
-    """The joint that a rigid rule means, -1 where there is none that stands where the rule's stood."""
+    """The joint of a rigid rule, -1 if there is none at its position."""
     places = _places(positions, skeleton.positions)
     off = [math.dist(_flipped(p, mirror), rule["joint_place"]) for p in places]
 

@@ -21,7 +21,7 @@ TRANSFER_METHODS, TRANSFER_REASONS = declarations.TRANSFER_METHOD, declarations.
 
 @dataclass
 class TransferredPart:
-    """A connected piece of the target. `carried`: share of its weights that was carried over, the rest was bound anew."""
+    """A connected piece of the target. `carried`: share of its weights that was transferred; the rest was rebound."""
 
     vertex: int
     vertex_count: int
@@ -31,7 +31,7 @@ class TransferredPart:
 
 @dataclass
 class Transferred:
-    """skin: rows of the target; carried: share of all of them that was carried over; parts by falling size."""
+    """skin: rows of the target; carried: share of all weights that was transferred; parts by descending size."""
 
     skin: Skin
     carried: float
@@ -43,24 +43,24 @@ def transfer(source: Character, positions: Any, faces: Any, skeleton: Optional[S
              influences: int = 4, up: UpAxis = "y", source_up: Optional[UpAxis] = None, never: Joints = None, locked: Any = None,
              given: Any = None, pairs: Sequence[Tuple[int, int]] = (), threads: int = 1,
              progress: ProgressFunction = None) -> Transferred:
-    """Carries weights to another mesh. The same bytes on every machine and for any number of threads.
+    """Transfers weights to another mesh. The same bytes on every machine and for any number of threads.
 
     source      bound character: mesh, skeleton and skin
     positions   [n, 3] of the target; faces as bind() takes them
     skeleton    of the target; None: the source's own
-    method      "auto": a balance of nearest and rebind; "nearest", "biharmonic", "rebind"
-    joint_map   [source j] the target's joint that stands for it, -1 for none; None: joints of equal names, else map()
-    garment     the target is worn by the source: one space, one skeleton
-    heat        binds are by heat alone; else by `model`, None: the bundled one
-    influences  most joints a vertex, 1 to 12
+    method      "auto": a blend of nearest and rebind; "nearest", "biharmonic", "rebind"
+    joint_map   [source j] the matching joint of the target, -1 for none; None: joints of equal names, else map()
+    garment     the source wears the target: same space, same skeleton
+    heat        rebinds by heat only; else by `model`, None: the bundled one
+    influences  maximum number of joints per vertex, 1 to 12
     up, source_up  axes that point up, "y" or "z"; source_up None: as up
-    never       joints of the target that must get no weight
+    never       joints of the target that must not get weight
     locked      mask [n] of bool or uint8, or indices (wider integers) of vertices that keep their rows of `given`
-    pairs       (source vertex, target vertex) of the same place, for "biharmonic"
+    pairs       (source vertex, target vertex) at the same point of the body, for "biharmonic"
     Raises ValueError, Error and Cancelled as bind() does.
     """
     if source.skin is None or source.skeleton is None:
-        raise ValueError("source: has no skin to carry over; bind it first")
+        raise ValueError("source: has no skin to transfer; bind it first")
     skeleton = source.skeleton if skeleton is None else skeleton
     of_mesh, mesh = Mesh(source.positions, source.faces, "source."), Mesh(positions, faces)
     count = len(mesh.positions)
@@ -73,7 +73,7 @@ def transfer(source: Character, positions: Any, faces: Any, skeleton: Optional[S
     options.influence_count = influences
     ups = UP_AXES[chosen(source_up or up, UP, "source_up")], UP_AXES[chosen(up, UP, "up")]
     if garment and method == "biharmonic":
-        raise ValueError("garment: it lies on its body; give method 'auto', 'nearest' or 'rebind'")
+        raise ValueError("garment: does not work with method 'biharmonic'; give 'auto', 'nearest' or 'rebind'")
     options.garment = int(bool(garment))
     listed = (binding.sinew_vertex_pair * len(pairs))(*[binding.sinew_vertex_pair(int(s), int(t)) for s, t in pairs])
     options.pairs, options.pair_count = listed, len(pairs)
@@ -81,7 +81,7 @@ def transfer(source: Character, positions: Any, faces: Any, skeleton: Optional[S
     locked = mask(locked, count, "locked")
     if locked is not None:
         if given is None:
-            raise ValueError("given: locked vertices keep rows, and there are none; give a Skin or an array [n, j]")
+            raise ValueError("given: expected a Skin or an array [n, j] for locked vertices, found None")
         kept = skin_of(given, count, len(skeleton), "given").rounded(influences)
         joints[locked != 0], weights[locked != 0] = kept.joints[locked != 0], kept.weights[locked != 0]
     options.locked = binding.address(locked)

@@ -117,7 +117,7 @@ TEST(BindJob, AChoiceOfBeforeStaysWhateverTheWeightsAreNow) {
   const CharacterBind result = job.bind({}, 0);
   EXPECT_EQ(job.choice().from, JointsFrom::kOwn);
   EXPECT_EQ(why(job.choice(), 2), "");
-  EXPECT_EQ(why(job.choice(), 6), "never deforms, as asked");
+  EXPECT_EQ(why(job.choice(), 6), "excluded");
   EXPECT_EQ(why(job.choice(), 5), "no weight in the file");
   const std::vector<double> low = weight_of_joints(c, result, 0);
   EXPECT_GT(low[2], 1);
@@ -145,7 +145,7 @@ TEST(ChooseJoints, TheUserHasTheLastWord) {
   joint_flags.assign(c.joints.size(), 0);
   joint_flags[1] = SINEW_JOINT_NEVER;
   const JointChoice never = choose_joints(c, JointsFrom::kAuto, joint_flags);
-  EXPECT_EQ(why(never, 1), "never deforms, as asked");
+  EXPECT_EQ(why(never, 1), "excluded");
   EXPECT_EQ(weight_of_joints(c, bound(c, JointsFrom::kAuto, joint_flags), 0)[1], 0);
 }
 
@@ -155,7 +155,7 @@ TEST(ChooseJoints, TheFileMaySayWhatDeforms) {
   c.joints[5].deforms = true;
   c.joints[6].deforms = true;
   const JointChoice choice = choose_joints(c, JointsFrom::kAuto);
-  EXPECT_EQ(why(choice, 4), "does not deform, says the file");
+  EXPECT_EQ(why(choice, 4), "does not deform in the file");
   EXPECT_EQ(choice.left_out.size(), 1u);
   EXPECT_TRUE(choice.tips.empty());
 }

@@ -42,7 +42,7 @@ TEST(EngineViews, CheckBindableSaysWhatIsMissingOrTooMuch) {
   c.joints.resize(SINEW_MAX_JOINTS + 1);
   EXPECT_ERROR(check_bindable(c), "pair: 4097 joints", "at most 4096");
   c.joints.clear();
-  EXPECT_ERROR(check_bindable(c), "pair: there is no skeleton", "--skeleton");
+  EXPECT_ERROR(check_bindable(c), "pair: no skeleton", "--skeleton");
   c.vertices.clear();
   EXPECT_ERROR(check_bindable(c), "pair: the mesh has no vertices");
 }

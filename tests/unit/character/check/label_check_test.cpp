@@ -102,7 +102,7 @@ TEST(LabelCheck, FindsAnIslandAndAFarWeight) {
   EXPECT_TRUE(check_labels(blurred).empty()) << "a little blur is no label";
 }
 
-TEST(LabelCheck, FindsAVertexUnlikeAllItsNeighbours) {
+TEST(LabelCheck, FindsAVertexUnlikeAllItsNeighbors) {
   Character c = small_biped();
   // Near enough not to be "across the body": the next joint but one.
   const uint32_t hips = joint_named(c, "hips"), shin = joint_named(c, "shin.L");
@@ -175,14 +175,14 @@ TEST(LabelCheck, JointsThatNothingTellsApartAreFound) {
   const auto shared = [](const Character& character) {
     std::vector<LabelFinding> out;
     for (const LabelFinding& f : check_labels(character))
-      if (f.code == "shared-place") out.push_back(f);
+      if (f.code == "shared-position") out.push_back(f);
     return out;
   };
   const std::vector<LabelFinding> findings = shared(c);
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].text,
-            "67 % of the vertices are bound to joints that stand where another child of their parent does, as 'a' and "
-            "'b': nothing tells which holds what");
+            "67 % of the vertices are bound to joints at the position of a sibling, such as 'a' and 'b': it is "
+            "ambiguous which holds what");
   Character chain = c;
   chain.joints[2].parent = 1;
   EXPECT_TRUE(shared(chain).empty()) << "a parent and its child are told apart by the hierarchy";

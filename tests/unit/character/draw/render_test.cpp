@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures: PNG files decode to what was encoded, a cube covers what it should, colours tell joints apart.
+// Pictures: PNG files decode to what was encoded, a cube covers what it should, colors tell joints apart.
 #include <gtest/gtest.h>
 #include <png.h>
 
@@ -13,7 +13,7 @@
 namespace sinew {
 namespace {
 
-using Colour = std::array<uint8_t, 3>;
+using Color = std::array<uint8_t, 3>;
 
 Image decode(const std::vector<uint8_t>& bytes) {
   png_image header{};
@@ -28,7 +28,7 @@ Image decode(const std::vector<uint8_t>& bytes) {
   return image;
 }
 
-Colour pixel(const Image& image, int x, int y) {
+Color pixel(const Image& image, int x, int y) {
   const size_t at = 3 * (static_cast<size_t>(y) * static_cast<size_t>(image.width) + static_cast<size_t>(x));
   return {image.rgb[at], image.rgb[at + 1], image.rgb[at + 2]};
 }
@@ -81,8 +81,8 @@ TEST(Images, StandSideBySide) {
 // Seen from the front a cube is a square that fills the picture up to the margin of 6 %, whatever the picture's shape.
 TEST(Render, ACubeFromTheFrontIsASquare) {
   const Character c = cube();
-  const Image image = render(c, std::vector<Colour>(8, Colour{220, 30, 30}), from_the_front(200, 100));
-  const auto is_red = [](Colour p) { return p[0] > 2 * p[1] && p[0] > 2 * p[2]; };
+  const Image image = render(c, std::vector<Color>(8, Color{220, 30, 30}), from_the_front(200, 100));
+  const auto is_red = [](Color p) { return p[0] > 2 * p[1] && p[0] > 2 * p[2]; };
   int left = 200, right = -1, top = 100, bottom = -1, covered = 0;
   for (int y = 0; y < 100; ++y) {
     for (int x = 0; x < 200; ++x) {
@@ -107,7 +107,7 @@ TEST(Render, ATriangleCoversHalfItsSquare) {
   c.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   c.face_vertices = {0, 1, 2};
   c.face_offsets = {0, 3};
-  const Image image = render(c, std::vector<Colour>(3, Colour{220, 30, 30}), from_the_front(100, 100));
+  const Image image = render(c, std::vector<Color>(3, Color{220, 30, 30}), from_the_front(100, 100));
   int covered = 0;
   for (int y = 0; y < 100; ++y)
     for (int x = 0; x < 100; ++x) covered += pixel(image, x, y)[0] > 2 * pixel(image, x, y)[1];
@@ -123,9 +123,9 @@ TEST(Render, NearerFacesHideFartherOnes) {
     c.face_vertices =
         near_first ? std::vector<uint32_t>{7, 6, 5, 4, 0, 1, 2, 3} : std::vector<uint32_t>{0, 1, 2, 3, 7, 6, 5, 4};
     c.face_offsets = {0, 4, 8};
-    std::vector<Colour> colours(8, Colour{20, 20, 230});
-    std::fill(colours.begin() + 4, colours.end(), Colour{20, 230, 20});
-    const Colour middle = pixel(render(c, colours, from_the_front(64, 64)), 32, 32);
+    std::vector<Color> colors(8, Color{20, 20, 230});
+    std::fill(colors.begin() + 4, colors.end(), Color{20, 230, 20});
+    const Color middle = pixel(render(c, colors, from_the_front(64, 64)), 32, 32);
     EXPECT_GT(middle[1], 2 * middle[2]) << "near first: " << near_first;
   }
 }
@@ -139,7 +139,7 @@ TEST(Render, ZUpStandsUpright) {
   RenderOptions options = from_the_front(64, 64);
   options.up = Axis::kZ;
   const Image image = render(c, {{20, 20, 230}, {20, 20, 230}, {230, 20, 20}, {230, 20, 20}}, options);
-  const Colour top = pixel(image, 32, 8), bottom = pixel(image, 32, 56);
+  const Color top = pixel(image, 32, 8), bottom = pixel(image, 32, 56);
   EXPECT_GT(top[0], top[2]);
   EXPECT_GT(bottom[2], bottom[0]);
 }
@@ -148,10 +148,10 @@ TEST(Render, SkeletonIsDrawnOver) {
   Character c = cube();
   c.joints = {{"a", {0, -0.9f, 0}, -1}, {"b", {0, 0.9f, 0}, 0}, {"behind", {0, 0, 1000}, 1}};
   RenderOptions options = from_the_front(200, 200);
-  const std::vector<Colour> colours(8, Colour{40, 40, 40});
-  const Image without = render(c, colours, options);
+  const std::vector<Color> colors(8, Color{40, 40, 40});
+  const Image without = render(c, colors, options);
   options.draw_skeleton = true;
-  const Image with = render(c, colours, options);
+  const Image with = render(c, colors, options);
   EXPECT_LT(pixel(without, 100, 100)[1], 120);
   EXPECT_GT(pixel(with, 100, 100)[1], pixel(without, 100, 100)[1] + 60) << "the bone's bright line";
   EXPECT_EQ(pixel(with, 30, 30), pixel(without, 30, 30));
@@ -161,20 +161,20 @@ TEST(Render, OddMeshesAndWrongSizes) {
   Character c = cube();
   EXPECT_THROW(render(c, {}, {}), Error);
   EXPECT_THROW(render(Character{}, {}, {}), Error);
-  EXPECT_THROW(render(c, std::vector<Colour>(8), from_the_front(0, 10)), Error);
+  EXPECT_THROW(render(c, std::vector<Color>(8), from_the_front(0, 10)), Error);
   for (Vec3& v : c.vertices) v = {3, 3, 3};  // all in one point
-  EXPECT_EQ(render(c, std::vector<Colour>(8), from_the_front(16, 16)).rgb.size(), 16u * 16u * 3u);
+  EXPECT_EQ(render(c, std::vector<Color>(8), from_the_front(16, 16)).rgb.size(), 16u * 16u * 3u);
   c.face_vertices.clear();
   c.face_offsets = {0, 0};  // a face without corners
-  EXPECT_EQ(render(c, std::vector<Colour>(8), from_the_front(16, 16)).rgb.size(), 16u * 16u * 3u);
+  EXPECT_EQ(render(c, std::vector<Color>(8), from_the_front(16, 16)).rgb.size(), 16u * 16u * 3u);
 }
 
-TEST(Colours, NeighboursInTheListDiffer) {
-  std::set<Colour> seen;
+TEST(Colors, NeighborsInTheListDiffer) {
+  std::set<Color> seen;
   for (size_t j = 0; j < 300; ++j) {
-    seen.insert(joint_colour(j));
+    seen.insert(joint_color(j));
     for (size_t other = j > 8 ? j - 8 : 0; other < j; ++other) {
-      const Colour a = joint_colour(j), b = joint_colour(other);
+      const Color a = joint_color(j), b = joint_color(other);
       int difference = 0;
       for (size_t i = 0; i < 3; ++i) difference += std::abs(a[i] - b[i]);
       EXPECT_GT(difference, 40) << other << " and " << j;
@@ -183,16 +183,16 @@ TEST(Colours, NeighboursInTheListDiffer) {
   EXPECT_GT(seen.size(), 250u);
 }
 
-TEST(Colours, WeightsBlendAndErrorsRunFromBlueToRed) {
+TEST(Colors, WeightsBlendAndErrorsRunFromBlueToRed) {
   Character c;
   c.joints = {{"a", {}, -1}, {"b", {}, 0}};
   c.vertices.resize(3);
   c.influences = {{{0, 1.0f}}, {{1, 0.25f}}, {}};
-  const auto colours = weight_colours(c);
-  EXPECT_EQ(colours[0], joint_colour(0));
-  EXPECT_EQ(colours[1], joint_colour(1));
-  EXPECT_EQ(colours[2], (Colour{150, 150, 150}));
-  const auto heat = heat_colours({0.0f, 1.0f, 2.0f, 9.0f}, 2.0f);
+  const auto colors = weight_colors(c);
+  EXPECT_EQ(colors[0], joint_color(0));
+  EXPECT_EQ(colors[1], joint_color(1));
+  EXPECT_EQ(colors[2], (Color{150, 150, 150}));
+  const auto heat = heat_colors({0.0f, 1.0f, 2.0f, 9.0f}, 2.0f);
   EXPECT_GT(heat[0][2], heat[0][0]);
   EXPECT_GT(heat[1][0] + heat[1][1], 400);
   EXPECT_GT(heat[2][0], 5 * heat[2][2]);

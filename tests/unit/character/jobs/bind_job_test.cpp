@@ -166,7 +166,7 @@ TEST(BindByJob, WrongHintsAreOneLineWithTheirFile) {
   EXPECT_ERROR(BindJob(options, {}, &c), "paint.rig.txt", "vertex 0", "tail");
   hints = painted();
   for (auto& row : hints.influences) row.clear();
-  EXPECT_ERROR(BindJob(options, {}, &c), "paint.rig.txt", "paints no vertex");
+  EXPECT_ERROR(BindJob(options, {}, &c), "paint.rig.txt", "has weights of no vertex");
 }
 
 sinew_answer rigid(uint32_t vertex, uint16_t joint) { return {vertex, SINEW_ANSWER_RIGID, joint, 1}; }
@@ -222,13 +222,13 @@ TEST(BindByJob, WhatIsProposedIsAskedOnce) {
 TEST(BindByJob, AnswersBecomeAStyleThatGivesThemBack) {
   Character c = buckled_bar();
   BindJob job({}, {}, &c);
-  EXPECT_ERROR((void)job.learnt({}, {}, "studio.style"), "studio.style: ", "no answer to keep");
+  EXPECT_ERROR((void)job.learned({}, {}, "studio.style"), "studio.style: ", "no answer to save");
   Style before;
   before.sheets.resize(1);
   before.sheets[0].joints = {{"a wheel", {}}};
   ASSERT_FALSE(job.proposed().questions.empty());
   const uint32_t asked = job.proposed().questions[0].vertex;
-  const Style style = job.learnt(before, {rigid(asked, 0)}, "studio.style");
+  const Style style = job.learned(before, {rigid(asked, 0)}, "studio.style");
   ASSERT_EQ(style.sheets.size(), 2u);
   EXPECT_EQ(style.sheets[0].joints[0].first, "a wheel") << "rules of before come first";
   ASSERT_EQ(style.sheets[1].rules.size(), 1u);

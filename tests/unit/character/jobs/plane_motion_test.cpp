@@ -13,8 +13,8 @@
 namespace sinew {
 namespace {
 
-LabelledSkeleton skeleton_of(const std::vector<std::pair<std::string, uint8_t>>& joints) {
-  LabelledSkeleton out;
+LabeledSkeleton skeleton_of(const std::vector<std::pair<std::string, uint8_t>>& joints) {
+  LabeledSkeleton out;
   for (const auto& [name, joint_class] : joints) {
     out.joints.push_back({name, {}, static_cast<int>(out.joints.size()) - 1, {}});
     out.classes.push_back(joint_class);
@@ -24,20 +24,20 @@ LabelledSkeleton skeleton_of(const std::vector<std::pair<std::string, uint8_t>>&
 }
 
 TEST(PinsByClass, LimbsArePairedBySideAndOrder) {
-  const LabelledSkeleton target = skeleton_of({{"Hips", SINEW_CLASS_PELVIS},
-                                               {"Spine", SINEW_CLASS_SPINE},
-                                               {"RightForeArm", SINEW_CLASS_FOREARM},
-                                               {"LeftArm", SINEW_CLASS_UPPER_ARM},
-                                               {"LeftArm1", SINEW_CLASS_UPPER_ARM},
-                                               {"LeftHand_end", SINEW_CLASS_HAND},
-                                               {"Tail", SINEW_CLASS_TAIL}});
-  const LabelledSkeleton source = skeleton_of({{"mixamorig:Hips", SINEW_CLASS_PELVIS},
-                                               {"mixamorig:Spine", SINEW_CLASS_SPINE},
-                                               {"mixamorig:LeftArm", SINEW_CLASS_UPPER_ARM},
-                                               {"mixamorig:LeftForeArm", SINEW_CLASS_FOREARM},
-                                               {"mixamorig:LeftHand", SINEW_CLASS_HAND},
-                                               {"mixamorig:RightForeArm", SINEW_CLASS_FOREARM},
-                                               {"mixamorig:Tail", SINEW_CLASS_TAIL}});
+  const LabeledSkeleton target = skeleton_of({{"Hips", SINEW_CLASS_PELVIS},
+                                              {"Spine", SINEW_CLASS_SPINE},
+                                              {"RightForeArm", SINEW_CLASS_FOREARM},
+                                              {"LeftArm", SINEW_CLASS_UPPER_ARM},
+                                              {"LeftArm1", SINEW_CLASS_UPPER_ARM},
+                                              {"LeftHand_end", SINEW_CLASS_HAND},
+                                              {"Tail", SINEW_CLASS_TAIL}});
+  const LabeledSkeleton source = skeleton_of({{"mixamorig:Hips", SINEW_CLASS_PELVIS},
+                                              {"mixamorig:Spine", SINEW_CLASS_SPINE},
+                                              {"mixamorig:LeftArm", SINEW_CLASS_UPPER_ARM},
+                                              {"mixamorig:LeftForeArm", SINEW_CLASS_FOREARM},
+                                              {"mixamorig:LeftHand", SINEW_CLASS_HAND},
+                                              {"mixamorig:RightForeArm", SINEW_CLASS_FOREARM},
+                                              {"mixamorig:Tail", SINEW_CLASS_TAIL}});
   std::vector<int32_t> sources(target.joints.size(), -1);
   for (const sinew_map_pin& pin : pins_by_class(target, source)) sources[pin.target] = pin.source;
   EXPECT_EQ(sources[0], 0);

@@ -159,7 +159,7 @@ TEST(RigJob, AnOwnSkeletonStandsWhereThePredictedOneDoes) {
     EXPECT_NEAR(joint->position.x, wanted.x, 0.02f) << name;
     EXPECT_NEAR(joint->position.y, wanted.y, 0.02f) << name;
   }
-  EXPECT_FALSE(is_noted(rigged.character, "have no like"));
+  EXPECT_FALSE(is_noted(rigged.character, "match nothing in this mesh"));
 }
 
 TEST(RigJob, AnOwnSkeletonOfAnotherKindIsAWarning) {
@@ -179,7 +179,7 @@ TEST(RigJob, AnOwnSkeletonOfAnotherKindIsAWarning) {
   const RiggedCharacter rigged = rig_character(tee(), known_skeleton(), false, job, {});
   ASSERT_TRUE(rigged.fitted);
   EXPECT_LT(2 * rigged.fitted->matched, rigged.fitted->matchable);
-  EXPECT_TRUE(is_noted(rigged.character, "warning: most joints of mine.glb have no like"));
+  EXPECT_TRUE(is_noted(rigged.character, "warning: most joints of mine.glb match nothing in this mesh"));
 }
 
 TEST(RigJob, GateAndDoubtsAreToldInTheNotes) {
@@ -226,7 +226,7 @@ TEST(RigJob, TheShapeNeedsNoModel) {
   job.front = SINEW_FRONT_PLUS_Z;
   const RiggedCharacter rigged = rig_character(tee(), job, {});
   ASSERT_GT(rigged.character.joints.size(), 4u);
-  EXPECT_FALSE(is_noted(rigged.character, "coin toss")) << "both were said";
+  EXPECT_FALSE(is_noted(rigged.character, "uncertain")) << "both were said";
   for (size_t j = 0; j < rigged.character.joints.size(); ++j) {
     const Joint& joint = rigged.character.joints[j];
     EXPECT_LT(joint.parent, static_cast<int>(j));

@@ -45,7 +45,7 @@ MotionFrame random_pose(const Motion& motion, std::mt19937* random) {
   for (const MotionJoint& joint : motion.joints) {
     Quaternion q{};
     for (double& x : q) x = static_cast<double>(static_cast<int>((*random)() % 2001) - 1000);
-    frame.rotations.push_back(normalised(q));
+    frame.rotations.push_back(normalized(q));
     frame.translations.push_back(joint.offset);
   }
   return frame;
@@ -81,7 +81,7 @@ TEST(JointLimits, OfText) {
   EXPECT_ERROR((void)joint_limits(folder.write("a.limits", "\nhinge knee 0 0 1 0 1\n"), rig, {}), "a.limits:2",
                "a joint of arm.glb", "'knee'");
   EXPECT_ERROR((void)joint_limits(folder.write("b.limits", "hinge lower 0 0 1 5 -5\n"), rig, {}), "b.limits:1",
-               "the least first");
+               "the minimum first");
   EXPECT_ERROR((void)joint_limits(folder.write("c.limits", "hinge lower 0 0 0 -5 5\n"), rig, {}), "not 0 0 0");
   EXPECT_ERROR((void)joint_limits(folder.write("d.limits", "slide lower 0 0 1 -5 5\n"), rig, {}), "'hinge JOINT");
   EXPECT_ERROR((void)joint_limits(folder.write("e.limits", "# none\n"), rig, {}), "e.limits", "found none");
@@ -127,7 +127,7 @@ TEST(JointLimits, WrongUrdfsAreOneLine) {
   EXPECT_ERROR((void)joint_limits(with("<axis xyz='0 1 0'/>", "<axis xyz='0 1"), rig, {}), "bad.urdf");
   EXPECT_ERROR((void)joint_limits(with("</joint>", "</link>"), rig, {}), "bad.urdf:9", "</joint>");
   EXPECT_ERROR((void)joint_limits(with("<transmission", "<xacro:macro"), rig, {}), "bad.urdf:11", "xacro FILE");
-  EXPECT_ERROR((void)joint_limits(with("xyz=\"0 2 1\"", "xyz=\"2 2 2\""), rig, {}), "stand otherwise");
+  EXPECT_ERROR((void)joint_limits(with("xyz=\"0 2 1\"", "xyz=\"2 2 2\""), rig, {}), "are at other positions");
   MapRig other = rig;
   for (Joint& joint : other.joints) joint.name += "_x";
   EXPECT_ERROR((void)joint_limits(folder.write("arm.urdf", text), other, {}), "none of its 2 joints");
@@ -168,7 +168,7 @@ TEST(JointLimits, NoKneeBendsForwardAndNoHeadTurnsRound) {
     EXPECT_GT(std::abs(dot(walk.rotations[j], before.rotations[j])), 1 - 1e-6)
         << rig.joints[j].name << ": people walk so";
   MapRig chain = robot_rig();
-  EXPECT_ERROR((void)joint_limits("human", chain, {}), "arm.glb", "no human body");
+  EXPECT_ERROR((void)joint_limits("human", chain, {}), "arm.glb", "human limits need a human body");
 }
 
 }  // namespace

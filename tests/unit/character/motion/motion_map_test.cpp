@@ -60,17 +60,17 @@ TEST(MapCover, HalvesFitAndTellWhatDoesNotMove) {
   const MapCover to_person = cover_of(person, bust), to_bust = cover_of(bust, person),
                  from_legs = cover_of(person, legs);
   for (const MapCover& cover : {to_person, to_bust, from_legs}) EXPECT_GE(cover.share, kLeastCover) << cover.missing;
-  EXPECT_EQ(to_person.warnings, std::vector<std::string>{"the legs do not move, as the motion has none"});
+  EXPECT_EQ(to_person.warnings, std::vector<std::string>{"the legs have no motion in the source"});
   EXPECT_EQ(to_bust.warnings, std::vector<std::string>{});
   EXPECT_TRUE(to_bust.legless);
   EXPECT_FALSE(to_person.legless || from_legs.legless);
-  EXPECT_EQ(from_legs.warnings, std::vector<std::string>{"the arms do not move, as the motion has none"});
+  EXPECT_EQ(from_legs.warnings, std::vector<std::string>{"the arms have no motion in the source"});
 }
 
 TEST(MapCover, WhatGoesOnFourLegsIsNoPerson) {
   const MapCover cover = cover_of(on_four_legs(walking_person()), map_rig_of(walking_person()));
   EXPECT_LT(cover.share, kLeastCover);
-  EXPECT_EQ(cover.missing, "one goes upright, the other does not");
+  EXPECT_EQ(cover.missing, "one is upright, the other is not");
 }
 
 // A body of eight legs that says what it is, and one of which only where its limbs stand tells it.
@@ -138,7 +138,7 @@ TEST(MapCover, PartsThatFollowOthersAreTold) {
             std::vector<std::string>{"the left leg follows the right leg"});
   for (const char* name : {"LeftUpLeg", "LeftLeg", "LeftFoot"}) person.animated[static_cast<size_t>(number(name))] = 0;
   EXPECT_EQ(warnings({{"LeftUpLeg", ""}, {"LeftLeg", ""}, {"LeftFoot", ""}}),
-            std::vector<std::string>{"the left leg does not move, as the motion has none"});
+            std::vector<std::string>{"the left leg has no motion in the source"});
 }
 
 // A head that carries wings and a tail, and nothing else.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clips of one skeleton for another: how much body both share, frames, cancelling, errors.
+// Clips of one skeleton for another: how much body both share, frames, canceling, errors.
 #include "sinew_character/motion/retarget.hpp"
 
 #include <gtest/gtest.h>

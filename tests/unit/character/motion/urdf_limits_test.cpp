@@ -154,7 +154,7 @@ TEST(UrdfLimits, WhatIsWrongIsOneLineWithItsPosition) {
   EXPECT_ERROR((void)limits_of(chain_urdf("type='fixed'>\n<axis xyz='1 0 inf'/>", "type='fixed'>"), rig),
                "chain.urdf:3", "a number");
   EXPECT_ERROR((void)limits_of(chain_urdf("type='revolute'><limit lower='1' upper='-1'/>", "type='fixed'>"), rig),
-               "chain.urdf:2", "'j1'", "a lower end above the upper one");
+               "chain.urdf:2", "'j1'", "a lower limit above the upper one");
   EXPECT_ERROR((void)limits_of("</robot>", rig), "chain.urdf:1", "no closing tag");
   EXPECT_ERROR((void)limits_of("", rig), "chain.urdf", "none of its 0 joints");
 }

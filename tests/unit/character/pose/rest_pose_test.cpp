@@ -178,7 +178,8 @@ TEST(RestPose, StandsAsAnotherFileDoes) {
 TEST(RestPose, RefusesWhatItCannotTell) {
   std::vector<JointRow> crawling = kSlouched;
   for (JointRow& row : crawling) std::swap(row.at.y, row.at.z);
-  EXPECT_ERROR(in_rest_pose(figure(crawling), pose_of(RestPose::Kind::kT), Axis::kY), "figure", "stand upright");
+  EXPECT_ERROR(in_rest_pose(figure(crawling), pose_of(RestPose::Kind::kT), Axis::kY), "figure",
+               "needs an upright character");
   Character nameless = figure(kSlouched);
   for (size_t j = 0; j < nameless.joints.size(); ++j) nameless.joints[j].name = "joint" + std::to_string(j);
   EXPECT_ERROR(in_rest_pose(nameless, pose_of(RestPose::Kind::kT), Axis::kY), "figure", "left from right");

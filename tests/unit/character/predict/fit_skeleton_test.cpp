@@ -22,8 +22,8 @@ struct Row {
   bool end = false;
 };
 
-LabelledSkeleton skeleton_of(const std::vector<Row>& rows) {
-  LabelledSkeleton s;
+LabeledSkeleton skeleton_of(const std::vector<Row>& rows) {
+  LabeledSkeleton s;
   const auto index_of = [&](const std::string& name) {
     for (size_t j = 0; j < s.joints.size(); ++j)
       if (s.joints[j].name == name) return static_cast<int>(j);
@@ -66,10 +66,10 @@ std::vector<Row> man_rows() {
           {"toe_l", "foot_l", {0.13f, 0.02f, 0.1f}, SINEW_CLASS_TOE},
           {"target_l", "root", {0.12f, 0.1f, -0.04f}, kClassDetail}};
 }
-LabelledSkeleton man() { return skeleton_of(man_rows()); }
+LabeledSkeleton man() { return skeleton_of(man_rows()); }
 
 // As a model says it: other counts in the spine, no details, bone ends.
-LabelledSkeleton other_body() {
+LabeledSkeleton other_body() {
   return skeleton_of({{"Hips", "", {0, 1.3f, 0.1f}, SINEW_CLASS_PELVIS},
                       {"Spine", "Hips", {0, 1.4f, 0.1f}, SINEW_CLASS_SPINE},
                       {"Spine1", "Spine", {0, 1.5f, 0.12f}, SINEW_CLASS_SPINE},
@@ -129,7 +129,7 @@ TEST(FitSkeleton, OntoItselfIsTheIdentity) {
 }
 
 TEST(FitSkeleton, OntoAScaledAndMovedCopyIsExact) {
-  LabelledSkeleton copy = man();
+  LabeledSkeleton copy = man();
   copy.joints = moved(copy.joints, 100, {5, 300, -20});
   FitOptions options;
   for (const bool keep : {false, true}) {
@@ -140,7 +140,7 @@ TEST(FitSkeleton, OntoAScaledAndMovedCopyIsExact) {
 }
 
 TEST(FitSkeleton, AnotherUpAxisAndAQuarterTurnAreFound) {
-  LabelledSkeleton lying = man();
+  LabeledSkeleton lying = man();
   for (Joint& joint : lying.joints) {
     const Vec3 p = joint.position;
     joint.position = {-p.z, -p.x, p.y};  // z up, facing -x
@@ -152,7 +152,7 @@ TEST(FitSkeleton, AnotherUpAxisAndAQuarterTurnAreFound) {
 }
 
 TEST(FitSkeleton, AnAsymmetricSkeletonStaysItself) {
-  LabelledSkeleton raised = man();
+  LabeledSkeleton raised = man();
   for (const char* name : {"forearm_l", "hand_l", "index1_l", "index2_l", "thumb_l"})
     raised.joints[index_of(raised.joints, name)].position.y += 0.3f;
   const FittedSkeleton fitted = fit_skeleton(raised, raised, {});
@@ -182,20 +182,20 @@ TEST(FitSkeleton, ChainsOfOtherCountsKeepTheirOrderAlongTheChain) {
   const char* chain[] = {"hips", "spine1", "spine2", "neck", "head", "head_end"};
   for (size_t i = 1; i < 6; ++i)
     EXPECT_GT(position(fitted.joints, chain[i]).y, position(fitted.joints, chain[i - 1]).y + 0.02f) << chain[i];
-  LabelledSkeleton short_tail = skeleton_of({{"Hips", "", {0, 1, 0}, SINEW_CLASS_PELVIS},
-                                             {"Spine", "Hips", {0, 1, 1}, SINEW_CLASS_SPINE},
-                                             {"Head", "Spine", {0, 1, 2}, SINEW_CLASS_HEAD},
-                                             {"Tail", "Hips", {0, 1, -1}, SINEW_CLASS_TAIL},
-                                             {"Tail1", "Tail", {0, 1, -3}, SINEW_CLASS_TAIL},
-                                             {"Tail1_end", "Tail1", {0, 1, -5}, SINEW_CLASS_TAIL, true}});
-  LabelledSkeleton long_tail = skeleton_of({{"Hips", "", {0, 1, 0}, SINEW_CLASS_PELVIS},
+  LabeledSkeleton short_tail = skeleton_of({{"Hips", "", {0, 1, 0}, SINEW_CLASS_PELVIS},
                                             {"Spine", "Hips", {0, 1, 1}, SINEW_CLASS_SPINE},
                                             {"Head", "Spine", {0, 1, 2}, SINEW_CLASS_HEAD},
-                                            {"Tail1", "Hips", {0, 1, -1}, SINEW_CLASS_TAIL},
-                                            {"Tail2", "Tail1", {0, 1, -2}, SINEW_CLASS_TAIL},
-                                            {"Tail3", "Tail2", {0, 1, -3}, SINEW_CLASS_TAIL},
-                                            {"Tail4", "Tail3", {0, 1, -4}, SINEW_CLASS_TAIL},
-                                            {"Tail4_end", "Tail4", {0, 1, -5}, SINEW_CLASS_TAIL, true}});
+                                            {"Tail", "Hips", {0, 1, -1}, SINEW_CLASS_TAIL},
+                                            {"Tail1", "Tail", {0, 1, -3}, SINEW_CLASS_TAIL},
+                                            {"Tail1_end", "Tail1", {0, 1, -5}, SINEW_CLASS_TAIL, true}});
+  LabeledSkeleton long_tail = skeleton_of({{"Hips", "", {0, 1, 0}, SINEW_CLASS_PELVIS},
+                                           {"Spine", "Hips", {0, 1, 1}, SINEW_CLASS_SPINE},
+                                           {"Head", "Spine", {0, 1, 2}, SINEW_CLASS_HEAD},
+                                           {"Tail1", "Hips", {0, 1, -1}, SINEW_CLASS_TAIL},
+                                           {"Tail2", "Tail1", {0, 1, -2}, SINEW_CLASS_TAIL},
+                                           {"Tail3", "Tail2", {0, 1, -3}, SINEW_CLASS_TAIL},
+                                           {"Tail4", "Tail3", {0, 1, -4}, SINEW_CLASS_TAIL},
+                                           {"Tail4_end", "Tail4", {0, 1, -5}, SINEW_CLASS_TAIL, true}});
   expect_positions(fit_skeleton(long_tail, short_tail, {}), long_tail.joints, 1e-6f);
   expect_positions(fit_skeleton(short_tail, long_tail, {}), short_tail.joints, 1e-6f);
   // Without ends the last bones are thought on.
@@ -227,7 +227,7 @@ TEST(FitSkeleton, RootsStayOnTheFloorAndTargetsWithTheirJoints) {
 }
 
 TEST(FitSkeleton, SymmetricInSymmetricOut) {
-  LabelledSkeleton mine = man(), other = other_body();
+  LabeledSkeleton mine = man(), other = other_body();
   const FittedSkeleton at_zero = fit_skeleton(mine, other, {});
   EXPECT_TRUE(at_zero.symmetric);
   other.joints = moved(other.joints, 1, {0.75f, 0, 0});
@@ -253,7 +253,7 @@ TEST(FitSkeleton, SymmetricInSymmetricOut) {
 TEST(FitSkeleton, KeepLengthsKeepsThem) {
   FitOptions options;
   options.keep_lengths = true;
-  const LabelledSkeleton mine = man();
+  const LabeledSkeleton mine = man();
   const FittedSkeleton fitted = fit_skeleton(mine, other_body(), options);
   for (size_t j = 0; j < mine.joints.size(); ++j) {
     if (mine.joints[j].parent < 0) continue;
@@ -270,10 +270,10 @@ TEST(FitSkeleton, KeepLengthsKeepsThem) {
 TEST(FitSkeleton, WhatCannotBeFittedIsRefused) {
   EXPECT_ERROR(fit_skeleton({}, man(), {}), "no joints");
   EXPECT_ERROR(fit_skeleton(man(), {}, {}), "no joint");
-  const LabelledSkeleton strange =
+  const LabeledSkeleton strange =
       skeleton_of({{"a", "", {0, 0, 0}, kClassDetail}, {"b", "a", {0, 1, 0}, kClassDetail}});
   EXPECT_ERROR(fit_skeleton(strange, man(), {}), "fewer than two");
-  LabelledSkeleton cycle = man();
+  LabeledSkeleton cycle = man();
   cycle.joints[index_of(cycle.joints, "root")].parent = static_cast<int>(index_of(cycle.joints, "head"));
   EXPECT_ERROR(fit_skeleton(cycle, man(), {}), "cycle");
 }

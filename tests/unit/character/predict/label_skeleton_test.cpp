@@ -13,7 +13,7 @@
 namespace sinew {
 namespace {
 
-uint8_t class_of(const LabelledSkeleton& s, const std::string& name) {
+uint8_t class_of(const LabeledSkeleton& s, const std::string& name) {
   for (size_t j = 0; j < s.joints.size(); ++j)
     if (s.joints[j].name == name) return s.classes[j];
   ADD_FAILURE() << "no joint " << name;
@@ -22,7 +22,7 @@ uint8_t class_of(const LabelledSkeleton& s, const std::string& name) {
 
 TEST(LabelSkeleton, EveryTemplatesClassesAreKnown) {
   for (const TemplateInfo& info : skeleton_templates()) {
-    const LabelledSkeleton s = label_skeleton(skeleton_template(info.name));
+    const LabeledSkeleton s = label_skeleton(skeleton_template(info.name));
     for (size_t j = 0; j < s.joints.size(); ++j)
       EXPECT_NE(s.classes[j], SINEW_CLASS_OTHER) << info.name << " " << s.joints[j].name;
     const bool body = info.name != "hand" && info.name != "fish" && info.name != "spider" && info.name != "bird";
@@ -33,7 +33,7 @@ TEST(LabelSkeleton, EveryTemplatesClassesAreKnown) {
 
 TEST(LabelSkeleton, ATemplateFittedToItselfStaysItself) {
   for (const TemplateInfo& info : skeleton_templates()) {
-    const LabelledSkeleton s = label_skeleton(skeleton_template(info.name));
+    const LabeledSkeleton s = label_skeleton(skeleton_template(info.name));
     const FittedSkeleton fitted = fit_skeleton(s, s, {});
     for (size_t j = 0; j < s.joints.size(); ++j) {
       EXPECT_NEAR(fitted.joints[j].position.x, s.joints[j].position.x, 3e-6f) << info.name << " " << s.joints[j].name;
@@ -48,7 +48,7 @@ TEST(LabelSkeleton, OneConventionFitsIntoAnother) {
   const std::vector<std::string> humans = {"mixamo", "unreal", "vrm", "rigify"};
   for (const std::string& mine : humans) {
     for (const std::string& other : humans) {
-      const LabelledSkeleton s = label_skeleton(skeleton_template(mine));
+      const LabeledSkeleton s = label_skeleton(skeleton_template(mine));
       const FittedSkeleton fitted = fit_skeleton(s, label_skeleton(skeleton_template(other)), {});
       EXPECT_GE(fitted.matched, 19u) << mine << " " << other;
       for (size_t j = 0; j < s.joints.size(); ++j)  // they are drawn on one body
@@ -62,13 +62,13 @@ TEST(LabelSkeleton, SharedPrefixesAndSidesInFront) {
   std::vector<Joint> joints;
   for (const char* name : {"J_Bip_C_Hips", "J_Bip_C_Spine", "J_Bip_C_Head", "J_Bip_L_UpperArm", "J_Bip_R_UpperArm"})
     joints.push_back({name, {}, static_cast<int>(joints.size()) - 1, {}});
-  const LabelledSkeleton s = label_skeleton(joints);
+  const LabeledSkeleton s = label_skeleton(joints);
   EXPECT_EQ(class_of(s, "J_Bip_C_Hips"), SINEW_CLASS_PELVIS);
   EXPECT_EQ(class_of(s, "J_Bip_L_UpperArm"), SINEW_CLASS_UPPER_ARM);
 }
 
 TEST(LabelSkeleton, RigifysSpineHasAPelvisAndAHead) {
-  const LabelledSkeleton s = label_skeleton(skeleton_template("rigify"));
+  const LabeledSkeleton s = label_skeleton(skeleton_template("rigify"));
   EXPECT_EQ(class_of(s, "DEF-spine"), SINEW_CLASS_PELVIS);
   EXPECT_EQ(class_of(s, "DEF-spine.003"), SINEW_CLASS_SPINE);
   EXPECT_EQ(class_of(s, "DEF-spine.004"), SINEW_CLASS_NECK);
@@ -77,9 +77,9 @@ TEST(LabelSkeleton, RigifysSpineHasAPelvisAndAHead) {
 }
 
 TEST(LabelSkeleton, ControlsAreDetailsAndEndsAreEnds) {
-  const LabelledSkeleton unreal = label_skeleton(skeleton_template("unreal"));
+  const LabeledSkeleton unreal = label_skeleton(skeleton_template("unreal"));
   EXPECT_EQ(class_of(unreal, "ik_foot_l"), kClassDetail);
-  const LabelledSkeleton mixamo = label_skeleton(skeleton_template("mixamo"));
+  const LabeledSkeleton mixamo = label_skeleton(skeleton_template("mixamo"));
   for (size_t j = 0; j < mixamo.joints.size(); ++j) {
     const std::string& name = mixamo.joints[j].name;
     EXPECT_EQ(mixamo.ends[j] != 0, name.find("_End") != std::string::npos) << name;

@@ -20,8 +20,8 @@ struct LimbRow {
   bool end = false;
 };
 
-LabelledSkeleton labelled(const std::vector<LimbRow>& rows) {
-  LabelledSkeleton s;
+LabeledSkeleton labeled(const std::vector<LimbRow>& rows) {
+  LabeledSkeleton s;
   for (const LimbRow& row : rows) {
     s.joints.push_back({row.name, row.position, row.parent, {}});
     s.classes.push_back(row.joint_class);
@@ -51,7 +51,7 @@ std::vector<LimbRow> person_rows() {
           {"foot_r", 15, {-0.1f, 0.1f, 0}, SINEW_CLASS_FOOT}};
 }
 
-LabelledSkeleton scaled(LabelledSkeleton s, float scale, Vec3 shift) {
+LabeledSkeleton scaled(LabeledSkeleton s, float scale, Vec3 shift) {
   for (Joint& joint : s.joints)
     joint.position = {scale * joint.position.x + shift.x, scale * joint.position.y + shift.y,
                       scale * joint.position.z + shift.z};
@@ -72,7 +72,7 @@ void expect_ascending(const LimbMatches& matches) {
 }
 
 TEST(MatchLimbs, ASkeletonMatchesItselfJointForJoint) {
-  const LabelledSkeleton person = labelled(person_rows());
+  const LabeledSkeleton person = labeled(person_rows());
   const LimbMatches matches(person, person, 0);
   expect_ascending(matches);
   EXPECT_EQ(matches.pelvis(), 0);
@@ -88,7 +88,7 @@ TEST(MatchLimbs, ASkeletonMatchesItselfJointForJoint) {
 }
 
 TEST(MatchLimbs, TheBestScaleAndShiftAreFound) {
-  const LabelledSkeleton person = labelled(person_rows());
+  const LabeledSkeleton person = labeled(person_rows());
   const LimbMatches matches(person, scaled(person, 40, {3, -7, 11}), 0);
   Similar best;
   EXPECT_NEAR(matches.misfit(&best), 0, 1e-6);
@@ -108,20 +108,20 @@ TEST(MatchLimbs, TheMisfitIsTheRootOfTheMeanSquareAsAShareOfTheSize) {
   std::vector<LimbRow> bent = rows;
   bent[1].position.z = 0.3f;
   Similar best;
-  const double misfit = LimbMatches(labelled(rows), labelled(bent), 0).misfit(&best);
+  const double misfit = LimbMatches(labeled(rows), labeled(bent), 0).misfit(&best);
   EXPECT_NEAR(misfit, 0.3 * std::sqrt(2.0) / 3 / 2, 1e-6);
   EXPECT_NEAR(best.scale, 1, 1e-6);
   EXPECT_NEAR(best.shift[2], 0.1, 1e-6);
 }
 
 TEST(MatchLimbs, TooFewMatchesAreNoFit) {
-  const LabelledSkeleton one = labelled({{"hips", -1, {0, 0, 0}, SINEW_CLASS_PELVIS}});
+  const LabeledSkeleton one = labeled({{"hips", -1, {0, 0, 0}, SINEW_CLASS_PELVIS}});
   Similar best;
-  EXPECT_TRUE(std::isinf(LimbMatches(one, labelled(person_rows()), 0).misfit(&best)));
-  const LabelledSkeleton piled = labelled({{"hips", -1, {0, 0, 0}, SINEW_CLASS_PELVIS},
-                                           {"neck", 0, {0, 0, 0}, SINEW_CLASS_NECK},
-                                           {"head", 1, {0, 0, 0}, SINEW_CLASS_HEAD}});
-  EXPECT_TRUE(std::isinf(LimbMatches(piled, labelled(person_rows()), 0).misfit(&best))) << "all in one position";
+  EXPECT_TRUE(std::isinf(LimbMatches(one, labeled(person_rows()), 0).misfit(&best)));
+  const LabeledSkeleton piled = labeled({{"hips", -1, {0, 0, 0}, SINEW_CLASS_PELVIS},
+                                         {"neck", 0, {0, 0, 0}, SINEW_CLASS_NECK},
+                                         {"head", 1, {0, 0, 0}, SINEW_CLASS_HEAD}});
+  EXPECT_TRUE(std::isinf(LimbMatches(piled, labeled(person_rows()), 0).misfit(&best))) << "all in one position";
 }
 
 TEST(MatchLimbs, SidesAreThoseOfPositions) {
@@ -129,7 +129,7 @@ TEST(MatchLimbs, SidesAreThoseOfPositions) {
   std::vector<LimbRow> rows = person_rows();
   for (const size_t k : {size_t{5}, size_t{6}, size_t{7}}) std::swap(rows[k].position, rows[k + 3].position);
   for (size_t k = 0; k < rows.size(); ++k) rows[k].name = "bone";
-  const LabelledSkeleton person = labelled(person_rows()), other = labelled(rows);
+  const LabeledSkeleton person = labeled(person_rows()), other = labeled(rows);
   const LimbMatches matches(person, other, 0);
   int arms = 0;
   for (const MatchedLimb& limb : matches.limbs()) {
@@ -147,7 +147,7 @@ TEST(MatchLimbs, AnArmHasNoMatchOnTheOtherSide) {
   std::vector<LimbRow> rows = person_rows();
   rows.erase(rows.begin() + 5, rows.begin() + 8);  // the left one
   for (LimbRow& row : rows) row.parent -= row.parent > 7 ? 3 : 0;
-  const LabelledSkeleton person = labelled(person_rows()), other = labelled(rows);
+  const LabeledSkeleton person = labeled(person_rows()), other = labeled(rows);
   const LimbMatches matches(person, other, 0);
   int arms = 0;
   for (const MatchedLimb& limb : matches.limbs()) {
@@ -165,7 +165,7 @@ TEST(MatchLimbs, JointsOfAnArmAreMatchedByClass) {
   rows[5] = {"clavicle", 1, {0.1f, 1.45f, 0}, SINEW_CLASS_CLAVICLE};
   rows[6] = {"arm", 5, {0.2f, 1.45f, 0}, SINEW_CLASS_UPPER_ARM};
   rows[7] = {"forearm", 6, {0.5f, 1.45f, 0}, SINEW_CLASS_FOREARM};
-  const LabelledSkeleton mine = labelled(person_rows()), other = labelled(rows);
+  const LabeledSkeleton mine = labeled(person_rows()), other = labeled(rows);
   const LimbMatches matches(mine, other, 0);
   expect_ascending(matches);
   bool found = false;
@@ -185,7 +185,7 @@ TEST(MatchLimbs, SpinesOfAnyCountBeginAtThePelvisAndEndInTheHead) {
   rows[1].position.y = 1.1f;
   rows.push_back({"chest2", 1, {0, 1.35f, 0}, SINEW_CLASS_SPINE});
   rows[2].parent = 17;
-  const LabelledSkeleton mine = labelled(person_rows()), other = labelled(rows);
+  const LabeledSkeleton mine = labeled(person_rows()), other = labeled(rows);
   const LimbMatches matches(mine, other, 0);
   const MatchedLimb& trunk = matches.limbs()[0];
   ASSERT_EQ(trunk.mine.kind, LimbKind::kTrunk);
@@ -202,14 +202,14 @@ TEST(MatchLimbs, SpinesOfAnyCountBeginAtThePelvisAndEndInTheHead) {
 }
 
 // The person with a tail of `joints`, half a unit long.
-LabelledSkeleton tailed(int joints) {
+LabeledSkeleton tailed(int joints) {
   std::vector<LimbRow> rows = person_rows();
   for (int k = 0; k < joints; ++k)
     rows.push_back({"tail",
                     k == 0 ? 0 : static_cast<int>(rows.size()) - 1,
                     {0, 0.95f, -0.1f - 0.4f * static_cast<float>(k) / static_cast<float>(joints)},
                     SINEW_CLASS_TAIL});
-  return labelled(rows);
+  return labeled(rows);
 }
 
 const MatchedLimb* tail_of(const LimbMatches& matches) {
@@ -219,7 +219,7 @@ const MatchedLimb* tail_of(const LimbMatches& matches) {
 }
 
 TEST(MatchLimbs, TailsOfOneCountEndInTheirLastJointsOthersBehindThem) {
-  const LabelledSkeleton two = tailed(2), four = tailed(4);
+  const LabeledSkeleton two = tailed(2), four = tailed(4);
   const LimbMatches same(two, two, 0), apart(two, four, 0);
   const MatchedLimb* const alike = tail_of(same);
   ASSERT_NE(alike, nullptr);
@@ -246,7 +246,7 @@ TEST(MatchLimbs, UnknownChainsAreMatchedWithWhatIsNearThem) {
   far.push_back({"fin", 1, {0.3f, 0, 1.5f}, SINEW_CLASS_OTHER});
   far.push_back({"fin", 17, {0.3f, 0, 2.5f}, SINEW_CLASS_OTHER});
   const auto matched_with = [&](const std::vector<LimbRow>& rows) {
-    const LabelledSkeleton a = labelled(mine), b = labelled(rows);
+    const LabeledSkeleton a = labeled(mine), b = labeled(rows);
     const LimbMatches matches(a, b, 0);
     for (const MatchedLimb& limb : matches.limbs())
       if (limb.mine.joints[0] == 17) return limb.other.joints[0];
@@ -260,7 +260,7 @@ TEST(MatchLimbs, UnknownChainsAreMatchedWithWhatIsNearThem) {
 TEST(MatchLimbs, DetailsAreNoChains) {
   std::vector<LimbRow> rows = person_rows();
   rows.push_back({"finger", 7, {0.9f, 1.45f, 0}, kClassDetail});
-  const LabelledSkeleton mine = labelled(rows), other = labelled(person_rows());
+  const LabeledSkeleton mine = labeled(rows), other = labeled(person_rows());
   const LimbMatches matches(mine, other, 0);
   for (const MatchedLimb& limb : matches.limbs())
     for (const int joint : limb.mine.joints) EXPECT_NE(joint, 17);
@@ -269,8 +269,8 @@ TEST(MatchLimbs, DetailsAreNoChains) {
 }
 
 TEST(MatchLimbs, WithoutAPelvisThereIsNone) {
-  const LabelledSkeleton snake =
-      labelled({{"neck", -1, {0, 0, 0}, SINEW_CLASS_NECK}, {"head", 0, {0, 0, 1}, SINEW_CLASS_HEAD}});
+  const LabeledSkeleton snake =
+      labeled({{"neck", -1, {0, 0, 0}, SINEW_CLASS_NECK}, {"head", 0, {0, 0, 1}, SINEW_CLASS_HEAD}});
   const LimbMatches matches(snake, snake, 0);
   EXPECT_EQ(matches.pelvis(), -1);
   Similar best;

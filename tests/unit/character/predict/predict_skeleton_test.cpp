@@ -71,7 +71,7 @@ TEST(LimbDoubts, ALimbThatGuessesIsNamed) {
   ASSERT_EQ(limbs.size(), 1u);
   EXPECT_EQ(limbs[0].name, "LeftArm");
   EXPECT_EQ(limbs[0].joints, (std::vector<int>{3, 4, 5}));
-  EXPECT_EQ(doubts_text(limbs).rfind("warning: doubtful: LeftArm", 0), 0u);
+  EXPECT_EQ(doubts_text(limbs).rfind("warning: these limbs may be wrong: LeftArm", 0), 0u);
 }
 
 TEST(LimbDoubts, ALimbThatHardlyHangsOnAnythingIsDoubtedMore) {

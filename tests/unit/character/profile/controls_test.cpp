@@ -89,7 +89,7 @@ TEST(Controls, OfAnAnimalFourLegsOfASnakeNone) {
   const ControlRig snake = find_controls(with_joints(chain));
   EXPECT_TRUE(snake.limbs.empty());
   ASSERT_FALSE(snake.notes.empty());
-  EXPECT_EQ(snake.notes[0], "no legs and no arms among the joints: no IK for them");
+  EXPECT_EQ(snake.notes[0], "no legs and no arms among the joints, so they get no IK");
   EXPECT_TRUE(find_controls(Character()).limbs.empty());
 }
 

@@ -212,7 +212,7 @@ TEST(WriteForProfile, KeepsTheStrongestInfluencesAndTheSkeletonWhereAsked) {
 TEST(WriteForProfile, AVrmOfTheOlderVersionIsWhole) {
   TempFolder folder;
   ProfileOptions options = options_for("vrm0");
-  options.licence = "avatarPermission=everyone,licenseName=CC_BY";
+  options.license = "avatarPermission=everyone,licenseName=CC_BY";
   Character figure = walking_figure();
   write_for_profile(profile_named("vrm0"), options, folder.file("out.vrm"), figure);
   const nlohmann::json document = json_of_glb(folder.text_of("out.vrm"));

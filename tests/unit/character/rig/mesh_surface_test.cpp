@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Neighbours along edges and across seams; how much of a surface moves with each joint.
+// Neighbors along edges and across seams; how much of a surface moves with each joint.
 #include "sinew_character/rig/mesh_surface.hpp"
 
 #include <gtest/gtest.h>
@@ -18,17 +18,17 @@ Character cut_strip() {
   return c;
 }
 
-TEST(MeshNeighbours, TheFirstVertexOfAPlaceStandsForAll) {
+TEST(MeshNeighbors, TheFirstVertexOfAPlaceStandsForAll) {
   EXPECT_EQ(first_at_position(cut_strip()), (std::vector<uint32_t>{0, 1, 2, 3, 1, 2, 6, 7}));
   EXPECT_TRUE(first_at_position(Character()).empty());
 }
 
-TEST(MeshNeighbours, EdgesAndTwinsAtSeams) {
-  std::vector<std::vector<uint32_t>> neighbours = neighbours_of(cut_strip());
-  for (std::vector<uint32_t>& list : neighbours) std::sort(list.begin(), list.end());
-  EXPECT_EQ(neighbours[0], (std::vector<uint32_t>{1, 3})) << "no diagonal";
-  EXPECT_EQ(neighbours[1], (std::vector<uint32_t>{0, 2, 4}));
-  EXPECT_EQ(neighbours[5], (std::vector<uint32_t>{2, 4, 6}));
+TEST(MeshNeighbors, EdgesAndTwinsAtSeams) {
+  std::vector<std::vector<uint32_t>> neighbors = neighbors_of(cut_strip());
+  for (std::vector<uint32_t>& list : neighbors) std::sort(list.begin(), list.end());
+  EXPECT_EQ(neighbors[0], (std::vector<uint32_t>{1, 3})) << "no diagonal";
+  EXPECT_EQ(neighbors[1], (std::vector<uint32_t>{0, 2, 4}));
+  EXPECT_EQ(neighbors[5], (std::vector<uint32_t>{2, 4, 6}));
 }
 
 // A quad of area 2 and a triangle of area 1 beside it, at x = 0..2 and 2..4; a joint each and one for nothing.

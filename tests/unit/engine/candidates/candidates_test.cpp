@@ -199,7 +199,7 @@ TEST(Candidates, ALeafsTipPointsIntoItsTerritory) {
 
 TEST(Candidates, ALeafWithoutTerritoryKeepsItsStub) {
   MeshScene scene = column();
-  scene.add_joint(0, 5, 0, 4);   // inside the chain: its neighbours are nearer to everything
+  scene.add_joint(0, 5, 0, 4);   // inside the chain: its neighbors are nearer to everything
   scene.add_joint(0, 5, 0, 10);  // a leaf on top of it
   scene.flags.assign(12, 0);
   scene.flags[11] = SINEW_JOINT_NEVER;

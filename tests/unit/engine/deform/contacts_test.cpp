@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contact between parts that are no neighbours: an arm that is pressed on a torso, both of them tubes.
+// Contact between parts that are no neighbors: an arm that is pressed on a torso, both of them tubes.
 #include <gtest/gtest.h>
 
 #include <algorithm>

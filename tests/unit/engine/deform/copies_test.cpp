@@ -141,7 +141,7 @@ TEST(Copies, ABodyOfOneJointHasOneCopyACell) {
   // Every cell whose middle lies in the box, of a side of 2^20 with its floor at 0, has one.
   uint32_t inside = 0;
   for (uint32_t cell = 0; cell < box.grid.cell_count; ++cell) {
-    const Vec3i at = box.grid.centre(cell);
+    const Vec3i at = box.grid.center(cell);
     const int32_t half = kSide / 2;
     if (std::abs(at.x) >= half || std::abs(at.y - half) >= half || std::abs(at.z) >= half) continue;
     ++inside;
@@ -176,14 +176,14 @@ TEST(Copies, PairPointsAreNearestToTheMiddleOfTheirCell) {
   const Copies& copies = box.copies;
   const double cell_size = box.grid.cell_size;
   for (uint32_t cell = 0; cell < box.grid.cell_count; ++cell) {
-    const Vec3i at = box.grid.centre(cell);
-    const Vec3d centre = {static_cast<double>(at.x), static_cast<double>(at.y), static_cast<double>(at.z)};
+    const Vec3i at = box.grid.center(cell);
+    const Vec3d center = {static_cast<double>(at.x), static_cast<double>(at.y), static_cast<double>(at.z)};
     for (uint32_t p = copies.pair_offsets[cell]; p < copies.pair_offsets[cell + 1]; ++p) {
       const PairPoint& point = copies.pair_points[p];
       const uint32_t* const corners = box.run.mesh.triangles + 3 * size_t{copies.pair_triangles[p]};
       const auto distance_at = [&](double u, double v) {
         const Vec3d d = u * box.position_of(corners[0]) + v * box.position_of(corners[1]) +
-                        (1 - u - v) * box.position_of(corners[2]) - centre;
+                        (1 - u - v) * box.position_of(corners[2]) - center;
         return std::sqrt(dot(d, d)) / cell_size;
       };
       double sum = 0;

@@ -179,7 +179,7 @@ TEST(Deform, AJointWithoutWeightMovesNothing) {
   }
 }
 
-// Two neighbours of a chain turn by less than half a turn against each other, the first and the third by more.
+// Two neighbors of a chain turn by less than half a turn against each other, the first and the third by more.
 TEST(Deform, BlendsOverMoreThanHalfATurnDoNotJump) {
   BentTube tube(3, 0.2);
   for (uint32_t v = 0; v < tube.vertex_count(); ++v) {  // some skin hangs on the first and the third

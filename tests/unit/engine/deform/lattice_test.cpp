@@ -69,16 +69,16 @@ TEST(Lattice, EdgesAreThoseOfTheTetrahedraOnceEach) {
   EXPECT_EQ(lattice.edge_count, want.size());
 }
 
-// Pieces of one colour have no node in common, and every copy and edge is in one piece, the edge in one of a copy that has it.
-TEST(Lattice, PiecesOfAColourAreApart) {
+// Pieces of one color have no node in common, and every copy and edge is in one piece, the edge in one of a copy that has it.
+TEST(Lattice, PiecesOfAColorAreApart) {
   sinew_test::BentTube tube(2, 0.3, 0.12);
   const Built built(tube, 64);
   const Lattice& lattice = built.rest.lattice;
-  ASSERT_GT(lattice.piece_count(), 2 * kColours);
+  ASSERT_GT(lattice.piece_count(), 2 * kColors);
   std::set<uint32_t> copies;
-  for (uint32_t colour = 0; colour < kColours; ++colour) {
+  for (uint32_t color = 0; color < kColors; ++color) {
     std::set<uint32_t> before;
-    for (uint32_t p = lattice.colour_pieces[colour]; p < lattice.colour_pieces[colour + 1]; ++p) {
+    for (uint32_t p = lattice.color_pieces[color]; p < lattice.color_pieces[color + 1]; ++p) {
       std::set<uint32_t> nodes;
       for (uint32_t i = lattice.piece_copies[p]; i < lattice.piece_copies[p + 1]; ++i) {
         ASSERT_TRUE(copies.insert(lattice.copy_order[i]).second);
@@ -87,7 +87,7 @@ TEST(Lattice, PiecesOfAColourAreApart) {
       for (uint32_t e = lattice.piece_edges[p]; e < lattice.piece_edges[p + 1]; ++e) {
         ASSERT_EQ(nodes.count(lattice.edges[e].a) + nodes.count(lattice.edges[e].b), 2u);
       }
-      for (const uint32_t n : nodes) ASSERT_TRUE(before.insert(n).second) << colour << ' ' << n;
+      for (const uint32_t n : nodes) ASSERT_TRUE(before.insert(n).second) << color << ' ' << n;
     }
   }
   EXPECT_EQ(copies.size() * 5, lattice.tetrahedron_count);

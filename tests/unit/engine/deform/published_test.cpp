@@ -72,7 +72,7 @@ TEST(Published, SmoothingIsOfBendsAndGrowsWithThem) {
   }
 }
 
-// As published: a vertex of the bend goes towards the mean of its neighbours, by half of the way at most.
+// As published: a vertex of the bend goes towards the mean of its neighbors, by half of the way at most.
 TEST(Published, AsDrawnALaplacianSmoothsTheBend) {
   const BentTube tube(2, 0.3);
   const std::vector<float> palette = tube.turned({0, 0, 1}, 60);
@@ -86,17 +86,16 @@ TEST(Published, AsDrawnALaplacianSmoothsTheBend) {
   for (uint32_t v = 0; v < mesh.vertex_count; ++v) {
     if (std::equal(&with[3 * v], &with[3 * v] + 3, &without[3 * v])) continue;
     ++moved;
-    std::set<uint32_t> neighbours;
+    std::set<uint32_t> neighbors;
     for (uint32_t f = 0; f < mesh.face_count; ++f) {
       const std::set<uint32_t> corners = {tube.corners[3 * f], tube.corners[3 * f + 1], tube.corners[3 * f + 2]};
-      if (corners.count(v) > 0) neighbours.insert(corners.begin(), corners.end());
+      if (corners.count(v) > 0) neighbors.insert(corners.begin(), corners.end());
     }
-    neighbours.erase(v);
+    neighbors.erase(v);
     double way[3], made[3], along = 0, whole = 0;
     for (size_t axis = 0; axis < 3; ++axis) {
       double mean = 0;
-      for (const uint32_t n : neighbours)
-        mean += double{without[3 * n + axis]} / static_cast<double>(neighbours.size());
+      for (const uint32_t n : neighbors) mean += double{without[3 * n + axis]} / static_cast<double>(neighbors.size());
       way[axis] = mean - double{without[3 * v + axis]};
       made[axis] = double{with[3 * v + axis]} - double{without[3 * v + axis]};
       along += way[axis] * made[axis];

@@ -51,8 +51,8 @@ struct Big {
 
 // Whether q = floor(((2 v - sum) 2^20 + side) / (2 side)).
 bool is_rounded(float value, float low, float high, bool floor_axis, const Big& side, int32_t q) {
-  Big centred = Big().plus(Big::of(value), 2).plus(Big::of(low), -1).plus(Big::of(floor_axis ? low : high), -1);
-  const Big numerator = Big().plus(centred, 1 << 20).plus(side, 1);
+  Big centered = Big().plus(Big::of(value), 2).plus(Big::of(low), -1).plus(Big::of(floor_axis ? low : high), -1);
+  const Big numerator = Big().plus(centered, 1 << 20).plus(side, 1);
   const Big rest = numerator.plus(side, -2 * static_cast<int64_t>(q));
   return !rest.negative() && rest.plus(side, -2).negative();
 }

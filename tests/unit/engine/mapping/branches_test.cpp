@@ -82,7 +82,7 @@ TEST(Branches, EndsFollowWhatTheyEnd) {
 }
 
 // A stub beside a tail of four bones: few pairs of joints have a small sum.
-TEST(Branches, TheSumFavoursShortBranches) {
+TEST(Branches, TheSumFavorsShortBranches) {
   const auto body = [](bool stub, float lift) {
     TestRig rig = humanoid(2, true);
     for (int k = 1, last = 0; k <= 4; ++k) {

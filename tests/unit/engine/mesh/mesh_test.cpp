@@ -185,7 +185,7 @@ TEST(Mesh, PlaneIsFlatAndItsRimIsBoundary) {
 }
 
 TEST(Mesh, AFoldedCornerIsClampedAndNeverDividesByZero) {
-  MeshScene scene;  // a needle: the tip's neighbours all lie one way
+  MeshScene scene;  // a needle: the tip's neighbors all lie one way
   scene.add_vertex(0, 100, 0);
   for (int i = 0; i < 3; ++i) scene.add_vertex(i == 1 ? 1e-4f : 0, 0, i == 2 ? 1e-4f : 0);
   scene.add_face({0, 1, 2});

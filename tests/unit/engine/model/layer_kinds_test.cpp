@@ -53,7 +53,7 @@ TEST(LayerKinds, ShapesAreThoseOfTheirRows) {
   EXPECT_FALSE(is_taken(static_cast<LayerKind>(kLayerKindCount + 1), vertex, vertex));
 }
 
-TEST(LayerKinds, FlagsAreThoseOfTheirRowsAndFarNeighboursOfVerticesAlone) {
+TEST(LayerKinds, FlagsAreThoseOfTheirRowsAndFarNeighborsOfVerticesAlone) {
   const Buffer vertex = {Domain::kVertex, 4}, pair = {Domain::kPair, 4};
   EXPECT_TRUE(is_taken(LayerKind::kLinear, vertex, vertex, kLayerRelu));
   EXPECT_FALSE(is_taken(LayerKind::kCopy, vertex, vertex, kLayerRelu));

@@ -26,7 +26,7 @@ class Searched {
     for (uint32_t f = 0; f < frames; ++f) {
       Pose pose = rest_pose(clip_.source);
       for (const uint32_t j : {kSpine, kLeftUpperArm, kLeftForearm, kRightUpperArm, kRightForearm, kLeftThigh}) {
-        const sinew::motion::Quat q = sinew::motion::normalised({any(random), any(random), any(random), 0.8});
+        const sinew::motion::Quat q = sinew::motion::normalized({any(random), any(random), any(random), 0.8});
         pose.set(j, q, vec(&pose.translations[3 * j]));
       }
       clip_.add(pose);
@@ -191,7 +191,7 @@ TEST(ArmSearch, TheWayOutIsAcrossASurfaceAndTurnsSlowly) {
   }
 }
 
-TEST(ArmSearch, TheNearestPointAndItsNeighboursAreThoseOfAll) {
+TEST(ArmSearch, TheNearestPointAndItsNeighborsAreThoseOfAll) {
   Searched own(60);
   const double reach = sinew::motion::kFar * own.scene.target.height;
   int near_ones = 0;
@@ -221,7 +221,7 @@ TEST(ArmSearch, TheNearestPointAndItsNeighboursAreThoseOfAll) {
       EXPECT_EQ(own.scene.search.distance(own.scene.target_tree, arm, vertex), sinew::root(wanted));
       uint32_t triangles[24];
       double squares[24];
-      const uint32_t count = own.scene.search.neighbours(own.scene.target_tree, arm, vertex, 24, triangles, squares);
+      const uint32_t count = own.scene.search.neighbors(own.scene.target_tree, arm, vertex, 24, triangles, squares);
       uint32_t at = 0;
       for (const auto& [square, t] : own.by_distance(own.position(vertex), is_left_out)) {
         const Vec3d m = own.middle(t), below = low - m, above = m - high;

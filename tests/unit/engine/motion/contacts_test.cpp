@@ -28,8 +28,8 @@ TEST(Contacts, FeetThatStandStayWhereTheyStand) {
     for (int f = 0; f < 30; ++f) {
       const double bend = 0.3 + 0.2 * std::sin(0.5 * f);
       Pose pose = rest_pose(clip.source);
-      const Quat knee = sinew::motion::normalised({std::sin(bend), 0, 0, std::cos(bend)});
-      const Quat hip = sinew::motion::normalised({-std::sin(bend / 4), 0, 0, std::cos(bend / 4)});
+      const Quat knee = sinew::motion::normalized({std::sin(bend), 0, 0, std::cos(bend)});
+      const Quat hip = sinew::motion::normalized({-std::sin(bend / 4), 0, 0, std::cos(bend / 4)});
       for (const uint32_t thigh : {kLeftThigh, kRightThigh}) {
         pose.set(thigh, hip, vec(&pose.translations[3 * thigh]));
         pose.set(thigh + 1, knee, vec(&pose.translations[3 * (thigh + 1)]));
@@ -179,7 +179,7 @@ TEST(Contacts, KneesAndElbowsStayInTheirRange) {
   const BoxBody own(scene, 0.1);
   const auto bend = [&](PlayedClip* clip, double angle) {
     Pose pose = rest_pose(clip->source);
-    const Quat knee = sinew::motion::normalised({std::sin(angle / 2), 0, 0, std::cos(angle / 2)});
+    const Quat knee = sinew::motion::normalized({std::sin(angle / 2), 0, 0, std::cos(angle / 2)});
     pose.set(kLeftCalf, knee, vec(&pose.translations[3 * kLeftCalf]));
     pose.set(0, sinew::motion::kNoRotation, clip->source.at(0) + Vec3d{0, 3, 0});  // in the air: no foot stands
     clip->add(pose);

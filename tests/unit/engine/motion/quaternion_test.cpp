@@ -12,7 +12,7 @@ namespace {
 class Draw {
  public:
   Vec3d vector() { return {uniform_(random_), uniform_(random_), uniform_(random_)}; }
-  Quat rotation() { return normalised({uniform_(random_), uniform_(random_), uniform_(random_), uniform_(random_)}); }
+  Quat rotation() { return normalized({uniform_(random_), uniform_(random_), uniform_(random_), uniform_(random_)}); }
 
  private:
   std::mt19937 random_{7};
@@ -27,7 +27,7 @@ TEST(Quat, AProductIsTheRightOneFirstAndAConjugateTheWayBack) {
     EXPECT_LT(length(rotate(a * b, p) - rotate(a, rotate(b, p))), 1e-12);
     EXPECT_LT(length(rotate(conjugate(a), rotate(a, p)) - p), 1e-12);
   }
-  const Quat quarter = normalised({0, 0, 1, 1});  // about z: x becomes y
+  const Quat quarter = normalized({0, 0, 1, 1});  // about z: x becomes y
   EXPECT_LT(length(rotate(quarter, {1, 0, 0}) - Vec3d{0, 1, 0}), 1e-15);
 }
 
@@ -43,7 +43,7 @@ TEST(Quat, TheShortestArcTakesOneDirectionToTheOther) {
 }
 
 TEST(Quat, NothingHasNoRotation) {
-  EXPECT_EQ(normalised({0, 0, 0, 0}).w, 1);
+  EXPECT_EQ(normalized({0, 0, 0, 0}).w, 1);
   EXPECT_EQ(shortest_arc({0, 0, 0}, {1, 0, 0}).w, 1);
 }
 

@@ -40,7 +40,7 @@ double farthest(const WorldPose& a, const WorldPose& b) {
 TEST(Retarget, TheSameRigMovesAsItself) {
   MotionScene turned = body(40);
   for (uint32_t j = 0; j < turned.count(); ++j) {  // joints with axes of their own, as editors give them
-    const Quat q = sinew::motion::normalised({0.3 * j, 0.5, -0.2 * j, 1});
+    const Quat q = sinew::motion::normalized({0.3 * j, 0.5, -0.2 * j, 1});
     for (const double x : {q.x, q.y, q.z, q.w}) turned.rotations.push_back(static_cast<float>(x));
   }
   for (const MotionScene& scene : {body(40), turned}) {
@@ -128,7 +128,7 @@ TEST(Retarget, ArmsOfAnAPosePointToWhereThoseOfATPoseDo) {
   EXPECT_LT(distance(aligned.positions[kLeftFinger], source.at(kLeftFinger)), 0.02) << "below a hand all turns with it";
 }
 
-TEST(Retarget, AnotherAxisUpAndCentimetresGiveTheSameMotion) {
+TEST(Retarget, AnotherAxisUpAndCentimetersGiveTheSameMotion) {
   const MotionScene target = body(10);
   MotionScene source = body(10, 100);  // z up, facing -y: (x, y, z) is (x, -z, y)
   for (uint32_t j = 0; j < source.count(); ++j) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A quantised network, opened, and its plan.
+// A quantized network, opened, and its plan.
 #ifndef SINEW_TESTS_NETWORK_FIXTURE_MODEL_HPP
 #define SINEW_TESTS_NETWORK_FIXTURE_MODEL_HPP
 

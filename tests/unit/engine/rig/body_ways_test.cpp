@@ -57,7 +57,7 @@ const std::vector<Block3> kGate = {{{-20, 60, -5}, {20, 70, 5}},
                                    {{10, 0, -5}, {20, 65, 5}},
                                    {{-5, 65, -5}, {5, 100, 5}}};
 
-TEST(BodyWays, LeadThroughTheBodyFromNeighbourToNeighbour) {
+TEST(BodyWays, LeadThroughTheBodyFromNeighborToNeighbor) {
   BlockInterior body(kGate);
   const FoldedTree tree = tree_of({{hundredths(0, 65, 0), -1, kClassPelvis},
                                    {hundredths(15, 35, 0), 0, kClassCalf},

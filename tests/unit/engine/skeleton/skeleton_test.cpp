@@ -15,7 +15,7 @@ using sinew_test::MeshScene;
 
 constexpr double kTenth = sinew::kSide / 10.0;
 
-// Ten units tall, so that a unit is a tenth of the side; x and z are centred on 0 on the grid.
+// Ten units tall, so that a unit is a tenth of the side; x and z are centered on 0 on the grid.
 MeshScene tall_box() {
   MeshScene scene;
   add_cube(&scene, -5, 0, -5, 10);

@@ -39,7 +39,7 @@ TEST(Factor, SolvesForAKnownSolution) {
   Factor factor;
   ASSERT_TRUE(factor.allocate(block.arena, c.run.counts));
   const std::vector<int64_t> pulls = c.pulls(), rhs = c.right_hand_side(pulls);
-  ASSERT_TRUE(factor.analyse(c.matrix));
+  ASSERT_TRUE(factor.analyze(c.matrix));
   c.matrix.assemble(pulls.data(), kFactorDiagonalBits);
   factor.factorise(c.matrix);
   const size_t entries = size_t{c.matrix.rows} * kBatch;

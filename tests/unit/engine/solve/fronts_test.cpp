@@ -18,7 +18,7 @@ using sinew_test::SparsePart;
 TEST(Fronts, SolveForAKnownSolution) {
   SparsePart c(sinew_test::star(40, 50, 2));
   const std::vector<int64_t> pulls = c.pulls(), rhs = c.right_hand_side(pulls);
-  ASSERT_TRUE(c.fronts.analyse(c.matrix));
+  ASSERT_TRUE(c.fronts.analyze(c.matrix));
   c.matrix.assemble(pulls.data(), kFactorDiagonalBits);
   ASSERT_TRUE(c.fronts.factorise(c.matrix, FrontKernels()));
   const FrontSolve& solve = c.fronts.own_solve();
@@ -42,7 +42,7 @@ TEST(Fronts, SkipWhatARightHandSideDoesNotReach) {
   SparsePart c(sinew_test::capsule(200, 20, 2));
   const uint32_t rows = c.matrix.rows;
   const std::vector<int64_t> pulls(rows, int64_t{1} << 39);
-  ASSERT_TRUE(c.fronts.analyse(c.matrix));
+  ASSERT_TRUE(c.fronts.analyze(c.matrix));
   c.matrix.assemble(pulls.data(), kFactorDiagonalBits);
   ASSERT_TRUE(c.fronts.factorise(c.matrix, FrontKernels()));
   const FrontSolve& solve = c.fronts.own_solve();
@@ -63,7 +63,7 @@ TEST(Fronts, SkipWhatARightHandSideDoesNotReach) {
 TEST(Fronts, RefuseAMatrixThatIsNotDefinite) {
   SparsePart c(sinew_test::capsule(20, 20, 2));
   std::vector<int64_t> pulls(c.matrix.rows, 0);
-  ASSERT_TRUE(c.fronts.analyse(c.matrix));
+  ASSERT_TRUE(c.fronts.analyze(c.matrix));
   c.matrix.assemble(pulls.data(), kFactorDiagonalBits);
   EXPECT_FALSE(c.fronts.factorise(c.matrix, FrontKernels()));  // singular: constants cost nothing
   pulls[7] = int64_t{1} << 40;

@@ -35,7 +35,7 @@ TEST(Ordering, IsAPermutationAndKeepsFillSmall) {
   matrix.mesh = &run.mesh;
   matrix.ordering = &ordering;
   matrix.rows = run.mesh.welded_count;
-  ASSERT_TRUE(factor.analyse(matrix));
+  ASSERT_TRUE(factor.analyze(matrix));
   // Minimum degree: 21 per vertex; dissection 26, a little more or less by which vertices its medians are of; by number: 45.
   EXPECT_LT(factor.column_start[run.mesh.welded_count], 27u * run.mesh.welded_count);
 }

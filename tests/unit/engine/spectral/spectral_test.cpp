@@ -217,7 +217,7 @@ TEST(Spectral, Tangle) {
   for (uint32_t i = 0; i < kSpectralChannels; ++i) EXPECT_EQ(run.at(7, i), i < 12 ? 0.0 : -8.0);
 }
 
-TEST(Spectral, WorkspaceAndCancelling) {
+TEST(Spectral, WorkspaceAndCanceling) {
   const MeshScene scene = body();
   EXPECT_EQ(SpectralRun(scene, 64).status, SINEW_ERROR_WORKSPACE);
   const SpectralRun a(scene), b(scene, 0, {}, 0x5A);

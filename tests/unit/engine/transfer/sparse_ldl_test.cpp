@@ -15,7 +15,7 @@ namespace {
 
 using sinew_test::Block;
 
-// The Laplacian of a grid with something on its diagonal, squared: neighbours of neighbours, condition about 1e8.
+// The Laplacian of a grid with something on its diagonal, squared: neighbors of neighbors, condition about 1e8.
 struct Grid {
   static constexpr uint32_t kSide = 12, kRows = kSide * kSide;
   std::vector<std::vector<double>> dense = std::vector<std::vector<double>>(kRows, std::vector<double>(kRows, 0));

@@ -38,11 +38,11 @@ std::vector<Mode> modes_of(std::vector<Point> points, bool mirrored = false, uin
   return {modes.begin(), modes.begin() + count};
 }
 
-std::vector<Point> blob(Random* random, Vec3i centre, uint32_t count, double sigma) {
+std::vector<Point> blob(Random* random, Vec3i center, uint32_t count, double sigma) {
   std::vector<Point> points;
   const auto off = [&] { return static_cast<int32_t>(sigma * kSide * random->normal()); };
   for (uint32_t i = 0; i < count; ++i) {
-    points.push_back({centre + Vec3i{off(), off(), off()}, 1 + random->below(32768)});
+    points.push_back({center + Vec3i{off(), off(), off()}, 1 + random->below(32768)});
   }
   return points;
 }
@@ -79,8 +79,8 @@ TEST(MeanShift, FindsBlobsByFallingDensityWhereTheDensityIsFlat) {
     std::vector<Point> points;
     const uint32_t blobs = 1 + random.below(5);
     for (uint32_t b = 0; b < blobs; ++b) {
-      const Vec3i centre = {static_cast<int32_t>(b) * (kSide / 5) + kSide / 32, random.between(0, kSide), 0};
-      for (const Point& p : blob(&random, centre, 40 + random.below(200), 0.01)) points.push_back(p);
+      const Vec3i center = {static_cast<int32_t>(b) * (kSide / 5) + kSide / 32, random.between(0, kSide), 0};
+      for (const Point& p : blob(&random, center, 40 + random.below(200), 0.01)) points.push_back(p);
     }
     for (Point& p : points) p.at.x = mirrored ? std::abs(p.at.x) : p.at.x;
     const std::vector<Mode> modes = modes_of(points, mirrored);

@@ -226,7 +226,7 @@ TEST(Interior, ASphereIsDeepInItsMiddleAndWaysGrowFromThere) {
     if (in.depth[c] == 0) continue;
     ASSERT_NE(in.distance[c], kNoDistance);
     farthest = std::max(farthest, in.distance[c]);
-    const Vec3i d = in.grid.centre(c) - middle;
+    const Vec3i d = in.grid.center(c) - middle;
     const double straight = std::sqrt(static_cast<double>(dot(d, d))) / in.grid.cell_size;
     EXPECT_GE(in.distance[c], kDistanceUnits * (straight - 2) * 0.9);
     EXPECT_LE(in.distance[c], kDistanceUnits * (straight + 2) * 1.1 + 5);
@@ -271,7 +271,7 @@ TEST(RigPoints, BothSidesOfASymmetricBodyLookTheSame) {
   for (uint32_t c = kRigBody; c < kRigBody + 6; ++c) EXPECT_NEAR(a.set.features[c], b.set.features[c], 250) << c;
 }
 
-TEST(RigPoints, NeighboursAreTheNearestByPlaceAndMedialPoint) {
+TEST(RigPoints, NeighborsAreTheNearestByPlaceAndMedialPoint) {
   const Body body(animal(0.4f, false), 3);
   const PointSet& set = body.set;
   for (uint32_t i = 0; i < kSetPoints; i += 7) {
@@ -282,9 +282,9 @@ TEST(RigPoints, NeighboursAreTheNearestByPlaceAndMedialPoint) {
     }
     std::sort(order.begin(), order.end());
     if (order[0].second != i || order[1].first == 0) continue;  // two points at one position
-    for (uint32_t k = 0; k < kNeighbours; ++k) {
-      EXPECT_EQ(set.near_neighbours[i * kNeighbours + k], order[k + 1].second);
-      EXPECT_EQ(set.far_neighbours[i * kNeighbours + k], order[(k + 1) * kFarStep].second);
+    for (uint32_t k = 0; k < kNeighbors; ++k) {
+      EXPECT_EQ(set.near_neighbors[i * kNeighbors + k], order[k + 1].second);
+      EXPECT_EQ(set.far_neighbors[i * kNeighbors + k], order[(k + 1) * kFarStep].second);
     }
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Voxel states: the rasteriser marks exactly the touched cells, the flood stays outside.
+// Voxel states: the rasterizer marks exactly the touched cells, the flood stays outside.
 #include "voxels/voxels.hpp"
 
 #include <gtest/gtest.h>
@@ -140,7 +140,7 @@ TEST(Voxels, ASphereIsSolidAndItsCornersAreOutside) {
   ASSERT_EQ(v.grid.size[0], 66);
   for (uint32_t c = 0; c < v.grid.cell_count; ++c) {
     if (v.states[c] == sinew::kCellBorder) continue;
-    const Vec3i p = v.grid.centre(c);
+    const Vec3i p = v.grid.center(c);
     const double r = std::sqrt(double(p.x) * p.x + (p.y - radius) * (p.y - radius) + double(p.z) * p.z);
     if (r < radius - 2 * cell) {
       ASSERT_EQ(v.states[c], sinew::kCellInside);

@@ -39,7 +39,7 @@ struct Steered {
   uint32_t hinted = 0;
 };
 
-TEST(Hints, TheGivenRowComesIntoPlaceAndItsNeighboursFollow) {
+TEST(Hints, TheGivenRowComesIntoPlaceAndItsNeighborsFollow) {
   Steered s(sinew_test::capsule(15, 16, 2));
   s.given.give(s.hinted, GivenKind::kSteers, {{1, 65535}});
   ASSERT_EQ(s.steer(), SINEW_OK);
@@ -84,7 +84,7 @@ TEST(Hints, AJointThatMayGetNoWeightIsLeftOut) {
   }
 }
 
-TEST(Hints, TooSmallABlockAndCancellingAreStatuses) {
+TEST(Hints, TooSmallABlockAndCancelingAreStatuses) {
   Steered s(sinew_test::capsule(15, 16, 2));
   s.given.give(s.hinted, GivenKind::kSteers, {{1, 65535}});
   EXPECT_EQ(s.steer({}, 64), SINEW_ERROR_WORKSPACE);

@@ -47,7 +47,7 @@ TEST(FbxEuler, IsTheRotationAndStaysNearTheOneBefore) {
   std::array<double, 3> before = {0, 0, 0};
   for (int i = 0; i < 200; ++i) {
     const double t = 0.07 * i;
-    const Quaternion q = normalised(
+    const Quaternion q = normalized(
         multiply(axis_rotation(2, t), multiply(axis_rotation(1, 0.9 * std::sin(t)), axis_rotation(0, -1.3 * t))));
     const std::array<double, 3> angles = fbx_euler(q, before);
     constexpr double kRadian = 3.14159265358979323846 / 180;
@@ -110,12 +110,12 @@ TEST_F(FbxWrite, ComesBackWithAxesShapesAndSeams) {
       accessor_floats("", again.gltf->model, mesh.primitives[0].targets[0].at("POSITION"), 3);
   double sum = 0;
   for (const float value : moves) sum += static_cast<double>(value);
-  EXPECT_NEAR(sum, 30, 1e-3);  // centimetres
+  EXPECT_NEAR(sum, 30, 1e-3);  // centimeters
   EXPECT_EQ(mesh.primitives[0].attributes.count("TEXCOORD_0"), 1u);
   EXPECT_EQ(mesh.primitives[0].attributes.count("NORMAL"), 1u);
 }
 
-TEST_F(FbxWrite, ComesBackWithColoursAndPictures) {
+TEST_F(FbxWrite, ComesBackWithColorsAndPictures) {
   const std::string pixel(
       "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\b\2\0\0\0\x90wS\xde\0\0\0\fIDATx\x9c"
       "c\xf8\xcf\xc0\0\0\3\1\1\0\xc9\xfe\x92\xef\0\0\0\0IEND\xae"

@@ -38,12 +38,12 @@ TEST(FileKinds, RowsStandOnceAndBeforeWhatTheyEndWith) {
   EXPECT_EQ(extensions_text(kReadsPicture), ".png, .jpg, .jpeg");
 }
 
-// Extensions, stems and neighbours by name alone.
+// Extensions, stems and neighbors by name alone.
 
 TEST(FileKinds, WhatIsNotReadHasAWayOut) {
   EXPECT_NE(remedy("a/dance.pkl").find("numpy.savez('dance.npz', **numpy.load('a/dance.pkl', allow_pickle=True))"),
             std::string::npos);
-  EXPECT_NE(remedy("07.asf").find("name the .amc beside it"), std::string::npos);
+  EXPECT_NE(remedy("07.asf").find("give the .amc beside it"), std::string::npos);
   EXPECT_EQ(remedy("x.unheard"), "");
 }
 

@@ -28,7 +28,7 @@ TEST(ReadMesh, FilesOfOtherProgramsAreShownTheWayOut) {
 }
 
 TEST(ReadMesh, UsdIsWrittenAndNotRead) {
-  const std::string remedy = "this is USD, which sinew writes but does not read: export glTF or FBX";
+  const std::string remedy = "sinew writes USD but does not read it: export glTF or FBX";
   for (const std::string path : {"cat.usda", "cat.usdz", "cat.usdc", "cat.USD"}) {
     EXPECT_ERROR(read_mesh(path), path, "expected a mesh", remedy, "usd_import(filepath='" + path + "')");
     Character c;

@@ -250,8 +250,8 @@ TEST(GltfDecompress, WithoutDracoTheLineSaysWhatToInstall) {
 
 #endif
 
-// Positions in steps of 1/1000 as int16, normals and UVs in normalised integers. `node` or the bind matrices scale back.
-GlbBuilder quantised(bool skinned) {
+// Positions in steps of 1/1000 as int16, normals and UVs in normalized integers. `node` or the bind matrices scale back.
+GlbBuilder quantized(bool skinned) {
   GlbBuilder builder = two_joint_strip();
   json& attributes = builder.document["meshes"][0]["primitives"][0]["attributes"];
   std::vector<int16_t> positions;
@@ -290,10 +290,10 @@ GlbBuilder quantised(bool skinned) {
   return builder;
 }
 
-TEST(GltfRead, QuantisedAttributesReadAsTheirFloatsAndStayQuantised) {
+TEST(GltfRead, QuantizedAttributesReadAsTheirFloatsAndStayQuantized) {
   const Character plain = read(two_joint_strip());
   for (const bool skinned : {true, false}) {
-    Character c = read(quantised(skinned));
+    Character c = read(quantized(skinned));
     ASSERT_EQ(c.vertices.size(), plain.vertices.size());
     for (size_t v = 0; v < c.vertices.size(); ++v) {
       EXPECT_NEAR(c.vertices[v].x, plain.vertices[v].x, 1e-6);

@@ -161,7 +161,7 @@ TEST(GltfFromScene, MilkShapeHasOneJointAVertex) {
     EXPECT_EQ(row(c, v), (std::map<uint32_t, float>{{c.vertices[v].y > 2.5f ? 1u : 0u, 1.0f}})) << v;
 }
 
-// A skeleton without a mesh, two clips, Z up: the tip goes where the file says, in metres and Y up.
+// A skeleton without a mesh, two clips, Z up: the tip goes where the file says, in meters and Y up.
 TEST(GltfFromScene, MotionsOfCollada) {
   const TempFolder folder;
   const Motion motion = read_motion(folder.write("moves.dae", moving_dae()), 10);
@@ -328,21 +328,21 @@ TEST(SceneProcess, EndsWithinItsLimits) {
         while (on) continue;
         return SceneBytes{};
       },
-      "without an end, stopped after 1 s");
+      "does not finish reading, stopped after 1 s");
   fails(
       {much, 600, 1},
       [] {
         (void)pause();
         return SceneBytes{};
       },
-      "without an end, stopped");
+      "does not finish reading, stopped");
   fails(
       {much, 600, 600},
       [] {
         std::abort();
         return SceneBytes{};
       },
-      "does not survive");
+      "crashes on");
 }
 
 #ifndef SINEW_WITH_ASAN  // which has its own idea of memory

@@ -75,7 +75,7 @@ TEST(GltfMotion, RotationsBlendCubically) {
   builder.add("animations", cubic);
   const Quaternion q = read_clips(folder, builder, 4).clips.at(0).frames.at(1).rotations[1];
   // Hermite at t = 0.25: 0.84375 of the first, 0.140625 of its tangent, 0.15625 of the second.
-  const Quaternion wanted = normalised({0, 0, 0.140625 * 0.5 + 0.15625 * kHalf, 0.84375 + 0.15625 * kHalf});
+  const Quaternion wanted = normalized({0, 0, 0.140625 * 0.5 + 0.15625 * kHalf, 0.84375 + 0.15625 * kHalf});
   EXPECT_NEAR(dot(q, wanted), 1, 1e-7);
 }
 
@@ -183,12 +183,12 @@ TEST(GltfMotion, WhatIsWrongIsOneLine) {
       [](Animation a, GlbBuilder* b) {
         (*a)["samplers"][0]["input"] = b->accessor(std::vector<float>{1, 0.5f}, "SCALAR");
       },
-      "times from 0 that do not fall");
+      "ascending times from 0");
   expect(
       [](Animation a, GlbBuilder* b) {
         (*a)["samplers"][0]["input"] = b->accessor(std::vector<float>{-1, 1}, "SCALAR");
       },
-      "times from 0 that do not fall");
+      "ascending times from 0");
   expect(
       [](Animation a, GlbBuilder* b) {
         (*a)["samplers"][0]["input"] = b->accessor(std::vector<float>{0, 1e30f}, "SCALAR");

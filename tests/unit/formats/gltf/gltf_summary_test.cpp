@@ -18,7 +18,7 @@ using nlohmann::json;
 GltfSummary summary_of(const GlbBuilder& builder) {
   const TempFolder folder;
   folder.write("file.glb", builder.glb());
-  return summarise_gltf(folder.file("file.glb"));
+  return summarize_gltf(folder.file("file.glb"));
 }
 
 TEST(GltfSummary, NamesWhatIsThere) {

@@ -80,7 +80,7 @@ TEST(VrmOne, MetaExpressionsAndViewAreTranslated) {
   EXPECT_EQ(one["meta"]["allowExcessivelyViolentUsage"], false);
   EXPECT_EQ(one["meta"]["allowExcessivelySexualUsage"], true);
   EXPECT_EQ(one["meta"]["commercialUsage"],
-            "personalNonProfit");  // the licence says so, though the other word allows it
+            "personalNonProfit");  // the license says so, though the other word allows it
   EXPECT_EQ(one["meta"]["thumbnailImage"], 4);
   const Json& happy = one["expressions"]["preset"]["happy"];
   EXPECT_EQ(happy["morphTargetBinds"], Json::array({{{"node", 5}, {"index", 3}, {"weight", 0.5}}}));
@@ -92,9 +92,9 @@ TEST(VrmOne, MetaExpressionsAndViewAreTranslated) {
   EXPECT_EQ(one["lookAt"]["offsetFromHeadBone"], Json({0.0, 0.06, -0.1}));
   EXPECT_EQ(one["lookAt"]["rangeMapHorizontalInner"], Json({{"inputMaxValue", 80.0}, {"outputScale", 1.0}}));
   ASSERT_EQ(notes.size(), 3u);
-  EXPECT_NE(notes[0].find("2 expressions, 2 chains of springs"), std::string::npos) << notes[0];
+  EXPECT_NE(notes[0].find("2 expressions, 2 spring chains"), std::string::npos) << notes[0];
   EXPECT_NE(notes[1].find("1 MToon"), std::string::npos) << notes[1];
-  EXPECT_NE(notes[2].find("1 changes of materials"), std::string::npos) << notes[2];
+  EXPECT_NE(notes[2].find("1 material changes"), std::string::npos) << notes[2];
 }
 
 TEST(VrmOne, SpringsAreChainsWithEnds) {

@@ -57,7 +57,7 @@ TEST(VrmAnimation, JointsAreTheHumanoids) {
     EXPECT_NEAR(std::abs(dot(motion.clips[0].frames.back().rotations[2], axis_rotation(0, 2 * std::acos(0.0)))), 1,
                 1e-6);
     ASSERT_EQ(motion.notes.size(), 1u);
-    EXPECT_EQ(motion.notes[0], "expressions and the direction of the eyes were left out");
+    EXPECT_EQ(motion.notes[0], "expressions and eye directions were left out");
   }
   const TempFolder folder;
   Character skeleton;
@@ -76,7 +76,7 @@ TEST(VrmAnimation, BrokenMapsAreOneLine) {
         "expected a node below 5 in 'humanBones.hips', found another");
   fails([](Json* e) { (*e)["humanoid"]["humanBones"]["hips"] = 1; }, "in 'humanBones.hips', found none");
   fails([](Json* e) { (*e)["humanoid"]["humanBones"]["hips"]["node"] = -1; }, "found another");
-  fails([](Json* e) { (*e)["humanoid"]["humanBones"]["head"]["node"] = 1; }, "a node of its own for every bone");
+  fails([](Json* e) { (*e)["humanoid"]["humanBones"]["head"]["node"] = 1; }, "a separate node for each bone");
   fails([](Json* e) { (*e)["humanoid"] = 3; }, "expected humanoid.humanBones, found none");
   fails([](Json* e) { (*e)["expressions"]["preset"]["happy"]["node"] = "4"; }, "'expressions.preset.happy'");
   fails([](Json* e) { (*e)["lookAt"] = {{"node", 77}}; }, "'lookAt'");

@@ -60,7 +60,7 @@ TEST(Actors, OneOfSeveralByNameOrNumber) {
     EXPECT_TRUE(bob->notes.empty());
     EXPECT_EQ(first->joints.back().name, "ann.foot.r");
     ASSERT_EQ(first->notes.size(), 1u);
-    EXPECT_EQ(first->notes[0], "has 2 actors, 'ann', 'bob'; the first one plays, --actor says another");
+    EXPECT_EQ(first->notes[0], "has 2 actors, 'ann', 'bob'; the first one plays, choose another with --actor");
     EXPECT_EQ(one_actor(motion, "two.fbx", "1")->joints.back().name, "bob.foot.r");
     EXPECT_ERROR(one_actor(motion, "two.fbx", "eve"), "two.fbx", "one of its 2 actors, 'ann', 'bob', found 'eve'");
     EXPECT_ERROR(one_actor(motion, "two.fbx", "2"), "found '2'");

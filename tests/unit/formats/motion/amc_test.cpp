@@ -124,7 +124,8 @@ TEST(Amc, RadiansAndTheOrderOfAnglesAreTheFiles) {
 TEST(Amc, TheSkeletonLiesBesideTheFrames) {
   const TempFolder folder;
   const std::string path = folder.write("walk.amc", kAmcFrames);
-  EXPECT_ERROR(read_motion(path), "walk.amc: expected its skeleton beside it, walk.asf, found none", "copy the .asf");
+  EXPECT_ERROR(read_motion(path), "walk.amc: expected its skeleton beside it, walk.asf, found none",
+               "copy the matching .asf");
   folder.write("person.asf", kAsfSkeleton);
   EXPECT_EQ(read_motion(path).joints.size(), 5u) << "the only one";
   folder.write("other.asf", "");

@@ -171,7 +171,7 @@ TEST(Bvh, WhatIsWrongIsOneLine) {
   expect(with(kSmall, "\t}\n}\n", "\t}\n"), "OFFSET, CHANNELS, JOINT");
   expect(with(kSmall, "End Site\n\t\t{", "End Site\n"), "'{'");
   expect(with(kSmall, "Frames: 2", "Frames: two"), "the number of frames", "two");
-  expect(with(kSmall, "Frame Time: 0.04", "Frame Time: -0.04"), "at least 0");
+  expect(with(kSmall, "Frame Time: 0.04", "Frame Time: -0.04"), "0 or more");
   expect(with(kSmall, "Frame Time", "Frame Rate"), "Frame Time");
   expect(with(kSmall, "3 90", "3 inf"), ":20: expected a finite number", "inf");
   expect(with(kSmall, "0 1 0 0", "1 0 0"), ":19: expected 9 numbers in frame 0, found '8 of them'");
@@ -191,7 +191,7 @@ TEST(Bvh, AFrameWithoutAllNumbersIsLeftOutOrFilled) {
   EXPECT_NEAR(middle.clips[0].frames[1].translations[0][0], 1.5, 1e-12);
   EXPECT_NEAR(middle.clips[0].frames[1].translations[0][1], 1.5, 1e-12);
   ASSERT_EQ(middle.notes.size(), 1u);
-  EXPECT_EQ(middle.notes[0], "warning: 1 frame without 9 numbers (line 20), filled from the frames around");
+  EXPECT_EQ(middle.notes[0], "warning: 1 frame without 9 numbers (line 20), interpolated from the frames around");
 }
 
 TEST(Bvh, ATruncatedFileIsRefusedAtEveryLength) {
@@ -221,7 +221,7 @@ TEST(Bvh, WhatIsWrittenReadsBack) {
   for (int f = 0; f < 40; ++f) {
     MotionFrame frame;
     const double t = 0.31 * f;
-    frame.rotations = {normalised({std::sin(t), std::cos(3 * t), std::sin(5 * t), 0.3}),
+    frame.rotations = {normalized({std::sin(t), std::cos(3 * t), std::sin(5 * t), 0.3}),
                        multiply(axis_rotation(2, t), multiply(axis_rotation(0, f % 2 == 0 ? std::numbers::pi / 2 : t),
                                                               axis_rotation(1, 2 * t))),
                        kNoRotation4};

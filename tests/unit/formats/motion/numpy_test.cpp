@@ -118,7 +118,7 @@ TEST(Numpy, SixAndNineNumbersSayTheSameAsAxisAngles) {
                                                  true)};
   for (const std::string& bytes : files) {
     const Motion motion = read("a.npz", bytes);
-    EXPECT_TRUE(has_note(motion, "30 frames a second were guessed"));
+    EXPECT_TRUE(has_note(motion, "30 frames per second were assumed"));
     for (size_t f = 0; f < kFrames; ++f)
       for (size_t j = 0; j < 24; ++j)
         EXPECT_NEAR(std::abs(dot(motion.clips[0].frames[f].rotations[j], plain.clips[0].frames[f].rotations[j])), 1,
@@ -241,10 +241,10 @@ TEST(Keypoints, WhatIsWrongIsOneLine) {
     return "nothing";
   };
   EXPECT_EQ(line([&] { KeypointsStream("h36m", rows); }),
-            "keypoints: no layout is called 'h36m', expected one of smpl24, humanml3d22, lafan22, smplh52, smplx55, "
+            "keypoints: unknown layout 'h36m', expected one of smpl24, humanml3d22, lafan22, smplh52, smplx55, "
             "coco17, h36m17, h36m32, kinect25, openpose25, mediapipe33");
   EXPECT_EQ(line([&] { KeypointsStream("smpl24", {}); }),
-            "keypoints: expected frames of the person that moves, a second or two, found none");
+            "keypoints: expected frames of a moving person, a second or two, found none");
   EXPECT_EQ(line([&] { KeypointsStream("coco17", rows); }), "keypoints: expected 17 keypoints as coco17 has, found 24");
   const KeypointsStream stream("smpl24", rows);
   std::vector<Point3> row = rows[0];
@@ -262,7 +262,7 @@ TEST(Numpy, KeypointsMayStandAlongAnyAxisAndBeMirrored) {
                            "smpl24");
   expect_same_keypoints(z_up, from, 1e-5);
   EXPECT_TRUE(has_note(z_up, "stands along z"));
-  EXPECT_FALSE(has_note(z_up, "guessed; --layout")) << "it was said";
+  EXPECT_FALSE(has_note(z_up, "assumed; choose another with --layout")) << "it was said";
   const Motion down = read("d.npy", npy_of(shape_of({kFrames, 24, 3}), keypoints_of(from, [](const Point3& p) {
                                              return Point3{p[0], -p[1], -p[2]};
                                            })));
@@ -336,8 +336,8 @@ TEST(Numpy, LayoutsOfOneCountAreToldApartByTheBody) {
   }
   for (size_t i = 0; i < h36m.size(); i += 3) std::swap(h36m[i], h36m[(i * 7 + 30) % h36m.size() / 3 * 3]);
   EXPECT_ERROR(read("h.npy", npy_of(shape_of({kFrames, 17, 3}), h36m)),
-               "h.npy: expected 17 keypoints that are a body in one known layout", "misfits of coco17 ", ", h36m17 ",
-               "say with --layout NAME which it is");
+               "h.npy: expected 17 keypoints that fit one known layout", "misfits of coco17 ", ", h36m17 ",
+               "choose one with --layout NAME");
   EXPECT_EQ(read("h.npy", npy_of(shape_of({kFrames, 17, 3}), h36m), "h36m17").joints.size(), 18u) << "it was said";
 }
 
@@ -456,10 +456,10 @@ TEST(Numpy, ParentsOfAnUnknownSkeletonAreGuessedAndTold) {
   for (size_t i = 0; i < places.size(); i += 5) places[i] += 0.1f * static_cast<float>(i % 7);
   EXPECT_ERROR(read("k.npz", zip_of({{"posed_joints.npy", npy_of(shape_of({kFrames, 7, 3}), places)},
                                      {"global_rot_mats.npy", npy_of(shape_of({kFrames, 7, 3, 3}), turns)}})),
-               "k.npz: expected rotations that carry the joints, found joint ");
+               "k.npz: expected rotations that move the joints, found joint ");
 }
 
-// HumanML3D's features of the same body: half the turn about y and the step in the axes of the next frame, height, positions in the frame's axes.
+// HumanML3D features of the same body: half the turn about y and the step in the axes of the next frame, height, positions in the frame's axes.
 TEST(Numpy, FeaturesOfHumanMl3dBecomeKeypoints) {
   const Motion from = read("a.npz", zip_of({{"poses.npy", npy_of(shape_of({kFrames, 66}), bent_body(22))},
                                             {"trans.npy", npy_of(shape_of({kFrames, 3}), path())}}));
@@ -483,7 +483,7 @@ TEST(Numpy, FeaturesOfHumanMl3dBecomeKeypoints) {
     }
   }
   const Motion found = read("f.npy", npy_of(shape_of({kFrames, 263}), features));
-  EXPECT_TRUE(has_note(found, "HumanML3D's features"));
+  EXPECT_TRUE(has_note(found, "HumanML3D features"));
   EXPECT_DOUBLE_EQ(found.clips[0].frame_time, 1.0 / 20);
   for (size_t f = 0; f < kFrames; ++f) {
     const WorldPose pose = world_pose(found, found.clips[0].frames[f]);
@@ -494,7 +494,7 @@ TEST(Numpy, FeaturesOfHumanMl3dBecomeKeypoints) {
           << f << " " << found.joints[j].name;
   }
   EXPECT_ERROR(read("f.npy", npy_of(shape_of({kFrames, 263}), std::vector<float>(kFrames * 263, 0.5f))), "f.npy",
-               "expected 22 keypoints that are a body");
+               "expected 22 keypoints that fit");
 }
 
 TEST(Numpy, KeypointsRelativeToTheHipsStandOnTheFloor) {
@@ -550,11 +550,11 @@ TEST(Numpy, WhatIsWrongIsOneLine) {
   fails("a.npz",
         zip_of({{"poses.npy", npy_of(shape_of({2, 72}), std::vector<float>(144))},
                 {"trans.npy", npy_of(shape_of({3, 3}), std::vector<float>(9))}}),
-        "'trans' of 3 numbers a frame");
+        "'trans' of 3 numbers per frame");
   fails("a.npz",
         zip_of({{"poses.npy", npy_of(shape_of({2, 72}), std::vector<float>(144))},
                 {"fps.npy", npy_of("()", std::vector<float>{0})}}),
-        "a rate of frames a second, found 0");
+        "a frame rate, found 0");
 }
 
 TEST(Numpy, EveryTruncationAndChangedByteIsRefusedOrRead) {

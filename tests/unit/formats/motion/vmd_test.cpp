@@ -155,7 +155,7 @@ TEST(Vmd, OtherIkIsToldWhereItMoves) {
   const std::string toe_ik = "\x8d\xb6\x82\xc2\x82\xdc\x90\xe6\x82\x68\x82\x6a";
   EXPECT_TRUE(read(vmd_of({{kCenter, 0}, {toe_ik, 0}})).notes.empty());
   EXPECT_EQ(read(vmd_of({{kCenter, 0}, {toe_ik, 0, {0, 1, 0}}})).notes.at(0),
-            "1 IK bones of other parts than feet were left out");
+            "1 IK bones other than feet were left out");
 }
 
 TEST(Vmd, ReadsEnglishBones) {

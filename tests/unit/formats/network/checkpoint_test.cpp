@@ -78,7 +78,7 @@ TEST(Checkpoint, ErrorsSayWhatIsWrong) {
   Checkpoint broken = sample();
   broken.network.layers[0].out.offset = 1;
   write_checkpoint(folder.file("b.ckpt"), broken);
-  EXPECT_ERROR(read_checkpoint(folder.file("b.ckpt")), "layer 0", "outside of its buffers");
+  EXPECT_ERROR(read_checkpoint(folder.file("b.ckpt")), "layer 0", "outside its buffers");
   broken = sample();
   broken.latest.parameters[0].bias.pop_back();
   write_checkpoint(folder.file("b.ckpt"), broken);

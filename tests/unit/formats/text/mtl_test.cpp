@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Materials, pictures, colours and objects of an OBJ, up to the glTF that is made of them.
+// Materials, pictures, colors and objects of an OBJ, up to the glTF that is made of them.
 #include "text/mtl.hpp"
 
 #include <gtest/gtest.h>
@@ -13,18 +13,18 @@ namespace {
 
 using nlohmann::json;
 
-std::string png(char colour_type) {
-  return std::string("\x89PNG\r\n\x1a\n", 8) + std::string(17, '\0') + colour_type + "picture";
+std::string png(char color_type) {
+  return std::string("\x89PNG\r\n\x1a\n", 8) + std::string(17, '\0') + color_type + "picture";
 }
 
 const char kTwo[] =
-    "mtllib my colours.mtl\nv 0 0 0 1 0 0\nv 1 0 0 1 0.5 0\nv 0 1 0\nv 0 0 1 0 0 0\n"
+    "mtllib my colors.mtl\nv 0 0 0 1 0 0\nv 1 0 0 1 0.5 0\nv 0 1 0\nv 0 0 1 0 0 0\n"
     "o left boot\nusemtl leather\nf 1 2 3\no right boot\nusemtl glass\nf 1 3 4\nusemtl leather\nf 2 3 4\n";
 
-TEST(Mtl, ColoursPicturesAndObjectsReachTheGlb) {
+TEST(Mtl, ColorsPicturesAndObjectsReachTheGlb) {
   const TempFolder folder;
   folder.write(
-      "my colours.mtl",
+      "my colors.mtl",
       "newmtl leather\nKd 0 0 0\nmap_Kd -s 1 1 1 -o 0 0 tex\\brown skin.png\nmap_Bump -bm 0.5 bumps.png\n"
       "newmtl glass\nKd 0.25 0.5 1\nKe 0 0 0.5\nd 0.5\nnorm -clamp on normals.png\nnewmtl unused\nmap_Kd no.png\n");
   folder.write("brown skin.png", png(2));
@@ -64,15 +64,15 @@ TEST(Mtl, WhatIsMissingIsANote) {
   const TempFolder folder;
   Character c = read_obj(folder.write("boots.obj", kTwo));
   ASSERT_EQ(c.notes.size(), 1u);
-  EXPECT_NE(c.notes[0].find("'my colours.mtl' were not found"), std::string::npos) << c.notes[0];
-  folder.write("my colours.mtl", "Kd 1 1 1\nnewmtl leather\nmap_Kd gone.png\nKd red\nd\nnewmtl glass\nmap_Kd a.tga\n");
+  EXPECT_NE(c.notes[0].find("'my colors.mtl' were not found"), std::string::npos) << c.notes[0];
+  folder.write("my colors.mtl", "Kd 1 1 1\nnewmtl leather\nmap_Kd gone.png\nKd red\nd\nnewmtl glass\nmap_Kd a.tga\n");
   folder.write("a.tga", "targa");
   c = read_obj(folder.file("boots.obj"));
   ASSERT_EQ(c.notes.size(), 4u);
   EXPECT_NE(c.notes[0].find("'gone.png' was not found"), std::string::npos) << c.notes[0];
-  EXPECT_NE(c.notes[1].find("my colours.mtl:4: expected three numbers"), std::string::npos) << c.notes[1];
-  EXPECT_NE(c.notes[2].find("my colours.mtl:5: expected a number"), std::string::npos) << c.notes[2];
-  EXPECT_NE(c.notes[3].find("'a.tga' is no PNG or JPEG"), std::string::npos) << c.notes[3];
+  EXPECT_NE(c.notes[1].find("my colors.mtl:4: expected three numbers"), std::string::npos) << c.notes[1];
+  EXPECT_NE(c.notes[2].find("my colors.mtl:5: expected a number"), std::string::npos) << c.notes[2];
+  EXPECT_NE(c.notes[3].find("'a.tga' is not a PNG or JPEG"), std::string::npos) << c.notes[3];
 }
 
 TEST(Mtl, GroupsPartAMeshWithoutObjects) {

@@ -158,7 +158,7 @@ TEST(Obj, ReadsHundredThousandVerticesFast) {
   const std::string path = folder.write("big.obj", text);
   const auto start = std::chrono::steady_clock::now();
   EXPECT_EQ(read_obj(path).vertices.size(), 102400u);
-  // 0.05 s when optimised; the limit only catches a step that grows with the square.
+  // 0.05 s when optimized; the limit only catches a step that grows with the square.
   EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 5.0);
 }
 

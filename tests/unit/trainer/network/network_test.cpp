@@ -254,7 +254,7 @@ TEST(FloatNetwork, RingAndPartMeansFollowTheJoint) {
   EXPECT_EQ(ring_values, (std::vector<float>{-1, 0, 1, 0, 0, 0}));
   EXPECT_EQ(part_values, (std::vector<float>{0, almost_two / 2, 0, 0, 0.5f, 0}));
   EXPECT_EQ(runner.buffer(largest.buffer), (std::vector<float>{-1, 0, 1, 0, 0, 0}))
-      << "a lone negative neighbour is the largest";
+      << "a lone negative neighbor is the largest";
 }
 
 TEST(FloatNetwork, VertexOrderDoesNotMatter) {

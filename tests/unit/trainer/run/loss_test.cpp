@@ -129,7 +129,7 @@ TEST(WeightLoss, FarLogitsStayFinite) {
   EXPECT_LT(gradient[0], -0.9f) << "KL still has to pull the lost joint up";
 }
 
-TEST(SampleL1, KeepsTheLargestNormalisesAndCountsMissingWeight) {
+TEST(SampleL1, KeepsTheLargestNormalizesAndCountsMissingWeight) {
   Sample s = one_vertex();
   s.fold = {0, 1, 2};
   s.target = {0.6f, 0.2f, 0};

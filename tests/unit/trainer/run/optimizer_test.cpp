@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Optimisers on a parabola, clipping, schedule, running average.
+// Optimizers on a parabola, clipping, schedule, running average.
 #include "run/optimizer.hpp"
 
 #include <gtest/gtest.h>

@@ -41,7 +41,7 @@ TEST(GarmentPictures, AShirtBeforeAndAfter) {
   const char* const what[] = {"bound alone", "nearest point", "--garment", "volume"};
   for (size_t p = 0; p < 4; ++p) {
     EXPECT_GT(picture.panels[p].png.size(), 500u);
-    EXPECT_EQ(picture.panels[p].caption.find("shoulder, arm turned by 75 degrees: "), 0u) << picture.panels[p].caption;
+    EXPECT_EQ(picture.panels[p].caption.find("shoulder, arm rotated by 75 degrees: "), 0u) << picture.panels[p].caption;
     EXPECT_NE(picture.panels[p].caption.find(what[p]), std::string::npos) << picture.panels[p].caption;
   }
   const size_t alone = crossings_in(picture.panels[0].caption);

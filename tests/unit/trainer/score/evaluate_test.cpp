@@ -27,7 +27,7 @@ Character strip() {
   return c;
 }
 
-// Vertex 0 right (not normalised), vertex 1 all on a, vertex 2 split between b and the end joint e.
+// Vertex 0 right (not normalized), vertex 1 all on a, vertex 2 split between b and the end joint e.
 Prediction off() { return {{{0, 2.0f}}, {{0, 1.0f}}, {{1, 0.75f}, {2, 0.25f}}}; }
 
 TEST(Measure, TheReferenceItselfIsPerfect) {
@@ -131,7 +131,7 @@ Metrics with_l1(double l1, double seconds, size_t vertices) {
 }
 
 Scores four() {
-  return summarise({{"b__2", with_l1(0.4, 4, 1000)},
+  return summarize({{"b__2", with_l1(0.4, 4, 1000)},
                     {"a__1", with_l1(0.1, 1, 500)},
                     {"a__3", with_l1(0.2, 0, 10)},
                     {"a__2", with_l1(0.3, 2, 4000)}});
@@ -145,7 +145,7 @@ TEST(Scores, MeansOverCharactersAndOverFamilies) {
   EXPECT_DOUBLE_EQ(s.family_mean.l1, 0.3);
   EXPECT_DOUBLE_EQ(s.all.seconds, 2);  // the median of those that were timed
   EXPECT_DOUBLE_EQ(s.families.at("a").seconds, 1.5);
-  EXPECT_TRUE(summarise({}).characters.empty());
+  EXPECT_TRUE(summarize({}).characters.empty());
 }
 
 TEST(Scores, MarkdownHasTheYardsticksColumnsAndTheFigureOfTheFile) {

@@ -130,7 +130,7 @@ TEST(BeatenBy, NamesTheCharactersWorstFirst) {
       rows[i].first = std::string(1, static_cast<char>('a' + i));
       rows[i].second.l1 = l1[i];
     }
-    return summarise(rows);
+    return summarize(rows);
   };
   const auto list = beaten_by(scored(0.5, 0.3, 0.4), scored(0.4, 0.3, 0.1));
   ASSERT_EQ(list.size(), 2u);

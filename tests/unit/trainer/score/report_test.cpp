@@ -25,7 +25,7 @@ ReportVariant variant(const std::string& label, int bits, double worse) {
   ReportVariant v;
   v.label = label;
   v.bits = bits;
-  v.scores = summarise({{"robots__one", with_l1(0.2 + worse)},
+  v.scores = summarize({{"robots__one", with_l1(0.2 + worse)},
                         {"robots__<b>two</b>", with_l1(0.5 + worse)},
                         {"fish & co__three", with_l1(0.1 + worse)}});
   if (bits > 0 && bits < 32) v.argmax_flips = worse;
@@ -118,7 +118,7 @@ TEST(Report, WorksWithOneVariantOneCharacterAndNone) {
   data.variants.resize(1);
   data.variants[0].label = "only";
   EXPECT_EQ(first_fault(report_html(data)), "");
-  data.variants[0].scores = summarise({{"lonely", with_l1(0.3)}});
+  data.variants[0].scores = summarize({{"lonely", with_l1(0.3)}});
   const std::string html = report_html(data);
   EXPECT_EQ(first_fault(html), "");
   EXPECT_NE(html.find("lonely"), std::string::npos);
@@ -146,7 +146,7 @@ TEST(Report, PicksBestMedianAndWorst) {
 TEST(Report, MarkdownTableNamesTheWorstCharacter) {
   ReportData data = full();
   data.variants[0].label = "a|b";
-  const std::string text = quantisation_table_markdown(data);
+  const std::string text = quantization_table_markdown(data);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 6);
   EXPECT_NE(text.find("| a\\|b | 0.2667 |"), std::string::npos) << text;
   EXPECT_NE(text.find("robots__<b>two</b> (0.501) |\n"), std::string::npos) << text;

@@ -25,7 +25,7 @@ size_t count_of(const std::string& text, const std::string& part) {
 
 TEST(RigReport, ShowsEveryCharacterTheWorstFirst) {
   RigReport report;
-  report.scores = summarise({{"toys__good", with_j2j(0.01)}, {"toys__<b>bad</b>", with_j2j(0.09)}});
+  report.scores = summarize({{"toys__good", with_j2j(0.01)}, {"toys__<b>bad</b>", with_j2j(0.09)}});
   report.scores.humanoids["toys__good"] = {"no head in the middle"};
   report.scores.failures["toys__gone"] = "gone.obj: not there & never was";
   report.facts = {{"command", "sinew-lab eval toys --task rig"}};

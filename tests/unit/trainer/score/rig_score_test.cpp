@@ -165,7 +165,7 @@ TEST(RigScores, MeansAndTable) {
   good.joined = std::nan("");
   bad.j2j = 0.05;
   bad.joined = 0.5;
-  RigScores scores = summarise({{"b__2", good}, {"a__1", good}, {"a__2", bad}});
+  RigScores scores = summarize({{"b__2", good}, {"a__1", good}, {"a__2", bad}});
   EXPECT_NEAR(scores.families.at("a").j2j, 0.03, 1e-12);
   EXPECT_NEAR(scores.all.j2j, 0.07 / 3, 1e-12);
   EXPECT_NEAR(scores.family_mean.j2j, 0.02, 1e-12);

@@ -11,7 +11,7 @@
 
 namespace sinew {
 
-// check_character() whose note about boundary edges says how many loops they make.
+// check_character(), with the number of loops in its note about boundary edges.
 CheckReport check_training_character(const Character& character);
 
 // Quadric decimation to about `ratio` (0..1] of the vertices; seams and boundaries kept, weights carried along (a

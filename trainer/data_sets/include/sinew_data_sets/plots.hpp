@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Plots as SVG elements inside a page of html.hpp, whose style sheet colours them.
+// Plots as SVG elements inside a page of html.hpp, whose style sheet colors them.
 #ifndef SINEW_DATA_SETS_PLOTS_HPP
 #define SINEW_DATA_SETS_PLOTS_HPP
 
@@ -32,7 +32,7 @@ std::string bars(const std::vector<std::string>& series, const std::vector<BarRo
 struct Series {
   std::string label;
   std::vector<std::pair<double, double>> points;
-  size_t colour = 0;
+  size_t color = 0;
   bool dots = false;
   bool line = true;
   double dot_radius = 4;

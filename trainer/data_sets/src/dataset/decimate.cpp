@@ -40,9 +40,9 @@ class ModOutlineT : public OpenMesh::Decimater::ModBaseT<MeshT> {
     if (collapse.fl.is_valid() && collapse.fr.is_valid())
       return Base::ILLEGAL_COLLAPSE;  // would cut through the inside
     for (const auto out : mesh.voh_range(collapse.v0)) {
-      const auto neighbour = mesh.to_vertex_handle(out);
-      if (neighbour == collapse.v1 || !mesh.is_boundary(mesh.edge_handle(out))) continue;
-      if (distance_to_segment(collapse.p0, mesh.point(neighbour), collapse.p1) > tolerance_)
+      const auto neighbor = mesh.to_vertex_handle(out);
+      if (neighbor == collapse.v1 || !mesh.is_boundary(mesh.edge_handle(out))) continue;
+      if (distance_to_segment(collapse.p0, mesh.point(neighbor), collapse.p1) > tolerance_)
         return Base::ILLEGAL_COLLAPSE;
     }
     return Base::LEGAL_COLLAPSE;
@@ -151,7 +151,7 @@ void collapse(const std::string& name, size_t vertex_count, size_t target, doubl
   decimater.module(quadric).unset_max_err();
   decimater.add(flipping);
   decimater.add(outline);
-  if (!decimater.initialize()) throw Error(name + ": cannot decimate, the decimater did not start");
+  if (!decimater.initialize()) throw Error(name + ": cannot decimate, OpenMesh refuses the mesh");
   // The outline is held as tightly as the target allows: hems of clothes are a large part of some characters. The
   // decimater is set up once, because the quadrics must not start again from a mesh with deleted faces.
   for (const double tolerance : {0.002, 0.01, 0.05, std::numeric_limits<double>::infinity()}) {
@@ -222,7 +222,7 @@ Character decimate(const Character& character, double ratio) {
 
 namespace {
 
-// The mean of two rows, by falling weight, ties by the lower joint.
+// The mean of two rows, by descending weight, ties by the lower joint.
 std::vector<Influence> mean_row(const std::vector<Influence>& a, const std::vector<Influence>& b) {
   std::map<uint32_t, float> sums;
   for (const Influence& i : a) sums[i.joint] += i.weight / 2;

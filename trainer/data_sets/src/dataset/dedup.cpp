@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Same and near-same characters: normalised positions matched through a grid, then joints by position, then weights.
+// Same and near-same characters: normalized positions matched through a grid, then joints by position, then weights.
 #include "sinew_data_sets/dedup.hpp"
 
 #include <algorithm>

@@ -41,7 +41,7 @@ std::vector<SplitUnit> split_units(const std::vector<std::string>& keys) {
 std::vector<bool> choose_validation(const std::vector<SplitUnit>& units, double share, uint64_t seed) {
   if (units.size() < 2) {
     throw Error("split: " + std::to_string(units.size()) +
-                " unit cannot go to two sides; expected at least two families, groups or characters");
+                "unit cannot be split; expected at least two families, groups or characters");
   }
   std::vector<size_t> order(units.size());
   std::iota(order.begin(), order.end(), size_t{0});
@@ -95,7 +95,7 @@ std::string percent_decoded(const std::string& text) {
 std::vector<fs::path> gltf_references(const std::string& path) {
   const std::vector<uint8_t> bytes = read_file(path);
   const nlohmann::json document = nlohmann::json::parse(bytes.begin(), bytes.end(), nullptr, false);
-  if (!document.is_object()) throw Error(path + ": not a glTF document, expected JSON");
+  if (!document.is_object()) throw Error(path + ": expected a glTF document, found no JSON");
   std::vector<fs::path> references;
   for (const char* kind : {"buffers", "images"}) {
     const auto list = document.find(kind);
@@ -133,7 +133,8 @@ void place_character(const std::string& mesh_path, const std::string& folder) {
     const fs::path from = fs::path(mesh_path).parent_path() / file, to = fs::path(folder) / file;
     std::error_code failed;
     fs::create_directories(to.parent_path(), failed);
-    if (fs::exists(fs::symlink_status(to, failed))) throw Error(to.string() + ": is there already and is not replaced");
+    if (fs::exists(fs::symlink_status(to, failed)))
+      throw Error(to.string() + ": exists and is never replaced; give another folder");
     fs::create_hard_link(from, to, failed);
     if (!failed) continue;
     fs::copy_file(from, to, failed);  // another disk, or a file system without links

@@ -172,7 +172,7 @@ class HandFinder {
   std::vector<std::optional<uint32_t>> fingers_;
   std::vector<std::optional<JointClass>> classes_;
   std::vector<int8_t> sides_;
-  std::vector<bool> ends_, untold_;  // untold_: a finger, and nobody knows which
+  std::vector<bool> ends_, untold_;  // untold_: a finger of unknown class
   std::vector<size_t> below_;        // the hand, then all below it
 };
 
@@ -180,7 +180,7 @@ class HandFinder {
 
 std::vector<TargetHand> target_hands(const Character& character) {
   if (character.joints.empty() || character.influences.size() != character.vertices.size())
-    throw Error(character.name + ": has no joints or no weights to take hands from");
+    throw Error(character.name + ": has no joints or weights, so no hands to train on");
   return HandFinder(character).run();
 }
 

@@ -50,9 +50,9 @@ double longest_side(const std::vector<Vec3>& vertices) {
 
 void check(const Character& c) {
   const std::string name = c.name.empty() ? "the character" : c.name;
-  if (c.joints.empty()) throw Error(name + ": has no joints to make a target skeleton of");
+  if (c.joints.empty()) throw Error(name + ": has no joints for a reference skeleton");
   if (c.vertices.empty() || c.influences.size() != c.vertices.size())
-    throw Error(name + ": has no weights, which say what its joints move");
+    throw Error(name + ": has no weights, expected a bound character");
   for (const Joint& joint : c.joints)
     if (joint.parent >= static_cast<int>(c.joints.size()))
       throw Error(name + ": the joint " + joint.name + " has a parent that does not exist");
@@ -76,7 +76,7 @@ class TargetMaker {
       file_parents_.push_back(joint.parent < 0 ? -1 : joint.parent);
       positions_.push_back(point(joint.position));
     }
-    if (!(side_ > 0)) throw Error(c.name + ": its vertices are all at one place");
+    if (!(side_ > 0)) throw Error(c.name + ": its vertices are all at one position");
     sort_joints();
   }
 

@@ -61,7 +61,7 @@ double mean(const Members& members, const std::function<double(const CharacterSt
   return sum / static_cast<double>(members.size());
 }
 
-// Negative when nobody's recall is known: a character without weights has none.
+// Negative if no recall is known: a character without weights has none.
 double mean_recall(const Members& members, size_t k) {
   double sum = 0;
   size_t known = 0;
@@ -244,7 +244,7 @@ std::string dataset_json(const DatasetStats& stats) {
 }
 
 std::string dataset_html(const DatasetStats& stats) {
-  if (stats.characters.empty()) throw Error(stats.folder + ": there is no character to show");
+  if (stats.characters.empty()) throw Error(stats.folder + ": no character to show");
   const std::map<std::string, Members> families = by_family(stats);
   const Members all = everyone(stats);
   size_t vertices = 0, warned = 0;
@@ -263,9 +263,9 @@ std::string dataset_html(const DatasetStats& stats) {
     if (stats.candidate_counts[k] == 8 && mean_recall(all, k) >= 0)
       out += figure(percent(mean_recall(all, k)) + " %", "of the weight is on the 8 candidates");
   out +=
-      "</div>\n<h2>Families</h2>\n<p class=\"soft\">Smallest / median / largest; influences per vertex and recall "
-      "are means. Recall: the share of the artist's weight that lies on the K joints which the network may choose "
-      "from (higher is better).</p>\n<div class=\"card\">" +
+      "</div>\n<h2>Families</h2>\n<p class=\"soft\">Smallest / median / largest; influences per vertex and recall are "
+      "means. Recall: the share of the artist's weight that lieson the K joints that the network may choose from "
+      "(higher is better).</p>\n<div class=\"card\">" +
       family_table(stats, families) + "</div>\n<div class=\"grid\">\n";
   std::vector<std::pair<std::string, double>> counts;
   std::vector<html::BarRow> bars;
@@ -301,8 +301,8 @@ std::string dataset_html(const DatasetStats& stats) {
     out += html::card("Unreadable", html::table({{"file", true}, {"why", true}}, rows));
   }
   out +=
-      "<p class=\"soft\" style=\"margin-top:36px\">Below, every character with its reference weights: one colour per "
-      "joint, blended by weight; grey is unbound.</p>\n";
+      "<p class=\"soft\" style=\"margin-top:36px\">Below, every character with its reference weights: one color per "
+      "joint, blended by weight; gray is unbound.</p>\n";
   for (const auto& [family, members] : families)
     out += family_section(family + " (" + std::to_string(members.size()) + ")", members, stats.candidate_counts);
   return html::page("Data set " + stats.folder, out);

@@ -23,7 +23,7 @@ std::string line(double x1, double y1, double x2, double y2, const std::string& 
 
 std::string box(double x, double y, double width, double height, size_t series, const std::string& title) {
   return "<rect x=\"" + number(x, 1) + "\" y=\"" + number(y, 1) + "\" width=\"" + number(width, 1) + "\" height=\"" +
-         number(height, 1) + "\" rx=\"1.5\" style=\"fill:" + colour(series) + "\"><title>" + escape(title) +
+         number(height, 1) + "\" rx=\"1.5\" style=\"fill:" + color(series) + "\"><title>" + escape(title) +
          "</title></rect>";
 }
 
@@ -143,13 +143,13 @@ std::string lines(const std::vector<Series>& series, const LineOptions& options)
     if (s.line && s.points.size() > 1) {
       std::string points;
       for (const auto& [x, y] : s.points) points += number(axes.x(x), 1) + "," + number(axes.y(y), 1) + " ";
-      out += "\n<polyline points=\"" + points + "\" style=\"fill:none;stroke:" + colour(s.colour) +
+      out += "\n<polyline points=\"" + points + "\" style=\"fill:none;stroke:" + color(s.color) +
              ";stroke-width:1.8;stroke-linejoin:round\"><title>" + escape(s.label) + "</title></polyline>";
     }
     if (!s.dots && s.points.size() > 1) continue;
     for (const auto& [x, y] : s.points)
       out += "<circle cx=\"" + number(axes.x(x), 1) + "\" cy=\"" + number(axes.y(y), 1) + "\" r=\"" +
-             number(s.dot_radius, 1) + "\" style=\"fill:" + colour(s.colour) + (s.line ? "" : ";fill-opacity:0.55") +
+             number(s.dot_radius, 1) + "\" style=\"fill:" + color(s.color) + (s.line ? "" : ";fill-opacity:0.55") +
              "\"></circle>";
   }
   return out + "\n</svg>\n";
@@ -183,7 +183,7 @@ std::string histogram(const std::vector<double>& values, const HistogramOptions&
     low = std::min(low, position(v));
     high = std::max(high, position(v));
   }
-  // Whole numbers get whole bins: a bin that holds one more integer than its neighbours would look like a peak.
+  // Whole numbers get whole bins: a bin that holds one more integer than its neighbors would look like a peak.
   double width = (high - low) / static_cast<double>(options.bins);
   if (logs) {
     width = std::max(width, 0.05);

@@ -97,7 +97,7 @@ void biped_head(Blueprint* plan, const BipedSizes& of, const Point& neck) {
   plan->neck = plan->add_joint("neck", plan->trunk.back(), neck);
   plan->add_bone(plan->neck, neck, skull, thick(*plan, head * 0.5), thick(*plan, head * 0.45));
   plan->head = plan->add_joint("head", plan->neck, skull);
-  plan->head_centre = skull + Point{0, head * 0.9, 0.02};
+  plan->head_center = skull + Point{0, head * 0.9, 0.02};
   plan->head_radius = head;
   plan->add_bone(plan->head, skull + Point{0, head * 0.75, 0.02}, skull + Point{0, head * 1.1, 0.02}, head * 0.92, head,
                  {0.95, 1.05, 1});
@@ -223,7 +223,7 @@ void quadruped(Blueprint* plan, Random* random) {
   plan->head = plan->add_joint("head", plan->neck, skull);
   const double snout = random->range(0.14, 0.28);
   plan->add_bone(plan->head, skull, skull + Point{0, -0.06, snout}, head, thick(*plan, head * 0.6));
-  plan->head_centre = skull;
+  plan->head_center = skull;
   plan->head_radius = head;
   if (random->chance(0.5)) {
     const int jaw = plan->add_joint("jaw", plan->head, skull + Point{0, -head * 0.6, head * 0.3});
@@ -290,7 +290,7 @@ void bird(Blueprint* plan, Random* random) {
   plan->neck = chain(plan, "neck", "", chest, points, girth * 0.5, head * 0.7).back();
   plan->head = plan->add_joint("head", plan->neck, skull);
   plan->add_bone(plan->head, skull, skull + Point{0, 0.02, 0.06}, head, head * 0.85);
-  plan->head_centre = skull + Point{0, 0.01, 0.03};
+  plan->head_center = skull + Point{0, 0.01, 0.03};
   plan->head_radius = head;
   const Point rump = hip - forward * 0.12;
   const int tail_bones = random->integer(1, 2);
@@ -362,7 +362,7 @@ void snake(Blueprint* plan, Random* random) {
   plan->neck = last;
   plan->head = plan->add_joint("head", last, skull);
   plan->add_bone(plan->head, skull, skull + Point{0, -0.01, 0.13}, girth * 1.05, girth * 0.7, {1.25, 0.9, 1});
-  plan->head_centre = skull + Point{0, 0.01, 0.04};
+  plan->head_center = skull + Point{0, 0.01, 0.04};
   plan->head_radius = girth;
   if (random->chance(0.6)) {
     const int jaw = plan->add_joint("jaw", plan->head, skull + Point{0, -girth * 0.6, 0.02});
@@ -390,7 +390,7 @@ void many_legged(Blueprint* plan, Random* random) {
   plan->neck = parent;
   plan->head = plan->add_joint("head", parent, front);
   plan->add_bone(plan->head, front + Point{0, 0.02, 0.05}, front + Point{0, 0.02, 0.14}, girth * 0.75, girth * 0.65);
-  plan->head_centre = front + Point{0, 0.02, 0.12};
+  plan->head_center = front + Point{0, 0.02, 0.12};
   plan->head_radius = girth * 0.7;
   const double ankle = thick(*plan, random->range(0.025, 0.04));
   // Feet stand at least four voxels apart, or legs would grow together.
@@ -413,7 +413,7 @@ void many_legged(Blueprint* plan, Random* random) {
   }
   if (random->chance(0.5)) {
     for (int side = 0; side < 2; ++side) {
-      const Point base = plan->head_centre + Point{girth * 0.3, girth * 0.4, 0.05};
+      const Point base = plan->head_center + Point{girth * 0.3, girth * 0.4, 0.05};
       chain(plan, "feeler", kSides[side], plan->head,
             {mirrored(base, side), mirrored(base + Point{0.08, 0.14, 0.12}, side),
              mirrored(base + Point{0.14, 0.17, 0.28}, side)},

@@ -35,7 +35,7 @@ struct PlanJoint {
 enum class Build { kSmooth, kCapsules, kBoxes };
 
 struct Limb {
-  std::vector<int> joints;  // from the trunk outwards
+  std::vector<int> joints;  // from the torso outwards
 };
 
 struct Blueprint {
@@ -49,7 +49,7 @@ struct Blueprint {
   // Roles, for clothes and parts. Joints that a plan lacks are kNoJoint.
   std::vector<int> trunk;  // from the hips to the chest
   int neck = kNoJoint, head = kNoJoint;
-  Point head_centre;
+  Point head_center;
   double head_radius = 0.1;
   std::vector<Limb> arms, legs;
 

@@ -296,7 +296,7 @@ Body sketch(BodyPlan plan, Sketch* s) {
 Primitive bone_of(const std::vector<Node>& nodes, const Node& end, int joint) {
   const Node& start = nodes[static_cast<size_t>(end.parent)];
   Primitive bone = {joint, start.at, end.at, start.radius * end.start_share, end.radius * end.end_share, end.scale};
-  // From the trunk to a limb: no wider than the limb needs.
+  // From the torso to a limb: no wider than the limb needs.
   if (Sketch::on_plane(start.at) && !Sketch::on_plane(end.at)) bone.ra = std::min(bone.ra, bone.rb * 1.5);
   return bone;
 }
@@ -327,7 +327,7 @@ void set_on_floor(int resolution, Blueprint* made) {
     const double flattest = thinnest / std::min(bone.ra, bone.rb);
     for (double* s : {&bone.scale.x, &bone.scale.y, &bone.scale.z}) *s = std::max(*s, flattest);
   }
-  made->head_centre = made->head_centre + up;
+  made->head_center = made->head_center + up;
 }
 
 }  // namespace
@@ -362,7 +362,7 @@ Blueprint make_creature(BodyPlan plan, int resolution, Random* random) {
   for (const int node : body.trunk) made.trunk.push_back(joint_of[static_cast<size_t>(node)]);
   const size_t head = static_cast<size_t>(body.head == kNoJoint ? body.chest() : body.head);
   made.head = made.neck = joint_of[head];
-  made.head_centre = stretched(drawn.nodes[head].at);
+  made.head_center = stretched(drawn.nodes[head].at);
   made.head_radius = drawn.nodes[head].radius * 0.9 * std::min(stretch.x, stretch.z);
   set_on_floor(resolution, &made);
   return made;

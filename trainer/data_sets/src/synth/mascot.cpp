@@ -7,7 +7,7 @@
 namespace sinew::synth {
 namespace {
 
-// On stubby legs, the trunk not much longer than they are.
+// On stubby legs, the torso not much longer than they are.
 Body stubby_body(Sketch* s) {
   const double height = s->range(0.2, 0.45), radius = s->range(0.16, 0.32);
   const Point up = unit(s->about_plane({0, 1, s->range(-0.1, 0.15)}, 0.04));
@@ -79,7 +79,7 @@ void long_ears(Sketch* s, const Body& body, double radius) {
   });
 }
 
-// Longer than the legs and as thick as the trunk at the most: a squirrel's, a fox's.
+// Longer than the legs and as thick as the torso at the most: a squirrel's, a fox's.
 void big_tail(Sketch* s, const Body& body) {
   const int joints = s->integer(2, 5);
   const double thick = body.radius * s->range(0.35, 0.9), length = s->range(0.3, 0.9);

@@ -16,7 +16,7 @@ Frame bone_frame(Point a, Point b, double hx, double hy) {
   return {x * hx, y * hy, z};
 }
 
-Surface lump(uint32_t joint, Point centre, const Frame& frame, int n, double round, double taper) {
+Surface lump(uint32_t joint, Point center, const Frame& frame, int n, double round, double taper) {
   Surface surface;
   std::map<std::array<int, 3>, uint32_t> known;
   const auto vertex = [&](std::array<int, 3> at) {
@@ -26,7 +26,7 @@ Surface lump(uint32_t joint, Point centre, const Frame& frame, int n, double rou
     const Point p = mix(cube, unit(cube), round);
     const double across = mix(1.0, taper, (p.z + 1) * 0.5);
     const uint32_t id = static_cast<uint32_t>(surface.positions.size());
-    surface.positions.push_back(centre + frame.x * (p.x * across) + frame.y * (p.y * across) + frame.z * p.z);
+    surface.positions.push_back(center + frame.x * (p.x * across) + frame.y * (p.y * across) + frame.z * p.z);
     surface.influences.push_back({{joint, 1.0f}});
     known.emplace(at, id);
     return id;
@@ -56,7 +56,7 @@ Surface lump(uint32_t joint, Point centre, const Frame& frame, int n, double rou
   return surface;
 }
 
-Surface revolve(uint32_t joint, Point centre, const std::vector<std::array<double, 3>>& profile, int sides,
+Surface revolve(uint32_t joint, Point center, const std::vector<std::array<double, 3>>& profile, int sides,
                 bool closed) {
   Surface surface;
   std::vector<uint32_t> first;
@@ -67,7 +67,7 @@ Surface revolve(uint32_t joint, Point centre, const std::vector<std::array<doubl
     const int count = rx == 0 ? 1 : sides;
     for (int i = 0; i < count; ++i) {
       const double angle = 2 * kPi * i / sides;
-      surface.positions.push_back(centre + Point{rx * sine(angle), height, rz * cosine(angle)});
+      surface.positions.push_back(center + Point{rx * sine(angle), height, rz * cosine(angle)});
       surface.influences.push_back({{joint, 1.0f}});
     }
   }
@@ -94,7 +94,7 @@ Surface eyes(const Blueprint& plan, Random* random) {
   Surface out;
   const double r = plan.head_radius, size = r * random->range(0.16, 0.3);
   for (double side : {1.0, -1.0}) {
-    const Point at = plan.head_centre + unit({side * 0.5, 0.25, 1.0}) * (r * 0.97);
+    const Point at = plan.head_center + unit({side * 0.5, 0.25, 1.0}) * (r * 0.97);
     out.append(lump(static_cast<uint32_t>(plan.head), at, box_frame(size, size, size * 0.7), 2, 1.0));
   }
   return out;
@@ -120,10 +120,10 @@ Surface capsule_body(const Blueprint& plan, int sides) {
       const double angle =
           first ? 0.5 * kPi * (ring + 1 - kCapRings) / kCapRings : 0.5 * kPi * (ring - kCapRings) / kCapRings;
       const double r = first ? bone.ra : bone.rb;
-      const Point centre = (first ? a : b) + along * (r * sine(angle));
+      const Point center = (first ? a : b) + along * (r * sine(angle));
       for (int i = 0; i < sides; ++i) {
         const double around = 2 * kPi * i / sides;
-        add(centre + (frame.x * cosine(around) + frame.y * sine(around)) * (r * cosine(angle)));
+        add(center + (frame.x * cosine(around) + frame.y * sine(around)) * (r * cosine(angle)));
       }
     }
     add(b + along * bone.rb);
@@ -151,10 +151,10 @@ Surface rigid_body(const Blueprint& plan, Random* random) {
     // Stretch short bones to their thickness, leave a gap at the ends of long ones.
     const Point along = whole_length > 1e-6 ? (p.b - p.a) * (1 / whole_length) : Point{0, 1, 0};
     const double half = whole_length > 2 * r ? whole_length * 0.5 - 0.15 * r : r * 0.9;
-    const Point centre = mix(p.a, p.b, 0.5);
-    Frame frame = bone_frame(centre - along * half, centre + along * half, p.ra, p.ra);
+    const Point center = mix(p.a, p.b, 0.5);
+    Frame frame = bone_frame(center - along * half, center + along * half, p.ra, p.ra);
     for (Point* axis : {&frame.x, &frame.y}) *axis = {axis->x * p.scale.x, axis->y * p.scale.y, axis->z * p.scale.z};
-    out.append(lump(static_cast<uint32_t>(p.joint), centre, frame, 3, round, p.rb / p.ra));
+    out.append(lump(static_cast<uint32_t>(p.joint), center, frame, 3, round, p.rb / p.ra));
     if (balls) {
       const double ball = p.ra * 0.7;
       out.append(lump(static_cast<uint32_t>(p.joint), p.a, box_frame(ball, ball, ball), 2, 1.0));

@@ -13,7 +13,7 @@
 
 namespace sinew::synth {
 
-// A joint or, with `tip`, only the end of its parent's bone. The bone that ends here has the shape that is told here.
+// A joint or, with `tip`, only the end of its parent's bone. The bone that ends here has this shape.
 struct Node {
   std::string name;
   int parent = kNoJoint;
@@ -94,10 +94,10 @@ class Sketch {
 };
 
 struct Body {
-  double height = 1, radius = 0.3;  // of the hips over the floor, of the trunk
+  double height = 1, radius = 0.3;  // of the hips over the floor, of the torso
   std::vector<int> trunk;
   int head = kNoJoint;
-  Point top;  // where the trunk ends
+  Point top;  // where the torso ends
   int chest() const { return trunk.back(); }
 };
 

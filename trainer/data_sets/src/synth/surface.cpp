@@ -180,7 +180,7 @@ class Grid {
     }
   }
 
-  // Keeps the largest inside body and fills enclosed holes. Well-composed bodies touch by faces only, so six neighbours
+  // Keeps the largest inside body and fills enclosed holes. Well-composed bodies touch by faces only, so six neighbors
   // suffice.
   void keep_one_body() {
     std::vector<int> label(value_.size(), -1);
@@ -285,18 +285,18 @@ Point gradient(const Blueprint& plan, Point p, double here, double h) {
           (body_distance(plan, p + Point{0, 0, h}) - here) / h};
 }
 
-// Evens out the faces: each vertex goes half way to the mean of its neighbours, then back onto the surface by Newton
+// Evens out the faces: each vertex goes half way to the mean of its neighbors, then back onto the surface by Newton
 // steps.
 void relax(const Blueprint& plan, const std::vector<Point>& low, const std::vector<Point>& high, Surface* surface) {
   const size_t count = surface->positions.size();
   for (int round = 0; round < 4; ++round) {
     std::vector<Point> sum(count);
-    std::vector<int> neighbours(count, 0);
+    std::vector<int> neighbors(count, 0);
     for (const std::vector<uint32_t>& face : surface->faces) {
       for (size_t i = 0; i < face.size(); ++i) {
         // Each edge is walked once in each direction, by its two faces.
         sum[face[i]] = sum[face[i]] + surface->positions[face[(i + 1) % face.size()]];
-        ++neighbours[face[i]];
+        ++neighbors[face[i]];
       }
     }
     for (size_t v = 0; v < count; ++v) {
@@ -304,7 +304,7 @@ void relax(const Blueprint& plan, const std::vector<Point>& low, const std::vect
         return Point{std::clamp(p.x, low[v].x, high[v].x), std::clamp(p.y, low[v].y, high[v].y),
                      std::clamp(p.z, low[v].z, high[v].z)};
       };
-      Point p = clamped(mix(surface->positions[v], sum[v] * (1.0 / neighbours[v]), 0.5));
+      Point p = clamped(mix(surface->positions[v], sum[v] * (1.0 / neighbors[v]), 0.5));
       for (int step = 0; step < 2; ++step) {
         const double here = body_distance(plan, p);
         const Point g = gradient(plan, p, here, 0.01 * plan.cell);

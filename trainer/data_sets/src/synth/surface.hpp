@@ -32,9 +32,9 @@ double primitive_distance(const Primitive& primitive, Point p);
 double body_distance(const Blueprint& plan, Point p);
 
 // Weights at a point: joints whose primitives are about as near as the nearest one, among its relatives in the tree up
-// to two steps away; at most four, multiples of 1/1000 that sum to 1, sorted by falling weight.
+// to two steps away; at most four, multiples of 1/1000 that sum to 1, sorted by descending weight.
 std::vector<Influence> body_weights(const Blueprint& plan, Point p);
-// The same rounding for any blend: keeps the four largest, drops what is under 1 %, normalises.
+// The same rounding for any blend: keeps the four largest, drops what is under 1 %, normalizes.
 std::vector<Influence> tidy_weights(std::vector<Influence> row);
 
 // Dual contouring on a grid of plan.cell (one vertex per surface cell, mostly quads, moved onto the surface): closed,
@@ -53,11 +53,11 @@ Frame bone_frame(Point a, Point b, double hx, double hy);
 
 // A closed lump bound to one joint: a subdivided cube (n cells per edge) whose corners are rounded by `round` (0 = box,
 // 1 = ellipsoid); its cross section at +z is `taper` times the one at -z.
-Surface lump(uint32_t joint, Point centre, const Frame& frame, int n, double round, double taper = 1);
-// Rings of `sides` vertices around the vertical axis through `centre`, one per profile point (radius x, radius z,
+Surface lump(uint32_t joint, Point center, const Frame& frame, int n, double round, double taper = 1);
+// Rings of `sides` vertices around the vertical axis through `center`, one per profile point (radius x, radius z,
 // height), joined by quads; a profile point with radius 0 is a pole. Listed from the top down it faces outwards.
 // `closed` joins the last ring to the first (a torus).
-Surface revolve(uint32_t joint, Point centre, const std::vector<std::array<double, 3>>& profile, int sides,
+Surface revolve(uint32_t joint, Point center, const std::vector<std::array<double, 3>>& profile, int sides,
                 bool closed = false);
 
 // Clothes and parts that fit the plan's roles, chosen by the seed. `body` is the polygonised body.

@@ -65,7 +65,7 @@ Surface shell(const Surface& body, const std::vector<Point>& normals, const std:
   return surface;
 }
 
-// Weights of cloth that hangs from the trunk at height y: the trunk joints above and below share it.
+// Weights of cloth that hangs from the torso at height y: the torso joints above and below share it.
 std::vector<Influence> trunk_weights(const Blueprint& plan, double y) {
   for (size_t i = plan.trunk.size(); i-- > 1;) {
     const double here = plan.at(plan.trunk[i]).y, below = plan.at(plan.trunk[i - 1]).y;
@@ -171,19 +171,19 @@ Surface cape(const Blueprint& plan, const Surface& body, double hem, bool rigid)
   return sheet;
 }
 
-Surface torus(uint32_t joint, Point centre, double rx, double rz, double thickness, int sides) {
+Surface torus(uint32_t joint, Point center, double rx, double rz, double thickness, int sides) {
   std::vector<std::array<double, 3>> profile;
   for (int i = 0; i < 6; ++i) {
     const double angle = 2 * kPi * i / 6;
     profile.push_back({rx + thickness * sine(angle), rz + thickness * sine(angle), thickness * cosine(angle)});
   }
-  return revolve(joint, centre, profile, sides, true);
+  return revolve(joint, center, profile, sides, true);
 }
 
 void hat(const Blueprint& plan, Random* random, Surface* out) {
   const uint32_t head = static_cast<uint32_t>(plan.head);
   const double r = plan.head_radius;
-  const Point brow = plan.head_centre + Point{0, r * 0.45, 0};
+  const Point brow = plan.head_center + Point{0, r * 0.45, 0};
   if (random->chance(0.5)) {  // pointed, with a brim
     const double tall = r * random->range(1.2, 2.4);
     out->append(revolve(head, brow,
@@ -197,7 +197,7 @@ void hat(const Blueprint& plan, Random* random, Surface* out) {
   } else {  // a cap of hair or a helmet
     const double w = r * 1.12;
     out->append(
-        revolve(head, plan.head_centre,
+        revolve(head, plan.head_center,
                 {{0, 0, w * 1.1}, {w * 0.5, w * 0.5, w * 0.95}, {w * 0.85, w * 0.85, w * 0.55}, {w, w, w * 0.1}}, 14));
   }
 }
@@ -206,7 +206,7 @@ void horns(const Blueprint& plan, Random* random, Surface* out) {
   const double r = plan.head_radius, tall = r * random->range(0.6, 1.3);
   for (int side = 0; side < 2; ++side) {
     const double s = side == 0 ? 1 : -1;
-    const Point base = plan.head_centre + Point{s * r * 0.6, r * 0.75, 0};
+    const Point base = plan.head_center + Point{s * r * 0.6, r * 0.75, 0};
     out->append(lump(static_cast<uint32_t>(plan.head), base + Point{s * tall * 0.2, tall * 0.45, 0},
                      bone_frame(base, base + Point{s * tall * 0.4, tall, 0}, r * 0.22, r * 0.22), 3, 0.8, 0.25));
   }
@@ -352,7 +352,7 @@ class Wardrobe {
                        bone_frame(grip - Point{0, 0, 0.1}, grip + Point{0, 0, 0.66}, 0.03, 0.015), 3, 0.2, 0.5));
     }
     if (random_->chance(0.15))
-      out_.append(torus(static_cast<uint32_t>(plan_.head), plan_.head_centre + Point{0, plan_.head_radius * 1.6, 0},
+      out_.append(torus(static_cast<uint32_t>(plan_.head), plan_.head_center + Point{0, plan_.head_radius * 1.6, 0},
                         0.12, 0.12, 0.015, 16));
   }
 
@@ -386,7 +386,7 @@ class Wardrobe {
   }
 
   void beak() {
-    const Point front = plan_.head_centre + Point{0, -0.01, plan_.head_radius * 0.8};
+    const Point front = plan_.head_center + Point{0, -0.01, plan_.head_radius * 0.8};
     out_.append(lump(static_cast<uint32_t>(plan_.head), front + Point{0, 0, 0.08},
                      bone_frame(front, front + Point{0, -0.02, 0.17}, 0.035, 0.03), 3, 0.6, 0.2));
   }

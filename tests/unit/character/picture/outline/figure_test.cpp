@@ -21,16 +21,16 @@ bool in_rim(int x, int y) {
       if (!in_figure(x + dx, y + dy)) return in_figure(x, y);
   return false;
 }
-Rgba body_colour(int x, int y) { return in_rim(x, y) ? kInk : kRed; }
+Rgba body_color(int x, int y) { return in_rim(x, y) ? kInk : kRed; }
 
-TEST(FindFigure, OnAFlatColour) {
-  const auto colour = [](int x, int y) { return in_figure(x, y) ? body_colour(x, y) : Rgba{120, 190, 230, 255}; };
-  EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, colour)).mask, in_figure), 0.999);
+TEST(FindFigure, OnAFlatColor) {
+  const auto color = [](int x, int y) { return in_figure(x, y) ? body_color(x, y) : Rgba{120, 190, 230, 255}; };
+  EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, color)).mask, in_figure), 0.999);
 }
 
 TEST(FindFigure, ByAlpha) {
-  const auto colour = [](int x, int y) { return in_figure(x, y) ? kWhite : kClear; };
-  const Figure figure = find_figure(picture_of(kSide, kSide, colour));
+  const auto color = [](int x, int y) { return in_figure(x, y) ? kWhite : kClear; };
+  const Figure figure = find_figure(picture_of(kSide, kSide, color));
   EXPECT_EQ(figure.source, FigureSource::kAlpha);
   EXPECT_GT(overlap(figure.mask, in_figure), 0.999);
 }
@@ -38,8 +38,8 @@ TEST(FindFigure, ByAlpha) {
 // Darker towards a corner, grain, a ruled line every 17 rows, a soft shadow below.
 TEST(FindFigure, OnPaper) {
   uint32_t state = 1;
-  const auto colour = [&state](int x, int y) {
-    if (in_figure(x, y)) return body_colour(x, y);
+  const auto color = [&state](int x, int y) {
+    if (in_figure(x, y)) return body_color(x, y);
     state = state * 1664525u + 1013904223u;
     double light = 240 - 0.08 * (x + y) + static_cast<double>(state >> 24) / 255 * 8 - 4;
     const double shadow = std::hypot(std::max(0, std::abs(x - 108) - 20), std::max(0, std::abs(y - 125) - 50));
@@ -48,50 +48,50 @@ TEST(FindFigure, OnPaper) {
     return Rgba{static_cast<uint8_t>(light - line), static_cast<uint8_t>(light - 0.6 * line),
                 static_cast<uint8_t>(0.96 * light), 255};
   };
-  EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, colour)).mask, in_figure), 0.97);
+  EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, color)).mask, in_figure), 0.97);
 }
 
-TEST(FindFigure, BeforeSeveralColours) {
-  const auto colour = [](int x, int y) {
-    if (in_figure(x, y)) return body_colour(x, y);
+TEST(FindFigure, BeforeSeveralColors) {
+  const auto color = [](int x, int y) {
+    if (in_figure(x, y)) return body_color(x, y);
     return y < 110 ? Rgba{150, 200, 250, 255} : Rgba{90, 160, 70, 255};
   };
-  EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, colour)).mask, in_figure), 0.99);
+  EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, color)).mask, in_figure), 0.99);
 }
 
 TEST(FindFigure, HolesStayOpen) {
   const auto ring = [](int x, int y) { return in_disc(x, y, 100, 100, 70) && !in_disc(x, y, 100, 100, 30); };
-  const auto colour = [&](int x, int y) { return ring(x, y) ? kRed : kWhite; };
-  EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, colour)).mask, ring), 0.999);
+  const auto color = [&](int x, int y) { return ring(x, y) ? kRed : kWhite; };
+  EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, color)).mask, ring), 0.999);
 }
 
 // A white face with eyes in a red body is no hole.
 TEST(FindFigure, FacesAreClosed) {
-  const auto colour = [](int x, int y) {
+  const auto color = [](int x, int y) {
     if (in_disc(x, y, 90, 60, 3) || in_disc(x, y, 110, 60, 3)) return kInk;
     if (in_disc(x, y, 100, 60, 22)) return kWhite;
     return in_figure(x, y) || in_disc(x, y, 100, 140, 50) ? kRed : kWhite;
   };
   const auto whole = [](int x, int y) { return in_figure(x, y) || in_disc(x, y, 100, 140, 50); };
-  EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, colour)).mask, whole), 0.999);
+  EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, color)).mask, whole), 0.999);
 }
 
 // An outline of ink on white is what it encloses, also with a gap in it.
 TEST(FindFigure, OutlinesAreFilled) {
   for (const int gap : {0, 2}) {
-    const auto colour = [gap](int x, int y) {
+    const auto color = [gap](int x, int y) {
       return in_rim(x, y) && !(x > 110 && y >= 120 && y < 120 + gap) ? kInk : kWhite;
     };
-    EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, colour)).mask, in_figure), 0.97) << gap;
+    EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, color)).mask, in_figure), 0.97) << gap;
   }
 }
 
 TEST(FindFigure, OnASheetOnATable) {
-  const auto colour = [](int x, int y) {
-    if (in_figure(x, y)) return body_colour(x, y);
+  const auto color = [](int x, int y) {
+    if (in_figure(x, y)) return body_color(x, y);
     return x > 30 && x < 175 && y > 12 && y < 190 ? Rgba{244, 242, 236, 255} : Rgba{120, 84, 50, 255};
   };
-  const Figure figure = find_figure(picture_of(kSide, kSide, colour));
+  const Figure figure = find_figure(picture_of(kSide, kSide, color));
   EXPECT_GT(overlap(figure.mask, in_figure), 0.99);
   ASSERT_FALSE(figure.notes.empty());
   EXPECT_NE(figure.notes[0].find("sheet"), std::string::npos);
@@ -100,10 +100,10 @@ TEST(FindFigure, OnASheetOnATable) {
 // An outline drawing beside other strokes, whose ink is more than it encloses.
 TEST(FindFigure, OutlinesAreFilledBesideScribbles) {
   const auto ring = [](int x, int y) { return in_disc(x, y, 60, 100, 40) && !in_disc(x, y, 60, 100, 37); };
-  const auto colour = [&](int x, int y) {
+  const auto color = [&](int x, int y) {
     return ring(x, y) || (x > 110 && x < 195 && y > 20 && y < 180 && y % 10 < 5) ? kInk : kWhite;
   };
-  EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, colour)).mask,
+  EXPECT_GT(overlap(find_figure(picture_of(kSide, kSide, color)).mask,
                     [](int x, int y) { return in_disc(x, y, 60, 100, 40); }),
             0.97);
 }
@@ -125,12 +125,12 @@ TEST(FindFigure, AnOutlineIsClosedPartByPart) {
   const auto ring = [](int x, int y, int cy, int r) {
     return in_disc(x, y, 200, cy, r) && !in_disc(x, y, 200, cy, r - 3);
   };
-  const auto colour = [&](int x, int y) {
+  const auto color = [&](int x, int y) {
     const bool gap = x > 250 && std::abs(y - 260) < 3;
     return ring(x, y, 90, 50) || (ring(x, y, 250, 112) && !gap) ? kInk : kWhite;
   };
   const auto body = [](int x, int y) { return in_disc(x, y, 200, 90, 50) || in_disc(x, y, 200, 250, 112); };
-  EXPECT_GT(overlap(find_figure(picture_of(400, 400, colour)).mask, body), 0.97);
+  EXPECT_GT(overlap(find_figure(picture_of(400, 400, color)).mask, body), 0.97);
 }
 
 TEST(FindFigure, OneOfTwo) {
@@ -147,7 +147,7 @@ TEST(FindFigure, OneOfTwo) {
   first.number = 1;
   EXPECT_GT(overlap(find_figure(picture, first).mask, left), 0.99);
   first.number = 3;
-  EXPECT_ERROR(find_figure(picture, first), "picture: there is no figure 3", "found 2");
+  EXPECT_ERROR(find_figure(picture, first), "picture: no figure 3", "found 2");
 }
 
 TEST(FindFigure, NothingThereIsALine) {
@@ -168,7 +168,7 @@ TEST(FigureOfMask, AsDrawn) {
   EXPECT_EQ(figure.source, FigureSource::kMask);
   EXPECT_GT(overlap(figure.mask, in_figure), 0.97);
   EXPECT_ERROR(figure_of_mask(picture, picture_of(50, 100, [](int, int) { return kWhite; })),
-               "expected a mask of the shape", "50 x 100");
+               "expected a mask with the size", "50 x 100");
 }
 
 // A figure's border as lines, and lines as a figure.
@@ -210,8 +210,8 @@ TEST(Outline, MayLeaveThePicture) {
 TEST(Outline, WhatIsNoneIsALine) {
   const PictureFile picture = ring(1);
   EXPECT_ERROR(figure_of_outline(picture, {{{0, 0}, {9, 9}}}),
-               "line 0 of the outline: expected three places or more, found 2");
-  EXPECT_ERROR(figure_of_outline(picture, {{{0, 0}, {90, 0}, {90, NAN}}}), "a place is not finite");
+               "line 0 of the outline: expected at least three positions, found 2");
+  EXPECT_ERROR(figure_of_outline(picture, {{{0, 0}, {90, 0}, {90, NAN}}}), "a position is not finite");
   EXPECT_ERROR(figure_of_outline(picture, {{{300, 300}, {400, 300}, {400, 400}}}), "no figure found");
 }
 

@@ -57,13 +57,13 @@ bool is_red(const Pixels& pixels, uint32_t x, uint32_t y) {
   return p[0] > 180 && p[2] < 80 && p[3] == 255;
 }
 
-TEST(ReadJpeg, ColoursAndGrey) {
+TEST(ReadJpeg, ColorsAndGray) {
   const Pixels pixels = decode_picture("a.jpg", jpeg_bytes(3)).pixels;
   EXPECT_EQ(pixels.width, 16u);
   EXPECT_TRUE(is_red(pixels, 1, 1));
   EXPECT_FALSE(is_red(pixels, 14, 1));
-  const Pixels grey = decode_picture("a.jpg", jpeg_bytes(1)).pixels;
-  EXPECT_EQ(grey.rgba[0], grey.rgba[2]);
+  const Pixels gray = decode_picture("a.jpg", jpeg_bytes(1)).pixels;
+  EXPECT_EQ(gray.rgba[0], gray.rgba[2]);
   EXPECT_ERROR(decode_picture("a.jpg", jpeg_bytes(4)), "a.jpg: ", "CMYK");
 }
 

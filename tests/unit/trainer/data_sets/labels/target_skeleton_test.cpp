@@ -22,18 +22,18 @@ class Doll {
     character.joints.push_back({name, position, parent});
     return static_cast<uint32_t>(character.joints.size() - 1);
   }
-  void patch(const std::vector<Influence>& row, Vec3 centre, float half = 0.5f) { rectangle(row, centre, half, half); }
+  void patch(const std::vector<Influence>& row, Vec3 center, float half = 0.5f) { rectangle(row, center, half, half); }
   void strip() { rectangle({{0, 1}}, {0, 5, 0}, 0.5f, 5); }
   TargetSkeleton target() const { return target_skeleton(character); }
 
   Character character;
 
  private:
-  void rectangle(const std::vector<Influence>& row, Vec3 centre, float x, float y) {
+  void rectangle(const std::vector<Influence>& row, Vec3 center, float x, float y) {
     const auto first = static_cast<uint32_t>(character.vertices.size());
     for (const auto& [dx, dy] : {std::pair{-x, -y}, std::pair{x, -y}, std::pair{x, y}, std::pair{-x, y}}) {
       character.face_vertices.push_back(first + static_cast<uint32_t>(character.vertices.size() - first));
-      character.vertices.push_back({centre.x + dx, centre.y + dy, centre.z});
+      character.vertices.push_back({center.x + dx, center.y + dy, center.z});
       character.influences.push_back(row);
     }
     character.face_offsets.push_back(static_cast<uint32_t>(character.face_vertices.size()));
@@ -220,7 +220,7 @@ TEST(TargetSkeleton, RefusesWhatHasNoTarget) {
   EXPECT_ERROR(broken.target(), "vertex 99 of 4");
   broken = doll;
   broken.character.vertices.assign(4, {1, 1, 1});
-  EXPECT_ERROR(broken.target(), "one place");
+  EXPECT_ERROR(broken.target(), "one position");
   broken = doll;
   broken.joint("a", {0, 0, 0}, 2);
   broken.joint("b", {0, 0, 0}, 1);

@@ -53,7 +53,7 @@ Topology topology_of(const Character& c) {
   std::vector<uint32_t> parent(c.vertices.size());
   for (uint32_t v = 0; v < parent.size(); ++v) parent[v] = v;
   std::vector<std::map<uint32_t, uint32_t>> next(
-      c.vertices.size());  // around a vertex: incoming neighbour -> outgoing one
+      c.vertices.size());  // around a vertex: incoming neighbor -> outgoing one
   for (size_t f = 0; f < c.face_count(); ++f) {
     const uint32_t begin = c.face_offsets[f], count = c.face_offsets[f + 1] - begin;
     for (uint32_t i = 0; i < count; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colours of pictures: conversions, one colour per joint, weights and errors as vertex colours.
+// Colors of pictures: conversions, one color per joint, weights and errors as vertex colors.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -24,7 +24,7 @@ const std::array<float, 256>& linear_table() {
   return table;
 }
 
-// Oklab (Ottosson 2020) keeps lightness and colourfulness even over all hues, which HSV does not.
+// Oklab (Ottosson 2020) keeps lightness and colorfulness even over all hues, which HSV does not.
 Linear oklch(float lightness, float chroma, float hue) {
   const float a = chroma * std::cos(hue), b = chroma * std::sin(hue);
   const float l = lightness + 0.3963377774f * a + 0.2158037573f * b;
@@ -53,7 +53,7 @@ std::array<uint8_t, 3> to_srgb(const Linear& light) {
   return out;
 }
 
-std::array<uint8_t, 3> joint_colour(size_t joint) {
+std::array<uint8_t, 3> joint_color(size_t joint) {
   // Steps of the golden angle never come close to an earlier hue for long; three tones tell apart those that do.
   constexpr double golden_angle = std::numbers::pi * (3 - 2.23606797749978969);
   constexpr std::array<std::array<float, 2>, 3> tones = {{{0.72f, 0.15f}, {0.58f, 0.17f}, {0.84f, 0.12f}}};
@@ -62,12 +62,12 @@ std::array<uint8_t, 3> joint_colour(size_t joint) {
   return to_srgb(oklch(tone[0], tone[1], static_cast<float>(hue)));
 }
 
-std::vector<std::array<uint8_t, 3>> weight_colours(const Character& character) {
+std::vector<std::array<uint8_t, 3>> weight_colors(const Character& character) {
   constexpr std::array<uint8_t, 3> unbound = {150, 150, 150};
   std::vector<Linear> palette;
-  for (size_t j = 0; j < character.joints.size(); ++j) palette.push_back(to_linear(joint_colour(j)));
-  std::vector<std::array<uint8_t, 3>> colours(character.vertices.size(), unbound);
-  for (size_t v = 0; v < std::min(colours.size(), character.influences.size()); ++v) {
+  for (size_t j = 0; j < character.joints.size(); ++j) palette.push_back(to_linear(joint_color(j)));
+  std::vector<std::array<uint8_t, 3>> colors(character.vertices.size(), unbound);
+  for (size_t v = 0; v < std::min(colors.size(), character.influences.size()); ++v) {
     Linear light{};
     float sum = 0;
     for (const Influence& influence : character.influences[v]) {
@@ -77,25 +77,25 @@ std::vector<std::array<uint8_t, 3>> weight_colours(const Character& character) {
     }
     if (sum <= 0) continue;
     for (float& x : light) x /= sum;
-    colours[v] = to_srgb(light);
+    colors[v] = to_srgb(light);
   }
-  return colours;
+  return colors;
 }
 
-std::vector<std::array<uint8_t, 3>> heat_colours(const std::vector<float>& values, float scale) {
+std::vector<std::array<uint8_t, 3>> heat_colors(const std::vector<float>& values, float scale) {
   // Lightness rises to yellow at the middle, then red takes over: small errors recede, large ones stand out.
   constexpr std::array<std::array<float, 3>, 5> stops = {
       {{34, 48, 102}, {58, 116, 158}, {246, 222, 110}, {238, 128, 44}, {196, 22, 34}}};
-  std::vector<std::array<uint8_t, 3>> colours(values.size());
+  std::vector<std::array<uint8_t, 3>> colors(values.size());
   for (size_t v = 0; v < values.size(); ++v) {
     const float share = scale > 0 ? std::clamp(values[v] / scale, 0.0f, 1.0f) : 0.0f;
     const float at = share * static_cast<float>(stops.size() - 1);
     const size_t low = std::min(static_cast<size_t>(at), stops.size() - 2);
     const float t = at - static_cast<float>(low);
     for (size_t i = 0; i < 3; ++i)
-      colours[v][i] = static_cast<uint8_t>(std::lround(stops[low][i] + t * (stops[low + 1][i] - stops[low][i])));
+      colors[v][i] = static_cast<uint8_t>(std::lround(stops[low][i] + t * (stops[low + 1][i] - stops[low][i])));
   }
-  return colours;
+  return colors;
 }
 
 }  // namespace sinew

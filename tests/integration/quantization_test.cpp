@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Accuracy against quantisation on the sample characters: the bundled float weights, the model made from them, and the
+// Accuracy against quantization on the sample characters: the bundled float weights, the model made from them, and the
 // same network at fewer bits.
 #include <gtest/gtest.h>
 
@@ -103,7 +103,7 @@ std::vector<std::vector<float>> logits_of(const sinew_model& model) {
   return all;
 }
 
-TEST(Quantisation, TableOfBits) {
+TEST(Quantization, TableOfBits) {
   const Calibration calibration = calibrate(scene().network, scene().others);
   std::map<int, Row> rows;
   rows[32] = compare(scene().logits);
@@ -133,7 +133,7 @@ TEST(Quantisation, TableOfBits) {
 }
 
 // The committed model against the committed weights, through the whole C API.
-TEST(Quantisation, BundledModelIsWithinThreeThousandthsOfItsWeights) {
+TEST(Quantization, BundledModelIsWithinThreeThousandthsOfItsWeights) {
   const sinew_model* model = bundled_model();
   ASSERT_NE(model, nullptr);
   ASSERT_FALSE(scene().samples.empty());
@@ -154,9 +154,9 @@ TEST(Quantisation, BundledModelIsWithinThreeThousandthsOfItsWeights) {
   EXPECT_NEAR(exact, bundled, 0.003 * static_cast<double>(scene().samples.size()));
 }
 
-// What a shipped model computes, as float, quantised again with ranges of other characters: signal to noise on trained
+// What a shipped model computes, as float, quantized again with ranges of other characters: signal to noise on trained
 // weights, of the network as published for weights.
-TEST(Quantisation, SignalToNoiseOfTrainedClassicWeights) {
+TEST(Quantization, SignalToNoiseOfTrainedClassicWeights) {
   constexpr uint32_t kPublished = kSpectralFlag | kAttributesFlag;
   FloatNetwork network = make_classic(8, 64, 1, kPublished, 2);
   read_model_weights(kData + "/sinew_classic.sinew", &network);
@@ -206,7 +206,7 @@ struct CalibrationFolder : TempFolder {
 };
 
 // The shipped networks of skeletons, likewise: how far votes and joints move beside float, shares of the longest side.
-TEST(Quantisation, SkeletonsAtFewerBits) {
+TEST(Quantization, SkeletonsAtFewerBits) {
   const CalibrationFolder folder;
   FloatNetwork votes = make_rig_network({64, 4, false}, 1);
   read_model_weights(kData + "/sinew_rig.sinew", &votes);
@@ -238,9 +238,9 @@ TEST(Quantisation, SkeletonsAtFewerBits) {
 }
 
 // Hands: no sample of the repository has fingers.
-TEST(QuantisationShared, HandsAtFewerBits) {
+TEST(QuantizationShared, HandsAtFewerBits) {
   if (shared_folder().empty())
-    GTEST_SKIP() << "NOT CHECKED: there is no shared data; set SINEW_SHARED_DIR to quantise hands at fewer bits";
+    GTEST_SKIP() << "NOT CHECKED: there is no shared data; set SINEW_SHARED_DIR to quantize hands at fewer bits";
   const std::string characters = (shared_folder() / "data" / "characters" / "val").string();
   FloatNetwork network = make_rig_network({48, 3, true}, 1);
   read_model_weights(kData + "/sinew_hands.sinew", &network);
