@@ -2,6 +2,7 @@
 // What the mesh's colours show, and the legend.
 import { lookText } from "./asked.js";
 import { glbOf } from "./look_file.js";
+import { fillClipPictures } from "./clip_pictures.js";
 import { run } from "./jobs.js";
 import { doubtsOf } from "./rail.js";
 import { sureColour } from "./skeleton.js";
@@ -23,6 +24,7 @@ export async function colour() {
   showSure();
   if (!at.character?.result) return;
   await showLookOfFile();
+  fillClipPictures();
   const shown = at.mode === modes.material ? modes.joints : at.mode;
   const { mean, buffers } = await engine.call("colour", { mode: shown, joint: Math.max(0, at.view.selected) });
   at.shownMean = mean;

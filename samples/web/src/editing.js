@@ -2,6 +2,7 @@
 // The skeleton: predicted, edited, dragged.
 import { lookNowhere } from "./asked.js";
 import { bind } from "./binding.js";
+import { hasLegs } from "./builtin_clips.js";
 import { showLegend, showSure } from "./colours.js";
 import { run, showError, whileBusy } from "./jobs.js";
 import { Latest } from "./latest.js";
@@ -88,14 +89,14 @@ const longAsSnakes = 4; // times as long as wide and high
 // A mesh in which no legs were found, or that is like nothing known: the user may know what it is.
 function askKind() {
   const { joints, doubtful, picture, buffers } = at.character;
-  const hasLegs = joints.some(({ name }) => /leg|thigh|shin|knee|foot|hoof|paw/i.test(name));
+  const isLegged = hasLegs(joints);
   const [longest, next] = sidesOf(buffers.positions);
-  if (picture || (hasLegs && !doubtful) || longest > longAsSnakes * next) return;
+  if (picture || (isLegged && !doubtful) || longest > longAsSnakes * next) return;
   const rigAs = (/** @type {string} */ kind) => () => {
     $("kind").value = kind;
     $("kind").dispatchEvent(new Event("change"));
   };
-  offer(hasLegs ? "This looks like nothing that is known. What is it?" : "No legs were found. What is it?", {
+  offer(isLegged ? "This looks like nothing that is known. What is it?" : "No legs were found. What is it?", {
     ...Object.fromEntries(Object.entries(kindsAsked).map(([word, kind]) => [word, rigAs(kind)])), Other: () => {},
   });
 }

@@ -6,12 +6,13 @@ import { autosaved, forgetWork, presentProject, warnBeforeLeaving } from "./auto
 import { BendPanel } from "./bends.js";
 import { bind, bindOtherwise, endStroke, forgetPaint, lockJoint, switchJoint } from "./binding.js";
 import { nextBrush, showBrush, strokes } from "./brush.js";
+import { cards } from "./cards.js";
 import { listenForChecks } from "./checking.js";
 import { setMode, showLegend } from "./colours.js";
 import { undo } from "./commands.js";
 import { changeKind, listenForDrawings } from "./drawing.js";
 import { dragJoint, editName, editSkeleton, endDrag, moves, predict, toMiddle, upOf } from "./editing.js";
-import { exportAs } from "./export.js";
+import { chosenProgram, exportFor, listenForExport } from "./export.js";
 import { allFiles, motionFiles } from "./files.js";
 import { showHelp } from "./help.js";
 import { clearError, queue, run, save, showError, stopJobs, whileBusy } from "./jobs.js";
@@ -30,9 +31,9 @@ import { Drag } from "./drag.js";
 import { closeOffer } from "./offer.js";
 import { PosePanel } from "./pose_panel.js";
 import { Questions } from "./questions.js";
-import { doubtsOf, showSteps } from "./rail.js";
-import { samples, thumbOf } from "./samples.js";
-import { choose, poseChanged, poses, sendPose } from "./showing.js";
+import { showSteps, steps } from "./rail.js";
+import { samples } from "./samples.js";
+import { choose, nextDoubt, poseChanged, poses, sendPose } from "./showing.js";
 import { SkeletonEditor } from "./skeleton.js";
 import { SpringPanel } from "./springs.js";
 import { $, all, at, engine, modes, views } from "./state.js";
@@ -59,15 +60,7 @@ function listenForFiles() {
     const sample = samples.find(({ name }) => name === $("sample").value);
     if (sample) run(() => openSample(sample));
   };
-  for (const thumbs of all("[data-samples]")) {
-    thumbs.append(
-      ...samples.filter(({ shown }) => shown).map((sample) => {
-        const button = Object.assign(document.createElement("button"), { type: "button", title: sample.name, onclick: () => run(() => openSample(sample)) });
-        button.append(Object.assign(document.createElement("img"), { src: thumbOf(sample), alt: "", loading: "lazy" }), sample.shown ?? "");
-        return button;
-      }),
-    );
-  }
+  for (const list of all("[data-samples]")) list.append(...cards((sample) => run(() => openSample(sample))));
   const choosing = (input, button, options) => {
     for (const id of button) $(id).onclick = () => $(input).click();
     $(input).onchange = () => {
@@ -99,12 +92,11 @@ function listenForFiles() {
   });
 }
 
-function listenForExport() {
-  $("download").onclick = $("export-glb").onclick = () => exportAs("glb");
-  for (const kind of ["fbx", "vrm", "rig"]) $(`download-${kind}`).onclick = () => exportAs(kind);
-  $("save-project").onclick = () => run(saveProject);
-  at.onExported = () => showSteps();
-  listenForChecks();
+// The way on from the present step: the next one, and at the end the file.
+function goOn() {
+  const next = $("rail").children[steps.indexOf(at.step) + 1];
+  if (next) goTo(next.dataset.step);
+  else exportFor(chosenProgram());
 }
 
 async function saveProject() {
@@ -131,15 +123,6 @@ function listenForSkeleton() {
   at.view.onDragEnd = endDrag;
   at.view.planeOf = (joint) => (at.character.mirrored && at.editor.alike && at.character.joints[joint].partner === joint ? { axis: at.character.axis, at: at.character.plane } : null);
   $("up").onchange = () => at.character && act("which way is up", changeUp);
-}
-
-// The next limb that may be wrong, in the middle of the picture.
-function nextDoubt() {
-  const doubts = doubtsOf();
-  if (doubts.length === 0) return;
-  const next = (doubts.findIndex(({ joints }) => joints.includes(at.view.selected)) + 1) % doubts.length;
-  choose(doubts[next].joint);
-  at.view.lookAtJoints(doubts[next].joints);
 }
 
 function changeUp() {
@@ -234,6 +217,10 @@ function listen() {
   at.afterStop = reopen;
   listenForFiles();
   listenForExport();
+  listenForChecks();
+  $("save-project").onclick = () => run(saveProject);
+  $("onward").onclick = goOn;
+  at.onExported = at.onProgram = () => showSteps();
   listenForSkeleton();
   listenForWeights();
   listenForPoses();

@@ -5,6 +5,7 @@ import { showSkeleton, upOf } from "./editing.js";
 import { whileBusy } from "./jobs.js";
 import { closeOffer } from "./offer.js";
 import { Pose } from "./pose.js";
+import { beginReport, report } from "./report.js";
 import { showFacts } from "./showing.js";
 import { longestSide } from "./sides.js";
 import { $, at, engine, modes } from "./state.js";
@@ -43,6 +44,7 @@ export async function loadDrawn(wishes) {
 export function remark(line) {
   $("remarks").textContent += `${$("remarks").textContent && "\n"}${line}`;
   $("remarks").hidden = false;
+  report(line);
 }
 
 /** @param {any} loaded as the module tells it */
@@ -52,6 +54,7 @@ export function showOpened(loaded) {
   closeOffer();
   $("remarks").textContent = "";
   $("remarks").hidden = true;
+  beginReport(loaded);
   showOrigin(loaded);
   for (const note of loaded.notes) remark(note);
   at.pose = new Pose(loaded.joints.length);

@@ -82,6 +82,11 @@ export class MotionPlayer {
     about.title = [about.textContent, ...notes].join("\n");
   }
 
+  // At once, where the system has not asked for stillness.
+  start() {
+    if (!this.#playing && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.toggle();
+  }
+
   toggle() {
     if (!this.#motion) return;
     if (this.#playing) this.pause();

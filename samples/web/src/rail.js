@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The rail of steps with its ticks, and what the panel says of the present one.
+import { chosenProgram } from "./export.js";
 import { $, at } from "./state.js";
+
+export const steps = ["mesh", "skeleton", "weights", "motion", "export"];
 
 /** @type {Record<string, () => string>} */
 const sentences = {
@@ -41,6 +44,13 @@ const isDone = {
   export: () => Boolean(at.character?.source.exported),
 };
 
+// The button that leads on.
+function showOnward() {
+  const next = steps[steps.indexOf(at.step) + 1], { kind, name } = chosenProgram();
+  $("onward").textContent = next ? `Next: ${next[0].toUpperCase()}${next.slice(1)}` : `Download ${kind.toUpperCase()}${name.startsWith("Any") || kind === "vrm" ? "" : ` for ${name}`}`;
+  $("onward").disabled = !at.character || (!next && !at.character.result);
+}
+
 // What changed by itself: ticks, sentences, what can be done.
 export function showSteps() {
   for (const button of $("rail").children) {
@@ -55,6 +65,7 @@ export function showSteps() {
   }
   $("step-name").textContent = `${at.step[0].toUpperCase()}${at.step.slice(1)}`;
   $("step-said").textContent = at.character ? sentences[at.step]() : "";
+  showOnward();
   const doubts = doubtsOf();
   $("next-doubt").disabled = doubts.length === 0;
   $("next-doubt").textContent = doubts.length === 0 ? "Nothing to check" : `Next of ${doubts.length} to check`;

@@ -5,7 +5,7 @@ import { colour } from "./colours.js";
 import { factsOf } from "./facts.js";
 import { run, showError } from "./jobs.js";
 import { Latest } from "./latest.js";
-import { showSteps } from "./rail.js";
+import { doubtsOf, showSteps } from "./rail.js";
 import { $, all, at, engine, models, modes } from "./state.js";
 import { isOff } from "./wishes.js";
 
@@ -59,6 +59,15 @@ export function choose(joint, more = false) {
   at.editor.show(at.character, joint);
   markJoint(); // into view: the panels may have taken room from the list
   run(colour);
+}
+
+// The next limb that may be wrong, in the middle of the picture.
+export function nextDoubt() {
+  const doubts = doubtsOf();
+  if (doubts.length === 0) return;
+  const next = (doubts.findIndex(({ joints }) => joints.includes(at.view.selected)) + 1) % doubts.length;
+  choose(doubts[next].joint);
+  at.view.lookAtJoints(doubts[next].joints);
 }
 
 export function showPose() {

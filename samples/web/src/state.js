@@ -81,6 +81,7 @@ export const at = {
   onFirstBound: () => {},
   forceScalar: false,
   onExported: () => {},
+  onProgram: () => {}, // another one is chosen in the step Export
   /** @type {() => any} */
   afterStop: () => {}, // brings the page back when a job was stopped
 };

@@ -201,6 +201,14 @@ const calls = {
     const files = names.map((/** @type {string} */ name) => (name.startsWith("builtin:") ? name : plain(name)));
     return files.length > 0 ? handles.openMotions(files, wish) : handles.closeMotions();
   },
+  // {notes, seconds, poses: [{palette, jointPositions}]} of a clip that ships
+  clipFrames: ({ name, wish, frames }) =>
+    handles.preview(name, wish, (at, seconds) =>
+      Array.from({ length: frames }, (_, f) => {
+        ask("frame_joints", at, 0, (seconds * (f + 0.5)) / frames);
+        return take(["jointPositions", "palette"]);
+      }),
+    ),
   motionMethod: ({ method }) => handles.useMethod(method),
   // wish: {take, drop, values} as sinew springs has them. Replies with {chains}.
   springs: ({ wish }) => handles.findSprings(wish),
@@ -220,8 +228,8 @@ const calls = {
   },
   // kind: glb, fbx or vrm; wish: {clips, springs, bakes, profile, author, title, licence}
   file({ name, kind, wish }) {
-    const { height, bytes } = handles.file(`${plain(name)}.bound.${kind}`, wish);
-    return { height, buffers: { bytes } };
+    const { height, notes, bytes } = handles.file(`${plain(name)}.bound.${kind}`, wish);
+    return { height, notes, buffers: { bytes } };
   },
   // {pose} that files of a profile stand in
   profile: ({ name }) => ask("profile", name),

@@ -10,6 +10,11 @@ import { launch, serve } from "./browser.mjs";
 export async function newPage(browser, troubles) {
   const page = await browser.context.newPage();
   page.setDefaultTimeout(120000);
+  const goto = page.goto.bind(page);
+  page.goto = async (...where) => {
+    await goto(...where);
+    await page.waitForFunction(() => "sinewPage" in window); // the page comes after the first picture
+  };
   page.on("console", (message) => ["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text()) && troubles.push(message.text()));
   page.on("pageerror", (error) => troubles.push(error.message));
   revealing(page);

@@ -85,7 +85,7 @@ try {
       for (const name of ["mesh", "skeleton", "weights", "motion", "export"]) {
         await go(name);
         const apart = await page.evaluate(() => {
-          const boxes = ["view-switch", "brush", "legend", "said", "tools", "status"].map((id) => [id, document.getElementById(id).getBoundingClientRect()]).filter(([, box]) => box.width * box.height > 0);
+          const boxes = ["view-switch", "brush", "legend", "said", "offer", "tools", "status"].map((id) => [id, document.getElementById(id).getBoundingClientRect()]).filter(([, box]) => box.width * box.height > 0);
           return boxes.flatMap(([one, a], i) => boxes.slice(i + 1).flatMap(([other, b]) => (a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom ? [`${one} on ${other}`] : [])));
         });
         assert.deepEqual(apart, [], `${name} at ${width} x ${height}`);
@@ -106,7 +106,7 @@ try {
         const covered = await page.evaluate(() => {
           const places = sinewPage.view.shownPositions(), points = [];
           for (let v = 0; v < places.length; v += 3) points.push(sinewPage.view.onScreen(places.slice(v, v + 3)));
-          const boxes = ["view-switch", "brush", "tools", "status"].map((id) => [id, document.getElementById(id).getBoundingClientRect()]).filter(([, box]) => box.width * box.height > 0);
+          const boxes = ["view-switch", "brush", "offer", "tools", "status"].map((id) => [id, document.getElementById(id).getBoundingClientRect()]).filter(([, box]) => box.width * box.height > 0);
           const stage = document.getElementById("stage").getBoundingClientRect();
           const lies = ({ x, y }, box) => x > box.left && x < box.right && y > box.top && y < box.bottom;
           return [...boxes.filter(([, box]) => points.some((point) => lies(point, box))).map(([id]) => id), ...(points.every((point) => lies(point, stage)) ? [] : ["cut off"])];
@@ -229,7 +229,7 @@ try {
     await page.goto(server.address);
     assert.equal(asked, "beforeunload", "the page asks before it is left");
     await settled();
-    assert.match(await page.locator("#start .kept .go").first().innerText(), /^biped__robot\s+today, \d\d:\d\d$/);
+    assert.match(await page.locator("#start .kept .go").first().innerText(), /^Resume biped__robot\s+today \d\d:\d\d$/);
     await shoot("kept");
     await page.locator("#start .kept .go").first().click();
     await settled();
@@ -266,7 +266,7 @@ try {
     which.off("dialog", accept);
     await which.evaluate(() => sinewPage.settled());
   };
-  const keptNames = () => page.locator("#start .kept b").allInnerTexts();
+  const keptNames = async () => (await page.locator("#start .kept b").allInnerTexts()).map((text) => text.replace(/^Resume /, ""));
   await step("a file that is dropped on unsaved work opens beside it, and both come back", async () => {
     await page.evaluate(() => sinewPage.forgetWork());
     await leave(page);
@@ -319,7 +319,7 @@ try {
     await second.click("#lock");
     await second.evaluate(() => sinewPage.settled());
     await leave(second);
-    assert.equal((await second.locator("#start .kept b").allInnerTexts()).filter((name) => name === "biped__robot").length, 2, "the first window's and its own");
+    assert.equal((await second.locator("#start .kept b").allInnerTexts()).filter((text) => text === "Resume biped__robot").length, 2, "the first window's and its own");
     await second.close();
     const was = await hash();
     await leave(page);
