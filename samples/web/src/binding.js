@@ -20,7 +20,7 @@ export async function bind(answers = at.character.source.answers, focus) {
   showFacts(at.character.shown && { ...at.character.shown, hash: pending }); // a line of the same length: the picture keeps its size
   const started = performance.now();
   try {
-    const result = await whileBusy(`Binding ${at.character.name}`, () => engine.call("bind", { ...how(), answers: asNumbers(answers) }));
+    const result = await whileBusy("Computing skin weights", () => engine.call("bind", { ...how(), answers: asNumbers(answers) }));
     if (at.firstAlone === null) at.onFirstBound();
     at.firstAlone ??= result.alone;
     at.character.result = at.character.shown = { ...result, wallSeconds: (performance.now() - started) / 1e3, strongest: result.buffers.strongest };

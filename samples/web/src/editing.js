@@ -96,7 +96,7 @@ function askKind() {
     $("kind").value = kind;
     $("kind").dispatchEvent(new Event("change"));
   };
-  offer(isLegged ? "This looks like nothing that is known. What is it?" : "No legs were found. What is it?", {
+  offer(isLegged ? "This mesh is hard to recognize. What is it?" : "No legs were found. What is it?", {
     ...Object.fromEntries(Object.entries(kindsAsked).map(([word, kind]) => [word, rigAs(kind)])), Other: () => {},
   });
 }
@@ -104,7 +104,7 @@ function askKind() {
 export async function predict(wishes = at.editor.wishes) {
   const chosen = chosenName();
   const told = { ...wishes, up: at.character.up, ...marked(at.character.source.markers) };
-  const rig = await whileBusy("Finding the joints", () => askForRig(told));
+  const rig = await whileBusy("Finding the bones", () => askForRig(told));
   at.character.source.recipe = { wishes: told, edits: [] };
   rigChanged();
   useRig(rig, chosen);
@@ -135,7 +135,7 @@ export async function editSkeleton(edits, chosen) {
 
 // What edits are called in the history.
 /** @type {(edits: import("./types.js").Edit[]) => string} */
-export const editName = ([{ kind, joint, other }]) => [`move ${joint}`, `add ${joint}`, `remove ${joint}`, `hang ${joint} elsewhere`, `rename ${joint} to ${other}`][kind];
+export const editName = ([{ kind, joint, other }]) => [`move ${joint}`, `add ${joint}`, `remove ${joint}`, `change parent of ${joint}`, `rename ${joint} to ${other}`][kind];
 
 // The skeleton of a state of the history: the module kept it, or its recipe makes it anew from the file.
 export async function restoreRig({ kept, epoch, recipe, up }) {
@@ -146,7 +146,7 @@ export async function restoreRig({ kept, epoch, recipe, up }) {
   if (epoch === engine.epoch) {
     rig = await engine.call("restore", { number: kept });
   } else {
-    if (recipe.wishes) rig = await whileBusy("Finding the joints", () => askForRig(recipe.wishes));
+    if (recipe.wishes) rig = await whileBusy("Finding the bones", () => askForRig(recipe.wishes));
     for (const { edits, mirror } of recipe.edits) rig = await engine.call("edit", { edits, mirror, continues: false });
   }
   source.recipe = recipe;

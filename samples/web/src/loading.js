@@ -171,7 +171,7 @@ function showCharacters() {
     ...at.open.flatMap((one) => {
       const tab = Object.assign(document.createElement("button"), { type: "button", role: "tab", textContent: one.name, title: one.name, ariaSelected: String(one === at.character?.source) });
       tab.onclick = () => run(() => (clearError(), load(one)));
-      const close = Object.assign(document.createElement("button"), { type: "button", className: "close", textContent: "×", title: `Close ${one.name}; what was done to it is kept`, ariaLabel: `Close ${one.name}` });
+      const close = Object.assign(document.createElement("button"), { type: "button", className: "close", textContent: "×", title: `Close ${one.name}; your work is kept`, ariaLabel: `Close ${one.name}` });
       close.onclick = () => run(() => closeCharacter(one));
       return [tab, close];
     }),
@@ -221,7 +221,7 @@ export async function load(source, state = null, rows = null) {
     if (at.player.motion?.clips.every(({ seconds }) => seconds === 0)) await at.motions.close(); // a pose is none
   }
   const { rigidParts } = at.character.result ?? { rigidParts: 0 };
-  if (rigidParts) remark(`Its ${rigidParts} parts hang on joints as they are; here they are bound like a skin.`);
+  if (rigidParts) remark(`Its ${rigidParts} rigid parts are attached to bones; here they get skin weights.`);
   record("");
   setStep(source.step ?? firstStep(at.character, Boolean(at.player.motion)), { view: false });
   showHistory();

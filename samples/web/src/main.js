@@ -88,7 +88,7 @@ function listenForFiles() {
     event.preventDefault();
     drag(-over);
     const list = [...(event.dataTransfer?.files ?? [])];
-    run(() => (list.length > 0 ? openFiles(list) : Promise.reject(new Error("the drop held no files"))));
+    run(() => (list.length > 0 ? openFiles(list) : Promise.reject(new Error("The drop contained no files."))));
   });
 }
 
@@ -122,7 +122,7 @@ function listenForSkeleton() {
   at.view.onDrag = dragJoint;
   at.view.onDragEnd = endDrag;
   at.view.planeOf = (joint) => (at.character.mirrored && at.editor.alike && at.character.joints[joint].partner === joint ? { axis: at.character.axis, at: at.character.plane } : null);
-  $("up").onchange = () => at.character && act("which way is up", changeUp);
+  $("up").onchange = () => at.character && act("up axis", changeUp);
 }
 
 function changeUp() {
@@ -142,7 +142,7 @@ function listenForWeights() {
   at.questions.pictureOf = (question) => at.view.pictureOf(question.members, at.character.buffers.vertexOf);
   $("next-question").onclick = () => (($("ask").open = true), at.questions.openFirst());
   $("save-style").onclick = () => run(() => (clearError(), saveStyle()));
-  $("style").lastElementChild.onclick = () => act("forget style", forgetStyle);
+  $("style").lastElementChild.onclick = () => act("remove style", forgetStyle);
   $("mode").onchange = $("artist").onchange = (event) => setMode(Number(event.target.value));
   const ofChosen = (word, job) => () => {
     const joint = at.view.selected;
@@ -152,7 +152,7 @@ function listenForWeights() {
   $("lock").onclick = ofChosen("lock", lockJoint);
   $("brush-kind").onchange = showBrush;
   $("brush-size").oninput = $("brush-strength").oninput = showBrush;
-  $("forget-paint").onclick = () => act("forget painting", forgetPaint);
+  $("forget-paint").onclick = () => act("clear painting", forgetPaint);
   at.view.onStrokeEnd = endStroke;
   at.options = new BindOptions();
   at.options.onChange = (name) => at.character && act(name, bindOtherwise);
@@ -163,7 +163,7 @@ function listenForPoses() {
   at.posePanel.onChange = poseChanged;
   at.posePanel.onStep = posed;
   at.view.onTurn = (joint, ...turn) => at.posePanel.turn(joint, turn);
-  at.view.onTurnEnd = (joint) => posed(`turn ${at.character.joints[joint].name}`);
+  at.view.onTurnEnd = (joint) => posed(`rotate ${at.character.joints[joint].name}`);
   at.motions = new Motions(engine, () => at.character, motionChanged);
   at.player = at.motions.player;
   at.player.onClose = () => changeMotion("remove motions", () => at.motions.close());
@@ -306,7 +306,7 @@ try {
   at.onFirstBound = keepForOffline;
   run(start);
 } catch (error) {
-  showError(`this browser shows no 3D picture (${error.message}); turn on WebGL or try another browser`);
+  showError(`This browser cannot show 3D (${error.message}): turn on WebGL or use another browser`);
 }
 // What the tests ask: everything that was started is done, and the state that no element shows.
 Object.assign(window, { sinewPage: {

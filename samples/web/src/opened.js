@@ -19,7 +19,7 @@ export const asLoaded = ({ document: { folder }, mesh, skeleton, number, placeme
 /** @param {import("./types.js").Placement} placement */
 export async function loadPlaced(placement) {
   const { source, name, up } = at.character;
-  const loaded = await whileBusy(`Turning ${name}`, () => engine.call("load", asLoaded({ ...source, placement })));
+  const loaded = await whileBusy(`Moving ${name}`, () => engine.call("load", asLoaded({ ...source, placement })));
   source.placement = placement;
   at.character = { ...loaded, name, up, upAxis: upOf(loaded, up), source, result: null, size: longestSide(loaded.buffers.positions), placeable: true };
   source.locked = new Set(); // with the rows that were locked

@@ -51,7 +51,7 @@ export async function reveal() {
   if (still.matches) return beginBound();
   document.body.classList.add("revealed");
   try {
-    await whileBusy("Finding the joints", async () => {
+    await whileBusy("Finding the bones", async () => {
       at.mode = modes.joints;
       at.view.setRevealed(0, 0);
       import("./look.js"); // shown at the end
@@ -84,5 +84,5 @@ export async function showFound() {
   const ways = { "Choose animations": () => goTo("motion"), "Fix bones": () => goTo("skeleton"), Export: () => goTo("export") };
   const check = () => (goTo("skeleton"), nextDoubt());
   if (doubts.length > 0) offer(`${bones}, ${count(doubts.length, "limb")} to check: ${doubts.map(({ name }) => name).join(", ")}.`, { "Check them": check, "Choose animations": ways["Choose animations"], Export: ways.Export }, { leads: true });
-  else offer(`${bones}, ${at.character.doubtful ? "but this looks like nothing known: look at them." : "all sure."}`, ways, { leads: true });
+  else offer(`${bones}, ${at.character.doubtful ? "but this mesh is hard to recognize. Check them." : "all sure."}`, ways, { leads: true });
 }

@@ -94,7 +94,7 @@ export function showFacts(result = at.character?.result) {
 function showStatus() {
   const { character } = at;
   const count = (/** @type {number} */ n) => n.toLocaleString("en");
-  const parts = character ? [`${count(character.vertices)} vertices`, `${character.joints.length} joints`, character.result ? "bound" : "binding…"] : [];
+  const parts = character ? [`${count(character.vertices)} vertices`, `${character.joints.length} bones`, character.result ? "weights ready" : "computing weights…"] : [];
   $("status-said").textContent = parts.join(" · ");
   showSteps();
 }

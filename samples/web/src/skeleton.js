@@ -17,6 +17,15 @@ const unsure = [
 // (engine/src/rig/clusters.hpp).
 export const spreadOf = (confidence) => 0.05 * (1 / Math.sqrt(Math.max(confidence, 1e-4)) - 1);
 
+// How far off a joint may be, as a person says it. size: the longest side, in meters.
+/** @type {(confidence: number, size: number) => string} */
+export function sureText(confidence, size) {
+  const spread = spreadOf(confidence), off = spread * size;
+  const length = off >= 1 ? `${off.toFixed(1)} m` : off >= 0.01 ? `${Math.round(100 * off)} cm` : `${Math.max(1, Math.round(1000 * off))} mm`;
+  if (spread <= sureSpread) return `Sure: within ${length}.`;
+  return `${spread <= unsureSpread ? "Fairly sure" : "Unsure"}: may be off by ${length}.`;
+}
+
 // The colour of a joint's confidence, sRGB: that of the first row up to 3 % off, that of the last one from 10 %.
 export function sureColour(confidence) {
   const share = (spreadOf(confidence) - sureSpread) / (unsureSpread - sureSpread);
@@ -184,11 +193,11 @@ export class SkeletonEditor {
     this.#joint = joint;
     const chosen = character?.joints[joint];
     const canEdit = this.canEdit;
-    $("edit-name").textContent = chosen?.name ?? "No joint chosen";
+    $("edit-name").textContent = chosen?.name ?? "No bone selected";
     $("edit-sure").textContent = chosen && character.predicted ? this.#sureText(chosen) : "";
     $("edit-notes").textContent = character?.predicted ? (character.notes ?? []).map((note) => `${note[0].toUpperCase()}${note.slice(1)}.`).join(" ") : "";
     $("edit-none").hidden = !character || (character.editable && !character.posed) || character.joints.length === 0;
-    $("edit-none").textContent = character?.posed ? "In the T pose joints stay where they are: leave it to edit them." : "This skeleton is the file's own and stays as it is. A new one can be edited.";
+    $("edit-none").textContent = character?.posed ? "Bones cannot be edited in T pose. Turn T pose off first." : "This skeleton came with the file and cannot be edited. Make a new one to edit it.";
     for (const id of ["rename", "parent", "remove-joint", "to-middle", ...axes.map((axis) => `place-${axis}`)]) $(id).disabled = !canEdit;
     $("add-joint").disabled = !canEdit || chosen.end;
     $("rename").value = chosen?.name ?? "";
@@ -208,7 +217,6 @@ export class SkeletonEditor {
   }
 
   #sureText({ confidence }) {
-    if (confidence === 1) return "placed by you";
-    return `its votes scatter by ${(100 * spreadOf(confidence)).toFixed(1)} % of the longest side`;
+    return confidence === 1 ? "You placed this bone." : sureText(confidence, this.#character.size);
   }
 }

@@ -35,7 +35,7 @@ function needScenes(name) {
 
 /** @param {{ forceScalar: boolean }} how */
 async function start({ forceScalar }) {
-  if (!hasExceptions()) throw new Error("this browser has no exceptions for WebAssembly, which it would have from 2022 on (Chrome 95, Firefox 100, Safari 15.2): take a newer one");
+  if (!hasExceptions()) throw new Error("This browser is too old: use Chrome 95, Firefox 100, Safari 15.2 or newer (2022)");
   const kind = !forceScalar && hasSimd() ? "simd" : "scalar";
   const glue = kind === "simd" ? import("sinew-simd") : import("sinew-scalar"); // fetched beside the module
   const bytes = await fetchPacked(`sinew-${kind}.wasm`);
@@ -271,7 +271,7 @@ async function answer({ id, call, ...options }) {
     if (call === "bind") parts.loaded().catch(() => {});
   } catch (error) {
     let line = String(error?.message ?? error);
-    if (error instanceof RangeError || error?.status === outOfMemory) line = "out of memory: the file is too large for this browser; try the sinew command";
+    if (error instanceof RangeError || error?.status === outOfMemory) line = "Out of memory: the file is too large for this browser; use the sinew command";
     if (error instanceof WebAssembly.RuntimeError) line = `the engine stopped (${line}); reload the page`;
     postMessage({ id, error: line });
   }

@@ -174,7 +174,7 @@ try {
     const whole = await lines();
     await page.check("#cut");
     await settled();
-    assert.equal(await undoName(), "open along lines");
+    assert.equal(await undoName(), "cut along inner lines");
     assert.ok((await lines()) > whole + 4, "slits are outline, too");
     await same("person.png", "--cut");
     await shoot("cut");

@@ -161,7 +161,7 @@ try {
       await page.goto(server.address);
       await settled();
       if (before) await open(file("biped__robot.obj"));
-      for (const words of ["Finding the joints", "Binding", "Moving it"]) {
+      for (const words of ["Finding the bones", "Computing", "Retargeting"]) {
         await page.setInputFiles("#files", [file("quadruped__tailed.obj")]);
         await page.waitForFunction((wanted) => !document.getElementById("busy").hidden && document.getElementById("busy-said").textContent.startsWith(wanted), words, { polling: "raf" });
         await page.click("#stop");

@@ -86,8 +86,8 @@ const pageQuestions = () =>
     })),
   );
 const partName = (q) => `${q.parts > 1 ? "parts" : "part"} near ${q.joint}`;
-const answerText = (answer) => (answer.startsWith("rigid:") ? `follow ${answer.slice(6)}` : { soft: "swing", hard: "in pieces", softer: "softer", host: "with what it lies on" }[answer]);
-const questionText = (q) => `${partName(q)}${q.parts > 1 ? ` · ${q.parts} alike` : ""} · now ${q.share > 0.995 ? "" : `${Math.round(100 * q.share)} % `}with ${q.joint}`;
+const answerText = (answer) => (answer.startsWith("rigid:") ? `follow ${answer.slice(6)}` : { soft: "swing", hard: "in pieces", softer: "softer", host: "with the surface below" }[answer]);
+const questionText = (q) => `${partName(q)}${q.parts > 1 ? ` · ${q.parts} similar` : ""} · now ${q.share > 0.995 ? "" : `${Math.round(100 * q.share)} % `}with ${q.joint}`;
 const question = (part) => page.locator(`#questions li[data-part="${part}"] .question`);
 const alternative = (answer) => page.locator("#questions .alternative", { hasText: answerText(answer) });
 const focused = () => page.evaluate(() => document.activeElement.getAttribute("aria-label") ?? document.activeElement.textContent);
@@ -225,7 +225,7 @@ try {
   await step("a click on the picture chooses a joint, a drag orbits", async () => {
     await page.keyboard.press("Escape");
     await settled();
-    assert.equal(await page.locator("#joint-name").innerText(), "No joint chosen");
+    assert.equal(await page.locator("#joint-name").innerText(), "No bone selected");
     const head = await page.evaluate(() => {
       const joint = sinewPage.character.joints.findIndex(({ name }) => name === "head");
       return sinewPage.view.jointOnScreen(joint);
@@ -235,7 +235,7 @@ try {
     await page.mouse.move(head.x + 80, head.y + 10, { steps: 4 });
     await page.mouse.up();
     await settled();
-    assert.equal(await page.locator("#joint-name").innerText(), "No joint chosen");
+    assert.equal(await page.locator("#joint-name").innerText(), "No bone selected");
     await page.keyboard.press("f");
     await page.mouse.click(head.x, head.y);
     await settled();
@@ -281,7 +281,7 @@ try {
     await shoot("questions");
     await question(part.part).hover();
     await settled();
-    assert.equal(await legend(), `Orange: ${partName(part)}, ${part.vertices} vertices in ${part.parts} parts alike`);
+    assert.equal(await legend(), `Orange: ${partName(part)}, ${part.vertices} vertices (${part.parts} similar parts)`);
     const orange = await page.evaluate(() => {
       const { vertexOf } = sinewPage.character.buffers;
       const all = sinewPage.view.shownColours();
@@ -297,7 +297,7 @@ try {
     assert.deepEqual(await page.locator("#questions .alternative").allTextContents(), [...offered.map((a, i) => answerText(a) + shares[i]), "as it is"]);
     await alternative(offered[1]).hover();
     await settled();
-    assert.equal(await legend(), `Preview: ${partName(part)}: ${answerText(offered[1])} in ${part.parts} parts alike`);
+    assert.equal(await legend(), `Preview: ${partName(part)}: ${answerText(offered[1])} (${part.parts} similar parts)`);
     assert.equal(await hash(), native.get(name), "a preview takes nothing");
     const seen = await colours();
     await shoot("preview");
@@ -775,7 +775,7 @@ try {
     assert.ok(!(await page.locator("#timeline").isVisible()));
     await give(made("wave.bvh", readFileSync(join(work, "wave.bvh"))));
     assert.equal(await errorLine(), "");
-    assert.match(await page.locator("#motion-about").innerText(), new RegExp(`${told.clips[0].mapped} of ${told.joints} joints move`));
+    assert.match(await page.locator("#motion-about").innerText(), new RegExp(`${told.clips[0].mapped} of ${told.joints} bones,`));
     assert.ok((await downloaded("#download")).bytes.equals(readFileSync(glb)), "the page's GLB differs from the command's");
     await page.fill("#time", "0.5");
     await settled();

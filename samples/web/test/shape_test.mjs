@@ -59,7 +59,7 @@ try {
     await go("mesh");
     await page.click("#turn-by-x");
     await settled();
-    assert.equal(await undoName(), "turn about X");
+    assert.equal(await undoName(), "rotate around X");
     await same("rig", "lying.obj", "--turn", "x");
     await page.fill("#height", "1.8");
     await key("Tab");

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { Latest } from "../src/latest.js";
 import { crossings, draggedTo, insides, middleNear } from "../src/limbs.js";
-import { answersFor, childPlace, freeName, movedJoints, possibleParents, sureColour } from "../src/skeleton.js";
+import { answersFor, childPlace, freeName, movedJoints, possibleParents, sureColour, sureText } from "../src/skeleton.js";
 
 // Boxes from `low` to `high`, two triangles a side, corners counter-clockwise from outside.
 function boxes(...list) {
@@ -136,4 +136,10 @@ const again = latest.want(4);
 finish();
 await again;
 assert.deepEqual(done, [1, 3, -1, 4]);
+// How sure a joint's position is, as a person says it.
+const confidenceOf = (spread) => 1 / (1 + spread / 0.05) ** 2;
+assert.equal(sureText(confidenceOf(0.12), 1), "Unsure: may be off by 12 cm.");
+assert.equal(sureText(confidenceOf(0.06), 1.8), "Fairly sure: may be off by 11 cm.");
+assert.equal(sureText(confidenceOf(0.02), 0.3), "Sure: within 6 mm.");
+assert.equal(sureText(confidenceOf(0.2), 12), "Unsure: may be off by 2.4 m.");
 console.log("skeleton_test: ok");

@@ -171,7 +171,7 @@ try {
     await page.keyboard.press("Tab");
     await settled();
     assert.match(await page.locator("#step-said").innerText(), /outside the body/);
-    assert.match(await page.locator("#next-doubt").innerText(), /^Next of \d/);
+    assert.match(await page.locator("#next-doubt").innerText(), /^Check next \(\d/);
     assert.ok(!(await ticks()).includes("Skeleton"));
     await page.keyboard.press("Control+z");
     await settled();
@@ -198,7 +198,7 @@ try {
     await done("symmetric weights");
     await pick("upper_arm.R");
     await slide("#turn-z", 30);
-    await done("turn upper_arm.R");
+    await done("rotate upper_arm.R");
     await page.click("#next-question");
     await page.locator("#questions .alternative").first().click();
     await settled();
@@ -521,7 +521,7 @@ try {
     };
     await give(made("rigid.gltf", JSON.stringify(gltf)));
     assert.equal(await errorLine(), "");
-    assert.match(await page.locator("#remarks").innerText(), /Its 3 parts hang on joints as they are; here they are bound like a skin/);
+    assert.match(await page.locator("#remarks").innerText(), /Its 3 rigid parts are attached to bones; here they get skin weights/);
     assert.ok((await hash()).length > 8);
   });
 
