@@ -17,13 +17,13 @@ const unsure = [
 // (engine/src/rig/clusters.hpp).
 export const spreadOf = (confidence) => 0.05 * (1 / Math.sqrt(Math.max(confidence, 1e-4)) - 1);
 
-// How far off a joint may be, as a person says it. size: the longest side, in meters.
-/** @type {(confidence: number, size: number) => string} */
-export function sureText(confidence, size) {
+// How far off a joint may be, as a person says it. size: the longest side, in meters; isDoubtful: its limb may be wrong as a whole.
+/** @type {(confidence: number, size: number, isDoubtful?: boolean) => string} */
+export function sureText(confidence, size, isDoubtful = false) {
   const spread = spreadOf(confidence), off = spread * size;
   const length = off >= 1 ? `${off.toFixed(1)} m` : off >= 0.01 ? `${Math.round(100 * off)} cm` : `${Math.max(1, Math.round(1000 * off))} mm`;
-  if (spread <= sureSpread) return `Sure: within ${length}.`;
-  return `${spread <= unsureSpread ? "Fairly sure" : "Unsure"}: may be off by ${length}.`;
+  if (spread <= sureSpread && !isDoubtful) return `Sure: within ${length}.`;
+  return `${spread <= unsureSpread && !isDoubtful ? "Fairly sure" : "Unsure"}: may be off by ${length}.`;
 }
 
 // The colour of a joint's confidence, sRGB: that of the first row up to 3 % off, that of the last one from 10 %.
@@ -195,7 +195,7 @@ export class SkeletonEditor {
     const canEdit = this.canEdit;
     $("edit-name").textContent = chosen?.name ?? "No bone selected";
     $("edit-sure").textContent = chosen && character.predicted ? this.#sureText(chosen) : "";
-    $("edit-notes").textContent = character?.predicted ? (character.notes ?? []).map((note) => `${note[0].toUpperCase()}${note.slice(1)}.`).join(" ") : "";
+    $("edit-notes").textContent = character?.predicted ? (character.notes ?? []).filter((note) => !note.startsWith("warning: doubtful")).map((note) => `${note[0].toUpperCase()}${note.slice(1)}.`).join(" ") : "";
     $("edit-none").hidden = !character || (character.editable && !character.posed) || character.joints.length === 0;
     $("edit-none").textContent = character?.posed ? "Bones cannot be edited in T pose. Turn T pose off first." : "This skeleton came with the file and cannot be edited. Make a new one to edit it.";
     for (const id of ["rename", "parent", "remove-joint", "to-middle", ...axes.map((axis) => `place-${axis}`)]) $(id).disabled = !canEdit;
@@ -217,6 +217,6 @@ export class SkeletonEditor {
   }
 
   #sureText({ confidence }) {
-    return confidence === 1 ? "You placed this bone." : sureText(confidence, this.#character.size);
+    return confidence === 1 ? "You placed this bone." : sureText(confidence, this.#character.size, (this.#character.doubts ?? []).some(({ joints }) => joints.includes(this.#joint)));
   }
 }

@@ -141,5 +141,6 @@ const confidenceOf = (spread) => 1 / (1 + spread / 0.05) ** 2;
 assert.equal(sureText(confidenceOf(0.12), 1), "Unsure: may be off by 12 cm.");
 assert.equal(sureText(confidenceOf(0.06), 1.8), "Fairly sure: may be off by 11 cm.");
 assert.equal(sureText(confidenceOf(0.02), 0.3), "Sure: within 6 mm.");
+assert.equal(sureText(confidenceOf(0.02), 0.3, true), "Unsure: may be off by 6 mm.");
 assert.equal(sureText(confidenceOf(0.2), 12), "Unsure: may be off by 2.4 m.");
 console.log("skeleton_test: ok");
