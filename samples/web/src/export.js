@@ -36,9 +36,9 @@ async function writtenFor(kind, profile) {
 }
 
 /** @param {Program} program */
-async function saveFor({ id, kind, profile, name }) {
+async function saveFor({ id, kind, profile }) {
   const { bytes, height } = await writtenFor(kind, profile);
-  if (height !== 0) remark(`It stood ${Math.abs(height).toPrecision(2)} m ${height < 0 ? "below" : "above"} the floor; in the ${kind.toUpperCase()} for ${name} it stands on it.`);
+  if (height !== 0) remark(`It stood ${Math.abs(height).toPrecision(2)} m ${height < 0 ? "below" : "above"} the floor; in the ${kind.toUpperCase()} it stands on it.`);
   save(bytes, kind === "fbx" ? "application/octet-stream" : "model/gltf-binary", `${at.character.name}.${id === "any" ? (at.character.predicted ? "rigged" : "bound") : id}.${kind}`);
 }
 

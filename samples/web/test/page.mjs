@@ -99,6 +99,11 @@ export function pageTools(current, { troubles, work, prefix = "" }) {
       const [download] = await Promise.all([current().waitForEvent("download"), current().click(id)]);
       return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
     },
+    // The program that a file is to be for, in the step Export.
+    async choose(program) {
+      await current().check(`#programs [value=${program}]`);
+      await tools.settled();
+    },
     async step(name, test) {
       const start = Date.now();
       try {

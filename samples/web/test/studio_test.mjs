@@ -14,7 +14,7 @@ const command = (name, ...more) => {
 };
 const jointsAt = () => page.evaluate(() => sinewPage.view.shownJoints());
 // The picture's pixels in the middle, to see that it changed.
-const picture = async () => (await page.locator("#stage canvas").screenshot()).toString("base64");
+const picture = async () => (await page.locator("#stage > canvas").screenshot()).toString("base64");
 
 try {
   await step("joints are switched off and on, as --never has it", async () => {

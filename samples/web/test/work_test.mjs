@@ -527,7 +527,7 @@ try {
 
   // The picture's middle, which the body fills: [red, green, blue] each.
   const middle = async () => {
-    const png = (await page.locator("#stage canvas").screenshot()).toString("base64");
+    const png = (await page.locator("#stage > canvas").screenshot()).toString("base64");
     return page.evaluate(async (picture) => {
       const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${picture}`)).blob());
       const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
@@ -575,7 +575,7 @@ try {
     await page.keyboard.press("f");
     const head = await page.evaluate(() => sinewPage.view.jointOnScreen(sinewPage.character.joints.findIndex(({ name }) => name === "hand.L")));
     await page.evaluate(({ x, y }) => {
-      const canvas = document.querySelector("#stage canvas");
+      const canvas = document.querySelector("#stage > canvas");
       const init = { clientX: x + 20, clientY: y + 5, pointerId: 7, pointerType: "touch", button: 0, buttons: 1, bubbles: true, isPrimary: true };
       canvas.setPointerCapture = canvas.releasePointerCapture = () => {}; // no pointer of that number is there
       canvas.dispatchEvent(new PointerEvent("pointerdown", init));
