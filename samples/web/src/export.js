@@ -78,7 +78,7 @@ const cell = (tag, text) => Object.assign(document.createElement(tag), { textCon
 // What the panel says of the chosen program, and of what its file leaves out: the file is written once for that, and thrown away.
 export function showProgram() {
   const program = chosenProgram();
-  $("program-facts").replaceChildren(...factsOf(program).flatMap(([what, how]) => [cell("dt", what), cell("dd", how)]));
+  $("program-facts").replaceChildren(...factsOf(program, at.options.toPose === "t").flatMap(([what, how]) => [cell("dt", what), cell("dd", how)]));
   $("vrm-fields").hidden = program.kind !== "vrm";
   at.onProgram();
   if (at.step !== "export" || !at.character?.result) return;
