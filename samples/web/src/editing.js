@@ -10,7 +10,7 @@ import { showMarkers } from "./markers.js";
 import { fetchModel } from "./models.js";
 import { closeOffer, offer } from "./offer.js";
 import { sidesOf } from "./sides.js";
-import { jointsOutside } from "./outside.js";
+import { jointsOutside, missingTail } from "./suspects.js";
 import { Pose } from "./pose.js";
 import { kinds } from "./questions.js";
 import { record, rigChanged } from "./recording.js";
@@ -52,7 +52,7 @@ function useRig({ joints, picture, ...rig }, chosen) {
   Object.assign(at.character, { mirrored: false, doubtful: false, upAxis: upOf(rig, at.character.up) }, rig, { joints });
   at.view.setUp(at.character.upAxis);
   lookNowhere();
-  at.character.outside = at.character.predicted ? jointsOutside(joints, at.character.buffers, at.character.size) : [];
+  at.character.suspects = at.character.predicted ? [...jointsOutside(joints, at.character.buffers, at.character.size), ...missingTail(joints, at.character.upAxis === 1 ? 2 : 1)] : [];
   if (isSame) {
     at.view.moveSkeleton(joints); // and renamed
   } else {
@@ -95,6 +95,7 @@ function askKind() {
   const rigAs = (/** @type {string} */ kind) => () => {
     $("kind").value = kind;
     $("kind").dispatchEvent(new Event("change"));
+    at.onKind();
   };
   offer(isLegged ? "This mesh is hard to recognize. What is it?" : "No legs were found. What is it?", {
     ...Object.fromEntries(Object.entries(kindsAsked).map(([word, kind]) => [word, rigAs(kind)])), Other: () => {},

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Files out: the character for a program, with what the file will leave out told before; skeletons as text, and the project.
 import { bind } from "./binding.js";
-import { $, all } from "./elements.js";
+import { $ } from "./elements.js";
 import { run, save, whileBusy } from "./jobs.js";
 import { remark } from "./opened.js";
-import { factsOf, lossesOf, programs } from "./programs.js";
+import { chosenProgram, factsOf, lossesOf, programs } from "./programs.js";
 import { at, engine } from "./state.js";
 
 /** @typedef {import("./programs.js").Program} Program */
-
-export const chosenProgram = () => programs.find(({ id }) => id === all("#programs input:checked")[0]?.value) ?? programs[0];
 
 const wishOf = (profile = "") => ({
   clips: $("with-clips").checked, springs: at.springs.written, bakes: at.springs.on && profile !== "vrm" && $("bake-springs").checked, profile, author: $("author").value.trim(), title: "", licence: $("licence").value,

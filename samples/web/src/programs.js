@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The programs that files are made for: rows of character/src/profile/profiles.cpp as their users know them. To add one: a row here.
+import { all } from "./elements.js";
 
 /** @typedef {{ id: string, name: string, profile: string, kind: string, bones: string, pose: string, influences: number }} Program */
 /** @type {Program[]} */
@@ -13,6 +14,8 @@ export const programs = [
   { id: "vrchat", name: "VRChat", profile: "unity", kind: "fbx", bones: "Humanoid: Hips, LeftUpperArm", pose: "T pose", influences: 4 },
   { id: "vrm", name: "VRM avatar", profile: "vrm", kind: "vrm", bones: "VRM: hips, leftUpperArm", pose: "T pose, on the floor", influences: 4 },
 ];
+export const chosenProgram = () => programs.find(({ id }) => id === all("#programs input:checked")[0]?.value) ?? programs[0];
+
 /** @type {(kind: string) => string} */
 export const unitOf = (kind) => (kind === "fbx" ? "Centimeters" : "Meters");
 const kinds = /** @type {Record<string, string>} */ ({ glb: "GLB (binary glTF)", fbx: "FBX 7.5", vrm: "VRM 1.0" });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The rail of steps with its ticks, and what the panel says of the present one.
-import { chosenProgram } from "./export.js";
+import { chosenProgram } from "./programs.js";
 import { $, at } from "./state.js";
 
 export const steps = ["mesh", "skeleton", "weights", "motion", "export"];
@@ -28,8 +28,8 @@ const sentences = {
   },
   export: () => "Choose the program that the file is for.",
 };
-// What of the skeleton is to be looked at: limbs that may be wrong, joints outside the body.
-export const doubtsOf = () => [...(at.character?.doubts ?? []), ...(at.character?.outside ?? [])];
+// What of the skeleton is to be looked at: limbs that may be wrong, and suspects.js.
+export const doubtsOf = () => [...(at.character?.doubts ?? []), ...(at.character?.suspects ?? []), ...(at.character?.ears ?? [])];
 
 const count = (/** @type {number} */ n) => n.toLocaleString("en");
 

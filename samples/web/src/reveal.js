@@ -6,12 +6,13 @@ import { bind } from "./binding.js";
 import { gaitsOf, isForThisBody } from "./builtin_clips.js";
 import { colour } from "./colours.js";
 import { predict } from "./editing.js";
-import { whileBusy } from "./jobs.js";
+import { run, whileBusy } from "./jobs.js";
 import { offer } from "./offer.js";
 import { doubtsOf } from "./rail.js";
+import { record } from "./recording.js";
 import { nextDoubt } from "./showing.js";
 import { $, at, engine, modes } from "./state.js";
-import { goTo } from "./steps.js";
+import { goTo, setStep } from "./steps.js";
 
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 const growing = 800, sweeping = 700; // milliseconds
@@ -71,6 +72,15 @@ export async function reveal() {
     at.view.setRevealed(1, 1);
   }
 }
+
+// Once the user has said what the body is.
+export const walkOn = () =>
+  run(async () => {
+    if (!still.matches && !at.player.motion) await walk();
+    if (at.player.motion) setStep("motion");
+    record("walk");
+    await showFound();
+  });
 
 const count = (/** @type {number} */ n, /** @type {string} */ word) => `${n} ${word}${n === 1 ? "" : "s"}`;
 

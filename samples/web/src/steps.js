@@ -4,7 +4,6 @@ import { colour } from "./colours.js";
 import { showDrawing } from "./drawn.js";
 import { setEditing, showSkeleton } from "./editing.js";
 import { run } from "./jobs.js";
-import { showProgram } from "./export.js";
 import { closeOffer } from "./offer.js";
 import { showSteps } from "./rail.js";
 import { sendPose } from "./showing.js";
@@ -27,7 +26,7 @@ export function setStep(step, { view = true } = {}) {
   at.view.frameAgain();
   showDrawing();
   showSkeleton();
-  showProgram();
+  at.onStep();
   if (step === "motion" && at.character.result) run(() => at.springs.again());
   else at.drag.show();
 }

@@ -36,7 +36,7 @@ try {
   await step("a bend keeps its volume by the way it is skinned", async () => {
     await page.goto(`${server.address}?sample=biped__robed`);
     await settled();
-    assert.match(await page.locator("#bends").innerText(), /^Turn a joint/);
+    assert.match(await page.locator("#bends").innerText(), /^Rotate a bone/);
     await pick("forearm.L");
     const rest = await positions();
     await slide("#turn-y", 110);
@@ -74,7 +74,7 @@ try {
     await page.keyboard.press("r");
     await settled();
     assert.deepEqual(await positions(), rest);
-    assert.match(await page.locator("#bends").innerText(), /^Turn a joint/);
+    assert.match(await page.locator("#bends").innerText(), /^Rotate a bone/);
   });
 
   await step("several bends, the worst first; a click chooses its joint", async () => {

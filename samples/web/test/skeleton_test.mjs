@@ -4,6 +4,7 @@
 import assert from "node:assert/strict";
 import { Latest } from "../src/latest.js";
 import { crossings, draggedTo, insides, middleNear } from "../src/limbs.js";
+import { earsThatMoveHeads, missingTail } from "../src/suspects.js";
 import { answersFor, childPlace, freeName, movedJoints, possibleParents, sureColour, sureText } from "../src/skeleton.js";
 
 // Boxes from `low` to `high`, two triangles a side, corners counter-clockwise from outside.
@@ -143,4 +144,12 @@ assert.equal(sureText(confidenceOf(0.06), 1.8), "Fairly sure: may be off by 11 c
 assert.equal(sureText(confidenceOf(0.02), 0.3), "Sure: within 6 mm.");
 assert.equal(sureText(confidenceOf(0.02), 0.3, true), "Unsure: may be off by 6 mm.");
 assert.equal(sureText(confidenceOf(0.2), 12), "Unsure: may be off by 2.4 m.");
+// Ears that move the head, and a body on four legs without a tail, are to be looked at.
+const animal = [["Hips", [0, 1, 0]], ["Neck", [0, 1.1, 1]], ["Head", [0, 1.3, 1.2]], ["LeftEar", [0.1, 1.4, 1.2]], ["LeftUpLeg", [0.1, 0.9, 0]], ["LeftEar_end", [0.1, 1.6, 1.2]]].map(([name, position], j) => ({ name, position, parent: [-1, 0, 1, 2, 0, 3][j] }));
+const skull = [0, 1.2, 1.2, 0, 1.3, 1.2, 0.1, 1.5, 1.2];
+assert.deepEqual(earsThatMoveHeads(animal, [2, 2, 3], skull), []);
+assert.deepEqual(earsThatMoveHeads(animal, [3, 3, 3], skull).map(({ name }) => name), ["LeftEar moves the head"]);
+assert.deepEqual(missingTail(animal, 1).map(({ name }) => name), ["no tail was found"]);
+assert.deepEqual(missingTail([...animal, { name: "Tail", position: [0, 1, -0.2], parent: 0 }], 1), []);
+assert.deepEqual(missingTail(animal.map((joint) => (joint.name === "Neck" ? { ...joint, position: [0, 2, 0.1] } : joint)), 1), [], "a person");
 console.log("skeleton_test: ok");
