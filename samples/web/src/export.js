@@ -5,6 +5,7 @@ import { $ } from "./elements.js";
 import { run, save, whileBusy } from "./jobs.js";
 import { remark } from "./opened.js";
 import { chosenProgram, factsOf, lossesOf, programs } from "./programs.js";
+import { sentenceOf } from "./sentences.js";
 import { at, engine } from "./state.js";
 
 /** @typedef {import("./programs.js").Program} Program */
@@ -85,13 +86,10 @@ export function showProgram() {
     const clips = at.player.motion?.own ? 0 : (at.player.motion?.clips.length ?? 0);
     const known = lossesOf(program, { springs: at.springs.on, baked: $("bake-springs").checked, clips, withClips: $("with-clips").checked, skinning: at.bends.skinning, turned: at.pose.turns.some((turn) => turn !== 0) });
     const { notes } = await whileBusy("Looking at what the file can hold", () => written(program.kind, program.profile)).catch((error) => ({ notes: [`This file cannot be written: ${error.message}`] }));
-    const lines = [...known, ...notes.map(sentence)];
+    const lines = [...known, ...notes.map(sentenceOf)].filter(Boolean);
     $("losses").replaceChildren(...(lines.length === 0 ? ["Nothing is lost."] : lines).map((line) => cell("li", line)));
   });
 }
-
-/** @type {(note: string) => string} */
-const sentence = (note) => `${note[0].toUpperCase()}${note.slice(1)}${note.endsWith(".") ? "" : "."}`;
 
 export function listenForExport() {
   $("programs").append(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The switch between methods of retargeting while a motion plays, what each leaves to be mended, and whether contacts are shown.
 import { $, all } from "./elements.js";
+import { sentenceOf } from "./sentences.js";
 
 export const motionMethods = { contacts: 0, copy: 1, referencePoints: 2, stream: 3 }; // methods of handles.js
 
@@ -66,6 +67,6 @@ export class MethodPanel {
     $("motion-method").hidden = motion.own; // its file's own frames are as they are
     for (const input of all("#motion-method input")) input.checked = Number(input.value) === motion.method;
     const { notes } = motion.files[motion.clips[clip].file];
-    $("motion-report").textContent = [clipText(motion.clips[clip]), ...notes].filter(Boolean).map((line) => `${line[0].toUpperCase()}${line.slice(1)}.`).join(" ");
+    $("motion-report").textContent = [clipText(motion.clips[clip]), ...notes].filter(Boolean).map(sentenceOf).join(" ");
   }
 }

@@ -6,6 +6,7 @@ import { whileBusy } from "./jobs.js";
 import { closeOffer } from "./offer.js";
 import { Pose } from "./pose.js";
 import { beginReport, report } from "./report.js";
+import { sentenceOf } from "./sentences.js";
 import { showFacts } from "./showing.js";
 import { longestSide } from "./sides.js";
 import { $, at, engine, modes } from "./state.js";
@@ -42,7 +43,7 @@ export async function loadDrawn(wishes) {
 
 /** @param {string} line */
 export function remark(line) {
-  $("remarks").textContent += `${$("remarks").textContent && "\n"}${line}`;
+  $("remarks").textContent += `${$("remarks").textContent && "\n"}${sentenceOf(line)}`;
   $("remarks").hidden = false;
   report(line);
 }

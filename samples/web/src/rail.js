@@ -68,5 +68,5 @@ export function showSteps() {
   showOnward();
   const doubts = doubtsOf();
   $("next-doubt").disabled = doubts.length === 0;
-  $("next-doubt").textContent = doubts.length === 0 ? "Nothing to check" : `Check next (${doubts.length} left)`;
+  $("next-doubt").textContent = doubts.length === 0 ? (at.character?.doubtful ? "Check every bone" : "Nothing to check") : `Check next (${doubts.length} left)`;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a file held when it was opened: what was found, what was mended or guessed, and what was left out. It stays in the step Mesh.
+import { sentenceOf } from "./sentences.js";
 import { $, at } from "./state.js";
 
 /** @typedef {"found" | "mended" | "left"} Kind */
@@ -14,9 +15,6 @@ export const kindOf = (line) => words.find(([, expression]) => expression.test(l
 /** @type {{ kind: Kind, line: string }[]} */
 let lines = [];
 const count = (/** @type {number} */ n, /** @type {string} */ word) => `${n.toLocaleString("en")} ${word}${n === 1 ? "" : "s"}`;
-
-/** @param {string} line */
-const sentence = (line) => `${line[0].toUpperCase()}${line.slice(1)}${/[.!?]$/.test(line) ? "" : "."}`;
 
 // What the module tells of a file that it has just read.
 /** @param {any} loaded */
@@ -44,7 +42,7 @@ function showReport() {
   $("report-lines").replaceChildren(
     ...shown.flatMap((kind) => {
       const head = Object.assign(document.createElement("dt"), { textContent: heads[kind] });
-      return [head, ...lines.filter((one) => one.kind === kind).map(({ line }) => Object.assign(document.createElement("dd"), { textContent: sentence(line) }))];
+      return [head, ...lines.filter((one) => one.kind === kind).map(({ line }) => Object.assign(document.createElement("dd"), { textContent: sentenceOf(line) }))];
     }),
   );
   $("report").hidden = !at.character;

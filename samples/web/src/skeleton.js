@@ -2,6 +2,7 @@
 // The panel in which a skeleton is edited: what the chosen joint is, and the user's wishes as edits. Joints are the module's:
 // {name, parent, position, side, end, partner, confidence}; edits are its SkeletonEdit.
 import { $ } from "./elements.js";
+import { sentenceOf } from "./sentences.js";
 
 export const editKinds = { move: 0, add: 1, remove: 2, parent: 3, rename: 4, at: 5 };
 const sureSpread = 0.03; // of the votes, share of the longest side: good, says sinew/rig.h
@@ -195,7 +196,7 @@ export class SkeletonEditor {
     const canEdit = this.canEdit;
     $("edit-name").textContent = chosen?.name ?? "No bone selected";
     $("edit-sure").textContent = chosen && character.predicted ? this.#sureText(chosen) : "";
-    $("edit-notes").textContent = character?.predicted ? (character.notes ?? []).filter((note) => !note.startsWith("warning: doubtful")).map((note) => `${note[0].toUpperCase()}${note.slice(1)}.`).join(" ") : "";
+    $("edit-notes").textContent = character?.predicted ? (character.notes ?? []).filter((note) => !/^warning: (doubtful|this mesh resembles)/.test(note)).map(sentenceOf).join(" ") : "";
     $("edit-none").hidden = !character || (character.editable && !character.posed) || character.joints.length === 0;
     $("edit-none").textContent = character?.posed ? "Bones cannot be edited in T pose. Turn T pose off first." : "This skeleton came with the file and cannot be edited. Make a new one to edit it.";
     for (const id of ["rename", "parent", "remove-joint", "to-middle", ...axes.map((axis) => `place-${axis}`)]) $(id).disabled = !canEdit;

@@ -248,7 +248,7 @@ try {
     await page.keyboard.press("s");
     await page.keyboard.press("3");
     await settled();
-    assert.match(await page.locator("#legend figcaption").innerText(), /^Doubt about/);
+    assert.match(await page.locator("#legend figcaption").innerText(), /^Where weights are uncertain/);
     await shoot("doubt");
   });
 

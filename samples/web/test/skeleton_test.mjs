@@ -4,6 +4,7 @@
 import assert from "node:assert/strict";
 import { Latest } from "../src/latest.js";
 import { crossings, draggedTo, insides, middleNear } from "../src/limbs.js";
+import { sentenceOf } from "../src/sentences.js";
 import { earsThatMoveHeads, missingTail } from "../src/suspects.js";
 import { answersFor, childPlace, freeName, movedJoints, possibleParents, sureColour, sureText } from "../src/skeleton.js";
 
@@ -152,4 +153,10 @@ assert.deepEqual(earsThatMoveHeads(animal, [3, 3, 3], skull).map(({ name }) => n
 assert.deepEqual(missingTail(animal, 1).map(({ name }) => name), ["no tail was found"]);
 assert.deepEqual(missingTail([...animal, { name: "Tail", position: [0, 1, -0.2], parent: 0 }], 1), []);
 assert.deepEqual(missingTail(animal.map((joint) => (joint.name === "Neck" ? { ...joint, position: [0, 2, 0.1] } : joint)), 1), [], "a person");
+// What the command's users read is said without its options.
+assert.equal(sentenceOf("warning: which way is front is a coin toss for this mesh, so left and right may be exchanged; say it with --front, as in --front +z"), "Which way is front is a coin toss for this mesh, so left and right may be exchanged.");
+assert.equal(sentenceOf("warning: the skeleton can be used with a probability of 1 %; look at the joints before using them, or try --method shape"), "The skeleton can be used with a probability of 1 %; look at the joints before using them.");
+assert.equal(sentenceOf("2 attached meshes kept as they are; --bind-props binds them"), "2 attached meshes kept as they are.");
+assert.equal(sentenceOf("strange.fbx: 3 points were left out"), "strange.fbx: 3 points were left out.");
+assert.equal(sentenceOf("picture 'skin.png' was not found"), "Picture 'skin.png' was not found.");
 console.log("skeleton_test: ok");
