@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Writes the page's first sample: a person in clothes with a texture, without a skeleton. Everything is made here, of rings and ellipsoids; CC0 1.0.
-//   clothed.mjs OUT.glb
+//   clothed.mjs OUT.glb [DETAIL]      detail: of rows and columns, 1 where it is left out
 import { writeFileSync } from "node:fs";
 import { paint } from "./clothed_texture.mjs";
 
+const detail = Number(process.argv[3] ?? 1);
+const fewer = (count) => Math.max(4, Math.round(detail * count));
 const positions = [];
 const uvs = [];
 const triangles = [];
@@ -34,7 +36,8 @@ function along(values, t) {
 }
 
 // A closed tube: rings [[x, y, z, wide, deep], ...] from below to above, or from the body outwards. axis: where it goes; wide is across it, deep along z.
-function tube(rings, axis, region, { rows = 4 * rings.length, columns = 20 } = {}) {
+function tube(rings, axis, region, { rows: allRows = 4 * rings.length, columns: allColumns = 20 } = {}) {
+  const [rows, columns] = [fewer(allRows), fewer(allColumns)];
   const length = Math.hypot(...axis);
   const [ax, ay] = [axis[0] / length, axis[1] / length];
   grid(rows + 2, columns, (row, column) => {
@@ -49,7 +52,7 @@ function tube(rings, axis, region, { rows = 4 * rings.length, columns = 20 } = {
 
 // from: share of it, from below, that is left out, or angle -> share; floor: it is flat there.
 function ball([x, y, z], [rx, ry, rz], region, { rows = 14, columns = 24, from = 0, floor = -Infinity } = {}) {
-  grid(rows, columns, (row, column) => {
+  grid(fewer(rows), fewer(columns), (row, column) => {
     const angle = 2 * Math.PI * column;
     const low = typeof from === "function" ? from(angle) : from;
     const polar = Math.PI * mix(low, 1, row); // from below
@@ -83,7 +86,7 @@ function person() {
 }
 
 function scarf() {
-  grid(24, 12, (row, column) => {
+  grid(fewer(24), fewer(12), (row, column) => {
     const [round, angle] = [2 * Math.PI * row, 2 * Math.PI * column];
     const reach = 0.078 + 0.03 * Math.cos(angle);
     return { place: [Math.sin(round) * reach * 1.05, 1.485 + 0.034 * Math.sin(angle) - 0.018 * Math.cos(round), Math.cos(round) * reach], uv: within(atlas.scarf, row, column) };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the user does is a command with a name: it runs after those before it, and the history has what came of it.
 import { clearError, run } from "./jobs.js";
+import { closeOffer } from "./offer.js";
 import { record } from "./recording.js";
 import { poseChanged } from "./showing.js";
 
@@ -9,6 +10,7 @@ import { poseChanged } from "./showing.js";
 export const act = (name, job) =>
   run(async () => {
     clearError();
+    closeOffer();
     await job();
     record(typeof name === "function" ? name() : name);
   });

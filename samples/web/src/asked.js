@@ -13,7 +13,7 @@ export function lookNowhere() {
 export function lookText() {
   if (!at.shownLook) return null;
   const { question, answer } = at.shownLook;
-  const alike = question.parts > 1 ? ` in ${question.parts} parts alike` : "";
+  const alike = question.parts > 1 ? ` (${question.parts} similar parts)` : "";
   if (answer === undefined) return `Orange: ${partName(question)}, ${number.format(question.vertices)} vertices${alike}`;
   return `${at.previewing ? "Preview" : "Answered"}: ${partName(question)}: ${answerText(answer)}${alike}`;
 }
@@ -25,7 +25,7 @@ export function listQuestions(focus) {
   at.questions.show({ questions: list, answers, joints: at.character.joints, focus });
   $("questions-count").textContent = at.character.result ? `${list.length} open${answers.length ? `, ${answers.length} answered` : ""}` : "";
   $("next-question").disabled = list.length === 0;
-  $("next-question").textContent = list.length === 0 ? "No part in doubt" : "Look at the parts in doubt";
+  $("next-question").textContent = list.length === 0 ? "No questions" : "Answer the questions";
   $("style").hidden = !at.style;
   const byStyle = answers.filter((answer) => answer.byStyle).length;
   $("save-style").disabled = !at.character.result || answers.length === byStyle;

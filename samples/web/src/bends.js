@@ -53,7 +53,7 @@ export class BendPanel {
     if (rows.length === 0) {
       const none = document.createElement("li");
       none.className = "none";
-      none.textContent = "Turn a joint, and see here how much of its volume its bend keeps.";
+      none.textContent = "Rotate a bone to see how much volume its bend keeps.";
       rows.push(none);
     }
     // A row under the pointer or the keyboard is the same element as before.
@@ -68,7 +68,7 @@ function row({ joint, degrees, kept }, name) {
   const percent = Math.round(100 * kept);
   const li = document.createElement("li");
   li.className = bendGrade(percent);
-  const button = Object.assign(document.createElement("button"), { type: "button", title: `${name}: turned by ${Math.round(degrees)}°, its bend has ${percent} % of its volume at rest` });
+  const button = Object.assign(document.createElement("button"), { type: "button", title: `${name}, rotated by ${Math.round(degrees)}°: its bend keeps ${percent} % of its volume` });
   button.dataset.joint = String(joint);
   const bar = document.createElement("i");
   bar.style.setProperty("--share", `${Math.min(100, Math.max(0, (100 * percent) / fullBar))}%`);

@@ -8,6 +8,7 @@ import { switched } from "./options.js";
 import { record, rigChanged } from "./recording.js";
 import { listJoints, sendPose, showFacts } from "./showing.js";
 import { at, engine } from "./state.js";
+import { earsThatMoveHeads } from "./suspects.js";
 import { asNumbers, how, isOff, pending } from "./wishes.js";
 
 // answers: those of the character from now on, if they can be had. focus: see Questions.show().
@@ -20,12 +21,13 @@ export async function bind(answers = at.character.source.answers, focus) {
   showFacts(at.character.shown && { ...at.character.shown, hash: pending }); // a line of the same length: the picture keeps its size
   const started = performance.now();
   try {
-    const result = await whileBusy(`Binding ${at.character.name}`, () => engine.call("bind", { ...how(), answers: asNumbers(answers) }));
+    const result = await whileBusy("Computing skin weights", () => engine.call("bind", { ...how(), answers: asNumbers(answers) }));
     if (at.firstAlone === null) at.onFirstBound();
     at.firstAlone ??= result.alone;
     at.character.result = at.character.shown = { ...result, wallSeconds: (performance.now() - started) / 1e3, strongest: result.buffers.strongest };
     result.questions.forEach((/** @type {import("./types.js").Question} */ question, /** @type {number} */ number) => (question.members = { of: result.buffers.vertexQuestions, number }));
     at.character.source.answers = answers;
+    at.character.ears = at.character.predicted ? earsThatMoveHeads(at.character.joints, result.buffers.strongest, at.character.buffers.positions) : [];
     if (result.lockedVertices > 0 || result.paintedVertices > 0) rigChanged(); // their rows went through this bind
     usePlaces(result.places);
   } catch (error) {

@@ -3,8 +3,18 @@
 import { Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial, OctahedronGeometry, Quaternion, SphereGeometry, Vector3 } from "three";
 
 const bonesColour = new Color(0xdfe5ec);
-const chosenColour = new Color(0xffb02e);
+export const chosenColour = new Color(0x4c9aff);
 const doubtColour = new Color(0xff4433);
+
+// How many joints are above each.
+/** @param {{ parent: number }[]} joints */
+function depthsOf(joints) {
+  return joints.map((_, j) => {
+    let depth = 0;
+    for (let above = joints[j].parent; above >= 0 && depth <= joints.length; above = joints[above].parent) ++depth;
+    return depth;
+  });
+}
 
 export class Bones {
   #group = new Group();
@@ -15,6 +25,7 @@ export class Bones {
   #positions = new Float32Array();
   #sizeOf;
   #thickness = 1;
+  #grown = 1;
   #chosen = -1;
   #also = new Set();
   /** @type {any} */
@@ -33,6 +44,13 @@ export class Bones {
   }
   set shown(shown) {
     this.#group.visible = shown;
+  }
+
+  // How much of the skeleton there is, a share of 1: it grows from its roots.
+  /** @param {number} share */
+  set grown(share) {
+    this.#grown = share;
+    this.place();
   }
 
   get thickness() {
@@ -88,20 +106,23 @@ export class Bones {
     const whole = this.#sizeOf();
     const matrix = new Matrix4();
     const size = new Vector3();
+    const depths = depthsOf(this.#joints), deepest = Math.max(0, ...depths);
     this.#joints.forEach(({ parent }, j) => {
       at.fromArray(positions, j * 3);
+      const grown = Math.min(1, Math.max(0, this.#grown * (deepest + 1) - depths[j]));
       let length = whole * 0.1;
       if (parent >= 0) {
         from.fromArray(positions, parent * 3);
         along.subVectors(at, from);
-        length = along.length();
+        at.copy(from).addScaledVector(along, grown);
+        length = Math.max(1e-9, grown * along.length());
         turn.setFromUnitVectors(up, along.normalize());
         const width = Math.min(length * 0.09, whole * 0.014) * this.#thickness;
         bones.setMatrixAt(j, matrix.compose(from, turn, size.set(width, length, width)));
       } else {
         bones.setMatrixAt(j, matrix.makeScale(0, 0, 0));
       }
-      const ball = Math.min(Math.max(length * 0.1, whole * 0.004), whole * 0.011) * this.#thickness * (j === this.#chosen ? 1.5 : 1);
+      const ball = Math.min(Math.max(length * 0.1, whole * 0.004), whole * 0.011) * this.#thickness * (j === this.#chosen ? 1.5 : 1) * (grown > 0 ? 1 : 0);
       balls.setMatrixAt(j, matrix.compose(at, turn.identity(), size.setScalar(ball)));
     });
     bones.instanceMatrix.needsUpdate = true;

@@ -14,7 +14,7 @@ export function showBrush() {
   for (const id of ["brush-size", "brush-strength"]) $(id).nextElementSibling.textContent = `${$(id).value} %`;
   const painted = at.character?.result?.paintedVertices ?? 0;
   $("brush-settings").hidden = kind === "none" && painted === 0;
-  $("painted").textContent = kind === "add" && at.view.selected < 0 ? "choose a joint" : painted ? `${number.format(painted)} vertices` : "";
+  $("painted").textContent = kind === "add" && at.view.selected < 0 ? "select a bone" : painted ? `${number.format(painted)} vertices` : "";
   $("forget-paint").disabled = painted === 0;
 }
 

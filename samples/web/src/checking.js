@@ -12,7 +12,7 @@ async function check() {
   if (!result || checked === result) return;
   const { findings } = await whileBusy("Checking the rig", () => engine.call("check"));
   checked = result;
-  $("check-said").textContent = findings.length === 0 ? "nothing found" : `${findings.length} found`;
+  $("check-said").textContent = findings.length === 0 ? "no problems" : `${findings.length} found`;
   $("findings").replaceChildren(...findings.map(item));
 }
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Motions to try, each a button with a tick, and the list of clips that the character has: all of them are exported.
+import { shipped } from "./builtin_clips.js";
 import { $ } from "./elements.js";
-
-// Clips that ship: builtin:NAME, which finds the kind of body by itself.
-const shipped = ["walk", "run", "idle", "wave", "jump", "sit", "squat", "reach", "trot", "gallop", "flap", "strut", "flutter", "crawl", "swim", "hover"];
 
 // builtin:person/walk is a walk too.
 const isClip = (file, name) => file === `builtin:${name}` || (file.startsWith("builtin:") && file.endsWith(`/${name}`));
@@ -20,12 +18,17 @@ export class ClipList {
   constructor() {
     $("clip-grid").append(
       ...shipped.map((name) => {
-        const button = Object.assign(document.createElement("button"), { type: "button", textContent: name[0].toUpperCase() + name.slice(1), ariaPressed: "false" });
+        const button = Object.assign(document.createElement("button"), { type: "button", ariaPressed: "false" });
+        button.append(Object.assign(document.createElement("span"), { className: "picture" }), name[0].toUpperCase() + name.slice(1)); // see clip_pictures.js
         button.dataset.clip = name;
         button.onclick = () => this.onTry(name, button.dataset.file, button.ariaPressed !== "true");
         return button;
       }),
     );
+    $("clip-search").oninput = () => {
+      const wanted = $("clip-search").value.trim().toLowerCase();
+      for (const button of $("clip-grid").children) button.hidden = !button.dataset.clip.includes(wanted);
+    };
     $("clips").onclick = ({ target }) => {
       const { file, clip } = target.closest("li")?.dataset ?? {};
       if (target.closest(".remove")) this.onRemove(file);

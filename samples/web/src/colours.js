@@ -2,6 +2,7 @@
 // What the mesh's colours show, and the legend.
 import { lookText } from "./asked.js";
 import { glbOf } from "./look_file.js";
+import { fillClipPictures } from "./clip_pictures.js";
 import { run } from "./jobs.js";
 import { doubtsOf } from "./rail.js";
 import { sureColour } from "./skeleton.js";
@@ -23,6 +24,7 @@ export async function colour() {
   showSure();
   if (!at.character?.result) return;
   await showLookOfFile();
+  fillClipPictures();
   const shown = at.mode === modes.material ? modes.joints : at.mode;
   const { mean, buffers } = await engine.call("colour", { mode: shown, joint: Math.max(0, at.view.selected) });
   at.shownMean = mean;
@@ -66,13 +68,13 @@ function emphasised(colours) {
 export function showLegend() {
   const name = at.character?.joints[at.view.selected]?.name ?? "";
   const [caption, low, high] = {
-    [modes.joints]: ["Each joint has its colour; vertices that joints share blend them.", "", ""],
+    [modes.joints]: ["Each bone has a color; shared vertices blend them.", "", ""],
     [modes.field]: [`Weight of ${name}`, "0", "1"],
-    [modes.doubt]: ["Doubt about the strongest joint", "sure", "look here"],
-    [modes.artist]: ["The weights that the file had", "", ""],
-    [modes.artistField]: [`The file's weight of ${name}`, "0", "1"],
-    [modes.difference]: [`What moves otherwise than in the file: ${(100 * at.shownMean).toFixed(1)} % in the mean`, "alike", "otherwise"],
-    [modes.material]: [`As other programs show the file${at.bends.skinning > 0 ? ": by linear skinning" : ""}`, "", ""],
+    [modes.doubt]: ["Where weights are uncertain", "sure", "check"],
+    [modes.artist]: ["The weights in the file", "", ""],
+    [modes.artistField]: [`Weight of ${name} in the file`, "0", "1"],
+    [modes.difference]: [`Difference from the weights in the file: ${(100 * at.shownMean).toFixed(1)} % on average`, "same", "different"],
+    [modes.material]: [`As other programs show it${at.bends.skinning > 0 ? ", with linear skinning" : ""}`, "", ""],
   }[at.mode];
   $("legend").classList.toggle("plain", [modes.joints, modes.artist].includes(at.mode) && !lookText());
   $("legend").classList.toggle("of-joint", at.mode === modes.field || at.mode === modes.artistField);

@@ -71,12 +71,12 @@ export function listenForDrawings() {
   $("point").oninput = () => Number.isFinite($("point").valueAsNumber) && choosePoint(pointOfNumber().pixel);
   $("point-x").onchange = $("point-y").onchange = typePoint;
   $("flat").onchange = () => changeDrawing($("flat").checked ? "flat" : "round", { flat: $("flat").checked });
-  $("cut").onchange = () => changeDrawing($("cut").checked ? "open along lines" : "closed again", { cut: $("cut").checked, outline: [] });
+  $("cut").onchange = () => changeDrawing($("cut").checked ? "cut along inner lines" : "no cut", { cut: $("cut").checked, outline: [] });
   $("figure").onchange = async () => {
     await changeDrawing(`figure ${$("figure").value}`, { figure: Number($("figure").value), outline: [], mask: "" });
     at.view.frame(); // it stands elsewhere
   };
-  $("outline-found").onclick = () => changeDrawing("outline as found", { outline: [], mask: "", figure: 0 });
+  $("outline-found").onclick = () => changeDrawing("reset outline", { outline: [], mask: "", figure: 0 });
   $("mask-file").accept = pictureFiles;
   $("open-mask").onclick = () => $("mask-file").click();
   $("mask-file").onchange = () => {

@@ -2,6 +2,7 @@
 // The skeleton: predicted, edited, dragged.
 import { lookNowhere } from "./asked.js";
 import { bind } from "./binding.js";
+import { hasLegs } from "./builtin_clips.js";
 import { showLegend, showSure } from "./colours.js";
 import { run, showError, whileBusy } from "./jobs.js";
 import { Latest } from "./latest.js";
@@ -9,7 +10,7 @@ import { showMarkers } from "./markers.js";
 import { fetchModel } from "./models.js";
 import { closeOffer, offer } from "./offer.js";
 import { sidesOf } from "./sides.js";
-import { jointsOutside } from "./outside.js";
+import { jointsOutside, missingTail } from "./suspects.js";
 import { Pose } from "./pose.js";
 import { kinds } from "./questions.js";
 import { record, rigChanged } from "./recording.js";
@@ -51,7 +52,7 @@ function useRig({ joints, picture, ...rig }, chosen) {
   Object.assign(at.character, { mirrored: false, doubtful: false, upAxis: upOf(rig, at.character.up) }, rig, { joints });
   at.view.setUp(at.character.upAxis);
   lookNowhere();
-  at.character.outside = at.character.predicted ? jointsOutside(joints, at.character.buffers, at.character.size) : [];
+  at.character.suspects = at.character.predicted ? [...jointsOutside(joints, at.character.buffers, at.character.size), ...missingTail(joints, at.character.upAxis === 1 ? 2 : 1)] : [];
   if (isSame) {
     at.view.moveSkeleton(joints); // and renamed
   } else {
@@ -88,14 +89,15 @@ const longAsSnakes = 4; // times as long as wide and high
 // A mesh in which no legs were found, or that is like nothing known: the user may know what it is.
 function askKind() {
   const { joints, doubtful, picture, buffers } = at.character;
-  const hasLegs = joints.some(({ name }) => /leg|thigh|shin|knee|foot|hoof|paw/i.test(name));
+  const isLegged = hasLegs(joints);
   const [longest, next] = sidesOf(buffers.positions);
-  if (picture || (hasLegs && !doubtful) || longest > longAsSnakes * next) return;
+  if (picture || (isLegged && !doubtful) || longest > longAsSnakes * next) return;
   const rigAs = (/** @type {string} */ kind) => () => {
     $("kind").value = kind;
     $("kind").dispatchEvent(new Event("change"));
+    at.onKind();
   };
-  offer(hasLegs ? "This looks like nothing that is known. What is it?" : "No legs were found. What is it?", {
+  offer(isLegged ? "This mesh is hard to recognize. What is it?" : "No legs were found. What is it?", {
     ...Object.fromEntries(Object.entries(kindsAsked).map(([word, kind]) => [word, rigAs(kind)])), Other: () => {},
   });
 }
@@ -103,7 +105,7 @@ function askKind() {
 export async function predict(wishes = at.editor.wishes) {
   const chosen = chosenName();
   const told = { ...wishes, up: at.character.up, ...marked(at.character.source.markers) };
-  const rig = await whileBusy("Finding the joints", () => askForRig(told));
+  const rig = await whileBusy("Finding the bones", () => askForRig(told));
   at.character.source.recipe = { wishes: told, edits: [] };
   rigChanged();
   useRig(rig, chosen);
@@ -134,7 +136,7 @@ export async function editSkeleton(edits, chosen) {
 
 // What edits are called in the history.
 /** @type {(edits: import("./types.js").Edit[]) => string} */
-export const editName = ([{ kind, joint, other }]) => [`move ${joint}`, `add ${joint}`, `remove ${joint}`, `hang ${joint} elsewhere`, `rename ${joint} to ${other}`][kind];
+export const editName = ([{ kind, joint, other }]) => [`move ${joint}`, `add ${joint}`, `remove ${joint}`, `change parent of ${joint}`, `rename ${joint} to ${other}`][kind];
 
 // The skeleton of a state of the history: the module kept it, or its recipe makes it anew from the file.
 export async function restoreRig({ kept, epoch, recipe, up }) {
@@ -145,7 +147,7 @@ export async function restoreRig({ kept, epoch, recipe, up }) {
   if (epoch === engine.epoch) {
     rig = await engine.call("restore", { number: kept });
   } else {
-    if (recipe.wishes) rig = await whileBusy("Finding the joints", () => askForRig(recipe.wishes));
+    if (recipe.wishes) rig = await whileBusy("Finding the bones", () => askForRig(recipe.wishes));
     for (const { edits, mirror } of recipe.edits) rig = await engine.call("edit", { edits, mirror, continues: false });
   }
   source.recipe = recipe;

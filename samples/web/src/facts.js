@@ -18,11 +18,11 @@ function part(label, value, title = "", tag = "b") {
 /** @param {any} character @param {any} result */
 function* ofCharacter(character, result) {
   yield part("", character.name);
-  yield part("", `${number.format(character.vertices)} vertices, ${number.format(character.faces)} faces, ${number.format(character.joints.length)} joints`);
+  yield part("", `${number.format(character.vertices)} vertices, ${number.format(character.faces)} faces, ${number.format(character.joints.length)} bones`);
   if (result) {
     yield part("bound in ", milliseconds(result.seconds), `${milliseconds(result.wallSeconds)} with the way to the worker and back; ${bytes(result.usedBytes)} of memory`);
     yield part("look first at ", `${number.format(result.lookFirst)} vertices`, `The least sure tenth, ${Math.round(100 * result.lookFirstSure)} % sure on average; Doubt shows them`);
-    if (result.leftOut.length) yield part("no weight for ", `${result.leftOut.length} joints`, result.leftOut.join("\n"));
+    if (result.leftOut.length) yield part("no weight for ", `${result.leftOut.length} bones`, result.leftOut.join("\n"));
     if (result.lockedVertices) yield part("locked ", `${number.format(result.lockedVertices)} vertices`, "They keep their weights; L on their joint frees them");
     if (result.grownTogether) yield part("grown together ", "parts", result.grownTogether);
     if (result.keptMeshes) yield part("kept ", `${result.keptMeshes} attached meshes`, "They follow the joints that they hang on");

@@ -88,12 +88,12 @@ export function pairFiles(names, waiting = {}, moving = []) {
   } else if (free.length === 1 && characters.length === 1 && bare.length === 1) {
     bare[0].skeleton = free[0]; // a GLB with a skeleton from elsewhere
   } else {
-    for (const rig of free) problems.push(`${rig}: is a skeleton without a mesh; drop its ${stem(rig)}.obj as well`);
+    for (const rig of free) problems.push(`${rig} is a skeleton without a mesh: drop ${stem(rig)}.obj as well`);
     if (lonely.length === 1) next.mesh = lonely[0].mesh;
     if (free.length === 1) next.rig = free[0];
   }
   if (names.length > 0 && problems.length === 0 && characters.length === 0 && models.length + styles.length + motions.length === 0) {
-    problems.push(`${names[0]}: holds no mesh; drop an .obj or a .glb`);
+    problems.push(`${names[0]} contains no mesh: drop an .obj or a .glb`);
   }
   return { characters, model: models[0] ?? "", style: styles[0] ?? "", motions, waiting: next, problems };
 }

@@ -126,15 +126,16 @@ export class Handles {
     return { at: this.#springs.at, begins: first };
   }
 
-  // {bytes, height}; files of a profile stand on the floor, height: how far above it the character stood. springs: what swings and is written with it, null for what its file has; bakes: the clips swing, too.
+  // {bytes, notes, height}; notes: what writing it had to say; a VRM stands on the floor, height: how far above it the character stood. springs: what swings and is written with it, null for what its file has; bakes: the clips swing, too.
   /** @param {string} name @param {{ clips: boolean, springs: SpringWish | null, bakes: boolean, profile: string, author: string, title: string, licence: string }} wish */
   file(name, { clips, springs, bakes, profile, author, title, licence }) {
     return this.#with(this.#copy(copies.written, clips ? this.#moving : 0), (character, at) => {
-      const height = profile ? this.#putOnFloor(at) : 0;
+      const height = profile === "vrm" ? this.#putOnFloor(at) : 0;
       if (springs) character.springs(springs);
       if (springs && bakes) this.#house.check(this.#module._web_swing_all(at), at);
       if (profile) character.setProfile({ profile, authors: author ? [author] : [], title, license: licence });
-      return { height, bytes: character.save(name) };
+      const before = character.notes.length, bytes = character.save(name);
+      return { height, bytes, notes: character.notes.slice(before) };
     });
   }
 
@@ -170,6 +171,23 @@ export class Handles {
     return { clips, files, joints: files[0].map.length };
   }
 
+  // One clip for the character, for pictures of it: what is open stays. use: called with its handle, of which the module has frames.
+  /**
+   * @template Result
+   * @param {string} name @param {MotionWish} wish @param {(at: number, seconds: number) => Result} use
+   */
+  preview(name, wish, use) {
+    /** @type {Opened} */
+    const opened = { names: [name], wish, sources: [this.#file(name)], made: new Map(), now: null };
+    try {
+      this.#make(opened, wish.method);
+      const { handle, files: [{ notes }], clips: [{ seconds }] } = opened.now;
+      return { notes, seconds, poses: use(handle.at, seconds) };
+    } finally {
+      this.#closeHandles(opened);
+    }
+  }
+
   // The same by another method, made when it is first asked for.
   /** @param {number} method */
   useMethod(method) {
@@ -184,8 +202,13 @@ export class Handles {
   }
 
   /** @param {Opened} opened */
-  #close({ sources, made }) {
+  #close(opened) {
     this.#forgetSwung();
+    this.#closeHandles(opened);
+  }
+
+  /** @param {Opened} opened */
+  #closeHandles({ sources, made }) {
     for (const { character } of [...sources, ...[...made.values()].map(({ handle }) => handle)]) character.close();
   }
 

@@ -3,20 +3,20 @@
 import { $ } from "./elements.js";
 
 const does = [
-  ["Drop a mesh", "It gets joints and weights at once. Red limbs may be wrong: Skeleton, Next; drag a joint, its mirror partner follows. Or mark parts of the body (Markers) and rig again."],
-  ["It lies or is too large", "Mesh: turn by 90°, height in metres, on the floor. Skeleton: T pose."],
-  ["Drop a rigged file", "Its own joints are bound anew; Material, Weights and Doubt show the result."],
-  ["Drop a motion", "A file with animations and no mesh moves the character that is open; in the Motion step any animated file does. Several are several clips."],
-  ["Export", "A file for other programs, with all clips, or the project with everything that was done."],
-  ["Nothing is lost", "Every step is undone by name. The last eight characters that you worked on are kept in this browser, each with all that was done: they are in the list of the first page and in Mesh. A file that is dropped on unsaved work opens beside it."],
+  ["Drop a mesh", "It gets bones and weights and walks. Red limbs may be wrong: in Skeleton, drag a bone, and its mirror image follows. Or mark parts of the body (Markers) and rig again."],
+  ["It lies down or has the wrong size", "In Mesh, rotate it, set its height in meters and put it on the floor. In Skeleton, turn on T pose."],
+  ["Drop a rigged file", "Its bones get new weights; Material, Weights and Confidence show the result."],
+  ["Drop a motion", "A motion file moves the open character. In Motion, so does any animated file. Each file adds its clips."],
+  ["Export", "Choose your program: the page says what the file will leave out. A project keeps everything you did."],
+  ["Nothing is lost", "You can undo every step. This browser keeps the last eight characters that you worked on, with everything you did: resume them on the first page or in Mesh. A file that you drop on unsaved work opens beside it."],
 ];
 const keys = [
-  ["?", "this help"], ["Esc", "stop, close, choose nothing"], ["Ctrl+Z, Ctrl+Y", "undo, redo"],
+  ["?", "this help"], ["Esc", "stop, close, select nothing"], ["Ctrl+Z, Ctrl+Y", "undo, redo"],
   ["Ctrl+1 … 5", "the steps, with Alt on some browsers"], ["E", "skeleton, and back to weights"],
-  ["4, 1, 3", "Material, Weights, Doubt"], ["5, 6", "artist's weights, difference"], ["7, 8, 9, F", "front, side, top, frame"],
-  ["W, S", "wire, bones"], ["/", "search joints, arrow keys step"], ["N", "next limb to check"], ["A, M, Delete", "add a joint, to the middle, remove"],
-  ["X, L", "switch off, lock the joint"], ["B", "brush: add, smooth, off"], ["R", "reset the pose"], ["D", "way of skinning"],
-  ["Space, comma, dot", "play, a frame back and on"], ["C", "method of retargeting"], ["G", "shake the character: see what swings"],
+  ["4, 1, 3", "Material, Weights, Confidence"], ["5, 6", "artist's weights, difference"], ["7, 8, 9, F", "front, side, top, frame"],
+  ["W, S", "wire, bones"], ["/", "search bones, arrow keys move"], ["N", "next limb to check"], ["A, M, Delete", "add a bone, center it, remove it"],
+  ["X, L", "switch off or lock the bone"], ["B", "brush: add, smooth, off"], ["R", "reset the pose"], ["D", "skinning method"],
+  ["Space, comma, dot", "play, previous and next frame"], ["C", "retargeting method"], ["G", "shake the character"],
 ];
 
 /** @type {(tag: string, text: string) => HTMLElement} */
@@ -39,8 +39,8 @@ export function showHelp() {
     };
     const columns = Object.assign(document.createElement("div"), { className: "columns" });
     columns.append(table(keys, true));
-    const close = Object.assign(cell("button", "Close"), { type: "button", className: "primary", onclick: () => page.close() });
-    page.append(cell("h2", "What to do here"), table(does, false), cell("h2", "Keys"), columns, close);
+    const close = Object.assign(cell("button", "Close"), { type: "button", onclick: () => page.close() });
+    page.append(cell("h2", "What you can do here"), table(does, false), cell("h2", "Keys"), columns, close);
   }
   page.showModal();
 }

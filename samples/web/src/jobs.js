@@ -31,12 +31,13 @@ let doing = 0;
  * @template Result
  * @param {string} words
  * @param {() => Promise<Result>} job
+ * @param {number} [after] milliseconds
  */
-export async function whileBusy(words, job) {
+export async function whileBusy(words, job, after = saidAfter) {
   engine.onProgress(0);
   $("busy-said").textContent = words;
   $("progress").classList.remove("told");
-  const later = setTimeout(() => ($("busy").hidden = false), saidAfter);
+  const later = setTimeout(() => ($("busy").hidden = false), after);
   ++doing;
   try {
     return await job();

@@ -73,8 +73,8 @@ export class JointList {
     const items = treeOrder(joints)
       .filter((j) => joints[j].name.toLowerCase().includes(wanted))
       .map((j) => this.#item(j, wanted === "" ? Math.min(8, depth(joints, j)) : 0));
-    if (wanted === "") items.unshift(item(-1, "All joints", 0, "conic-gradient(#e66,#ee6,#6c6,#6cc,#66e,#e6e,#e66)"));
-    if (items.length === 0) items.push(Object.assign(document.createElement("li"), { className: "none", textContent: `No joint is called “${search}”` }));
+    if (wanted === "") items.unshift(item(-1, "All bones", 0, "conic-gradient(#e66,#ee6,#6c6,#6cc,#66e,#e6e,#e66)"));
+    if (items.length === 0) items.push(Object.assign(document.createElement("li"), { className: "none", textContent: `No bone is called “${search}”` }));
     $("joints").replaceChildren(...items);
     if (this.also) this.mark(this.selected, this.also);
   }

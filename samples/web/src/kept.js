@@ -8,7 +8,7 @@ import { all, at } from "./state.js";
 /** @type {(time: number) => string} */
 function timeText(time) {
   const then = new Date(time), clock = then.toLocaleTimeString("en", { hour: "2-digit", minute: "2-digit", hour12: false });
-  return then.toDateString() === new Date().toDateString() ? `today, ${clock}` : `${then.toLocaleDateString("en", { day: "numeric", month: "short" })}, ${clock}`;
+  return then.toDateString() === new Date().toDateString() ? `today ${clock}` : `${then.toLocaleDateString("en", { day: "numeric", month: "short" })} ${clock}`;
 }
 
 /** @param {import("./types.js").Kept} kept */
@@ -22,9 +22,9 @@ async function goOn({ id, name, text }) {
 function row(kept) {
   const { name, time, picture, id } = kept;
   const li = document.createElement("li");
-  const go = Object.assign(document.createElement("button"), { type: "button", className: "go", title: `Go on with ${name}`, onclick: () => run(() => goOn(kept)) });
+  const go = Object.assign(document.createElement("button"), { type: "button", className: "go", title: `Resume ${name}`, onclick: () => run(() => goOn(kept)) });
   const words = document.createElement("span");
-  words.append(Object.assign(document.createElement("b"), { textContent: name }), Object.assign(document.createElement("small"), { textContent: timeText(time) }));
+  words.append(Object.assign(document.createElement("b"), { textContent: `Resume ${name}` }), Object.assign(document.createElement("small"), { textContent: timeText(time) }));
   go.append(Object.assign(document.createElement("img"), { src: picture, alt: "" }), words);
   const forget = Object.assign(document.createElement("button"), { type: "button", className: "forget", textContent: "×", ariaLabel: `Forget ${name}`, title: `Forget ${name}`, onclick: () => run(() => forgetWork(id).then(showKept)) });
   li.append(go, forget);

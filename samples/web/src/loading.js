@@ -6,7 +6,7 @@ import { bind } from "./binding.js";
 import { act } from "./acting.js";
 import { restore } from "./commands.js";
 import { forgetDocuments, giveFiles, newDocument } from "./documents.js";
-import { predict, showSkeleton, upOf } from "./editing.js";
+import { showSkeleton, upOf } from "./editing.js";
 import { isBeside, isPicture, isWhole, mayMove, pairFiles } from "./files.js";
 import { clearError, run, whileBusy } from "./jobs.js";
 import { useModel } from "./models.js";
@@ -15,6 +15,8 @@ import { longestSide } from "./sides.js";
 import { closeOffer, offer } from "./offer.js";
 import { filesOf, readProject } from "./project.js";
 import { record, showHistory } from "./recording.js";
+import { reportClips } from "./report.js";
+import { beginBound, reveal, showFound } from "./reveal.js";
 import { showSteps } from "./rail.js";
 import { sampleFiles } from "./samples.js";
 import { sendPose } from "./showing.js";
@@ -169,7 +171,7 @@ function showCharacters() {
     ...at.open.flatMap((one) => {
       const tab = Object.assign(document.createElement("button"), { type: "button", role: "tab", textContent: one.name, title: one.name, ariaSelected: String(one === at.character?.source) });
       tab.onclick = () => run(() => (clearError(), load(one)));
-      const close = Object.assign(document.createElement("button"), { type: "button", className: "close", textContent: "×", title: `Close ${one.name}; what was done to it is kept`, ariaLabel: `Close ${one.name}` });
+      const close = Object.assign(document.createElement("button"), { type: "button", className: "close", textContent: "×", title: `Close ${one.name}; your work is kept`, ariaLabel: `Close ${one.name}` });
       close.onclick = () => run(() => closeCharacter(one));
       return [tab, close];
     }),
@@ -211,20 +213,21 @@ export async function load(source, state = null, rows = null) {
   if (wanted) {
     await bring(wanted, rows);
   } else {
-    if (loaded.joints.length === 0) await predict();
-    await useStyleAnswers();
-    await bind();
+    if (loaded.joints.length === 0 && !loaded.picture) await reveal();
+    else await beginBound();
     if (loaded.picture) await moveDrawing();
     if (isWhole(mesh) && source.motion === undefined && !at.character.predicted) await at.motions.open([mesh]).catch(() => {}); // most files have no animations
+    if (at.player.motion?.own) reportClips(at.player.motion.clips.length);
     if (at.player.motion?.clips.every(({ seconds }) => seconds === 0)) await at.motions.close(); // a pose is none
   }
   const { rigidParts } = at.character.result ?? { rigidParts: 0 };
-  if (rigidParts) remark(`Its ${rigidParts} parts hang on joints as they are; here they are bound like a skin.`);
+  if (rigidParts) remark(`Its ${rigidParts} rigid parts are attached to bones; here they get skin weights.`);
   record("");
   setStep(source.step ?? firstStep(at.character, Boolean(at.player.motion)), { view: false });
   showHistory();
   at.lastDone = source;
   await sendPose();
+  if (!wanted && at.character.predicted && !loaded.picture) await showFound();
 }
 
 // What was asked for the character before says nothing of this one.
@@ -240,7 +243,7 @@ async function moveDrawing() {
   if (!picture?.clip) return;
   at.view.frame([0, 0.05, 1]); // it is flat
   await at.motions.open([picture.clip]);
-  if (!at.player.playing && !matchMedia("(prefers-reduced-motion: reduce)").matches) at.player.toggle();
+  at.player.start();
 }
 
 // The character that was just loaded, as it was in that state.
@@ -278,6 +281,6 @@ export function tryClip(name, file, wanted) {
   return run(async () => {
     clearError();
     await playMotions([file]);
-    if (!at.player.playing && !matchMedia("(prefers-reduced-motion: reduce)").matches) at.player.toggle();
+    at.player.start();
   });
 }

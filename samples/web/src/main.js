@@ -6,12 +6,13 @@ import { autosaved, forgetWork, presentProject, warnBeforeLeaving } from "./auto
 import { BendPanel } from "./bends.js";
 import { bind, bindOtherwise, endStroke, forgetPaint, lockJoint, switchJoint } from "./binding.js";
 import { nextBrush, showBrush, strokes } from "./brush.js";
+import { cards } from "./cards.js";
 import { listenForChecks } from "./checking.js";
 import { setMode, showLegend } from "./colours.js";
 import { undo } from "./commands.js";
 import { changeKind, listenForDrawings } from "./drawing.js";
 import { dragJoint, editName, editSkeleton, endDrag, moves, predict, toMiddle, upOf } from "./editing.js";
-import { exportAs } from "./export.js";
+import { exportFor, listenForExport, showProgram } from "./export.js";
 import { allFiles, motionFiles } from "./files.js";
 import { showHelp } from "./help.js";
 import { clearError, queue, run, save, showError, stopJobs, whileBusy } from "./jobs.js";
@@ -29,10 +30,12 @@ import { record } from "./recording.js";
 import { Drag } from "./drag.js";
 import { closeOffer } from "./offer.js";
 import { PosePanel } from "./pose_panel.js";
+import { chosenProgram } from "./programs.js";
 import { Questions } from "./questions.js";
-import { doubtsOf, showSteps } from "./rail.js";
-import { samples, thumbOf } from "./samples.js";
-import { choose, poseChanged, poses, sendPose } from "./showing.js";
+import { showSteps, steps } from "./rail.js";
+import { walkOn } from "./reveal.js";
+import { samples } from "./samples.js";
+import { choose, nextDoubt, poseChanged, poses, sendPose } from "./showing.js";
 import { SkeletonEditor } from "./skeleton.js";
 import { SpringPanel } from "./springs.js";
 import { $, all, at, engine, modes, views } from "./state.js";
@@ -59,15 +62,7 @@ function listenForFiles() {
     const sample = samples.find(({ name }) => name === $("sample").value);
     if (sample) run(() => openSample(sample));
   };
-  for (const thumbs of all("[data-samples]")) {
-    thumbs.append(
-      ...samples.filter(({ shown }) => shown).map((sample) => {
-        const button = Object.assign(document.createElement("button"), { type: "button", title: sample.name, onclick: () => run(() => openSample(sample)) });
-        button.append(Object.assign(document.createElement("img"), { src: thumbOf(sample), alt: "", loading: "lazy" }), sample.shown ?? "");
-        return button;
-      }),
-    );
-  }
+  for (const list of all("[data-samples]")) list.append(...cards((sample) => run(() => openSample(sample))));
   const choosing = (input, button, options) => {
     for (const id of button) $(id).onclick = () => $(input).click();
     $(input).onchange = () => {
@@ -95,16 +90,15 @@ function listenForFiles() {
     event.preventDefault();
     drag(-over);
     const list = [...(event.dataTransfer?.files ?? [])];
-    run(() => (list.length > 0 ? openFiles(list) : Promise.reject(new Error("the drop held no files"))));
+    run(() => (list.length > 0 ? openFiles(list) : Promise.reject(new Error("The drop contained no files."))));
   });
 }
 
-function listenForExport() {
-  $("download").onclick = $("export-glb").onclick = () => exportAs("glb");
-  for (const kind of ["fbx", "vrm", "rig"]) $(`download-${kind}`).onclick = () => exportAs(kind);
-  $("save-project").onclick = () => run(saveProject);
-  at.onExported = () => showSteps();
-  listenForChecks();
+// The way on from the present step: the next one, and at the end the file.
+function goOn() {
+  const next = $("rail").children[steps.indexOf(at.step) + 1];
+  if (next) goTo(next.dataset.step);
+  else exportFor(chosenProgram());
 }
 
 async function saveProject() {
@@ -130,16 +124,7 @@ function listenForSkeleton() {
   at.view.onDrag = dragJoint;
   at.view.onDragEnd = endDrag;
   at.view.planeOf = (joint) => (at.character.mirrored && at.editor.alike && at.character.joints[joint].partner === joint ? { axis: at.character.axis, at: at.character.plane } : null);
-  $("up").onchange = () => at.character && act("which way is up", changeUp);
-}
-
-// The next limb that may be wrong, in the middle of the picture.
-function nextDoubt() {
-  const doubts = doubtsOf();
-  if (doubts.length === 0) return;
-  const next = (doubts.findIndex(({ joints }) => joints.includes(at.view.selected)) + 1) % doubts.length;
-  choose(doubts[next].joint);
-  at.view.lookAtJoints(doubts[next].joints);
+  $("up").onchange = () => at.character && act("up axis", changeUp);
 }
 
 function changeUp() {
@@ -159,7 +144,7 @@ function listenForWeights() {
   at.questions.pictureOf = (question) => at.view.pictureOf(question.members, at.character.buffers.vertexOf);
   $("next-question").onclick = () => (($("ask").open = true), at.questions.openFirst());
   $("save-style").onclick = () => run(() => (clearError(), saveStyle()));
-  $("style").lastElementChild.onclick = () => act("forget style", forgetStyle);
+  $("style").lastElementChild.onclick = () => act("remove style", forgetStyle);
   $("mode").onchange = $("artist").onchange = (event) => setMode(Number(event.target.value));
   const ofChosen = (word, job) => () => {
     const joint = at.view.selected;
@@ -169,7 +154,7 @@ function listenForWeights() {
   $("lock").onclick = ofChosen("lock", lockJoint);
   $("brush-kind").onchange = showBrush;
   $("brush-size").oninput = $("brush-strength").oninput = showBrush;
-  $("forget-paint").onclick = () => act("forget painting", forgetPaint);
+  $("forget-paint").onclick = () => act("clear painting", forgetPaint);
   at.view.onStrokeEnd = endStroke;
   at.options = new BindOptions();
   at.options.onChange = (name) => at.character && act(name, bindOtherwise);
@@ -180,7 +165,7 @@ function listenForPoses() {
   at.posePanel.onChange = poseChanged;
   at.posePanel.onStep = posed;
   at.view.onTurn = (joint, ...turn) => at.posePanel.turn(joint, turn);
-  at.view.onTurnEnd = (joint) => posed(`turn ${at.character.joints[joint].name}`);
+  at.view.onTurnEnd = (joint) => posed(`rotate ${at.character.joints[joint].name}`);
   at.motions = new Motions(engine, () => at.character, motionChanged);
   at.player = at.motions.player;
   at.player.onClose = () => changeMotion("remove motions", () => at.motions.close());
@@ -234,6 +219,12 @@ function listen() {
   at.afterStop = reopen;
   listenForFiles();
   listenForExport();
+  listenForChecks();
+  $("save-project").onclick = () => run(saveProject);
+  $("onward").onclick = goOn;
+  at.onExported = at.onProgram = () => showSteps();
+  at.onStep = showProgram;
+  at.onKind = walkOn;
   listenForSkeleton();
   listenForWeights();
   listenForPoses();
@@ -319,7 +310,7 @@ try {
   at.onFirstBound = keepForOffline;
   run(start);
 } catch (error) {
-  showError(`this browser shows no 3D picture (${error.message}); turn on WebGL or try another browser`);
+  showError(`This browser cannot show 3D (${error.message}): turn on WebGL or use another browser`);
 }
 // What the tests ask: everything that was started is done, and the state that no element shows.
 Object.assign(window, { sinewPage: {

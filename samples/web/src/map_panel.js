@@ -46,7 +46,7 @@ export class MapPanel {
     this.#pins = pins;
     $("map").hidden = !motion || motion.own;
     if (!motion) return;
-    $("map-count").textContent = `${motion.mapped} of ${joints.length} joints${pins.size ? `, ${pins.size} by you` : ""}`;
+    $("map-count").textContent = `${motion.mapped} of ${joints.length} bones${pins.size ? `, ${pins.size} by you` : ""}`;
     $("map-forget").disabled = pins.size === 0;
     this.#fill();
   }
@@ -69,8 +69,8 @@ export class MapPanel {
     head.scope = "row";
     head.append(Object.assign(document.createElement("button"), { type: "button", textContent: name, title: `Choose ${name}` }));
     const select = document.createElement("select");
-    select.setAttribute("aria-label", `${name} moves as`);
-    select.title = this.#pins.has(joint) ? "As you said" : why;
+    select.setAttribute("aria-label", `${name} follows`);
+    select.title = this.#pins.has(joint) ? "You chose this" : why;
     select.append(new Option(source < 0 ? "none" : this.#motion.sourceJoints[source].name, String(source), true, true));
     const cell = document.createElement("td");
     cell.append(select);
@@ -83,7 +83,7 @@ export class MapPanel {
     const joint = Number(select.closest("tr").dataset.joint);
     const { value } = select;
     const options = this.#motion.sourceJoints.map(({ name, end }, j) => Object.assign(new Option(name, String(j)), { hidden: end && String(j) !== value }));
-    select.replaceChildren(...(this.#pins.has(joint) ? [new Option("as it is found", found)] : []), new Option("none", "-1"), ...options);
+    select.replaceChildren(...(this.#pins.has(joint) ? [new Option("Automatic", found)] : []), new Option("none", "-1"), ...options);
     select.value = value;
   }
 }

@@ -3,7 +3,7 @@
 import { Color, Mesh, MeshBasicMaterial, SphereGeometry } from "three";
 
 const colour = new Color(0x2ec4ff);
-const chosenColour = new Color(0xffb02e);
+const chosenColour = new Color(0xffffff);
 
 /** @typedef {{ place: number[], chosen?: boolean, image?: boolean }} Shown */
 

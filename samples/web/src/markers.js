@@ -10,9 +10,9 @@ const more = [["toes", "ToeBase"], ["ear", "Ear"], ["wing", "Wing"]];
 const middle = [["Head", "Head"], ["Chin, neck", "Neck"], ["Middle of the hips", "Hips"]];
 const ofSide = (list, side) => list.map(([part, joint]) => ({ joint: side + joint, words: `${side} ${part}` }));
 const groups = {
-  "Of the left": ofSide(pairs, "Left"),
+  "Left": ofSide(pairs, "Left"),
   Middle: middle.map(([words, joint]) => ({ joint, words })),
-  "Of the right": ofSide(pairs, "Right"),
+  "Right": ofSide(pairs, "Right"),
   Others: [...sides.flatMap((side) => ofSide(more, side)), { joint: "Tail", words: "Tail" }],
 };
 const parts = Object.values(groups).flat();

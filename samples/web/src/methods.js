@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The switch between methods of retargeting while a motion plays, what each leaves to be mended, and whether contacts are shown.
 import { $, all } from "./elements.js";
+import { sentenceOf } from "./sentences.js";
 
 export const motionMethods = { contacts: 0, copy: 1, referencePoints: 2, stream: 3 }; // methods of handles.js
 
 const percent = (share, digits = 0) => `${(100 * share).toFixed(digits)} %`;
 
-// Sums over limbs of a clip: {deep: share of the arms' frames in the body, slide: share of the height a frame that standing feet
+// Sums over limbs of a clip: {deep: share of the arms' frames in the body, slide: share of the height per frame that standing feet
 // go, touch: share of the height that hands in touch are off}; null where there is none.
 export function clipFigures({ frames, limbs }, when) {
   const arms = limbs.filter(({ leg }) => !leg);
@@ -30,9 +31,9 @@ export function clipText(clip) {
     const [now, copied] = [percent(after[name], digits), percent(before[name] ?? 0, digits)];
     parts.push(`${label} ${now}${unit}${now === copied ? "" : ` (copied ${copied})`}`);
   };
-  add("arms in the body", "deep", 0, " of the frames");
-  add("standing feet slide", "slide", 2, " of the height a frame");
-  add("hands in touch are off by", "touch", 1, " of the height");
+  add("arms inside the body", "deep", 0, " of frames");
+  add("standing feet slide", "slide", 2, " of the height per frame");
+  add("touching hands are off by", "touch", 1, " of the height");
   return parts.length === 0 ? "" : `${parts[0][0].toUpperCase()}${parts.join("; ").slice(1)}`;
 }
 
@@ -66,6 +67,6 @@ export class MethodPanel {
     $("motion-method").hidden = motion.own; // its file's own frames are as they are
     for (const input of all("#motion-method input")) input.checked = Number(input.value) === motion.method;
     const { notes } = motion.files[motion.clips[clip].file];
-    $("motion-report").textContent = [clipText(motion.clips[clip]), ...notes].filter(Boolean).map((line) => `${line[0].toUpperCase()}${line.slice(1)}.`).join(" ");
+    $("motion-report").textContent = [clipText(motion.clips[clip]), ...notes].filter(Boolean).map(sentenceOf).join(" ");
   }
 }

@@ -28,12 +28,12 @@ export class Motions {
   // Files that the module has, or builtin:NAME: their clips are the character's from now on.
   async open(files, { method = motionMethods.contacts, pins = {} } = {}) {
     const character = this.#current();
-    if (!character?.result) throw new Error(`${files[0]}: is a motion; open a character first`);
+    if (!character?.result) throw new Error(`${files[0]} is a motion: open a character first`);
     const { source, joints, up, picture } = character;
     const own = files.length === 1 && files[0] === source.mesh;
     const known = files.map((file) => new Map(joints.flatMap((joint, j) => (joint.name in (pins[file] ?? {}) ? [[j, pins[file][joint.name]]] : []))));
     const wish = { up, own, picture: Boolean(picture), method, pins: known.map((one) => [...one]) };
-    const motion = await whileBusy("Moving it", () => this.#engine.call("motion", { names: files, wish }));
+    const motion = await whileBusy("Retargeting the motion", () => this.#engine.call("motion", { names: files, wish }));
     source.motion = { files, method, pins };
     this.#show({ own, method, pins: known, ...motion });
     await at.springs.again();
@@ -81,7 +81,7 @@ export class Motions {
     if (!motion) return;
     const { source } = this.#current();
     try {
-      Object.assign(motion, await whileBusy("Moving it", () => this.#engine.call("motionMethod", { method })), { method });
+      Object.assign(motion, await whileBusy("Retargeting the motion", () => this.#engine.call("motionMethod", { method })), { method });
       source.motion = { ...source.motion, method };
     } finally {
       this.#show(motion);

@@ -5,6 +5,8 @@ import { showSkeleton, upOf } from "./editing.js";
 import { whileBusy } from "./jobs.js";
 import { closeOffer } from "./offer.js";
 import { Pose } from "./pose.js";
+import { beginReport, report } from "./report.js";
+import { sentenceOf } from "./sentences.js";
 import { showFacts } from "./showing.js";
 import { longestSide } from "./sides.js";
 import { $, at, engine, modes } from "./state.js";
@@ -18,7 +20,7 @@ export const asLoaded = ({ document: { folder }, mesh, skeleton, number, placeme
 /** @param {import("./types.js").Placement} placement */
 export async function loadPlaced(placement) {
   const { source, name, up } = at.character;
-  const loaded = await whileBusy(`Turning ${name}`, () => engine.call("load", asLoaded({ ...source, placement })));
+  const loaded = await whileBusy(`Moving ${name}`, () => engine.call("load", asLoaded({ ...source, placement })));
   source.placement = placement;
   at.character = { ...loaded, name, up, upAxis: upOf(loaded, up), source, result: null, size: longestSide(loaded.buffers.positions), placeable: true };
   source.locked = new Set(); // with the rows that were locked
@@ -41,8 +43,9 @@ export async function loadDrawn(wishes) {
 
 /** @param {string} line */
 export function remark(line) {
-  $("remarks").textContent += `${$("remarks").textContent && "\n"}${line}`;
+  $("remarks").textContent += `${$("remarks").textContent && "\n"}${sentenceOf(line)}`;
   $("remarks").hidden = false;
+  report(line);
 }
 
 /** @param {any} loaded as the module tells it */
@@ -52,6 +55,7 @@ export function showOpened(loaded) {
   closeOffer();
   $("remarks").textContent = "";
   $("remarks").hidden = true;
+  beginReport(loaded);
   showOrigin(loaded);
   for (const note of loaded.notes) remark(note);
   at.pose = new Pose(loaded.joints.length);

@@ -8,6 +8,7 @@ import { $ } from "./elements.js";
 const words = { method: "weights from", symmetric: "symmetric weights", "rigid-parts": "rigid parts", influences: "influences", softness: "softness", "t-pose": "T pose" };
 
 export class BindOptions {
+  #pose = "";
   /** @type {(...of: any[]) => any} */
   onChange = () => {};
   #first; // values as the page begins
@@ -33,13 +34,12 @@ export class BindOptions {
     return Math.round(100 * 2 ** Number($("softness").value)) / 100;
   }
 
-  // The rest pose that is shown and saved: "t", or "" as the mesh stands.
-  /** @returns {string} */
+  // The rest pose that is shown and saved: "t", "a" while a file needs it, or "" as the mesh stands.
   get toPose() {
-    return $("t-pose").ariaPressed === "true" ? "t" : "";
+    return this.#pose;
   }
-  /** @param {string} pose */
   set toPose(pose) {
+    this.#pose = pose;
     $("t-pose").ariaPressed = String(pose === "t");
   }
 

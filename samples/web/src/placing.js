@@ -44,7 +44,7 @@ function place(name, change) {
 }
 
 export function listenForPlacement() {
-  for (const axis of axes) $(`turn-by-${axis}`).onclick = (/** @type {MouseEvent} */ event) => place(`turn about ${axis.toUpperCase()}`, ({ turns }) => ({ turns: turned(turns, event.shiftKey ? `-${axis}` : axis) }));
+  for (const axis of axes) $(`turn-by-${axis}`).onclick = (/** @type {MouseEvent} */ event) => place(`rotate around ${axis.toUpperCase()}`, ({ turns }) => ({ turns: turned(turns, event.shiftKey ? `-${axis}` : axis) }));
   $("floor").onchange = () => place("floor", () => ({ floor: $("floor").checked }));
   $("height").onchange = () => {
     const height = $("height").valueAsNumber;

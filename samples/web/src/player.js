@@ -73,13 +73,18 @@ export class MotionPlayer {
   #sayAbout() {
     const about = $("motion-about");
     if (!this.#motion) {
-      about.textContent = "Choose a clip, or drop a file with animations: it moves this character.";
+      about.textContent = "Choose a clip, or drop a motion file.";
       about.title = "";
       return;
     }
     const { file, mapped, how, notes } = this.fileOfClip;
-    about.textContent = `${file.replace(/^builtin:/, "")}: ${mapped} of ${this.#motion.joints} joints move by ${how}.`;
+    about.textContent = `${file.replace(/^builtin:/, "")}: moves ${mapped} of ${this.#motion.joints} bones, matched by ${how}.`;
     about.title = [about.textContent, ...notes].join("\n");
+  }
+
+  // At once, where the system has not asked for stillness.
+  start() {
+    if (!this.#playing && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.toggle();
   }
 
   toggle() {

@@ -32,10 +32,10 @@ export class PosePanel {
     axes.forEach((name, axis) => {
       const slider = $(`turn-${name}`);
       slider.oninput = () => this.#turnAbout(axis, Number(slider.value));
-      slider.onchange = () => this.onStep(`turn ${this.#name}`, true); // all of one drag is one step
+      slider.onchange = () => this.onStep(`rotate ${this.#name}`, true); // all of one drag is one step
       slider.ondblclick = () => {
         this.#turnAbout(axis, 0);
-        this.onStep(`turn ${this.#name}`);
+        this.onStep(`rotate ${this.#name}`);
       };
     });
     $("reset").onclick = () => this.reset();
@@ -52,7 +52,7 @@ export class PosePanel {
     this.#joint = joint;
     this.#also = joint < 0 ? new Set() : also;
     const turn = joint < 0 ? null : pose.of(joint);
-    $("joint-name").textContent = turn ? `${character.joints[joint].name}${this.#also.size ? ` and ${this.#also.size} more` : ""}` : "No joint chosen";
+    $("joint-name").textContent = turn ? `${character.joints[joint].name}${this.#also.size ? ` and ${this.#also.size} more` : ""}` : "No bone selected";
     axes.forEach((name, axis) => {
       const slider = $(`turn-${name}`);
       slider.disabled = !turn;

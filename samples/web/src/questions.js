@@ -4,14 +4,14 @@
 
 export const kinds = { proposed: 0, rigid: 1 }; // of sinew_answer_kind, those that the page itself makes
 const meanings = {
-  proposed: "as the bind proposes; no question any more",
-  rigid: "all of it moves with this joint",
-  soft: "blended as widely as heat flows",
-  hard: "each vertex with the strongest of its joints alone",
-  softer: "as it is, blended twice as softly",
-  host: "as the nearest place of the larger parts: a badge on a coat",
+  proposed: "Keeps the weights as they are and closes the question",
+  rigid: "The whole part moves with this bone",
+  soft: "Blends over a wide area",
+  hard: "Each vertex follows only its strongest bone",
+  softer: "As it is, blended twice as softly",
+  host: "Moves like the surface below it: a badge on a coat",
 };
-const words = { proposed: "as it is", soft: "swing", hard: "in pieces", softer: "softer", host: "with what it lies on" };
+const words = { proposed: "keep as it is", soft: "swing", hard: "in pieces", softer: "softer", host: "with the surface below" };
 const percent = (share) => `${Math.round(100 * share)} %`;
 
 // What an answer means, in the page's words: follow chest, swing.
@@ -20,7 +20,7 @@ export const answerText = (answer) => (answer.startsWith("rigid:") ? `follow ${a
 export const partName = ({ mesh, joint, parts }) => `${mesh || (parts > 1 ? "parts" : "part")} near ${joint}`;
 const nowText = ({ share, joint }) => `now ${share > 0.995 ? "" : `${percent(share)} `}with ${joint}`;
 export function questionText(question) {
-  const alike = question.parts > 1 ? ` · ${question.parts} alike` : "";
+  const alike = question.parts > 1 ? ` · ${question.parts} similar` : "";
   return `${partName(question)}${alike} · ${nowText(question)}`;
 }
 
@@ -69,7 +69,7 @@ export class Questions {
     this.#hovered = this.#focused = null;
     const taken = answers.map((answer) => this.#answered(answer));
     const asked = questions.map((question) => this.#question(question));
-    const none = element("li", { className: "none" }, "No part is in doubt");
+    const none = element("li", { className: "none" }, "No questions");
     this.#host.replaceChildren(...taken, ...asked, ...(asked.length === 0 ? [none] : []));
     this.#fillPictures();
     if (focus === undefined) return;
@@ -127,7 +127,7 @@ export class Questions {
 
   #answered(answer) {
     const name = partName(answer.question);
-    const by = answer.byStyle ? " · by style" : "";
+    const by = answer.byStyle ? " · from style" : "";
     const back = button("back", "Take back", { ariaLabel: `Take back ${name}: ${answerText(answer.answer)}`, onclick: () => this.onTakeBack(answer) });
     const item = element("li", { className: "answered", look: answer, title: questionText(answer.question) });
     item.append(element("span", { className: "name" }, `${name} · ${answerText(answer.answer)}${by}`), back);
@@ -169,7 +169,7 @@ export class Questions {
     const list = element("div", { className: "alternatives", role: "group", ariaLabel: `How does ${partName(question)} move?` });
     const add = (text, look, share) => {
       const one = button("alternative", answerText(text), { look, title: meanings[look.answer.split(":")[0]], onclick: (event) => this.#take(look, event) });
-      if (share !== undefined) one.append(element("span", { className: "share", title: "of the part's weight changes joints" }, percent(share)));
+      if (share !== undefined) one.append(element("span", { className: "share", title: "of the part's weight moves to another bone" }, percent(share)));
       list.append(one);
     };
     for (const { answer, kind, joint, change } of question.alternatives) add(answer, { question, answer, kind, joint }, change / 2);
@@ -180,8 +180,8 @@ export class Questions {
 
   // Keys step through the joints, so that it is the button beside them that takes one.
   #anyJoint(question) {
-    const choice = element("select", { ariaLabel: `Joint that ${partName(question)} follows` });
-    choice.append(new Option("follow another joint…", ""), ...this.#joints.map(({ name }, j) => new Option(name, String(j))));
+    const choice = element("select", { ariaLabel: `Bone that ${partName(question)} follows` });
+    choice.append(new Option("follow another bone…", ""), ...this.#joints.map(({ name }, j) => new Option(name, String(j))));
     const take = button("take", "Take", { disabled: true, title: meanings.rigid });
     const row = element("div", { className: "any" }, choice, take);
     choice.onchange = () => {

@@ -1,32 +1,35 @@
 // SPDX-License-Identifier: MIT
 // The rail of steps with its ticks, and what the panel says of the present one.
+import { chosenProgram } from "./programs.js";
 import { $, at } from "./state.js";
+
+export const steps = ["mesh", "skeleton", "weights", "motion", "export"];
 
 /** @type {Record<string, () => string>} */
 const sentences = {
   mesh: () => {
     const { vertices, faces, size, picture } = at.character;
-    if (picture) return `Drag the points to where the figure ends: it is made anew, ${count(vertices)} vertices now.`;
-    return `${count(vertices)} vertices, ${count(faces)} faces, ${size < 10 ? size.toFixed(2) : Math.round(size)} along its longest side.`;
+    if (picture) return `Drag the points to the edge of the figure: the mesh follows. It has ${count(vertices)} vertices.`;
+    return `${count(vertices)} vertices, ${count(faces)} faces, ${size < 10 ? size.toFixed(2) : Math.round(size)} m along the longest side.`;
   },
   skeleton: () => {
     const { joints } = at.character, doubts = doubtsOf();
-    return joints.length === 0 ? "No joints yet." : `${joints.length} joints${doubts.length ? `, ${doubts.length} to check: ${doubts.map(({ name }) => name).join(", ")}` : ""}.`;
+    return joints.length === 0 ? "No bones yet." : `${joints.length} bones${doubts.length ? `, ${doubts.length} to check: ${doubts.map(({ name }) => name).join(", ")}` : ""}.`;
   },
   weights: () => {
     const { result } = at.character;
-    if (!result) return "Not bound yet.";
+    if (!result) return "No weights yet.";
     const parts = result.questions.length;
-    return `Bound${parts ? `; ${parts} part${parts > 1 ? "s" : ""} may move in another way` : ", no part in doubt"}.`;
+    return `Weights are ready.${parts ? ` ${parts} part${parts > 1 ? "s" : ""} could follow another bone.` : ""}`;
   },
   motion: () => {
     const clips = at.player.motion?.clips.length ?? 0;
-    return clips === 0 ? "No motion yet." : `${clips} clip${clips > 1 ? "s" : ""}, all of them exported.`;
+    return clips === 0 ? "No clips yet. Choose one, or drop a motion file." : `${clips} clip${clips > 1 ? "s" : ""}, included in exported files.`;
   },
-  export: () => "A file for other programs, or the work as it is, to go on with later.",
+  export: () => "Choose the program that the file is for.",
 };
-// What of the skeleton is to be looked at: limbs that may be wrong, joints outside the body.
-export const doubtsOf = () => [...(at.character?.doubts ?? []), ...(at.character?.outside ?? [])];
+// What of the skeleton is to be looked at: limbs that may be wrong, and suspects.js.
+export const doubtsOf = () => [...(at.character?.doubts ?? []), ...(at.character?.suspects ?? []), ...(at.character?.ears ?? [])];
 
 const count = (/** @type {number} */ n) => n.toLocaleString("en");
 
@@ -40,6 +43,13 @@ const isDone = {
   motion: () => Boolean(at.player?.motion),
   export: () => Boolean(at.character?.source.exported),
 };
+
+// The button that leads on.
+function showOnward() {
+  const next = steps[steps.indexOf(at.step) + 1], { kind, name } = chosenProgram();
+  $("onward").textContent = next ? `Next: ${next[0].toUpperCase()}${next.slice(1)}` : `Download ${kind.toUpperCase()}${name.startsWith("Any") || kind === "vrm" ? "" : ` for ${name}`}`;
+  $("onward").disabled = !at.character || (!next && !at.character.result);
+}
 
 // What changed by itself: ticks, sentences, what can be done.
 export function showSteps() {
@@ -55,7 +65,8 @@ export function showSteps() {
   }
   $("step-name").textContent = `${at.step[0].toUpperCase()}${at.step.slice(1)}`;
   $("step-said").textContent = at.character ? sentences[at.step]() : "";
+  showOnward();
   const doubts = doubtsOf();
   $("next-doubt").disabled = doubts.length === 0;
-  $("next-doubt").textContent = doubts.length === 0 ? "Nothing to check" : `Next of ${doubts.length} to check`;
+  $("next-doubt").textContent = doubts.length === 0 ? (at.character?.doubtful ? "Check every bone" : "Nothing to check") : `Check next (${doubts.length} left)`;
 }

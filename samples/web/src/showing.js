@@ -5,7 +5,7 @@ import { colour } from "./colours.js";
 import { factsOf } from "./facts.js";
 import { run, showError } from "./jobs.js";
 import { Latest } from "./latest.js";
-import { showSteps } from "./rail.js";
+import { doubtsOf, showSteps } from "./rail.js";
 import { $, all, at, engine, models, modes } from "./state.js";
 import { isOff } from "./wishes.js";
 
@@ -61,6 +61,15 @@ export function choose(joint, more = false) {
   run(colour);
 }
 
+// The next limb that may be wrong, in the middle of the picture.
+export function nextDoubt() {
+  const doubts = doubtsOf();
+  if (doubts.length === 0) return;
+  const next = (doubts.findIndex(({ joints }) => joints.includes(at.view.selected)) + 1) % doubts.length;
+  choose(doubts[next].joint);
+  at.view.lookAtJoints(doubts[next].joints);
+}
+
 export function showPose() {
   const joint = at.view.selected;
   showBrush();
@@ -85,7 +94,7 @@ export function showFacts(result = at.character?.result) {
 function showStatus() {
   const { character } = at;
   const count = (/** @type {number} */ n) => n.toLocaleString("en");
-  const parts = character ? [`${count(character.vertices)} vertices`, `${character.joints.length} joints`, character.result ? "bound" : "binding…"] : [];
+  const parts = character ? [`${count(character.vertices)} vertices`, `${character.joints.length} bones`, character.result ? "weights ready" : "computing weights…"] : [];
   $("status-said").textContent = parts.join(" · ");
   showSteps();
 }

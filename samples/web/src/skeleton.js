@@ -2,6 +2,7 @@
 // The panel in which a skeleton is edited: what the chosen joint is, and the user's wishes as edits. Joints are the module's:
 // {name, parent, position, side, end, partner, confidence}; edits are its SkeletonEdit.
 import { $ } from "./elements.js";
+import { sentenceOf } from "./sentences.js";
 
 export const editKinds = { move: 0, add: 1, remove: 2, parent: 3, rename: 4, at: 5 };
 const sureSpread = 0.03; // of the votes, share of the longest side: good, says sinew/rig.h
@@ -16,6 +17,15 @@ const unsure = [
 // How far off the votes for a joint think they are, share of the longest side: confidence is 1 / (1 + spread / 0.05)^2
 // (engine/src/rig/clusters.hpp).
 export const spreadOf = (confidence) => 0.05 * (1 / Math.sqrt(Math.max(confidence, 1e-4)) - 1);
+
+// How far off a joint may be, as a person says it. size: the longest side, in meters; isDoubtful: its limb may be wrong as a whole.
+/** @type {(confidence: number, size: number, isDoubtful?: boolean) => string} */
+export function sureText(confidence, size, isDoubtful = false) {
+  const spread = spreadOf(confidence), off = spread * size;
+  const length = off >= 1 ? `${off.toFixed(1)} m` : off >= 0.01 ? `${Math.round(100 * off)} cm` : `${Math.max(1, Math.round(1000 * off))} mm`;
+  if (spread <= sureSpread && !isDoubtful) return `Sure: within ${length}.`;
+  return `${spread <= unsureSpread && !isDoubtful ? "Fairly sure" : "Unsure"}: may be off by ${length}.`;
+}
 
 // The colour of a joint's confidence, sRGB: that of the first row up to 3 % off, that of the last one from 10 %.
 export function sureColour(confidence) {
@@ -184,11 +194,11 @@ export class SkeletonEditor {
     this.#joint = joint;
     const chosen = character?.joints[joint];
     const canEdit = this.canEdit;
-    $("edit-name").textContent = chosen?.name ?? "No joint chosen";
+    $("edit-name").textContent = chosen?.name ?? "No bone selected";
     $("edit-sure").textContent = chosen && character.predicted ? this.#sureText(chosen) : "";
-    $("edit-notes").textContent = character?.predicted ? (character.notes ?? []).map((note) => `${note[0].toUpperCase()}${note.slice(1)}.`).join(" ") : "";
+    $("edit-notes").textContent = character?.predicted ? (character.notes ?? []).filter((note) => !/^warning: (doubtful|this mesh resembles)/.test(note)).map(sentenceOf).join(" ") : "";
     $("edit-none").hidden = !character || (character.editable && !character.posed) || character.joints.length === 0;
-    $("edit-none").textContent = character?.posed ? "In the T pose joints stay where they are: leave it to edit them." : "This skeleton is the file's own and stays as it is. A new one can be edited.";
+    $("edit-none").textContent = character?.posed ? "Bones cannot be edited in T pose. Turn T pose off first." : "This skeleton came with the file and cannot be edited. Make a new one to edit it.";
     for (const id of ["rename", "parent", "remove-joint", "to-middle", ...axes.map((axis) => `place-${axis}`)]) $(id).disabled = !canEdit;
     $("add-joint").disabled = !canEdit || chosen.end;
     $("rename").value = chosen?.name ?? "";
@@ -208,7 +218,6 @@ export class SkeletonEditor {
   }
 
   #sureText({ confidence }) {
-    if (confidence === 1) return "placed by you";
-    return `its votes scatter by ${(100 * spreadOf(confidence)).toFixed(1)} % of the longest side`;
+    return confidence === 1 ? "You placed this bone." : sureText(confidence, this.#character.size, (this.#character.doubts ?? []).some(({ joints }) => joints.includes(this.#joint)));
   }
 }

@@ -104,7 +104,7 @@ export class SpringPanel {
       slider.disabled = !this.#wanted;
       slider.value = String(value);
       slider.nextElementSibling.textContent = `${value} ×`;
-      slider.setAttribute("aria-valuetext", `${value} times as much as found`);
+      slider.setAttribute("aria-valuetext", `${value} times the value that was found`);
     }
     $("shake").disabled = $("bake-springs-field").hidden = !this.on;
     const list = $("spring-chains");
@@ -125,7 +125,7 @@ function row({ name, kind, own, certainty }, number) {
   const label = Object.assign(document.createElement("label"), { className: "check" });
   const box = Object.assign(document.createElement("input"), { type: "checkbox" });
   box.dataset.chain = String(number);
-  label.append(box, Object.assign(document.createElement("span"), { className: "name", textContent: name }), Object.assign(document.createElement("span"), { className: "share", textContent: own ? `${kind}, the file's` : `${kind}, ${Math.round(100 * certainty)} % sure` }));
+  label.append(box, Object.assign(document.createElement("span"), { className: "name", textContent: name }), Object.assign(document.createElement("span"), { className: "share", textContent: own ? `${kind}, from the file` : `${kind}, ${Math.round(100 * certainty)} % sure` }));
   li.append(label);
   return li;
 }

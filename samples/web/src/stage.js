@@ -23,7 +23,7 @@ export class Stage {
     this.#host = host;
     this.#drawOver = drawOver;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-    this.canvas.setAttribute("aria-label", "The character. Drag to orbit, click to choose a joint.");
+    this.canvas.setAttribute("aria-label", "The character. Drag to orbit, click to select a bone.");
     host.prepend(this.canvas);
     this.scene.add(this.camera);
     this.orbit.enableDamping = false;

@@ -81,6 +81,9 @@ export const at = {
   onFirstBound: () => {},
   forceScalar: false,
   onExported: () => {},
+  onStep: () => {}, // another step is worked on
+  onKind: () => {}, // the user said what the body is
+  onProgram: () => {}, // another one is chosen in the step Export
   /** @type {() => any} */
   afterStop: () => {}, // brings the page back when a job was stopped
 };

@@ -4,6 +4,7 @@ import { colour } from "./colours.js";
 import { showDrawing } from "./drawn.js";
 import { setEditing, showSkeleton } from "./editing.js";
 import { run } from "./jobs.js";
+import { closeOffer } from "./offer.js";
 import { showSteps } from "./rail.js";
 import { sendPose } from "./showing.js";
 import { $, all, at, modes } from "./state.js";
@@ -25,6 +26,7 @@ export function setStep(step, { view = true } = {}) {
   at.view.frameAgain();
   showDrawing();
   showSkeleton();
+  at.onStep();
   if (step === "motion" && at.character.result) run(() => at.springs.again());
   else at.drag.show();
 }
@@ -32,7 +34,9 @@ export function setStep(step, { view = true } = {}) {
 // As the user does it.
 /** @param {string} step */
 export function goTo(step) {
-  if (!at.character || step === at.step) return;
+  if (!at.character) return;
+  closeOffer();
+  if (step === at.step) return;
   const { source } = at.character;
   source.looked = new Set([...(source.looked ?? []), at.step, step]);
   source.step = step; // a tab that is opened again shows it
@@ -42,5 +46,5 @@ export function goTo(step) {
 }
 
 // The step that a file begins with.
-/** @type {(character: { predicted?: boolean, joints: object[], picture?: object }, moves: boolean) => string} */
-export const firstStep = ({ predicted, joints, picture }, moves) => (picture && moves ? "motion" : predicted || joints.length === 0 ? "skeleton" : moves ? "motion" : "weights");
+/** @type {(character: { predicted?: boolean, joints: object[] }, moves: boolean) => string} */
+export const firstStep = ({ predicted, joints }, moves) => (moves ? "motion" : predicted || joints.length === 0 ? "skeleton" : "weights");

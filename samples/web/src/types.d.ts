@@ -212,7 +212,8 @@ export interface Character {
   plane: number;
   doubtful?: boolean;
   doubts?: { name: string; joint: number; joints: number[] }[];
-  outside?: { name: string; joint: number; joints: number[] }[]; // joints that lie out of the body
+  suspects?: { name: string; joint: number; joints: number[] }[]; // see suspects.js
+  ears?: { name: string; joint: number; joints: number[] }[]; // that move the head
   spread: number;
   seconds: number;
   hasReference: boolean;

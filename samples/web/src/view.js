@@ -3,12 +3,12 @@
 // drawing with its outline (outline_view.js), and what the pointer does there (pointer.js).
 import { Box3, Color, Group, SRGBColorSpace, Vector3 } from "three";
 import { Bones } from "./bones.js";
-import { colouredMesh, moveMesh, paintMesh } from "./coloured_mesh.js";
+import { colouredMesh, moveMesh, paintMesh, sweepMesh } from "./coloured_mesh.js";
 import { boxOfClip, Framing, middleOfJoints, slanted } from "./framing.js";
 import { Floor, Lighting } from "./lighting.js";
 import { MarkerBalls } from "./marker_balls.js";
 import { OutlineView } from "./outline_view.js";
-import { pictureOfPart } from "./part_picture.js";
+import { pictureOfPart, pictureOfPoses } from "./part_picture.js";
 import { Pointer } from "./pointer.js";
 import { Rings } from "./rings.js";
 import { ContactSpots } from "./spots.js";
@@ -130,6 +130,13 @@ export class View extends ViewEvents {
   // Joints of limbs that may be wrong are red, whatever else colours them.
   setDoubts(joints) {
     this.#bones.paint({ doubts: new Set(joints) });
+    this.redraw();
+  }
+
+  // How much of the skeleton has grown, and how much of the mesh has its colors: shares of 1.
+  setRevealed(grown, swept) {
+    this.#bones.grown = grown;
+    sweepMesh(this.#mesh, swept, this.#upAxis === 1 ? 2 : 1);
     this.redraw();
   }
 
@@ -378,6 +385,15 @@ export class View extends ViewEvents {
     const hidden = [this.#rings.helper, this.#floor.grid, this.#look?.root];
     const url = pictureOfPart({ renderer: this.#stage.renderer, scene: this.#stage.scene, model: this.#model, mesh: this.#mesh, radius: this.#framing.radius, hidden }, members, vertexOf);
     this.#bones.shown = bonesShown;
+    this.redraw();
+    return url;
+  }
+
+  // A strip of small pictures of the file's look in poses. poses: [{palette, jointPositions}].
+  pictureOfPoses(poses) {
+    const { renderer, scene } = this.#stage, look = this.#look;
+    const url = pictureOfPoses({ renderer, scene, model: this.#model, shown: look.root, box: this.#restBox }, poses.map(({ palette, jointPositions }) => ({ pose: () => look.pose(palette), middle: middleOfJoints(jointPositions) })));
+    if (this.#palette) look.pose(this.#palette);
     this.redraw();
     return url;
   }

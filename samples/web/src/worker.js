@@ -35,7 +35,7 @@ function needScenes(name) {
 
 /** @param {{ forceScalar: boolean }} how */
 async function start({ forceScalar }) {
-  if (!hasExceptions()) throw new Error("this browser has no exceptions for WebAssembly, which it would have from 2022 on (Chrome 95, Firefox 100, Safari 15.2): take a newer one");
+  if (!hasExceptions()) throw new Error("This browser is too old: use Chrome 95, Firefox 100, Safari 15.2 or newer (2022)");
   const kind = !forceScalar && hasSimd() ? "simd" : "scalar";
   const glue = kind === "simd" ? import("sinew-simd") : import("sinew-scalar"); // fetched beside the module
   const bytes = await fetchPacked(`sinew-${kind}.wasm`);
@@ -201,6 +201,14 @@ const calls = {
     const files = names.map((/** @type {string} */ name) => (name.startsWith("builtin:") ? name : plain(name)));
     return files.length > 0 ? handles.openMotions(files, wish) : handles.closeMotions();
   },
+  // {notes, seconds, poses: [{palette, jointPositions}]} of a clip that ships
+  clipFrames: ({ name, wish, frames }) =>
+    handles.preview(name, wish, (at, seconds) =>
+      Array.from({ length: frames }, (_, f) => {
+        ask("frame_joints", at, 0, (seconds * (f + 0.5)) / frames);
+        return take(["jointPositions", "palette"]);
+      }),
+    ),
   motionMethod: ({ method }) => handles.useMethod(method),
   // wish: {take, drop, values} as sinew springs has them. Replies with {chains}.
   springs: ({ wish }) => handles.findSprings(wish),
@@ -220,8 +228,8 @@ const calls = {
   },
   // kind: glb, fbx or vrm; wish: {clips, springs, bakes, profile, author, title, licence}
   file({ name, kind, wish }) {
-    const { height, bytes } = handles.file(`${plain(name)}.bound.${kind}`, wish);
-    return { height, buffers: { bytes } };
+    const { height, notes, bytes } = handles.file(`${plain(name)}.bound.${kind}`, wish);
+    return { height, notes, buffers: { bytes } };
   },
   // {pose} that files of a profile stand in
   profile: ({ name }) => ask("profile", name),
@@ -263,7 +271,7 @@ async function answer({ id, call, ...options }) {
     if (call === "bind") parts.loaded().catch(() => {});
   } catch (error) {
     let line = String(error?.message ?? error);
-    if (error instanceof RangeError || error?.status === outOfMemory) line = "out of memory: the file is too large for this browser; try the sinew command";
+    if (error instanceof RangeError || error?.status === outOfMemory) line = "Out of memory: the file is too large for this browser; use the sinew command";
     if (error instanceof WebAssembly.RuntimeError) line = `the engine stopped (${line}); reload the page`;
     postMessage({ id, error: line });
   }

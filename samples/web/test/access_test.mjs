@@ -29,6 +29,9 @@ try {
         await page.goto(server.address);
         await settled();
         await look("start");
+        await give(file("biped__robot.obj"));
+        await look("what was found");
+        await shoot(`${theme}_${width}_found`);
         await give(file("quadruped__tailed.obj"), file("quadruped__tailed.rig.txt"));
         for (const name of ["mesh", "skeleton", "weights", "motion", "export"]) {
           await go(name);

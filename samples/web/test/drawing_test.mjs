@@ -101,7 +101,7 @@ try {
     const moved = Number(await page.inputValue("#point-x")) - x;
     assert.ok(moved > 0 && moved < 12, `the point that was moved is still the chosen one: ${moved}`);
     await shoot("point");
-    await page.locator("#stage canvas").hover();
+    await page.locator("#stage > canvas").hover();
     await page.evaluate(() => document.activeElement.blur());
     await key("Control+z");
     assert.deepEqual(await positions(), rest);
@@ -174,7 +174,7 @@ try {
     const whole = await lines();
     await page.check("#cut");
     await settled();
-    assert.equal(await undoName(), "open along lines");
+    assert.equal(await undoName(), "cut along inner lines");
     assert.ok((await lines()) > whole + 4, "slits are outline, too");
     await same("person.png", "--cut");
     await shoot("cut");
@@ -192,7 +192,7 @@ try {
     const before = await positions();
     const foot = (await handles()).reduce((a, b) => (b.y > a.y ? b : a));
     await page.evaluate(({ x, y }) => {
-      const canvas = document.querySelector("#stage canvas");
+      const canvas = document.querySelector("#stage > canvas");
       canvas.setPointerCapture = canvas.releasePointerCapture = () => {}; // no pointer of that number is there
       const send = (type, down, buttons) => canvas.dispatchEvent(new PointerEvent(type, { clientX: x + 14, clientY: y + down, pointerId: 7, pointerType: "touch", button: 0, buttons, bubbles: true, isPrimary: true }));
       send("pointerdown", 0, 1);

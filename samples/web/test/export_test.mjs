@@ -7,7 +7,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileOf, made, startPage } from "./page.mjs";
 
-const { data, server, browser, page, at, command, file, settled, shoot, errorLine, remarks, give, downloaded, go, step } = await startPage("export_");
+const { data, server, browser, page, at, command, file, settled, shoot, errorLine, remarks, give, downloaded, go, choose, step } = await startPage("export_");
 const jsonOf = (glb) => JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12)));
 const height = async () => Number(await page.locator("#height").inputValue());
 // The lowest and the highest vertex of a GLB, by its accessors.
@@ -41,34 +41,36 @@ try {
     command("rig", "robot.obj", "--for", "vrm", "--author", "Ada", "--licence", "modification=prohibited,commercialUsage=corporation", "-o", "ada.vrm");
     await give(fileOf(at("ada.vrm")));
     assert.equal(await errorLine(), "");
-    await page.reveal("#download-vrm");
+    await choose("vrm");
     assert.equal(await page.locator("#license-said").innerText(), "By Ada; that stays in the file. Its license forbids changing it.");
-    await page.click("#download-vrm");
+    await page.click("#onward");
     await settled();
     assert.match(await errorLine(), /license of this VRM forbids changing it/);
     await shoot("license");
     await page.check("#license-mine");
-    const { meta } = jsonOf((await downloaded("#download-vrm")).bytes).extensions.VRMC_vrm;
+    const { meta } = jsonOf((await downloaded("#onward")).bytes).extensions.VRMC_vrm;
     assert.deepEqual([meta.authors, meta.modification, meta.commercialUsage], [["Ada"], "prohibited", "corporation"]);
   });
 
   await step("a VRM without an author asks who made it", async () => {
     await give(file("biped__robot.obj"));
-    await page.click("#download-vrm");
+    await choose("vrm");
+    await page.click("#onward");
     await settled();
     assert.equal(await errorLine(), "VRM needs an author. Who made this character?");
     assert.equal(await page.evaluate(() => document.activeElement.id), "author");
     await page.keyboard.type("Grace");
-    assert.deepEqual(jsonOf((await downloaded("#download-vrm")).bytes).extensions.VRMC_vrm.meta.authors, ["Grace"]);
+    assert.deepEqual(jsonOf((await downloaded("#onward")).bytes).extensions.VRMC_vrm.meta.authors, ["Grace"]);
   });
 
   await step("a VRM stands on the floor, and that is said", async () => {
     const sunk = readFileSync(join(data, "biped__robot.obj"), "utf8").replace(/^v (\S+) (\S+) /gm, (_, x, y) => `v ${x} ${Number(y) - 0.9} `);
     await give(made("sunk.obj", sunk));
-    await page.fill("#author", "Grace");
     await page.click("#clip-grid [data-clip=walk]");
     await settled();
-    const { bytes } = await downloaded("#download-vrm");
+    await choose("vrm");
+    await page.fill("#author", "Grace");
+    const { bytes } = await downloaded("#onward");
     const [low] = reachOf(bytes);
     assert.ok(Math.abs(low) < 0.01, `its feet are at ${low}`);
     assert.match(await remarks(), /stood 0\.\d+ m below the floor; in the VRM it stands on it/);

@@ -29,16 +29,16 @@ assert.deepEqual(
 assert.deepEqual(check(["a.obj"], {}, { characters: [character("a", "a.obj", "")], waiting: { mesh: "a.obj" } }), []);
 assert.deepEqual(check(["a.obj", "b.obj", "b.rig.txt"], {}, { characters: [character("a", "a.obj", ""), character("b", "b.obj", "b.rig.txt")], waiting: { mesh: "a.obj" } }), []);
 assert.deepEqual(check(["b.rig.txt"], { mesh: "a.obj" }, { characters: [character("a", "a.obj", "b.rig.txt")] }), []);
-assert.match(check(["a.rig.txt"], {}, { waiting: { rig: "a.rig.txt" } })[0], /is a skeleton without a mesh/);
+assert.match(check(["a.rig.txt"], {}, { waiting: { rig: "a.rig.txt" } })[0], /^a\.rig\.txt is a skeleton without a mesh/);
 assert.deepEqual(check(["a.obj"], { rig: "a.rig.txt" }, { characters: [character("a", "a.obj", "a.rig.txt")] }), []);
 // Two meshes and one foreign rig: no guess.
 assert.match(
   check(["a.obj", "b.obj", "c.rig.txt"], {}, { characters: [character("a", "a.obj", ""), character("b", "b.obj", "")], waiting: { rig: "c.rig.txt" } })[0],
-  /^c\.rig\.txt: is a skeleton without a mesh/,
+  /^c\.rig\.txt is a skeleton without a mesh/,
 );
 // What is left over does not stop the rest.
 assert.match(check(["a.glb", "x.docx"], {}, { characters: [character("a", "a.glb", "")] })[0], /^x\.docx: expected/);
-assert.match(check(["hero.bin"], {}, {})[0], /holds no mesh/);
+assert.match(check(["hero.bin"], {}, {})[0], /contains no mesh/);
 assert.deepEqual(check(["mine.sinew"], {}, { model: "mine.sinew" }), []);
 assert.deepEqual(check(["studio.style", "hero.glb"], {}, { style: "studio.style", characters: [character("hero", "hero.glb", "")] }), []);
 assert.deepEqual(check(["walk.BVH"], {}, { motions: ["walk.BVH"] }), []);

@@ -36,7 +36,7 @@ try {
   await step("a bend keeps its volume by the way it is skinned", async () => {
     await page.goto(`${server.address}?sample=biped__robed`);
     await settled();
-    assert.match(await page.locator("#bends").innerText(), /^Turn a joint/);
+    assert.match(await page.locator("#bends").innerText(), /^Rotate a bone/);
     await pick("forearm.L");
     const rest = await positions();
     await slide("#turn-y", 110);
@@ -74,7 +74,7 @@ try {
     await page.keyboard.press("r");
     await settled();
     assert.deepEqual(await positions(), rest);
-    assert.match(await page.locator("#bends").innerText(), /^Turn a joint/);
+    assert.match(await page.locator("#bends").innerText(), /^Rotate a bone/);
   });
 
   await step("several bends, the worst first; a click chooses its joint", async () => {
@@ -95,7 +95,7 @@ try {
     await skinning("Volume");
     await page.keyboard.press("4");
     await settled();
-    assert.equal(await legend(), "As other programs show the file: by linear skinning");
+    assert.equal(await legend(), "As other programs show it, with linear skinning");
     await shoot("material");
     await page.keyboard.press("1");
     await page.click("#reset");
@@ -132,7 +132,7 @@ try {
     const mended = await positions();
     assert.notDeepEqual(mended, copied);
     const text = await page.locator("#motion-report").innerText();
-    assert.match(text, /Arms in the body \d+ % of the frames.*standing feet slide [\d.]+ % of the height a frame/);
+    assert.match(text, /Arms inside the body \d+ % of frames.*standing feet slide [\d.]+ % of the height per frame/);
     console.log(`  ${copiedText}\n  ${text}`);
     await shoot("contacts");
     await page.uncheck("#show-spots");
@@ -252,7 +252,7 @@ try {
     await settled();
     assert.deepEqual(await mapShown(), toldMap("--set", "LeftArm=upper_arm.R", "--set", "Head=-"));
     await mapRow("LeftArm").locator("select").focus();
-    await mapRow("LeftArm").locator("select").selectOption({ label: "as it is found" });
+    await mapRow("LeftArm").locator("select").selectOption({ label: "Automatic" });
     await settled();
     assert.deepEqual(await mapShown(), toldMap("--set", "Head=-"));
     await page.click("#map-forget");

@@ -10,6 +10,11 @@ import { launch, serve } from "./browser.mjs";
 export async function newPage(browser, troubles) {
   const page = await browser.context.newPage();
   page.setDefaultTimeout(120000);
+  const goto = page.goto.bind(page);
+  page.goto = async (...where) => {
+    await goto(...where);
+    await page.waitForFunction(() => "sinewPage" in window); // the page comes after the first picture
+  };
   page.on("console", (message) => ["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text()) && troubles.push(message.text()));
   page.on("pageerror", (error) => troubles.push(error.message));
   revealing(page);
@@ -93,6 +98,11 @@ export function pageTools(current, { troubles, work, prefix = "" }) {
     async downloaded(id) {
       const [download] = await Promise.all([current().waitForEvent("download"), current().click(id)]);
       return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+    },
+    // The program that a file is to be for, in the step Export.
+    async choose(program) {
+      await current().check(`#programs [value=${program}]`);
+      await tools.settled();
     },
     async step(name, test) {
       const start = Date.now();

@@ -86,8 +86,8 @@ const pageQuestions = () =>
     })),
   );
 const partName = (q) => `${q.parts > 1 ? "parts" : "part"} near ${q.joint}`;
-const answerText = (answer) => (answer.startsWith("rigid:") ? `follow ${answer.slice(6)}` : { soft: "swing", hard: "in pieces", softer: "softer", host: "with what it lies on" }[answer]);
-const questionText = (q) => `${partName(q)}${q.parts > 1 ? ` · ${q.parts} alike` : ""} · now ${q.share > 0.995 ? "" : `${Math.round(100 * q.share)} % `}with ${q.joint}`;
+const answerText = (answer) => (answer.startsWith("rigid:") ? `follow ${answer.slice(6)}` : { soft: "swing", hard: "in pieces", softer: "softer", host: "with the surface below" }[answer]);
+const questionText = (q) => `${partName(q)}${q.parts > 1 ? ` · ${q.parts} similar` : ""} · now ${q.share > 0.995 ? "" : `${Math.round(100 * q.share)} % `}with ${q.joint}`;
 const question = (part) => page.locator(`#questions li[data-part="${part}"] .question`);
 const alternative = (answer) => page.locator("#questions .alternative", { hasText: answerText(answer) });
 const focused = () => page.evaluate(() => document.activeElement.getAttribute("aria-label") ?? document.activeElement.textContent);
@@ -148,7 +148,7 @@ try {
       await route.fulfill({ response, body: `WebAssembly.validate = () => false;\n${await response.text()}` });
     });
     await openPage("");
-    assert.match(await errorLine(), /^this browser has no exceptions for WebAssembly, .*take a newer one$/);
+    assert.match(await errorLine(), /^This browser is too old: use Chrome 95, Firefox 100, Safari 15\.2 or newer/);
     await browser.context.unroute("**/worker.js");
     await page.close();
   });
@@ -225,7 +225,7 @@ try {
   await step("a click on the picture chooses a joint, a drag orbits", async () => {
     await page.keyboard.press("Escape");
     await settled();
-    assert.equal(await page.locator("#joint-name").innerText(), "No joint chosen");
+    assert.equal(await page.locator("#joint-name").innerText(), "No bone selected");
     const head = await page.evaluate(() => {
       const joint = sinewPage.character.joints.findIndex(({ name }) => name === "head");
       return sinewPage.view.jointOnScreen(joint);
@@ -235,7 +235,7 @@ try {
     await page.mouse.move(head.x + 80, head.y + 10, { steps: 4 });
     await page.mouse.up();
     await settled();
-    assert.equal(await page.locator("#joint-name").innerText(), "No joint chosen");
+    assert.equal(await page.locator("#joint-name").innerText(), "No bone selected");
     await page.keyboard.press("f");
     await page.mouse.click(head.x, head.y);
     await settled();
@@ -248,7 +248,7 @@ try {
     await page.keyboard.press("s");
     await page.keyboard.press("3");
     await settled();
-    assert.match(await page.locator("#legend figcaption").innerText(), /^Doubt about/);
+    assert.match(await page.locator("#legend figcaption").innerText(), /^Where weights are uncertain/);
     await shoot("doubt");
   });
 
@@ -281,7 +281,7 @@ try {
     await shoot("questions");
     await question(part.part).hover();
     await settled();
-    assert.equal(await legend(), `Orange: ${partName(part)}, ${part.vertices} vertices in ${part.parts} parts alike`);
+    assert.equal(await legend(), `Orange: ${partName(part)}, ${part.vertices} vertices (${part.parts} similar parts)`);
     const orange = await page.evaluate(() => {
       const { vertexOf } = sinewPage.character.buffers;
       const all = sinewPage.view.shownColours();
@@ -297,7 +297,7 @@ try {
     assert.deepEqual(await page.locator("#questions .alternative").allTextContents(), [...offered.map((a, i) => answerText(a) + shares[i]), "as it is"]);
     await alternative(offered[1]).hover();
     await settled();
-    assert.equal(await legend(), `Preview: ${partName(part)}: ${answerText(offered[1])} in ${part.parts} parts alike`);
+    assert.equal(await legend(), `Preview: ${partName(part)}: ${answerText(offered[1])} (${part.parts} similar parts)`);
     assert.equal(await hash(), native.get(name), "a preview takes nothing");
     const seen = await colours();
     await shoot("preview");
@@ -751,7 +751,7 @@ try {
     assert.equal(await errorLine(), "");
     assert.ok((await joints()).length > 0);
     assert.equal(await page.isVisible("#notice"), true);
-    assert.match(await page.locator("#notice").innerText(), /^This mesh resembles nothing that the model knows/);
+    assert.match(await page.locator("#notice").innerText(), /^This mesh looks like nothing the model was trained on/);
     await shoot("untrusted");
     await give(made("rigs.sinew", readFileSync(join(data, "sinew_rig.sinew")).subarray(0, 900)));
     assert.match(await errorLine(), /^rigs\.sinew: /);
@@ -775,7 +775,7 @@ try {
     assert.ok(!(await page.locator("#timeline").isVisible()));
     await give(made("wave.bvh", readFileSync(join(work, "wave.bvh"))));
     assert.equal(await errorLine(), "");
-    assert.match(await page.locator("#motion-about").innerText(), new RegExp(`${told.clips[0].mapped} of ${told.joints} joints move`));
+    assert.match(await page.locator("#motion-about").innerText(), new RegExp(`${told.clips[0].mapped} of ${told.joints} bones,`));
     assert.ok((await downloaded("#download")).bytes.equals(readFileSync(glb)), "the page's GLB differs from the command's");
     await page.fill("#time", "0.5");
     await settled();

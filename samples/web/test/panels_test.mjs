@@ -25,10 +25,10 @@ const clip = {
   ],
 };
 assert.deepEqual(clipFigures(clip, "before"), { deep: 0.25, slide: 0.003, touch: 0.02 });
-assert.equal(clipText(clip), "Arms in the body 1 % of the frames (copied 25 %); standing feet slide 0.01 % of the height a frame (copied 0.30 %); hands in touch are off by 0.1 % of the height (copied 2.0 %)");
+assert.equal(clipText(clip), "Arms inside the body 1 % of frames (copied 25 %); standing feet slide 0.01 % of the height per frame (copied 0.30 %); touching hands are off by 0.1 % of the height (copied 2.0 %)");
 assert.equal(clipText({ frames: 9, limbs: [] }), "");
 const still = limb(true, measure(0, 5, 0), measure(0, 5, 0));
-assert.equal(clipText({ frames: 9, limbs: [still] }), "Standing feet slide 0.00 % of the height a frame");
+assert.equal(clipText({ frames: 9, limbs: [still] }), "Standing feet slide 0.00 % of the height per frame");
 
 const pins = pinned(pinned(new Map(), 3, 7), 4, -1);
 assert.deepEqual([...pins], [[3, 7], [4, -1]]);

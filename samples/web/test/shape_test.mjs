@@ -7,7 +7,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileOf, made, startPage } from "./page.mjs";
 
-const { dist, data, server, browser, page, at, command, file, undoName, settled, shoot, errorLine, hash, joints, positions, give, downloaded, go, step } = await startPage("shape_");
+const { dist, data, server, browser, page, at, command, file, undoName, settled, shoot, errorLine, hash, joints, positions, give, downloaded, go, choose, step } = await startPage("shape_");
 const places = async () => (await joints()).map(({ name, position }) => [name, ...position]);
 const key = async (name) => (await page.keyboard.press(name), await settled());
 const marked = () => page.evaluate(() => sinewPage.character.source.markers);
@@ -59,7 +59,7 @@ try {
     await go("mesh");
     await page.click("#turn-by-x");
     await settled();
-    assert.equal(await undoName(), "turn about X");
+    assert.equal(await undoName(), "rotate around X");
     await same("rig", "lying.obj", "--turn", "x");
     await page.fill("#height", "1.8");
     await key("Tab");
@@ -163,7 +163,7 @@ try {
     // A finger 20 pixels beside the marker drags it.
     await page.evaluate((p) => {
       const { x, y } = sinewPage.view.onScreen(p);
-      const canvas = document.querySelector("#stage canvas");
+      const canvas = document.querySelector("#stage > canvas");
       const send = (kind, dx, dy, buttons) => canvas.dispatchEvent(new PointerEvent(kind, { clientX: x + 18 + dx, clientY: y + dy, pointerId: 7, pointerType: "touch", button: 0, buttons, bubbles: true, isPrimary: true }));
       canvas.setPointerCapture = canvas.releasePointerCapture = () => {}; // no pointer of that number is there
       send("pointerdown", 0, 0, 1);
@@ -206,8 +206,9 @@ try {
     assert.deepEqual([await positions(), await places()], standing);
     await same("rig", "robot.obj");
     // Files for avatars stand in it whatever is shown.
+    await choose("vrm");
     await page.fill("#author", "somebody");
-    const vrm = (await downloaded("#download-vrm")).bytes;
+    const vrm = (await downloaded("#onward")).bytes;
     command("rig", "robot.obj", "--for", "vrm", "--author", "somebody", "-o", "command.vrm");
     assert.ok(vrm.equals(readFileSync(at("command.vrm"))), "the page's VRM differs from that of sinew rig --for vrm");
     await settled();

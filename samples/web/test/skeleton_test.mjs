@@ -4,7 +4,9 @@
 import assert from "node:assert/strict";
 import { Latest } from "../src/latest.js";
 import { crossings, draggedTo, insides, middleNear } from "../src/limbs.js";
-import { answersFor, childPlace, freeName, movedJoints, possibleParents, sureColour } from "../src/skeleton.js";
+import { sentenceOf } from "../src/sentences.js";
+import { earsThatMoveHeads, missingTail } from "../src/suspects.js";
+import { answersFor, childPlace, freeName, movedJoints, possibleParents, sureColour, sureText } from "../src/skeleton.js";
 
 // Boxes from `low` to `high`, two triangles a side, corners counter-clockwise from outside.
 function boxes(...list) {
@@ -136,4 +138,25 @@ const again = latest.want(4);
 finish();
 await again;
 assert.deepEqual(done, [1, 3, -1, 4]);
+// How sure a joint's position is, as a person says it.
+const confidenceOf = (spread) => 1 / (1 + spread / 0.05) ** 2;
+assert.equal(sureText(confidenceOf(0.12), 1), "Unsure: may be off by 12 cm.");
+assert.equal(sureText(confidenceOf(0.06), 1.8), "Fairly sure: may be off by 11 cm.");
+assert.equal(sureText(confidenceOf(0.02), 0.3), "Sure: within 6 mm.");
+assert.equal(sureText(confidenceOf(0.02), 0.3, true), "Unsure: may be off by 6 mm.");
+assert.equal(sureText(confidenceOf(0.2), 12), "Unsure: may be off by 2.4 m.");
+// Ears that move the head, and a body on four legs without a tail, are to be looked at.
+const animal = [["Hips", [0, 1, 0]], ["Neck", [0, 1.1, 1]], ["Head", [0, 1.3, 1.2]], ["LeftEar", [0.1, 1.4, 1.2]], ["LeftUpLeg", [0.1, 0.9, 0]], ["LeftEar_end", [0.1, 1.6, 1.2]]].map(([name, position], j) => ({ name, position, parent: [-1, 0, 1, 2, 0, 3][j] }));
+const skull = [0, 1.2, 1.2, 0, 1.3, 1.2, 0.1, 1.5, 1.2];
+assert.deepEqual(earsThatMoveHeads(animal, [2, 2, 3], skull), []);
+assert.deepEqual(earsThatMoveHeads(animal, [3, 3, 3], skull).map(({ name }) => name), ["LeftEar moves the head"]);
+assert.deepEqual(missingTail(animal, 1).map(({ name }) => name), ["no tail was found"]);
+assert.deepEqual(missingTail([...animal, { name: "Tail", position: [0, 1, -0.2], parent: 0 }], 1), []);
+assert.deepEqual(missingTail(animal.map((joint) => (joint.name === "Neck" ? { ...joint, position: [0, 2, 0.1] } : joint)), 1), [], "a person");
+// What the command's users read is said without its options.
+assert.equal(sentenceOf("warning: which way is front is a coin toss for this mesh, so left and right may be exchanged; say it with --front, as in --front +z"), "Which way is front is a coin toss for this mesh, so left and right may be exchanged.");
+assert.equal(sentenceOf("warning: the skeleton can be used with a probability of 1 %; look at the joints before using them, or try --method shape"), "The skeleton can be used with a probability of 1 %; look at the joints before using them.");
+assert.equal(sentenceOf("2 attached meshes kept as they are; --bind-props binds them"), "2 attached meshes kept as they are.");
+assert.equal(sentenceOf("strange.fbx: 3 points were left out"), "strange.fbx: 3 points were left out.");
+assert.equal(sentenceOf("picture 'skin.png' was not found"), "Picture 'skin.png' was not found.");
 console.log("skeleton_test: ok");

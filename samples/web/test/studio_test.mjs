@@ -14,7 +14,7 @@ const command = (name, ...more) => {
 };
 const jointsAt = () => page.evaluate(() => sinewPage.view.shownJoints());
 // The picture's pixels in the middle, to see that it changed.
-const picture = async () => (await page.locator("#stage canvas").screenshot()).toString("base64");
+const picture = async () => (await page.locator("#stage > canvas").screenshot()).toString("base64");
 
 try {
   await step("joints are switched off and on, as --never has it", async () => {
@@ -170,10 +170,10 @@ try {
     const ours = await colours();
     await page.keyboard.press("5");
     await settled();
-    assert.equal(await legend(), "The weights that the file had");
+    assert.equal(await legend(), "The weights in the file");
     assert.notDeepEqual(await colours(), ours);
     await pick("head");
-    assert.equal(await legend(), "The file's weight of head");
+    assert.equal(await legend(), "Weight of head in the file");
     await shoot("artist");
     await page.keyboard.press("1");
     await settled();
@@ -185,7 +185,7 @@ try {
     await open("biped__caped");
     await page.keyboard.press("4");
     await settled();
-    assert.equal(await legend(), "As other programs show the file");
+    assert.equal(await legend(), "As other programs show it");
     const rest = await picture();
     await shoot("material");
     await pick("upper_arm.L");
@@ -280,7 +280,7 @@ try {
       await settled();
       assert.equal(await errorLine(), "");
       assert.equal(await page.locator(`#clip-grid [data-clip="${name}"]`).getAttribute("aria-pressed"), "true");
-      assert.match(await page.locator("#motion-about").innerText(), new RegExp(`^${name}: \\d+ of \\d+ joints move`));
+      assert.match(await page.locator("#motion-about").innerText(), new RegExp(`^${name}: moves \\d+ of \\d+ bones`));
       await page.locator("#time").evaluate((input) => {
         input.value = String(Number(input.max) * 0.45);
         input.dispatchEvent(new Event("input", { bubbles: true }));

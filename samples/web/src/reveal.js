@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// A bare mesh becomes a character that walks, before the user's eyes and without a click: its skeleton grows as it is found, its colors rise as it is bound, and it walks. One bar
+// says then what was found and leads on. Where the system asks for stillness nothing moves, and only the bar comes.
+import { useStyleAnswers } from "./asking.js";
+import { bind } from "./binding.js";
+import { gaitsOf, isForThisBody } from "./builtin_clips.js";
+import { colour } from "./colours.js";
+import { predict } from "./editing.js";
+import { run, whileBusy } from "./jobs.js";
+import { offer } from "./offer.js";
+import { doubtsOf } from "./rail.js";
+import { record } from "./recording.js";
+import { nextDoubt } from "./showing.js";
+import { $, at, engine, modes } from "./state.js";
+import { goTo, setStep } from "./steps.js";
+
+const still = matchMedia("(prefers-reduced-motion: reduce)");
+const growing = 800, sweeping = 700; // milliseconds
+
+// The open character with a skeleton and weights.
+export async function beginBound() {
+  if (at.character.joints.length === 0) await predict();
+  await useStyleAnswers();
+  await bind();
+}
+
+// show: called with shares of 1. A job that is stopped ends it.
+/** @param {number} milliseconds @param {(share: number) => void} show @returns {Promise<void>} */
+function over(milliseconds, show) {
+  const { epoch } = engine, started = performance.now();
+  return new Promise((resolve) => {
+    const next = () => {
+      const share = epoch === engine.epoch ? Math.min(1, (performance.now() - started) / milliseconds) : 1;
+      show(share);
+      if (share < 1) requestAnimationFrame(next);
+      else resolve();
+    };
+    next();
+  });
+}
+
+// The first of the clips that ship and that is for this kind of body.
+async function walk() {
+  for (const clip of gaitsOf(at.character.joints)) {
+    await at.motions.open([`builtin:${clip}`]).catch(() => {}); // the next one may fit
+    if (at.player.motion && isForThisBody(at.player.fileOfClip.notes)) return;
+  }
+  await at.motions.close();
+}
+
+export async function reveal() {
+  if (still.matches) return beginBound();
+  document.body.classList.add("revealed");
+  try {
+    await whileBusy("Finding the bones", async () => {
+      at.mode = modes.joints;
+      at.view.setRevealed(0, 0);
+      import("./look.js"); // shown at the end
+      await predict();
+      const grown = over(growing, (share) => at.view.setRevealed(share, 0));
+      await useStyleAnswers();
+      await bind();
+      await grown;
+      const swept = over(sweeping, (share) => at.view.setRevealed(1, share));
+      if ($("offer").hidden) await walk(); // else it is not known what walks
+      await swept;
+    }, 0);
+  } catch (error) {
+    document.body.classList.remove("revealed");
+    throw error;
+  } finally {
+    at.view.setRevealed(1, 1);
+  }
+}
+
+// Once the user has said what the body is.
+export const walkOn = () =>
+  run(async () => {
+    if (!still.matches && !at.player.motion) await walk();
+    if (at.player.motion) setStep("motion");
+    record("walk");
+    await showFound();
+  });
+
+const count = (/** @type {number} */ n, /** @type {string} */ word) => `${n} ${word}${n === 1 ? "" : "s"}`;
+
+// What was found, and the ways on.
+export async function showFound() {
+  at.mode = modes.material;
+  await colour();
+  if (at.player.motion) at.player.start();
+  if (!$("offer").hidden) return document.body.classList.remove("revealed"); // a question comes first
+  const doubts = doubtsOf(), bones = count(at.character.joints.length, "bone");
+  const ways = { "Choose animations": () => goTo("motion"), "Fix bones": () => goTo("skeleton"), Export: () => goTo("export") };
+  const check = () => (goTo("skeleton"), nextDoubt());
+  if (doubts.length > 0) offer(`${bones}, ${count(doubts.length, "limb")} to check: ${doubts.map(({ name }) => name).join(", ")}.`, { "Check them": check, "Choose animations": ways["Choose animations"], Export: ways.Export }, { leads: true });
+  else offer(`${bones}, ${at.character.doubtful ? "but this mesh is hard to recognize. Check them." : "all sure."}`, ways, { leads: true });
+}
