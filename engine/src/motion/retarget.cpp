@@ -187,7 +187,7 @@ Vec3d travel_of(const sinew_retarget& plan, const float* rotations, const float*
     for (int32_t j = plan.map[plan.anchors[i]]; j >= 0; j = rig.file_parents[j]) {
       const float* const q = rotations + size_t{4} * static_cast<uint32_t>(j);
       const float* const t = translations + size_t{3} * static_cast<uint32_t>(j);
-      const Quat rotation = normalised(
+      const Quat rotation = normalized(
           {static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2]), static_cast<double>(q[3])});
       position = rotate(rotation, position) +
                  Vec3d{static_cast<double>(t[0]), static_cast<double>(t[1]), static_cast<double>(t[2])};
