@@ -204,7 +204,7 @@ class Crossval {
           if (!saved[key].contains(inner) || saved[key][inner] != setting) where = "config." + inner;
         }
       }
-      throw Error(path + ": cannot resume: " + where + "has changed since; give another -o");
+      throw Error(path + ": cannot resume: " + where + " has changed since; give another -o");
     }
   }
 

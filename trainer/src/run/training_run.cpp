@@ -275,7 +275,7 @@ std::string TrainingRun::settled() const {
   const Course course = course_of(checkpoint_.state.log_csv, columns);
   const std::string what = val_.empty() ? task_.loss_names()[0] : task_.score_name();
   if (config_.patience == 0 || course.since_best < config_.patience) return "";
-  std::snprintf(text, sizeof text, "%shas stopped falling (patience %u)", what.c_str(), config_.patience);
+  std::snprintf(text, sizeof text, "%s has stopped falling (patience %u)", what.c_str(), config_.patience);
   return text;
 }
 
