@@ -52,7 +52,8 @@ class CliJoints : public Cli {
 
 TEST_F(CliJoints, OwnJointsAndAttachedMeshesByDefault) {
   const std::string text = good("bind hero.glb -o out.glb --method heat").out;
-  EXPECT_TRUE(has_text(text, "1 joints get no weight (no weight in the file: kneeIK); --joints all lets all have weight"))
+  EXPECT_TRUE(
+      has_text(text, "1 joints get no weight (no weight in the file: kneeIK); --joints all lets all have weight"))
       << text;
   EXPECT_TRUE(has_text(text, "1 attached meshes kept as they are; --bind-props binds them")) << text;
   EXPECT_EQ(weight_of("out.glb", "kneeIK"), 0);

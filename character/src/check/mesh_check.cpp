@@ -109,7 +109,7 @@ struct FaceCheck {
   }
 };
 
-// What faces share: edges, and the parts that hang together.
+// Edges that faces share, and connected components.
 struct EdgeCheck {
   Examples non_manifold, flipped;
   size_t boundary = 0;

@@ -207,7 +207,7 @@ class MapReader {
     return false;
   }
 
-  // A hand or foot that hangs elsewhere, of inverse kinematics: it goes with its limb.
+  // A hand or foot with another parent, of inverse kinematics: it goes with its limb.
   bool is_end_of_moved(const BodyPart& part) const {
     const auto is_end = [&](int j) {
       const uint8_t own = to_.class_of(j);

@@ -28,7 +28,7 @@ constexpr double kHabitWeight = 0.05, kHeadWeight = 0.5;  // in the similar copy
 constexpr double kUnlikeTrunk = 0.3;   // share of the torso's extent that the similar copy leaves
 constexpr double kUnlikeLength = 0.5;  // natural logarithm of two lengths' ratio
 
-constexpr double kUntouched = 0.7;    // a turn of the whole must fit that much better than none
+constexpr double kUntouched = 0.7;    // a rotation of the whole must fit that much better than none
 constexpr double kFloorShare = 0.04;  // of the height: a root at most that high above the lowest joint is on the floor
 
 // Rest pose with the whole skeleton turned.

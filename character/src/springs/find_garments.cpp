@@ -312,7 +312,8 @@ class GarmentFinder {
     return covered;
   }
 
-  // Whether the vertices hang on a body that holds still beside them: not on joints that swing, wings and tails.
+  // Whether the vertices are weighted to a body that holds still beside them: not to joints that swing, wings and
+  // tails.
   bool is_held_by_body(const Garment& garment) const {
     double own = 0, made = 0, all = 0;
     for (const uint32_t v : garment.vertices)
@@ -446,7 +447,8 @@ class GarmentFinder {
     return out->vertices.size() >= kFewestVertices && is_held_by_body(*out);
   }
 
-  // The longest run of parts that hang so far down, around the front; as shares of a turn, the end above 1 where it passes it.
+  // The longest run of parts that hang so far down, around the front; as shares of a full circle, the end above 1
+  // where it passes it.
   static std::pair<double, double> widest_arc(const std::vector<double>& hem, double least) {
     const size_t count = hem.size();
     size_t best = 0, best_begin = 0;

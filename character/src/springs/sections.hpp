@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Horizontal cross-sections of a mesh as curves: where a plane cuts its surface, piece by piece that hangs together.
+// Horizontal cross-sections of a mesh as curves: the cuts of a plane with its surface, one curve per connected
+// component.
 #ifndef SINEW_SPRINGS_SECTIONS_HPP
 #define SINEW_SPRINGS_SECTIONS_HPP
 

@@ -8,7 +8,8 @@ namespace sinew::deform {
 namespace {
 
 constexpr uint32_t kWorthThreads = 2048;
-// A node keeps 0.8 of the way of its last round, at most a cell. 20 rounds reach what took more than 30.
+// A node keeps 0.8 of the step of its last round, at most a cell (momentum): 20 rounds converge as far as 30 without
+// it.
 constexpr int32_t kMomentum = 205;  // Q8
 
 void solve_point(const SolverPoint& point, SolverNode* nodes) {

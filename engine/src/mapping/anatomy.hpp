@@ -28,7 +28,7 @@ struct Anatomy {
   double* height = nullptr;                    // [n] along up
   int8_t* side = nullptr;                      // [n] 1, -1, or 0 = central: trunk, tail, jaw
   int32_t side_limbs = 0;                      // limbs [0, side_limbs) are attached to the torso
-  int32_t* limb_head = nullptr;                // [n] first of the limbs that hang there, -1 = none
+  int32_t* limb_head = nullptr;                // [n] first of the limbs attached to the joint, -1 = none
   int32_t* limb_next = nullptr;                // [kMostSideLimbs]
   int32_t others_first = 0, others_count = 0;  // limbs in the plane beside the spine: tail, jaw
   double ground = 0, tall = 1;                 // lowest height and extent along up

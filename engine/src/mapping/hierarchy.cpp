@@ -5,7 +5,7 @@
 namespace sinew::mapping {
 namespace {
 
-constexpr int kMostFarBones = 64;   // that are looked at
+constexpr int kMostFarBones = 64;   // that are considered
 constexpr int32_t kApartShare = 8;  // at most one joint of so many is no part of the body
 
 bool is_finite(double a) { return a - a == 0; }

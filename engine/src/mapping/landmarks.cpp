@@ -175,7 +175,7 @@ void Matcher::match_limbs(int32_t la, int32_t lb, bool leg, bool arm, double cos
       if (j >= 0) put(joint_a(i), joint_b(j), own_cost(i, j));
     }
   } else {
-    // A chain in the plane begins where it hangs.
+    // A chain in the plane begins at its parent.
     const auto positions = [](const Anatomy& rig, const Limb& limb, double* out) {
       const Point* const points = rig.limbs.points + limb.first_point;
       add_up_lengths(points, limb.point_count, limb.attach >= 0 && limb.side == 0 ? rig.at(limb.attach) : points[0],

@@ -28,7 +28,7 @@ sinew_status read_header(const void* bytes, size_t size_bytes, ModelHeader* head
 //   SINEW_ERROR_MODEL_LAYOUT    a table contradicts itself: shapes, domains, order, offsets, shifts, reserved bytes; or the
 //                               last layer does not write the task's output
 //   SINEW_ERROR_MODEL_OVERFLOW  an accumulator could leave its type for some input
-//   with_second  the file may have a second network, which is not looked at
+//   with_second  the file may contain a second network, which is ignored
 sinew_status open_model(const void* bytes, size_t size_bytes, const ModelTask& task, sinew_model* model,
                         bool with_second = false);
 

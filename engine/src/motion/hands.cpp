@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Hands and forearms against the body: a hand near a spot of the source's surface goes to the same spot of the target's,
 // and what would be deeper inside of it than the source's is comes out. Without a source's body what is deeper than at rest, each arm
-// along one direction that changes little over time: to which side it comes out is not to hang on single triangles.
+// along one direction that changes little over time: its side must not depend on single triangles.
 #include "motion/contacts.hpp"
 
 namespace sinew::motion {

@@ -41,7 +41,7 @@ Vec3d wanted_middle(const sinew_retarget& plan, double ground) {
 }
 
 // A bone of a torso, an arm or a leg, which keeps its length: rigs have other ideas of how long they are, or move joints that the
-// target's skin does not follow. Hands and feet that hang elsewhere than on their limbs are none.
+// target's skin does not follow. Hands and feet outside of their limbs do not count.
 bool keeps_length(const sinew_retarget& plan, uint32_t t) {
   const uint32_t own = plan.classes[t], above = plan.classes[plan.target.parents[t]];
   switch (own) {

@@ -16,7 +16,7 @@ uint64_t table_cells(uint64_t target, uint64_t source) {
   return target * source < kMostBranchPairs ? target * source : kMostBranchPairs;
 }
 
-// The first joint below the root, or the root, on which two or more hang that are no ends; the root where none is.
+// The first joint below the root, or the root, with two or more children that are not leaves; the root where none is.
 int32_t first_branching(const Hierarchy& rig) {
   for (int32_t joint = rig.first_root(), only = joint; only >= 0; joint = only) {
     int32_t count = 0;

@@ -89,7 +89,7 @@ sinew_status fill(const sinew_skeleton& skeleton, const sinew_spring_set& set, S
 void sort_joints(SpringState* state, uint8_t* needed, uint8_t* done);
 // One step at a local pose, or a share of one: springs/step.cpp. keep: the state is the step's afterwards; else it stays.
 void step(SpringState* state, const Placement* pose, double share, bool keep);
-// The state of chains that hang as a local pose has them, without velocity.
+// The state of chains at rest in a local pose, without velocity.
 void settle(SpringState* state, const Placement* pose);
 // As sinew_springs_frame() after its checks.
 void play_frame(SpringState* state, double seconds, const float* rotations, const float* translations,

@@ -13,7 +13,7 @@ namespace sinew::rigging {
 enum class BodyKind : uint8_t { kAny, kBiped, kQuadruped, kBird, kFish, kSnake, kManyLegged };
 constexpr uint32_t kBodyKinds = 7;
 
-// What hangs on a torso. Toes are of a leg.
+// The limbs of a torso. Toes belong to a leg.
 enum class LimbClass : uint8_t { kArm, kLeg, kTail, kEar, kHair, kNone };
 constexpr uint32_t kLimbs = 5;
 LimbClass limb_of(uint32_t joint_class);

@@ -23,7 +23,7 @@ struct AlikeParts {
 // Scratch is taken from the arena and released. Returns SINEW_OK or SINEW_ERROR_WORKSPACE.
 sinew_status find_alike_parts(const Mesh& mesh, const Counts& counts, Arena& arena, AlikeParts* alike);
 
-// The joint that is to part `to` what `joint` is to part `from`, as told by its distance from the center: `joint` itself
+// The joint that is to part `to` what `joint` is to part `from`, by its distance from the center: `joint` itself
 // where that is nearly the same, else the joint that lies best, those as deep in the hierarchy and with as many children
 // as `joint` before favorites[to] before others; `joint` again where none lies clearly better.
 //   favorites  [parts] the joint with most of a part's weight, or kNoJoint

@@ -20,7 +20,7 @@ namespace sinew {
 // Throws Error naming `path` for accessors that are broken.
 std::vector<uint8_t> fbx_of(const std::string& path, const tinygltf::Model& model);
 
-// Objects of an FBX and what they hang on, and the parts of a glTF document that become them.
+// Objects of an FBX and their connections, and the parts of a glTF document that become them.
 
 constexpr double kFbxUnits = 100;            // centimeters a meter: the file's UnitScaleFactor is 1
 constexpr double kFbxTicks = 46186158000.0;  // a second
@@ -63,7 +63,7 @@ FbxModels add_fbx_models(const std::string& whose, const tinygltf::Model& model,
 void add_fbx_animations(const std::string& whose, const tinygltf::Model& model, const FbxModels& models,
                         FbxScene* scene);
 
-// The geometry of a node's mesh, with the mesh's space for `frame`; skin and shapes hang on it.
+// The geometry of a node's mesh, with the mesh's space for `frame`; skin and shapes are connected to it.
 //   clusters  models of the joints of the node's skin, or empty
 //   channels  gets one of each shape
 // Returns its id, 0 for a mesh without triangles.

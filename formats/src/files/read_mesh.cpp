@@ -23,7 +23,7 @@ Character read_mesh(const std::string& path) {
 }
 
 void read_skeleton(const std::string& path, bool with_skin, Character* character) {
-  character->meshes.clear();  // they hung on the joints of another skeleton
+  character->meshes.clear();  // they were bound to another skeleton
   character->vertex_meshes.clear();
   if (has_extension(path, ".txt")) return read_rig(path, with_skin, character);
   if (is_motion_alone(path)) {

@@ -38,7 +38,7 @@ struct RigScore {
   double b2b = 0;  // the same from points on bones to points on bones
   // Pairs of predicted and reference joints, one to one, at most 0.05 apart: as many as can be, as near as can be.
   double precision = 0, recall = 0, iou = 0;  // pairs over predicted joints, over reference joints, over their mean
-  double joined = 0;     // share of reference bones between paired joints whose joints hang together in the prediction,
+  double joined = 0;     // share of reference bones between paired joints whose joints are connected in the prediction,
                          // through unpaired joints at most
   double classes = 0;    // share of pairs without bone ends whose classes agree
   double symmetric = 0;  // 1 where every predicted joint has a mirror image, within 2e-6, about the middle of them all

@@ -22,7 +22,7 @@ namespace sinew {
 std::array<int, rigging::kSlots> assign_slots(const TargetSkeleton& target,
                                               const std::vector<std::array<double, 3>>& positions);
 
-// Pairs of slots that hang together: one's joint is the other's nearest ancestor with a slot.
+// Pairs of connected slots: one's joint is the other's nearest ancestor with a slot.
 //   connected  out  [rigging::kSlotPairs] 0 or 1
 void connected_slots(const TargetSkeleton& target, const std::array<int, rigging::kSlots>& slots,
                      std::array<uint8_t, rigging::kSlotPairs>* connected);

@@ -221,7 +221,7 @@ void TrainingRun::say_finished() const {
   std::fprintf(stderr, "%s%s: nothing to do: %s\n", options_.label.c_str(), options_.output.c_str(), text);
 }
 
-// All ranks go by rank 0's clock, and all stop when one is told to.
+// All ranks use rank 0's clock, and all stop when one gets a signal.
 void TrainingRun::agree() {
   std::vector<double> shared = {options_.stop != nullptr && options_.stop->load() ? 1.0 : 0.0,
                                 main_ ? checkpoint_.state.seconds : 0.0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Distances between skeletons, joints in pairs, and what hangs together.
+// Distances between skeletons, pairs of joints, and connected joints.
 #include "sinew_trainer/rig_score.hpp"
 
 #include <algorithm>

@@ -49,7 +49,7 @@ uint32_t Delaunay::insert(int64_t x, int64_t y) {
     if (points_[c][0] == x && points_[c][1] == y) return c - kFrame;
   const auto point = static_cast<uint32_t>(points_.size());
   points_.push_back({x, y});
-  // All triangles whose circle has the point inside hang together; their hole is filled with a fan.
+  // All triangles whose circumcircle contains the point are connected; their hole is filled with a fan.
   std::vector<size_t> hole = {first};
   all_[first].alive = false;
   struct Rim {

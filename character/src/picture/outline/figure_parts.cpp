@@ -169,7 +169,7 @@ void open_holes(const Grid<uint8_t>& likeness, Mask* figure) {
   Mask opened = *figure;
   for (size_t i = 0; i < opened.inside.size(); ++i)
     if (hole(parts.numbers.values[i])) opened.inside[i] = 0;
-  // What hangs together with nothing else is drawn inside of a hole, which is none then.
+  // A component without neighbors is drawn inside a hole; the hole is closed then.
   const Parts rest = parts_of(opened, true);
   if (rest.sizes.empty()) return;
   const auto main = static_cast<int32_t>(std::max_element(rest.sizes.begin(), rest.sizes.end()) - rest.sizes.begin());

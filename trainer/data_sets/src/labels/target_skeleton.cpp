@@ -196,7 +196,7 @@ class TargetMaker {
     return found;
   }
 
-  // One root in the end; what stood beside it hangs on the nearest joint below it.
+  // One root in the end; its former siblings become children of the nearest joint below it.
   void drop_unbound_roots() {
     while (true) {
       std::vector<int> tops = alive_children(-1);

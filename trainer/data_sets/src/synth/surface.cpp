@@ -165,7 +165,7 @@ class Grid {
   double cell() const { return cell_; }
 
   // Fills outside corners (the nearest to the surface first) until no face of a cell is a checkerboard and the inside
-  // and the outside corners of every cell hang together by edges. Filling only ever adds, so this ends.
+  // and the outside corners of every cell are connected by edges. Filling only ever adds, so this ends.
   void make_well_composed() {
     bool changed = true;
     while (changed) {
