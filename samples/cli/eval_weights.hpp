@@ -43,7 +43,7 @@ struct Prediction {
   std::vector<uint8_t> confidence;  // [V]; empty when the binder tells none
 };
 
-// One way of binding. `sample` is null unless some variant asks for it.
+// One variant of binding. `sample` is null unless some variant asks for it.
 struct Variant {
   std::string label;
   int bits = 0;

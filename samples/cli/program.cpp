@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads the command line, runs one of the subcommands, turns every failure into one line and an exit status.
+// Reads the command line, runs one of the subcommands, reports every failure as one line and an exit status.
 #include <CLI/CLI.hpp>
 #ifdef __GLIBC__
 #include <malloc.h>

@@ -148,7 +148,7 @@ class HomeFinder {
     return found;
   }
 
-  // What a vertex starts with and what its neighbors have, weighted by how flat the way to them is.
+  // The start value of a vertex and those of its neighbors, weighted by how flat the path to them is.
   void relax(size_t i, const std::vector<Scores>& now, Scores* scores) const {
     double sum = 1;
     const uint32_t v = band_[i];

@@ -18,7 +18,8 @@ void move_joints_inside(const Character& mesh, PredictedSkeleton* skeleton);
 //   mesh  in the picture plane
 void part_side_limbs(const Character& mesh, PredictedSkeleton* skeleton);
 
-// Votes for two legs that lie on each other make one leg that forks. No arm or leg does, above hand or foot: the way with most joints stays.
+// Votes for two legs that lie on each other make one leg that forks. No arm or leg forks above its hand or foot: the
+// path with most joints stays.
 void take_forks_off(PredictedSkeleton* skeleton);
 
 }  // namespace sinew

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fits a labeled skeleton to another: turn the whole, match chains, place them, carry the rest with their bones.
+// Fits a labeled skeleton to another: rotates the whole, matches and positions chains, moves the rest with their
+// bones.
 #include "sinew_character/predict/fit_skeleton.hpp"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ constexpr double kUnlikeLength = 0.5;  // natural logarithm of two lengths' rati
 constexpr double kUntouched = 0.7;    // a rotation of the whole must fit that much better than none
 constexpr double kFloorShare = 0.04;  // of the height: a root at most that high above the lowest joint is on the floor
 
-// Rest pose with the whole skeleton turned.
+// Rest pose with the whole skeleton rotated.
 LabeledSkeleton turned_skeleton(LabeledSkeleton s, const Rotation& rotation) {
   for (Joint& joint : s.joints) joint.position = to_vec3(turned(rotation, point(joint.position)));
   return s;
@@ -382,7 +383,7 @@ class Fitter {
   std::vector<std::pair<size_t, RotationPair>> open_ends_;
 };
 
-// No turn first, then quarters about the up axis, then the same after another up axis was brought there.
+// First no rotation, then quarters about the up axis, then the same with other up axes.
 std::vector<Rotation> rotations_of_the_whole(Axis up) {
   const Rotation tip = up == Axis::kZ ? Rotation{1, 0, 0, 0, 0, -1, 0, 1, 0} : Rotation{1, 0, 0, 0, 0, 1, 0, -1, 0};
   const Rotation quarter = up == Axis::kZ ? Rotation{0, -1, 0, 1, 0, 0, 0, 0, 1} : Rotation{0, 0, 1, 0, 1, 0, -1, 0, 0};

@@ -7,7 +7,7 @@
 namespace sinew {
 namespace {
 
-constexpr double kUsual = 1e-4;  // weight of the usual turn, share of that of all pairs
+constexpr double kUsual = 1e-4;  // weight of the usual rotation, share of that of all pairs
 
 using Matrix4 = std::array<std::array<double, 4>, 4>;
 

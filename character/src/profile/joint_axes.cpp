@@ -108,7 +108,7 @@ Rotation of_letters(const char* letters) {
   return r;
 }
 
-// The shortest turn; 180 degrees goes about the front, that of a bone along the front about the upright axis.
+// The shortest rotation; 180 degrees is about the front, for a bone along the front about the upright axis.
 Rotation turn_between(const Point3& from, const Point3& to) {
   const Point3 across = cross(from, to);
   const double sine = length(across), cosine = dot(from, to);

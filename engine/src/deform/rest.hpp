@@ -88,8 +88,8 @@ sinew_status pose_deformer(const DeformRest& rest, const float* palette, Arena& 
 // Uniform Laplacian smoothing of the surface, for delta mush and for the end of the published method.
 // Fills rest->border: vertices of edges with one triangle. edge_triangles [6 T] is scratch.
 void find_borders(uint8_t* edge_triangles, DeformRest* rest);
-// Half way to the mean of the neighbors, all at once; border vertices go to border neighbors alone. mask [U]: vertices that move,
-// null = all. scratch [U].
+// Moves vertices halfway to the mean of their neighbors, all at once; border vertices go to border neighbors alone.
+// mask [U]: vertices that move, null = all. scratch [U].
 void smooth(const DeformRest& rest, uint32_t rounds, const uint8_t* mask, Vec3d* scratch, Vec3d* positions);
 // Fills rest->smooth from the rest pose; its second half is scratch.
 void smooth_rest(DeformRest* rest);

@@ -26,7 +26,7 @@ void solve_point(const SolverPoint& point, SolverNode* nodes) {
   }
 }
 
-// Every node goes on in the way that it came since the last round's end.
+// Every node repeats its step since the last round's end.
 void add_momentum(bool on, uint32_t count, SolverState* state) {
   for (uint32_t n = 0; n < count; ++n) {
     SolverNode& node = state->nodes[n];

@@ -190,7 +190,7 @@ Eyes find_eyes(const Mesh& mesh, const GivenSkeleton& s, uint32_t head, const He
   return eyes;
 }
 
-// Where a jaw turns, and the chin.
+// The pivot of the jaw, and the chin.
 struct Jaw {
   Vec3i at = {}, chin = {};
   bool found = false;

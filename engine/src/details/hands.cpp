@@ -16,7 +16,8 @@ constexpr uint32_t kHandSets = 4;
 
 constexpr uint32_t kMostJoints = kMostGivenJoints;
 constexpr int16_t kNoMirror = -1;
-// A hand's length: so much of the way to its bone's end, percent, or of the forearm; never beyond these shares of it.
+// A hand's length: this share of the distance to its bone's end, percent, or of the forearm; never beyond these
+// shares of it.
 constexpr int64_t kOfEnd = 118, kOfForearm = 75, kLeastOfForearm = 30, kMostOfForearm = 200;
 
 constexpr char kFingerNames[kFingers][8] = {"Thumb", "Index", "Middle", "Ring", "Pinky"};

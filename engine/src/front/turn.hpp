@@ -21,7 +21,7 @@ struct Turn {
   void direction(float* out) const;  // of the front, the caller's axes
 };
 
-// A mesh with every position turned; the rest is the caller's.
+// A mesh with every position rotated; other arrays are the caller's.
 //   positions  out  [V x 3]
 sinew_mesh turn_mesh(const sinew_mesh& mesh, const Turn& turn, float* positions);
 

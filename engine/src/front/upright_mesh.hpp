@@ -23,15 +23,15 @@ struct FrontPlan {
 sinew_status plan_front(const sinew_rig_options& options, FrontPlan* plan);
 
 struct UprightMesh {
-  sinew_mesh mesh = {};  // the caller's, or with turned positions
+  sinew_mesh mesh = {};  // the caller's, or with rotated positions
   uint32_t up_axis = 0;  // of `mesh`
   GridQuantizer quantizer;
   Front front;
   bool known = false;  // the front was given, or found with certainty
 };
 
-// Builds the mesh in the grid, allocated beforehand. The turned positions stay in the arena. Returns what build_mesh() and
-// find_front() do, and SINEW_ERROR_NOT_FINITE.
+// Builds the mesh in the grid, allocated beforehand. The rotated positions stay in the arena. Returns what
+// build_mesh() and find_front() do, and SINEW_ERROR_NOT_FINITE.
 sinew_status stand_upright(const FrontPlan& plan, const sinew_mesh& input, const Counts& counts, const Kernels& kernels,
                            Arena& arena, Mesh* mesh, UprightMesh* upright);
 

@@ -49,13 +49,13 @@ struct Anatomy {
   int32_t line_count = 1;
   double sure = 0;  // votes for the sign of front
 
-  int8_t* path_open = nullptr;       // [n] scratch: on a way from the hips through the plane
+  int8_t* path_open = nullptr;       // [n] scratch: on a path from the hips through the plane
   LimbFeatures* features = nullptr;  // [kMostLimbs]
   uint32_t* hashes = nullptr;        // words of limbs
   int32_t hashes_used = 0;
 
   bool allocate(Arena& arena, uint32_t joints);
-  // Everything. `up` null: guessed. `flip`: front is the other way than it seems.
+  // Everything. `up` null: guessed. `flip`: front is opposite to the one found.
   bool build(const Hierarchy& hierarchy, const Point* up, bool flip, Arena& arena);
 
   const Point& at(int32_t joint) const { return rig->at[joint]; }
@@ -109,7 +109,7 @@ struct Anatomy {
   void leave_out_arms();
   bool are_fins() const;
   int32_t common_attach(const LimbPair& pair) const;
-  // Marks what lies on ways from the hips through the plane to a leaf, end markers aside.
+  // Marks joints on paths from the hips through the plane to a leaf, end markers aside.
   void open_paths();
   bool is_path_end(int32_t joint) const;
   double path_length(int32_t leaf) const;

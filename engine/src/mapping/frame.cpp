@@ -30,7 +30,7 @@ struct Sibling {
   }
 };
 
-// Axes, then the ways between siblings that carry about as much, those that carry most first.
+// Axes, then the directions between siblings with subtrees of about equal size, largest first.
 struct NormalFinder {
   const Hierarchy& rig;
   Point* middle;     // [n] mean position of a subtree

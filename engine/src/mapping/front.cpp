@@ -35,7 +35,7 @@ double Anatomy::path_length(int32_t leaf) const {
 }
 
 double Anatomy::path_names(int32_t leaf) const {
-  if (!rig->has_names || leg_count == 0) return 0;  // without legs the longest way counts, head or tail
+  if (!rig->has_names || leg_count == 0) return 0;  // without legs the longest path counts, head or tail
   bool is_head = false, is_trunk = false, is_tail = false, is_face = false;
   for (int32_t i = leaf; i != hip; i = rig->parent[i]) {
     const Part w = rig->part(i);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Joints of two limbs side by side: arms and legs by the ends of their long bones, others by their way.
+// Joints of two limbs side by side: arms and legs by the ends of their long bones, others by their length along the
+// limb.
 #include "mapping/matcher.hpp"
 
 namespace sinew::mapping {

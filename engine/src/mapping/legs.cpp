@@ -203,7 +203,7 @@ void Anatomy::climb_to_trunk() {
     if (above >= 0 && side[above] == 0 && r.bone(above, hip) < 0.01 * r.size && leads_on(above, hip) > own) hip = above;
     return;
   }
-  // With something in the plane of its own, which may be a tail, it gives way to a joint at the same position alone.
+  // With something in the plane of its own, which may be a tail, it yields only to a joint at the same position.
   const double near = central > 0 && !quad ? 0.05 * r.size : r.size;
   int32_t from = hip;
   for (int32_t up = r.parent[hip]; up >= 0 && side[up] == 0; up = r.parent[up]) {

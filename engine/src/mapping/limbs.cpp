@@ -198,7 +198,7 @@ void Limbs::follow(const Hierarchy& rig, const int8_t* side, int32_t number) {
 }
 
 void Limbs::grow(const Hierarchy& rig, const int8_t* side, int32_t from) {
-  for (int32_t k = from; k < count; ++k) follow(rig, side, k);  // `count` grows on the way
+  for (int32_t k = from; k < count; ++k) follow(rig, side, k);  // `count` grows in the loop
 }
 
 void Limbs::append(int32_t number, int32_t foot) {

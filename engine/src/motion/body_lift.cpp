@@ -123,7 +123,7 @@ void BodyLift::move_trunk(double lift, double pitch) {
   const Vec3d half = (0.5 * pitch) * axis;
   const Quat rotation = normalized({half.x, half.y, half.z, 1});
   const Vec3d raise = lift * plan_.up;
-  Vec3d shifts[kMostLimbs];  // of legs, which keep their turns
+  Vec3d shifts[kMostLimbs];  // of legs, which keep their rotations
   for (uint32_t l = 0; l < s_.limbs.count; ++l) {
     const Vec3d before = plan_.target_positions[s_.limbs.limbs[l].first];
     shifts[l] = pivot + rotate(rotation, before - pivot) - before;

@@ -26,7 +26,7 @@ class FootSearch {
   void find_standing(const Limb& limb, uint8_t* standing);
   // The foot's, in the source's pose.
   bool is_low(const Limb& limb) const;
-  // A way of the source from one frame to the next that is as good as none.
+  // A displacement of the source between frames that counts as none.
   bool is_slow(Vec3d way) const;
   // Of the source's floor, in its units.
   double source_floor() const { return source_floor_; }

@@ -15,7 +15,7 @@ struct Limb {
   int32_t toe = -1;                          // of a leg: the mapped toe joint, -1 without one
   bool leg = false;
   bool natural =
-      false;  // it bends by 155 degrees at most, and its end turns within 90 of the second bone or where it was
+      false;  // it bends by 155 degrees at most, and its end rotates within 90 of the second bone or where it was
 };
 
 struct LimbList {

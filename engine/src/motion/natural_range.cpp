@@ -56,7 +56,7 @@ void find_hinges(const ClipScene& scene, Hinge (&hinges)[kMostLimbs]) {
     hinge = Hinge();
     hinge.along = unit(at[limb.middle] - at[limb.first]);
     const Vec3d second = unit(at[limb.last] - at[limb.middle]);
-    // A calf turns back, a forearm to the front.
+    // A calf bends back, a forearm to the front.
     const Vec3d by_front = across(limb.leg ? -1.0 * front : front, hinge.along), by_rest = across(second, hinge.along);
     const bool fronted = length(by_front) > 0.3 * length(front) && length(front) > 0;
     const bool bent = length(by_rest) > kLeastBend;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One frame: the source's turns in the target's world, the target's by its map, the hips over the floor, local again.
+// Retargets one frame: the source's rotations in the target's world, the target's by its map, the hips over the
+// floor, local rotations.
 #include "motion/retarget.hpp"
 
 #include "core/sort.hpp"
@@ -214,7 +215,7 @@ void store_target(const sinew_retarget& plan, float* rotations, float* translati
       offset = rotate(back, offset - plan.target_positions[parent]);
     }
     local = normalized(local);
-    if (local.w < 0) local = {-local.x, -local.y, -local.z, -local.w};  // one of the two that are the same turn
+    if (local.w < 0) local = {-local.x, -local.y, -local.z, -local.w};  // one of the two that are the same rotation
     float* const q = rotations + size_t{4} * t;
     q[0] = static_cast<float>(local.x);
     q[1] = static_cast<float>(local.y);

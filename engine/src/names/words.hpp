@@ -70,7 +70,7 @@ enum WordFlag : uint32_t {
   kStart = 1u << 17,        // the other end of what has an end: two bones
   kAfterSide = 1u << 18,    // a side may stand before it without a gap: lhand, rfoot
   kOnSuffix = 1u << 19,     // counts at the end of a longer word: legcontrol
-  kTwist = 1u << 20,        // half a limb, or a bone that shares its turn
+  kTwist = 1u << 20,        // half a limb, or a bone that shares its rotation
   kToeToo = 1u << 21,       // a finger's name that toes have as well
   kLeaf = 1u << 26,         // exporters' bone behind a bone: an end to maps, whose fingers count its joints
   kWhole = 1u << 22,        // names a part where it is the whole name

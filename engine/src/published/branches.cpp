@@ -113,7 +113,7 @@ void Branches::Rig::find_mirrors() {
     }
     mirror[i] = least < kMirrored && best != i ? best : -1;
   }
-  for (int32_t i = 0; i < branches; ++i) {  // both ways
+  for (int32_t i = 0; i < branches; ++i) {  // in both directions
     if (mirror[i] >= 0 && mirror[mirror[i]] != i) mirror[i] = -1;
   }
 }

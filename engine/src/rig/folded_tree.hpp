@@ -39,13 +39,13 @@ struct FoldedTree {
 // Every point belongs to the joint of its start vote and, where its end is not a tip, votes for a connection from there
 // to the joint of its end vote. The root is the heaviest pelvis on the plane, else the joint nearest to the points'
 // mean; where no joint is on the plane it is put there. Prim's algorithm takes one more joint at a time at the least
-// cost: surprise in the votes, the way through the body (rig/body_ways.hpp), surprise in the two classes. A limb is a
-// chain of its own: joints of paired classes on opposite sides are never connected, nor is an arm or a leg to a tail
-// or an ear, nor an ear on them; what goes on from a joint of a limb that has its next already costs more
+// cost: surprise in the votes, the path through the body (rig/body_ways.hpp), surprise in the two classes. A limb is
+// a chain of its own: joints of paired classes on opposite sides are never connected, nor is an arm or a leg to a
+// tail or an ear, nor an ear on them; what goes on from a joint of a limb that has its next already costs more
 // (rig/limbs.hpp). Ends are modes of the end votes that are tips.
 //   joints  in   [count], count >= 1, as from find_folded_joints()
 //   kind         of body: its limbs are arms or legs by where they are (rig/limbs.hpp), and the tree is grown by that
-//   interior     of the mesh, or null: ways are straight then, and nothing is covered. Its distances are overwritten
+//   interior     of the mesh, or null: paths are straight then, and nothing is covered. Its distances are overwritten
 //   tree    out  nodes have the joints' numbers; chains of coverage.hpp come after them
 //   arena        scratch, all of it released
 // Returns SINEW_OK or SINEW_ERROR_WORKSPACE.

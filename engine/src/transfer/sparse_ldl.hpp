@@ -83,7 +83,7 @@ bool SparseLdl::factorise(uint32_t rows, const Row& row) {
     mark_[k] = k;
     fill_[k] = 0;
     row(k, [&](uint32_t column, double) {
-      // Row k of L holds every node on the way up the elimination tree from its entries.
+      // Row k of L holds every node on the path up the elimination tree from its entries.
       for (uint32_t i = column; i < k && mark_[i] != k; i = parent_[i]) {
         if (parent_[i] == kNone) parent_[i] = k;
         ++fill_[i];

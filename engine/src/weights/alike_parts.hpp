@@ -9,7 +9,7 @@
 namespace sinew {
 
 // Parts are alike when they have as many vertices and triangles, and the mean distance of their vertices from their
-// center differs by at most kSide / 256: copies that were moved, turned or mirrored.
+// center differs by at most kSide / 256: copies that were moved, rotated or mirrored.
 struct AlikeParts {
   uint32_t* first = nullptr;   // [parts] the first of the parts alike, by number; itself where it is that
   uint32_t* next = nullptr;    // [parts] the next of them in no certain order, kNoPart behind the last

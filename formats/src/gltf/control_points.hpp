@@ -19,7 +19,8 @@ struct ControlShape {
   std::vector<double> moves, normals;  // [points x 3]
 };
 
-// Points are vertices that agree in place, weights and shapes; normals, texture coordinates and colors are their corners'.
+// Points are vertices of equal position, weights and shapes; normals, texture coordinates and colors are their
+// corners'.
 struct ControlPoints {
   std::string name, where;  // `where` is for messages
   bool has_normals = true, has_uvs = true, has_colors = true;

@@ -21,7 +21,8 @@ namespace {
 
 #ifdef SINEW_HAS_MESHOPT
 
-// Corners of one place in a primitive are one vertex for the simplifier where they differ by no more than this. What differs more is a seam.
+// Corners at one position of a primitive are one vertex for the simplifier if they differ by no more than this. What
+// differs more is a seam.
 constexpr float kNormalCosine = 0.94f;  // 20 degrees
 constexpr float kNear = 1e-3f;          // of texture coordinates and colors
 // A level with more triangles than this many times the wanted is made again without seams.

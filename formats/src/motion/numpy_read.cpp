@@ -315,7 +315,7 @@ class NumpyReader {
     check_numbers(features);
     check_frames(features.rows(), kFeatureJoints);
     std::vector<std::vector<Point3>> rows;
-    double angle = 0;  // of half the turn
+    double angle = 0;  // of half the rotation
     Point3 root{};
     for (size_t f = 0; f < features.rows(); ++f) {
       const double* const v = &features.values[f * kFeatures];

@@ -33,7 +33,8 @@ struct Key {
   bool moves() const { return length(translation) > 1e-6 || std::abs(rotation[3]) < 1 - 1e-9; }
 };
 
-// One of the bones that turn a joint one after the other, in the file's order: models with English names have one an axis.
+// One of the bones that rotate a joint one after the other, in the file's order: models with English names have one
+// an axis.
 struct Bone {
   std::string part;
   std::vector<Key> keys;
@@ -64,7 +65,7 @@ struct LegRotations {
 //   thigh         world rotation of the upper bone as its own keys have it, which says where the knee points
 //   reach         from the hip to where the ankle shall be, in the world
 LegRotations leg_to(const Point3& upper, const Point3& lower, const Quaternion& thigh, const Point3& reach) {
-  // |upper + turned lower|^2 is a constant plus 2 (along cos(bend) + side sin(bend)).
+  // |upper + rotated lower|^2 is a constant plus 2 (along cos(bend) + side sin(bend)).
   const double along = upper[1] * lower[1] + upper[2] * lower[2], side = upper[2] * lower[1] - upper[1] * lower[2];
   const double wanted = (dot(reach, reach) - dot(upper, upper) - dot(lower, lower)) / 2 - upper[0] * lower[0];
   const double found = std::atan2(side, along) + std::acos(std::clamp(wanted / std::hypot(along, side), -1.0, 1.0));
@@ -178,7 +179,7 @@ class VmdReader {
     }
   }
 
-  // To a right-handed world: z the other way.
+  // To a right-handed world: z is negated.
   Key read_key(size_t at, size_t number_of_key) {
     Key key;
     key.frame = number<uint32_t>(at);

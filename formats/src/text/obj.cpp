@@ -259,7 +259,7 @@ tinyobj::callback_t collector_callbacks() {
   return callbacks;
 }
 
-// Drops what no face uses, and turns the numbers into values. Corners without a value get 0.
+// Drops what no face uses, and resolves the indices to values. Corners without a value get 0.
 void finish(ObjCollector* from) {
   Character& character = *from->character;
   const auto given = [](int64_t index) { return index != kNotGiven; };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Networks of skeletons and fronts on their way to integers: skeletons by the float network; ranges over a folder's characters; how
-// far the integers' answers lie from float's.
+// Networks of skeletons and fronts, quantized step by step: skeletons by the float network; ranges over a folder's
+// characters; how far the integers' answers lie from float's.
 #ifndef SINEW_TRAINER_RIG_DIFFERENCE_HPP
 #define SINEW_TRAINER_RIG_DIFFERENCE_HPP
 

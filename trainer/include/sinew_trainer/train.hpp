@@ -28,8 +28,8 @@ struct RunConfig {
   uint32_t batch = 2;             // samples per step, one per thread
   uint64_t seed = 1;
   double average_decay = 0.999;  // running average of weights; 0 = off
-  // Share of the weights of --init in the finished network. Between two networks of one start the way is smooth: half
-  // of each keeps most of a new style and most of what was known.
+  // Share of the weights of --init in the finished network. Between two networks of one start the path is smooth:
+  // half of each keeps most of a new style and most of what was known.
   double init_share = 0;
   uint32_t validate_every = 300;  // steps
   // Stop after so many validations without a new best: of the score, or without validation samples of the mean loss since
@@ -63,8 +63,8 @@ struct TrainConfig : RunConfig {
   // Share of the learned change of heat's logits that the finished network keeps (field only). Below 1 it is worse on
   // the families it was trained on and better on new ones: trainer/configs/RESULTS.md has the figures.
   double correction = 0.7;
-  // Augmentation with recomputed features: variants made once per character and cached (turn, mirror, scale, jitter,
-  // decimation).
+  // Augmentation with recomputed features: variants made once per character and cached (rotate, mirror, scale,
+  // jitter, decimation).
   uint32_t variants = 2;
   // Training characters with more vertices than this are decimated to about as many; 0 = off. Large characters cost the
   // most and teach the least per vertex. Validation and measurements always take them whole.

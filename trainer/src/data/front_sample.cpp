@@ -13,9 +13,9 @@ namespace {
 
 using namespace rigging;
 
-constexpr double kLeastSideways = 0.7;  // share of the way from right to left that is horizontal
+constexpr double kLeastSideways = 0.7;  // horizontal share of the distance from right to left
 constexpr uint32_t kLeastSided = 2;     // joints of each side
-constexpr double kLeastAlong = 0.75;    // share of the way from pelvis and tail to the head that is along the floor
+constexpr double kLeastAlong = 0.75;    // share along the floor of the distance from pelvis and tail to the head
 constexpr double kLeastTrunk = 0.15;    // of the longest side
 constexpr double kAlongAxis = 0.6;      // share of tilted meshes that face along an axis
 constexpr uint32_t kTilted = 2;         // samples of a copy

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rotations by class of joint, arms along the body, legs on their way.
+// Rotations by class of joint, arms along the body, legs in a stride.
 #include "data/rig_pose.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using namespace rigging;
 
 using Eigen::Vector3d;
 
-// How far joints of a class turn, standard deviation in radians.
+// Rotation of joints of a class, standard deviation in radians.
 double mild_sigma(JointClass c) {
   switch (c) {
     case kClassUpperArm:

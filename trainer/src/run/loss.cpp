@@ -43,7 +43,7 @@ double total_importance(const Sample& sample) {
   return total;
 }
 
-// How far a vertex sways from where it should be when joints turn.
+// Position error of a vertex when joints rotate.
 template <class S>
 class VertexSway {
  public:

@@ -52,7 +52,7 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-// Half the sum of both ways: `a` to `near_a`, `b` to `near_b`.
+// Half the sum of both directions: `a` to `near_a`, `b` to `near_b`.
 double both_ways(const std::vector<Point3>& a, const std::vector<Point3>& near_a, const std::vector<Point3>& b,
                  const std::vector<Point3>& near_b) {
   return 0.5 * (mean(nearest_distances(a, near_a)) + mean(nearest_distances(b, near_b)));
@@ -86,7 +86,7 @@ std::vector<std::vector<size_t>> neighbors(const ScoredSkeleton& skeleton) {
   return found;
 }
 
-// Is there a way from one joint to the other that passes no paired joint?
+// Is there a path from one joint to the other that passes no paired joint?
 bool hang_together(const std::vector<std::vector<size_t>>& next_to, const std::vector<int>& pairs, size_t from,
                    size_t to) {
   std::vector<size_t> open = {from};

@@ -30,7 +30,7 @@ bool Delaunay::in_circle(const Triangle& t, int64_t x, int64_t y) const {
          0;
 }
 
-// Walks towards the point; Delaunay's triangulation has no circles of such ways (Edelsbrunner 1989).
+// Walks towards the point; in a Delaunay triangulation such paths have no cycles (Edelsbrunner 1989).
 size_t Delaunay::triangle_at(int64_t x, int64_t y) const {
   size_t at = last_;
   while (true) {

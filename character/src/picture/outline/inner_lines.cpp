@@ -68,7 +68,7 @@ float border_depth(const Mask& ink, const Grid<float>& depth, float most) {
 class InkPaths {
  public:
   explicit InkPaths(const Mask& ink) : ink_(ink), from_(ink.inside.size(), kNone), steps_(ink.inside.size(), 0) {}
-  // The way from `start` to the nearest pixel for which `goal` holds; goals need no ink.
+  // The path from `start` to the nearest pixel for which `goal` holds; goals need no ink.
   template <typename Goal>
   std::vector<uint32_t> to(uint32_t start, const Goal& goal) {
     spread(start, goal);
@@ -163,7 +163,7 @@ struct Search {
 
 // The longest lines without a corner of one part of the inner ink, each from where it leaves the outline's stroke:
 // slits in `figure`. How many.
-//   inside, out  ways through `inner`, and from there out of the figure
+//   inside, out  paths through `inner`, and from there out of the figure
 size_t cut_part(const Search& search, const std::vector<uint32_t>& anchors, InkPaths* inside, InkPaths* out,
                 Mask* inner, Mask* figure) {
   size_t cuts = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which decoder; limits; rows turned as EXIF says.
+// Chooses the decoder, checks limits, rotates rows by EXIF orientation.
 #include <cstring>
 #include <memory>
 #include <utility>
