@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What weights say, the distance to each bone against its usual one, and creases, relaxed over the band. All constants: train families.
+// Weights, the distance to each bone relative to its usual one, and creases, relaxed over the band. All constants:
+// train families.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -76,7 +76,7 @@ Bounds bounds_of(const std::vector<Vec3>& vertices) {
   return box;
 }
 
-// What is wrong with faces one by one.
+// Faults of single faces.
 struct FaceCheck {
   Examples broken, degenerate, duplicate;
   std::vector<std::vector<uint32_t>> sound;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What test poses do to the mesh: edges that tear, bends that collapse, faces inside out, parts that go through each other.
+// Measures the mesh in test poses: edges that tear, bends that collapse, faces inside out, parts that go through each
+// other.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -36,7 +37,7 @@ class PoseCheck {
   }
 
  private:
-  // Of each pair of joints on the two ends, the one with the lower index first.
+  // Pairs of joints on the two ends, the lower index first.
   void tears(const TestPose& pose, const Character& posed) {
     std::map<std::array<uint32_t, 2>, std::vector<uint32_t>> torn;
     for (const TornEdge& edge : torn_edges(facts_.character, posed)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What rules ask a character for: facts found once, and poses that every body of its kind takes.
+// Facts of a character for the rules, found once, and poses that every body of its kind takes.
 #ifndef SINEW_CHARACTER_CHECK_RIG_FACTS_HPP
 #define SINEW_CHARACTER_CHECK_RIG_FACTS_HPP
 

@@ -62,7 +62,7 @@ std::vector<uint8_t> animated_joints(const Motion& motion) {
 
 MapRig rig_in_stance(const Motion& motion) { return map_source_of(motion, nullptr, {}, {}).rig; }
 
-// Of a file with a mesh, or with moving nodes alone.
+// The rig of a file with a mesh, or with moving nodes alone.
 MapRig rig_of_scene(const std::string& path) {
   try {
     Character character;

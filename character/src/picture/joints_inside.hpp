@@ -8,7 +8,8 @@
 
 namespace sinew {
 
-// What lies outside of the silhouette goes to an inner vertex of its middle line: the nearest one, where an inner one is the nearer the deeper it lies.
+// Joints outside of the silhouette move to an inner vertex of its middle line: the nearest one, with distances that
+// are smaller for deeper vertices.
 //   mesh      of the picture plane
 //   skeleton  in it; z stays
 void move_joints_inside(const Character& mesh, PredictedSkeleton* skeleton);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is done to a skeleton after it was fitted into a mesh: its fingers go where the mesh's are, limbs stay in the mesh.
+// Corrects a skeleton after it was fitted into a mesh: its fingers move to those of the mesh, limbs stay in the mesh.
 #ifndef SINEW_CHARACTER_PREDICT_FIT_DETAILS_HPP
 #define SINEW_CHARACTER_PREDICT_FIT_DETAILS_HPP
 

@@ -263,7 +263,7 @@ class Fitter {
         {joint, {from, (length(from) * scale_into(limb, last.mine) / std::max(length(to), 1e-30)) * to, 1}});
   }
 
-  // Of the chain's bone that ends at a point.
+  // Scale of the chain's bone that ends at a point.
   double scale_into(const MatchedLimb& limb, size_t i) const {
     if (i == 0) return whole_.scale;
     const size_t a = joint_index(limb.mine.joints[i - 1]), b = joint_index(limb.mine.joints[i]);
@@ -304,7 +304,7 @@ class Fitter {
 
   bool framed(size_t j) const { return known_[j]; }
 
-  // What no matched joint is above: roots, controls below them, second skeletons.
+  // Joints without a matched ancestor: roots, controls below them, second skeletons.
   void place_roots() {
     double low_old = INFINITY, low_new = INFINITY, high_old = -INFINITY;
     std::vector<size_t> sure;

@@ -50,7 +50,7 @@ std::optional<AxesPart> part_of(uint8_t joint_class) {
   }
 }
 
-// What a bone of a class leads to, besides more of its own class.
+// Classes that may follow a bone of a class, besides its own.
 std::vector<uint8_t> next_classes(uint8_t joint_class) {
   switch (joint_class) {
     case SINEW_CLASS_PELVIS:

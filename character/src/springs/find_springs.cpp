@@ -51,7 +51,7 @@ class SpringFinder {
     for (const std::vector<Influence>& row : character.influences)
       for (const Influence& one : row) weight_[one.joint] += static_cast<double>(one.weight);
     for (const Joint& joint : character.joints) stiff_.push_back(names_stiff_thing(joint.name) ? 1 : 0);
-    // What most names have is the character's own name: a horn monster's.
+    // A word that most names contain is the character's name: a horn monster's.
     if (2 * std::count(stiff_.begin(), stiff_.end(), 1) > static_cast<std::ptrdiff_t>(stiff_.size()))
       stiff_.assign(stiff_.size(), 0);
     names_.resize(character.joints.size());

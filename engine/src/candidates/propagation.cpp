@@ -10,7 +10,7 @@ namespace {
 
 constexpr uint32_t kReportEvery = 1u << 16;  // labels passed on between two progress reports
 
-// What no label of a solid cell exceeds.
+// Upper bound of the labels of a solid cell.
 constexpr uint32_t kFarthest = make_label((1u << 17) - 1, kJointMask);
 
 // Bounds are distances in int16: those of a grid of 64 cells stay below 10,000. Where one does not fit, outside cells
@@ -249,7 +249,7 @@ void Propagation::offer_costly(uint32_t grid_index, uint32_t label, uint32_t dir
   }
 }
 
-// Of the steps from a solid cell with outside cells around, reached by `arrival` from another solid cell, those that
+// The steps from a solid cell with outside cells around, reached by `arrival` from another solid cell, that
 // are left. costly: 1 when they lead outside.
 uint32_t Propagation::directions_beside(uint32_t directions, uint32_t solid, uint8_t arrival, uint32_t costly) const {
   const uint32_t* const others = beside_ + (2u * arrival + costly) * kStepCount;

@@ -244,7 +244,7 @@ class ContactFinder {
     if (share <= 0) return;
     const Vec3d p = to_double(state_.positions[u]), direction = on - p;
     const Vec3d normal = unit(direction + (0.25 * kCell) * out);
-    // What lies inside at rest, as skin under a shirt, may stay so.
+    // Vertices inside at rest, such as skin under a shirt, may stay so.
     const Vec3d at_rest = to_double(surface_.positions[u]) - point.position;
     const double rest_depth = dot(at_rest, at_rest) < kApart * kApart ? -dot(at_rest, unit(point.outward)) : 0;
     const double depth = dot(direction, normal) - greater(rest_depth, 0);

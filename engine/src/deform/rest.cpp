@@ -117,7 +117,7 @@ void find_bound_joints(DeformRest* rest) {
   }
 }
 
-// What the arrays are filled from and with.
+// Fills the arrays from the input.
 struct Builder {
   const RestInput& input;
   const Counts counts;

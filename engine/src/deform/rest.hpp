@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a deformer knows of a character at rest: everything that poses are made from, in the caller's memory.
+// A deformer's data of a character at rest: all inputs of poses, in the caller's memory.
 #ifndef SINEW_DEFORM_REST_HPP
 #define SINEW_DEFORM_REST_HPP
 
@@ -42,11 +42,11 @@ struct DeformRest {
   RestJoint* skeleton = nullptr;  // [J]
   uint32_t* welded = nullptr;     // [V] welded vertex
   uint32_t* first = nullptr;      // [U] the caller's first vertex at a position
-  // Of a volume or published pose.
+  // For a volume or published pose.
   Lattice lattice;
   uint8_t* node_flags = nullptr;  // [n]
   uint8_t* rigid = nullptr;       // [U] 1: of a part that belongs to one joint and has no soft skin around it
-  // Of a pose with contact of the whole body.
+  // For a pose with contact of the whole body.
   SkinSurface surface;
   // For smoothing, as in Mesh, and whether a vertex has an edge of one triangle.
   uint32_t *triangles = nullptr, *row_offsets = nullptr, *col_indices = nullptr;

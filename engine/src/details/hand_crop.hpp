@@ -32,8 +32,8 @@ struct HandFrame {
   Vec3i from(Vec3i p) const;
 };
 
-// Of a mesh with V vertices and T triangles. `mesh` has positions and triangles alone, in the hand's grid; triangles
-// from surface_triangles on close holes, so that the voxels have an inside.
+// The hand of a mesh with V vertices and T triangles. `mesh` has positions and triangles alone, in the hand's grid;
+// triangles from surface_triangles on close holes, so that the voxels have an inside.
 struct HandCrop {
   Mesh mesh;
   HandFrame frame;

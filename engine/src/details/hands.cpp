@@ -191,7 +191,7 @@ sinew_status run_hands(const RigPlan& plan, const sinew_mesh& mesh_input, const 
   if (status != SINEW_OK) return status;
   uint32_t hands = 0, count = 0;
   const uint32_t joints = outputs->joint_count;
-  // Of a mirrored pair the left one speaks for both.
+  // In a mirrored pair the left one counts for both.
   const auto is_asked = [&](uint32_t j) {
     if (!body.is_hand(j)) return false;
     const int32_t other = body.partner(j);

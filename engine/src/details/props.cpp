@@ -17,7 +17,7 @@ constexpr uint16_t kConfidence = 16384;
 
 int64_t squared(Vec3i v) { return dot(v, v); }
 
-// What one part is to one hand.
+// The relation of one part to one hand.
 struct Hold {
   int64_t nearest = INT64_MAX;  // squared, of its points to the hand's bone
   int64_t farthest = -1;        // squared, of its points from the hand's joint

@@ -13,7 +13,7 @@ struct Turn {
   float sine = 0, cosine = 1;
 
   bool nothing() const { return sine == 0 && cosine > 0; }  // the front is +z
-  // Of a direction in the caller's axes.
+  // The rotation for a front in the caller's axes.
   static Turn of(const float* front, uint32_t up_axis);
   // From the caller's axes to y up and front +z, and back.
   void to(const float* from, double* out) const;

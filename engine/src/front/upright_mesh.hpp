@@ -7,7 +7,7 @@
 
 namespace sinew::rigging {
 
-// What the caller says of up and front.
+// The caller's options of up and front.
 struct FrontPlan {
   sinew_model model = {};  // without bytes: nothing is found
   NetworkOptions network;
@@ -35,7 +35,7 @@ struct UprightMesh {
 sinew_status stand_upright(const FrontPlan& plan, const sinew_mesh& input, const Counts& counts, const Kernels& kernels,
                            Arena& arena, Mesh* mesh, UprightMesh* upright);
 
-// What sinew_rig_outputs says of it, the skeleton facing along `quarters` of the upright mesh (MirrorFrame) with its plane at
+// Fills sinew_rig_outputs, the skeleton facing along `quarters` of the upright mesh (MirrorFrame) with its plane at
 // `plane` across that.
 void write_front(const UprightMesh& upright, uint32_t quarters, double plane, sinew_rig_outputs* outputs);
 

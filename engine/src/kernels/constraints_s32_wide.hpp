@@ -76,7 +76,7 @@ SINEW_INLINE void step(Ints<Isa>* p, typename Isa::Real scaled, const Reals<Isa>
   p->z = Isa::sum(p->z, way(g.z));
 }
 
-// What the lanes of a mask leave is done by the reference.
+// The reference does the remaining lanes of a mask.
 template <class Isa, class List, class One>
 SINEW_INLINE void finish(typename Isa::Mask usual, const List& list, uint32_t first, const One& one) {
   for (uint32_t lane = 0, odd = Isa::kLanes ^ Isa::bits(usual); odd >> lane != 0; ++lane) {

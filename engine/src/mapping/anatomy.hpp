@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a rig's parts are, by its joints' positions: sides, limbs, legs, trunk, arms, head. The source of the method is named
+// Parts of a rig by its joints' positions: sides, limbs, legs, trunk, arms, head. The source of the method is named
 // in engine/src/mapping/README.md.
 #ifndef SINEW_MAPPING_ANATOMY_HPP
 #define SINEW_MAPPING_ANATOMY_HPP
@@ -8,7 +8,7 @@
 
 namespace sinew::mapping {
 
-// What limbs are compared by, see limb_features.cpp.
+// Features by which limbs are compared, see limb_features.cpp.
 struct LimbFeatures {
   double attach = 0;      // position on the line hips (0), chest (1), head (2)
   double log_length = 0;  // against the torso's
@@ -69,11 +69,11 @@ struct Anatomy {
   }
   // Where the fingers of a hand begin.
   Point wrist(const Limb& limb) const { return limb.has_hand ? limbs.last_point(limb) : at(limbs.last_joint(limb)); }
-  // Of the limbs `fingers`, the thumb: its joints lie nearest to the wrist and it points away from the others.
+  // The thumb among the limbs `fingers`: its joints lie nearest to the wrist and it points away from the others.
   int32_t thumb(const Limb& limb, const int32_t* fingers, int32_t count) const;
   // Position on the torso's line; the line goes on beyond its ends.
   double trunk_position(const Point& p) const;
-  // Of a possible head, how far it is from the arms against the hips.
+  // Distance of a possible head from the arms relative to that from the hips.
   double head_ratio(int32_t spine_index) const;
 
  private:

@@ -171,7 +171,7 @@ struct MirrorScore {
         }
       }
       if (j < 0 || j == i || !(off * (along[j] - o) < 0)) {
-        // What is alone should lie in the plane.
+        // Joints without a sibling should lie in the plane.
         if (absolute(off) > kAlone * rig.size) sum -= kAlonePrice;
         continue;
       }

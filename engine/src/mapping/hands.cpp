@@ -44,8 +44,8 @@ Part finger_word(const Anatomy& rig, int32_t finger) {
   return Part::kNone;
 }
 
-// What branches off a limb. Where two fingers share a bone of the palm, as ring and little finger of some captures do, it is they that
-// count. Returns how many there are.
+// Branches of a limb. Where two fingers share a bone of the palm, as ring and little finger of some captures do, it
+// is they that count. Returns how many there are.
 int32_t gather_fingers(const Anatomy& rig, const Limb& limb, int32_t* list) {
   int32_t count = 0;
   rig.limbs.each_sub(limb, [&](int32_t t) {

@@ -157,7 +157,7 @@ bool Hierarchy::join_roots() {
 }
 
 void Hierarchy::find_body() {
-  // Of joints whose positions in `order` are in [from, to), or of those whose are not.
+  // Bounds of the joints whose positions in `order` are in [from, to), or of all others.
   const auto box_of = [&](bool inside, int32_t from, int32_t to) {
     Box box;
     for (int32_t k = 0; k < n; ++k)

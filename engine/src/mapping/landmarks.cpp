@@ -67,7 +67,7 @@ void Matcher::find_landmarks(const Anatomy& rig, int32_t number, bool leg, doubl
         // A clavicle leads outwards; what already begins out there is the upper arm.
         if (!leg && !rig.frame.posed && a > 0 && t[a] - t[0] > 0.06 * whole)
           score += 1.5 * greater(0, 0.5 - (off(a) - off(0)) / (t[a] - t[0]));
-        // Of joints on one spot the last begins the bone, the first ends it.
+        // Among joints at one position the last begins the bone, the first ends it.
         if (a + 1 < b && t[a + 1] - t[a] < 0.06 * whole) score += 0.4;
         if (c - 1 > b && t[c] - t[c - 1] < 0.03 * whole) score += 0.4;
         if (leg && c < real && dot(point(c - 1) - point(c), up) < 0.6 * distance(point(c - 1), point(c))) score += 0.8;
@@ -91,7 +91,7 @@ void Matcher::find_landmarks(const Anatomy& rig, int32_t number, bool leg, doubl
   }
 }
 
-// What is alike on both sides is decided once for both: the mean of their scores.
+// Both sides are decided together: by the mean of their scores.
 //   t      out  as of find_landmarks()
 //   other  scratch of the same size
 void Matcher::find_pair_landmarks(const Anatomy& rig, int32_t number, bool leg, double* t, double* other,

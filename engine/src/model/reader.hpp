@@ -8,7 +8,7 @@
 
 namespace sinew {
 
-// What a file says before anybody needs to know its task.
+// The part of a file that does not depend on its task.
 struct ModelHeader {
   uint32_t task = 0;         // model/task.hpp
   uint32_t feature_set = 0;  // version and flags of the features that it was trained with
@@ -32,7 +32,7 @@ sinew_status read_header(const void* bytes, size_t size_bytes, ModelHeader* head
 sinew_status open_model(const void* bytes, size_t size_bytes, const ModelTask& task, sinew_model* model,
                         bool with_second = false);
 
-// What open_model() fills of bytes that it accepted before; nothing is proved again.
+// As open_model(), for bytes that it has accepted; skips all checks.
 sinew_model proven_model(const uint8_t* bytes, size_t size_bytes, const ModelTask& task);
 
 // Where the file of a second network begins in an opened model's bytes; 0: none.

@@ -26,7 +26,7 @@ struct LimbList {
 // Both long bones mapped; hands that stand on the floor are none. The first kMostLimbs.
 LimbList find_limbs(const sinew_retarget& plan);
 
-// Of a limb's parent, in the plan's target pose.
+// Rotation of a limb's parent, in the plan's target pose.
 Quat axes_of(const Limb& limb, const sinew_retarget& plan);
 
 // Brings the limb's end to `goal` in the plan's target pose, the middle joint to the side where `middle` lies, or stays where

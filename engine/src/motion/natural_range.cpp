@@ -80,7 +80,7 @@ bool bend_into_range(const Limb& limb, const Hinge& hinge, sinew_retarget* plan)
   if (dot(now.direction, now.direction) == 0) return false;
   const Vec3d third = cross(hinge.along, hinge.side);
   double x = now.along, y = now.side, z = dot(now.direction, third);
-  // What is bent to the wrong side is straightened by as much.
+  // A joint bent to the wrong side is straightened by as much.
   if (y < hinge.least_side) {
     x += hinge.least_side - y;
     y = hinge.least_side;

@@ -48,7 +48,7 @@ enum class Part : uint8_t {
 constexpr Part kFirstFinger = Part::kThumb, kLastFinger = Part::kFingers;
 constexpr bool is_finger(Part part) { return part <= kLastFinger; }
 
-// What else a word says: bits of Word::flags.
+// Other meanings of a word: bits of Word::flags.
 enum WordFlag : uint32_t {
   kLeft = 1u << 0,
   kRight = 1u << 1,

@@ -183,7 +183,7 @@ void Branches::fill_in(int32_t* sources, double* costs) {
   }
 }
 
-// What is no node: joints above the roots, from the roots up, and ends by the joints that they end.
+// Joints that are no nodes: joints above the roots, from the roots up, and ends by the joints that they end.
 void Branches::map_outside(int32_t* sources, double* costs) {
   const Hierarchy &a = *a_.rig, &b = *b_.rig;
   for (int32_t t = a.parent[a_.root], s = b.parent[b_.root]; t >= 0 && s >= 0; t = a.parent[t], s = b.parent[s]) {

@@ -109,7 +109,7 @@ class ReferencePoints {
   uint32_t source_of(uint32_t t) const { return static_cast<uint32_t>(plan_.map[t]); }
   Vec3d source_rest(uint32_t t) const { return rotate(plan_.rotation, plan_.source.positions[source_of(t)]); }
 
-  // Of joints with one source the first is a node of the path; its bone begins at the next node above.
+  // Among joints with one source the first is a node of the path; its bone begins at the next node above.
   void find_nodes() {
     for (uint32_t i = 0; i < rig_.count; ++i) {
       const uint32_t t = rig_.order[i];

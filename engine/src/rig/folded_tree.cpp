@@ -19,7 +19,7 @@ constexpr int64_t kLogPerUnit = 3298;          // Q26: log2(e) / kVoteWidth
 constexpr int32_t kNever = INT32_MAX / 2;
 constexpr int64_t kAstray = 12 << 16, kSecond = 4 << 16;  // bits, Q16
 constexpr int32_t kFromBeside = 283650;                   // Q16: 3 log2(e)
-// What beside the plane is moved there for its child.
+// Joints nearer to the plane than this are moved onto it for their child.
 constexpr int32_t kMiddle = side_share(300), kPairMiddle = side_share(200);
 constexpr int32_t kEndSnap = side_share(400);      // an end of a joint on the plane
 constexpr int32_t kEndDistance = side_share(120);  // from an end to any joint

@@ -26,9 +26,9 @@ struct Heights {
   int64_t points[kMaxFoldedJoints] = {}, sum[kMaxFoldedJoints] = {};
 };
 
-// What forks from an arm that goes on elsewhere by a surer bone, and lies above the head, is an ear, and its votes for arms are
-// for ears: big ears and bunches of hair that are voted for as arms. For mirrored trees: in others it may be the other arm, raised.
-// Returns whether there was any. The tree is to be grown again then.
+// A branch of an arm that lies above the head is an ear if the arm continues by a surer bone, and its votes for arms
+// are for ears: big ears and bunches of hair that are voted for as arms. For mirrored trees: in others it may be the
+// other arm, raised. Returns whether there was any. The tree is to be grown again then.
 bool free_ears(const Heights& heights, LimbVotes& votes, FoldedTree* tree);
 
 // Classes compete along a whole limb, not joint by joint: each branch of the torso becomes an arm, a leg, a tail, an

@@ -149,7 +149,7 @@ void read_pose(const SpringState& s, const float* rotations, const float* transl
   }
 }
 
-// Of the last frame's pose and this one's.
+// The pose between the last frame's and this one's.
 const Placement* pose_between(const SpringState& s, double share) {
   if (share >= 1) return s.now;
   for (uint32_t i = 0; i < s.order_count; ++i) {

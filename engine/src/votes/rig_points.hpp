@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a "rig" network sees: sets of surface points with what lies behind them, and who is near whom.
+// Input of a "rig" network: sets of surface points with the interior behind them, and their neighbors.
 #ifndef SINEW_VOTES_RIG_POINTS_HPP
 #define SINEW_VOTES_RIG_POINTS_HPP
 

@@ -10,7 +10,7 @@
 
 namespace sinew {
 
-// What the caller wants of the rows; see sinew_bind_options for each.
+// The caller's options for the rows; see sinew_bind_options for each.
 struct RowOptions {
   uint32_t influence_count = 4;  // slots of a row
   uint32_t weight_format = SINEW_WEIGHT_UNORM16;

@@ -37,7 +37,7 @@ struct FbxScene {
   void connect(int64_t child, int64_t parent, const char* property);
 };
 
-// What becomes a model of which node.
+// Models of nodes and meshes.
 struct FbxModels {
   std::vector<int64_t> nodes;   // [N] model of a node, 0: none
   std::vector<int64_t> meshes;  // [N] model that has the node's mesh, 0: none
@@ -49,7 +49,7 @@ struct FbxModels {
 
 // Translation, rotation and scale as FBX has them; rotations are in degrees about x, then y, then z.
 std::array<double, 3> fbx_euler(const Quaternion& rotation);
-// Of the angles that are the same rotation those nearest to `before`.
+// Among the angles of one rotation those nearest to `before`.
 std::array<double, 3> fbx_euler(const Quaternion& rotation, const std::array<double, 3>& before);
 Affine in_fbx_units(Affine m);
 

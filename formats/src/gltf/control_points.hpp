@@ -33,7 +33,7 @@ struct ControlPoints {
   std::vector<ControlShape> shapes;
 };
 
-// Of a node that has a mesh. Throws Error naming `whose` for accessors that are broken.
+// The points of a node that has a mesh. Throws Error naming `whose` for accessors that are broken.
 ControlPoints control_points(const std::string& whose, const tinygltf::Model& model, size_t node);
 
 // [N] 1: a joint of a skin, or its descendant without a mesh; without any skin a node without a mesh below.

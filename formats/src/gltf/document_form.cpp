@@ -109,7 +109,7 @@ class FormApplier {
                        " axes: nonuniform scale or mirrored");
   }
 
-  // What stands before a node's own transform: A.
+  // The factor before a node's own transform: A.
   Rotation before(size_t node) const {
     const int parent = nodes_.parents[node];
     return parent < 0 ? form_.turn : transposed(after_[static_cast<size_t>(parent)]);

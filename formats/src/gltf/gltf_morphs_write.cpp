@@ -119,7 +119,7 @@ class MorphWriter {
     }
   }
 
-  // What is added to a normal of the file, in the mesh's own space.
+  // The displacement of a normal of the file, in the mesh's space.
   std::optional<std::array<float, 3>> turn_of(uint32_t vertex, const Point3& posed, const Affine& frame,
                                               const float* normal) const {
     const Point3& rest = normals_.rest(vertex);

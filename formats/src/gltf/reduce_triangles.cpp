@@ -153,7 +153,8 @@ class Reducer {
     return left;
   }
 
-  // Of each corner the copy whose normal looks as the triangle does and whose texture goes on from the other corners'.
+  // For each corner the copy whose normal fits the triangle and whose texture coordinates continue those of the other
+  // corners.
   void choose_copies(std::vector<unsigned>* corners) const {
     for (size_t i = 0; i + 2 < corners->size(); i += 3) {
       const auto range = std::find_if(ranges_.begin(), ranges_.end(), [&](const Range& one) {

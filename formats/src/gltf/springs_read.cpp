@@ -298,7 +298,7 @@ std::optional<Springs> springs_of_file(const std::string& path, const GltfSource
   }
 }
 
-// Of joints that have the same names in both.
+// Only joints that have the same names in both.
 Springs springs_by_name(const Springs& springs, const std::vector<Joint>& before, const std::vector<Joint>& joints) {
   std::map<std::string, int> numbers;
   for (size_t j = 0; j < joints.size(); ++j) numbers[joints[j].name] = static_cast<int>(j);

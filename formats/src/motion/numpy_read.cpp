@@ -309,8 +309,8 @@ class NumpyReader {
     return nullptr;
   }
 
-  // Of a frame the root's rotate about y and its step to the next frame in its own axes (x, z), its height, then the
-  // other joints' positions in its axes. What follows (rotations, velocities, contacts) says the same once more.
+  // Per frame: the root's rotation about y and its step to the next frame in its own axes (x, z), its height, then
+  // the other joints' positions in its axes. What follows (rotations, velocities, contacts) says the same once more.
   void read_features(const NpyArray& features) {
     check_numbers(features);
     check_frames(features.rows(), kFeatureJoints);

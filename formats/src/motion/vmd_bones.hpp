@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the bones of a VMD file are called.
+// Bone names of VMD files.
 #ifndef SINEW_FORMATS_MOTION_VMD_BONES_HPP
 #define SINEW_FORMATS_MOTION_VMD_BONES_HPP
 

@@ -23,7 +23,8 @@ constexpr size_t kIkNameBytes = 20;                          // in the list of s
 constexpr size_t kListsBetween[] = {23, 61, 28, 9};          // bytes of a key: faces, camera, light, shadow
 constexpr double kUnit = 0.08, kFps = 30, kArmsDown = 0.66;  // meters; radians of the rest pose's arms
 
-// Of a key the frame, the translation against the rest position, the rotation and the four curves to it: x, y, z, rotation.
+// A key: the frame, the translation against the rest position, the rotation and the four curves to it: x, y, z,
+// rotation.
 struct Key {
   size_t frame = 0;
   Point3 translation{};
@@ -145,7 +146,7 @@ class VmdReader {
       for (auto& [name, keys] : bones)
         std::stable_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) { return a.frame < b.frame; });
   }
-  // Of the bone, or of an earlier one of the joint that has the same name but for its spelling.
+  // Keys of the bone, or of an earlier bone of the joint with the same name in another spelling.
   std::vector<Key>& bone_keys(const std::string& joint, const std::string& name) {
     std::vector<Bone>& bones = keys_[joint];
     const std::string part = part_of_vmd_bone(name);

@@ -89,7 +89,7 @@ std::string join_continued_lines(const std::string& text) {
   return out;
 }
 
-// What the loader does not hand on.
+// Data that the loader drops.
 struct ObjExtras {
   std::vector<std::array<float, 3>> colors;  // [V] once a vertex has one; white where it has none
   std::vector<std::string> libraries;        // after mtllib
@@ -185,7 +185,7 @@ ObjCounts check_lines(const std::string& name, std::string_view text, ObjExtras*
 
 constexpr int64_t kNotGiven = -1;
 
-// What the loader's callbacks fill, in the file's order.
+// Data that the loader's callbacks fill, in the file's order.
 struct ObjCollector {
   Character* character = nullptr;
   std::vector<std::array<float, 2>> uvs;

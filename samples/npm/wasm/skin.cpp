@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the package's modules have beside the engine's own interface (sinew.h): joints chosen as the command chooses them, and
-// a callback that tells JavaScript how far a call is. src/binder.js and engine.js write the engine's structs into memory; the
-// layouts they go by are checked here.
+// Functions of the package's modules beside the engine's interface (sinew.h): joints chosen as the command chooses
+// them, and a callback that tells JavaScript how far a call is. src/binder.js and engine.js write the engine's
+// structs into memory; the layouts they go by are checked here.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

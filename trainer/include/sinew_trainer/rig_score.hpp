@@ -30,7 +30,7 @@ ScoredSkeleton scored_skeleton(const TargetSkeleton& target);
 // As a file says it: classes by names, and a leaf called NAME_end or NAME_tip is a bone end. `side` is the mesh's.
 ScoredSkeleton scored_skeleton(const std::vector<Joint>& joints, double side);
 
-// Of one character, or a mean over several. All joints count, bone ends too. NaN: there was nothing to count.
+// Scores of one character, or means over several. All joints count, bone ends too. NaN: there was nothing to count.
 struct RigScore {
   double j2j =
       0;  // mean of the distances from predicted to nearest reference joints and from reference to nearest predicted joints
@@ -58,17 +58,17 @@ inline constexpr std::array<RigFigure, 9> kRigFigures = {{{"J2J", &RigScore::j2j
                                                           {"class", &RigScore::classes},
                                                           {"symmetric", &RigScore::symmetric}}};
 
-// Of every predicted joint the reference joint that it is paired with, -1 = none.
+// The reference joint paired with every predicted joint, -1 = none.
 std::vector<int> pair_joints(const ScoredSkeleton& predicted, const ScoredSkeleton& reference);
 // Same figures as rig_eval.py. Throws Error where either has no joints.
 RigScore score_rig(const ScoredSkeleton& predicted, const ScoredSkeleton& reference);
 
 // A reference with head, arms and legs of two bones, and no tail.
 bool is_humanoid(const ScoredSkeleton& reference);
-// What keeps a skeleton from being retargeted, one line each; empty = complete. Of the 15 bones that every humanoid has,
-// pelvis, spine and head must be in the middle (0.01), upper arm, forearm, hand, thigh, calf and foot once on each side,
-// each below the one before, and a pelvis must be the root. x points left; the middle is that of a symmetric skeleton,
-// of others where the root is.
+// Reasons why a skeleton cannot be retargeted, one line each; empty = complete. Of the 15 bones that every humanoid
+// has, pelvis, spine and head must be in the middle (0.01), upper arm, forearm, hand, thigh, calf and foot once on
+// each side, each below the one before, and a pelvis must be the root. x points left; the middle is that of a
+// symmetric skeleton, of others where the root is.
 std::vector<std::string> humanoid_gaps(const ScoredSkeleton& skeleton);
 
 // A skeleton and the weights that a bind to it gave, in a character whose artist's weights are known.

@@ -48,7 +48,7 @@ struct RunConfig {
 struct TrainConfig : RunConfig {
   std::string architecture = "field";
   FieldOptions field;
-  // What a vertex and its candidates are described by: "own", all features, heat weights among them; "published" (classic
+  // Features of a vertex and its candidates: "own", all features, heat weights among them; "published" (classic
   // only), positions, normals, Laplacian, curvatures, distances to joints and, with `spectral`, signatures.
   std::string attributes = "own";
   uint32_t block_layers = 1;  // of classic: linear layers with ReLU in each of its multi-layer perceptrons
@@ -94,7 +94,7 @@ struct TrainOptions {
   uint64_t stop_after = 0;                  // stop after so many steps of this call, to be resumed; 0 = off
   const std::atomic<bool>* stop = nullptr;  // set it (from a signal handler, say) to write the checkpoint and return
 };
-// What a run draws from.
+// Sources of a run's samples.
 struct TrainingSet {
   std::vector<std::vector<Sample>> characters;  // each: the original, then its variants
   std::vector<std::string> families;            // [characters]

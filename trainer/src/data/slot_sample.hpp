@@ -30,7 +30,7 @@ void connected_slots(const TargetSkeleton& target, const std::array<int, rigging
 // Steps of a point's position in its row (kRigPosition) in a longest side: twice the position, Q13.
 constexpr double kPositionSteps = 16384;
 
-// What the first network is to say of each slot, and the second of each two.
+// Targets of the first network for each slot, and of the second for each pair.
 struct SlotSample : NetworkSample {
   std::vector<float> joints;  // [kSlots x 4] position in the mirror frame, offset from the skin; longest sides
   std::array<uint8_t, rigging::kSlots> present{};  // 1: the slot holds a joint; without one its joint is 0

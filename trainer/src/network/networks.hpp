@@ -34,7 +34,7 @@ struct RigNetworkOptions {
 //   second on); at the end relu(L [h, h after two rounds, max and mean of all h]), relu(L), L.
 FloatNetwork make_rig_network(const RigNetworkOptions& options, uint64_t seed);
 
-// Of the front: every point alone, and what all of them say together.
+// A network of the front: every point alone, and the sum over all points.
 struct FrontNetworkOptions {
   uint32_t width = 64;  // channels
   uint32_t rounds = 2;  // of all points' largest and mean values

@@ -17,7 +17,7 @@ namespace sinew {
 // of what a network says, how likely the slot holds a joint, 0 to 1.
 constexpr uint32_t kSlotOffset = 3, kSlotPresence = 4, kSlotNumbers = 5;
 
-// What the runner returns: [kSlots x kSlotNumbers], then the probability of every pair to be connected
+// The runner's output: [kSlots x kSlotNumbers], then the probability of every pair to be connected
 // [rigging::kSlotPairs].
 constexpr uint32_t kSlotOutputs = rigging::kSlots * kSlotNumbers + rigging::kSlotPairs;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What training makes small: distance of the predicted weights from the reference, per vertex and per part, and its
+// The loss of training: distance of the predicted weights from the reference, per vertex and per part, and its
 // gradient.
 #ifndef SINEW_TRAINER_RUN_LOSS_HPP
 #define SINEW_TRAINER_RUN_LOSS_HPP

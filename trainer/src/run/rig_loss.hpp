@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What networks of skeletons are to make small, with analytic gradients: of votes, of the published method's slots, of the front.
+// Losses of skeleton networks, with analytic gradients: of votes, of the published method's slots, of the front.
 #ifndef SINEW_TRAINER_RUN_RIG_LOSS_HPP
 #define SINEW_TRAINER_RUN_RIG_LOSS_HPP
 

@@ -79,7 +79,7 @@ void require_same_config(const std::string& saved, const std::string& given, con
               "); use --init to start a new run from its weights");
 }
 
-// What a run's log says of when to stop: by the mean of some columns.
+// When to stop by a run's log: by the mean of some columns.
 struct Course {
   size_t since_best = 0;  // lines behind the best one
   double last = 1e30;

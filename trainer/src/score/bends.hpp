@@ -20,7 +20,7 @@
 
 namespace sinew {
 
-// What is shown of a class of joints.
+// The view of a class of joints.
 struct Bend {
   uint32_t joint_class;
   const char* what;  // as "elbow, bent by"

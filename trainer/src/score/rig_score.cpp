@@ -28,7 +28,7 @@ double distance_of(const Point3& a, const Point3& b) {
   return std::sqrt(x * x + y * y + z * z);
 }
 
-// Of every point, how far the nearest of `others` is. Plain search: a few thousand points take milliseconds.
+// The distance of every point to the nearest of `others`. Plain search: a few thousand points take milliseconds.
 std::vector<double> nearest_distances(const std::vector<Point3>& points, const std::vector<Point3>& others) {
   std::vector<double> x, y, z;
   for (const Point3& p : points) {

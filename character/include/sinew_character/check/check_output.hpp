@@ -34,7 +34,7 @@ void check_against(const std::string& path, const CheckOptions& options, Checked
 // made by a program; an artist's own style of weighting costs points without being worse. Throws Error.
 double weight_score(const Character& character);
 
-// What a pipeline lets through.
+// Limits of a pipeline.
 struct CheckGate {
   size_t most_errors = 0, most_warnings = 0, most_notes = SIZE_MAX;
   std::vector<std::string> ignored;      // rules whose findings do not count

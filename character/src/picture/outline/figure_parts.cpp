@@ -17,7 +17,7 @@ struct Part {
   uint32_t side() const { return std::max(right - left, bottom - top) + 1; }
 };
 
-// Of the least share of the largest one's pixels that makes a figure of its own.
+// Least share of the largest one's pixels that makes a separate figure.
 constexpr size_t kFigureShare = 5;
 constexpr size_t kMostFigures = 12;
 constexpr size_t kCrumb = 40;  // pixels that a slit may split off
