@@ -21,7 +21,7 @@ namespace {
 
 constexpr size_t kLevels = 65;       // from the hips to the floor, and from the shoulders
 constexpr size_t kRows = 3;          // joints of a line
-constexpr double kAround = 0.6;      // of a full circle around both legs a skirt covers at least
+constexpr double kAround = 0.6;      // of a turn around both legs a skirt covers at least
 constexpr double kRing = 0.95;       // from there on it is closed
 constexpr size_t kGap = 2;           // levels that a garment may miss, where it is torn
 constexpr double kLeastSkirt = 0.2;  // of the leg that a skirt is long
@@ -36,7 +36,7 @@ constexpr size_t kFewestRing = 6, kMostRing = 12, kFewestSheet = 3, kMostSheet =
 constexpr double kThin = 0.22;       // of its width squared that a sheet's section encloses at most
 constexpr double kWide = 0.5;        // of the shoulders' distance that it is wide at least
 constexpr double kBehind = 0.02;     // of the height behind the trunk's middle line all of it is
-constexpr double kSheetTurn = 0.55;  // of a full circle around the trunk it covers at most
+constexpr double kSheetTurn = 0.55;  // of a turn around the trunk it covers at most
 constexpr double kMadeShare = 0.05;  // of its weight that joints of garments hold: more, and it has chains
 constexpr double kOwnShare = 0.7;    // of its weight that joints hold which do not swing
 constexpr double kBesideLeg =
@@ -312,8 +312,7 @@ class GarmentFinder {
     return covered;
   }
 
-  // Whether the vertices are weighted to a body that holds still beside them: not to joints that swing, wings and
-  // tails.
+  // Whether the vertices hang on a body that holds still beside them: not on joints that swing, wings and tails.
   bool is_held_by_body(const Garment& garment) const {
     double own = 0, made = 0, all = 0;
     for (const uint32_t v : garment.vertices)
@@ -328,7 +327,7 @@ class GarmentFinder {
     return all > 0 && own >= kOwnShare * all && made <= kMadeShare * all;
   }
 
-  // Lines, vertices and their positions. `place` returns how far around or across a point of a section is, 0..1.
+  // Lines, vertices and their places. `place` says of a point in a section how far around or across it is, 0..1.
   template <class Place>
   bool lay(const Levels& levels, Place place, Garment* out) const {
     constexpr size_t kParts = 48;  // around or across
@@ -447,8 +446,7 @@ class GarmentFinder {
     return out->vertices.size() >= kFewestVertices && is_held_by_body(*out);
   }
 
-  // The longest run of parts that hang so far down, around the front; as shares of a full circle, the end above 1
-  // where it passes it.
+  // The longest run of parts that hang so far down, around the front; as shares of a turn, the end above 1 where it passes it.
   static std::pair<double, double> widest_arc(const std::vector<double>& hem, double least) {
     const size_t count = hem.size();
     size_t best = 0, best_begin = 0;
